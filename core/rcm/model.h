@@ -1,0 +1,112 @@
+// The syntax of RCM (thesis 3.1, Definitions 3.1 to 3.9) with its extensions link and oracle (3.3), as values. A
+// Document is what is stored and edited; a native model (translate.h) has no links and no oracles and is what executes.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/value/value.h"
+
+namespace race::rcm {
+
+/// PA: its value on activation is `value`, or `from` evaluated in the parent's scope, or required (neither).
+struct Parameter {
+  std::string name;
+  std::optional<Value> value;
+  std::optional<std::string> from;
+  Value type;  // TYPE as JSON, or null
+  std::string unit, doc;
+  Value meta;  // any JSON, or null; never semantic
+  bool operator==(const Parameter&) const = default;
+};
+
+/// A result or a variable.
+struct Datum {
+  std::string name;
+  std::optional<Value> initial;
+  Value type;
+  std::string unit, doc;
+  Value meta;
+  bool operator==(const Datum&) const = default;
+};
+
+/// A: a conditioned function.
+struct Action {
+  std::string when, code;  // fields `when`, `do`
+  Value meta;
+  bool operator==(const Action&) const = default;
+};
+
+/// P: leads to a sibling of its state, or nowhere. A linking state's port has no `when`.
+struct Port {
+  std::string name;
+  std::optional<std::string> when;
+  std::optional<std::string> to;
+  Value meta;
+  bool operator==(const Port&) const = default;
+};
+
+struct Barrier {
+  std::string name;
+  std::vector<std::string> to;
+  Value meta;
+  bool operator==(const Barrier&) const = default;
+};
+
+/// 3.3.2. `text` is the expression (expr) or the call (external).
+struct Oracle {
+  enum class Kind { expr, external, history } kind = Kind::expr;
+  std::string text;
+  std::optional<std::vector<std::string>> resume;  // history
+  bool operator==(const Oracle&) const = default;
+};
+
+/// `keep` (R8): through which ports a state may be left and keep its values.
+struct Keep {
+  bool any = false;
+  std::vector<std::string> ports;
+  bool operator==(const Keep&) const = default;
+};
+
+struct State;
+using Node = std::variant<State, Barrier>;
+
+struct State {
+  std::string name, doc;
+  std::vector<Parameter> parameters;
+  std::vector<Datum> results, variables;
+  std::optional<std::string> entry, exit;
+  std::vector<Action> actions;
+  std::vector<Node> children;
+  std::optional<std::string> first;
+  std::vector<Port> ports;
+  std::optional<Keep> keep;
+  std::optional<std::string> link;
+  std::optional<Oracle> oracle;
+  Value meta;
+  bool operator==(const State&) const;
+};
+
+struct Document {
+  std::string name;
+  std::map<std::string, std::string> services;  // key after svc. -> service type
+  std::vector<State> library;
+  State root;
+  Value layout, meta;
+  bool operator==(const Document&) const = default;
+};
+
+const std::string& name_of(const Node& node);
+
+/// A native model: no links, no oracles; and for every element that translation made or copied, the element of the
+/// document it came from.
+struct NativeModel {
+  State root;
+  /// Path in the native model (`Root/A`, `Root/A.port`) -> path in the document (`Root/A`, `library/Pick/A.port`).
+  std::map<std::string, std::string> origin;
+};
+
+}  // namespace race::rcm

@@ -1,0 +1,23 @@
+#include "core/value/expected.h"
+
+#include <array>
+
+namespace race {
+
+std::string_view name(ErrorCode code) {
+  static constexpr std::array kNames = {
+      "json",           "version",      "missing",      "type",        "unknown_field",  "name",
+      "duplicate",      "constant",     "parameter",    "root_from",   "first",          "port_target",
+      "barrier_target", "link_unknown", "link_cycle",   "link_field",  "link_parameter", "link_port",
+      "oracle",         "reference",    "keep",         "syntax",      "forbidden",      "scope",
+      "effect",         "service_call", "unknown_name", "too_large",   "too_deep",       "out_of_range",
+      "not_found",      "conflict",     "io",           "unavailable", "not_accepted"};
+  static_assert(kNames.size() == static_cast<std::size_t>(ErrorCode::not_accepted) + 1);
+  return kNames[static_cast<std::size_t>(code)];
+}
+
+std::string to_string(const Error& error) {
+  return error.path + ": " + std::string(name(error.code)) + ": " + error.message;
+}
+
+}  // namespace race

@@ -1,0 +1,100 @@
+// Expected<T>: a value or an Error. An Error says what was expected, what came, and where; it is for what a task
+// author, a client or a device can cause. What only our own mistake can cause is an assert.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+namespace race {
+
+/// What a program branches on. The names of the first block are the codes of a rejected document (core/SEMANTICS.md),
+/// the second block holds the kinds of faults, the rest are the doors'. `name(code)` gives the text that users see.
+enum class ErrorCode {
+  // documents and code
+  json,
+  version,
+  missing,
+  type,
+  unknown_field,
+  name,
+  duplicate,
+  constant,
+  parameter,
+  root_from,
+  first,
+  port_target,
+  barrier_target,
+  link_unknown,
+  link_cycle,
+  link_field,
+  link_parameter,
+  link_port,
+  oracle,
+  reference,
+  keep,
+  syntax,
+  forbidden,
+  scope,
+  effect,
+  service_call,
+  unknown_name,
+  // doors
+  too_large,
+  too_deep,
+  out_of_range,
+  not_found,
+  conflict,
+  io,
+  unavailable,
+  not_accepted,
+};
+
+/// The code as documents, messages and command lines show it, such as "port_target".
+std::string_view name(ErrorCode code);
+
+/// A stretch of a code text: lines and columns count from 1, `end_column` is one past the last character. Line 0: none.
+struct SourceRange {
+  int line = 0;
+  int column = 0;
+  int end_line = 0;
+  int end_column = 0;
+  bool operator==(const SourceRange&) const = default;
+};
+
+/// One violation: where (the path of a node, `Root/A`, a port, `Root/A.success`, or a field), which rule, and why.
+struct Error {
+  ErrorCode code;
+  std::string message;
+  std::string path = {};
+  SourceRange where = {};
+  bool operator==(const Error&) const = default;
+};
+
+/// `path: code: message`, as commands print it.
+std::string to_string(const Error& error);
+
+template <typename T>
+using Expected = tl::expected<T, Error>;
+
+/// For doors that list every violation of what was handed in.
+template <typename T>
+using Checked = tl::expected<T, std::vector<Error>>;
+
+inline tl::unexpected<Error> unexpected(ErrorCode code, std::string message, std::string path = {}) {
+  return tl::unexpected<Error>(Error{code, std::move(message), std::move(path)});
+}
+
+}  // namespace race
+
+#define RACE_CONCAT_INNER(a, b) a##b
+#define RACE_CONCAT(a, b) RACE_CONCAT_INNER(a, b)
+
+/// ASSIGN_OR_RETURN(auto x, f()): x is f()'s value, or the caller returns f()'s error.
+#define ASSIGN_OR_RETURN(declaration, expression) \
+  ASSIGN_OR_RETURN_INNER(RACE_CONCAT(race_expected_, __LINE__), declaration, expression)
+#define ASSIGN_OR_RETURN_INNER(temporary, declaration, expression)     \
+  auto temporary = (expression);                                       \
+  if (!temporary) return tl::unexpected(std::move(temporary).error()); \
+  declaration = std::move(*temporary)

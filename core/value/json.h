@@ -1,0 +1,31 @@
+// JSON in and out: the one place where text becomes a Value and a Value text. nlohmann stays in json.cpp.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "core/value/expected.h"
+#include "core/value/value.h"
+
+namespace race {
+
+/// What a door accepts.
+struct JsonLimits {
+  std::size_t depth = 64;                // levels of lists and dicts
+  std::size_t bytes = 16 * 1024 * 1024;  // of text
+  /// A number outside of int64 or double is an error `constant`; if kept, it is read as the unknown value, for a reader
+  /// that says where in a document it stands.
+  bool keep_out_of_range = false;
+};
+
+/// Reads one JSON document (UTF-8). Errors: `json` (not JSON, bad UTF-8, text after it, a key twice), `too_deep`,
+/// `too_large`, `constant`.
+Expected<Value> parse_json(std::string_view text, const JsonLimits& limits = {});
+
+/// Writes JSON: one line, or with `indent` spaces a level. Doubles keep their value (shortest text that reads back the
+/// same) and are recognisable as doubles (`1.0`). Requires finite doubles and no unknown inside; strings are valid
+/// UTF-8.
+std::string to_json(const Value& value, int indent = -1);
+
+}  // namespace race

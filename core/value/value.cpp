@@ -1,0 +1,198 @@
+#include "core/value/value.h"
+
+#include <bit>
+#include <cassert>
+#include <functional>
+
+namespace race {
+
+struct Value::StringRep : Counted {
+  std::string text;
+};
+struct Value::ListRep : Counted {
+  List items;
+};
+struct Value::DictRep : Counted {
+  Dict entries;
+};
+
+Value::Value(std::string text) : kind_(Kind::string) {
+  auto* rep = new StringRep;
+  rep->text = std::move(text);
+  heap_ = rep;
+}
+
+Value::Value(List items) : kind_(Kind::list) {
+  auto* rep = new ListRep;
+  rep->items = std::move(items);
+  heap_ = rep;
+}
+
+Value::Value(Dict entries) : kind_(Kind::dict) {
+  auto* rep = new DictRep;
+  rep->entries = std::move(entries);
+  heap_ = rep;
+}
+
+const std::string& Value::as_string() const noexcept {
+  assert(is_string());
+  return static_cast<const StringRep*>(heap_)->text;
+}
+
+const List& Value::as_list() const noexcept {
+  assert(is_list());
+  return static_cast<const ListRep*>(heap_)->items;
+}
+
+const Dict& Value::as_dict() const noexcept {
+  assert(is_dict());
+  return static_cast<const DictRep*>(heap_)->entries;
+}
+
+List& Value::mutable_list() {
+  assert(is_list());
+  if (heap_->frozen || heap_->references != 1) *this = Value(as_list());
+  return static_cast<ListRep*>(heap_)->items;
+}
+
+Dict& Value::mutable_dict() {
+  assert(is_dict());
+  if (heap_->frozen || heap_->references != 1) *this = Value(as_dict());
+  return static_cast<DictRep*>(heap_)->entries;
+}
+
+const Value* Value::find(std::string_view key) const noexcept { return is_dict() ? as_dict().find(key) : nullptr; }
+
+Value& Value::freeze() {
+  if (!counted() || heap_->frozen) return *this;
+  if (is_list()) {
+    for (Value& item : static_cast<ListRep*>(heap_)->items) item.freeze();
+  } else if (is_dict()) {
+    static_cast<DictRep*>(heap_)->entries.freeze();
+  }
+  heap_->frozen = true;
+  return *this;
+}
+
+std::size_t Value::size_units() const noexcept {
+  std::size_t units = 1;
+  if (is_string()) return as_string().size() + 1;
+  if (is_list())
+    for (const Value& item : as_list()) units += item.size_units();
+  if (is_dict())
+    for (const auto& [key, item] : as_dict()) units += key.size_units() + item.size_units();
+  return units;
+}
+
+bool Value::operator==(const Value& other) const noexcept {
+  if (kind_ != other.kind_) return false;
+  if (integer_ == other.integer_) return true;  // the same scalar, bit by bit, or the same object
+  switch (kind_) {
+    case Kind::string:
+      return as_string() == other.as_string();
+    case Kind::list:
+      return as_list() == other.as_list();
+    case Kind::dict:
+      return as_dict() == other.as_dict();
+    case Kind::unknown:
+    case Kind::null:
+      return true;
+    default:
+      return false;
+  }
+}
+
+void Value::destroy() noexcept {
+  if (kind_ == Kind::string) delete static_cast<StringRep*>(heap_);
+  if (kind_ == Kind::list) delete static_cast<ListRep*>(heap_);
+  if (kind_ == Kind::dict) delete static_cast<DictRep*>(heap_);
+}
+
+Dict::Dict(std::initializer_list<std::pair<std::string_view, Value>> entries) {
+  entries_.reserve(entries.size());
+  for (const auto& [key, value] : entries) set(key, value);
+}
+
+// Where the index holds `key`, or the free place where it would stand.
+std::size_t Dict::probe(std::string_view key) const noexcept {
+  const std::size_t mask = index_.size() - 1;
+  std::size_t at = std::hash<std::string_view>{}(key)&mask;
+  while (index_[at] != 0 && entries_[index_[at] - 1].first.as_string() != key) at = (at + 1) & mask;
+  return at;
+}
+
+std::size_t Dict::position(std::string_view key) const noexcept {
+  if (!index_.empty()) {
+    const std::uint32_t found = index_[probe(key)];
+    return found == 0 ? entries_.size() : found - 1;
+  }
+  std::size_t i = 0;
+  while (i < entries_.size() && entries_[i].first.as_string() != key) ++i;
+  return i;
+}
+
+void Dict::rebuild() {
+  index_.clear();
+  if (entries_.size() < kIndexed) return;
+  index_.assign(std::bit_ceil(entries_.size() * 3), 0);
+  for (std::size_t i = 0; i < entries_.size(); ++i)
+    index_[probe(entries_[i].first.as_string())] = static_cast<std::uint32_t>(i + 1);
+}
+
+const Value* Dict::find(std::string_view key) const noexcept {
+  const std::size_t i = position(key);
+  return i == entries_.size() ? nullptr : &entries_[i].second;
+}
+
+const Value* Dict::find(const Value& key) const noexcept {
+  if (index_.empty())
+    for (const Entry& entry : entries_)
+      if (entry.first.identical(key)) return &entry.second;
+  return find(std::string_view(key.as_string()));
+}
+
+Value* Dict::find(const Value& key) noexcept { return const_cast<Value*>(std::as_const(*this).find(key)); }
+
+void Dict::set(const Value& key, Value value) {
+  const std::size_t i = position(key.as_string());
+  if (i < entries_.size()) {
+    entries_[i].second = std::move(value);
+    return;
+  }
+  entries_.emplace_back(key, std::move(value));
+  if (index_.empty() ? entries_.size() >= kIndexed : entries_.size() * 2 > index_.size())
+    rebuild();
+  else if (!index_.empty())
+    index_[probe(key.as_string())] = static_cast<std::uint32_t>(entries_.size());
+}
+
+bool Dict::erase(std::string_view key) {
+  const std::size_t i = position(key);
+  if (i == entries_.size()) return false;
+  entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(i));
+  rebuild();
+  return true;
+}
+
+void Dict::clear() noexcept {
+  entries_.clear();
+  index_.clear();
+}
+
+void Dict::freeze() {
+  for (auto& [key, value] : entries_) {
+    key.freeze();
+    value.freeze();
+  }
+}
+
+bool Dict::operator==(const Dict& other) const noexcept {
+  if (size() != other.size()) return false;
+  for (const auto& [key, value] : entries_) {
+    const Value* found = other.find(key);
+    if (!found || !(*found == value)) return false;
+  }
+  return true;
+}
+
+}  // namespace race
