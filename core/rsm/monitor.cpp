@@ -1,0 +1,223 @@
+#include "core/rsm/monitor.h"
+
+#include <algorithm>
+
+#include "core/rsm/type.h"
+
+namespace race::rsm {
+namespace {
+
+std::string quoted(std::string_view name) { return "`" + std::string(name) + "`"; }
+
+void add(Monitor::Violations& out, std::string_view rule, std::string message, Monitor::CallId call) {
+  out.push_back(Violation{std::string(rule), std::move(message), call});
+}
+
+bool contains(const std::vector<std::string>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Each argument that fits no parameter, each that is not of its type, each parameter that nothing supplies.
+void check_arguments(const Operation& operation, const List& args, const Dict& kwargs, Monitor::CallId call,
+                     Monitor::Violations& out) {
+  const auto& parameters = operation.parameters;
+  if (args.size() > parameters.size())
+    add(out, "type",
+        quoted(operation.name) + " takes " + std::to_string(parameters.size()) + " arguments, got " +
+            std::to_string(args.size()),
+        call);
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const OperationParameter& parameter = parameters[i];
+    const Value* value = i < args.size() ? &args[i] : kwargs.find(std::string_view(parameter.name));
+    const bool needed = !parameter.value && !parameter.type.find("optional");
+    if (!value && needed) add(out, "type", "argument " + quoted(parameter.name) + " is missing", call);
+    const auto reason = value ? mismatch(parameter.type, *value) : std::nullopt;
+    if (reason) add(out, "type", "argument " + quoted(parameter.name) + ": " + *reason, call);
+  }
+  for (const auto& [key, value] : kwargs) {
+    const bool known = std::any_of(parameters.begin(), parameters.end(),
+                                   [&](const OperationParameter& p) { return p.name == key.as_string(); });
+    if (!known) add(out, "type", quoted(operation.name) + " has no parameter " + quoted(key.as_string()), call);
+  }
+}
+
+}  // namespace
+
+Monitor::Monitor(Service service) : service_(std::move(service)), instance_(initial(service_)) {}
+
+void Monitor::restarted() {
+  instance_ = initial(service_);
+  open_.clear();
+  owed_.clear();
+  last_transition_.clear();
+}
+
+std::vector<Monitor::CallId> Monitor::open_calls() const {
+  std::vector<CallId> out;
+  for (const auto& [call, open] : open_) out.push_back(call);
+  return out;
+}
+
+const Operation* Monitor::operation(std::string_view name) const {
+  for (const Operation& operation : service_.operations) {
+    if (operation.name == name) return &operation;
+  }
+  return nullptr;
+}
+
+const Event* Monitor::declared_event(std::string_view name) const {
+  for (const Event& event : service_.events) {
+    if (event.name == name) return &event;
+  }
+  return nullptr;
+}
+
+Monitor::Violations Monitor::called(CallId call, std::string_view name, const List& args, const Dict& kwargs) {
+  Violations out;
+  const Operation* called = operation(name);
+  if (called) {
+    check_arguments(*called, args, kwargs, call, out);
+  } else {
+    add(out, "declared", "there is no operation " + quoted(name), call);
+  }
+  // What an interface does with a call is its own: each may be answered at once.
+  const auto stage = service_.is_interface() ? Open::Stage::resolved : Open::Stage::handed;
+  open_[call] = Open{std::string(name), stage, std::nullopt};
+  return out;
+}
+
+Monitor::Violations Monitor::transition(std::string_view id, CallId call) {
+  Violations out;
+  check_unannounced(out);
+  const Transition* t = find_transition(service_, id);
+  if (!t) {
+    add(out, "declared", "there is no transition " + quoted(id), call);
+    return out;
+  }
+  check_source(*t, call, out);
+  follow(*t, call);
+  return out;
+}
+
+// Trans1 and Trans2, the premises: t.src = svc.cur ∪ ∅, and α = t.operation or t.operation = ∅.
+void Monitor::check_source(const Transition& t, CallId call, Violations& out) const {
+  const std::string_view rule = t.operation ? "Trans1" : "Trans2";
+  if (!leaves_current(t, instance_))
+    add(out, rule, quoted(t.id) + " leaves " + quoted(*t.src) + ", the state is " + quoted(instance_.current), call);
+  if (!t.operation) {
+    if (call != 0) add(out, rule, quoted(t.id) + " waits for no call, but was taken on one", call);
+    return;
+  }
+  const auto open = open_.find(call);
+  if (open == open_.end() || open->second.stage != Open::Stage::handed) {
+    add(out, rule, quoted(t.id) + " was taken on no call that waits", call);
+  } else if (open->second.operation != *t.operation) {
+    add(out, rule,
+        quoted(t.id) + " waits for " + quoted(*t.operation) + ", called was " + quoted(open->second.operation), call);
+  } else if (const Transition* first = taken_on(service_, instance_, *t.operation);
+             first && first->id != t.id && leaves_current(t, instance_)) {
+    add(out, rule, "the call takes " + quoted(first->id) + ", which is declared first, not " + quoted(t.id), call);
+  }
+}
+
+// Trans1 and Trans2, the conclusion: cur = t.dst, and what t resolves may be answered.
+void Monitor::follow(const Transition& t, CallId call) {
+  instance_.current = t.dst;
+  last_transition_ = t.id;
+  owed_.insert(t.events.begin(), t.events.end());
+  if (t.operation && open_.contains(call)) {
+    const auto earlier = instance_.pending.find(t.id);
+    // REFINEMENT R17: the earlier call that took t has no response any more.
+    if (earlier != instance_.pending.end() && earlier->second != call) open_.erase(earlier->second);
+    instance_.pending[t.id] = call;
+    open_[call].stage = Open::Stage::deferred;
+  }
+  for (const Answer& answer : respond(service_, instance_, t)) {
+    const auto open = open_.find(answer.call);
+    if (open == open_.end()) continue;  // answered too early, which has been said
+    open->second.stage = Open::Stage::resolved;
+    if (answer.is_error) open->second.error_code = answer.error_code;
+  }
+}
+
+void Monitor::check_unannounced(Violations& out) {
+  for (const std::string& name : owed_)
+    add(out, "put", quoted(last_transition_) + " puts the event " + quoted(name) + ", which was not announced", 0);
+  owed_.clear();
+}
+
+Monitor::Violations Monitor::rejected(CallId call) {
+  Violations out;
+  const auto open = open_.find(call);
+  if (open == open_.end() || open->second.stage == Open::Stage::deferred) {
+    add(out, "R7", "rejected a call that does not wait", call);
+  } else if (const Transition* t = taken_on(service_, instance_, open->second.operation)) {
+    add(out, "R7", "rejected a call that " + quoted(instance_.current) + " takes by " + quoted(t->id), call);
+  }
+  open_.erase(call);
+  return out;
+}
+
+std::optional<Monitor::Open> Monitor::answer(CallId call, Violations& out) {
+  const auto found = open_.find(call);
+  if (found == open_.end()) {
+    add(out, "respond",
+        "response to a call that is not open (answered already, superseded by a later one (R17), or none)", call);
+    return std::nullopt;
+  }
+  Open open = std::move(found->second);
+  open_.erase(found);
+  if (open.stage == Open::Stage::handed)
+    add(out, "respond", "response to " + quoted(open.operation) + " before a transition took the call", call);
+  if (open.stage == Open::Stage::deferred)
+    add(out, "respond", "response to " + quoted(open.operation) + ", which is deferred and not resolved yet", call);
+  return open;
+}
+
+Monitor::Violations Monitor::result(CallId call, const Value& value) {
+  Violations out;
+  const auto open = answer(call, out);
+  if (!open) return out;
+  if (open->error_code)
+    add(out, "respond", quoted(open->operation) + " is resolved with the error " + quoted(*open->error_code), call);
+  const Operation* answered = operation(open->operation);
+  const auto reason = answered ? mismatch(answered->result, value) : std::nullopt;
+  if (reason) add(out, "type", "result of " + quoted(open->operation) + ": " + *reason, call);
+  return out;
+}
+
+Monitor::Violations Monitor::error(CallId call, const Value& value) {
+  Violations out;
+  const Value* code = value.find("code");
+  if (!code || !code->is_string()) add(out, "type", "an error must be a dict with the string `code`", call);
+  const auto open = answer(call, out);
+  const Operation* answered = open ? operation(open->operation) : nullptr;
+  if (!answered) return out;
+  if (open->error_code) {
+    if (code && *code != Value(*open->error_code))
+      add(out, "respond", quoted(open->operation) + " is resolved with the error " + quoted(*open->error_code), call);
+  } else if (answered->error.is_null()) {
+    add(out, "declared", quoted(open->operation) + " declares no error", call);
+  } else if (const auto reason = mismatch(answered->error, value)) {
+    add(out, "type", "error of " + quoted(open->operation) + ": " + *reason, call);
+  }
+  return out;
+}
+
+Monitor::Violations Monitor::event(std::string_view name, const Value& data) {
+  Violations out;
+  const Event* event = declared_event(name);
+  if (!event) {
+    add(out, "declared", "there is no event " + quoted(name), 0);
+    return out;
+  }
+  if (const auto reason = mismatch(event->data, data)) add(out, "type", "event " + quoted(name) + ": " + *reason, 0);
+  if (const auto owed = owed_.find(name); owed != owed_.end()) {
+    owed_.erase(owed);
+  } else if (!service_.is_interface() && !contains(Stutter(service_, instance_).events, name)) {
+    add(out, "Stutter", quoted(instance_.current) + " does not emit the event " + quoted(name), 0);
+  }
+  return out;
+}
+
+}  // namespace race::rsm

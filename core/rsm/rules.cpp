@@ -1,0 +1,108 @@
+#include "core/rsm/rules.h"
+
+#include <algorithm>
+
+namespace race::rsm {
+namespace {
+
+bool defers_to(const Transition& x, const Transition& t) {
+  return std::find(x.defer.begin(), x.defer.end(), t.id) != x.defer.end();
+}
+
+/// The conclusion that Trans1 and Trans2 share: cur = t.dst, and ε = t.respond ∪ t.events.
+Effect take(const Service& service, Instance& instance, const Transition& t) {
+  instance.current = t.dst;
+  return Effect{respond(service, instance, t), t.events};
+}
+
+}  // namespace
+
+Instance initial(const Service& service) { return Instance{service.init, {}}; }
+
+const Transition* find_transition(const Service& service, std::string_view id) {
+  const auto& all = service.transitions;
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Transition& t) { return t.id == id; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+bool leaves_current(const Transition& transition, const Instance& instance) {
+  return !transition.src || *transition.src == instance.current;
+}
+
+const Transition* taken_on(const Service& service, const Instance& instance, std::string_view operation) {
+  const auto& all = service.transitions;
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Transition& t) {
+    return t.operation == operation && leaves_current(t, instance);
+  });
+  return found == all.end() ? nullptr : &*found;
+}
+
+// resolve(t) (4.2)
+//
+//              x | ∀x ∈ T                         if t.src = ∅
+//   resolve =  x | ∀x ∈ T : t ∈ x.defer           if t.defer ≠ ∅
+//              t ∪ x | ∀x ∈ T : t ∈ x.defer       else
+std::vector<const Transition*> resolve(const Service& service, const Transition& t) {
+  std::vector<const Transition*> out;
+  for (const Transition& x : service.transitions) {
+    const bool own = x.id == t.id && t.defer.empty();
+    if (!t.src || own || defers_to(x, t)) out.push_back(&x);
+  }
+  return out;
+}
+
+// respond(t) (4.2)
+//
+//   respond = { x.operation | ∀x ∈ t.resolve : x.pending = true }
+std::vector<Answer> respond(const Service& service, Instance& instance, const Transition& t) {
+  std::vector<Answer> out;
+  for (const Transition* x : resolve(service, t)) {
+    const auto pending = instance.pending.find(x->id);
+    if (pending == instance.pending.end()) continue;
+    const bool is_error = t.error && x->id != t.id;
+    // REFINEMENT R17: pending holds the latest call that took x; an earlier one has no response any more.
+    out.push_back(Answer{pending->second, is_error, is_error ? *t.error : "", x->operation.value_or("")});
+    instance.pending.erase(pending);
+  }
+  return out;
+}
+
+// Trans1 (4.4): a service takes a call.
+//
+//   ∃t ∈ svc.trans :   t.src = svc.cur ∪ ∅     α = t.operation     ω = channel(Ω, svc)
+//   ε = t.respond ∪ t.events     put(Ω, ε) = Ω'[ε]
+//   ───────────────────────────────────────────────────────────────
+//   Ω ⊢ svc ↪[ω?α] svc'[cur = t.dst], Ω'[ε]
+std::optional<Effect> Trans1(const Service& service, Instance& instance, std::string_view operation,
+                             std::uint64_t call) {
+  const Transition* t = taken_on(service, instance, operation);
+  if (!t) return std::nullopt;
+  instance.pending[t->id] = call;
+  return take(service, instance, *t);
+}
+
+// Trans2 (4.5): a service changes its state by itself, such as when a motion is done.
+//
+//   ∃t ∈ svc.trans :   t.src = svc.cur ∪ ∅     t.operation = ∅
+//   ε = t.respond ∪ t.events     put(Ω, ε) = Ω'[ε]
+//   ───────────────────────────────────────────────────────────────
+//   Ω ⊢ svc ↪ svc'[cur = t.dst], Ω'[ε]
+std::optional<Effect> Trans2(const Service& service, Instance& instance, std::string_view id) {
+  const Transition* t = find_transition(service, id);
+  if (!t || t->operation || !leaves_current(*t, instance)) return std::nullopt;
+  return take(service, instance, *t);
+}
+
+// Stutter (4.6): a service stays in its state and puts that state's events.
+//
+//   ε = svc.cur.events     put(Ω, ε) = Ω'[ε]
+//   ─────────────────────────────────────────
+//   Ω ⊢ svc ↪ svc, Ω'[ε]
+Effect Stutter(const Service& service, const Instance& instance) {
+  for (const ServiceState& state : service.states) {
+    if (state.name == instance.current) return Effect{{}, state.events};
+  }
+  return Effect{};
+}
+
+}  // namespace race::rsm

@@ -1,0 +1,151 @@
+#include "core/value/fields.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace race {
+namespace {
+
+const Dict kNoFields;
+const List kNoItems;
+
+std::string quoted(std::string_view key) { return "`" + std::string(key) + "`"; }
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+}  // namespace
+
+bool is_name(std::string_view text) {
+  return !text.empty() && is_letter(text.front()) &&
+         std::all_of(text.begin(), text.end(), [](char c) { return is_letter(c) || is_digit(c); });
+}
+
+bool has_number_out_of_range(const Value& value) {
+  switch (value.kind()) {
+    case Value::Kind::unknown:
+      return true;
+    case Value::Kind::number:
+      return !std::isfinite(value.as_number());
+    case Value::Kind::list: {
+      const List& items = value.as_list();
+      return std::any_of(items.begin(), items.end(), has_number_out_of_range);
+    }
+    case Value::Kind::dict: {
+      const Dict& entries = value.as_dict();
+      return std::any_of(entries.begin(), entries.end(),
+                         [](const auto& e) { return has_number_out_of_range(e.second); });
+    }
+    default:
+      return false;
+  }
+}
+
+std::string_view kind_name(const Value& value) {
+  switch (value.kind()) {
+    case Value::Kind::unknown:
+      return "a number out of range";
+    case Value::Kind::null:
+      return "null";
+    case Value::Kind::boolean:
+      return "a bool";
+    case Value::Kind::integer:
+      return "an int";
+    case Value::Kind::number:
+      return "a float";
+    case Value::Kind::string:
+      return "a string";
+    case Value::Kind::list:
+      return "a list";
+    case Value::Kind::dict:
+      return "an object";
+  }
+  return "";
+}
+
+Fields::Fields(const Value& json, std::string path, std::string what, std::vector<Error>& errors)
+    : fields_(json.is_dict() ? &json.as_dict() : &kNoFields),
+      is_object_(json.is_dict()),
+      path_(std::move(path)),
+      what_(std::move(what)),
+      errors_(errors) {
+  if (!is_object_) violation(ErrorCode::type, "must be an object, got " + std::string(kind_name(json)));
+}
+
+void Fields::violation(ErrorCode code, std::string message) {
+  errors_.push_back(Error{code, what_ + ": " + std::move(message), path_});
+}
+
+void Fields::wrong_type(std::string_view key, std::string_view expected, const Value& value) {
+  violation(ErrorCode::type,
+            quoted(key) + " must be " + std::string(expected) + ", got " + std::string(kind_name(value)));
+}
+
+const Value* Fields::find(std::string_view key, Need need) {
+  known_.push_back(key);
+  const Value* found = fields_->find(key);
+  if (!found && need == Need::required && is_object_)
+    violation(ErrorCode::missing, "the field " + quoted(key) + " is missing");
+  return found;
+}
+
+std::optional<std::string> Fields::text(std::string_view key, Need need) {
+  const Value* found = find(key, need);
+  if (!found) return std::nullopt;
+  if (found->is_string()) return found->as_string();
+  wrong_type(key, "a string", *found);
+  return std::nullopt;
+}
+
+std::optional<bool> Fields::boolean(std::string_view key) {
+  const Value* found = find(key);
+  if (!found) return std::nullopt;
+  if (found->is_bool()) return found->as_bool();
+  wrong_type(key, "true or false", *found);
+  return std::nullopt;
+}
+
+std::optional<double> Fields::number(std::string_view key) {
+  const auto found = constant(key);
+  if (!found) return std::nullopt;
+  if (found->is_numeric()) return found->to_double();
+  wrong_type(key, "a number", *found);
+  return std::nullopt;
+}
+
+const List& Fields::list(std::string_view key, Need need) {
+  const Value* found = find(key, need);
+  if (!found) return kNoItems;
+  if (found->is_list()) return found->as_list();
+  wrong_type(key, "a list", *found);
+  return kNoItems;
+}
+
+std::vector<std::string> Fields::texts(std::string_view key, Need need) {
+  std::vector<std::string> out;
+  for (const Value& item : list(key, need)) {
+    if (item.is_string()) {
+      out.push_back(item.as_string());
+    } else {
+      wrong_type(key, "a list of strings", item);
+    }
+  }
+  return out;
+}
+
+std::optional<Value> Fields::constant(std::string_view key, Need need) {
+  const Value* found = find(key, need);
+  if (!found) return std::nullopt;
+  if (!has_number_out_of_range(*found)) return *found;
+  violation(ErrorCode::constant, quoted(key) + " has a number out of the range of a 64-bit integer or a double");
+  return std::nullopt;
+}
+
+void Fields::close() {
+  for (const auto& [key, value] : *fields_) {
+    if (std::find(known_.begin(), known_.end(), key.as_string()) == known_.end())
+      violation(ErrorCode::unknown_field, "there is no field " + quoted(key.as_string()));
+  }
+}
+
+}  // namespace race

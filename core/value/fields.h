@@ -1,0 +1,67 @@
+// Fields: reads a JSON object field by field at a door. What is missing, of the wrong type, out of range or unknown
+// becomes a violation with the path of the element that the object stands for; reading goes on, so that all of them are
+// listed at once. Used for one object, on one thread; borrows the object and the list of violations.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/value/expected.h"
+#include "core/value/value.h"
+
+namespace race {
+
+/// Whether `text` matches [A-Za-z_][A-Za-z0-9_]*, as every name of a document does.
+bool is_name(std::string_view text);
+
+/// Whether a number in `value`, at any level, is out of the range of int64 or double (parse_json's unknown value) or
+/// not finite.
+bool has_number_out_of_range(const Value& value);
+
+class Fields {
+ public:
+  enum class Need { required, optional };
+
+  /// `what` names the element in messages, such as "port `done`". If `json` is no object, that is a violation (`type`)
+  /// and the object counts as empty without missing anything.
+  Fields(const Value& json, std::string path, std::string what, std::vector<Error>& errors);
+  Fields(const Fields&) = delete;
+  Fields& operator=(const Fields&) = delete;
+
+  bool is_object() const { return is_object_; }
+  const std::string& path() const { return path_; }
+  void violation(ErrorCode code, std::string message);
+
+  /// The value of `key` (nullptr if absent), which is known from now on. A required one that is absent is a violation.
+  const Value* find(std::string_view key, Need need = Need::optional);
+  /// A string; nothing if it is absent or of another type.
+  std::optional<std::string> text(std::string_view key, Need need = Need::optional);
+  std::optional<bool> boolean(std::string_view key);
+  /// An int or a double, as a double.
+  std::optional<double> number(std::string_view key);
+  /// The items of a list; empty if it is absent or of another type.
+  const List& list(std::string_view key, Need need = Need::optional);
+  /// The items of a list of strings; others are violations and left out.
+  std::vector<std::string> texts(std::string_view key, Need need = Need::optional);
+  /// Any JSON; a number out of range is a violation (`constant`).
+  std::optional<Value> constant(std::string_view key, Need need = Need::optional);
+
+  /// Every field that nothing asked for is a violation (`unknown_field`).
+  void close();
+
+ private:
+  void wrong_type(std::string_view key, std::string_view expected, const Value& value);
+
+  const Dict* fields_;
+  bool is_object_;
+  std::string path_, what_;
+  std::vector<Error>& errors_;
+  std::vector<std::string_view> known_;
+};
+
+/// "a list", "a string" and so on, for messages.
+std::string_view kind_name(const Value& value);
+
+}  // namespace race
