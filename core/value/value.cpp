@@ -1,7 +1,9 @@
 #include "core/value/value.h"
 
+#include <algorithm>
 #include <bit>
 #include <cassert>
+#include <cmath>
 #include <functional>
 
 namespace race {
@@ -84,6 +86,13 @@ std::size_t Value::size_units() const noexcept {
   return units;
 }
 
+bool Value::is_finite() const noexcept {
+  if (is_number()) return std::isfinite(number_);
+  if (is_list()) return std::ranges::all_of(as_list(), [](const Value& item) { return item.is_finite(); });
+  if (is_dict()) return std::ranges::all_of(as_dict(), [](const auto& entry) { return entry.second.is_finite(); });
+  return true;
+}
+
 bool Value::operator==(const Value& other) const noexcept {
   if (kind_ != other.kind_) return false;
   if (integer_ == other.integer_) return true;  // the same scalar, bit by bit, or the same object
@@ -139,7 +148,7 @@ void Dict::rebuild() {
     index_[probe(entries_[i].first.as_string())] = static_cast<std::uint32_t>(i + 1);
 }
 
-const Value* Dict::find(std::string_view key) const noexcept {
+const Value* Dict::find_text(std::string_view key) const noexcept {
   const std::size_t i = position(key);
   return i == entries_.size() ? nullptr : &entries_[i].second;
 }
@@ -148,7 +157,7 @@ const Value* Dict::find(const Value& key) const noexcept {
   if (index_.empty())
     for (const Entry& entry : entries_)
       if (entry.first.identical(key)) return &entry.second;
-  return find(std::string_view(key.as_string()));
+  return find_text(key.as_string());
 }
 
 Value* Dict::find(const Value& key) noexcept { return const_cast<Value*>(std::as_const(*this).find(key)); }

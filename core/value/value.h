@@ -9,6 +9,7 @@
 // It never stands inside a list or dict and never leaves the core.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <initializer_list>
 #include <string>
@@ -107,6 +108,9 @@ class Value {
   /// Budget).
   std::size_t size_units() const noexcept;
 
+  /// Whether it holds no NaN and no infinity, at any level: what may be stored and sent (SEMANTICS.md section 8).
+  bool is_finite() const noexcept;
+
   /// Structural equality: 1, 1.0 and True are three values; doubles are compared bit by bit; dicts regardless of order.
   bool operator==(const Value& other) const noexcept;
 
@@ -154,13 +158,19 @@ class Dict {
   auto begin() const noexcept { return entries_.begin(); }
   auto end() const noexcept { return entries_.end(); }
 
-  const Value* find(std::string_view key) const noexcept;
+  template <std::convertible_to<std::string_view> Text>
+  const Value* find(const Text& key) const noexcept {
+    return find_text(std::string_view(key));
+  }
   /// As above; a key that is the very string of the entry is found without comparing characters. Requires a string.
   const Value* find(const Value& key) const noexcept;
   Value* find(const Value& key) noexcept;
   /// Sets `key` (a string) to `value`; a new key goes to the end.
   void set(const Value& key, Value value);
-  void set(std::string_view key, Value value) { set(Value(key), std::move(value)); }
+  template <std::convertible_to<std::string_view> Text>
+  void set(const Text& key, Value value) {
+    set(Value(std::string_view(key)), std::move(value));
+  }
   /// Removes `key`; false if there is none. The order of the others stays.
   bool erase(std::string_view key);
   void clear() noexcept;
@@ -172,6 +182,7 @@ class Dict {
 
  private:
   static constexpr std::size_t kIndexed = 12;  // entries from which on the index is kept
+  const Value* find_text(std::string_view key) const noexcept;
   std::size_t position(std::string_view key) const noexcept;
   void rebuild();
   std::size_t probe(std::string_view key) const noexcept;
