@@ -1,0 +1,244 @@
+// The plant: owns Bullet's objects, applies torques, forces and the jaws' synchronisation, and steps.
+#include "services/world/world.h"
+
+#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
+#include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
+#include <BulletCollision/CollisionShapes/btCollisionShape.h>
+#include <BulletDynamics/Featherstone/btMultiBody.h>
+#include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
+#include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
+#include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "services/world/multibody_internal.h"
+
+namespace race::world {
+namespace {
+
+constexpr double kGravity = 9.81;  // m/s2
+// Iterations of the contact solver: 10 let a held part turn in the fingers, more than 30 change nothing but the cost.
+constexpr int kSolverIterations = 30;
+// The rack and pinion that keeps the jaws in step, and the friction of the spindle drive, per jaw.
+constexpr double kRackStiffness = 2e4;  // N/m
+constexpr double kRackDamping = 40.0;   // Ns/m
+constexpr double kDriveDamping = 20.0;  // Ns/m
+
+struct Part {
+  std::string name;
+  std::unique_ptr<btCollisionShape> shape;
+  std::unique_ptr<btRigidBody> body;
+};
+
+}  // namespace
+
+struct World::Plant {
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher{&configuration};
+  btDbvtBroadphase broadphase;
+  btMultiBodyConstraintSolver solver;
+  btMultiBodyDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
+  std::unique_ptr<Robot> robot;
+  std::vector<Part> parts;
+  std::vector<int> arm;   // Bullet's link indices of the seven arm joints
+  std::vector<int> jaws;  // and of the two jaws
+
+  Plant(const Scene& scene, const RobotModel& model);
+  ~Plant();
+  void add_part(const Body& body);
+  const Part* part(std::string_view name) const;
+  const btCollisionObject* collider(std::string_view name, const RobotModel& model) const;
+  void drive_jaws(double closing_force);
+};
+
+World::Plant::Plant(const Scene& scene, const RobotModel& model) {
+  world.setGravity(btVector3(0, 0, -kGravity));
+  world.getSolverInfo().m_numIterations = kSolverIterations;
+  world.getSolverInfo().m_leastSquaresResidualThreshold = 0;
+  world.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+  world.getDispatchInfo().m_deterministicOverlappingPairs = true;
+  robot = std::make_unique<Robot>(model, scene.robot, world);
+  for (const int link : model.moved_by(Joint::Kind::revolute)) arm.push_back(robot->bullet_index(link));
+  for (const int link : model.moved_by(Joint::Kind::prismatic)) jaws.push_back(robot->bullet_index(link));
+  for (std::size_t i = 0; i < arm.size(); ++i) robot->body().setJointPos(arm[i], scene.robot.q[i]);
+  for (const int jaw : jaws) robot->body().setJointPos(jaw, scene.robot.width / 2);
+  robot->update_frames();
+  for (const Body& body : scene.bodies) add_part(body);
+}
+
+World::Plant::~Plant() {
+  for (Part& part : parts) world.removeRigidBody(part.body.get());
+  robot.reset();
+}
+
+void World::Plant::add_part(const Body& body) {
+  Part part{body.name, make_shape(body.shape), nullptr};
+  btVector3 inertia(0, 0, 0);
+  if (body.mass > 0) part.shape->calculateLocalInertia(body.mass, inertia);
+  btRigidBody::btRigidBodyConstructionInfo info(body.mass, nullptr, part.shape.get(), inertia);
+  info.m_startWorldTransform = to_bullet(body.o_t_body);
+  info.m_friction = body.friction;
+  part.body = std::make_unique<btRigidBody>(info);
+  part.body->setActivationState(DISABLE_DEACTIVATION);
+  world.addRigidBody(part.body.get());
+  parts.push_back(std::move(part));
+}
+
+const Part* World::Plant::part(std::string_view name) const {
+  const auto found = std::find_if(parts.begin(), parts.end(), [&](const Part& part) { return part.name == name; });
+  return found == parts.end() ? nullptr : &*found;
+}
+
+const btCollisionObject* World::Plant::collider(std::string_view name, const RobotModel& model) const {
+  if (const Part* found = part(name)) return found->body.get();
+  const int link = model.link(name);
+  assert(link >= 0);
+  const int index = robot->bullet_index(link);
+  return index < 0 ? robot->body().getBaseCollider() : robot->body().getLink(index).m_collider;
+}
+
+void World::Plant::drive_jaws(double closing_force) {
+  btMultiBody& body = robot->body();
+  const double ahead = body.getJointPos(jaws[0]) - body.getJointPos(jaws[1]);
+  const double speed_ahead = body.getJointVel(jaws[0]) - body.getJointVel(jaws[1]);
+  const double rack = kRackStiffness * ahead + kRackDamping * speed_ahead;
+  body.addJointTorque(jaws[0], -closing_force - kDriveDamping * body.getJointVel(jaws[0]) - rack);
+  body.addJointTorque(jaws[1], -closing_force - kDriveDamping * body.getJointVel(jaws[1]) + rack);
+}
+
+World::World(const Scene& scene, const RobotModel& model)
+    : scene_(scene), model_(model), plant_(std::make_unique<Plant>(scene_, model_)) {}
+
+World::~World() = default;
+
+Expected<std::unique_ptr<World>> World::create(const Scene& scene, const RobotModel& model) {
+  const auto arm = model.moved_by(Joint::Kind::revolute);
+  const auto jaws = model.moved_by(Joint::Kind::prismatic);
+  if (arm.size() != kArmJoints || jaws.size() != 2)
+    return unexpected(ErrorCode::type, "the robot needs seven revolute and two prismatic joints", model.name);
+  for (std::size_t i = 0; i < kArmJoints; ++i) {
+    const Joint& joint = model.links[static_cast<std::size_t>(arm[i])].joint;
+    if (scene.robot.q[i] < joint.lower || scene.robot.q[i] > joint.upper)
+      return unexpected(ErrorCode::out_of_range, "start posture outside of the limits of " + joint.name, "robot.q");
+  }
+  for (const int jaw : jaws) {
+    const Joint& joint = model.links[static_cast<std::size_t>(jaw)].joint;
+    if (scene.robot.width / 2 < joint.lower || scene.robot.width / 2 > joint.upper)
+      return unexpected(ErrorCode::out_of_range, "start width outside of the gripper's stroke", "robot.width");
+  }
+  for (const Body& body : scene.bodies) {
+    if (model.link(body.name) >= 0)
+      return unexpected(ErrorCode::duplicate, "the robot has a link '" + body.name + "'", "bodies");
+  }
+  return std::unique_ptr<World>(new World(scene, model));
+}
+
+Expected<std::unique_ptr<World>> World::load(const std::string& scene_path) {
+  ASSIGN_OR_RETURN(const Scene scene, load_scene(scene_path));
+  ASSIGN_OR_RETURN(const RobotModel model, load_urdf(scene.robot.urdf));
+  return create(scene, model);
+}
+
+void World::step() {
+  btMultiBody& body = plant_->robot->body();
+  for (std::size_t i = 0; i < kArmJoints; ++i) body.addJointTorque(plant_->arm[i], torques_[i]);
+  plant_->drive_jaws(gripper_force_);
+  plant_->world.stepSimulation(kStep, 0);  // 0 substeps: exactly one step of kStep
+  body.clearForcesAndTorques();
+  plant_->robot->update_frames();
+  ++steps_;
+}
+
+JointArray World::q() const {
+  JointArray q;
+  for (std::size_t i = 0; i < kArmJoints; ++i) q[i] = plant_->robot->body().getJointPos(plant_->arm[i]);
+  return q;
+}
+
+JointArray World::dq() const {
+  JointArray dq;
+  for (std::size_t i = 0; i < kArmJoints; ++i) dq[i] = plant_->robot->body().getJointVel(plant_->arm[i]);
+  return dq;
+}
+
+void World::set_torques(const JointArray& torques) {
+  const auto arm = model_.moved_by(Joint::Kind::revolute);
+  for (std::size_t i = 0; i < kArmJoints; ++i) {
+    assert(std::isfinite(torques[i]));
+    const double limit = model_.links[static_cast<std::size_t>(arm[i])].joint.max_effort;
+    torques_[i] = std::clamp(torques[i], -limit, limit);
+  }
+}
+
+double World::gripper_width() const {
+  const btMultiBody& body = plant_->robot->body();
+  return body.getJointPos(plant_->jaws[0]) + body.getJointPos(plant_->jaws[1]);
+}
+
+double World::gripper_speed() const {
+  const btMultiBody& body = plant_->robot->body();
+  return body.getJointVel(plant_->jaws[0]) + body.getJointVel(plant_->jaws[1]);
+}
+
+void World::set_gripper_force(double closing_force) {
+  assert(std::isfinite(closing_force));
+  const int jaw = model_.moved_by(Joint::Kind::prismatic).front();
+  const double limit = model_.links[static_cast<std::size_t>(jaw)].joint.max_effort;
+  gripper_force_ = std::clamp(closing_force, -limit, limit);
+}
+
+bool World::has(std::string_view name) const { return plant_->part(name) || model_.link(name) >= 0; }
+
+Pose World::pose(std::string_view name) const {
+  assert(has(name));
+  if (const Part* part = plant_->part(name)) return from_bullet(part->body->getWorldTransform());
+  return plant_->robot->link_pose(model_.link(name));
+}
+
+void World::set_friction(std::string_view body, double friction) {
+  const Part* part = plant_->part(body);
+  assert(part && friction >= 0);
+  part->body->setFriction(friction);
+  // Contacts that stick keep the coefficient they began with; they get the new one.
+  for (int i = 0; i < plant_->dispatcher.getNumManifolds(); ++i) {
+    btPersistentManifold* manifold = plant_->dispatcher.getManifoldByIndexInternal(i);
+    const btCollisionObject* first = manifold->getBody0();
+    const btCollisionObject* second = manifold->getBody1();
+    if (first != part->body.get() && second != part->body.get()) continue;
+    for (int k = 0; k < manifold->getNumContacts(); ++k)
+      manifold->getContactPoint(k).m_combinedFriction = first->getFriction() * second->getFriction();
+  }
+}
+
+void World::push(std::string_view name, const Vec3& force, const Vec3& point) {
+  const btVector3 f(force[0], force[1], force[2]);
+  const btVector3 p(point[0], point[1], point[2]);
+  if (const Part* part = plant_->part(name)) {
+    part->body->applyForce(f, p - part->body->getCenterOfMassPosition());
+    return;
+  }
+  const int index = plant_->robot->bullet_index(model_.link(name));
+  assert(index >= 0);
+  btMultiBody& body = plant_->robot->body();
+  const btVector3 com = body.getLink(index).m_cachedWorldTransform.getOrigin();
+  body.addLinkForce(index, f);
+  body.addLinkTorque(index, (p - com).cross(f));
+}
+
+double World::contact_force(std::string_view a, std::string_view b) const {
+  const btCollisionObject* first = plant_->collider(a, model_);
+  const btCollisionObject* second = plant_->collider(b, model_);
+  double impulse = 0;
+  for (int i = 0; i < plant_->dispatcher.getNumManifolds(); ++i) {
+    const btPersistentManifold* manifold = plant_->dispatcher.getManifoldByIndexInternal(i);
+    const bool same = manifold->getBody0() == first && manifold->getBody1() == second;
+    const bool swapped = manifold->getBody0() == second && manifold->getBody1() == first;
+    if (!same && !swapped) continue;
+    for (int k = 0; k < manifold->getNumContacts(); ++k) impulse += manifold->getContactPoint(k).getAppliedImpulse();
+  }
+  return impulse / kStep;
+}
+
+}  // namespace race::world

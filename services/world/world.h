@@ -1,0 +1,88 @@
+// World: the plant of a cell, a Bullet multibody world with the robot, its gripper, the table and the parts. It is no
+// RACE service: control units read its sensors and set its torques and forces; nothing ever writes a position.
+//
+// Threads: one thread, its unit's. It has no clock: its time is the number of steps its caller made.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/value/expected.h"
+#include "services/world/pose.h"
+#include "services/world/robot_model.h"
+#include "services/world/scene.h"
+
+namespace race::world {
+
+inline constexpr std::size_t kArmJoints = 7;
+using JointArray = std::array<double, kArmJoints>;
+
+class World {
+ public:
+  /// Seconds of world time that one step() advances.
+  static constexpr double kStep = 0.001;
+
+  /// Builds the world of `scene` with the robot `model` (the URDF that the scene names). The model needs seven revolute
+  /// joints in a chain and two prismatic ones, the jaws; errors `type` and `duplicate` (a body named as a link),
+  /// `out_of_range` (a start posture outside of the joint limits).
+  static Expected<std::unique_ptr<World>> create(const Scene& scene, const RobotModel& model);
+
+  /// Reads the scene file and its URDF and builds their world.
+  static Expected<std::unique_ptr<World>> load(const std::string& scene_path);
+
+  ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  const Scene& scene() const { return scene_; }
+  const RobotModel& model() const { return model_; }
+
+  /// Advances world time by kStep under the torques and forces set last.
+  void step();
+
+  /// Seconds since the start, exactly steps() * kStep.
+  double time() const { return static_cast<double>(steps_) * kStep; }
+  std::int64_t steps() const { return steps_; }
+
+  // The robot's sensors and actuators. Torques and forces hold until they are set anew; the drives saturate at the
+  // model's effort limits. Non-finite values are refused by an assert: they are our own mistake.
+  JointArray q() const;                                   // rad
+  JointArray dq() const;                                  // rad/s
+  void set_torques(const JointArray& torques);            // Nm
+  const JointArray& torques() const { return torques_; }  // Nm, as applied
+
+  /// The gripper's one drive: the jaws move against each other, held in step by their rack and pinion.
+  double gripper_width() const;                  // m between the finger pads
+  double gripper_speed() const;                  // m/s of the width, negative while closing
+  void set_gripper_force(double closing_force);  // N, on each finger; negative opens
+
+  /// Where a body of the scene or a link of the robot is, seen from o. Requires such a name: see has().
+  Pose pose(std::string_view name) const;
+  bool has(std::string_view name) const;
+
+  // What an experimenter in the cell can do; control units do not use it.
+
+  /// Changes the coefficient of friction of a body of the scene. Requires such a body and friction >= 0.
+  void set_friction(std::string_view body, double friction);
+  /// Pushes a movable body or a link with `force` [N, in o] at `point` [m, in o] during the next step.
+  void push(std::string_view name, const Vec3& force, const Vec3& point);
+  /// Sum of the normal forces [N] between two bodies or links during the last step.
+  double contact_force(std::string_view a, std::string_view b) const;
+
+ private:
+  struct Plant;
+  World(const Scene& scene, const RobotModel& model);
+
+  Scene scene_;
+  RobotModel model_;
+  JointArray torques_{};
+  double gripper_force_ = 0;
+  std::int64_t steps_ = 0;
+  std::unique_ptr<Plant> plant_;  // Bullet's objects, known to world.cpp alone
+};
+
+}  // namespace race::world
