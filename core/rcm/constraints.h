@@ -1,0 +1,26 @@
+// The constraints on documents: of structure (thesis 3.1, after Definitions 3.8 and 3.9; links and oracles, 3.3) and of
+// code (3.2, core/SEMANTICS.md section 2). Every violation is listed, with the path of the state that holds it or,
+// where it is about a port, the port's. Pure functions.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/rcm/document.h"
+#include "core/rcm/model.h"
+#include "core/value/expected.h"
+
+namespace race::rcm {
+
+/// How large a native model may become, links expanded; a document beyond it is rejected (`too_large`, `too_deep`).
+inline constexpr std::size_t kMaxStates = 100'000;
+inline constexpr std::size_t kMaxDepth = 256;
+
+/// All violations of a document. While its structure has some, names in its code are not checked (`scope`,
+/// `unknown_name`).
+std::vector<Error> violations(const Document& document);
+
+/// The same of what could be read of a document, with the errors of reading it.
+std::vector<Error> violations(const Draft& draft);
+
+}  // namespace race::rcm

@@ -1,0 +1,18 @@
+// The two halves of the constraints; only constraints.cpp uses this.
+#pragma once
+
+#include <vector>
+
+#include "core/rcm/library.h"
+#include "core/rcm/model.h"
+#include "core/value/expected.h"
+
+namespace race::rcm {
+
+/// Violations of structure, appended to `errors`. Without a root that could be read, only the library is checked.
+void check_structure(const Document& document, bool has_root, const Library& library, std::vector<Error>& errors);
+
+/// Violations of code, appended to `errors`. `names`: whether names are checked, which takes a sound structure.
+void check_code(const Document& document, const Library& library, bool names, std::vector<Error>& errors);
+
+}  // namespace race::rcm

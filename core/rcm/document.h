@@ -1,0 +1,45 @@
+// The RCM codec: documents (core/SEMANTICS.md, section 1) from JSON and back. A document is rejected as a whole, with
+// every violation listed; what has the right shape can be kept as a draft, whatever else is wrong with it.
+// Pure functions.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/rcm/model.h"
+#include "core/value/expected.h"
+#include "core/value/value.h"
+
+namespace race::rcm {
+
+/// What could be read of a document, and what is wrong with its shape: `version`, `missing`, `type`, `unknown_field`,
+/// `constant`, `oracle` (an unknown kind). An element that could not be read is left out; a nameless node has the empty
+/// name.
+struct Draft {
+  Document document;
+  std::vector<Error> errors;
+  bool has_root = false;
+};
+
+/// Reads as much as can be read. `json` is a document as parse_json gives it with `keep_out_of_range`.
+Draft read_draft(const Value& json);
+
+/// Reads a document and checks its shape and all constraints (constraints.h).
+Checked<Document> read_document(const Value& json);
+
+/// As read_document, from a text. Its own codes, with an empty path: `json`, `too_deep`, `too_large`.
+Checked<Document> read_document_text(std::string_view text);
+
+/// The JSON of a document, fields in the order of the format; empty lists, texts and null are left out. Reading it
+/// gives an equal document.
+Value write_document(const Document& document);
+
+/// The JSON of a state and all below it, such as the root of a native model.
+Value write_state(const State& state);
+
+/// The text of a document as files hold it: stable, for review, two spaces a level, a list or an object on one line if
+/// it holds no more than one level of lists and objects and fits into 120 columns. Ends with a new line.
+std::string format_document(const Document& document);
+
+}  // namespace race::rcm

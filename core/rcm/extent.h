@@ -1,0 +1,20 @@
+// How large a document's native model becomes, found without making it: links to links multiply.
+#pragma once
+
+#include <cstddef>
+
+#include "core/rcm/library.h"
+#include "core/rcm/model.h"
+
+namespace race::rcm {
+
+struct Extent {
+  std::size_t states = 0;  // states and barriers; no more than a large number
+  std::size_t depth = 0;   // levels of states, each link counted as a level
+};
+
+/// The larger extent of the root and of each state of the library. Requires links that lead somewhere and not in
+/// circles.
+Extent extent_of(const Document& document, const Library& library);
+
+}  // namespace race::rcm

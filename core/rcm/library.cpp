@@ -1,0 +1,136 @@
+#include "core/rcm/library.h"
+
+#include <algorithm>
+
+namespace race::rcm {
+namespace {
+
+void collect_links(const State& state, std::vector<std::string>& out) {
+  if (state.link) out.push_back(*state.link);
+  for (const Node& child : state.children) {
+    if (const auto* inner = std::get_if<State>(&child)) collect_links(*inner, out);
+  }
+}
+
+void override_parameter(Parameter& linked, const Parameter& own) {
+  if (own.value || own.from) {
+    linked.value = own.value;
+    linked.from = own.from;
+  }
+  if (!own.type.is_null()) linked.type = own.type;
+  if (!own.unit.empty()) linked.unit = own.unit;
+  if (!own.doc.empty()) linked.doc = own.doc;
+  linked.meta = merged_meta(linked.meta, own.meta);
+}
+
+/// The depth-first search of Library::cycles, without recursion: links can form long chains.
+class CycleSearch {
+ public:
+  explicit CycleSearch(std::vector<std::vector<std::size_t>> links)
+      : links_(std::move(links)), marks_(links_.size(), Mark::fresh) {}
+
+  std::vector<std::vector<std::size_t>> run() {
+    for (std::size_t i = 0; i < links_.size(); ++i) {
+      if (marks_[i] == Mark::fresh) visit_from(i);
+    }
+    return std::move(cycles_);
+  }
+
+ private:
+  enum class Mark { fresh, on_way, done };
+  struct Step {
+    std::size_t state, next = 0;  // `next`: the link to follow
+  };
+
+  void visit_from(std::size_t start) {
+    std::vector<Step> way{{start}};
+    marks_[start] = Mark::on_way;
+    while (!way.empty()) {
+      Step& step = way.back();
+      if (step.next == links_[step.state].size()) {
+        marks_[step.state] = Mark::done;
+        way.pop_back();
+        continue;
+      }
+      const std::size_t target = links_[step.state][step.next++];
+      if (marks_[target] == Mark::on_way) record(way, target);
+      if (marks_[target] != Mark::fresh) continue;
+      marks_[target] = Mark::on_way;
+      way.push_back({target});
+    }
+  }
+
+  void record(const std::vector<Step>& way, std::size_t target) {
+    const auto start = std::find_if(way.begin(), way.end(), [&](const Step& s) { return s.state == target; });
+    std::vector<std::size_t> cycle;
+    for (auto step = start; step != way.end(); ++step) cycle.push_back(step->state);
+    std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
+    cycles_.push_back(std::move(cycle));
+  }
+
+  std::vector<std::vector<std::size_t>> links_;
+  std::vector<Mark> marks_;
+  std::vector<std::vector<std::size_t>> cycles_;
+};
+
+}  // namespace
+
+Library::Library(const Document& document) : document_(document) {
+  for (std::size_t i = 0; i < document.library.size(); ++i) index_.emplace(document.library[i].name, i);
+}
+
+const State* Library::find(std::string_view name) const {
+  const auto found = index_.find(name);
+  return found == index_.end() ? nullptr : &document_.library[found->second];
+}
+
+const State* Library::behaviour(const State& state) const {
+  const State* at = &state;
+  for (std::size_t hops = 0; at && at->link; ++hops) {
+    if (hops > document_.library.size()) return nullptr;
+    at = find(*at->link);
+  }
+  return at;
+}
+
+std::vector<Parameter> Library::parameters(const State& state) const {
+  std::vector<const State*> links;
+  const State* at = &state;
+  for (; at->link; at = find(*at->link)) links.push_back(at);
+  std::vector<Parameter> out = at->parameters;
+  std::map<std::string_view, Parameter*> by_name;
+  for (Parameter& parameter : out) by_name.emplace(parameter.name, &parameter);
+  for (auto link = links.rbegin(); link != links.rend(); ++link) {
+    for (const Parameter& own : (*link)->parameters) {
+      if (const auto linked = by_name.find(own.name); linked != by_name.end()) override_parameter(*linked->second, own);
+    }
+  }
+  return out;
+}
+
+std::vector<std::vector<std::string>> Library::cycles() const {
+  std::vector<std::vector<std::size_t>> links(document_.library.size());
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    std::vector<std::string> names;
+    collect_links(document_.library[i], names);
+    for (const std::string& name : names) {
+      if (const auto found = index_.find(name); found != index_.end()) links[i].push_back(found->second);
+    }
+  }
+  std::vector<std::vector<std::string>> out;
+  for (const auto& cycle : CycleSearch(std::move(links)).run()) {
+    out.emplace_back();
+    for (const std::size_t i : cycle) out.back().push_back(document_.library[i].name);
+  }
+  return out;
+}
+
+Value merged_meta(const Value& linked, const Value& own) {
+  if (own.is_null()) return linked;
+  if (!linked.is_dict() || !own.is_dict()) return own;
+  Dict out = linked.as_dict();
+  for (const auto& [key, value] : own.as_dict()) out.set(key, value);
+  return out;
+}
+
+}  // namespace race::rcm

@@ -1,0 +1,41 @@
+// Library: what links mean (thesis 3.3.1). Finds the state that a linking state takes over, and what the link makes of
+// its interface. Borrows the document.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/rcm/model.h"
+
+namespace race::rcm {
+
+class Library {
+ public:
+  explicit Library(const Document& document);
+
+  /// The library's state `name` (the first, if the name stands twice); nullptr if there is none.
+  const State* find(std::string_view name) const;
+
+  /// The state whose behaviour `state` has: itself, or the end of its links. nullptr if a link leads to nothing or
+  /// back.
+  const State* behaviour(const State& state) const;
+
+  /// The parameters of `state`: its own, or those of the state it links with its expressions in place of theirs (where
+  /// it has one), its type, texts and meta where it has them. Requires behaviour(state).
+  std::vector<Parameter> parameters(const State& state) const;
+
+  /// The links in circles, each as the names on the way, from the first in order of the library. Every circle has at
+  /// least one state in common with one of these.
+  std::vector<std::vector<std::string>> cycles() const;
+
+ private:
+  const Document& document_;
+  std::map<std::string, std::size_t, std::less<>> index_;
+};
+
+/// `own` in place of `linked`, entry by entry if both are objects: the meta of a link.
+Value merged_meta(const Value& linked, const Value& own);
+
+}  // namespace race::rcm

@@ -1,0 +1,211 @@
+// The constraints of structure: names, what refers to what, links and oracles.
+#include <set>
+
+#include "core/rcm/call_text.h"
+#include "core/rcm/constraints_internal.h"
+#include "core/rcm/oracle.h"
+#include "core/rcm/path.h"
+#include "core/value/fields.h"
+
+namespace race::rcm {
+namespace {
+
+using Names = std::set<std::string_view>;
+
+std::string quoted(std::string_view name) { return "`" + std::string(name) + "`"; }
+
+/// What ports and barriers may lead to: the nodes on one level.
+struct Level {
+  Names states, barriers;
+  bool has(std::string_view name) const { return states.contains(name) || barriers.contains(name); }
+};
+
+Level level_of(const std::vector<Node>& nodes) {
+  Level out;
+  for (const Node& node : nodes)
+    (std::holds_alternative<State>(node) ? out.states : out.barriers).insert(name_of(node));
+  return out;
+}
+
+class Structure {
+ public:
+  Structure(const Library& library, std::vector<Error>& errors) : library_(library), errors_(errors) {}
+
+  void check_document(const Document& document, bool has_root) {
+    for (const auto& [key, type] : document.services) {
+      if (!is_name(key)) add(ErrorCode::name, "", "service: " + quoted(key) + " is no name");
+    }
+    Names names;
+    for (const State& state : document.library) {
+      declare("library state", state.name, names, "");
+      check_state(state, library_path(state.name), Level{});
+    }
+    for (const auto& cycle : library_.cycles()) report_cycle(cycle);
+    if (!has_root) return;
+    const std::string path = node_path("", document.root.name);
+    check_state(document.root, path, Level{});
+    check_root(document.root, path);
+  }
+
+ private:
+  void add(ErrorCode code, const std::string& path, std::string message) {
+    errors_.push_back(Error{code, std::move(message), path});
+  }
+
+  /// Each name of one kind stands once; whether it is a name is said where it stands.
+  void declare(std::string_view what, const std::string& name, Names& names, const std::string& path) {
+    if (!name.empty() && !names.insert(name).second)
+      add(ErrorCode::duplicate, path, std::string(what) + " " + quoted(name) + " is declared twice");
+  }
+
+  void check_name(std::string_view what, const std::string& name, const std::string& path) {
+    if (!is_name(name)) add(ErrorCode::name, path, std::string(what) + ": " + quoted(name) + " is no name");
+  }
+
+  void report_cycle(const std::vector<std::string>& cycle) {
+    std::string way;
+    for (const std::string& name : cycle) way += name + " -> ";
+    add(ErrorCode::link_cycle, library_path(cycle.front()), "links in a circle: " + way + cycle.front());
+  }
+
+  void check_root(const State& root, const std::string& path) {
+    if (!library_.behaviour(root)) return;
+    for (const Parameter& parameter : library_.parameters(root)) {
+      if (parameter.from)
+        add(ErrorCode::root_from, path,
+            "parameter " + quoted(parameter.name) +
+                ": the root has no parent in whose scope `from` could be evaluated");
+    }
+  }
+
+  void check_state(const State& state, const std::string& path, const Level& siblings) {
+    check_name("state", state.name, path);
+    check_data(state, path);
+    check_ports(state, path, siblings);
+    if (state.link) return check_link(state, path);
+    if (state.keep) check_keep("keep", state.keep->ports, state, path);
+    const Level level = level_of(state.children);
+    if (state.first && !level.has(*state.first))
+      add(ErrorCode::first, path, "`first`: there is no child " + quoted(*state.first));
+    if (state.oracle) check_oracle(state, path, level);
+    check_children(state, path, level);
+  }
+
+  void check_data(const State& state, const std::string& path) {
+    Names parameters, results, variables;
+    for (const Parameter& parameter : state.parameters) {
+      check_name("parameter", parameter.name, path);
+      declare("parameter", parameter.name, parameters, path);
+      if (parameter.value && parameter.from)
+        add(ErrorCode::parameter, path, "parameter " + quoted(parameter.name) + " has both `value` and `from`");
+    }
+    for (const Datum& result : state.results) {
+      check_name("result", result.name, path);
+      declare("result", result.name, results, path);
+    }
+    for (const Datum& variable : state.variables) {
+      check_name("variable", variable.name, path);
+      declare("variable", variable.name, variables, path);
+    }
+  }
+
+  void check_ports(const State& state, const std::string& path, const Level& siblings) {
+    Names names;
+    for (const Port& port : state.ports) {
+      const std::string at = port_path(path, port.name);
+      check_name("port", port.name, at);
+      declare("port", port.name, names, path);
+      if (!port.when && !state.link) add(ErrorCode::missing, at, "the field `when` is missing");
+      if (port.to && !siblings.has(*port.to))
+        add(ErrorCode::port_target, at, "leads to " + quoted(*port.to) + ", which is no sibling of its state");
+    }
+  }
+
+  void check_children(const State& state, const std::string& path, const Level& level) {
+    Names names;
+    for (const Node& child : state.children) {
+      const std::string at = node_path(path, name_of(child));
+      declare("child", name_of(child), names, path);
+      if (const auto* inner = std::get_if<State>(&child)) {
+        check_state(*inner, at, level);
+      } else {
+        check_barrier(std::get<Barrier>(child), at, level);
+      }
+    }
+  }
+
+  void check_barrier(const Barrier& barrier, const std::string& path, const Level& siblings) {
+    check_name("barrier", barrier.name, path);
+    for (const std::string& target : barrier.to) {
+      if (!siblings.states.contains(target))
+        add(ErrorCode::barrier_target, path, "leads to " + quoted(target) + ", which is no sibling state");
+    }
+  }
+
+  void check_keep(std::string_view field, const std::vector<std::string>& ports, const State& state,
+                  const std::string& path) {
+    Names names;
+    for (const Port& port : state.ports) names.insert(port.name);
+    for (const std::string& port : ports) {
+      if (!names.contains(port)) add(ErrorCode::keep, path, quoted(field) + ": there is no port " + quoted(port));
+    }
+  }
+
+  void check_link(const State& state, const std::string& path) {
+    if (!state.results.empty() || !state.variables.empty() || state.entry || state.exit || !state.actions.empty() ||
+        !state.children.empty() || state.first || state.keep || state.oracle)
+      add(ErrorCode::link_field, path, "a linking state has no behaviour of its own: only parameters and ports");
+    if (!library_.find(*state.link))
+      return add(ErrorCode::link_unknown, path, "the library has no state " + quoted(*state.link));
+    const State* linked = library_.behaviour(state);
+    if (!linked) return;  // a link further on leads nowhere or back, which is said there
+    Names parameters, ports;
+    for (const Parameter& parameter : linked->parameters) parameters.insert(parameter.name);
+    for (const Port& port : linked->ports) ports.insert(port.name);
+    for (const Parameter& parameter : state.parameters) {
+      if (!parameters.contains(parameter.name))
+        add(ErrorCode::link_parameter, path, quoted(*state.link) + " has no parameter " + quoted(parameter.name));
+    }
+    for (const Port& port : state.ports) {
+      if (!ports.contains(port.name))
+        add(ErrorCode::link_port, port_path(path, port.name),
+            quoted(*state.link) + " has no port " + quoted(port.name));
+    }
+  }
+
+  void check_oracle(const State& state, const std::string& path, const Level& level) {
+    const Oracle& oracle = *state.oracle;
+    const bool history = oracle.kind == Oracle::Kind::history;
+    if (level.states.empty()) add(ErrorCode::oracle, path, "an oracle needs child states to choose from");
+    if (!state.first && oracle.kind != Oracle::Kind::expr)
+      add(ErrorCode::oracle, path, "an oracle of this kind needs `first`");
+    if (state.first && level.barriers.contains(*state.first))
+      add(ErrorCode::oracle, path, "the `first` of an oracle is a state, not a barrier");
+    if (oracle.kind == Oracle::Kind::external && !parse_call(oracle.text))
+      add(ErrorCode::oracle, path, "`call` must be a call such as svc.Oracle.decide(par, res, var)");
+    if (history && state.keep) add(ErrorCode::oracle, path, "a history has no `keep` of its own");
+    if (history && oracle.resume) check_keep("resume", *oracle.resume, state, path);
+    check_made_names(state, path, level, history);
+  }
+
+  /// What translation adds must not be there.
+  void check_made_names(const State& state, const std::string& path, const Level& level, bool history) {
+    if (level.has(kDispatcher))
+      add(ErrorCode::duplicate, path, "child `Dispatcher`: the oracle makes a state of this name");
+    for (const Datum& variable : state.variables) {
+      if (history && variable.name == kLastActive)
+        add(ErrorCode::duplicate, path, "variable `last_active`: the history makes a variable of this name");
+    }
+  }
+
+  const Library& library_;
+  std::vector<Error>& errors_;
+};
+
+}  // namespace
+
+void check_structure(const Document& document, bool has_root, const Library& library, std::vector<Error>& errors) {
+  Structure(library, errors).check_document(document, has_root);
+}
+
+}  // namespace race::rcm
