@@ -1,0 +1,268 @@
+#include "services/host.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "core/rsm/monitor.h"
+#include "services/arguments.h"
+
+namespace race::services {
+
+// One service: what its component talks to, and what the host knows of it. All fields but the component belong to the
+// host's lock.
+struct Host::Slot final : ServiceHost {
+  Slot(Host& its_host, std::size_t its_number, std::string its_key, std::string its_type, WorkQueue& its_unit)
+      : host(its_host), number(its_number), unit(its_unit) {
+    status.key = std::move(its_key);
+    status.type = std::move(its_type);
+  }
+
+  Time now() const override { return host.clock_.now(); }
+
+  void transition(std::string_view id, CallId call) override {
+    const std::lock_guard lock(host.mutex_);
+    if (!status.available) return;
+    record(monitor->transition(id, call));
+    status.last = std::string(id);
+    drop_superseded();
+    changed();
+  }
+
+  void result(CallId call, Value value) override { respond(call, std::move(value), false); }
+  void error(CallId call, Value error) override { respond(call, std::move(error), true); }
+
+  void reject(CallId call) override {
+    const std::lock_guard lock(host.mutex_);
+    if (!status.available) return;
+    record(monitor->rejected(call));
+    answer(call, Value(Dict{{"code", Value(name(ErrorCode::not_accepted))}}), true);
+    changed();
+  }
+
+  void event(std::string_view name, Value data) override {
+    const std::lock_guard lock(host.mutex_);
+    if (!status.available) return;
+    if (record(monitor->event(name, data))) changed();
+    Delivery delivery;
+    delivery.time = host.clock_.now();
+    delivery.service = number;
+    delivery.sequence = host.next_delivery_++;
+    delivery.key = status.key;
+    delivery.name = std::string(name);
+    delivery.data = std::move(data.freeze());
+    host.observer_.delivered(delivery);
+  }
+
+  void log(std::string text) override {
+    const std::lock_guard lock(host.mutex_);
+    host.observer_.logged(host.clock_.now(), status.key, text);
+  }
+
+  // The functions below need the host's lock.
+
+  void respond(CallId call, Value value, bool is_error) {
+    const std::lock_guard lock(host.mutex_);
+    if (!status.available) return;
+    record(is_error ? monitor->error(call, value) : monitor->result(call, value));
+    answer(call, std::move(value), is_error);
+    changed();
+  }
+
+  /// The response goes to its caller if the call still waits: once.
+  void answer(CallId call, Value value, bool is_error) {
+    const auto waits = std::find_if(status.pending.begin(), status.pending.end(),
+                                    [&](const PendingCall& pending) { return pending.id == call; });
+    if (waits == status.pending.end()) return;
+    const PendingCall pending = std::move(*waits);
+    status.pending.erase(waits);
+    host.deliver_response(*this, pending, std::move(value), is_error);
+  }
+
+  /// Calls that a later one has superseded (R17) get no response any more.
+  void drop_superseded() {
+    const auto open = monitor->open_calls();
+    std::erase_if(status.pending, [&](const PendingCall& pending) {
+      return std::find(open.begin(), open.end(), pending.id) == open.end();
+    });
+  }
+
+  bool record(const rsm::Monitor::Violations& violations) {
+    for (const rsm::Violation& violation : violations) {
+      std::string operation;
+      for (const PendingCall& pending : status.pending)
+        if (pending.id == violation.call) operation = pending.operation;
+      status.violations.push_back(
+          {host.clock_.now(), violation.rule, violation.message, violation.call, std::move(operation)});
+      host.observer_.logged(host.clock_.now(), status.key, violation.rule + ": " + violation.message);
+    }
+    if (status.violations.size() > kViolationsKept)
+      status.violations.erase(status.violations.begin(), status.violations.end() - kViolationsKept);
+    return !violations.empty();
+  }
+
+  void changed() {
+    if (!model.is_interface()) status.state = monitor->current();
+    host.observer_.changed(status);
+  }
+
+  Host& host;
+  std::size_t number;
+  WorkQueue& unit;
+  rsm::Service model;
+  std::unique_ptr<Component> component;
+  std::unique_ptr<rsm::Monitor> monitor;
+  ServiceStatus status;
+};
+
+namespace {
+
+/// A description is read on several threads: what it holds is frozen, in all copies.
+void freeze(rsm::Service& service) {
+  for (rsm::Operation& operation : service.operations) {
+    operation.result.freeze();
+    operation.error.freeze();
+    for (rsm::OperationParameter& parameter : operation.parameters) {
+      parameter.type.freeze();
+      if (parameter.value) parameter.value->freeze();
+    }
+  }
+  for (rsm::Event& event : service.events) event.data.freeze();
+  service.meta.freeze();
+}
+
+}  // namespace
+
+bool before(const Delivery& a, const Delivery& b) {
+  return std::tie(a.time, a.service, a.sequence) < std::tie(b.time, b.service, b.sequence);
+}
+
+Host::Host(const Clock& clock, HostObserver& observer) : clock_(clock), observer_(observer) {}
+Host::~Host() = default;
+
+ServiceHost& Host::declare(std::string key, std::string type, WorkQueue& unit) {
+  const std::lock_guard lock(mutex_);
+  slots_.push_back(std::make_unique<Slot>(*this, slots_.size(), std::move(key), std::move(type), unit));
+  slots_.back()->status.available = false;
+  return *slots_.back();
+}
+
+void Host::attach(const std::string& key, std::unique_ptr<Component> component) {
+  const std::lock_guard lock(mutex_);
+  Slot& slot = *find(key);
+  slot.model = component->model();
+  freeze(slot.model);
+  slot.monitor = std::make_unique<rsm::Monitor>(slot.model);
+  slot.component = std::move(component);
+  slot.status.model = &slot.model;
+  slot.status.available = true;
+  slot.changed();
+}
+
+Host::Slot* Host::find(const std::string& key) const {
+  for (const auto& slot : slots_)
+    if (slot->status.key == key) return slot.get();
+  return nullptr;
+}
+
+void Host::deliver_response(const Slot& slot, const PendingCall& call, Value value, bool is_error) {
+  Delivery delivery{Delivery::Kind::response, clock_.now(), slot.number, next_delivery_++, slot.status.key,
+                    call.operation,           {},           is_error,    call.caller};
+  delivery.data = std::move(value.freeze());
+  observer_.delivered(delivery);
+}
+
+CallId Host::call(Caller caller, const std::string& service, std::string operation, List args, Dict kwargs) {
+  for (Value& argument : args) argument.freeze();
+  kwargs.freeze();
+  const std::lock_guard lock(mutex_);
+  const PendingCall pending{next_call_++, operation, clock_.now(), std::move(caller)};
+  Slot* slot = find(service);
+  if (!slot || !slot->status.available || !find_operation(slot->model, operation)) {
+    Delivery answer{Delivery::Kind::response,
+                    pending.time,
+                    slots_.size(),
+                    next_delivery_++,
+                    service,
+                    operation,
+                    {},
+                    true,
+                    pending.caller};
+    answer.data = Dict{{"code", Value(name(ErrorCode::unavailable))}};
+    answer.data.freeze();
+    observer_.delivered(answer);
+    return pending.id;
+  }
+  slot->status.pending.push_back(pending);
+  slot->record(slot->monitor->called(pending.id, operation, args, kwargs));
+  slot->changed();
+  slot->unit.post([this, slot, call = Call{pending.id, std::move(operation), std::move(args), std::move(kwargs)}] {
+    guarded(*slot, [&](Component& component) { component.call(call); });
+  });
+  return pending.id;
+}
+
+void Host::step(const WorkQueue& unit) {
+  for (const auto& slot : slots_)
+    if (&slot->unit == &unit && slot->component) guarded(*slot, [](Component& component) { component.step(); });
+}
+
+// A component that throws is as good as dead.
+void Host::guarded(Slot& slot, const std::function<void(Component&)>& work) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!slot.status.available) return;
+  }
+  try {
+    work(*slot.component);
+  } catch (const std::exception& failure) {
+    lose(slot, failure.what());
+  }
+}
+
+void Host::lose(const std::string& key) {
+  if (Slot* slot = find(key)) lose(*slot, "unplugged");
+}
+
+void Host::lose(Slot& slot, const std::string& why) {
+  const std::lock_guard lock(mutex_);
+  if (!slot.status.available) return;
+  slot.status.available = false;
+  observer_.logged(clock_.now(), slot.status.key, "lost: " + why);
+  Value unavailable = Dict{{"code", Value(name(ErrorCode::unavailable))}};
+  unavailable.freeze();
+  for (const PendingCall& pending : slot.status.pending) deliver_response(slot, pending, unavailable, true);
+  slot.status.pending.clear();
+  slot.monitor->restarted();
+  slot.changed();
+}
+
+void Host::stop() {
+  for (const auto& slot : slots_) {
+    if (slot->component) slot->component->stop();
+    const std::lock_guard lock(mutex_);
+    slot->status.available = false;
+  }
+}
+
+std::vector<ServiceStatus> Host::services() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<ServiceStatus> all;
+  for (const auto& slot : slots_) all.push_back(slot->status);
+  return all;
+}
+
+std::optional<ServiceStatus> Host::service(const std::string& key) const {
+  const std::lock_guard lock(mutex_);
+  const Slot* slot = find(key);
+  if (!slot) return std::nullopt;
+  return slot->status;
+}
+
+std::map<std::string, rsm::Service> Host::models() const {
+  const std::lock_guard lock(mutex_);
+  std::map<std::string, rsm::Service> all;
+  for (const auto& slot : slots_) all.emplace(slot->status.key, slot->model);
+  return all;
+}
+
+}  // namespace race::services

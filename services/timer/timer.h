@@ -1,0 +1,36 @@
+// Timer: one alarm clock on the time of the unit it lives in.
+//
+//   start(seconds)  deferred -> {"elapsed": seconds} when the time is over; `not_accepted` while it runs;
+//                   error `cancelled`, or `invalid` at once if seconds is not a number in 0 .. 86400
+//   cancel()        -> null; the start is answered `cancelled`; `not_accepted` while it does not run
+//
+// Events: `elapsed` {"seconds"} when a start comes to its end; `tick` {"time"} ten times a second [s], sampled.
+//
+// Threads: its unit's.
+#pragma once
+
+#include "services/component.h"
+
+namespace race::timer {
+
+/// The RSM of every timer.
+const rsm::Service& model();
+
+class Timer final : public services::Component {
+ public:
+  explicit Timer(services::ServiceHost& host);
+
+  const rsm::Service& model() const override { return timer::model(); }
+  void call(const services::Call& call) override;
+  void step() override;
+
+ private:
+  void start(const services::Call& call);
+  void cancel(const services::Call& call);
+
+  services::ServiceHost& host_;
+  services::CallId running_ = 0;  // the start that waits; 0: none
+  services::Time started_ = 0, seconds_ = 0, next_tick_ = 0;
+};
+
+}  // namespace race::timer

@@ -1,0 +1,42 @@
+#include "services/work_queue.h"
+
+namespace race::services {
+
+void WorkQueue::post(Work work) {
+  {
+    const std::lock_guard lock(mutex_);
+    work_.push_back(std::move(work));
+  }
+  posted_.notify_one();
+}
+
+bool WorkQueue::run() {
+  std::vector<Work> work;
+  {
+    const std::lock_guard lock(mutex_);
+    work.swap(work_);
+  }
+  for (const Work& each : work) each();
+  return !work.empty();
+}
+
+void WorkQueue::wait() {
+  std::unique_lock lock(mutex_);
+  posted_.wait(lock, [this] { return !work_.empty(); });
+}
+
+WorkThread::WorkThread() {
+  thread_ = std::thread([this] {
+    while (!stop_) {
+      wait();
+      run();
+    }
+  });
+}
+
+WorkThread::~WorkThread() {
+  post([this] { stop_ = true; });
+  thread_.join();
+}
+
+}  // namespace race::services

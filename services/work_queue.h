@@ -1,0 +1,43 @@
+// Where the components of one unit run: a queue of work that its owner runs on the unit's thread. WorkQueue is run by a
+// loop that has other things to do (the cell's, a headless run's); WorkThread is a unit with a thread of its own.
+#pragma once
+
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace race::services {
+
+/// Threads: post() on any; run() on the unit's alone.
+class WorkQueue {
+ public:
+  using Work = std::function<void()>;
+  virtual ~WorkQueue() = default;
+  void post(Work work);
+  /// Runs what had been posted when it was called, in order; whether there was anything.
+  bool run();
+
+ protected:
+  /// Waits until there is work.
+  void wait();
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable posted_;
+  std::vector<Work> work_;
+};
+
+/// A unit with its own thread: runs what is posted until it is destroyed; work posted before that is still done.
+class WorkThread final : public WorkQueue {
+ public:
+  WorkThread();
+  ~WorkThread() override;
+
+ private:
+  bool stop_ = false;  // of the thread
+  std::thread thread_;
+};
+
+}  // namespace race::services

@@ -1,0 +1,58 @@
+// A Bench: a host with one unit and a clock of world time, and what its services said. Tests of components use it in
+// place of cores.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "services/host.h"
+
+namespace race::services {
+
+class Bench final : public HostObserver {
+ public:
+  Bench() : host(clock, *this) {}
+
+  template <typename C, typename... Arguments>
+  C& add(const std::string& key, Arguments&&... arguments) {
+    ServiceHost& slot = host.declare(key, key, unit);
+    auto component = std::make_unique<C>(std::forward<Arguments>(arguments)..., slot);
+    C& made = *component;
+    host.attach(key, std::move(component));
+    return made;
+  }
+
+  /// Calls as core "1" and lets the unit work.
+  CallId call(const std::string& service, const std::string& operation, List args = {}, Dict kwargs = {}) {
+    const CallId id = host.call({"1", ++calls}, service, operation, std::move(args), std::move(kwargs));
+    unit.run();
+    return id;
+  }
+
+  /// Lets `seconds` pass in steps of 1 ms.
+  void pass(double seconds) {
+    for (int ms = 0; ms < static_cast<int>(seconds * 1000 + 0.5); ++ms) {
+      clock.set(static_cast<double>(++milliseconds) / 1000);
+      host.step(unit);
+    }
+  }
+
+  /// Responses so far as "service.operation -> value" or "!> error code"; events are left out.
+  std::vector<std::string> responses() const;
+  std::vector<Violation> violations(const std::string& key) const { return host.service(key)->violations; }
+
+  void delivered(const Delivery& delivery) override { deliveries.push_back(delivery); }
+  void changed(const ServiceStatus&) override { ++changes; }
+  void logged(Time, const std::string&, const std::string& text) override { log.push_back(text); }
+
+  WorldClock clock;
+  WorkQueue unit;
+  std::vector<Delivery> deliveries;
+  std::vector<std::string> log;
+  std::uint64_t calls = 0;
+  int changes = 0;
+  int milliseconds = 0;
+  Host host;
+};
+
+}  // namespace race::services

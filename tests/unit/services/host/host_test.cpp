@@ -1,0 +1,180 @@
+#include <gmock/gmock.h>
+
+#include "core/rsm/document.h"
+#include "tests/unit/services/host/bench.h"
+
+namespace race::services {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const rsm::Service& lamp_model() {
+  static const rsm::Service model = rsm::read_service_text(R"json({
+    "rsm": 1, "name": "lamp",
+    "operations": [{"name": "on"}, {"name": "blink", "error": "any"}],
+    "events": [{"name": "lit"}, {"name": "spark", "sampled": true}],
+    "states": [{"name": "Dark"}, {"name": "Bright", "events": ["spark"]}], "init": "Dark",
+    "transitions": [{"id": "t1", "src": "Dark", "dst": "Bright", "operation": "on", "events": ["lit"]},
+                    {"id": "t2", "src": "Bright", "dst": "Bright", "operation": "blink", "defer": ["t3"]},
+                    {"id": "t3", "src": "Bright", "dst": "Dark"}]})json",
+                                                           "services/lamp")
+                                        .value();
+  return model;
+}
+
+// A lamp that does what a test tells it.
+class Lamp final : public Component {
+ public:
+  explicit Lamp(ServiceHost& its_host) : host(its_host) {}
+  const rsm::Service& model() const override { return lamp_model(); }
+  void call(const Call& call) override {
+    calls.push_back(call);
+    if (answer) answer(call);
+  }
+  void step() override {
+    if (broken) throw std::runtime_error("burnt out");
+  }
+  ServiceHost& host;
+  std::vector<Call> calls;
+  std::function<void(const Call&)> answer;
+  bool broken = false;
+};
+
+struct HostTest : testing::Test {
+  HostTest() : lamp(bench.add<Lamp>("lamp")) {}
+  void obey() {
+    lamp.answer = [this](const Call& call) {
+      lamp.host.transition(call.operation == "on" ? "t1" : "t2", call.id);
+      if (call.operation != "on") return;
+      lamp.host.result(call.id, nullptr);
+      lamp.host.event("lit", nullptr);
+    };
+  }
+  Bench bench;
+  Lamp& lamp;
+};
+
+TEST_F(HostTest, AComponentIsCalledOnItsUnitOnly) {
+  bench.host.call({"1", 1}, "lamp", "on", {}, {});
+  EXPECT_THAT(lamp.calls, IsEmpty());
+  bench.unit.run();
+  EXPECT_EQ(lamp.calls.size(), 1U);
+}
+
+TEST_F(HostTest, AResponseGoesToTheCallerWithItsNumberOfTheCall) {
+  obey();
+  bench.host.call({"7", 42}, "lamp", "on", {}, {});
+  bench.unit.run();
+  ASSERT_THAT(bench.responses(), ElementsAre("lamp.on -> null"));
+  EXPECT_EQ(bench.deliveries[0].caller, (Caller{"7", 42}));
+  EXPECT_THAT(bench.violations("lamp"), IsEmpty());
+}
+
+TEST_F(HostTest, PendingCallsAreSeenUntilTheyAreAnswered) {
+  obey();
+  bench.call("lamp", "on");
+  const CallId id = bench.call("lamp", "blink");
+  ASSERT_EQ(bench.host.service("lamp")->pending.size(), 1U);
+  EXPECT_EQ(bench.host.service("lamp")->pending[0].id, id);
+  lamp.host.transition("t3");
+  lamp.host.result(id, 3);
+  EXPECT_THAT(bench.host.service("lamp")->pending, IsEmpty());
+  EXPECT_EQ(bench.host.service("lamp")->state, "Dark");
+  EXPECT_EQ(bench.host.service("lamp")->last, "t3");
+  EXPECT_THAT(bench.violations("lamp"), IsEmpty());
+}
+
+TEST_F(HostTest, AnUnknownServiceOrOperationAnswersUnavailable) {
+  bench.call("heater", "on");
+  bench.call("lamp", "explode");
+  EXPECT_THAT(bench.responses(), ElementsAre("heater.on !> unavailable", "lamp.explode !> unavailable"));
+  EXPECT_THAT(lamp.calls, IsEmpty());
+}
+
+TEST_F(HostTest, ARejectedCallAnswersNotAcceptedAndNothingElse) {
+  lamp.answer = [this](const Call& call) { lamp.host.reject(call.id); };
+  bench.call("lamp", "blink");
+  ASSERT_THAT(bench.responses(), ElementsAre("lamp.blink !> not_accepted"));
+  EXPECT_EQ(bench.deliveries[0].data, Value(Dict{{"code", "not_accepted"}}));
+  EXPECT_THAT(bench.violations("lamp"), IsEmpty());
+}
+
+TEST_F(HostTest, WhatDoesNotFitTheRsmIsDeliveredAndShownWithRuleAndCall) {
+  lamp.answer = [this](const Call& call) { lamp.host.result(call.id, 5); };  // no transition took the call
+  const CallId id = bench.call("lamp", "on");
+  EXPECT_THAT(bench.responses(), ElementsAre("lamp.on -> 5"));
+  const auto violations = bench.violations("lamp");
+  ASSERT_EQ(violations.size(), 1U);
+  EXPECT_EQ(violations[0].rule, "respond");
+  EXPECT_EQ(violations[0].call, id);
+  EXPECT_EQ(violations[0].operation, "on");
+  EXPECT_THAT(bench.log, ElementsAre(HasSubstr("respond")));
+}
+
+TEST_F(HostTest, ATransitionFromTheWrongStateBreaksTrans2) {
+  lamp.host.transition("t3");
+  ASSERT_EQ(bench.violations("lamp").size(), 1U);
+  EXPECT_EQ(bench.violations("lamp")[0].rule, "Trans2");
+}
+
+TEST_F(HostTest, ACallIsAnsweredOnce) {
+  obey();
+  const CallId id = bench.call("lamp", "on");
+  lamp.host.result(id, 1);
+  EXPECT_THAT(bench.responses(), ElementsAre("lamp.on -> null"));
+  EXPECT_EQ(bench.violations("lamp").size(), 1U);
+}
+
+TEST_F(HostTest, OfACallThatALaterOneSupersedesNothingWaits) {
+  obey();
+  bench.call("lamp", "on");
+  bench.call("lamp", "blink");
+  const CallId second = bench.call("lamp", "blink");
+  ASSERT_EQ(bench.host.service("lamp")->pending.size(), 1U);
+  EXPECT_EQ(bench.host.service("lamp")->pending[0].id, second);
+}
+
+TEST_F(HostTest, OnlySoManyViolationsAreKept) {
+  for (int i = 0; i < 150; ++i) lamp.host.event("unheard_of", i);
+  EXPECT_EQ(bench.violations("lamp").size(), Host::kViolationsKept);
+}
+
+TEST_F(HostTest, ALostServiceAnswersItsPendingCallsInOrderAndFallsSilent) {
+  bench.call("lamp", "blink");
+  bench.call("lamp", "on");
+  bench.host.lose("lamp");
+  EXPECT_THAT(bench.responses(), ElementsAre("lamp.blink !> unavailable", "lamp.on !> unavailable"));
+  const auto before = bench.deliveries.size();
+  lamp.host.event("spark", nullptr);
+  EXPECT_EQ(bench.deliveries.size(), before);
+  bench.call("lamp", "on");
+  EXPECT_EQ(bench.responses().back(), "lamp.on !> unavailable");
+  EXPECT_FALSE(bench.host.service("lamp")->available);
+}
+
+TEST_F(HostTest, AComponentThatThrowsIsLostAndTheOthersGoOn) {
+  auto& other = bench.add<Lamp>("other");
+  bench.call("lamp", "on");
+  lamp.broken = true;
+  bench.pass(0.002);
+  EXPECT_THAT(bench.responses(), ElementsAre("lamp.on !> unavailable"));
+  bench.call("other", "on");
+  EXPECT_EQ(other.calls.size(), 1U);
+}
+
+TEST(Delivery, ReachesCoresByTimeThenServiceThenSequence) {
+  Delivery early, late, second;
+  late.time = 1;
+  second.service = 1;
+  second.sequence = 0;
+  early.sequence = 5;
+  EXPECT_TRUE(before(early, late));
+  EXPECT_TRUE(before(early, second));
+  EXPECT_FALSE(before(second, early));
+  EXPECT_TRUE(before(second, late));
+}
+
+}  // namespace
+}  // namespace race::services

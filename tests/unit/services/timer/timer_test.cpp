@@ -1,0 +1,80 @@
+#include "services/timer/timer.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/unit/services/host/bench.h"
+
+namespace race::timer {
+namespace {
+
+using services::Bench;
+using services::Delivery;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+struct TimerTest : testing::Test {
+  TimerTest() { bench.add<Timer>("timer"); }
+  ~TimerTest() override { EXPECT_THAT(bench.violations("timer"), IsEmpty()); }
+  int events(const std::string& name) const {
+    int count = 0;
+    for (const Delivery& each : bench.deliveries) count += each.kind == Delivery::Kind::event && each.name == name;
+    return count;
+  }
+  Bench bench;
+};
+
+TEST_F(TimerTest, AnswersWhenTheTimeIsOverAndNotBefore) {
+  bench.call("timer", "start", {0.25});
+  EXPECT_EQ(bench.host.service("timer")->state, "Running");
+  bench.pass(0.249);
+  EXPECT_THAT(bench.responses(), IsEmpty());
+  bench.pass(0.001);
+  EXPECT_THAT(bench.responses(), ElementsAre("timer.start -> {\"elapsed\":0.25}"));
+  EXPECT_EQ(events("elapsed"), 1);
+  EXPECT_EQ(bench.host.service("timer")->state, "Idle");
+}
+
+TEST_F(TimerTest, CanBeStartedAgain) {
+  for (int i = 0; i < 2; ++i) {
+    bench.call("timer", "start", {1});
+    bench.pass(1.0);
+  }
+  EXPECT_EQ(bench.responses().size(), 2U);
+  EXPECT_EQ(events("elapsed"), 2);
+}
+
+TEST_F(TimerTest, ACancelledStartIsAnsweredWithAnError) {
+  bench.call("timer", "start", {1});
+  bench.call("timer", "cancel");
+  bench.pass(2.0);
+  EXPECT_THAT(bench.responses(), ElementsAre("timer.start !> cancelled", "timer.cancel -> null"));
+  EXPECT_EQ(events("elapsed"), 0);
+}
+
+TEST_F(TimerTest, RejectsWhatItsStateDoesNotAccept) {
+  bench.call("timer", "cancel");
+  bench.call("timer", "start", {1});
+  bench.call("timer", "start", {1});
+  EXPECT_THAT(bench.responses(), ElementsAre("timer.cancel !> not_accepted", "timer.start !> not_accepted"));
+}
+
+TEST_F(TimerTest, TicksTenTimesASecond) {
+  bench.pass(1.05);
+  EXPECT_EQ(events("tick"), 11);
+}
+
+// What a caller does wrong is recorded, but is no fault of the timer.
+TEST(TimerArguments, AreAnsweredInvalidAtOnce) {
+  Bench bench;
+  bench.add<Timer>("timer");
+  bench.call("timer", "start", {-1});
+  bench.call("timer", "start", {"soon"});
+  bench.call("timer", "start");
+  EXPECT_THAT(bench.responses(),
+              ElementsAre("timer.start !> invalid", "timer.start !> invalid", "timer.start !> invalid"));
+  EXPECT_EQ(bench.host.service("timer")->state, "Idle");
+  for (const auto& violation : bench.violations("timer")) EXPECT_EQ(violation.rule, "type");
+}
+
+}  // namespace
+}  // namespace race::timer
