@@ -1,13 +1,15 @@
 // Build of the browser pages: one package, one entry per page, output in web/dist (served by the server at `/`).
-import { resolve } from "node:path";
+import { fileURLToPath } from "node:url";
 import react from "@vitejs/plugin-react";
 import { defineConfig } from "vite";
 
 /** Where `npm run dev` finds a running server; the built pages always talk to the server they came from. */
 const server = process.env["RACE_SERVER"] ?? "http://127.0.0.1:8080";
 
+const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
+
 export default defineConfig({
-  root: import.meta.dirname,
+  root: here("."),
   plugins: [react()],
   worker: { format: "es" },
   build: {
@@ -17,8 +19,8 @@ export default defineConfig({
     chunkSizeWarningLimit: 1600,
     rollupOptions: {
       input: {
-        index: resolve(import.meta.dirname, "index.html"),
-        pro: resolve(import.meta.dirname, "pro/index.html"),
+        index: here("index.html"),
+        pro: here("pro/index.html"),
       },
     },
   },

@@ -1,0 +1,132 @@
+// The canvas: the laid out model with zoom, pan, breadcrumb and the light of the run.
+import { Background, BackgroundVariant, Controls, MiniMap, ReactFlow, ReactFlowProvider, useReactFlow, useStore, type NodeTypes, type EdgeTypes } from "@xyflow/react";
+import { useEffect, useMemo, useRef, useState, type CSSProperties } from "react";
+import { flowLines, flowNodes } from "../../shared/drawing/flow";
+import { liveOf } from "../../shared/drawing/live";
+import type { ModelTree } from "../../shared/model/modelTree";
+import { pathOf } from "../../shared/session/view";
+import { useCore, useSession, useView, view } from "../client";
+import { BarrierNode, type BarrierFlowNode } from "./BarrierNode";
+import { Breadcrumb } from "./Breadcrumb";
+import { CanvasTools } from "./CanvasTools";
+import { LiveContext } from "./LiveContext";
+import { ArrowHeads, ModelLine, type LineFlowEdge } from "./ModelLine";
+import { StateNode, type StateFlowNode } from "./StateNode";
+import { useDrawing, type Laid } from "./useDrawing";
+import { useSize } from "./useSize";
+
+const nodeTypes: NodeTypes = { state: StateNode, barrier: BarrierNode };
+const edgeTypes: EdgeTypes = { line: ModelLine };
+
+export function ModelCanvas({ tree }: { readonly tree: ModelTree | undefined }) {
+  const frame = useRef<HTMLDivElement>(null);
+  const size = useSize(frame);
+  const laid = useDrawing(tree, size);
+  const run = useSession((s) => s.run);
+  const fired = useSession((s) => s.fired);
+  const fault = useCore()?.fault;
+  const live = useMemo(() => liveOf(run, fired, fault), [run, fired, fault]);
+  return (
+    <section className="canvas" aria-label="Model" ref={frame}>
+      <ArrowHeads />
+      {laid !== undefined && tree !== undefined ? (
+        <LiveContext value={live}>
+          <ReactFlowProvider>
+            <Breadcrumb tree={tree} />
+            <CanvasTools tree={tree} detail={laid.detail} />
+            <Flow laid={laid} tree={tree} />
+          </ReactFlowProvider>
+        </LiveContext>
+      ) : (
+        <Empty waiting={tree !== undefined} />
+      )}
+    </section>
+  );
+}
+
+function Empty({ waiting }: { readonly waiting: boolean }) {
+  return (
+    <div className="canvas-empty">
+      <p>{waiting ? "Drawing the model…" : "No task is loaded. Choose a document above and start a run."}</p>
+    </div>
+  );
+}
+
+function Flow({ laid, tree }: { readonly laid: Laid; readonly tree: ModelTree }) {
+  const nodes = useMemo(
+    () =>
+      flowNodes(laid.drawing, tree).map(({ drawn, inbound, zIndex }): StateFlowNode | BarrierFlowNode => {
+        const place = { id: drawn.path, position: { x: drawn.x, y: drawn.y }, width: drawn.width, height: drawn.height, zIndex };
+        return drawn.kind === "state"
+          ? { ...place, type: "state", data: { drawn } }
+          : { ...place, type: "barrier", data: { drawn, inbound } };
+      }),
+    [laid, tree],
+  );
+  const edges = useMemo(
+    () =>
+      flowLines(laid.drawing).map(
+        ({ line, source, target, zIndex }): LineFlowEdge => ({ id: line.id, type: "line", source, target, zIndex, data: { line } }),
+      ),
+    [laid],
+  );
+  return (
+    <ReactFlow
+      nodes={nodes}
+      edges={edges}
+      nodeTypes={nodeTypes}
+      edgeTypes={edgeTypes}
+      nodesDraggable={false}
+      nodesConnectable={false}
+      nodesFocusable={false}
+      edgesFocusable={false}
+      elementsSelectable={false}
+      zoomOnDoubleClick={false}
+      panOnDrag={[0, 1]}
+      minZoom={0.08}
+      maxZoom={2.5}
+      fitView
+      fitViewOptions={kFit}
+      proOptions={{ hideAttribution: true }}
+      onPaneClick={() => view.dispatch({ type: "select", selection: undefined })}
+    >
+      <Background variant={BackgroundVariant.Dots} gap={22} size={1.2} color="#dde2de" />
+      <Controls showInteractive={false} position="bottom-left" />
+      {laid.drawing.nodes.length > 30 && <MiniMap pannable zoomable position="bottom-right" nodeColor="#dfe7e2" maskColor="#f5f6f4cc" />}
+      <Sight laid={laid} />
+    </ReactFlow>
+  );
+}
+
+const kFit = { padding: 0.03, maxZoom: 1.25 } as const;
+
+/** Keeps the drawing in sight: fits it when it is new, moves to what a jump selected, and writes larger when zoomed far out. */
+function Sight({ laid }: { readonly laid: Laid }) {
+  const { fitView } = useReactFlow();
+  const zoom = useStore((s) => s.transform[2]);
+  const dom = useStore((s) => s.domNode);
+  const reveal = useView((v) => v.reveal);
+  const selection = useView((v) => v.selection);
+  const [seen, setSeen] = useState(reveal);
+
+  useEffect(() => {
+    const frame = requestAnimationFrame(() => void fitView({ ...kFit, duration: 250 }));
+    return () => cancelAnimationFrame(frame);
+  }, [laid.key, fitView]);
+
+  useEffect(() => {
+    if (reveal === seen || selection === undefined) return;
+    const id = pathOf(selection);
+    if (!laid.drawing.nodes.some((node) => node.path === id)) return;
+    setSeen(reveal);
+    const frame = requestAnimationFrame(() => void fitView({ nodes: [{ id }], padding: 1.2, maxZoom: 1.1, duration: 350 }));
+    return () => cancelAnimationFrame(frame);
+  }, [reveal, seen, selection, laid, fitView]);
+
+  useEffect(() => {
+    const canvas = dom?.closest<HTMLElement>(".canvas");
+    canvas?.setAttribute("data-zoom", zoom < 0.62 ? "far" : "near");
+    canvas?.style.setProperty("--grow", String(Math.min(3, 0.72 / zoom)) satisfies NonNullable<CSSProperties["width"]>);
+  }, [zoom, dom]);
+  return null;
+}

@@ -1,0 +1,47 @@
+// A line of the drawing along the points of the layout: transitions, forks, the arrow to `first`, dashed exits.
+import { BaseEdge, type Edge, type EdgeProps } from "@xyflow/react";
+import type { DrawnLine } from "../../shared/drawing/drawing";
+import { lineState } from "../../shared/drawing/live";
+import { roundedPath } from "../../shared/drawing/path";
+import { useView } from "../client";
+import { useLive } from "./LiveContext";
+
+export type LineFlowEdge = Edge<{ readonly line: DrawnLine }, "line">;
+
+export function ModelLine({ id, data }: EdgeProps<LineFlowEdge>) {
+  const live = useLive();
+  const line = data?.line;
+  const touched = useView(
+    (v) =>
+      line !== undefined &&
+      v.selection !== undefined &&
+      (v.selection.kind === "port"
+        ? v.selection.address === line.from || v.selection.address === line.to
+        : line.from.startsWith(`${v.selection.path}.`) || line.to === v.selection.path),
+  );
+  if (line === undefined) return null;
+  const state = lineState(line, live);
+  const start = line.points[0];
+  const marker = line.kind === "exit" || line.kind === "nowhere" ? "open" : state === "fired" ? "fired" : "plain";
+  return (
+    <g className={`line line-${line.kind} is-${state}${touched ? " is-touched" : ""}`} key={state === "fired" ? live.beat : 0}>
+      <BaseEdge id={id} path={roundedPath(line.points, 7)} markerEnd={`url(#arrow-${marker})`} interactionWidth={0} />
+      {line.kind === "first" && start !== undefined && <circle className="line-start" cx={start.x} cy={start.y} r={4} />}
+    </g>
+  );
+}
+
+/** The arrow heads, once per page. */
+export function ArrowHeads() {
+  return (
+    <svg className="arrow-heads" aria-hidden="true">
+      <defs>
+        {["plain", "fired", "open"].map((name) => (
+          <marker key={name} id={`arrow-${name}`} viewBox="0 0 10 10" refX="9" refY="5" markerWidth="9" markerHeight="9" markerUnits="userSpaceOnUse" orient="auto">
+            <path className={`arrow-${name}`} d={name === "open" ? "M 1 1 L 9 5 L 1 9" : "M 0 0.5 L 10 5 L 0 9.5 z"} />
+          </marker>
+        ))}
+      </defs>
+    </svg>
+  );
+}

@@ -1,0 +1,108 @@
+// A state in the thesis' notation (Fig. 3.2-3.4): rounded frame, name, text section, ports on the border.
+import { Handle, Position, type NodeProps, type Node } from "@xyflow/react";
+import type { DrawnNode, DrawnPort } from "../../shared/drawing/drawing";
+import { liveValue } from "../../shared/drawing/live";
+import { clip, valueText } from "../../shared/model/describe";
+import { useView, view } from "../client";
+import { useLive } from "./LiveContext";
+
+export type StateFlowNode = Node<{ readonly drawn: DrawnNode }, "state">;
+
+export function StateNode({ data: { drawn } }: NodeProps<StateFlowNode>) {
+  const live = useLive();
+  const selected = useView((v) => v.selection?.kind === "node" && v.selection.path === drawn.path);
+  const active = live.active.has(drawn.path);
+  const classes = ["state", active && "is-active", selected && "is-selected", drawn.open && "is-open", live.faultAt === drawn.path && "is-faulted"];
+  const select = () => view.dispatch({ type: "select", selection: { kind: "node", path: drawn.path } });
+  return (
+    <div
+      className={classes.filter(Boolean).join(" ")}
+      role="group"
+      aria-label={`State ${drawn.path}`}
+      data-path={drawn.path}
+      data-active={active}
+      style={{ width: drawn.width, height: drawn.height }}
+      onClick={select}
+      onDoubleClick={() => drawn.composite && view.dispatch({ type: "enter", path: drawn.path })}
+    >
+      <Handle type="target" position={Position.Left} isConnectable={false} />
+      <Handle type="source" position={Position.Right} isConnectable={false} />
+      <div className="state-head">
+        <button type="button" className="state-name" aria-label={`Select ${drawn.path}`} onClick={select}>
+          {drawn.name}
+        </button>
+        {drawn.badge !== undefined && <span className="state-badge">{drawn.badge}</span>}
+        {drawn.composite && <Toggle drawn={drawn} />}
+      </div>
+      {drawn.lines.length > 0 && <TextSection drawn={drawn} />}
+      {drawn.ports.map((port) => (
+        <PortBox key={port.address} port={port} origin={drawn} />
+      ))}
+    </div>
+  );
+}
+
+function Toggle({ drawn }: { readonly drawn: DrawnNode }) {
+  return (
+    <button
+      type="button"
+      className="state-toggle"
+      aria-label={`${drawn.open ? "Collapse" : "Expand"} ${drawn.path}`}
+      aria-expanded={drawn.open}
+      onClick={(event) => {
+        event.stopPropagation();
+        view.dispatch({ type: "toggle", path: drawn.path });
+      }}
+    >
+      {drawn.open ? "−" : "+"}
+    </button>
+  );
+}
+
+function TextSection({ drawn }: { readonly drawn: DrawnNode }) {
+  const live = useLive();
+  return (
+    <dl className="state-text">
+      {drawn.lines.map((line, i) => {
+        const value = liveValue(live, drawn.path, line);
+        return (
+          <div key={i}>
+            <dt>{drawn.lines[i - 1]?.label === line.label ? "" : line.label}</dt>
+            <dd title={value === undefined ? line.text : `${line.text}\nnow ${valueText(value)}`}>
+              {line.text}
+              {value !== undefined && line.label !== "params" && <span className="live"> = {clip(valueText(value), 18)}</span>}
+            </dd>
+          </div>
+        );
+      })}
+    </dl>
+  );
+}
+
+function PortBox({ port, origin }: { readonly port: DrawnPort; readonly origin: DrawnNode }) {
+  const live = useLive();
+  const selected = useView((v) => v.selection?.kind === "port" && v.selection.address === port.address);
+  const fired = live.fired.has(port.address);
+  const active = live.ports.has(port.address);
+  const classes = ["port", active && "is-active", selected && "is-selected", fired && "is-fired", port.exits && "is-exit"];
+  return (
+    <button
+      key={fired ? live.beat : 0}
+      type="button"
+      className={classes.filter(Boolean).join(" ")}
+      aria-label={`Port ${port.address}`}
+      data-active={active}
+      data-fired={fired}
+      title={port.condition}
+      style={{ left: port.x - origin.x, top: port.y - origin.y, width: port.width, height: port.height }}
+      onClick={(event) => {
+        event.stopPropagation();
+        view.dispatch({ type: "select", selection: { kind: "port", address: port.address } });
+      }}
+      onDoubleClick={(event) => event.stopPropagation()}
+    >
+      <span className="port-name">{port.name}</span>
+      {port.condition !== "" && <code>{port.condition}</code>}
+    </button>
+  );
+}

@@ -1,0 +1,63 @@
+// The drawing of what the view shows, laid out anew when the model, the focus, what is collapsed or the detail changes.
+import { useEffect, useMemo, useState } from "react";
+import { readable } from "../../shared/drawing/chooseDetail";
+import type { Drawing } from "../../shared/drawing/drawing";
+import { layoutModel } from "../../shared/drawing/layout";
+import type { Detail } from "../../shared/drawing/measure";
+import { buildTree, stateAt, type ModelTree } from "../../shared/model/modelTree";
+import { useSession, useView } from "../client";
+import { layoutInWorker } from "./layoutEngine";
+
+export interface Laid {
+  readonly drawing: Drawing;
+  readonly detail: Detail;
+  /** What the canvas fits itself to: changes with the model, the focus and the detail. */
+  readonly key: string;
+}
+
+export function useTree(): ModelTree | undefined {
+  const model = useSession((session) => session.model);
+  return useMemo(() => (model === undefined ? undefined : buildTree(model.root)), [model]);
+}
+
+interface Canvas {
+  readonly width: number;
+  readonly height: number;
+}
+
+export function useDrawing(tree: ModelTree | undefined, canvas: Canvas | undefined): Laid | undefined {
+  const focus = useView((view) => view.focus);
+  const collapsed = useView((view) => view.collapsed);
+  const wanted = useView((view) => view.detail);
+  const [laid, setLaid] = useState<Laid>();
+  const ready = canvas !== undefined;
+  // The canvas' size chooses the first arrangement; later changes of its size must not rearrange the drawing.
+  const frame = useMemo(() => canvas, [ready, focus]); // eslint-disable-line react-hooks/exhaustive-deps
+
+  useEffect(() => {
+    const root = tree?.keys().next().value;
+    const path = focus ?? root;
+    const state = tree === undefined || path === undefined ? undefined : stateAt(tree, path);
+    if (state === undefined || path === undefined || frame === undefined) {
+      setLaid(undefined);
+      return;
+    }
+    let current = true;
+    const aspect = Math.min(2.4, Math.max(0.6, frame.width / frame.height));
+    const draw = (detail: Detail) => layoutModel(layoutInWorker, { state, path, collapsed, detail, aspect });
+    const choose = async (): Promise<Laid> => {
+      const first: Detail = wanted === "slim" ? "slim" : "full";
+      const drawing = await draw(first);
+      const slim = wanted === "auto" && !readable(drawing, frame);
+      const detail = slim ? "slim" : first;
+      return { drawing: slim ? await draw("slim") : drawing, detail, key: `${root ?? ""} ${path} ${detail} ${collapsed.size}` };
+    };
+    void choose().then((next) => {
+      if (current) setLaid(next);
+    });
+    return () => {
+      current = false;
+    };
+  }, [tree, focus, collapsed, wanted, frame]);
+  return laid;
+}

@@ -1,0 +1,152 @@
+// The three.js scene of a cell: robots from URDF, bodies from their shapes, moved by poses. Z points up, as in the cell.
+import {
+  AmbientLight,
+  BoxGeometry,
+  BufferGeometry,
+  Color,
+  CylinderGeometry,
+  DirectionalLight,
+  GridHelper,
+  HemisphereLight,
+  Mesh,
+  MeshStandardMaterial,
+  Object3D,
+  PCFSoftShadowMap,
+  PerspectiveCamera,
+  Scene,
+  SphereGeometry,
+  WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import URDFLoader, { type URDFRobot } from "urdf-loader";
+import type { Body, CellPose, Pose, Shape } from "../../shared/messages/cell";
+
+export interface RobotModel {
+  readonly name: string;
+  readonly pose: Pose;
+  /** URDF text. */
+  readonly text: string;
+}
+
+const kBackground = 0xf0f2ef;
+const kBodyColour = [0.72, 0.76, 0.74] as const;
+
+function geometryOf(shape: Shape): BufferGeometry {
+  switch (shape.kind) {
+    case "box":
+      return new BoxGeometry(...shape.size);
+    case "cylinder":
+      return new CylinderGeometry(shape.radius, shape.radius, shape.length, 40).rotateX(Math.PI / 2);
+    case "sphere":
+      return new SphereGeometry(shape.radius, 32, 20);
+  }
+}
+
+function place(object: Object3D, pose: Pose): void {
+  object.position.set(...pose.position);
+  object.quaternion.set(...pose.orientation);
+}
+
+export class CellScene {
+  private readonly scene = new Scene();
+  private readonly camera = new PerspectiveCamera(38, 1, 0.02, 40);
+  private readonly renderer = new WebGLRenderer({ antialias: true });
+  private readonly controls: OrbitControls;
+  private readonly bodies = new Map<string, Object3D>();
+  private robots: URDFRobot[] = [];
+  private readonly observer: ResizeObserver;
+  private pending = 0;
+
+  constructor(private readonly host: HTMLElement) {
+    this.scene.background = new Color(kBackground);
+    this.camera.up.set(0, 0, 1);
+    this.camera.position.set(1.75, -1.55, 1.25);
+    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = PCFSoftShadowMap;
+    host.append(this.renderer.domElement);
+    this.renderer.domElement.setAttribute("aria-label", "3D view of the cell; drag to turn, wheel to zoom");
+    this.controls = new OrbitControls(this.camera, this.renderer.domElement);
+    this.controls.target.set(0.25, 0, 0.35);
+    this.controls.addEventListener("change", () => this.redraw());
+    this.light();
+    this.observer = new ResizeObserver(() => this.resize());
+    this.observer.observe(host);
+    this.controls.update();
+  }
+
+  /** Puts in what the scene describes. */
+  fill(bodies: readonly Body[], robots: readonly RobotModel[]): void {
+    for (const body of bodies) this.addBody(body);
+    this.robots = robots.map((model) => this.addRobot(model));
+    this.redraw();
+  }
+
+  /** Joints and bodies as the cell says; names that the scene does not have are left alone. */
+  move(pose: CellPose): void {
+    for (const robot of this.robots) {
+      for (const [joint, value] of Object.entries(pose.joints)) if (joint in robot.joints) robot.setJointValue(joint, value);
+    }
+    for (const [name, body] of Object.entries(pose.bodies)) {
+      const object = this.bodies.get(name);
+      if (object !== undefined) place(object, body);
+    }
+    this.redraw();
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.pending);
+    this.observer.disconnect();
+    this.controls.dispose();
+    this.renderer.dispose();
+    this.renderer.domElement.remove();
+  }
+
+  private addBody(body: Body): void {
+    const [red = 0, green = 0, blue = 0] = body.colour ?? kBodyColour;
+    const mesh = new Mesh(geometryOf(body.shape), new MeshStandardMaterial({ color: new Color(red, green, blue), roughness: 0.75 }));
+    mesh.castShadow = !body.fixed;
+    mesh.receiveShadow = true;
+    place(mesh, body.pose);
+    this.bodies.set(body.name, mesh);
+    this.scene.add(mesh);
+  }
+
+  private addRobot(model: RobotModel): URDFRobot {
+    const robot = new URDFLoader().parse(model.text);
+    place(robot, model.pose);
+    robot.traverse((part) => {
+      part.castShadow = true;
+      part.receiveShadow = true;
+    });
+    this.scene.add(robot);
+    return robot;
+  }
+
+  private light(): void {
+    const sun = new DirectionalLight(0xffffff, 2.1);
+    sun.position.set(1.5, -2, 3.5);
+    sun.castShadow = true;
+    sun.shadow.mapSize.set(2048, 2048);
+    sun.shadow.camera.left = sun.shadow.camera.bottom = -1.8;
+    sun.shadow.camera.right = sun.shadow.camera.top = 1.8;
+    const grid = new GridHelper(4, 40, 0xc3cbc6, 0xdde2de).rotateX(Math.PI / 2);
+    grid.position.z = -0.001;
+    this.scene.add(sun, new AmbientLight(0xffffff, 0.55), new HemisphereLight(0xffffff, 0xd8ded9, 0.9), grid);
+  }
+
+  private resize(): void {
+    const { clientWidth, clientHeight } = this.host;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.camera.aspect = clientWidth / clientHeight;
+    this.camera.updateProjectionMatrix();
+    this.renderer.setSize(clientWidth, clientHeight);
+    this.redraw();
+  }
+
+  /** Draws once in the next frame, however much changes until then. */
+  private redraw(): void {
+    cancelAnimationFrame(this.pending);
+    this.pending = requestAnimationFrame(() => this.renderer.render(this.scene, this.camera));
+  }
+}

@@ -1,0 +1,97 @@
+// The derivation of every micro step: macro steps to the left, their proof trees in the middle, the selected inference to the right.
+import { useEffect, useRef, useState } from "react";
+import { nodeAt, size, summary, type ProofPath } from "../../shared/derivation/proof";
+import type { TraceStep } from "../../shared/messages/derivation";
+import { callText, inputText } from "../../shared/run/inputText";
+import { useSession, useView, view } from "../client";
+import { InferenceCard } from "./InferenceCard";
+import { ProofTree } from "./ProofTree";
+
+export interface Picked {
+  readonly micro: number;
+  readonly path: ProofPath;
+}
+
+export function DerivationPanel() {
+  const steps = useSession((s) => s.steps);
+  const wanted = useView((v) => v.step);
+  const shown = steps.find((step) => step.step === wanted) ?? steps.at(-1);
+  if (shown === undefined) {
+    return (
+      <section className="derivation" aria-label="Derivation">
+        <p className="quiet pad">The derivation of each macro step appears here as soon as the run makes one.</p>
+      </section>
+    );
+  }
+  return (
+    <section className="derivation" aria-label="Derivation">
+      <StepList steps={steps} shown={shown.step} follows={wanted === undefined} />
+      <StepProofs key={shown.step} step={shown} />
+    </section>
+  );
+}
+
+interface StepListProps {
+  readonly steps: readonly TraceStep[];
+  readonly shown: number;
+  readonly follows: boolean;
+}
+
+function StepList({ steps, shown, follows }: StepListProps) {
+  const list = useRef<HTMLOListElement>(null);
+  useEffect(() => {
+    void list.current?.querySelector("[aria-current]")?.scrollIntoView({ block: "nearest" });
+  }, [shown, steps]);
+  return (
+    <div className="step-list">
+      <label className="check">
+        <input type="checkbox" checked={follows} onChange={(event) => view.dispatch({ type: "step", step: event.target.checked ? undefined : shown })} />
+        Follow the run
+      </label>
+      <ol ref={list} aria-label="Macro steps">
+        {steps.map((step) => (
+          <li key={step.step}>
+            <button type="button" aria-current={step.step === shown ? "step" : undefined} onClick={() => view.dispatch({ type: "step", step: step.step })}>
+              <b>{step.step}</b>
+              <span>{inputText(step.input)}</span>
+              <small>
+                {step.micro.length} micro{step.complete ? "" : " …"}
+              </small>
+            </button>
+          </li>
+        ))}
+      </ol>
+    </div>
+  );
+}
+
+function StepProofs({ step }: { readonly step: TraceStep }) {
+  const [picked, setPicked] = useState<Picked>({ micro: 0, path: [] });
+  const root = step.micro[picked.micro];
+  const node = root === undefined ? undefined : nodeAt(root, picked.path);
+  return (
+    <>
+      <div className="proofs">
+        {step.micro.length === 0 && <p className="quiet pad">Nothing changed: this macro step has no micro step that is not idle.</p>}
+        {step.micro.map((micro, i) => (
+          <article key={i} className="proof" aria-label={`Micro step ${i}`}>
+            <header>
+              <h3>Micro step {i}</h3>
+              <span>{summary(micro)}</span>
+              <small>{size(micro)} nodes</small>
+            </header>
+            <ProofTree root={micro} micro={i} picked={picked.micro === i ? picked.path : undefined} onPick={(path) => setPicked({ micro: i, path })} />
+          </article>
+        ))}
+        {step.calls.length > 0 && (
+          <p className="calls">
+            {step.calls.map((call, i) => (
+              <code key={i}>{callText(call)}</code>
+            ))}
+          </p>
+        )}
+      </div>
+      {node !== undefined && <InferenceCard node={node} />}
+    </>
+  );
+}

@@ -1,0 +1,88 @@
+// One derivation as a tree that can be unfolded: rule, equation, what it concludes about, value, refinement.
+import { useState, type KeyboardEvent } from "react";
+import { notable, subjectText, type ProofPath } from "../../shared/derivation/proof";
+import type { Derivation } from "../../shared/messages/derivation";
+import { clip, valueText } from "../../shared/model/describe";
+
+interface Props {
+  readonly root: Derivation;
+  readonly micro: number;
+  readonly picked: ProofPath | undefined;
+  readonly onPick: (path: ProofPath) => void;
+}
+
+export function ProofTree({ root, micro, picked, onPick }: Props) {
+  return (
+    <ul role="tree" className="proof-tree" aria-label={`Proof of micro step ${micro}`}>
+      <ProofNode node={root} path={[]} picked={picked} onPick={onPick} />
+    </ul>
+  );
+}
+
+interface NodeProps {
+  readonly node: Derivation;
+  readonly path: ProofPath;
+  readonly picked: ProofPath | undefined;
+  readonly onPick: (path: ProofPath) => void;
+}
+
+/** Moves the focus among the rows of a tree, in the order in which they are seen. */
+function move(row: HTMLElement, by: 1 | -1): void {
+  const rows = [...(row.closest(".derivation")?.querySelectorAll<HTMLElement>(".proof-row") ?? [])];
+  rows[rows.indexOf(row) + by]?.focus();
+}
+
+function ProofNode({ node, path, picked, onPick }: NodeProps) {
+  const [open, setOpen] = useState(() => notable(node));
+  const folds = node.premises.length > 0;
+  const selected = picked !== undefined && picked.join() === path.join();
+  const press = (event: KeyboardEvent<HTMLButtonElement>) => {
+    const row = event.currentTarget;
+    if (event.key === "ArrowRight" && folds) setOpen(true);
+    else if (event.key === "ArrowLeft" && folds) setOpen(false);
+    else if (event.key === "ArrowDown") move(row, 1);
+    else if (event.key === "ArrowUp") move(row, -1);
+    else return;
+    event.preventDefault();
+  };
+  return (
+    <li role="treeitem" aria-expanded={folds ? open : undefined} aria-selected={selected} aria-label={`${node.rule} (${node.equation}) ${subjectText(node)}`}>
+      <div className={`proof-line${selected ? " is-picked" : ""}`}>
+        {folds ? (
+          <button type="button" tabIndex={-1} className="fold" aria-label={`${open ? "Fold" : "Unfold"} ${node.rule}`} onClick={() => setOpen(!open)}>
+            {open ? "▾" : "▸"}
+          </button>
+        ) : (
+          <span className="fold" aria-hidden="true" />
+        )}
+        <button type="button" className="proof-row" onClick={() => onPick(path)} onDoubleClick={() => setOpen(!open)} onKeyDown={press}>
+          <b className={`rule rule-${layerOf(node.rule)}`}>{node.rule}</b>
+          <span className="equation">({node.equation})</span>
+          <span className="subject">{subjectText(node)}</span>
+          {node.value !== undefined && <span className={`value is-${String(node.value)}`}>{clip(valueText(node.value), 36)}</span>}
+          {node.rule === "FuncSC" && (
+            <code className="call">
+              {node.service}.{node.operation}
+            </code>
+          )}
+          {node.refinement !== undefined && <span className="refinement">{node.refinement}</span>}
+          {folds && !open && <small>{node.premises.length} premises</small>}
+        </button>
+      </div>
+      {folds && open && (
+        <ul role="group">
+          {node.premises.map((premise, i) => (
+            <ProofNode key={i} node={premise} path={[...path, i]} picked={picked} onPick={onPick} />
+          ))}
+        </ul>
+      )}
+    </li>
+  );
+}
+
+/** Colour group of a rule: moves of the micro layer, activation, deactivation, the rest. */
+function layerOf(rule: string): "micro" | "up" | "down" | "atomic" {
+  if (/^(PTrigger|PTrans|SProp|Micro)/.test(rule)) return "micro";
+  if (/^(SAct|BAct|Act$)/.test(rule)) return "up";
+  return /^(SDeact|BDeact|Deact)/.test(rule) ? "down" : "atomic";
+}

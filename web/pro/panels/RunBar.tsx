@@ -1,0 +1,86 @@
+// The run bar: start, pause, step, stop, and how the run stands. Keys as in RAFCON.
+import { allowed, primary, statusText, type Command } from "../../shared/run/controls";
+import type { Drawer } from "../../shared/session/view";
+import { run, useCore, useView, view } from "../client";
+import { Icon, type IconName } from "./Icon";
+
+interface ButtonSpec {
+  readonly command: Command;
+  readonly name: string;
+  readonly keys: string;
+  readonly icon: IconName;
+}
+
+const firstButton: Readonly<Record<"start" | "resume" | "again", ButtonSpec>> = {
+  start: { command: "start", name: "Start", keys: "F5", icon: "play" },
+  resume: { command: "resume", name: "Resume", keys: "F5", icon: "play" },
+  again: { command: "again", name: "Run again", keys: "F5", icon: "again" },
+};
+
+const buttons: readonly ButtonSpec[] = [
+  { command: "pause", name: "Pause", keys: "F7", icon: "pause" },
+  { command: "micro", name: "Micro step", keys: "F4", icon: "micro" },
+  { command: "macro", name: "Macro step", keys: "Shift+F4", icon: "macro" },
+  { command: "stop", name: "Stop", keys: "F8", icon: "stop" },
+];
+
+export function RunBar() {
+  const core = useCore();
+  const commands = allowed(core);
+  const lead = primary(core);
+  const first = firstButton[lead === "resume" || lead === "again" ? lead : "start"];
+  return (
+    <div className="runbar" role="toolbar" aria-label="Run">
+      {[first, ...buttons].map((spec) => (
+        <button
+          key={spec.command}
+          type="button"
+          className={`run-button run-${spec.command}`}
+          disabled={!commands.has(spec.command)}
+          title={`${spec.name} (${spec.keys})`}
+          aria-keyshortcuts={spec.keys}
+          onClick={() => void run(spec.command)}
+        >
+          <Icon name={spec.icon} />
+          <span>{spec.name}</span>
+        </button>
+      ))}
+      {core !== undefined && (
+        <p className={`run-status is-${core.paused && core.status === "running" ? "paused" : core.status}`} role="status" aria-label="Run status">
+          <i aria-hidden="true" />
+          <strong>{statusText(core)}</strong>
+          <span>
+            step {core.step}
+            {core.micro > 0 ? `, micro step ${core.micro}` : ""}
+            {core.waiting > 0 ? ` · ${core.waiting} waiting` : ""}
+          </span>
+        </p>
+      )}
+      <DrawerTabs />
+    </div>
+  );
+}
+
+const drawers: readonly { readonly drawer: Drawer; readonly name: string }[] = [
+  { drawer: "derivation", name: "Derivation" },
+  { drawer: "log", name: "Log" },
+];
+
+function DrawerTabs() {
+  const open = useView((v) => v.drawer);
+  return (
+    <div className="tabs tabs-small" role="tablist" aria-label="Below">
+      {drawers.map((entry) => (
+        <button
+          key={entry.drawer}
+          type="button"
+          role="tab"
+          aria-selected={open === entry.drawer}
+          onClick={() => view.dispatch({ type: "drawer", drawer: open === entry.drawer ? "closed" : entry.drawer })}
+        >
+          {entry.name}
+        </button>
+      ))}
+    </div>
+  );
+}

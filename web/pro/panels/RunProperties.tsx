@@ -1,0 +1,57 @@
+// Properties when nothing is selected: the run as a whole.
+import { statusText } from "../../shared/run/controls";
+import { inputText } from "../../shared/run/inputText";
+import { useCore, useSession, view } from "../client";
+import { ValueTable } from "./ValueTable";
+
+export function RunProperties() {
+  const core = useCore();
+  const last = useSession((s) => s.lastInput);
+  const name = useSession((s) => s.model?.name);
+  if (core === undefined) {
+    return (
+      <div className="empty-note">
+        <h2>Nothing is running</h2>
+        <p>Load a document to make a run of it, then start it with F5.</p>
+      </div>
+    );
+  }
+  const fault = core.fault;
+  return (
+    <>
+      <header className="prop-head">
+        <small>Run {core.id}</small>
+        <h2>{name ?? core.document}</h2>
+        <span className={`pill is-${core.status}`}>{statusText(core)}</span>
+      </header>
+      {fault !== undefined && (
+        <section className="fault" aria-label="Fault">
+          <h3>Fault: {fault.kind}</h3>
+          <p>{fault.message}</p>
+          <button type="button" className="link" onClick={() => view.dispatch({ type: "jump", selection: { kind: "node", path: fault.at } })}>
+            at {fault.at}
+          </button>
+        </section>
+      )}
+      <section>
+        <h3>Progress</h3>
+        <dl className="pairs">
+          <dt>Macro step</dt>
+          <dd>{core.step}</dd>
+          <dt>Inputs waiting</dt>
+          <dd>{core.waiting}</dd>
+          {last !== undefined && (
+            <>
+              <dt>Last input</dt>
+              <dd>
+                <code>{inputText(last)}</code>
+              </dd>
+            </>
+          )}
+        </dl>
+      </section>
+      <ValueTable title="Arguments" values={core.arguments} names={Object.keys(core.arguments)} />
+      <p className="quiet">Select a state, a barrier or a port to see its values.</p>
+    </>
+  );
+}

@@ -1,0 +1,30 @@
+// What runs now, innermost states only, each with a jump.
+import { useMemo } from "react";
+import { nameOf, type ModelTree } from "../../shared/model/modelTree";
+import { runningNow } from "../../shared/run/applyDelta";
+import { useSession, view } from "../client";
+
+export function RunningNow({ tree }: { readonly tree: ModelTree | undefined }) {
+  const state = useSession((s) => s.run);
+  const paths = useMemo(() => (state === undefined || tree === undefined ? [] : runningNow(state, tree)), [state, tree]);
+  return (
+    <section aria-label="Running now" className="running">
+      <h2>Running now</h2>
+      {paths.length === 0 ? (
+        <p className="quiet">Nothing is active.</p>
+      ) : (
+        <ul>
+          {paths.map((path) => (
+            <li key={path}>
+              <button type="button" onClick={() => view.dispatch({ type: "jump", selection: { kind: "node", path } })}>
+                <i className="dot" aria-hidden="true" />
+                <span>{nameOf(path)}</span>
+                <small>{path.slice(0, -nameOf(path).length - 1)}</small>
+              </button>
+            </li>
+          ))}
+        </ul>
+      )}
+    </section>
+  );
+}

@@ -1,0 +1,48 @@
+// Search over the model, with a jump to each hit.
+import { useMemo, useState } from "react";
+import type { ModelTree } from "../../shared/model/modelTree";
+import { search, type Hit } from "../../shared/model/search";
+import { view } from "../client";
+
+function jump(hit: Hit): void {
+  const selection = hit.kind === "node" ? ({ kind: "node", path: hit.target } as const) : ({ kind: "port", address: hit.target } as const);
+  view.dispatch({ type: "jump", selection });
+}
+
+export function SearchBox({ tree }: { readonly tree: ModelTree | undefined }) {
+  const [query, setQuery] = useState("");
+  const hits = useMemo(() => (tree === undefined ? [] : search(tree, query)), [tree, query]);
+  return (
+    <section className="search">
+      <input
+        id="search"
+        type="search"
+        placeholder="Search states, ports, code"
+        aria-label="Search the model"
+        value={query}
+        onChange={(event) => setQuery(event.target.value)}
+        onKeyDown={(event) => {
+          const first = hits[0];
+          if (event.key === "Enter" && first !== undefined) jump(first);
+          if (event.key === "Escape") setQuery("");
+        }}
+      />
+      {query !== "" && (
+        <ul className="hits" aria-label="Search results">
+          {hits.map((hit) => (
+            <li key={hit.target}>
+              <button type="button" onClick={() => jump(hit)}>
+                <span className={`mark mark-${hit.kind}`} aria-hidden="true" />
+                <span className="hit-text">
+                  {hit.target}
+                  {hit.context !== undefined && <code>{hit.context}</code>}
+                </span>
+              </button>
+            </li>
+          ))}
+          {hits.length === 0 && <li className="quiet">Nothing found</li>}
+        </ul>
+      )}
+    </section>
+  );
+}

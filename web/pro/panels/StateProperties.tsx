@@ -1,0 +1,76 @@
+// A selected state: its interface with live values, its functions in full, its ports, and stepping to it.
+import type { State } from "../../shared/model/model";
+import { allowed } from "../../shared/run/controls";
+import { valueText } from "../../shared/model/describe";
+import { run, useCore, useSession, view } from "../client";
+import { Code } from "./Code";
+import { ValueTable } from "./ValueTable";
+
+export function StateProperties({ path, state }: { readonly path: string; readonly state: State }) {
+  const live = useSession((s) => s.run);
+  const active = live?.active.includes(path) === true;
+  const sources = Object.fromEntries(
+    state.parameters.flatMap((p) => (p.from !== undefined ? [[p.name, `← ${p.from}`]] : p.value !== undefined ? [[p.name, `= ${valueText(p.value)}`]] : [])),
+  );
+  return (
+    <>
+      <header className="prop-head">
+        <small>State · {path}</small>
+        <h2>{state.name}</h2>
+        <span className={`pill ${active ? "is-running" : ""}`}>{active ? "Active" : "Inactive"}</span>
+      </header>
+      {state.doc !== undefined && <p className="doc">{state.doc}</p>}
+      <StepTo path={path} />
+      <ValueTable title="Parameters" names={state.parameters.map((p) => p.name)} values={live?.parameters[path]} notes={sources} />
+      <ValueTable title="Results" names={state.results.map((r) => r.name)} values={live?.results[path]} />
+      <ValueTable title="Variables" names={state.variables.map((v) => v.name)} values={live?.variables[path]} />
+      {state.entry !== undefined && <Code title="Entry" code={state.entry} />}
+      {state.actions.map((action, i) => (
+        <Code key={i} title={`Action ${i}`} condition={action.when} code={action.do} />
+      ))}
+      {state.exit !== undefined && <Code title="Exit" code={state.exit} />}
+      <PortList path={path} state={state} />
+    </>
+  );
+}
+
+function StepTo({ path }: { readonly path: string }) {
+  const can = allowed(useCore()).has("until");
+  if (!can) return null;
+  return (
+    <div className="step-to" role="group" aria-label="Run until">
+      <button type="button" onClick={() => void run("until", { kind: "until", path, when: "entered" })}>
+        Run until entered
+      </button>
+      <button type="button" onClick={() => void run("until", { kind: "until", path, when: "left" })}>
+        Run until left
+      </button>
+    </div>
+  );
+}
+
+function PortList({ path, state }: { readonly path: string; readonly state: State }) {
+  const active = useSession((s) => s.run?.ports);
+  if (state.ports.length === 0) return null;
+  return (
+    <section aria-label="Ports">
+      <h3>Ports, in order of evaluation</h3>
+      <ul className="port-list">
+        {state.ports.map((port) => {
+          const address = `${path}.${port.name}`;
+          return (
+            <li key={port.name}>
+              <button type="button" onClick={() => view.dispatch({ type: "select", selection: { kind: "port", address } })}>
+                <span className={active?.includes(address) === true ? "lit" : ""}>
+                  {port.name}
+                  <small>{port.to === undefined ? "exits" : `→ ${port.to}`}</small>
+                </span>
+                <code>{port.when}</code>
+              </button>
+            </li>
+          );
+        })}
+      </ul>
+    </section>
+  );
+}

@@ -1,0 +1,110 @@
+// Top bar: what is watched, how to start something new, which page is shown, and whether the server listens.
+import { useState } from "react";
+import { statusText } from "../../shared/run/controls";
+import type { Page } from "../../shared/session/view";
+import { dismissProblem, newRun, useSession, useView, view, watch } from "../client";
+
+const pages: readonly { readonly page: Page; readonly name: string }[] = [
+  { page: "task", name: "Task" },
+  { page: "services", name: "Services" },
+  { page: "cell", name: "Cell" },
+];
+
+export function TopBar() {
+  const problem = useSession((s) => s.problem);
+  return (
+    <header className="topbar">
+      <div className="brand">
+        <svg viewBox="0 0 32 32" aria-hidden="true">
+          <rect x="4" y="6" width="16" height="20" rx="5" fill="none" stroke="currentColor" strokeWidth="2.4" />
+          <rect x="15" y="12.5" width="13" height="7" rx="1" fill="#94e480" stroke="currentColor" strokeWidth="1.6" />
+        </svg>
+        <strong>RACE</strong>
+        <span>Pro</span>
+      </div>
+      <CoreChoice />
+      <NewRun />
+      <PageTabs />
+      <ConnectionLight />
+      {problem !== undefined && (
+        <div className="problem" role="alert">
+          <span>{problem}</span>
+          <button type="button" aria-label="Dismiss" onClick={dismissProblem}>
+            ✕
+          </button>
+        </div>
+      )}
+    </header>
+  );
+}
+
+function CoreChoice() {
+  const cores = useSession((s) => s.cores);
+  const watched = useSession((s) => s.watched);
+  return (
+    <label className="field">
+      <span>Run</span>
+      <select aria-label="Watched run" value={watched ?? ""} onChange={(event) => watch(event.target.value)}>
+        {watched === undefined && <option value="">none</option>}
+        {cores.map((core) => (
+          <option key={core.id} value={core.id}>
+            {core.document} · {core.id} · {statusText(core)}
+          </option>
+        ))}
+      </select>
+    </label>
+  );
+}
+
+function NewRun() {
+  const documents = useSession((s) => s.documents);
+  const [chosen, setChosen] = useState<string>();
+  const document = chosen ?? documents[0]?.name;
+  return (
+    <div className="field new-run">
+      <span>New</span>
+      <select aria-label="Document" value={document ?? ""} onChange={(event) => setChosen(event.target.value)} disabled={documents.length === 0}>
+        {documents.map((entry) => (
+          <option key={entry.name} value={entry.name}>
+            {entry.name}
+          </option>
+        ))}
+      </select>
+      <button type="button" disabled={document === undefined} onClick={() => document !== undefined && void newRun(document, false)}>
+        Load
+      </button>
+    </div>
+  );
+}
+
+function PageTabs() {
+  const page = useView((v) => v.page);
+  const broken = useSession((s) => s.services.reduce((sum, service) => sum + service.violations.length, 0));
+  return (
+    <div className="tabs" role="tablist" aria-label="Pages">
+      {pages.map((entry) => (
+        <button
+          key={entry.page}
+          type="button"
+          role="tab"
+          aria-selected={page === entry.page}
+          onClick={() => view.dispatch({ type: "page", page: entry.page })}
+        >
+          {entry.name}
+          {entry.page === "services" && broken > 0 && <span className="count" aria-label={`${broken} violations`}>{broken}</span>}
+        </button>
+      ))}
+    </div>
+  );
+}
+
+function ConnectionLight() {
+  const connection = useSession((s) => s.connection);
+  const text = { connecting: "Connecting", open: "Connected", lost: "Connection lost, trying again" }[connection];
+  return (
+    <div className={`connection is-${connection}`} role="status">
+      <i aria-hidden="true" />
+      {text}
+    </div>
+  );
+}

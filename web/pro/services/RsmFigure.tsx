@@ -1,0 +1,72 @@
+// The drawing of an RSM: present state lit, the transition taken last marked, deferrals dashed.
+import { useEffect, useState } from "react";
+import type { Rsm } from "../../shared/messages/service";
+import { drawRsm, splinePath, type RsmDrawing } from "../../shared/service/rsmDrawing";
+import { layoutInWorker } from "../canvas/layoutEngine";
+
+interface Props {
+  readonly rsm: Rsm;
+  readonly state: string | null;
+  readonly last: string | undefined;
+}
+
+export function RsmFigure({ rsm, state, last }: Props) {
+  const [drawing, setDrawing] = useState<RsmDrawing>();
+  useEffect(() => {
+    let current = true;
+    void drawRsm(layoutInWorker, rsm).then((next) => current && setDrawing(next));
+    return () => {
+      current = false;
+    };
+  }, [rsm]);
+  if (drawing === undefined) return <p className="quiet">Drawing…</p>;
+  return (
+    <svg
+      className="rsm"
+      role="img"
+      aria-label={`${rsm.name}, now in ${state ?? "no state"}`}
+      viewBox={`0 0 ${drawing.width} ${drawing.height}`}
+      style={{ maxWidth: drawing.width, aspectRatio: `${drawing.width} / ${drawing.height}` }}
+    >
+      {drawing.arrows.map((arrow) => (
+        <path key={arrow.id} className={`rsm-arrow${arrow.id === last ? " is-last" : ""}`} d={splinePath(arrow.points)} markerEnd="url(#arrow-rsm)" />
+      ))}
+      {drawing.start.length > 0 && <path className="rsm-arrow" d={splinePath(drawing.start)} markerEnd="url(#arrow-rsm)" />}
+      {drawing.deferrals.map((link) => (
+        <path key={link.id} className="rsm-deferral" d={curve(link.from, link.to)}>
+          <title>deferred: answered by this transition</title>
+        </path>
+      ))}
+      {drawing.arrows.map((arrow) => (
+        <g key={arrow.id} className={`rsm-label${arrow.label.spontaneous ? " is-spontaneous" : ""}${arrow.id === last ? " is-last" : ""}`}>
+          <rect x={arrow.label.x} y={arrow.label.y} width={arrow.label.width} height={arrow.label.height} rx={5} />
+          <text x={arrow.label.x + arrow.label.width / 2} y={arrow.label.y + 13}>
+            {arrow.label.text}
+          </text>
+        </g>
+      ))}
+      {drawing.states.map((box) =>
+        box.kind === "init" ? (
+          <circle key="init" className="rsm-init" cx={box.x + 5} cy={box.y + 5} r={5} />
+        ) : (
+          <g key={box.name} className={`rsm-state is-${box.kind}${box.kind === "state" && box.name === state ? " is-active" : ""}`}>
+            <rect x={box.x} y={box.y} width={box.width} height={box.height} rx={10} />
+            <text x={box.x + box.width / 2} y={box.y + box.height / 2 + 4.5}>
+              {box.name}
+            </text>
+          </g>
+        ),
+      )}
+      <defs>
+        <marker id="arrow-rsm" viewBox="0 0 10 10" refX="9" refY="5" markerWidth="8" markerHeight="8" markerUnits="userSpaceOnUse" orient="auto">
+          <path className="arrow-plain" d="M 0 0.5 L 10 5 L 0 9.5 z" />
+        </marker>
+      </defs>
+    </svg>
+  );
+}
+
+function curve(from: { readonly x: number; readonly y: number }, to: { readonly x: number; readonly y: number }): string {
+  const bend = (from.y + to.y) / 2;
+  return `M ${from.x} ${from.y} C ${from.x} ${bend}, ${to.x} ${bend}, ${to.x} ${to.y}`;
+}

@@ -1,0 +1,15 @@
+// All services: each with its RSM, the present state lit, what is pending and what the monitor found.
+import { useSession } from "../client";
+import { ServiceCard } from "./ServiceCard";
+
+export function ServicesView() {
+  const services = useSession((s) => s.services);
+  return (
+    <section className="services" aria-label="Services">
+      {services.length === 0 && <p className="quiet pad">The server has no services.</p>}
+      {services.map((service) => (
+        <ServiceCard key={service.key} service={service} />
+      ))}
+    </section>
+  );
+}

@@ -1,0 +1,123 @@
+// A derivation as a reader sees it: the judgement of each node, the values it holds, and which nodes are worth opening first.
+import type { JsonValue } from "../json/decode";
+import type { Derivation, TraceStep } from "../messages/derivation";
+import { clip, valueText } from "../model/describe";
+import { nameOf } from "../model/modelTree";
+
+/** Place of a node in its tree: the premise numbers from the root. */
+export type ProofPath = readonly number[];
+
+export function nodeAt(root: Derivation, path: ProofPath): Derivation | undefined {
+  return path.reduce<Derivation | undefined>((node, i) => node?.premises[i], root);
+}
+
+/** What a node is about: the node, with its port, action or parameter. */
+export function subjectText(node: Derivation): string {
+  const subject = nameOf(node.at);
+  if (node.parameter !== undefined) return `${subject}.par.${node.parameter}`;
+  if (node.port !== undefined) return node.port.includes("/") ? node.port : `${subject}.${node.port}`;
+  if (node.action !== undefined) return `${subject}.actions[${node.action}]`;
+  return node.of === undefined ? subject : `${subject}.${node.of}`;
+}
+
+/** The judgement that a node concludes, in the symbols of the thesis. */
+export function judgement(node: Derivation): string {
+  const subject = subjectText(node);
+  const value = node.value === undefined ? "…" : clip(valueText(node.value), 40);
+  switch (node.rule) {
+    case "Micro":
+    case "PTrigger":
+    case "PTrans1":
+    case "PTrans2":
+    case "SProp":
+      return `Σ,Δ ⊢ ${nameOf(node.at)} → ${nameOf(node.at)}′, Δ′`;
+    case "SAct1":
+    case "SAct2":
+    case "BAct1":
+    case "BAct2":
+    case "BAct3":
+      return `Σ,Δ ⊢ ${nameOf(node.at)} →↑ ${nameOf(node.at)}′, Δ′`;
+    case "SDeact1":
+    case "SDeact2":
+    case "BDeact":
+      return `Σ,Δ ⊢ ${nameOf(node.at)} →↓ ${nameOf(node.at)}′, Δ′`;
+    case "Active":
+      return `Δ ⊢ ${nameOf(node.at)}.active ⇝ ${value}`;
+    case "Act":
+      return `Δ ⊢ ${subject} ⇝ ${subject}[active = true], Δ′`;
+    case "Deact":
+      return `Δ ⊢ ${subject} ⇝ ${subject}[active = false], Δ′`;
+    case "Cond":
+    case "CondBE":
+    case "CondBD":
+      return `Σ,Δ ⊢ ${subject}.cond ⇝ ${value}`;
+    case "Resolve":
+      return `Δ ⊢ ${subject} ⇝ ${value}, Δ′`;
+    case "FuncSC":
+      return `${node.service ?? ""}.${node.operation ?? ""}(${(node.args ?? []).map((arg) => clip(valueText(arg), 24)).join(", ")}) is called`;
+    case "Activated":
+    case "BIn":
+      return `Δ ⊢ ${nameOf(node.at)} ∋ ${node.port ?? ""}${node.value === undefined ? "" : ` ⇝ ${value}`}`;
+    default:
+      return `Σ,Δ ⊢ ${subject} ⇝ ${subject}′, Δ′`;
+  }
+}
+
+/** What else a node holds, as name and text. */
+export function facts(node: Derivation): readonly { readonly name: string; readonly text: string }[] {
+  const fact = (name: string, value: JsonValue | undefined) => (value === undefined ? [] : [{ name, text: valueText(value) }]);
+  return [
+    { name: "at", text: node.at },
+    ...fact("port", node.port),
+    ...fact("action", node.action),
+    ...fact("parameter", node.parameter),
+    ...fact("of", node.of),
+    ...fact("value", node.value),
+    ...(node.requires === undefined ? [] : [{ name: "reads", text: node.requires.join(", ") }]),
+    ...fact("args", node.args),
+    ...(node.kwargs === undefined || Object.keys(node.kwargs).length === 0 ? [] : fact("kwargs", node.kwargs)),
+    ...fact("refinement", node.refinement),
+  ];
+}
+
+const kQuiet: ReadonlySet<string> = new Set(["Active", "Act", "Deact", "Cond", "CondBE", "CondBD", "SDeact1", "Action2", "Action3"]);
+
+/** Whether something of note happens in this subtree: then it stands open at first. */
+export function notable(node: Derivation): boolean {
+  if (kQuiet.has(node.rule)) return false;
+  return node.rule !== "SProp" && node.rule !== "Micro" ? true : node.premises.some(notable);
+}
+
+/** What a micro step did, in a few words: the ports that fired, the nodes that were entered, the calls. */
+export function summary(root: Derivation): string {
+  const found: string[] = [];
+  const visit = (node: Derivation) => {
+    if (node.rule === "PTrigger") found.push(`${nameOf(node.at)}.${node.port ?? ""} fires`);
+    if (node.rule === "SAct1" || node.rule === "BAct1" || node.rule === "BAct2") found.push(`${nameOf(node.at)} entered`);
+    if (node.rule === "FuncSC") found.push(`calls ${node.service ?? ""}.${node.operation ?? ""}`);
+    if (node.rule === "Action1") found.push(`${nameOf(node.at)} action ${node.action ?? 0}`);
+    node.premises.forEach(visit);
+  };
+  visit(root);
+  return found.length === 0 ? "nothing new" : found.join(" · ");
+}
+
+export function size(node: Derivation): number {
+  return node.premises.reduce((sum, premise) => sum + size(premise), 1);
+}
+
+const kKept = 200;
+
+/** Adds steps to those that are known: parts of one macro step join, repeated steps replace, the oldest go. */
+export function mergeSteps(known: readonly TraceStep[], added: readonly TraceStep[]): readonly TraceStep[] {
+  const steps = new Map(known.map((step) => [step.step, step]));
+  for (const step of added) {
+    const before = steps.get(step.step);
+    const joined =
+      before === undefined || step.first === 0
+        ? step
+        : { ...step, first: 0, micro: [...before.micro.slice(0, step.first), ...step.micro], calls: [...before.calls, ...step.calls] };
+    steps.set(step.step, joined);
+  }
+  return [...steps.values()].sort((a, b) => a.step - b.step).slice(-kKept);
+}

@@ -1,0 +1,57 @@
+// A laid out model: what the canvas paints, in pixels at zoom 1, origin at the top left corner.
+import type { Line } from "../model/describe";
+
+export interface Point {
+  readonly x: number;
+  readonly y: number;
+}
+
+export interface Box extends Point {
+  readonly width: number;
+  readonly height: number;
+}
+
+/** The border of a state on which its ports stand. */
+export type Side = "EAST" | "SOUTH";
+
+export interface DrawnPort extends Box {
+  readonly address: string;
+  readonly name: string;
+  readonly condition: string;
+  /** Without a destination: the port leaves the parent or ends here. */
+  readonly exits: boolean;
+}
+
+export interface DrawnNode extends Box {
+  readonly kind: "state" | "barrier";
+  readonly path: string;
+  readonly name: string;
+  readonly depth: number;
+  /** Has children; `open` tells whether they are drawn. */
+  readonly composite: boolean;
+  readonly open: boolean;
+  readonly lines: readonly Line[];
+  readonly ports: readonly DrawnPort[];
+  readonly side: Side;
+  readonly badge?: string;
+}
+
+/** `transition`: port to sibling; `fork`: barrier to state; `first`: composite to child; `exit`: child's port to parent's port; `nowhere`: a port without either. */
+export type LineKind = "transition" | "fork" | "first" | "exit" | "nowhere";
+
+export interface DrawnLine {
+  readonly id: string;
+  readonly kind: LineKind;
+  /** Path or port address. */
+  readonly from: string;
+  readonly to: string | undefined;
+  readonly depth: number;
+  readonly points: readonly Point[];
+}
+
+export interface Drawing {
+  readonly nodes: readonly DrawnNode[];
+  readonly lines: readonly DrawnLine[];
+  readonly width: number;
+  readonly height: number;
+}

@@ -1,0 +1,21 @@
+// Dashed stubs: a port without a destination that no parent's condition names leads to nowhere, and the drawing shows it.
+import type { DrawnLine, Drawing } from "./drawing";
+
+const kStub = 22;
+
+/** One stub for each port that neither leads on nor is named by its parent. */
+export function stubs(drawing: Drawing): readonly DrawnLine[] {
+  const connected = new Set(drawing.lines.map((line) => line.from));
+  return drawing.nodes.flatMap((node) =>
+    node.ports
+      .filter((port) => port.exits && !connected.has(port.address))
+      .map((port): DrawnLine => {
+        const east = node.side === "EAST";
+        const start = east
+          ? { x: port.x + port.width, y: port.y + port.height / 2 }
+          : { x: port.x + port.width / 2, y: port.y + port.height };
+        const end = east ? { x: start.x + kStub, y: start.y } : { x: start.x, y: start.y + kStub };
+        return { id: `${port.address}→`, kind: "nowhere", from: port.address, to: undefined, depth: node.depth, points: [start, end] };
+      }),
+  );
+}

@@ -1,0 +1,86 @@
+// The cell as the server tells it (api/schemas: scene, cell_pose, pose). Metres, radians; quaternions are [qx, qy, qz, qw].
+import { array, boolean, DecodeError, number, object, present, record, string, type Decoder } from "../json/decode";
+
+export type Triple = readonly [number, number, number];
+export type Quadruple = readonly [number, number, number, number];
+
+export interface Pose {
+  readonly position: Triple;
+  readonly orientation: Quadruple;
+}
+
+export type Shape =
+  | { readonly kind: "box"; readonly size: Triple }
+  | { readonly kind: "cylinder"; readonly radius: number; readonly length: number }
+  | { readonly kind: "sphere"; readonly radius: number };
+
+export interface Body {
+  readonly name: string;
+  readonly shape: Shape;
+  readonly pose: Pose;
+  readonly fixed: boolean;
+  /** Red, green, blue in 0..1. */
+  readonly colour?: readonly number[];
+}
+
+export interface Scene {
+  readonly robots: readonly { readonly name: string; readonly urdf: string; readonly pose: Pose }[];
+  readonly bodies: readonly Body[];
+}
+
+/** Where everything is at `time` [s]: joints of the URDF by name, bodies by name. */
+export interface CellPose {
+  readonly time: number;
+  readonly joints: Readonly<Record<string, number>>;
+  readonly bodies: Readonly<Record<string, Pose>>;
+}
+
+const triple: Decoder<Triple> = (value, path) => {
+  const [x, y, z, ...rest] = array(number)(value, path);
+  if (x === undefined || y === undefined || z === undefined || rest.length > 0) throw new DecodeError(path, "three numbers", value);
+  return [x, y, z];
+};
+
+const quadruple: Decoder<Quadruple> = (value, path) => {
+  const [x, y, z, w, ...rest] = array(number)(value, path);
+  if (x === undefined || y === undefined || z === undefined || w === undefined || rest.length > 0) {
+    throw new DecodeError(path, "four numbers", value);
+  }
+  return [x, y, z, w];
+};
+
+export const pose: Decoder<Pose> = object((f) => ({
+  position: f.need("position", triple),
+  orientation: f.need("orientation", quadruple),
+}));
+
+const cylinder = object((f) => ({ radius: f.need("radius", number), length: f.need("length", number) }));
+
+const shape: Decoder<Shape> = (value, path) =>
+  object((f): Shape => {
+    if (f.has("box")) return { kind: "box", size: f.need("box", triple) };
+    if (f.has("cylinder")) return { kind: "cylinder", ...f.need("cylinder", cylinder) };
+    if (f.has("sphere")) return { kind: "sphere", radius: f.need("sphere", number) };
+    throw new DecodeError(path, "box, cylinder or sphere", value);
+  })(value, path);
+
+const body: Decoder<Body> = object((f) =>
+  present<Body>({
+    name: f.need("name", string),
+    shape: f.need("shape", shape),
+    pose: f.need("pose", pose),
+    fixed: f.need("fixed", boolean),
+    colour: f.maybe("colour", array(number)),
+  }),
+);
+
+export const scene: Decoder<Scene> = object((f) => ({
+  robots: f.need("robots", array(object((r) => ({ name: r.need("name", string), urdf: r.need("urdf", string), pose: r.need("pose", pose) })))),
+  bodies: f.need("bodies", array(body)),
+}));
+
+export const cellPose: Decoder<CellPose> = object((f) => ({
+  time: f.need("time", number),
+  joints: f.need("joints", record(number)),
+  bodies: f.need("bodies", record(pose)),
+}));

@@ -1,0 +1,55 @@
+// The text section of a drawn state (Fig. 3.2, 3.3): parameters, results, functions and actions in one line each.
+import type { JsonValue } from "../json/decode";
+import type { Parameter, State } from "./model";
+
+/** One line below a state's name; `label` is the thesis' word for it. */
+export interface Line {
+  readonly label: "params" | "results" | "vars" | "entry" | "exit" | "action";
+  readonly text: string;
+  /** The parameter, result or variable that the line is about: its live value may stand beside it. */
+  readonly slot?: string;
+}
+
+/** A value in one line, as a task author would write it. */
+export function valueText(value: JsonValue | undefined): string {
+  if (value === undefined) return "–";
+  if (value === null) return "None";
+  if (typeof value === "boolean") return value ? "True" : "False";
+  if (typeof value === "string") return `'${value}'`;
+  if (typeof value === "number") return numberText(value);
+  if (Array.isArray(value)) return `[${value.map(valueText).join(", ")}]`;
+  return `{${Object.entries(value)
+    .map(([key, entry]) => `${key}: ${valueText(entry)}`)
+    .join(", ")}}`;
+}
+
+function numberText(value: number): string {
+  return Number.isInteger(value) ? String(value) : String(Number(value.toPrecision(6)));
+}
+
+export function parameterText(parameter: Parameter): string {
+  if (parameter.from !== undefined) return `${parameter.name} ← ${parameter.from}`;
+  return parameter.value === undefined ? `${parameter.name} (required)` : `${parameter.name} = ${valueText(parameter.value)}`;
+}
+
+/** The first line of a function, with a mark where more follows. */
+export function codeText(code: string): string {
+  const lines = code.split("\n").filter((line) => line.trim() !== "");
+  return lines.length > 1 ? `${lines[0] ?? ""} …` : (lines[0] ?? "");
+}
+
+export function describeState(state: State): readonly Line[] {
+  return [
+    ...state.parameters.map((p): Line => ({ label: "params", text: parameterText(p), slot: p.name })),
+    ...state.results.map((r): Line => ({ label: "results", text: r.name, slot: r.name })),
+    ...state.variables.map((v): Line => ({ label: "vars", text: v.name, slot: v.name })),
+    ...(state.entry === undefined ? [] : [{ label: "entry", text: codeText(state.entry) } as const]),
+    ...(state.exit === undefined ? [] : [{ label: "exit", text: codeText(state.exit) } as const]),
+    ...state.actions.map((a): Line => ({ label: "action", text: `[${a.when}] ${codeText(a.do)}` })),
+  ];
+}
+
+/** Cuts a text that would be wider than `limit` characters. */
+export function clip(text: string, limit: number): string {
+  return text.length <= limit ? text : `${text.slice(0, limit - 1)}…`;
+}

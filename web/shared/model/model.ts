@@ -1,0 +1,67 @@
+// The RCM syntax (thesis 3.1) as the pages see it: the document format of core/SEMANTICS.md section 1.
+import type { JsonValue } from "../json/decode";
+
+export interface RcmDocument {
+  readonly name: string;
+  /** svc.<key> -> service type. */
+  readonly services: Readonly<Record<string, string>>;
+  readonly library: readonly State[];
+  readonly root: State;
+}
+
+/** Def. 3.2: `value` is a constant, `from` an expression in the parent's scope; neither: required. */
+export interface Parameter {
+  readonly name: string;
+  readonly value?: JsonValue;
+  readonly from?: string;
+  readonly unit?: string;
+  readonly doc?: string;
+}
+
+/** A result (Def. 3.3) or a variable. */
+export interface Slot {
+  readonly name: string;
+  readonly initial?: JsonValue;
+}
+
+/** Def. 3.7. */
+export interface Action {
+  readonly when: string;
+  readonly do: string;
+}
+
+/** Def. 3.8; `to` names a sibling of the source. */
+export interface Port {
+  readonly name: string;
+  readonly when: string;
+  readonly to?: string;
+}
+
+/** Def. 3.1. */
+export interface State {
+  readonly kind: "state";
+  readonly name: string;
+  readonly doc?: string;
+  readonly parameters: readonly Parameter[];
+  readonly results: readonly Slot[];
+  readonly variables: readonly Slot[];
+  readonly entry?: string;
+  readonly exit?: string;
+  readonly actions: readonly Action[];
+  readonly children: readonly Node[];
+  readonly first?: string;
+  readonly ports: readonly Port[];
+  /** Library state that this one takes over (3.3.1). */
+  readonly link?: string;
+  /** Kind of the dynamic oracle (3.3.2). */
+  readonly oracle?: string;
+}
+
+/** Def. 3.9. */
+export interface Barrier {
+  readonly kind: "barrier";
+  readonly name: string;
+  readonly to: readonly string[];
+}
+
+export type Node = State | Barrier;

@@ -1,0 +1,45 @@
+// Which commands a core takes now, and which keys mean them (as in RAFCON: F5 start, F7 pause, F8 stop, F4 step).
+import type { Core } from "../messages/core";
+
+export type Command = "start" | "pause" | "resume" | "again" | "micro" | "macro" | "until" | "stop";
+
+export function isOver(core: Core): boolean {
+  return core.status === "ended" || core.status === "faulted" || core.status === "aborted";
+}
+
+/** The commands that make sense for this core; nothing without a core. */
+export function allowed(core: Core | undefined): ReadonlySet<Command> {
+  if (core === undefined) return new Set();
+  if (isOver(core)) return new Set<Command>(["again"]);
+  if (core.status === "ready") return new Set<Command>(["start", "micro", "macro", "until"]);
+  return new Set<Command>(core.paused ? ["resume", "micro", "macro", "until", "stop"] : ["pause", "stop"]);
+}
+
+/** The command of the first button, which F5 presses too. */
+export function primary(core: Core | undefined): Command | undefined {
+  const commands = allowed(core);
+  return (["start", "resume", "again"] as const).find((command) => commands.has(command));
+}
+
+/** The command that a key press means for this core, if it takes it. */
+export function commandOfKey(key: string, shift: boolean, core: Core | undefined): Command | undefined {
+  const meant: Command | undefined =
+    key === "F5" ? primary(core) : key === "F7" ? "pause" : key === "F8" ? "stop" : key === "F4" ? (shift ? "macro" : "micro") : undefined;
+  return meant !== undefined && allowed(core).has(meant) ? meant : undefined;
+}
+
+/** One line about how a core stands. */
+export function statusText(core: Core): string {
+  switch (core.status) {
+    case "ready":
+      return core.paused ? "Ready, held before its start" : "Ready";
+    case "running":
+      return core.paused ? "Paused" : "Running";
+    case "ended":
+      return core.outcome === undefined ? "Ended" : `Ended: ${core.outcome}`;
+    case "faulted":
+      return `Faulted: ${core.fault?.kind ?? "unknown"}`;
+    case "aborted":
+      return "Stopped";
+  }
+}

@@ -1,0 +1,134 @@
+// What a watching page knows: a value, and what each piece of news makes of it.
+import type { DocumentEntry } from "../api";
+import { assertNever } from "../assertNever";
+import { mergeSteps } from "../derivation/proof";
+import type { Core, Input, RunState } from "../messages/core";
+import type { RuleText, TraceStep } from "../messages/derivation";
+import type { Service } from "../messages/service";
+import type { LogEntry, News } from "../messages/stream";
+import type { RcmDocument } from "../model/model";
+import { applyDelta } from "../run/applyDelta";
+import type { Connection } from "../stream";
+
+/** Ports that fired in the latest step; `beat` grows so that the same port can flash twice. */
+export interface Fired {
+  readonly beat: number;
+  readonly ports: readonly string[];
+}
+
+export interface Session {
+  readonly connection: Connection;
+  readonly documents: readonly DocumentEntry[];
+  readonly rules: ReadonlyMap<string, RuleText>;
+  readonly cores: readonly Core[];
+  /** The core that is watched. */
+  readonly watched: string | undefined;
+  readonly model: RcmDocument | undefined;
+  readonly run: RunState | undefined;
+  readonly fired: Fired;
+  readonly lastInput: Input | undefined;
+  readonly steps: readonly TraceStep[];
+  readonly services: readonly Service[];
+  readonly log: readonly LogEntry[];
+  /** The latest refusal, until it is put away. */
+  readonly problem: string | undefined;
+}
+
+export type SessionEvent =
+  | { readonly type: "connection"; readonly connection: Connection }
+  | { readonly type: "documents"; readonly documents: readonly DocumentEntry[] }
+  | { readonly type: "rules"; readonly rules: readonly RuleText[] }
+  | { readonly type: "watched"; readonly id: string | undefined }
+  | { readonly type: "model"; readonly id: string; readonly model: RcmDocument }
+  | { readonly type: "past"; readonly id: string; readonly steps: readonly TraceStep[] }
+  | { readonly type: "news"; readonly news: News }
+  | { readonly type: "problem"; readonly text: string | undefined };
+
+const kLogLines = 500;
+
+export const emptySession: Session = {
+  connection: "connecting",
+  documents: [],
+  rules: new Map(),
+  cores: [],
+  watched: undefined,
+  model: undefined,
+  run: undefined,
+  fired: { beat: 0, ports: [] },
+  lastInput: undefined,
+  steps: [],
+  services: [],
+  log: [],
+  problem: undefined,
+};
+
+export function watchedCore(session: Session): Core | undefined {
+  return session.cores.find((core) => core.id === session.watched);
+}
+
+export function applyEvent(session: Session, event: SessionEvent): Session {
+  switch (event.type) {
+    case "connection":
+      return { ...session, connection: event.connection };
+    case "documents":
+      return { ...session, documents: event.documents };
+    case "rules":
+      return { ...session, rules: new Map(event.rules.map((rule) => [rule.rule, rule])) };
+    case "watched":
+      return { ...session, watched: event.id, model: undefined, run: undefined, fired: emptySession.fired, steps: [], lastInput: undefined };
+    case "model":
+      return event.id === session.watched ? { ...session, model: event.model } : session;
+    case "past":
+      return event.id === session.watched ? { ...session, steps: mergeSteps(event.steps, session.steps) } : session;
+    case "news":
+      return applyNews(session, event.news);
+    case "problem":
+      return { ...session, problem: event.text };
+    default:
+      return assertNever(event);
+  }
+}
+
+function withCore(cores: readonly Core[], core: Core): readonly Core[] {
+  return cores.some((known) => known.id === core.id)
+    ? cores.map((known) => (known.id === core.id ? core : known))
+    : [...cores, core];
+}
+
+function applyNews(session: Session, news: News): Session {
+  switch (news.type) {
+    case "cores":
+      return { ...session, cores: news.cores };
+    case "core":
+      return { ...session, cores: withCore(session.cores, news.core) };
+    case "core_removed":
+      return { ...session, cores: session.cores.filter((core) => core.id !== news.id) };
+    case "state":
+      if (news.id !== session.watched) return session;
+      return { ...session, cores: withCore(session.cores, news.state.core), run: news.state.state };
+    case "state_changed": {
+      if (news.id !== session.watched || session.run === undefined) return session;
+      const fired = news.delta.fired.length === 0 ? session.fired : { beat: session.fired.beat + 1, ports: news.delta.fired };
+      const cores = withCore(session.cores, news.delta.core);
+      return { ...session, cores, run: applyDelta(session.run, news.delta), fired, lastInput: news.delta.input ?? session.lastInput };
+    }
+    case "derivations":
+      return news.id === session.watched ? { ...session, steps: mergeSteps(session.steps, news.steps) } : session;
+    case "services":
+      return { ...session, services: news.services };
+    case "services_changed":
+      return {
+        ...session,
+        services: session.services.map((service) => ({ ...service, ...news.services.find((change) => change.key === service.key) })),
+      };
+    case "log":
+      return { ...session, log: [...(news.whole ? [] : session.log), ...news.entries].slice(-kLogLines) };
+    case "refused":
+      return { ...session, problem: news.errors.map((error) => error.message).join("; ") };
+    case "derivation_position":
+    case "cell":
+      return session;
+    default:
+      return assertNever(news);
+  }
+}

@@ -1,0 +1,97 @@
+// How a person looks at the task: what is selected, opened and shown. A value, and what each gesture makes of it.
+import { assertNever } from "../assertNever";
+import { ancestry, splitAddress } from "../model/modelTree";
+
+export type Selection = { readonly kind: "node"; readonly path: string } | { readonly kind: "port"; readonly address: string };
+
+export type Page = "task" | "services" | "cell";
+export type Drawer = "derivation" | "log" | "closed";
+
+export interface View {
+  readonly page: Page;
+  readonly drawer: Drawer;
+  readonly selection: Selection | undefined;
+  /** The state whose inside fills the canvas; none: the root. */
+  readonly focus: string | undefined;
+  readonly collapsed: ReadonlySet<string>;
+  /** `auto`: as much detail as can be read at first fit. */
+  readonly detail: "auto" | "full" | "slim";
+  /** Grows when the canvas shall bring the selection into sight. */
+  readonly reveal: number;
+  /** The macro step whose derivation is shown; none: the latest. */
+  readonly step: number | undefined;
+}
+
+export type Gesture =
+  | { readonly type: "page"; readonly page: Page }
+  | { readonly type: "drawer"; readonly drawer: Drawer }
+  | { readonly type: "select"; readonly selection: Selection | undefined }
+  | { readonly type: "jump"; readonly selection: Selection }
+  | { readonly type: "enter"; readonly path: string | undefined }
+  | { readonly type: "toggle"; readonly path: string }
+  | { readonly type: "collapse_all"; readonly paths: readonly string[] }
+  | { readonly type: "expand_all" }
+  | { readonly type: "detail"; readonly detail: View["detail"] }
+  | { readonly type: "step"; readonly step: number | undefined }
+  | { readonly type: "forget" };
+
+export const initialView: View = {
+  page: "task",
+  drawer: "derivation",
+  selection: undefined,
+  focus: undefined,
+  collapsed: new Set(),
+  detail: "auto",
+  reveal: 0,
+  step: undefined,
+};
+
+export function pathOf(selection: Selection): string {
+  return selection.kind === "node" ? selection.path : (splitAddress(selection.address)?.path ?? selection.address);
+}
+
+function within(path: string, focus: string | undefined): boolean {
+  return focus === undefined || path === focus || path.startsWith(`${focus}/`);
+}
+
+export function applyGesture(view: View, gesture: Gesture): View {
+  switch (gesture.type) {
+    case "page":
+      return { ...view, page: gesture.page };
+    case "drawer":
+      return { ...view, drawer: gesture.drawer };
+    case "select":
+      return { ...view, selection: gesture.selection };
+    case "jump": {
+      const path = pathOf(gesture.selection);
+      const opened = new Set(ancestry(path).slice(0, -1));
+      return {
+        ...view,
+        page: "task",
+        selection: gesture.selection,
+        focus: within(path, view.focus) ? view.focus : undefined,
+        collapsed: new Set([...view.collapsed].filter((entry) => !opened.has(entry))),
+        reveal: view.reveal + 1,
+      };
+    }
+    case "enter":
+      return { ...view, page: "task", focus: gesture.path, collapsed: new Set([...view.collapsed].filter((p) => p !== gesture.path)) };
+    case "toggle": {
+      const collapsed = new Set(view.collapsed);
+      if (!collapsed.delete(gesture.path)) collapsed.add(gesture.path);
+      return { ...view, collapsed };
+    }
+    case "collapse_all":
+      return { ...view, collapsed: new Set(gesture.paths) };
+    case "expand_all":
+      return { ...view, collapsed: new Set() };
+    case "detail":
+      return { ...view, detail: gesture.detail };
+    case "step":
+      return { ...view, step: gesture.step, drawer: "derivation" };
+    case "forget":
+      return { ...initialView, page: view.page, drawer: view.drawer, detail: view.detail };
+    default:
+      return assertNever(gesture);
+  }
+}
