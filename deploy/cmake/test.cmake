@@ -1,9 +1,22 @@
-# race_test(NAME [SOURCES file...] [LIBS target...]): a GoogleTest program NAME, registered with CTest as one test.
-# Its cases see RACE_SOURCE_DIR (the project's folder) as a string literal.
+# race_test(NAME SOURCES file... [LIBS target...] [LABELS label...] [TIMEOUT seconds]): a GoogleTest program NAME,
+# registered with CTest as one test. Its cases see RACE_SOURCE_DIR (the project's folder) as a string literal.
+#
+# Labels: the room under test (`core`, `services`, `server`; by default that of the folder tests/unit/ROOM) and `slow` for
+# what takes more than some seconds. A room's test programs are built together by the target tests_ROOM.
 find_package(GTest REQUIRED)
+
+set(RACE_TEST_ROOMS core services server)
+set(RACE_TEST_LABELS ${RACE_TEST_ROOMS} slow)
+foreach(room ${RACE_TEST_ROOMS})
+  add_custom_target(tests_${room})
+endforeach()
 
 function(race_test name)
   cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBS;LABELS" ${ARGN})
+  if(CMAKE_CURRENT_SOURCE_DIR MATCHES "/tests/unit/([a-z]+)")
+    list(APPEND ARG_LABELS ${CMAKE_MATCH_1})
+    list(REMOVE_DUPLICATES ARG_LABELS)
+  endif()
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE race_options ${ARG_LIBS} GTest::gtest GTest::gmock GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE RACE_SOURCE_DIR="${RACE_SOURCE_DIR}")
@@ -12,4 +25,12 @@ function(race_test name)
     set(ARG_TIMEOUT 300)
   endif()
   set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}")
+  foreach(label ${ARG_LABELS})
+    if(NOT label IN_LIST RACE_TEST_LABELS)
+      message(FATAL_ERROR "race_test(${name}): there is no label '${label}', only ${RACE_TEST_LABELS}")
+    endif()
+    if(label IN_LIST RACE_TEST_ROOMS)
+      add_dependencies(tests_${label} ${name})
+    endif()
+  endforeach()
 endfunction()

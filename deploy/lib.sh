@@ -1,0 +1,35 @@
+# What the scripts of this folder share: sourced, with the project's folder as the working directory.
+# shellcheck shell=bash
+
+# Where the headers of Boost are unpacked if the installed Boost is another one (deploy/install).
+readonly BOOST_UNPACKED=build/deps/boost
+
+# die MESSAGE...: says what is wrong and leaves with status 1.
+die() {
+  printf '%s: %s\n' "${0##*/}" "$*" >&2
+  exit 1
+}
+
+# as_root COMMAND...: runs it with the rights to install packages.
+as_root() {
+  if ((EUID == 0)); then
+    "$@"
+  elif command -v sudo >/dev/null; then
+    sudo -- "$@"
+  else
+    die "installing packages needs root: run deploy/install as root once"
+  fi
+}
+
+# configure PRESET [OPTION...]: configures build/PRESET.
+configure() {
+  local preset=$1 boost=()
+  shift
+  [[ -d $BOOST_UNPACKED/usr/include/boost ]] && boost=("-DBoost_ROOT=$PWD/$BOOST_UNPACKED/usr")
+  cmake --preset "$preset" "${boost[@]}" "$@"
+}
+
+# web_build: the browser clients, into web/dist.
+web_build() {
+  (cd web && npm run build)
+}
