@@ -1,7 +1,7 @@
 // Build of the browser pages: one package, one entry per page, output in web/dist (served by the server at `/`).
 import { fileURLToPath } from "node:url";
 import react from "@vitejs/plugin-react";
-import { defineConfig } from "vite";
+import { defineConfig } from "vitest/config";
 
 /** Where `npm run dev` finds a running server; the built pages always talk to the server they came from. */
 const server = process.env["RACE_SERVER"] ?? "http://127.0.0.1:8080";
@@ -24,5 +24,6 @@ export default defineConfig({
       },
     },
   },
+  test: { include: ["tests/**/*.test.ts"] },
   server: { proxy: { "/api": { target: server, ws: true, changeOrigin: true } } },
 });

@@ -1,0 +1,82 @@
+import { describe, expect, it } from "vitest";
+import { facts, judgement, mergeSteps, nodeAt, notable, size, subjectText, summary } from "../../shared/derivation/proof";
+import type { Derivation, TraceStep } from "../../shared/messages/derivation";
+import { caseNames, runOf } from "../conformance";
+
+const all = (node: Derivation): readonly Derivation[] => [node, ...node.premises.flatMap(all)];
+const collision = runOf("thesis-collision-history").steps;
+const node = (rule: string): Derivation => {
+  const found = collision.flatMap((step) => step.micro.flatMap(all)).find((entry) => entry.rule === rule);
+  if (found === undefined) throw new Error(`no ${rule}`);
+  return found;
+};
+
+const step = (number: number, first: number, micro: readonly Derivation[]): TraceStep => ({
+  step: number, input: { kind: "start" }, micro, calls: [], first, complete: true,
+});
+
+describe("judgement", () => {
+  it.each(caseNames)("has a conclusion for every node of %s, and none is empty", (name) => {
+    for (const entry of runOf(name).steps.flatMap((s) => s.micro.flatMap(all))) expect(judgement(entry)).not.toBe("");
+  });
+  it("uses the symbols of the thesis", () => {
+    expect(judgement(node("PTrans1"))).toBe("Σ,Δ ⊢ Pick → Pick′, Δ′");
+    expect(judgement(node("SDeact2"))).toBe("Σ,Δ ⊢ Dispatcher →↓ Dispatcher′, Δ′");
+    expect(judgement(node("Active"))).toBe("Δ ⊢ Root.active ⇝ False");
+    expect(judgement(node("FuncSC"))).toBe("gripper.release() is called");
+  });
+});
+
+describe("subjectText", () => {
+  it("names ports, parameters and actions of a node", () => {
+    expect(subjectText(node("Resolve"))).toBe("Pick.par.pose");
+    expect(subjectText(node("PTrigger"))).toBe("Dispatcher.to_Release");
+    expect(subjectText(node("Action1"))).toMatch(/\.actions\[\d\]$/);
+  });
+});
+
+describe("a proof tree", () => {
+  const micro = collision[3]?.micro[0];
+  if (micro === undefined) throw new Error("the recorded run is too short");
+  it("counts its nodes as they are", () => {
+    for (const root of collision.flatMap((s) => s.micro)) expect(size(root)).toBe(all(root).length);
+  });
+  it("opens what happened and folds what was only looked at", () => {
+    expect(notable(micro)).toBe(true);
+    expect(notable(node("Cond"))).toBe(false);
+    const idle: Derivation = { rule: "SProp", equation: "3.30", at: "Root", premises: [{ rule: "Active", equation: "3.8", at: "Root", premises: [], value: true }] };
+    expect(notable(idle)).toBe(false);
+  });
+  it("says in a few words what a micro step did", () => {
+    expect(summary(micro)).toBe("Pick.collision fires");
+  });
+  it("finds a node by its path", () => {
+    expect(nodeAt(micro, [0, 1])).toBe(micro.premises[0]?.premises[1]);
+    expect(nodeAt(micro, [9])).toBeUndefined();
+  });
+  it("keeps a null value apart from none", () => {
+    const cond: Derivation = { rule: "Cond", equation: "4.12", at: "A", premises: [], value: null };
+    expect(facts(cond)).toContainEqual({ name: "value", text: "None" });
+  });
+});
+
+describe("mergeSteps", () => {
+  const a = node("Micro");
+  const b = node("SProp");
+  it("joins the parts of a macro step that was done in micro steps", () => {
+    const merged = mergeSteps(mergeSteps([], [step(1, 0, [a])]), [step(1, 1, [b])]);
+    expect(merged.map((entry) => entry.micro)).toEqual([[a, b]]);
+  });
+  it("takes a part that comes again only once", () => {
+    const parts = [[step(1, 0, [a])], [step(1, 1, [b])], [step(1, 1, [b])]];
+    expect(parts.reduce(mergeSteps, []).map((entry) => entry.micro)).toEqual([[a, b]]);
+  });
+  it("takes a step that comes again only once", () => {
+    expect(mergeSteps([step(1, 0, [a])], [step(1, 0, [b])]).map((entry) => entry.micro)).toEqual([[b]]);
+  });
+  it("orders steps and drops the oldest", () => {
+    const many = Array.from({ length: 230 }, (_, i) => step(230 - i, 0, []));
+    const merged = mergeSteps([], many);
+    expect([merged.length, merged[0]?.step, merged.at(-1)?.step]).toEqual([200, 31, 230]);
+  });
+});

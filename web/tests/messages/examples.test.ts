@@ -1,0 +1,50 @@
+// Every file of api/examples is read by the decoder of its schema, so the pages and the contract cannot part unseen.
+import { readdirSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { describe, expect, it } from "vitest";
+import { number, object, oneOf, string, type Decoder } from "../../shared/json/decode";
+import { cellPose, scene } from "../../shared/messages/cell";
+import { core, coreState, cores } from "../../shared/messages/core";
+import { rules, traceSteps } from "../../shared/messages/derivation";
+import { services } from "../../shared/messages/service";
+import { serverErrors, streamMessage, type StreamRequest } from "../../shared/messages/stream";
+import { why } from "../../shared/messages/why";
+import { rcmDocument } from "../../shared/model/decodeModel";
+import { readJson } from "../conformance";
+
+const folder = new URL("../../../api/examples/", import.meta.url);
+const files = readdirSync(fileURLToPath(folder)).filter((name) => name.endsWith(".json"));
+
+/** What the pages send is written, not read: these examples only have to name what the pages write. */
+const request: Decoder<StreamRequest["type"]> = object((f) => {
+  f.need("channel", string);
+  f.maybe("since", number);
+  return f.need("type", oneOf("subscribe", "unsubscribe"));
+});
+
+const decoders: Readonly<Record<string, Decoder<unknown>>> = {
+  core,
+  cores,
+  core_state: coreState,
+  core_create: object((f) => f.need("document", string)),
+  cell_pose: cellPose,
+  derivations: traceSteps,
+  document: rcmDocument,
+  errors: serverErrors,
+  rules,
+  scene,
+  services,
+  step_request: object((f) => f.need("kind", oneOf("micro", "macro", "until"))),
+  stream_message: streamMessage,
+  stream_request: request,
+  why,
+};
+
+describe("api/examples", () => {
+  it("are there", () => expect(files.length).toBeGreaterThan(10));
+  it.each(files)("%s is read by the decoder of its schema", (file) => {
+    const decoder = decoders[file.split(".")[0] ?? ""];
+    if (decoder === undefined) throw new Error(`no decoder for ${file}`);
+    expect(decoder(readJson(new URL(file, folder)), "")).toBeDefined();
+  });
+});

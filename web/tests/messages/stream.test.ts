@@ -1,0 +1,33 @@
+import { describe, expect, it } from "vitest";
+import { streamMessage } from "../../shared/messages/stream";
+import { reconnectDelay, resubscriptions } from "../../shared/stream";
+
+const message = (channel: string, kind: string, data: unknown) => streamMessage({ channel, sequence: 7, kind, data }, "");
+
+describe("streamMessage", () => {
+  it("tells the state of a core from its derivation by the channel", () => {
+    expect(message("core/12/derivation", "snapshot", { next: 4 }).news).toEqual({ type: "derivation_position", id: "12", next: 4 });
+  });
+  it("reads the removal of a core", () => {
+    expect(message("cores", "delta", { removed: "3" }).news).toEqual({ type: "core_removed", id: "3" });
+  });
+  it("reads a refusal of any channel", () => {
+    const data = { errors: [{ path: "", code: "not_found", message: "no core 9" }] };
+    expect(message("core/9/state", "error", data).news).toMatchObject({ type: "refused", channel: "core/9/state" });
+  });
+  it("refuses a channel that the contract does not have", () => {
+    expect(() => message("weather", "snapshot", {})).toThrow("/channel");
+  });
+});
+
+describe("the stream after a lost connection", () => {
+  it("asks for what it missed of the channels it knows, and for the whole of the others", () => {
+    expect(resubscriptions(new Set(["cores", "log"]), new Map([["log", 41]]))).toEqual([
+      { type: "subscribe", channel: "cores" },
+      { type: "subscribe", channel: "log", since: 41 },
+    ]);
+  });
+  it("waits longer after each failure, but never more than eight seconds", () => {
+    expect([0, 1, 2, 9].map(reconnectDelay)).toEqual([500, 1000, 2000, 8000]);
+  });
+});

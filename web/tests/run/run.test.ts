@@ -1,0 +1,113 @@
+import { describe, expect, it } from "vitest";
+import type { Core, CoreDelta, RunState, Values } from "../../shared/messages/core";
+import { buildTree } from "../../shared/model/modelTree";
+import { applyDelta, runningNow } from "../../shared/run/applyDelta";
+import { allowed, commandOfKey, primary, statusText } from "../../shared/run/controls";
+import { callText, inputText } from "../../shared/run/inputText";
+import { whyHeadline } from "../../shared/run/whyText";
+import { caseNames, modelOf, runOf } from "../conformance";
+
+const core: Core = { id: "1", document: "pick", status: "running", paused: false, step: 1, micro: 0, waiting: 0, arguments: {} };
+const empty: RunState = { active: [], ports: [], activated: {}, parameters: {}, results: {}, variables: {} };
+
+function flags(before: readonly string[], after: readonly string[]): Record<string, boolean> {
+  const left = before.filter((entry) => !after.includes(entry)).map((entry) => [entry, false] as const);
+  return Object.fromEntries([...left, ...after.filter((entry) => !before.includes(entry)).map((entry) => [entry, true] as const)]);
+}
+
+function gone(before: Values, after: Values): Record<string, string[]> {
+  const entries = Object.entries(before).map(([path, values]) => [path, Object.keys(values).filter((name) => !(name in (after[path] ?? {})))] as const);
+  return Object.fromEntries(entries.filter(([, names]) => names.length > 0).map(([path, names]) => [path, [...names]]));
+}
+
+/** The delta that the contract promises between two states. */
+function deltaBetween(before: RunState, after: RunState): CoreDelta {
+  const emptied = Object.fromEntries(Object.keys(before.activated).map((barrier) => [barrier, []]));
+  return {
+    core,
+    active: flags(before.active, after.active),
+    ports: flags(before.ports, after.ports),
+    activated: { ...emptied, ...after.activated },
+    parameters: after.parameters,
+    results: after.results,
+    variables: after.variables,
+    unset: {
+      parameters: gone(before.parameters, after.parameters),
+      results: gone(before.results, after.results),
+      variables: gone(before.variables, after.variables),
+    },
+    fired: [],
+    calls: [],
+  };
+}
+
+const sorted = (state: RunState) => ({ ...state, active: [...state.active].sort(), ports: [...state.ports].sort() });
+
+describe("applyDelta", () => {
+  it.each(caseNames)("follows the recorded run of %s", (name) => {
+    let state = empty;
+    for (const step of runOf(name).steps) {
+      state = applyDelta(state, deltaBetween(state, step.state));
+      expect(sorted(state)).toEqual(sorted(step.state));
+    }
+  });
+  it("forgets a value that is not set any more, and nothing else", () => {
+    const before: RunState = { ...empty, results: { A: { x: 1, y: null } } };
+    const after = applyDelta(before, { ...deltaBetween(before, before), results: {}, unset: { parameters: {}, results: { A: ["x"] }, variables: {} } });
+    expect(after.results).toEqual({ A: { y: null } });
+  });
+});
+
+describe("runningNow", () => {
+  it("lists the innermost active states in tree order", () => {
+    const tree = buildTree(modelOf("thesis-collision-history").root);
+    const state: RunState = { ...empty, active: ["Root/Collision/Display", "Root", "Root/Collision", "Root/Collision/Haptic"] };
+    expect(runningNow(state, tree)).toEqual(["Root/Collision/Haptic", "Root/Collision/Display"]);
+  });
+});
+
+describe("controls", () => {
+  it("let a running core be paused and stopped, not stepped", () => {
+    expect([...allowed(core)].sort()).toEqual(["pause", "stop"]);
+  });
+  it("let a paused core go on, step and stop", () => {
+    expect([...allowed({ ...core, paused: true })].sort()).toEqual(["macro", "micro", "resume", "stop", "until"]);
+  });
+  it("offer nothing but another run when a core is over", () => {
+    for (const status of ["ended", "faulted", "aborted"] as const) expect([...allowed({ ...core, status })]).toEqual(["again"]);
+  });
+  it("give F5 the meaning of the first button", () => {
+    expect(commandOfKey("F5", false, { ...core, status: "ready" })).toBe("start");
+    expect(commandOfKey("F5", false, { ...core, paused: true })).toBe("resume");
+    expect(commandOfKey("F5", false, core)).toBeUndefined();
+    expect(primary({ ...core, status: "ended" })).toBe("again");
+  });
+  it("take F4 as a micro step and Shift+F4 as a macro step, only where they are allowed", () => {
+    expect(commandOfKey("F4", false, { ...core, paused: true })).toBe("micro");
+    expect(commandOfKey("F4", true, { ...core, paused: true })).toBe("macro");
+    expect(commandOfKey("F4", false, core)).toBeUndefined();
+    expect(commandOfKey("F8", false, core)).toBe("stop");
+    expect(commandOfKey("F7", false, core)).toBe("pause");
+  });
+  it("say how a core stands", () => {
+    expect(statusText({ ...core, status: "ended", outcome: "success" })).toBe("Ended: success");
+    expect(statusText({ ...core, paused: true })).toBe("Paused");
+  });
+});
+
+describe("words", () => {
+  it("tell a result from an error", () => {
+    expect(inputText({ kind: "response", service: "db", operation: "get", call: 1, result: 3 })).toBe("response db.get → 3");
+    expect(inputText({ kind: "response", service: "db", operation: "get", call: 1, error: "no" })).toBe("response db.get ✕ 'no'");
+  });
+  it("show a call as it stands in code", () => {
+    expect(callText({ service: "robot", operation: "move", args: [[1, 2]], kwargs: { speed: 0.5 } })).toBe("robot.move([1, 2], speed=0.5)");
+  });
+  it("explain a port that is held back", () => {
+    const why = { port: "A.p", condition: "svc.s.e", value: true, active: false, stateActive: true, reason: "", atoms: [], held: "R9" } as const;
+    expect(whyHeadline(why)).toBe("Held back by R9");
+    expect(whyHeadline({ ...why, stateActive: false })).toBe("Cannot fire: its state is not active");
+    expect(whyHeadline({ ...why, active: true })).toBe("This port has fired");
+    expect(whyHeadline({ ...why, value: null })).toBe("Does not fire");
+  });
+});

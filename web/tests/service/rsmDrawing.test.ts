@@ -1,0 +1,58 @@
+import ELK from "elkjs/lib/elk.bundled.js";
+import { describe, expect, it } from "vitest";
+import type { ElkGraph, LayoutEngine } from "../../shared/drawing/elk";
+import { rsm } from "../../shared/messages/service";
+import { drawRsm, splinePath } from "../../shared/service/rsmDrawing";
+
+const elk = new ELK();
+const engine: LayoutEngine = async (graph) => (await elk.layout(graph as Parameters<typeof elk.layout>[0])) as ElkGraph;
+
+/** Fig. 4.1: the simplified robot service. */
+const robot = rsm(
+  {
+    rsm: 1,
+    name: "robot",
+    operations: [{ name: "move" }, { name: "stop", safe: true }],
+    events: [{ name: "robot_state", sampled: true }],
+    states: [{ name: "Idle" }, { name: "Moving" }],
+    init: "Idle",
+    transitions: [
+      { id: "start", src: "Idle", dst: "Moving", operation: "move", defer: ["arrive"] },
+      { id: "arrive", src: "Moving", dst: "Idle" },
+      { id: "stop", dst: "Idle", operation: "stop", error: "aborted" },
+    ],
+  },
+  "",
+);
+
+describe("drawRsm", async () => {
+  const drawing = await drawRsm(engine, robot);
+  it("shows the states, the start, and a source for transitions from every state", () => {
+    expect(drawing.states.map((state) => `${state.kind} ${state.name}`).sort()).toEqual(["any any state", "init #init", "state Idle", "state Moving"]);
+    expect(drawing.start.length).toBeGreaterThan(1);
+  });
+  it("starts a transition without source at `any state`, and the others at theirs", () => {
+    const sources = drawing.arrows.map((arrow) => {
+      const from = arrow.points[0];
+      return drawing.states.find((s) => from !== undefined && Math.abs(from.x - s.x - s.width / 2) <= s.width / 2 + 1 && Math.abs(from.y - s.y - s.height / 2) <= s.height / 2 + 1)?.name;
+    });
+    expect(sources).toEqual(["Idle", "Moving", "any state"]);
+  });
+  it("labels a transition with its operation and tells spontaneous ones apart", () => {
+    expect(drawing.arrows.map((arrow) => [arrow.label.text, arrow.label.spontaneous])).toEqual([
+      ["move", false],
+      ["arrive", true],
+      ["stop / aborted", false],
+    ]);
+  });
+  it("links a deferred call with the transition that answers it", () => {
+    expect(drawing.deferrals.map((link) => link.id)).toEqual(["start:arrive"]);
+  });
+});
+
+describe("splinePath", () => {
+  it("takes points in groups of three as cubic curves", () => {
+    const points = [0, 1, 2, 3].map((x) => ({ x, y: 0 }));
+    expect(splinePath(points)).toBe("M 0 0 C 1 0, 2 0, 3 0");
+  });
+});

@@ -1,0 +1,79 @@
+import { describe, expect, it } from "vitest";
+import type { Core, CoreDelta } from "../../shared/messages/core";
+import type { News } from "../../shared/messages/stream";
+import { applyEvent, emptySession, watchedCore, type Session } from "../../shared/session/session";
+import { applyGesture, initialView } from "../../shared/session/view";
+import { runOf } from "../conformance";
+
+const core: Core = { id: "1", document: "pick", status: "running", paused: false, step: 1, micro: 0, waiting: 0, arguments: {} };
+const first = runOf("thesis-pick").steps[0];
+if (first === undefined) throw new Error("the recorded run is empty");
+
+const hear = (session: Session, ...news: readonly News[]): Session => news.reduce((s, n) => applyEvent(s, { type: "news", news: n }), session);
+const watching = applyEvent(emptySession, { type: "watched", id: "1" });
+const running = hear(watching, { type: "state", id: "1", state: { core, state: first.state } });
+
+const delta = (fired: readonly string[]): CoreDelta => ({
+  core: { ...core, step: 2 }, active: {}, ports: {}, activated: {}, parameters: {}, results: {}, variables: {},
+  unset: { parameters: {}, results: {}, variables: {} }, fired, calls: [],
+});
+
+describe("session", () => {
+  it("takes state news of the watched core only", () => {
+    expect(watchedCore(running)?.step).toBe(1);
+    expect(hear(running, { type: "state_changed", id: "2", delta: delta([]) })).toBe(running);
+  });
+  it("ignores a delta before the snapshot", () => {
+    expect(hear(watching, { type: "state_changed", id: "1", delta: delta(["A.p"]) })).toBe(watching);
+  });
+  it("flashes a port again when it fires again, and keeps still when nothing fires", () => {
+    const once = hear(running, { type: "state_changed", id: "1", delta: delta(["A.p"]) });
+    const twice = hear(once, { type: "state_changed", id: "1", delta: delta(["A.p"]) });
+    expect([once.fired.beat, twice.fired.beat]).toEqual([1, 2]);
+    expect(hear(twice, { type: "state_changed", id: "1", delta: delta([]) }).fired).toBe(twice.fired);
+  });
+  it("does not take past derivations of another core", () => {
+    expect(applyEvent(running, { type: "past", id: "7", steps: [] })).toBe(running);
+  });
+  it("forgets the run when another core is watched", () => {
+    const other = applyEvent(running, { type: "watched", id: "2" });
+    expect([other.run, other.steps.length, other.model]).toEqual([undefined, 0, undefined]);
+  });
+  it("merges what changed of a service and keeps its model", () => {
+    const rsm = { name: "robot", operations: [], events: [], states: [], transitions: [] };
+    const idle = { key: "robot", type: "robot", state: "Idle", available: true, pending: [], violations: [], rsm };
+    const known = hear(running, { type: "services", services: [idle] });
+    const moved = hear(known, { type: "services_changed", services: [{ key: "robot", state: "Moving", available: true, pending: [], violations: [] }] });
+    expect(moved.services[0]).toMatchObject({ state: "Moving", rsm });
+  });
+  it("starts the log anew with a snapshot and goes on with a delta", () => {
+    const entry = (text: string) => ({ time: 0, source: "server", text });
+    const told = hear(running, { type: "log", whole: true, entries: [entry("a")] }, { type: "log", whole: false, entries: [entry("b")] });
+    expect(told.log.map((line) => line.text)).toEqual(["a", "b"]);
+    expect(hear(told, { type: "log", whole: true, entries: [entry("c")] }).log.length).toBe(1);
+  });
+});
+
+describe("view", () => {
+  it("opens what hides the target of a jump, and leads back to the task", () => {
+    const folded = applyGesture({ ...initialView, page: "services" }, { type: "collapse_all", paths: ["Root/Pick", "Root/Collision"] });
+    const jumped = applyGesture(folded, { type: "jump", selection: { kind: "port", address: "Root/Pick/Grasp.success" } });
+    expect([...jumped.collapsed]).toEqual(["Root/Collision"]);
+    expect([jumped.page, jumped.reveal]).toEqual(["task", 1]);
+  });
+  it("leaves a focus that does not hold the target", () => {
+    const inside = applyGesture(initialView, { type: "enter", path: "Root/Pick" });
+    expect(applyGesture(inside, { type: "jump", selection: { kind: "node", path: "Root/Pick/Grasp" } }).focus).toBe("Root/Pick");
+    expect(applyGesture(inside, { type: "jump", selection: { kind: "node", path: "Root/Collision" } }).focus).toBeUndefined();
+  });
+  it("toggles a state, and shows the inside of a state that is entered", () => {
+    const folded = applyGesture(initialView, { type: "toggle", path: "Root/Pick" });
+    expect([...folded.collapsed]).toEqual(["Root/Pick"]);
+    expect([...applyGesture(folded, { type: "toggle", path: "Root/Pick" }).collapsed]).toEqual([]);
+    expect([...applyGesture(folded, { type: "enter", path: "Root/Pick" }).collapsed]).toEqual([]);
+  });
+  it("keeps the page when another run is watched, but no selection", () => {
+    const view = applyGesture({ ...initialView, page: "cell" }, { type: "select", selection: { kind: "node", path: "Root" } });
+    expect(applyGesture(view, { type: "forget" })).toMatchObject({ page: "cell", selection: undefined });
+  });
+});
