@@ -13,7 +13,7 @@ struct IkOptions {
   double orientation_tolerance = 1e-7;  // rad
   int iterations = 150;                 // per seed
   double margin = 0.01;                 // rad kept from the joint limits
-  double null_space_gain = 0.15;        // share of the way to `preferred` per iteration; 0: the nearest solution
+  double null_space_gain = 0.15;        // share of the way to `preferred` per iteration; small: stays near the seed
 };
 
 /// Damped least squares from one seed, pulled towards `preferred` in the null space. None: not found from there.

@@ -125,7 +125,7 @@ Planned plan_linear(const ArmModel& arm, const PlannerSettings& settings, const 
     const Eigen::Quaterniond turned = quaternion(from).slerp(s, quaternion(goal));
     pose.orientation = {turned.x(), turned.y(), turned.z(), turned.w()};
     IkOptions options;
-    options.null_space_gain = 0;  // stay with the configuration the path began in
+    options.null_space_gain = 0.002;  // stay with the configuration the path began in, but drift off joint limits
     const auto q = solve_ik_from(arm, pose, waypoints.back(), options);
     bool jumps = !q;
     for (std::size_t i = 0; q && i < kJoints; ++i) jumps |= std::abs((*q)[i] - waypoints.back()[i]) > kLargestJump;

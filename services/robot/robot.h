@@ -1,0 +1,39 @@
+// Robot: the service `robot` (thesis Figure 4.1): offers a control unit to tasks. Operations, events and units:
+// README.md.
+//
+// Threads: its unit's. step() follows the world's step and sets the torques of the next one.
+#pragma once
+
+#include "services/component.h"
+#include "services/robot/control_unit.h"
+#include "services/world/world.h"
+
+namespace race::robot {
+
+/// The RSM of every robot.
+const rsm::Service& model();
+
+class Robot final : public services::Component {
+ public:
+  /// Drives the arm of `world`. Both outlive the component. Error `type`: the world's robot is no such arm.
+  static Expected<std::unique_ptr<Robot>> create(services::ServiceHost& host, world::World& world);
+
+  const rsm::Service& model() const override { return robot::model(); }
+  void call(const services::Call& call) override;
+  void step() override;
+
+ private:
+  Robot(services::ServiceHost& host, world::World& world, ArmModel arm);
+
+  void move(const services::Call& call);
+  void stop(const services::Call& call);
+  void change_behavior(const services::Call& call);
+  void finish_move(const std::optional<Refusal>& failure);
+
+  services::ServiceHost& host_;
+  world::World& world_;
+  ControlUnit unit_;
+  services::CallId moving_ = 0;  // the move that waits for its end; 0: none
+};
+
+}  // namespace race::robot

@@ -1,0 +1,154 @@
+// The service `robot` as tasks meet it: operations, responses, events; the monitor watches every announcement.
+#include <gmock/gmock.h>
+
+#include "services/robot/robot.h"
+#include "tests/unit/services/robot/recorder.h"
+#include "tests/unit/services/robot/rig.h"
+
+namespace race::robot {
+namespace {
+
+using services::CallId;
+
+struct RobotService : testing::Test {
+  RobotService() { robot = std::move(Robot::create(host, *world).value()); }
+  ~RobotService() override { EXPECT_THAT(host.violations, testing::IsEmpty()); }
+
+  void run(double seconds) {
+    for (int i = 0; i < static_cast<int>(std::lround(seconds * 1000)); ++i) {
+      world->step();
+      host.time = world->time();
+      robot->step();
+    }
+  }
+  CallId call(const std::string& operation, std::string_view arguments = "[]") {
+    return host.call(*robot, operation, arguments);
+  }
+  void finish(CallId id) {
+    for (int i = 0; i < 200 && !host.answered(id); ++i) run(0.1);
+    ASSERT_TRUE(host.answered(id));
+  }
+
+  services::Recorder host{model()};
+  std::unique_ptr<world::World> world = Rig::make_world(empty_scene());
+  std::unique_ptr<Robot> robot;
+};
+
+constexpr const char* kDownPose = R"([{"position": [0.5, 0.1, 0.25], "orientation": [1, 0, 0, 0]}])";
+
+TEST_F(RobotService, AnswersAMoveOnArrivalWithPoseAndJoints) {
+  const CallId id = call("move", kDownPose);
+  EXPECT_EQ(host.state(), "Moving");
+  EXPECT_FALSE(host.answered(id));
+  finish(id);
+  ASSERT_EQ(host.code(id), "") << to_json(host.errors[id]);
+  EXPECT_EQ(host.state(), "Idle");
+  const Value* position = host.results[id].find("pose")->find("position");
+  EXPECT_NEAR(position->as_list()[0].to_double(), 0.5, 1e-3);
+  EXPECT_NEAR(world->pose("tcp").position[1], 0.1, 1e-3);
+  EXPECT_EQ(host.results[id].find("q")->as_list().size(), 7U);
+}
+
+TEST_F(RobotService, MovesByAnOffsetOnAStraightLine) {
+  const Vec3 before = world->pose("tcp").position;
+  double sideways = 0;
+  const CallId id = call("move", R"({"target": {"offset": [0, 0, -0.12]}})");
+  for (int i = 0; i < 5000 && !host.answered(id); ++i) {
+    run(0.001);
+    const Vec3 now = world->pose("tcp").position;
+    sideways = std::max(sideways, std::hypot(now[0] - before[0], now[1] - before[1]));
+  }
+  ASSERT_TRUE(host.results.contains(id));
+  EXPECT_NEAR(world->pose("tcp").position[2], before[2] - 0.12, 1e-3);
+  EXPECT_LT(sideways, 1e-3);
+}
+
+TEST_F(RobotService, StopAnswersTheMoveAsStoppedAndIsAcceptedAlways) {
+  const CallId moving = call("move", kDownPose);
+  run(0.5);
+  const CallId stop = call("stop");
+  EXPECT_EQ(host.code(moving), "stopped");
+  EXPECT_TRUE(host.results.contains(stop));
+  EXPECT_EQ(host.state(), "Idle");
+  run(1);
+  for (const double speed : world->dq()) EXPECT_LT(std::abs(speed), 0.01);
+  EXPECT_TRUE(host.results.contains(call("stop")));
+}
+
+TEST_F(RobotService, RejectsWhatItsStateDoesNotAccept) {
+  call("move", kDownPose);
+  run(0.1);
+  EXPECT_EQ(host.code(call("move", kDownPose)), "not_accepted");
+  EXPECT_EQ(host.code(call("change_behavior", R"(["gravity_compensation"])")), "not_accepted");
+}
+
+TEST_F(RobotService, RefusesWrongArgumentsWithTheirNameAndNeverMoves) {
+  struct Wrong {
+    const char* arguments;
+    const char* code;
+    const char* argument;
+  };
+  const std::vector<Wrong> cases = {
+      {R"([])", "missing", "target"},
+      {R"([17])", "type", "target"},
+      {R"([{"joints": [0, 0, 0]}])", "type", "target"},
+      {R"([{"joints": [0, 0, 0, "a", 0, 0, 0]}])", "type", "target"},
+      {R"([{"joints": [0, 0, 0, 9, 0, 0, 0]}])", "joint_limits", "target"},
+      {R"([{"position": [0.5, 0, 0.2]}])", "type", "target"},
+      {R"([{"position": [0.5, 0, 0.2], "orientation": [0, 0, 0, 0]}])", "out_of_range", "target"},
+      {R"([{"position": [1.5, 0, 0.2], "orientation": [1, 0, 0, 0]}])", "unreachable", "target"},
+      {R"([{"offset": [0, 0, 0.1], "joints": [0, 0, 0, 0, 0, 0, 0]}])", "type", "target"},
+      {R"({"target": {"offset": [0, 0, 0.1]}, "kind": "circular"})", "type", "kind"},
+      {R"({"target": {"offset": [0, 0, 0.1]}, "speed": 0})", "out_of_range", "speed"},
+      {R"({"target": {"offset": [0, 0, 0.1]}, "speed": 1.5})", "out_of_range", "speed"},
+      {R"({"target": {"offset": [0, 0, 0.1]}, "acceleration": "fast"})", "type", "acceleration"},
+  };
+  const Joints before = world->q();
+  for (const Wrong& wrong : cases) {
+    const CallId id = call("move", wrong.arguments);
+    EXPECT_EQ(host.code(id), wrong.code) << wrong.arguments;
+    const Value* argument = host.errors[id].find("argument");
+    ASSERT_TRUE(argument) << wrong.arguments;
+    EXPECT_EQ(argument->as_string(), wrong.argument) << wrong.arguments;
+    EXPECT_EQ(host.state(), "Idle");
+  }
+  run(0.5);
+  for (std::size_t i = 0; i < kJoints; ++i) EXPECT_NEAR(world->q()[i], before[i], 1e-6);
+}
+
+TEST_F(RobotService, SamplesItsStateAHundredTimesASecond) {
+  run(1);
+  EXPECT_EQ(host.counts["robot_state"], 100);
+  EXPECT_EQ(host.events["robot_state"].find("f_ext_hat")->as_list().size(), 3U);
+}
+
+TEST_F(RobotService, TellsAContactWithForceAndLink) {
+  for (int i = 0; i < 500; ++i) {
+    world->push("gripper", {0, 25, 0}, world->pose("tcp").position);
+    run(0.001);
+  }
+  ASSERT_EQ(host.counts["contact"], 1);
+  EXPECT_GT(host.events["contact"].find("f_ext_hat")->as_list()[1].to_double(), 5);
+  EXPECT_EQ(host.events["contact"].find("link")->as_string().substr(0, 5), "link_");
+}
+
+TEST_F(RobotService, CanBeLedByHandAndHoldsAgainAfterwards) {
+  const CallId free = call("change_behavior", R"(["gravity_compensation"])");
+  EXPECT_TRUE(host.results.contains(free));
+  EXPECT_EQ(host.code(call("move", kDownPose)), "behavior");
+  const double before = world->pose("tcp").position[1];
+  for (int i = 0; i < 1000; ++i) {
+    world->push("gripper", {0, 15, 0}, world->pose("tcp").position);
+    run(0.001);
+  }
+  EXPECT_GT(world->pose("tcp").position[1], before + 0.05);
+  EXPECT_EQ(host.code(call("change_behavior", R"(["dance"])")), "type");
+  call("change_behavior", R"(["position"])");
+  run(0.5);
+  const Joints held = world->q();
+  run(1);
+  for (std::size_t i = 0; i < kJoints; ++i) EXPECT_NEAR(world->q()[i], held[i], 1e-4);
+}
+
+}  // namespace
+}  // namespace race::robot
