@@ -49,16 +49,15 @@ class Value {
     if (counted()) retain();
   }
   Value(Value&& other) noexcept : kind_(other.kind_), integer_(other.integer_) { other.kind_ = Kind::null; }
+  // Both assignments let go of the old value last: `other` may stand inside it.
   Value& operator=(const Value& other) noexcept {
-    if (other.counted()) other.retain();
-    if (counted()) release();
-    kind_ = other.kind_;
-    integer_ = other.integer_;
+    Value old(other);
+    swap(old);
     return *this;
   }
   Value& operator=(Value&& other) noexcept {
-    std::swap(kind_, other.kind_);
-    std::swap(integer_, other.integer_);
+    Value old(std::move(other));
+    swap(old);
     return *this;
   }
   ~Value() {
@@ -94,7 +93,8 @@ class Value {
   /// An int or a double as a double. Requires is_numeric().
   double to_double() const noexcept { return is_integer() ? static_cast<double>(integer_) : number_; }
 
-  // For changing in place: copies first if somebody else holds it too. Each requires its kind.
+  // For changing in place: copies first if somebody else holds it too. Each requires its kind. The reference is good
+  // until this value is copied again.
   List& mutable_list();
   Dict& mutable_dict();
 
@@ -122,6 +122,10 @@ class Value {
   struct ListRep;
   struct DictRep;
 
+  void swap(Value& other) noexcept {
+    std::swap(kind_, other.kind_);
+    std::swap(integer_, other.integer_);
+  }
   bool counted() const noexcept { return kind_ >= Kind::string; }
   void retain() const noexcept {
     if (heap_->frozen) {

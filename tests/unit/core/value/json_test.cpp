@@ -1,0 +1,138 @@
+// The JSON door, rule by rule: what is read, what is refused and with which code, and how values are written.
+#include "core/value/json.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+
+namespace race {
+namespace {
+
+using namespace std::string_literals;
+
+Value read(std::string_view text) {
+  auto value = parse_json(text);
+  if (!value) ADD_FAILURE() << text << ": " << value.error().message;
+  return value.value_or(Value::unknown());
+}
+
+// The code that `text` is refused with, as documents show it; "read" if it is not refused.
+std::string refusal(std::string_view text, const JsonLimits& limits = {}) {
+  const auto value = parse_json(text, limits);
+  return value ? "read" : std::string(name(value.error().code));
+}
+
+std::string nested(std::size_t levels, const std::string& open, const std::string& close) {
+  std::string text;
+  for (std::size_t i = 0; i < levels; ++i) text += open;
+  text += "1";
+  for (std::size_t i = 0; i < levels; ++i) text += close;
+  return text;
+}
+
+TEST(ReadJson, GivesEachKindOfValue) {
+  EXPECT_EQ(read(" null "), Value());
+  EXPECT_EQ(read("true"), Value(true));
+  EXPECT_EQ(read("-12"), Value(-12));
+  EXPECT_EQ(read("1.0"), Value(1.0));
+  EXPECT_EQ(read("1e3"), Value(1000.0));
+  EXPECT_EQ(read(R"("a\u00e4\n\ud83d\ude00")"), Value("aä\n😀"));
+  EXPECT_EQ(read(R"([1,[],{}])"), Value(List{1, List{}, Dict{}}));
+}
+
+TEST(ReadJson, KeepsTheOrderOfKeys) {
+  const Value read_value = read(R"({"z":1,"a":2})");
+  EXPECT_EQ(read_value.as_dict().begin()->first.as_string(), "z");
+}
+
+TEST(ReadJson, KeepsZeroBytesInStrings) { EXPECT_EQ(read(R"("a\u0000b")"), Value("a\0b"s)); }
+
+TEST(ReadJson, TellsIntegersFromDoublesUpToTheirLimits) {
+  EXPECT_EQ(read("9223372036854775807"), Value(std::numeric_limits<std::int64_t>::max()));
+  EXPECT_EQ(read("-9223372036854775808"), Value(std::numeric_limits<std::int64_t>::min()));
+  EXPECT_EQ(read("9223372036854775808.0"), Value(9223372036854775808.0));
+  EXPECT_EQ(read("1.7976931348623157e308"), Value(std::numeric_limits<double>::max()));
+  EXPECT_EQ(read("5e-324"), Value(std::numeric_limits<double>::denorm_min()));
+}
+
+TEST(ReadJson, RefusesNumbersOutOfRange) {
+  EXPECT_EQ(refusal("9223372036854775808"), "constant");
+  EXPECT_EQ(refusal("-9223372036854775809"), "constant");
+  EXPECT_EQ(refusal("18446744073709551616"), "constant");
+  EXPECT_EQ(refusal("[1, 1e400]"), "constant");
+  EXPECT_EQ(refusal("-1e400"), "constant");
+}
+
+TEST(ReadJson, ReadsIntegersOutOfRangeAsUnknownIfAskedTo) {
+  const auto value =
+      parse_json(R"([1, 9223372036854775808, {"a": -9223372036854775809}])", {.keep_out_of_range = true});
+  ASSERT_TRUE(value) << value.error().message;
+  EXPECT_EQ(*value, Value(List{1, Value::unknown(), Dict{{"a", Value::unknown()}}}));
+  EXPECT_EQ(refusal("1e999", {.keep_out_of_range = true}), "constant");
+}
+
+TEST(ReadJson, RefusesAKeyThatStandsTwiceInOneObject) {
+  EXPECT_EQ(refusal(R"({"a":1,"b":2,"a":1})"), "json");
+  EXPECT_EQ(refusal(R"({"a":1,"\u0061":2})"), "json");
+  EXPECT_EQ(refusal(R"([{"x":{"a":1,"a":2}}])"), "json");
+  EXPECT_EQ(refusal(R"({"a":{"a":{"a":1}}})"), "read");
+}
+
+TEST(ReadJson, ReadsSixtyFourLevelsAndRefusesOneMore) {
+  EXPECT_EQ(refusal(nested(64, "[", "]")), "read");
+  EXPECT_EQ(refusal(nested(65, "[", "]")), "too_deep");
+  EXPECT_EQ(refusal(nested(64, R"({"a":)", "}")), "read");
+  EXPECT_EQ(refusal(nested(65, R"({"a":)", "}")), "too_deep");
+  EXPECT_EQ(refusal(nested(1'000'000, "[", "]")), "too_deep");
+  EXPECT_EQ(refusal(nested(3, "[", "]"), {.depth = 2}), "too_deep");
+}
+
+TEST(ReadJson, RefusesTextThatIsTooLong) {
+  EXPECT_EQ(refusal("[1,2]", {.bytes = 5}), "read");
+  EXPECT_EQ(refusal("[1,2]", {.bytes = 4}), "too_large");
+}
+
+TEST(ReadJson, RefusesWhatIsNotJson) {
+  for (const char* text :
+       {"",    "  ",       "nul", "[1,]",  "{\"a\"}", "{a:1}",   "01",        "+1",  ".5", "1.",
+        "NaN", "Infinity", "'a'", "[1] 2", "{} {}",   "// c\n1", "\"\\x41\"", "\"a", "[",  "\"tab\tin it\""}) {
+    EXPECT_EQ(refusal(text), "json") << text;
+  }
+}
+
+TEST(ReadJson, RefusesBadUtf8AndLoneSurrogates) {
+  for (const char* text : {"\"\xff\"", "\"\xc0\xaf\"", "\"\xe2\x82\"", "\"\xed\xa0\x80\"", "\"\xf4\x90\x80\x80\"",
+                           R"("\ud800")", R"("\udc00")", R"("\ud800x")"}) {
+    EXPECT_EQ(refusal(text), "json") << text;
+  }
+}
+
+TEST(ReadJson, SaysWhereItStopped) {
+  const auto value = parse_json("[1, oops]");
+  ASSERT_FALSE(value);
+  EXPECT_NE(value.error().message.find("byte 5"), std::string::npos) << value.error().message;
+}
+
+TEST(WriteJson, WritesOneLineOrIndented) {
+  const Value value(Dict{{"a", List{1, true, Value()}}, {"b", Dict{}}, {"c", List{}}});
+  EXPECT_EQ(to_json(value), R"({"a":[1,true,null],"b":{},"c":[]})");
+  EXPECT_EQ(to_json(value, 2), "{\n  \"a\": [\n    1,\n    true,\n    null\n  ],\n  \"b\": {},\n  \"c\": []\n}");
+}
+
+TEST(WriteJson, KeepsDoublesRecognisable) {
+  EXPECT_EQ(to_json(Value(1.0)), "1.0");
+  EXPECT_EQ(to_json(Value(-0.0)), "-0.0");
+  EXPECT_EQ(to_json(Value(0.1)), "0.1");
+  EXPECT_EQ(read(to_json(Value(1e22))), Value(1e22));
+  EXPECT_EQ(read(to_json(Value(1e300))), Value(1e300));
+}
+
+TEST(WriteJson, EscapesWhatMustBeEscapedAndNothingElse) {
+  EXPECT_EQ(to_json(Value("q\" b\\ n\n t\t r\r"s)), R"("q\" b\\ n\n t\t r\r")");
+  EXPECT_EQ(to_json(Value("\0\x1f\x7f"s)), "\"\\u0000\\u001f\x7f\"");
+  EXPECT_EQ(to_json(Value("ä/😀")), "\"ä/😀\"");
+}
+
+}  // namespace
+}  // namespace race
