@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/rcm/constraints.h"
+
 namespace race::rcm {
 namespace {
 
@@ -87,7 +89,7 @@ const State* Library::find(std::string_view name) const {
 const State* Library::behaviour(const State& state) const {
   const State* at = &state;
   for (std::size_t hops = 0; at && at->link; ++hops) {
-    if (hops > document_.library.size()) return nullptr;
+    if (hops == kMaxDepth) return nullptr;
     at = find(*at->link);
   }
   return at;

@@ -18,8 +18,8 @@ class Library {
   /// The library's state `name` (the first, if the name stands twice); nullptr if there is none.
   const State* find(std::string_view name) const;
 
-  /// The state whose behaviour `state` has: itself, or the end of its links. nullptr if a link leads to nothing or
-  /// back.
+  /// The state whose behaviour `state` has: itself, or the end of its links. nullptr if a link leads to nothing, in
+  /// a circle, or over more than kMaxDepth links.
   const State* behaviour(const State& state) const;
 
   /// The parameters of `state`: its own, or those of the state it links with its expressions in place of theirs (where

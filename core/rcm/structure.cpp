@@ -158,7 +158,7 @@ class Structure {
     if (!library_.find(*state.link))
       return add(ErrorCode::link_unknown, path, "the library has no state " + quoted(*state.link));
     const State* linked = library_.behaviour(state);
-    if (!linked) return;  // a link further on leads nowhere or back, which is said there
+    if (!linked) return;  // a link further on leads nowhere or back or too far, which is said there
     Names parameters, ports;
     for (const Parameter& parameter : linked->parameters) parameters.insert(parameter.name);
     for (const Port& port : linked->ports) ports.insert(port.name);

@@ -37,6 +37,8 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
     return true;
   }
   bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& e) override {
+    constexpr int kNumberOverflow = 406;  // of a double; nlohmann reads no further
+    if (e.id == kNumberOverflow) return fail(ErrorCode::constant, kOutOfRange);
     std::string text = e.what();
     if (const auto start = text.find("] "); start != std::string::npos) text = text.substr(start + 2);
     return fail(ErrorCode::json, "not JSON at byte " + std::to_string(position) + ": " + text);
@@ -46,13 +48,15 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
   Error error{ErrorCode::json, "empty"};
 
  private:
+  static constexpr const char* kOutOfRange = "a number is out of the range of a 64-bit integer or a double";
+
   bool fail(ErrorCode code, std::string message) {
     error = Error{code, std::move(message)};
     return false;
   }
   bool out_of_range() {
     if (limits_.keep_out_of_range) return add(Value::unknown());
-    return fail(ErrorCode::constant, "a number is out of the range of a 64-bit integer or a double");
+    return fail(ErrorCode::constant, kOutOfRange);
   }
   bool open(Value container) {
     if (stack_.size() >= limits_.depth)

@@ -14,8 +14,8 @@ namespace race {
 struct JsonLimits {
   std::size_t depth = 64;                // levels of lists and dicts
   std::size_t bytes = 16 * 1024 * 1024;  // of text
-  /// A number outside of int64 or double is an error `constant`; if kept, it is read as the unknown value, for a reader
-  /// that says where in a document it stands.
+  /// A number outside of int64 or double is an error `constant`; if kept, an int is read as the unknown value, for a
+  /// reader that says where in a document it stands (1e999, which has no value at all, remains an error).
   bool keep_out_of_range = false;
 };
 
