@@ -4,6 +4,7 @@ import { commandOfKey } from "../shared/run/controls";
 import { watchedCore } from "../shared/session/session";
 import { ModelCanvas } from "./canvas/ModelCanvas";
 import { useTree } from "./canvas/useDrawing";
+import { CellInset } from "./cell/CellInset";
 import { run, session, useView } from "./client";
 import { Drawer } from "./panels/Drawer";
 import { PropertiesPanel } from "./panels/PropertiesPanel";
@@ -42,7 +43,12 @@ export function App() {
       <TopBar />
       <TaskPanel tree={tree} />
       <main className="stage" id="stage">
-        {page === "task" && <ModelCanvas tree={tree} />}
+        {page === "task" && (
+          <>
+            <ModelCanvas tree={tree} />
+            <CellInset />
+          </>
+        )}
         {page === "services" && <ServicesView />}
         {page === "cell" && (
           <Suspense fallback={<div className="canvas-empty">Loading the cell…</div>}>

@@ -3,24 +3,39 @@ import type { Detail } from "../../shared/drawing/measure";
 import type { ModelTree } from "../../shared/model/modelTree";
 import { useView, view } from "../client";
 
+const choices: readonly { readonly detail: Detail; readonly name: string; readonly title: string }[] = [
+  { detail: "slim", name: "Names", title: "States and ports by name" },
+  { detail: "ports", name: "Conditions", title: "Ports with their conditions" },
+  { detail: "full", name: "Everything", title: "Parameters, results, functions and conditions" },
+];
+
 export function CanvasTools({ tree, detail }: { readonly tree: ModelTree; readonly detail: Detail }) {
   const collapsed = useView((v) => v.collapsed.size > 0);
   const composites = [...tree.values()].filter((entry) => entry.depth > 0 && entry.children.length > 0).map((entry) => entry.path);
+  const inset = useView((v) => v.inset);
   return (
     <div className="canvas-tools" role="toolbar" aria-label="Drawing">
-      <button
-        type="button"
-        aria-pressed={detail === "full"}
-        title="Write parameters, functions and conditions into the drawing"
-        onClick={() => view.dispatch({ type: "detail", detail: detail === "full" ? "slim" : "full" })}
-      >
-        Details
-      </button>
+      <div className="segments" role="group" aria-label="Detail">
+        {choices.map((choice) => (
+          <button
+            key={choice.detail}
+            type="button"
+            aria-pressed={detail === choice.detail}
+            title={choice.title}
+            onClick={() => view.dispatch({ type: "detail", detail: choice.detail })}
+          >
+            {choice.name}
+          </button>
+        ))}
+      </div>
       {composites.length > 0 && (
         <button type="button" onClick={() => view.dispatch(collapsed ? { type: "expand_all" } : { type: "collapse_all", paths: composites })}>
           {collapsed ? "Expand all" : "Collapse all"}
         </button>
       )}
+      <button type="button" aria-pressed={inset} onClick={() => view.dispatch({ type: "inset", shown: !inset })}>
+        Cell view
+      </button>
     </div>
   );
 }

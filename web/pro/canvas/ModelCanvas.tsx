@@ -1,6 +1,7 @@
 // The canvas: the laid out model with zoom, pan, breadcrumb and the light of the run.
-import { Background, BackgroundVariant, Controls, MiniMap, ReactFlow, ReactFlowProvider, useReactFlow, useStore, type NodeTypes, type EdgeTypes } from "@xyflow/react";
+import { Background, BackgroundVariant, ControlButton, Controls, MiniMap, ReactFlow, ReactFlowProvider, useReactFlow, useStore, type NodeTypes, type EdgeTypes } from "@xyflow/react";
 import { useEffect, useMemo, useRef, useState, type CSSProperties } from "react";
+import { fit } from "../../shared/drawing/fit";
 import { flowLines, flowNodes } from "../../shared/drawing/flow";
 import { liveOf } from "../../shared/drawing/live";
 import type { ModelTree } from "../../shared/model/modelTree";
@@ -56,7 +57,7 @@ function Flow({ laid, tree }: { readonly laid: Laid; readonly tree: ModelTree })
   const nodes = useMemo(
     () =>
       flowNodes(laid.drawing, tree).map(({ drawn, inbound, zIndex }): StateFlowNode | BarrierFlowNode => {
-        const place = { id: drawn.path, position: { x: drawn.x, y: drawn.y }, width: drawn.width, height: drawn.height, zIndex };
+        const place = { id: drawn.path, position: { x: drawn.x, y: drawn.y }, width: drawn.width, height: drawn.height, zIndex, style: kTouchable };
         return drawn.kind === "state"
           ? { ...place, type: "state", data: { drawn } }
           : { ...place, type: "barrier", data: { drawn, inbound } };
@@ -85,24 +86,40 @@ function Flow({ laid, tree }: { readonly laid: Laid; readonly tree: ModelTree })
       panOnDrag={[0, 1]}
       minZoom={0.08}
       maxZoom={2.5}
-      fitView
-      fitViewOptions={kFit}
       proOptions={{ hideAttribution: true }}
       onPaneClick={() => view.dispatch({ type: "select", selection: undefined })}
     >
       <Background variant={BackgroundVariant.Dots} gap={22} size={1.2} color="#dde2de" />
-      <Controls showInteractive={false} position="bottom-left" />
+      <Controls showInteractive={false} showFitView={false} position="bottom-left">
+        <FitButton laid={laid} />
+      </Controls>
       {laid.drawing.nodes.length > 30 && <MiniMap pannable zoomable position="bottom-right" nodeColor="#dfe7e2" maskColor="#f5f6f4cc" />}
       <Sight laid={laid} />
     </ReactFlow>
   );
 }
 
-const kFit = { padding: 0.03, maxZoom: 1.25 } as const;
+/** The library would let clicks through nodes that can neither be dragged nor selected by it. */
+const kTouchable = { pointerEvents: "all" } as const;
+function FitButton({ laid }: { readonly laid: Laid }) {
+  const { setViewport } = useReactFlow();
+  const width = useStore((s) => s.width);
+  const height = useStore((s) => s.height);
+  return (
+    <ControlButton aria-label="Fit" title="Fit (Ctrl+1)" onClick={() => void setViewport(fit(laid.drawing, { width, height }), { duration: 250 })}>
+      <svg viewBox="0 0 16 16" aria-hidden="true">
+        <path d="M2 6V2h4M10 2h4v4M14 10v4h-4M6 14H2v-4" fill="none" stroke="currentColor" strokeWidth="2" />
+      </svg>
+    </ControlButton>
+  );
+}
 
 /** Keeps the drawing in sight: fits it when it is new, moves to what a jump selected, and writes larger when zoomed far out. */
 function Sight({ laid }: { readonly laid: Laid }) {
-  const { fitView } = useReactFlow();
+  const { fitView, setViewport } = useReactFlow();
+  const width = useStore((s) => s.width);
+  const height = useStore((s) => s.height);
+  const known = width > 0 && height > 0;
   const zoom = useStore((s) => s.transform[2]);
   const dom = useStore((s) => s.domNode);
   const reveal = useView((v) => v.reveal);
@@ -110,9 +127,8 @@ function Sight({ laid }: { readonly laid: Laid }) {
   const [seen, setSeen] = useState(reveal);
 
   useEffect(() => {
-    const frame = requestAnimationFrame(() => void fitView({ ...kFit, duration: 250 }));
-    return () => cancelAnimationFrame(frame);
-  }, [laid.key, fitView]);
+    if (known) void setViewport(fit(laid.drawing, { width, height }), { duration: 250 });
+  }, [laid.key, known]); // eslint-disable-line react-hooks/exhaustive-deps -- a resize must not take the view away
 
   useEffect(() => {
     if (reveal === seen || selection === undefined) return;

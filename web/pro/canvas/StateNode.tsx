@@ -93,7 +93,7 @@ function PortBox({ port, origin }: { readonly port: DrawnPort; readonly origin: 
       aria-label={`Port ${port.address}`}
       data-active={active}
       data-fired={fired}
-      title={port.condition}
+      title={port.when}
       style={{ left: port.x - origin.x, top: port.y - origin.y, width: port.width, height: port.height }}
       onClick={(event) => {
         event.stopPropagation();

@@ -1,9 +1,9 @@
 // The drawing of what the view shows, laid out anew when the model, the focus, what is collapsed or the detail changes.
 import { useEffect, useMemo, useState } from "react";
-import { readable } from "../../shared/drawing/chooseDetail";
 import type { Drawing } from "../../shared/drawing/drawing";
+import { readable } from "../../shared/drawing/fit";
 import { layoutModel } from "../../shared/drawing/layout";
-import type { Detail } from "../../shared/drawing/measure";
+import { details, type Detail, type Size } from "../../shared/drawing/measure";
 import { buildTree, stateAt, type ModelTree } from "../../shared/model/modelTree";
 import { useSession, useView } from "../client";
 import { layoutInWorker } from "./layoutEngine";
@@ -20,12 +20,7 @@ export function useTree(): ModelTree | undefined {
   return useMemo(() => (model === undefined ? undefined : buildTree(model.root)), [model]);
 }
 
-interface Canvas {
-  readonly width: number;
-  readonly height: number;
-}
-
-export function useDrawing(tree: ModelTree | undefined, canvas: Canvas | undefined): Laid | undefined {
+export function useDrawing(tree: ModelTree | undefined, canvas: Size | undefined): Laid | undefined {
   const focus = useView((view) => view.focus);
   const collapsed = useView((view) => view.collapsed);
   const wanted = useView((view) => view.detail);
@@ -45,12 +40,14 @@ export function useDrawing(tree: ModelTree | undefined, canvas: Canvas | undefin
     let current = true;
     const aspect = Math.min(2.4, Math.max(0.6, frame.width / frame.height));
     const draw = (detail: Detail) => layoutModel(layoutInWorker, { state, path, collapsed, detail, aspect });
+    const keyOf = (detail: Detail) => `${root ?? ""} ${path} ${detail} ${collapsed.size}`;
     const choose = async (): Promise<Laid> => {
-      const first: Detail = wanted === "slim" ? "slim" : "full";
-      const drawing = await draw(first);
-      const slim = wanted === "auto" && !readable(drawing, frame);
-      const detail = slim ? "slim" : first;
-      return { drawing: slim ? await draw("slim") : drawing, detail, key: `${root ?? ""} ${path} ${detail} ${collapsed.size}` };
+      for (const detail of wanted === "auto" ? details : []) {
+        const drawing = await draw(detail);
+        if (readable(drawing, frame) || detail === "slim") return { drawing, detail, key: keyOf(detail) };
+      }
+      const detail = wanted === "auto" ? "slim" : wanted;
+      return { drawing: await draw(detail), detail, key: keyOf(detail) };
     };
     void choose().then((next) => {
       if (current) setLaid(next);

@@ -1,17 +1,19 @@
 // The three.js scene of a cell: robots from URDF, bodies from their shapes, moved by poses. Z points up, as in the cell.
 import {
   AmbientLight,
+  Box3,
   BoxGeometry,
   BufferGeometry,
   Color,
   CylinderGeometry,
   DirectionalLight,
   GridHelper,
+  Group,
   HemisphereLight,
   Mesh,
   MeshStandardMaterial,
   Object3D,
-  PCFSoftShadowMap,
+  PCFShadowMap,
   PerspectiveCamera,
   Scene,
   SphereGeometry,
@@ -52,6 +54,8 @@ export class CellScene {
   private readonly camera = new PerspectiveCamera(38, 1, 0.02, 40);
   private readonly renderer = new WebGLRenderer({ antialias: true });
   private readonly controls: OrbitControls;
+  private readonly contents = new Group();
+  private readonly floor = new GridHelper(6, 60, 0xc3cbc6, 0xdde2de).rotateX(Math.PI / 2);
   private readonly bodies = new Map<string, Object3D>();
   private robots: URDFRobot[] = [];
   private readonly observer: ResizeObserver;
@@ -60,14 +64,14 @@ export class CellScene {
   constructor(private readonly host: HTMLElement) {
     this.scene.background = new Color(kBackground);
     this.camera.up.set(0, 0, 1);
-    this.camera.position.set(1.75, -1.55, 1.25);
+    this.camera.position.set(2.3, -2.0, 1.6);
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
     this.renderer.shadowMap.enabled = true;
-    this.renderer.shadowMap.type = PCFSoftShadowMap;
+    this.renderer.shadowMap.type = PCFShadowMap;
     host.append(this.renderer.domElement);
     this.renderer.domElement.setAttribute("aria-label", "3D view of the cell; drag to turn, wheel to zoom");
     this.controls = new OrbitControls(this.camera, this.renderer.domElement);
-    this.controls.target.set(0.25, 0, 0.35);
+    this.controls.target.set(0.25, 0, 0.3);
     this.controls.addEventListener("change", () => this.redraw());
     this.light();
     this.observer = new ResizeObserver(() => this.resize());
@@ -79,6 +83,8 @@ export class CellScene {
   fill(bodies: readonly Body[], robots: readonly RobotModel[]): void {
     for (const body of bodies) this.addBody(body);
     this.robots = robots.map((model) => this.addRobot(model));
+    const lowest = new Box3().setFromObject(this.contents).min.z;
+    this.floor.position.z = Number.isFinite(lowest) ? Math.min(0, lowest) - 0.002 : 0;
     this.redraw();
   }
 
@@ -109,7 +115,7 @@ export class CellScene {
     mesh.receiveShadow = true;
     place(mesh, body.pose);
     this.bodies.set(body.name, mesh);
-    this.scene.add(mesh);
+    this.contents.add(mesh);
   }
 
   private addRobot(model: RobotModel): URDFRobot {
@@ -119,7 +125,7 @@ export class CellScene {
       part.castShadow = true;
       part.receiveShadow = true;
     });
-    this.scene.add(robot);
+    this.contents.add(robot);
     return robot;
   }
 
@@ -130,9 +136,7 @@ export class CellScene {
     sun.shadow.mapSize.set(2048, 2048);
     sun.shadow.camera.left = sun.shadow.camera.bottom = -1.8;
     sun.shadow.camera.right = sun.shadow.camera.top = 1.8;
-    const grid = new GridHelper(4, 40, 0xc3cbc6, 0xdde2de).rotateX(Math.PI / 2);
-    grid.position.z = -0.001;
-    this.scene.add(sun, new AmbientLight(0xffffff, 0.55), new HemisphereLight(0xffffff, 0xd8ded9, 0.9), grid);
+    this.scene.add(sun, new AmbientLight(0xffffff, 0.55), new HemisphereLight(0xffffff, 0xd8ded9, 0.9), this.floor, this.contents);
   }
 
   private resize(): void {

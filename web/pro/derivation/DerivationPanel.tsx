@@ -1,6 +1,6 @@
 // The derivation of every micro step: macro steps to the left, their proof trees in the middle, the selected inference to the right.
 import { useEffect, useRef, useState } from "react";
-import { nodeAt, size, summary, type ProofPath } from "../../shared/derivation/proof";
+import { leading, nodeAt, size, summary, type ProofPath } from "../../shared/derivation/proof";
 import type { TraceStep } from "../../shared/messages/derivation";
 import { callText, inputText } from "../../shared/run/inputText";
 import { useSession, useView, view } from "../client";
@@ -65,8 +65,13 @@ function StepList({ steps, shown, follows }: StepListProps) {
   );
 }
 
+function firstPick(step: TraceStep): Picked {
+  const root = step.micro[0];
+  return { micro: 0, path: root === undefined ? [] : leading(root) };
+}
+
 function StepProofs({ step }: { readonly step: TraceStep }) {
-  const [picked, setPicked] = useState<Picked>({ micro: 0, path: [] });
+  const [picked, setPicked] = useState<Picked>(() => firstPick(step));
   const root = step.micro[picked.micro];
   const node = root === undefined ? undefined : nodeAt(root, picked.path);
   return (

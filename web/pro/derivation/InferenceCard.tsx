@@ -1,5 +1,5 @@
 // One inference as the thesis prints it: premises above the bar, conclusion below, the rule's name beside it.
-import { facts, judgement } from "../../shared/derivation/proof";
+import { facts, judgement, premiseCount } from "../../shared/derivation/proof";
 import type { Derivation } from "../../shared/messages/derivation";
 import { useSession, view } from "../client";
 
@@ -14,7 +14,7 @@ export function InferenceCard({ node }: { readonly node: Derivation }) {
         {text !== undefined && <small>{text.layer}</small>}
       </header>
       {text !== undefined && <p className="rule-text">{text.text}</p>}
-      <figure className="rule-figure" aria-label={`${node.rule}: ${node.premises.length} premises`}>
+      <figure className="rule-figure" aria-label={`${node.rule}: ${premiseCount(node)}`}>
         <ul className="premises">
           {node.premises.map((premise, i) => (
             <li key={i}>

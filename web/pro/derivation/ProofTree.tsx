@@ -1,6 +1,6 @@
 // One derivation as a tree that can be unfolded: rule, equation, what it concludes about, value, refinement.
 import { useState, type KeyboardEvent } from "react";
-import { notable, subjectText, type ProofPath } from "../../shared/derivation/proof";
+import { notable, premiseCount, subjectText, type ProofPath } from "../../shared/derivation/proof";
 import type { Derivation } from "../../shared/messages/derivation";
 import { clip, valueText } from "../../shared/model/describe";
 
@@ -66,7 +66,7 @@ function ProofNode({ node, path, picked, onPick }: NodeProps) {
             </code>
           )}
           {node.refinement !== undefined && <span className="refinement">{node.refinement}</span>}
-          {folds && !open && <small>{node.premises.length} premises</small>}
+          {folds && !open && <small>{premiseCount(node)}</small>}
         </button>
       </div>
       {folds && open && (

@@ -19,6 +19,7 @@ export function RsmFigure({ rsm, state, last }: Props) {
       current = false;
     };
   }, [rsm]);
+  const isLast = (transitions: readonly string[]) => last !== undefined && transitions.includes(last);
   if (drawing === undefined) return <p className="quiet">Drawing…</p>;
   return (
     <svg
@@ -29,16 +30,11 @@ export function RsmFigure({ rsm, state, last }: Props) {
       style={{ maxWidth: drawing.width, aspectRatio: `${drawing.width} / ${drawing.height}` }}
     >
       {drawing.arrows.map((arrow) => (
-        <path key={arrow.id} className={`rsm-arrow${arrow.id === last ? " is-last" : ""}`} d={splinePath(arrow.points)} markerEnd="url(#arrow-rsm)" />
+        <path key={arrow.id} className={`rsm-arrow${isLast(arrow.transitions) ? " is-last" : ""}`} d={splinePath(arrow.points)} markerEnd="url(#arrow-rsm)" />
       ))}
       {drawing.start.length > 0 && <path className="rsm-arrow" d={splinePath(drawing.start)} markerEnd="url(#arrow-rsm)" />}
-      {drawing.deferrals.map((link) => (
-        <path key={link.id} className="rsm-deferral" d={curve(link.from, link.to)}>
-          <title>deferred: answered by this transition</title>
-        </path>
-      ))}
       {drawing.arrows.map((arrow) => (
-        <g key={arrow.id} className={`rsm-label${arrow.label.spontaneous ? " is-spontaneous" : ""}${arrow.id === last ? " is-last" : ""}`}>
+        <g key={arrow.id} className={`rsm-label${arrow.label.spontaneous ? " is-spontaneous" : ""}${isLast(arrow.transitions) ? " is-last" : ""}`}>
           <rect x={arrow.label.x} y={arrow.label.y} width={arrow.label.width} height={arrow.label.height} rx={5} />
           <text x={arrow.label.x + arrow.label.width / 2} y={arrow.label.y + 13}>
             {arrow.label.text}
@@ -57,6 +53,11 @@ export function RsmFigure({ rsm, state, last }: Props) {
           </g>
         ),
       )}
+      {drawing.deferrals.map((link) => (
+        <path key={link.id} className="rsm-deferral" d={link.path}>
+          <title>deferred: answered by this transition</title>
+        </path>
+      ))}
       <defs>
         <marker id="arrow-rsm" viewBox="0 0 10 10" refX="9" refY="5" markerWidth="8" markerHeight="8" markerUnits="userSpaceOnUse" orient="auto">
           <path className="arrow-plain" d="M 0 0.5 L 10 5 L 0 9.5 z" />
@@ -64,9 +65,4 @@ export function RsmFigure({ rsm, state, last }: Props) {
       </defs>
     </svg>
   );
-}
-
-function curve(from: { readonly x: number; readonly y: number }, to: { readonly x: number; readonly y: number }): string {
-  const bend = (from.y + to.y) / 2;
-  return `M ${from.x} ${from.y} C ${from.x} ${bend}, ${to.x} ${bend}, ${to.x} ${to.y}`;
 }

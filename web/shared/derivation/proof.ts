@@ -102,6 +102,18 @@ export function summary(root: Derivation): string {
   return found.length === 0 ? "nothing new" : found.join(" · ");
 }
 
+/** The first inference at which something of note happens: the rules above it only lead there. */
+export function leading(root: Derivation): ProofPath {
+  if (root.rule !== "Micro" && root.rule !== "SProp") return [];
+  const next = root.premises.findIndex(notable);
+  const premise = root.premises[next];
+  return premise === undefined ? [] : [next, ...leading(premise)];
+}
+
+export function premiseCount(node: Derivation): string {
+  return node.premises.length === 1 ? "1 premise" : `${node.premises.length} premises`;
+}
+
 export function size(node: Derivation): number {
   return node.premises.reduce((sum, premise) => sum + size(premise), 1);
 }

@@ -98,10 +98,12 @@ export function compositeGraph(
 ): ElkGraph {
   const { direction, wrap, aspect } = arrangement;
   const head = headSize(state, detail);
-  const frame: ElkShape[] = state.ports.map((port) => ({
+  // Declaration order is the order of evaluation, so it is kept: ELK counts clockwise.
+  const clockwise = (i: number) => (side === "EAST" ? i : state.ports.length - 1 - i);
+  const frame: ElkShape[] = state.ports.map((port, i) => ({
     id: `${path}.${port.name}`,
     ...portSize(port, side, detail),
-    layoutOptions: { "elk.port.side": side, "elk.port.borderOffset": String(-portInset) },
+    layoutOptions: { "elk.port.side": side, "elk.port.index": String(clockwise(i)), "elk.port.borderOffset": String(-portInset) },
   }));
   const first: ElkShape = {
     id: firstOf(path),
@@ -127,7 +129,7 @@ export function compositeGraph(
           "elk.algorithm": "layered",
           "elk.direction": direction,
           "elk.edgeRouting": "ORTHOGONAL",
-          "elk.portConstraints": "FIXED_SIDE",
+          "elk.portConstraints": "FIXED_ORDER",
           "elk.aspectRatio": String(aspect),
           "elk.layered.wrapping.strategy": wrap ? "MULTI_EDGE" : "OFF",
           "elk.layered.wrapping.additionalEdgeSpacing": "8",
@@ -140,6 +142,7 @@ export function compositeGraph(
           "elk.spacing.edgeNode": "12",
           "elk.spacing.edgeEdge": "9",
           "elk.spacing.portPort": "10",
+          "elk.spacing.portsSurrounding": "[top=12,left=12,bottom=12,right=12]",
           "elk.layered.spacing.nodeNodeBetweenLayers": "30",
           "elk.layered.spacing.edgeNodeBetweenLayers": "12",
           "elk.layered.spacing.edgeEdgeBetweenLayers": "9",

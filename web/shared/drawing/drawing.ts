@@ -17,7 +17,10 @@ export type Side = "EAST" | "SOUTH";
 export interface DrawnPort extends Box {
   readonly address: string;
   readonly name: string;
+  /** As it is written in the drawing: clipped, or empty in a slim drawing. */
   readonly condition: string;
+  /** The whole condition. */
+  readonly when: string;
   /** Without a destination: the port leaves the parent or ends here. */
   readonly exits: boolean;
 }

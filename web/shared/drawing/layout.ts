@@ -178,7 +178,7 @@ function drawState(
     const box = boxes[i];
     if (box === undefined) return [];
     const condition = request.detail === "slim" ? "" : conditionText(port, side);
-    return [{ ...box, address: `${path}.${port.name}`, name: port.name, condition, exits: port.to === undefined }];
+    return [{ ...box, address: `${path}.${port.name}`, name: port.name, condition, when: port.when, exits: port.to === undefined }];
   });
   const badge = state.link !== undefined ? `link ${state.link}` : state.oracle;
   return {

@@ -16,8 +16,11 @@ const kPortGap = 8;
 const kPortInset = 14;
 export const kBarrier = { thickness: 8, length: 74 };
 
-/** How much is written into the states: `full`, or names and ports only. */
-export type Detail = "full" | "slim";
+/** How much is written into the states: everything; names and ports with their conditions; names alone. */
+export type Detail = "full" | "ports" | "slim";
+
+/** From the most to the least. */
+export const details: readonly Detail[] = ["full", "ports", "slim"];
 
 export interface Size {
   readonly width: number;
@@ -26,7 +29,7 @@ export interface Size {
 
 /** The text section: one line each in a leaf; a composite is wide, so its lines of one label share a row. */
 export function drawnLines(state: State, detail: Detail): readonly Line[] {
-  if (detail === "slim") return [];
+  if (detail !== "full") return [];
   const lines = describeState(state);
   if (state.children.length === 0) return lines.map((line) => ({ ...line, text: clip(line.text, kTextLimit) }));
   const labels = [...new Set(lines.map((line) => line.label))].filter((label) => label !== "action");

@@ -11,6 +11,8 @@ export interface RsmState extends Box {
 
 export interface RsmArrow {
   readonly id: string;
+  /** The transitions that it stands for: several where they differ in their operation only. */
+  readonly transitions: readonly string[];
   readonly points: readonly Point[];
   readonly label: Box & { readonly text: string; readonly spontaneous: boolean };
 }
@@ -20,7 +22,7 @@ export interface RsmDrawing {
   readonly arrows: readonly RsmArrow[];
   readonly start: readonly Point[];
   /** From the transition that takes a call to the one that answers it. */
-  readonly deferrals: readonly { readonly id: string; readonly from: Point; readonly to: Point }[];
+  readonly deferrals: readonly { readonly id: string; readonly path: string }[];
   readonly width: number;
   readonly height: number;
 }
@@ -28,7 +30,8 @@ export interface RsmDrawing {
 const kInit = "#init";
 const kAny = "#any";
 const kCharacter = 6.6;
-const kMargin = 12;
+const kMargin = 30;
+const kArc = 34;
 
 /** What stands on an arrow: the operation, or the transition's name where none is needed; codes of errors after a slash. */
 export function transitionText(transition: RsmTransition): string {
@@ -36,14 +39,39 @@ export function transitionText(transition: RsmTransition): string {
   return transition.error === undefined ? trigger : `${trigger} / ${transition.error}`;
 }
 
+interface Group {
+  readonly id: string;
+  readonly src: string;
+  readonly dst: string;
+  readonly transitions: readonly RsmTransition[];
+  readonly text: string;
+}
+
+/** Loops of one state share an arrow, unless a deferral or an error tells them apart. */
+function groups(rsm: Rsm): readonly Group[] {
+  const answers = new Set(rsm.transitions.flatMap((t) => t.defer));
+  const found = new Map<string, RsmTransition[]>();
+  for (const t of rsm.transitions) {
+    const plain = t.src === t.dst && t.defer.length === 0 && t.error === undefined && t.operation !== undefined && !answers.has(t.id);
+    const key = plain ? `loop ${t.dst}` : t.id;
+    found.set(key, [...(found.get(key) ?? []), t]);
+  }
+  return [...found.values()].flatMap((transitions) => {
+    const first = transitions[0];
+    if (first === undefined) return [];
+    const text = transitions.map(transitionText).join(", ");
+    return [{ id: first.id, src: first.src ?? kAny, dst: first.dst, transitions, text }];
+  });
+}
+
 export function rsmGraph(rsm: Rsm): ElkGraph {
   const any = rsm.transitions.some((t) => t.src === undefined);
   const states = rsm.states.map((s) => ({ id: s.name, width: Math.max(78, s.name.length * 8 + 30), height: 38 }));
-  const edges: ElkEdge[] = rsm.transitions.map((t) => ({
-    id: t.id,
-    sources: [t.src ?? kAny],
-    targets: [t.dst],
-    labels: [{ id: `${t.id}:label`, text: transitionText(t), width: transitionText(t).length * kCharacter + 14, height: 18 }],
+  const edges: ElkEdge[] = groups(rsm).map((group) => ({
+    id: group.id,
+    sources: [group.src],
+    targets: [group.dst],
+    labels: [{ id: `${group.id}:label`, text: group.text, width: group.text.length * kCharacter + 14, height: 18 }],
   }));
   if (rsm.init !== undefined) edges.push({ id: kInit, sources: [kInit], targets: [rsm.init] });
   return {
@@ -80,16 +108,18 @@ export async function drawRsm(engine: LayoutEngine, rsm: Rsm): Promise<RsmDrawin
     height: node.height ?? 0,
   }));
   const edges = new Map((graph.edges ?? []).map((edge) => [edge.id, edge]));
-  const arrows = rsm.transitions.map((t): RsmArrow => {
-    const label = edges.get(t.id)?.labels?.[0];
+  const arrows = groups(rsm).map((group): RsmArrow => {
+    const label = edges.get(group.id)?.labels?.[0];
     const box = { x: (label?.x ?? 0) + kMargin, y: (label?.y ?? 0) + kMargin, width: label?.width ?? 0, height: label?.height ?? 0 };
-    return { id: t.id, points: pointsOf(edges.get(t.id)), label: { ...box, text: transitionText(t), spontaneous: t.operation === undefined } };
+    const spontaneous = group.transitions.every((t) => t.operation === undefined);
+    const transitions = group.transitions.map((t) => t.id);
+    return { id: group.id, transitions, points: pointsOf(edges.get(group.id)), label: { ...box, text: group.text, spontaneous } };
   });
   return {
     states: boxes.map(({ id, ...box }) => ({ ...box, name: id === kAny ? "any state" : id, kind: id === kInit ? "init" : id === kAny ? "any" : "state" })),
     arrows,
     start: pointsOf(edges.get(kInit)),
-    deferrals: rsm.transitions.flatMap((t) => t.defer.flatMap((answer) => deferral(t.id, answer, arrows))),
+    deferrals: rsm.transitions.flatMap((t) => t.defer.flatMap((answer) => deferral(t.id, answer, arrows, (graph.height ?? 0) / 2 + kMargin))),
     width: (graph.width ?? 0) + 2 * kMargin,
     height: (graph.height ?? 0) + 2 * kMargin,
   };
@@ -101,13 +131,24 @@ function pointsOf(edge: ElkEdge | undefined): readonly Point[] {
   return [section.startPoint, ...(section.bendPoints ?? []), section.endPoint].map((p) => ({ x: p.x + kMargin, y: p.y + kMargin }));
 }
 
-function deferral(from: string, to: string, arrows: readonly RsmArrow[]): RsmDrawing["deferrals"] {
+function deferral(from: string, to: string, arrows: readonly RsmArrow[], middle: number): RsmDrawing["deferrals"] {
   const source = arrows.find((arrow) => arrow.id === from)?.label;
   const target = arrows.find((arrow) => arrow.id === to)?.label;
   if (source === undefined || target === undefined) return [];
-  const down = target.y > source.y;
-  const middle = (box: Box, below: boolean) => ({ x: box.x + box.width / 2, y: below ? box.y + box.height : box.y });
-  return [{ id: `${from}:${to}`, from: middle(source, down), to: middle(target, !down) }];
+  return [{ id: `${from}:${to}`, path: deferralPath(source, target, middle) }];
+}
+
+/** Straight down where one label stands above the other; else an arc around what lies between them. */
+function deferralPath(source: Box, target: Box, middle: number): string {
+  const [a, b] = [source.x + source.width / 2, target.x + target.width / 2];
+  if (Math.abs(a - b) < (source.width + target.width) / 2) {
+    const down = target.y > source.y;
+    return `M ${a} ${down ? source.y + source.height : source.y} L ${b} ${down ? target.y : target.y + target.height}`;
+  }
+  const above = source.y + source.height / 2 <= middle;
+  const [from, to] = above ? [source.y, target.y] : [source.y + source.height, target.y + target.height];
+  const bend = above ? Math.min(from, to) - kArc : Math.max(from, to) + kArc;
+  return `M ${a} ${from} C ${a} ${bend}, ${b} ${bend}, ${b} ${to}`;
 }
 
 /** The SVG path of an arrow: ELK's splines come as groups of three points of cubic curves. */

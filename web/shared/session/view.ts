@@ -1,5 +1,6 @@
 // How a person looks at the task: what is selected, opened and shown. A value, and what each gesture makes of it.
 import { assertNever } from "../assertNever";
+import type { Detail } from "../drawing/measure";
 import { ancestry, splitAddress } from "../model/modelTree";
 
 export type Selection = { readonly kind: "node"; readonly path: string } | { readonly kind: "port"; readonly address: string };
@@ -15,11 +16,13 @@ export interface View {
   readonly focus: string | undefined;
   readonly collapsed: ReadonlySet<string>;
   /** `auto`: as much detail as can be read at first fit. */
-  readonly detail: "auto" | "full" | "slim";
+  readonly detail: "auto" | Detail;
   /** Grows when the canvas shall bring the selection into sight. */
   readonly reveal: number;
   /** The macro step whose derivation is shown; none: the latest. */
   readonly step: number | undefined;
+  /** Whether the cell is shown beside the task. */
+  readonly inset: boolean;
 }
 
 export type Gesture =
@@ -33,6 +36,7 @@ export type Gesture =
   | { readonly type: "expand_all" }
   | { readonly type: "detail"; readonly detail: View["detail"] }
   | { readonly type: "step"; readonly step: number | undefined }
+  | { readonly type: "inset"; readonly shown: boolean }
   | { readonly type: "forget" };
 
 export const initialView: View = {
@@ -44,6 +48,7 @@ export const initialView: View = {
   detail: "auto",
   reveal: 0,
   step: undefined,
+  inset: false,
 };
 
 export function pathOf(selection: Selection): string {
@@ -89,8 +94,10 @@ export function applyGesture(view: View, gesture: Gesture): View {
       return { ...view, detail: gesture.detail };
     case "step":
       return { ...view, step: gesture.step, drawer: "derivation" };
+    case "inset":
+      return { ...view, inset: gesture.shown };
     case "forget":
-      return { ...initialView, page: view.page, drawer: view.drawer, detail: view.detail };
+      return { ...initialView, page: view.page, drawer: view.drawer, detail: view.detail, inset: view.inset };
     default:
       return assertNever(gesture);
   }

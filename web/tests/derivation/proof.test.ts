@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { facts, judgement, mergeSteps, nodeAt, notable, size, subjectText, summary } from "../../shared/derivation/proof";
+import { facts, judgement, leading, mergeSteps, nodeAt, notable, size, subjectText, summary } from "../../shared/derivation/proof";
 import type { Derivation, TraceStep } from "../../shared/messages/derivation";
 import { caseNames, runOf } from "../conformance";
 
@@ -49,6 +49,10 @@ describe("a proof tree", () => {
   });
   it("says in a few words what a micro step did", () => {
     expect(summary(micro)).toBe("Pick.collision fires");
+  });
+  it("leads to the first inference at which something happens", () => {
+    expect(nodeAt(micro, leading(micro))).toMatchObject({ rule: "PTrigger", at: "Root/Pick", port: "collision" });
+    expect(leading(node("PTrans1"))).toEqual([]);
   });
   it("finds a node by its path", () => {
     expect(nodeAt(micro, [0, 1])).toBe(micro.premises[0]?.premises[1]);

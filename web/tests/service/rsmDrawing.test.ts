@@ -45,6 +45,12 @@ describe("drawRsm", async () => {
       ["stop / aborted", false],
     ]);
   });
+  it("lets loops of a stateless service share an arrow", async () => {
+    const loops = ["get", "add"].map((name) => ({ id: name, src: "Ready", dst: "Ready", operation: name }));
+    const stateless = { rsm: 1, name: "db", operations: [{ name: "get" }, { name: "add" }], events: [], states: [{ name: "Ready" }], transitions: loops };
+    const arrows = (await drawRsm(engine, rsm(stateless, ""))).arrows;
+    expect(arrows.map((arrow) => [arrow.label.text, arrow.transitions])).toEqual([["get, add", ["get", "add"]]]);
+  });
   it("links a deferred call with the transition that answers it", () => {
     expect(drawing.deferrals.map((link) => link.id)).toEqual(["start:arrive"]);
   });

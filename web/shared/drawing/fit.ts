@@ -1,0 +1,31 @@
+// How a drawing fits its canvas: the first view of it, and how much detail can be read there.
+import type { Drawing } from "./drawing";
+import type { Size } from "./measure";
+
+/** Below this zoom the code in a drawing is too small to read. */
+const kReadable = 0.72;
+const kLargest = 1.25;
+/** Kept free for the breadcrumb above, and around [px]. */
+const kTop = 50;
+const kAround = 14;
+
+export interface Viewport {
+  readonly x: number;
+  readonly y: number;
+  readonly zoom: number;
+}
+
+/** The whole drawing, as large as the canvas allows, in the middle of what the breadcrumb leaves. */
+export function fit(drawing: Size, canvas: Size): Viewport {
+  const room = { width: canvas.width - 2 * kAround, height: canvas.height - kTop - kAround };
+  const zoom = Math.max(0.02, Math.min(kLargest, room.width / drawing.width, room.height / drawing.height));
+  return {
+    zoom,
+    x: kAround + (room.width - drawing.width * zoom) / 2,
+    y: kTop + (room.height - drawing.height * zoom) / 2,
+  };
+}
+
+export function readable(drawing: Drawing, canvas: Size): boolean {
+  return fit(drawing, canvas).zoom >= kReadable;
+}

@@ -1,0 +1,27 @@
+import { describe, expect, it } from "vitest";
+import { fit } from "../../shared/drawing/fit";
+import { roundedPath } from "../../shared/drawing/path";
+
+const canvas = { width: 1000, height: 640 };
+
+describe("fit", () => {
+  it.each([
+    { width: 400, height: 300 },
+    { width: 4000, height: 300 },
+    { width: 400, height: 3000 },
+  ])("shows all of a drawing of $width by $height, below the breadcrumb", (drawing) => {
+    const view = fit(drawing, canvas);
+    expect(view.x).toBeGreaterThanOrEqual(0);
+    expect(view.y).toBeGreaterThanOrEqual(44);
+    expect(view.x + drawing.width * view.zoom).toBeLessThanOrEqual(canvas.width);
+    expect(view.y + drawing.height * view.zoom).toBeLessThanOrEqual(canvas.height);
+  });
+  it("does not blow a small drawing up", () => expect(fit({ width: 10, height: 10 }, canvas).zoom).toBe(1.25));
+});
+
+describe("roundedPath", () => {
+  it("rounds corners, and never beyond the middle of a short piece", () => {
+    const path = roundedPath([{ x: 0, y: 0 }, { x: 4, y: 0 }, { x: 4, y: 100 }], 10);
+    expect(path).toBe("M 0 0 L 2 0 Q 4 0 4 10 L 4 100");
+  });
+});
