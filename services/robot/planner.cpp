@@ -77,14 +77,17 @@ tl::expected<Pose, Refusal> target_pose(const ArmModel& arm, const Joints& start
   return checked_pose(pose);
 }
 
-Refusal unreachable(const ArmModel& arm, const Pose& target) {
+/// m that the target is farther from the shoulder than the stretched arm; at most 0 within its reach.
+double beyond_reach(const ArmModel& arm, const Pose& target) {
   const Vec3& shoulder = arm.shoulder();
-  const double distance =
-      std::hypot(target.position[0] - shoulder[0], target.position[1] - shoulder[1], target.position[2] - shoulder[2]);
-  if (distance > arm.reach()) {
-    return {"unreachable", "target",
-            "the target is " + text(distance) + " m from the shoulder, the reach is " + text(arm.reach()) + " m"};
-  }
+  return std::hypot(target.position[0] - shoulder[0], target.position[1] - shoulder[1],
+                    target.position[2] - shoulder[2]) -
+         arm.reach();
+}
+
+Refusal unreachable(const ArmModel& arm, const Pose& target) {
+  const double beyond = beyond_reach(arm, target);
+  if (beyond > 0) return {"unreachable", "target", "the target is " + text(beyond) + " m beyond the arm's reach"};
   return {"unreachable", "target", "no joint positions within the limits reach this pose"};
 }
 
@@ -95,7 +98,8 @@ tl::expected<Joints, Refusal> goal_of(const ArmModel& arm, const PlannerSettings
   if (!pose) return tl::unexpected(pose.error());
   IkOptions options;
   options.preferred = settings.preferred;
-  if (const auto goal = solve_ik(arm, *pose, start, options)) return *goal;
+  const bool near = beyond_reach(arm, *pose) <= 0;
+  if (const auto goal = near ? solve_ik(arm, *pose, start, options) : std::nullopt) return *goal;
   return tl::unexpected(unreachable(arm, *pose));
 }
 

@@ -102,7 +102,8 @@ TEST_P(Grasp, LiftsAPartAndHoldsItWithoutSlip) {
 
 INSTANTIATE_TEST_SUITE_P(Parts, Grasp,
                          testing::Values(Part{"cube_red", "[0.04]", 0.04}, Part{"block_green", "[0.06, 0.1, 40]", 0.06},
-                                         Part{"cube_blue", "[0.05, 0.05, 30]", 0.0707}),
+                                         Part{"cube_blue", "[0.05, 0.05, 30]", 0.0707},
+                                         Part{"can_yellow", "[0.04]", 0.04}),
                          [](const auto& info) { return info.param.name; });
 
 TEST(Grasp, KeepsThePartThroughAFastMotion) {

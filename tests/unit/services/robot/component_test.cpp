@@ -1,6 +1,8 @@
 // The service `robot` as tasks meet it: operations, responses, events; the monitor watches every announcement.
 #include <gmock/gmock.h>
 
+#include <random>
+
 #include "services/robot/robot.h"
 #include "tests/unit/services/robot/recorder.h"
 #include "tests/unit/services/robot/rig.h"
@@ -114,6 +116,54 @@ TEST_F(RobotService, RefusesWrongArgumentsWithTheirNameAndNeverMoves) {
   }
   run(0.5);
   for (std::size_t i = 0; i < kJoints; ++i) EXPECT_NEAR(world->q()[i], before[i], 1e-6);
+}
+
+TEST_F(RobotService, AnswersAnyTargetAndNeverLeavesItsLimits) {
+  constexpr unsigned seed = 99;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  const std::vector<double> odd = {0, -0.0, 1e-300, 1e300, -1e18, 0.5, 1, M_PI, INFINITY, -INFINITY, NAN};
+  const auto number = [&] {
+    if (random() % 4 == 0) return Value(odd[random() % odd.size()]);
+    if (random() % 20 == 0) return Value("one");
+    return Value(std::uniform_real_distribution(-1.0, 1.0)(random));
+  };
+  const auto numbers = [&](std::size_t count) {
+    List list;
+    for (std::size_t i = random() % 15 == 0 ? 1 : 0; i < count; ++i) list.push_back(number());
+    return Value(list);
+  };
+  int accepted = 0;
+  for (int i = 0; i < 300; ++i) {
+    Value target;
+    switch (random() % 4) {
+      case 0:
+        target = Dict{{"joints", numbers(7)}};
+        break;
+      case 1:
+        target = Dict{{"offset", numbers(3)}};
+        break;
+      case 2:
+        target = Dict{{"position", numbers(3)}, {"orientation", numbers(4)}};
+        break;
+      default:
+        target = Dict{{"position", numbers(3)}, {"orientation", List{Value(1), Value(0), Value(0), Value(0)}}};
+    }
+    services::Call call{1000000U + static_cast<CallId>(i), "move", {target}, {}};
+    if (random() % 3 == 0) call.kwargs.set("speed", number());
+    if (random() % 3 == 0) call.kwargs.set("kind", Value(random() % 2 == 0 ? "lin" : "ptp"));
+    host.hand_over(*robot, call);
+    run(0.05);
+    accepted += host.answered(call.id) ? 0 : 1;
+    this->call("stop");
+    ASSERT_TRUE(host.answered(call.id)) << "case " << i;
+    for (std::size_t joint = 0; joint < kJoints; ++joint) {
+      ASSERT_TRUE(std::isfinite(world->torques()[joint])) << "case " << i;
+      ASSERT_LE(std::abs(world->dq()[joint]), 4) << "case " << i;
+    }
+  }
+  EXPECT_GT(accepted, 20) << "the cases reach motions, too";
+  EXPECT_LT(accepted, 280);
 }
 
 TEST_F(RobotService, SamplesItsStateAHundredTimesASecond) {

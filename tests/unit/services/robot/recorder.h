@@ -42,10 +42,15 @@ class Recorder final : public ServiceHost {
     const Value given = parse_json(arguments).value();
     if (given.is_list()) call.args = given.as_list();
     if (given.is_dict()) call.kwargs = given.as_dict();
-    // Wrong arguments are the caller's violation, not the component's.
-    static_cast<void>(monitor_.called(call.id, operation, call.args, call.kwargs));
-    component.call(call);
+    hand_over(component, call);
     return call.id;
+  }
+
+  /// As call(), with a call as a core would hand it over. Requires an id that was not used.
+  void hand_over(Component& component, const Call& call) {
+    // Wrong arguments are the caller's violation, not the component's.
+    static_cast<void>(monitor_.called(call.id, call.operation, call.args, call.kwargs));
+    component.call(call);
   }
 
   std::string code(CallId call) const {
