@@ -1,0 +1,85 @@
+#include "core/language/code.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/language/machine_internal.h"
+
+namespace race::language {
+
+std::string_view name(FaultKind kind) {
+  static constexpr std::array<std::string_view, 10> kNames = {
+      "type", "missing", "zero_division", "overflow", "budget", "value", "name", "unmet", "unresolved", "divergence"};
+  static_assert(kNames.size() == static_cast<std::size_t>(FaultKind::divergence) + 1);
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+// The service table.
+
+EventId ServiceTable::declare_event(std::string_view service, std::string_view name, bool sampled) {
+  const EventId id = event(service, name);
+  events_[id].sampled = sampled;
+  return id;
+}
+
+OperationId ServiceTable::declare_operation(std::string_view service, std::string_view name, bool safe) {
+  const OperationId id = operation(service, name);
+  operations_[id].safe = safe;
+  return id;
+}
+
+EventId ServiceTable::event(std::string_view service, std::string_view name) {
+  const auto [at, is_new] = event_ids_.try_emplace(Key(service, name), static_cast<EventId>(events_.size()));
+  if (is_new) events_.push_back({std::string(service), std::string(name), false});
+  return at->second;
+}
+
+OperationId ServiceTable::operation(std::string_view service, std::string_view name) {
+  const auto [at, is_new] =
+      operation_ids_.try_emplace(Key(service, name), static_cast<OperationId>(operations_.size()));
+  if (is_new) operations_.push_back({std::string(service), std::string(name), false});
+  return at->second;
+}
+
+EventId ServiceTable::find_event(std::string_view service, std::string_view name) const {
+  const auto found = event_ids_.find(Key(service, name));
+  return found == event_ids_.end() ? kNone : found->second;
+}
+
+OperationId ServiceTable::find_operation(std::string_view service, std::string_view name) const {
+  const auto found = operation_ids_.find(Key(service, name));
+  return found == operation_ids_.end() ? kNone : found->second;
+}
+
+std::vector<std::string> ServiceTable::services() const {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
+  for (const Event& event : events_) add(event.service);
+  for (const Operation& operation : operations_) add(operation.service);
+  return names;
+}
+
+// Code and Interpreter.
+
+CodeKind Code::kind() const { return program_->kind; }
+const std::string& Code::text() const { return program_->text; }
+const Mentions& Code::mentions() const { return program_->mentions; }
+
+Interpreter::Interpreter() : Interpreter(Limits()) {}
+Interpreter::Interpreter(Limits limits) : state_(std::make_unique<State>(limits)) {}
+Interpreter::~Interpreter() = default;
+
+Truth Interpreter::condition(const Code& code, Environment& environment) {
+  return state_->machine.condition(code.program(), environment);
+}
+std::optional<Value> Interpreter::expression(const Code& code, Environment& environment) {
+  return state_->machine.expression(code.program(), environment);
+}
+Interpreter::Outcome Interpreter::function(const Code& code, Environment& environment) {
+  return state_->machine.function(code.program(), environment);
+}
+const Fault& Interpreter::fault() const { return state_->machine.fault(); }
+
+}  // namespace race::language
