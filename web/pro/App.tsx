@@ -43,12 +43,7 @@ export function App() {
       <TopBar />
       <TaskPanel tree={tree} />
       <main className="stage" id="stage">
-        {page === "task" && (
-          <>
-            <ModelCanvas tree={tree} />
-            <CellInset />
-          </>
-        )}
+        {page === "task" && <ModelCanvas tree={tree} />}
         {page === "services" && <ServicesView />}
         {page === "cell" && (
           <Suspense fallback={<div className="canvas-empty">Loading the cell…</div>}>
@@ -56,7 +51,10 @@ export function App() {
           </Suspense>
         )}
       </main>
-      <PropertiesPanel tree={tree} />
+      <div className="right">
+        <PropertiesPanel tree={tree} />
+        {page === "task" && <CellInset />}
+      </div>
       <footer className="foot">
         <RunBar />
         <Drawer />

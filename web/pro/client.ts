@@ -49,6 +49,7 @@ export function connect(): void {
 
 async function loadLists(): Promise<void> {
   try {
+    session.dispatch({ type: "cell", present: (await api.health()).cell });
     session.dispatch({ type: "rules", rules: await api.rules() });
     session.dispatch({ type: "documents", documents: await api.documents() });
   } catch (error) {

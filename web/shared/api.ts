@@ -1,5 +1,5 @@
 // The REST door: every request to the server, each answer parsed from `unknown` before anyone sees it.
-import { array, number, object, present, string, type Decoder, type JsonValue } from "./json/decode";
+import { array, boolean, number, object, present, string, type Decoder, type JsonValue } from "./json/decode";
 import { scene, type Scene } from "./messages/cell";
 import { core, type Core } from "./messages/core";
 import { rules, traceSteps, type RuleText, type TraceStep } from "./messages/derivation";
@@ -12,6 +12,12 @@ export interface DocumentEntry {
   readonly name: string;
   readonly revision: number;
   readonly doc?: string;
+}
+
+/** What the server hosts; `cell`: it has a simulated cell. */
+export interface Health {
+  readonly version: string;
+  readonly cell: boolean;
 }
 
 /** How far a paused core goes. */
@@ -42,6 +48,8 @@ const documents: Decoder<readonly DocumentEntry[]> = object((f) =>
   ),
 );
 
+const health: Decoder<Health> = object((f) => ({ version: f.need("version", string), cell: f.need("cell", boolean) }));
+
 const native: Decoder<RcmDocument> = object((f) => f.need("document", rcmDocument));
 
 const segment = encodeURIComponent;
@@ -58,6 +66,7 @@ export function createApi(base: string, fetcher: typeof fetch) {
   const get = <T>(path: string, decoder: Decoder<T>) => request("GET", path, decoder);
   const command = (id: string, name: string) => request("POST", `/cores/${segment(id)}/${name}`, core);
   return {
+    health: (): Promise<Health> => get("/health", health),
     rules: (): Promise<readonly RuleText[]> => get("/rules", rules),
     documents: (): Promise<readonly DocumentEntry[]> => get("/documents", documents),
     createCore: (document: string, args: Readonly<Record<string, JsonValue>>): Promise<Core> =>

@@ -1,7 +1,7 @@
 // What the canvas can be asked: how much it writes, and to collapse or expand everything.
 import type { Detail } from "../../shared/drawing/measure";
 import type { ModelTree } from "../../shared/model/modelTree";
-import { useView, view } from "../client";
+import { useSession, useView, view } from "../client";
 
 const choices: readonly { readonly detail: Detail; readonly name: string; readonly title: string }[] = [
   { detail: "slim", name: "Names", title: "States and ports by name" },
@@ -12,6 +12,7 @@ const choices: readonly { readonly detail: Detail; readonly name: string; readon
 export function CanvasTools({ tree, detail }: { readonly tree: ModelTree; readonly detail: Detail }) {
   const collapsed = useView((v) => v.collapsed.size > 0);
   const composites = [...tree.values()].filter((entry) => entry.depth > 0 && entry.children.length > 0).map((entry) => entry.path);
+  const hasCell = useSession((s) => s.cell);
   const inset = useView((v) => v.inset);
   return (
     <div className="canvas-tools" role="toolbar" aria-label="Drawing">
@@ -33,9 +34,11 @@ export function CanvasTools({ tree, detail }: { readonly tree: ModelTree; readon
           {collapsed ? "Expand all" : "Collapse all"}
         </button>
       )}
-      <button type="button" aria-pressed={inset} onClick={() => view.dispatch({ type: "inset", shown: !inset })}>
-        Cell view
-      </button>
+      {hasCell && (
+        <button type="button" className="tool-cell" aria-pressed={inset} onClick={() => view.dispatch({ type: "inset", shown: !inset })}>
+          Cell view
+        </button>
+      )}
     </div>
   );
 }

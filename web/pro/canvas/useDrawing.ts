@@ -41,17 +41,15 @@ export function useDrawing(tree: ModelTree | undefined, canvas: Size | undefined
     const aspect = Math.min(2.4, Math.max(0.6, frame.width / frame.height));
     const draw = (detail: Detail) => layoutModel(layoutInWorker, { state, path, collapsed, detail, aspect });
     const keyOf = (detail: Detail) => `${root ?? ""} ${path} ${detail} ${collapsed.size}`;
-    const choose = async (): Promise<Laid> => {
-      for (const detail of wanted === "auto" ? details : []) {
+    // The least detail is there first; more follows as long as it can be read.
+    const show = async () => {
+      for (const detail of wanted === "auto" ? details : [wanted]) {
         const drawing = await draw(detail);
-        if (readable(drawing, frame) || detail === "slim") return { drawing, detail, key: keyOf(detail) };
+        if (!current || (detail !== "slim" && wanted === "auto" && !readable(drawing, frame))) return;
+        setLaid({ drawing, detail, key: keyOf(detail) });
       }
-      const detail = wanted === "auto" ? "slim" : wanted;
-      return { drawing: await draw(detail), detail, key: keyOf(detail) };
     };
-    void choose().then((next) => {
-      if (current) setLaid(next);
-    });
+    void show();
     return () => {
       current = false;
     };

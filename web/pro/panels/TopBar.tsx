@@ -79,6 +79,7 @@ function NewRun() {
 
 function PageTabs() {
   const page = useView((v) => v.page);
+  const hasCell = useSession((s) => s.cell);
   const broken = useSession((s) => s.services.reduce((sum, service) => sum + service.violations.length, 0));
   return (
     <div className="tabs" role="tablist" aria-label="Pages">
@@ -87,6 +88,7 @@ function PageTabs() {
           key={entry.page}
           type="button"
           role="tab"
+          disabled={entry.page === "cell" && !hasCell}
           aria-selected={page === entry.page}
           onClick={() => view.dispatch({ type: "page", page: entry.page })}
         >

@@ -109,9 +109,11 @@ export function compositeGraph(
     id: firstOf(path),
     width: 0,
     height: 0,
-    layoutOptions: { "elk.port.side": direction === "RIGHT" ? "WEST" : "NORTH" },
+    layoutOptions: { "elk.port.side": direction === "RIGHT" ? "WEST" : "NORTH", "elk.port.index": "0" },
   };
-  const edges: ElkEdge[] = linesOf(state, path).map((line) => ({
+  // Where rows are wrapped, an edge from the frame would cost a column of its own: layout.ts draws that arrow.
+  const routed = linesOf(state, path).filter((line) => !(wrap && line.kind === "first"));
+  const edges: ElkEdge[] = routed.map((line) => ({
     id: line.id,
     sources: [frameSource(line)],
     targets: [line.kind === "exit" ? line.to : inletOf(line.to)],
@@ -122,7 +124,7 @@ export function compositeGraph(
     children: [
       {
         id: path,
-        ports: [...frame, first],
+        ports: wrap ? frame : [first, ...frame],
         children: children.map((child) => childShape(child, direction)),
         edges,
         layoutOptions: {

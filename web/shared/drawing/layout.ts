@@ -1,7 +1,7 @@
 // Automatic layout of a nested model: every composite is laid out alone, from the inside out, in several arrangements; the one
 // that fills a landscape frame best is taken. No line crosses more than one border (constraint after Def. 3.8), so that suffices.
 import type { Node, State } from "../model/model";
-import { compositeGraph, linesOf, type Arrangement, type ChildBox } from "./compositeGraph";
+import { compositeGraph, inletOf, linesOf, type Arrangement, type ChildBox } from "./compositeGraph";
 import type { Box, DrawnLine, DrawnNode, DrawnPort, Drawing, Point, Side } from "./drawing";
 import type { ElkEdge, ElkGraph, LayoutEngine } from "./elk";
 import { barrierSize, conditionText, drawnLines, headSize, leafBoxes, portInset, type Detail, type Size } from "./measure";
@@ -73,11 +73,19 @@ function arrangements(direction: Arrangement["direction"], children: number, asp
   return [plain, { direction, wrap: true, aspect }, { direction, wrap: true, aspect: aspect * 1.6 }];
 }
 
-/** The block that can be shown largest in a frame of this aspect, with some weight on its area. */
+/** How far the eye has to travel along a line, on average: long ways around cost readability. */
+function travel(lines: readonly DrawnLine[]): number {
+  const length = (points: readonly Point[]) =>
+    points.reduce((sum, p, i) => sum + Math.hypot(p.x - (points[i - 1] ?? p).x, p.y - (points[i - 1] ?? p).y), 0);
+  const weight = (line: DrawnLine) => (line.kind === "exit" ? 0.4 : 1);
+  return lines.length === 0 ? 0 : lines.reduce((sum, line) => sum + weight(line) * length(line.points), 0) / lines.length;
+}
+
+/** The block that can be shown largest in a frame of this aspect, with some weight on its area and on the length of its lines. */
 function best(blocks: readonly Block[], aspect: number): Block {
-  const cost = ({ size, ports }: Block) => {
+  const cost = ({ size, ports, lines }: Block) => {
     const width = size.width + Math.max(0, ...ports.map((port) => port.x + port.width - size.width));
-    return Math.max(width / aspect, size.height) + 0.35 * Math.sqrt((width * size.height) / aspect);
+    return Math.max(width / aspect, size.height) + 0.35 * Math.sqrt((width * size.height) / aspect) + 1.2 * travel(lines);
   };
   const first = blocks[0];
   if (first === undefined) throw new Error("no arrangement");
@@ -133,10 +141,27 @@ function levelLines(
   const head = headSize(state, request.detail).height;
   const edges = new Map((graph.edges ?? []).map((edge) => [edge.id, edge]));
   return linesOf(state, path).flatMap((line): DrawnLine[] => {
-    const points = edgePoints(edges.get(line.id));
+    const edge = edges.get(line.id);
+    const points = edge === undefined && line.kind === "first" ? firstArrow(line.to, graph) : edgePoints(edge);
     if (points.length < 2) return [];
     return [{ ...line, depth: depth + 1, points: line.kind === "first" ? beneath(points, head) : points }];
   });
+}
+
+const kFirstArrow = 20;
+
+/** The arrow to `first` where ELK does not route it: from the border if nothing stands between, else from a dot before the child. */
+function firstArrow(to: string, graph: ElkGraph): readonly Point[] {
+  const child = graph.children?.find((entry) => entry.id === to);
+  const inlet = child?.ports?.find((port) => port.id === inletOf(to));
+  if (child === undefined || inlet === undefined) return [];
+  const end = { x: (child.x ?? 0) + (inlet.x ?? 0), y: (child.y ?? 0) + (inlet.y ?? 0) };
+  if (inlet.y === 0) return [{ x: end.x, y: end.y - kFirstArrow }, end];
+  const blocked = graph.children?.some((other) => {
+    const top = other.y ?? 0;
+    return other !== child && (other.x ?? 0) < end.x && top - kFirstArrow < end.y && end.y < top + (other.height ?? 0) + kFirstArrow;
+  });
+  return [{ x: blocked === true ? end.x - kFirstArrow : 0, y: end.y }, end];
 }
 
 /** The arrow to `first` that comes from above begins beneath the text section, where the children's area begins. */

@@ -19,8 +19,8 @@ export const kBarrier = { thickness: 8, length: 74 };
 /** How much is written into the states: everything; names and ports with their conditions; names alone. */
 export type Detail = "full" | "ports" | "slim";
 
-/** From the most to the least. */
-export const details: readonly Detail[] = ["full", "ports", "slim"];
+/** From the least to the most. */
+export const details: readonly Detail[] = ["slim", "ports", "full"];
 
 export interface Size {
   readonly width: number;

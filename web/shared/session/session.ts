@@ -18,6 +18,8 @@ export interface Fired {
 
 export interface Session {
   readonly connection: Connection;
+  /** Whether the server has a cell to show. */
+  readonly cell: boolean;
   readonly documents: readonly DocumentEntry[];
   readonly rules: ReadonlyMap<string, RuleText>;
   readonly cores: readonly Core[];
@@ -36,6 +38,7 @@ export interface Session {
 
 export type SessionEvent =
   | { readonly type: "connection"; readonly connection: Connection }
+  | { readonly type: "cell"; readonly present: boolean }
   | { readonly type: "documents"; readonly documents: readonly DocumentEntry[] }
   | { readonly type: "rules"; readonly rules: readonly RuleText[] }
   | { readonly type: "watched"; readonly id: string | undefined }
@@ -48,6 +51,7 @@ const kLogLines = 500;
 
 export const emptySession: Session = {
   connection: "connecting",
+  cell: false,
   documents: [],
   rules: new Map(),
   cores: [],
@@ -70,6 +74,8 @@ export function applyEvent(session: Session, event: SessionEvent): Session {
   switch (event.type) {
     case "connection":
       return { ...session, connection: event.connection };
+    case "cell":
+      return { ...session, cell: event.present };
     case "documents":
       return { ...session, documents: event.documents };
     case "rules":

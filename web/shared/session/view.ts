@@ -48,7 +48,7 @@ export const initialView: View = {
   detail: "auto",
   reveal: 0,
   step: undefined,
-  inset: false,
+  inset: true,
 };
 
 export function pathOf(selection: Selection): string {
