@@ -41,6 +41,12 @@ Truth Machine::part(const Program& program, Environment& environment, NodeId nod
   return over() ? Truth::fault : truth;
 }
 
+Value Machine::value(const Program& program, Environment& environment, NodeId node) {
+  begin(program, environment, false);
+  Value out;
+  return evaluate(node, out);
+}
+
 std::optional<Value> Machine::expression(const Program& program, Environment& environment) {
   begin(program, environment, false);
   Value out;

@@ -34,8 +34,9 @@ class Machine {
   Interpreter::Outcome function(const Program& program, Environment& environment);
   const Fault& fault() const { return context_.fault; }
 
-  /// The truth of one part of a condition, for explanations: evaluated alone, with a budget of its own.
+  // For explanations: one part of a condition, evaluated alone with a budget of its own.
   Truth part(const Program& program, Environment& environment, NodeId node);
+  Value value(const Program& program, Environment& environment, NodeId node);  // unknown after a fault
 
  private:
   enum class Flow : std::uint8_t { next, leave, again, halt };
