@@ -31,7 +31,7 @@ export interface RobotModel {
 }
 
 const kBackground = 0xf0f2ef;
-const kBodyColour = [0.72, 0.76, 0.74] as const;
+const kBodyColour = "#b8c2bd";
 
 function geometryOf(shape: Shape): BufferGeometry {
   switch (shape.kind) {
@@ -109,8 +109,7 @@ export class CellScene {
   }
 
   private addBody(body: Body): void {
-    const [red = 0, green = 0, blue = 0] = body.colour ?? kBodyColour;
-    const mesh = new Mesh(geometryOf(body.shape), new MeshStandardMaterial({ color: new Color(red, green, blue), roughness: 0.75 }));
+    const mesh = new Mesh(geometryOf(body.shape), new MeshStandardMaterial({ color: new Color(body.colour ?? kBodyColour), roughness: 0.75 }));
     mesh.castShadow = !body.fixed;
     mesh.receiveShadow = true;
     place(mesh, body.pose);

@@ -1,7 +1,7 @@
 // The derivation of every micro step: macro steps to the left, their proof trees in the middle, the selected inference to the right.
 import { useEffect, useRef, useState } from "react";
 import { leading, nodeAt, size, summary, type ProofPath } from "../../shared/derivation/proof";
-import type { TraceStep } from "../../shared/messages/derivation";
+import type { Derivation, TraceStep } from "../../shared/messages/derivation";
 import { callText, inputText } from "../../shared/run/inputText";
 import { useSession, useView, view } from "../client";
 import { InferenceCard } from "./InferenceCard";
@@ -65,6 +65,30 @@ function StepList({ steps, shown, follows }: StepListProps) {
   );
 }
 
+interface ProofProps {
+  readonly micro: Derivation;
+  readonly number: number;
+  readonly picked: ProofPath | undefined;
+  readonly onPick: (path: ProofPath) => void;
+}
+
+function Proof({ micro, number, picked, onPick }: ProofProps) {
+  const [unfolded, setUnfolded] = useState(false);
+  return (
+    <article className="proof" aria-label={`Micro step ${number}`}>
+      <header>
+        <h3>Micro step {number}</h3>
+        <span>{summary(micro)}</span>
+        <button type="button" className="link" onClick={() => setUnfolded(!unfolded)}>
+          {unfolded ? "Fold" : "Unfold all"}
+        </button>
+        <small>{size(micro)} nodes</small>
+      </header>
+      <ProofTree key={String(unfolded)} root={micro} micro={number} picked={picked} onPick={onPick} unfolded={unfolded} />
+    </article>
+  );
+}
+
 function firstPick(step: TraceStep): Picked {
   const root = step.micro[0];
   return { micro: 0, path: root === undefined ? [] : leading(root) };
@@ -79,14 +103,13 @@ function StepProofs({ step }: { readonly step: TraceStep }) {
       <div className="proofs">
         {step.micro.length === 0 && <p className="quiet pad">Nothing changed: this macro step has no micro step that is not idle.</p>}
         {step.micro.map((micro, i) => (
-          <article key={i} className="proof" aria-label={`Micro step ${i}`}>
-            <header>
-              <h3>Micro step {i}</h3>
-              <span>{summary(micro)}</span>
-              <small>{size(micro)} nodes</small>
-            </header>
-            <ProofTree root={micro} micro={i} picked={picked.micro === i ? picked.path : undefined} onPick={(path) => setPicked({ micro: i, path })} />
-          </article>
+          <Proof
+            key={i}
+            micro={micro}
+            number={i}
+            picked={picked.micro === i ? picked.path : undefined}
+            onPick={(path) => setPicked({ micro: i, path })}
+          />
         ))}
         {step.calls.length > 0 && (
           <p className="calls">

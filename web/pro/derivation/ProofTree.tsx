@@ -9,12 +9,14 @@ interface Props {
   readonly micro: number;
   readonly picked: ProofPath | undefined;
   readonly onPick: (path: ProofPath) => void;
+  /** Every node stands open, not only those at which something happens. */
+  readonly unfolded: boolean;
 }
 
-export function ProofTree({ root, micro, picked, onPick }: Props) {
+export function ProofTree({ root, micro, picked, onPick, unfolded }: Props) {
   return (
     <ul role="tree" className="proof-tree" aria-label={`Proof of micro step ${micro}`}>
-      <ProofNode node={root} path={[]} picked={picked} onPick={onPick} />
+      <ProofNode node={root} path={[]} picked={picked} onPick={onPick} unfolded={unfolded} />
     </ul>
   );
 }
@@ -24,6 +26,7 @@ interface NodeProps {
   readonly path: ProofPath;
   readonly picked: ProofPath | undefined;
   readonly onPick: (path: ProofPath) => void;
+  readonly unfolded: boolean;
 }
 
 /** Moves the focus among the rows of a tree, in the order in which they are seen. */
@@ -32,8 +35,8 @@ function move(row: HTMLElement, by: 1 | -1): void {
   rows[rows.indexOf(row) + by]?.focus();
 }
 
-function ProofNode({ node, path, picked, onPick }: NodeProps) {
-  const [open, setOpen] = useState(() => notable(node));
+function ProofNode({ node, path, picked, onPick, unfolded }: NodeProps) {
+  const [open, setOpen] = useState(() => unfolded || notable(node));
   const folds = node.premises.length > 0;
   const selected = picked !== undefined && picked.join() === path.join();
   const press = (event: KeyboardEvent<HTMLButtonElement>) => {
@@ -72,7 +75,7 @@ function ProofNode({ node, path, picked, onPick }: NodeProps) {
       {folds && open && (
         <ul role="group">
           {node.premises.map((premise, i) => (
-            <ProofNode key={i} node={premise} path={[...path, i]} picked={picked} onPick={onPick} />
+            <ProofNode key={i} node={premise} path={[...path, i]} picked={picked} onPick={onPick} unfolded={unfolded} />
           ))}
         </ul>
       )}

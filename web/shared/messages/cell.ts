@@ -19,8 +19,8 @@ export interface Body {
   readonly shape: Shape;
   readonly pose: Pose;
   readonly fixed: boolean;
-  /** Red, green, blue in 0..1. */
-  readonly colour?: readonly number[];
+  /** `#rrggbb` */
+  readonly colour?: string;
 }
 
 export interface Scene {
@@ -64,13 +64,19 @@ const shape: Decoder<Shape> = (value, path) =>
     throw new DecodeError(path, "box, cylinder or sphere", value);
   })(value, path);
 
+const colour: Decoder<string> = (value, path) => {
+  const text = string(value, path);
+  if (!/^#[0-9a-f]{6}$/i.test(text)) throw new DecodeError(path, "#rrggbb", value);
+  return text;
+};
+
 const body: Decoder<Body> = object((f) =>
   present<Body>({
     name: f.need("name", string),
     shape: f.need("shape", shape),
     pose: f.need("pose", pose),
     fixed: f.need("fixed", boolean),
-    colour: f.maybe("colour", array(number)),
+    colour: f.maybe("colour", colour),
   }),
 );
 

@@ -1,0 +1,178 @@
+// The expert page on the real server, with the demo task Pick and its cell.
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import type { Page } from "playwright-core";
+import { subjectText } from "../../web/shared/derivation/proof";
+import { traceSteps, type Derivation, type TraceStep } from "../../web/shared/messages/derivation";
+import { binary, openStage, type Stage } from "./stage";
+
+let stage: Stage;
+let page: Page;
+
+beforeAll(async () => {
+  stage = await openStage();
+  page = stage.page;
+});
+afterAll(() => stage?.close());
+
+/** Loads the document `pick` as a new run, and gives its id. */
+async function load(): Promise<string> {
+  const runs = page.getByRole("combobox", { name: "Watched run" });
+  const before = await runs.inputValue();
+  await page.getByRole("combobox", { name: "Document" }).selectOption("pick");
+  await page.getByRole("button", { name: "Load" }).click();
+  await expect.poll(() => runs.inputValue()).not.toBe(before);
+  await page.getByRole("group", { name: "State Pick/Release" }).waitFor();
+  return runs.inputValue();
+}
+
+const status = () => page.getByRole("status", { name: "Run status" });
+const ended = () => expect.poll(() => status().innerText(), { timeout: 90_000 }).toMatch(/Ended|Faulted|Stopped/);
+
+/** Notes each state of the drawing in the order in which it turns active. */
+async function noteActivations(): Promise<void> {
+  await page.evaluate(() => {
+    const order: string[] = [];
+    const note = (element: Element) => {
+      const path = element.getAttribute("data-path");
+      if (path !== null && element.getAttribute("data-active") === "true" && !order.includes(path)) order.push(path);
+    };
+    const canvas = document.querySelector(".canvas");
+    if (canvas === null) throw new Error("nothing is drawn");
+    new MutationObserver((changes) => changes.forEach((change) => change.target instanceof Element && note(change.target))).observe(canvas, {
+      subtree: true,
+      attributeFilter: ["data-active"],
+    });
+    Object.assign(window, { activations: order });
+  });
+}
+
+const activations = (): Promise<readonly string[]> =>
+  page.evaluate(() => {
+    const noted: unknown = Reflect.get(window, "activations");
+    return Array.isArray(noted) ? noted.map(String) : [];
+  });
+
+const labels = (node: Derivation): readonly string[] => [
+  `${node.rule} (${node.equation}) ${subjectText(node)}`,
+  ...node.premises.flatMap(labels),
+];
+
+/** `race derive` of the run as the server exports it. */
+async function derive(id: string): Promise<readonly TraceStep[]> {
+  const folder = mkdtempSync(join(tmpdir(), "race-derive-"));
+  const get = async (path: string): Promise<unknown> => (await fetch(`${stage.url}/api/v1/cores/${id}/${path}`)).json();
+  const native = (await get("native")) as { readonly document: unknown };
+  writeFileSync(join(folder, "model.json"), JSON.stringify(native.document));
+  writeFileSync(join(folder, "script.json"), JSON.stringify(await get("script")));
+  const text = execFileSync(binary, ["derive", join(folder, "model.json"), join(folder, "script.json")], { maxBuffer: 1 << 28 }).toString();
+  const derived = JSON.parse(text) as { readonly steps: readonly object[] };
+  return traceSteps({ steps: derived.steps.map((step, i) => ({ step: i + 1, input: { kind: "script" }, ...step })) }, "");
+}
+
+describe("RACE Pro", () => {
+  it("leads from the address of the server to the page", async () => {
+    await page.goto(stage.url);
+    await page.waitForURL("**/pro/");
+    await expect.poll(() => page.getByText("Connected").isVisible()).toBe(true);
+  });
+
+  it("shows the states of Pick turn green in order, until it ends at success", async () => {
+    await load();
+    await noteActivations();
+    await page.getByRole("button", { name: "Start" }).click();
+    await page.waitForTimeout(2500);
+    await stage.picture("running");
+    await ended();
+    await expect.poll(() => status().innerText()).toContain("Ended: success");
+    const leaves = (await activations()).filter((path) => /^Pick\/[A-Za-z]+$/.test(path));
+    expect(leaves).toEqual(["Release", "GetPose", "Approach", "Grasp", "Retreat", "CheckPart"].map((name) => `Pick/${name}`));
+    await stage.picture("ended");
+  });
+
+  it("opens the derivation of a micro step and finds PTrans1 (3.28) in it", async () => {
+    const steps = page.getByRole("list", { name: "Macro steps" }).getByRole("button");
+    await steps.nth(1).click();
+    const inference = page.getByRole("treeitem", { name: /^PTrans1 \(3\.28\) Pick/ }).first();
+    await inference.waitFor();
+    await inference.locator(".proof-row").first().click();
+    const card = page.getByRole("complementary", { name: "Inference" });
+    await expect.poll(() => card.innerText()).toContain("3.28");
+    await expect.poll(() => card.getByRole("figure").innerText()).toContain("Pick′, Δ′");
+    await stage.picture("derivation");
+  });
+
+  it("shows the derivation of the run, node for node as `race derive` gives it for the exported script", async () => {
+    const id = await page.getByRole("combobox", { name: "Watched run" }).inputValue();
+    const derived = await derive(id);
+    const steps = page.getByRole("list", { name: "Macro steps" }).getByRole("button");
+    expect(await steps.count()).toBe(derived.length);
+    for (const [i, step] of derived.entries()) {
+      await steps.nth(i).click();
+      await expect.poll(() => page.getByRole("article").count()).toBe(step.micro.length);
+      for (const [m, micro] of step.micro.entries()) {
+        const proof = page.getByRole("article", { name: `Micro step ${m}`, exact: true });
+        await proof.getByRole("button", { name: "Unfold all" }).click();
+        const shown = await proof.getByRole("treeitem").evaluateAll((items) => items.map((item) => item.getAttribute("aria-label")));
+        expect(shown, `step ${i + 1}, micro step ${m}`).toEqual(labels(micro));
+      }
+    }
+  });
+
+  it("steps a run that was not started, and says why a port does not fire", async () => {
+    await load();
+    await page.getByRole("button", { name: "Macro step" }).click();
+    await expect.poll(() => page.getByRole("treeitem", { name: "Pick/Release", exact: true }).getAttribute("data-active")).toBe("true");
+    await page.getByRole("button", { name: "Port Pick/Release.success", exact: true }).click();
+    const why = page.getByRole("region", { name: "Why" });
+    await expect.poll(() => why.innerText()).toMatch(/svc\.gripper\.release\.result/);
+    await stage.picture("why");
+  });
+
+  it("fires the port once what the explanation names has changed", async () => {
+    const why = page.getByRole("region", { name: "Why" });
+    expect(await why.locator("[data-blocks=true] code").allInnerTexts()).toEqual(["svc.gripper.release.result"]);
+    await page.getByRole("button", { name: "Macro step" }).click();
+    await expect.poll(() => page.getByRole("treeitem", { name: "Pick/GetPose", exact: true }).getAttribute("data-active"), { timeout: 20_000 }).toBe("true");
+  });
+
+  it("runs until a state is entered, and stops on demand", async () => {
+    await page.getByRole("button", { name: "Select Pick/Grasp" }).click();
+    await page.getByRole("button", { name: "Run until entered" }).click();
+    const grasp = page.getByRole("treeitem", { name: "Pick/Grasp", exact: true });
+    await expect.poll(() => grasp.getAttribute("data-active"), { timeout: 60_000 }).toBe("true");
+    await expect.poll(() => status().innerText()).toContain("Paused");
+    await page.keyboard.press("F8");
+    await expect.poll(() => status().innerText()).toContain("Stopped");
+  });
+
+  it("finds a state by its code and jumps to it", async () => {
+    await page.getByRole("searchbox", { name: "Search the model" }).fill("gripper.grasp");
+    await page.getByRole("list", { name: "Search results" }).getByRole("button").first().click();
+    await expect.poll(() => page.getByRole("complementary", { name: "Properties" }).innerText()).toContain("Grasp");
+    await page.getByRole("searchbox", { name: "Search the model" }).fill("");
+  });
+
+  it("draws every service with its present state", async () => {
+    await page.getByRole("tab", { name: /Services/ }).click();
+    for (const key of ["robot", "gripper"]) await page.getByRole("img", { name: new RegExp(`, now in \\w+`) }).nth(key === "robot" ? 0 : 1).waitFor();
+    expect(await page.locator(".rsm-state.is-active").count()).toBeGreaterThan(1);
+    expect(await page.getByRole("article", { name: /^Service / }).count()).toBeGreaterThanOrEqual(4);
+    await stage.picture("services");
+  });
+
+  it("shows the cell in 3D", async () => {
+    await page.getByRole("tab", { name: "Cell" }).click();
+    await expect.poll(() => page.locator(".cell-clock").innerText(), { timeout: 20_000 }).toMatch(/cell time \d/);
+    await stage.picture("cell");
+  });
+
+  it("needs no sideways scrolling on a narrow screen", async () => {
+    await page.getByRole("tab", { name: "Task" }).click();
+    await page.setViewportSize({ width: 412, height: 915 });
+    await expect.poll(() => page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(412);
+    await stage.picture("narrow");
+  });
+});

@@ -1,0 +1,79 @@
+// What a browser test needs: a server of its own on a free port, and a page in Chromium.
+import { spawn, type ChildProcess } from "node:child_process";
+import { mkdirSync, mkdtempSync, rmSync } from "node:fs";
+import { createServer } from "node:net";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { chromium, type Browser, type Page } from "playwright-core";
+
+export const project = fileURLToPath(new URL("../../", import.meta.url));
+export const binary = process.env["RACE_BINARY"] ?? join(project, "build/release/race");
+const pictures = join(project, "build/test/browser");
+
+export interface Stage {
+  readonly url: string;
+  readonly page: Page;
+  /** A picture to look at, build/test/browser/NAME.png. */
+  readonly picture: (name: string) => Promise<void>;
+  readonly close: () => Promise<void>;
+}
+
+/** No QUIC, no updates, no GPU: the tests run without a network and without a screen. */
+const kFlags = [
+  "--no-sandbox",
+  "--disable-gpu",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+  "--disable-dev-shm-usage",
+];
+
+function freePort(): Promise<number> {
+  return new Promise((resolve, reject) => {
+    const probe = createServer();
+    probe.once("error", reject);
+    probe.listen(0, "127.0.0.1", () => {
+      const address = probe.address();
+      probe.close(() => (typeof address === "object" && address !== null ? resolve(address.port) : reject(new Error("no port"))));
+    });
+  });
+}
+
+async function healthy(url: string, server: ChildProcess): Promise<void> {
+  for (;;) {
+    if (server.exitCode !== null) throw new Error(`the server ended with status ${server.exitCode}`);
+    const answer = await fetch(`${url}/api/v1/health`).catch(() => undefined);
+    if (answer?.ok === true) return;
+    await new Promise((resolve) => setTimeout(resolve, 100));
+  }
+}
+
+export async function openStage(): Promise<Stage> {
+  const port = await freePort();
+  const data = mkdtempSync(join(tmpdir(), "race-browser-"));
+  const options = ["serve", "--port", String(port), "--data", data, "--demo", join(project, "deploy/demo"), "--web", join(project, "web/dist")];
+  const server = spawn(binary, options, { stdio: ["ignore", "ignore", "inherit"] });
+  await new Promise((resolve, reject) => server.once("spawn", resolve).once("error", reject));
+  let browser: Browser | undefined;
+  const close = async () => {
+    await browser?.close();
+    const ended = new Promise((resolve) => server.once("exit", resolve));
+    if (server.exitCode === null && server.kill("SIGTERM")) await ended;
+    rmSync(data, { recursive: true, force: true });
+  };
+  try {
+    const url = `http://127.0.0.1:${port}`;
+    await healthy(url, server);
+    browser = await chromium.launch({ executablePath: process.env["CHROMIUM"] ?? "/usr/bin/chromium", args: kFlags });
+    const page = await browser.newPage({ viewport: { width: 1600, height: 1000 } });
+    mkdirSync(pictures, { recursive: true });
+    const picture = async (name: string) => void (await page.screenshot({ path: join(pictures, `${name}.png`) }));
+    return { url, page, picture, close };
+  } catch (error) {
+    await close();
+    throw error;
+  }
+}
