@@ -1,0 +1,111 @@
+// The contexts of thesis 3.4.1 as values: Δ (what the model is in) and Σ (the snapshot of its environment), and what
+// lies below the rules to make them fast: lists of active children, and marks that say which states have to look again.
+//
+// All of it is plain data: copying a RunState copies the run.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/semantics/program.h"
+
+namespace race::semantics {
+
+/// What a state has in Δ besides its values and its flag. Hot fields first: a visit reads one cache line.
+struct Live {
+  // Active children in order of declaration, as a list through `next` and `previous` of the children.
+  StateId first_active = kNoState, last_active = kNoState;
+  StateId next = kNoState, previous = kNoState;
+  // OPTIMIZATION: a state that is not awake would take an SProp without effect, and so would all its descendants.
+  bool awake = false;
+  bool dirty = false;    // something that its conditions or actions read has changed since it looked
+  bool looking = false;  // it was dirty when the present visit began
+  bool touched = false;  // has values that differ from "never active"
+  bool recheck = false;  // looks again in the next macro step
+  bool pending_ports = false, open_barriers = false;  // the lists below are not empty
+  std::uint64_t activated_in = 0;                     // macro step (epoch) of the last activation, R21
+  std::uint64_t activated_at = 0;                     // tick of the last activation, R19
+  std::uint64_t calls_before = 0;                     // calls of the run before the last activation, R20
+  std::uint32_t activations = 0;
+  PortId left_through = kNoPort;  // R8: by which port it was last left,
+  std::uint32_t left_during = 0;  // in which activation of its parent
+
+  std::vector<PortId> pending;     // active ports of children, with destination
+  std::vector<PortId> lingering;   // and without
+  std::vector<BarrierId> open;     // active child barriers
+  std::vector<BarrierId> waiting;  // inactive child barriers with arrivals
+  std::vector<StateId> touched_children;
+};
+
+/// The response of one caller's latest call of one operation (R6, R20).
+struct CallRecord {
+  StateId caller = kNoState;
+  std::uint64_t number = 0;
+  bool answered = false, is_error = false;
+  Value response = Value::unknown();
+};
+
+/// A call that leaves the run (FuncSC). Without caller: made because the run ended, not by code.
+struct OutgoingCall {
+  std::uint64_t number = 0;
+  OperationId operation = kNone;
+  std::string service, name;
+  List args;
+  Dict kwargs;
+  StateId caller = kNoState;
+  bool operator==(const OutgoingCall&) const = default;
+};
+
+/// One input in order of arrival (core/SEMANTICS.md sections 3 and 10).
+struct Input {
+  enum class Kind : std::uint8_t { event, response } kind = Kind::event;
+  std::uint32_t number = kNone;  // EventId or OperationId
+  std::uint64_t call = 0;        // of a response
+  bool is_error = false;
+  Value data;
+};
+
+/// Δ, Σ and what waits. Stamps count epochs (macro steps with an input) and ticks (deliveries, activations,
+/// executions).
+struct RunState {
+  explicit RunState(const Program& program);
+
+  // Δ
+  std::vector<Value> values;          // Π, Ξ, Λ by Slot
+  std::vector<std::uint8_t> flags;    // Φ by Flag
+  std::vector<std::uint8_t> arrived;  // activated(b), by inbound port
+  std::vector<Live> live;             // by StateId
+
+  // Σ
+  std::uint64_t epoch = 1;  // the present macro step
+  std::uint64_t tick = 1;
+  EventId occurrence = kNone;                            // of this macro step
+  std::vector<Value> event_data;                         // newest ever delivered, by EventId
+  std::vector<std::uint64_t> event_tick, response_tick;  // last delivery
+  std::vector<std::uint64_t> executed;                   // epoch, by ActionId
+  std::vector<std::uint64_t> served;                     // tick of the last execution, by ActionId; 0 = may run (R19)
+  std::vector<std::uint64_t> triggered;                  // epoch, by PortId (R9)
+  std::vector<std::vector<CallRecord>> calls;            // by OperationId, latest last
+  std::uint64_t call_count = 0;
+
+  std::vector<StateId> recheck;  // states that look again in the next macro step
+  bool started = false;          // the root has been activated
+  std::deque<Input> waiting;
+  std::vector<std::string> services_called;  // in order of first call
+};
+
+/// Marks `s` and the way to it from the root: it looks again.
+void wake_state(RunState& run, const Program& program, StateId s);
+
+/// Marks every active state below and including `s` that reads service data of this filter; whether there was one.
+bool wake_readers(RunState& run, const Program& program, StateId s, std::uint64_t mask);
+
+/// Everything in Δ as never active, for a state that is entered (R8): results and variables of `s` initial, parameters
+/// too of its descendants. `log` takes the old values.
+using ValueLog = std::vector<std::pair<Slot, Value>>;
+void reset_values(RunState& run, const Program& program, StateId s, ValueLog& log);
+
+}  // namespace race::semantics

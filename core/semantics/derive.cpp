@@ -1,0 +1,40 @@
+#include "core/semantics/derive.h"
+
+#include "core/rcm/document.h"
+#include "core/rcm/translate.h"
+#include "core/semantics/script.h"
+#include "core/value/json.h"
+
+namespace race::semantics {
+namespace {
+
+void add(std::vector<Error>& to, const std::vector<Error>& from) { to.insert(to.end(), from.begin(), from.end()); }
+
+Checked<Script> read_script_text(std::string_view text) {
+  auto json = parse_json(text);
+  if (!json) return tl::unexpected(std::vector<Error>{std::move(json).error()});
+  return read_script(*json);
+}
+
+}  // namespace
+
+Checked<Value> derive_texts(std::string_view model, std::string_view script) {
+  std::vector<Error> errors;
+  auto document = rcm::read_document_text(model);
+  if (!document) add(errors, document.error());
+  auto steps = read_script_text(script);
+  if (!steps) add(errors, steps.error());
+  if (!errors.empty()) return tl::unexpected(std::move(errors));
+  auto native = rcm::translate(*document);
+  if (!native) return tl::unexpected(std::move(native).error());
+  return derive(*native, *steps);
+}
+
+Value errors_json(const std::vector<Error>& errors) {
+  List list;
+  for (const Error& error : errors)
+    list.emplace_back(Dict{{"path", error.path}, {"code", name(error.code)}, {"message", error.message}});
+  return Dict{{"errors", std::move(list)}};
+}
+
+}  // namespace race::semantics

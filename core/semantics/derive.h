@@ -1,0 +1,19 @@
+// `race derive`: texts in, derivations out. The whole way from a document and a script to what they mean.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "core/value/expected.h"
+#include "core/value/value.h"
+
+namespace race::semantics {
+
+/// The derivation document of a model and a script (core/SEMANTICS.md section 7). Errors: every violation of the model
+/// and of the script's services; nothing is derived then.
+Checked<Value> derive_texts(std::string_view model, std::string_view script);
+
+/// {"errors": [{"path", "code", "message"}]}, the shape of every refusal.
+Value errors_json(const std::vector<Error>& errors);
+
+}  // namespace race::semantics

@@ -1,0 +1,58 @@
+// What code of a state sees while it is evaluated: Δ and Σ of a run, the responses that count in that state (R6, R20),
+// and a buffer for what the function writes and calls until it is known whether it completes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/language/code.h"
+#include "core/semantics/context.h"
+#include "core/semantics/derivation.h"
+
+namespace race::semantics {
+
+/// A call of a function that is being evaluated.
+struct BufferedCall {
+  OperationId operation = kNone;
+  std::string service, name;
+  List args;
+  Dict kwargs;
+};
+
+class StepEnvironment final : public language::Environment {
+ public:
+  StepEnvironment(const Program& program, RunState& run, ValueLog& log) : program_(program), run_(run), log_(log) {
+    attach();
+  }
+
+  /// Must be called when the arrays of the run may have moved.
+  void attach() {
+    values = run_.values.data();
+    flags = run_.flags.data();
+    event_data = run_.event_data.data();
+    sampled = program_.sampled.data();
+  }
+  /// Whose code runs next, and whether it sees the occurrence of this macro step (R21).
+  void enter(StateId state, bool sees_occurrence) {
+    state_ = state;
+    occurrence = sees_occurrence ? run_.occurrence : kNone;
+  }
+
+  const Value& response(OperationId operation, bool error) override;
+  void write(Slot slot, Value value) override;
+  void call(OperationId operation, std::string_view service, std::string_view name, List args, Dict kwargs) override;
+  const language::ServiceTable& services() const override { return program_.services; }
+  void print(std::string text) override { printed.push_back(std::move(text)); }
+
+  std::vector<BufferedCall> calls;     // of the function that is being evaluated
+  std::vector<std::string> printed;    // by functions of this macro step, for people
+  EvaluationRecord* record = nullptr;  // where a tree is recorded
+
+ private:
+  const Program& program_;
+  RunState& run_;
+  ValueLog& log_;
+  StateId state_ = kNoState;
+};
+
+}  // namespace race::semantics

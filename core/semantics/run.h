@@ -1,0 +1,117 @@
+// Run: the execution of a Program, from the activation of its root to its outcome. Inputs arrive in an order; each is
+// one macro step (R5); a macro step is micro steps until quiescence (3.32).
+//
+// A Run is a function of (program, arguments, inputs in order of delivery). It is a value: a copy goes on from the same
+// point. It belongs to one thread at a time.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/language/explain.h"
+#include "core/semantics/context.h"
+#include "core/semantics/derivation.h"
+#include "core/semantics/program.h"
+
+namespace race::semantics {
+
+enum class Status : std::uint8_t { running, ended, faulted, aborted };
+std::string_view name(Status status);
+
+/// Why a run is faulted (R4): what, the state in whose scope, and where in its code.
+struct RunFault {
+  language::FaultKind kind;
+  std::string at;
+  std::string message;
+  SourceRange where;
+};
+
+/// What bounds a run (header of the journal, section 10).
+struct Budgets {
+  language::Interpreter::Limits evaluation;
+  std::uint32_t micro_steps = 10'000;  // of one macro step; one more is a divergence
+};
+
+class Run {
+ public:
+  /// A run of `program` that has not begun. `arguments` override the parameters of the root by name. Errors:
+  /// `unknown_name` (path of the root) for an argument that names no parameter, `constant` for one that is not finite.
+  static Expected<Run> create(std::shared_ptr<const Program> program, const Dict& arguments, Budgets budgets = {});
+  Run(const Run& other);
+  Run& operator=(const Run& other);
+  Run(Run&&) noexcept;
+  Run& operator=(Run&&) noexcept;
+  ~Run();
+
+  // Inputs. Those that the model nowhere names are dropped (section 3); of a sampled event only the newest waits, at
+  // the end.
+  /// An occurrence arrives. Returns whether it waits.
+  bool post_event(std::string_view service, std::string_view event, Value data);
+  bool post_event(EventId event, Value data);
+  /// The response to call `number` arrives: a result or an error. Returns whether it waits.
+  bool post_response(std::uint64_t number, bool is_error, Value data);
+  /// `service` is lost: every unanswered call to it gets the error `unavailable`, in order of call.
+  void post_lost(std::string_view service);
+  /// Whether a macro step would have an input: something waits, or the root has not been activated.
+  bool has_input() const;
+  /// Takes the first waiting input that still counts.
+  std::optional<Input> take_input();
+
+  // One macro step: begin, micro until it returns false.
+  /// Σ' (3.33): with an input, the snapshot takes it over; without, it stays. Requires status running.
+  void begin(std::optional<Input> input);
+  /// One micro step (3.31). False when nothing happened (R14), which ends the macro step, or the run is no longer
+  /// running.
+  template <Recorder R>
+  bool micro(R& recorder);
+  /// A whole macro step with the first waiting input.
+  template <Recorder R>
+  void macro_step(R& recorder) {
+    begin(take_input());
+    while (micro(recorder)) {
+    }
+  }
+  /// Ends the run between macro steps: no exit function runs; operations marked `safe` are called.
+  void abort();
+
+  Status status() const;
+  /// The port by which the root was left. Empty unless ended.
+  const std::string& outcome() const;
+  const std::optional<RunFault>& fault() const;
+  /// Macro steps begun.
+  std::uint64_t position() const;
+  /// The calls of complete micro steps since the last time they were taken, in order.
+  std::vector<OutgoingCall> take_calls();
+  /// What functions printed since the last time; for people.
+  std::vector<std::string> take_printed();
+
+  const Program& program() const;
+  const RunState& state() const;
+  /// Active nodes, ports, arrivals and values: the `state` of core/SEMANTICS.md section 7.
+  Value state_json() const;
+  bool is_active(StateId s) const;
+
+  /// The condition of a port, evaluated as it stands: its atoms and which of them would have to change for it to fire.
+  /// `held_back`: its condition is fulfilled, but R9 lets it fire only in the next macro step.
+  struct Why {
+    language::Explanation explanation;
+    bool state_active = false;
+    bool held_back = false;
+    bool occurrence_hidden = false;  // R21
+  };
+  Why why(PortId port);
+
+ private:
+  struct Body;
+  explicit Run(std::unique_ptr<Body> body);
+  template <Recorder R>
+  void micro_transition(R& recorder, bool& changed);
+  void fail(RunFault fault);
+  void call_safe_operations();
+  std::unique_ptr<Body> body_;
+};
+
+}  // namespace race::semantics

@@ -1,0 +1,58 @@
+// Scripts: a run driven without real services (core/SEMANTICS.md section 7). `race derive` is this.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/rcm/model.h"
+#include "core/rsm/model.h"
+#include "core/semantics/run.h"
+#include "core/value/expected.h"
+#include "core/value/value.h"
+
+namespace race::semantics {
+
+struct ScriptEvent {
+  std::string service, event;
+  Value data;
+};
+
+/// `call` 0: the latest call of that operation.
+struct ScriptResponse {
+  std::string service, operation;
+  std::uint64_t call = 0;
+  bool is_error = false;
+  Value data;
+};
+
+/// Inputs that join those that wait, then one Exec (4.20), in which services take the transitions named here.
+struct ScriptStep {
+  std::vector<ScriptEvent> events;
+  std::vector<ScriptResponse> responses;
+  std::vector<std::pair<std::string, std::string>> transitions;  // service, transition
+};
+
+struct Script {
+  Dict arguments;
+  std::vector<std::pair<std::string, rsm::Service>> services;  // as declared
+  Dict results;                                                // "S1.op" -> result of a service with an RSM
+  std::vector<ScriptStep> steps;
+};
+
+/// Reads script.json. Violations: as the RSM codec for `services/NAME`; `type`, `missing`, `unknown_field` with paths
+/// such as `steps/3`.
+Checked<Script> read_script(const Value& json);
+
+/// The document that `race derive` prints. Errors: an argument that the root does not have; violations of the program.
+Checked<Value> derive(const rcm::NativeModel& model, const Script& script);
+
+/// One macro step as a script step shows it: its micro steps' trees, its calls and the state after it.
+Value step_json(const Run& run, const Derivation& derivation, const std::vector<OutgoingCall>& calls);
+
+/// The end of a derivation document: `status`, and `outcome` or `fault`.
+void set_status(const Run& run, Dict& document);
+
+}  // namespace race::semantics

@@ -1,0 +1,205 @@
+// Step: one micro step in progress. It gives the rules what their premises need: Δ and Σ, the evaluation of conditions
+// and functions, a log to discard the step by, and the recorder of its derivation.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "core/language/code.h"
+#include "core/semantics/context.h"
+#include "core/semantics/derivation.h"
+#include "core/semantics/environment.h"
+#include "core/semantics/program.h"
+
+namespace race::semantics {
+
+/// R4: thrown inside of a micro step only, caught where it is discarded (Run). Unwinding is the one place of this room
+/// where an exception is clearer than a returned error: it leaves any depth of rules at once.
+struct FaultSignal {
+  language::Fault fault;
+  Flag at;
+};
+
+/// The changes of a micro step, for discarding it: what stood before, oldest first.
+struct StepLog {
+  ValueLog values;
+  std::vector<std::pair<Flag, std::uint8_t>> flags;
+  std::vector<std::pair<PortId, std::uint8_t>> arrived;
+  void clear() {
+    values.clear();
+    flags.clear();
+    arrived.clear();
+  }
+  void undo(RunState& run);
+};
+
+/// What a run keeps between micro steps so that none of it is allocated again.
+struct Workspace {
+  StepLog log;
+  std::vector<OutgoingCall> outgoing;  // of the micro step
+  std::vector<PortId> ports;           // the list of a PTrans1
+  std::vector<BarrierId> barriers;     // the list of a PTrans2
+};
+
+template <Recorder R>
+class Step {
+ public:
+  Step(const Program& p, RunState& r, Workspace& w, StepEnvironment& e, language::Interpreter& i, R& rec)
+      : program(p), run(r), work(w), environment(e), interpreter(i), recorder(rec) {
+    if constexpr (R::kTree) {
+      environment.trace = &recorder.evaluation;
+      environment.record = &recorder.evaluation;
+    }
+  }
+  ~Step() {
+    environment.trace = nullptr;
+    environment.record = nullptr;
+  }
+  Step(const Step&) = delete;
+  Step& operator=(const Step&) = delete;
+
+  /// Opens a node of the derivation; its premises are recorded until it goes out of scope.
+  template <typename Node>
+  OpenNode<R> apply(Rule rule, Node at, PortId port = kNoPort) {
+    return OpenNode<R>(recorder, rule, program.flag(at), port);
+  }
+
+  Live& live(StateId s) { return run.live[index(s)]; }
+  bool is_active(StateId s) const { return run.flags[program.flag(s)] != 0; }
+  bool is_active(BarrierId b) const { return run.flags[program.flag(b)] != 0; }
+  bool is_active(PortId p) const { return run.flags[program.flag(p)] != 0; }
+
+  /// Sets an entry of Φ and tells those who read it. `owner`: the state that a Reader::kOwner is.
+  void set_flag(Flag flag, bool on, StateId owner, StateId parent) {
+    work.log.flags.emplace_back(flag, run.flags[flag]);
+    run.flags[flag] = on ? 1 : 0;
+    const std::uint8_t readers = program.flag_readers[flag];
+    if (readers & kOwner) live(owner).dirty = true;
+    if (readers & kParent) live(parent).dirty = true;
+  }
+  void set_arrived(PortId p, bool on) {
+    work.log.arrived.emplace_back(p, run.arrived[index(p)]);
+    run.arrived[index(p)] = on ? 1 : 0;
+  }
+
+  /// Evaluates a condition in the scope of `s`.
+  language::Truth truth(const Code& condition, StateId s, bool sees_occurrence) {
+    environment.enter(s, sees_occurrence);
+    if constexpr (R::kTree) recorder.evaluation.clear();
+    const language::Truth value = interpreter.condition(condition, environment);
+    if (value == language::Truth::fault) raise(interpreter.fault(), program.flag(s));
+    return value;
+  }
+
+  /// Executes a function in the scope of `s`: its writes and calls take effect, unless it is unmet (false).
+  bool execute(const Code& function, StateId s);
+
+  [[noreturn]] void raise(language::Fault fault, Flag at) { throw FaultSignal{std::move(fault), at}; }
+
+  /// The condition of a port or action of `s` that was evaluated last becomes a node.
+  void record_condition(StateId s, PortId port, std::uint32_t action, language::Truth value) {
+    if constexpr (R::kTree) {
+      OpenNode<R> node = apply(Rule::Cond, s, port);
+      node.node().action = action;
+      node.node().value = node_value(value);
+      if (value == language::Truth::unknown) node.refinement(2);
+      record_evaluation(node.node(), s, 0);
+    } else if constexpr (R::kRecords) {
+      recorder.names.push_back(Rule::Cond);
+    }
+  }
+
+  /// Discards recorded nodes from `mark` on: of attempts that did not become a rule.
+  std::size_t mark() const {
+    if constexpr (R::kTree) return recorder.derivation.nodes.size();
+    if constexpr (R::kRecords && !R::kTree) return recorder.names.size();
+    return 0;
+  }
+  void forget(std::size_t mark) {
+    if constexpr (R::kTree) recorder.derivation.nodes.resize(mark);
+    if constexpr (R::kRecords && !R::kTree) recorder.names.resize(mark);
+  }
+
+  const Program& program;
+  RunState& run;
+  Workspace& work;
+  StepEnvironment& environment;
+  language::Interpreter& interpreter;
+  R& recorder;
+  /// R14: whether this micro step changed Δ, `executed` or `triggered`.
+  bool changed = false;
+  /// A call withdrew a response that states read which this micro step has visited already: all on the way stay awake.
+  bool woken = false;
+
+ private:
+  // `node` moves when its premises are added: it is not touched after that.
+  void record_evaluation(DerivationNode& node, StateId s, std::size_t first_call) {
+    if constexpr (R::kTree) {
+      Derivation& d = recorder.derivation;
+      node.required = static_cast<std::uint32_t>(d.required.size());
+      node.required_count = static_cast<std::uint16_t>(recorder.evaluation.required.size());
+      d.required.insert(d.required.end(), recorder.evaluation.required.begin(), recorder.evaluation.required.end());
+      for (const EvaluationRecord::Part& part : recorder.evaluation.parts) {
+        DerivationNode premise{.at = program.flag(s), .rule = part.rule, .value = part.value};
+        if (part.rule == Rule::FuncSC) {
+          premise.detail = static_cast<std::uint32_t>(d.calls.size());
+          d.calls.push_back(work.outgoing[first_call + part.call]);
+        }
+        d.nodes.push_back(premise);
+      }
+    }
+  }
+  void commit_calls(StateId s);
+
+ public:
+  /// Func (4.16) as a node: the function that was executed last. `first_call` = size of work.outgoing before it.
+  void record_function(StateId s, FunctionOf of, std::uint32_t action, std::size_t first_call) {
+    if constexpr (R::kTree) {
+      OpenNode<R> node = apply(Rule::Func, s);
+      node.node().of = of;
+      node.node().action = action;
+      record_evaluation(node.node(), s, first_call);
+    } else if constexpr (R::kRecords) {
+      recorder.names.push_back(Rule::Func);
+    }
+  }
+};
+
+template <Recorder R>
+bool Step<R>::execute(const Code& function, StateId s) {
+  environment.enter(s, true);
+  environment.calls.clear();
+  if constexpr (R::kTree) recorder.evaluation.clear();
+  const std::size_t before = work.log.values.size();
+  const auto outcome = interpreter.function(function, environment);
+  if (outcome == language::Interpreter::Outcome::fault) raise(interpreter.fault(), program.flag(s));
+  if (outcome == language::Interpreter::Outcome::unmet) {
+    for (ValueLog& log = work.log.values; log.size() > before; log.pop_back())
+      run.values[log.back().first] = std::move(log.back().second);
+    environment.calls.clear();
+    return false;
+  }
+  if (!environment.calls.empty()) commit_calls(s);
+  return true;
+}
+
+// FuncSC (4.14): the calls of a completed function get their numbers; the responses to the caller's older calls of the
+// same operations are gone (R6). REFINEMENT R16: they are sent when the micro step is complete.
+template <Recorder R>
+void Step<R>::commit_calls(StateId s) {
+  for (BufferedCall& call : environment.calls) {
+    const std::uint64_t number = ++run.call_count;
+    if (call.operation != kNone) {
+      std::vector<CallRecord>& records = run.calls[call.operation];
+      std::erase_if(records, [&](const CallRecord& record) { return record.caller == s; });
+      records.push_back({s, number});
+      if (wake_readers(run, program, Program::root, Program::response_bit(call.operation))) woken = true;
+    }
+    work.outgoing.push_back({number, call.operation, std::move(call.service), std::move(call.name),
+                             std::move(call.args), std::move(call.kwargs), s});
+  }
+  environment.calls.clear();
+}
+
+}  // namespace race::semantics

@@ -1,0 +1,152 @@
+// What one event costs, in nanoseconds of CPU time: the core without derivations, with the names of the applied rules,
+// and with whole trees, beside a minimal table-driven machine doing the same work in the same run. Each figure is the
+// median of interleaved rounds. Usage: core_bench [rounds]
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/semantics/run.h"
+#include "tests/bench/core/models.h"
+#include "tests/bench/core/table_machine.h"
+
+namespace race::bench {
+namespace {
+
+double cpu_seconds() {
+  timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+// The payloads are made beforehand: producing them is the service's work.
+std::vector<Value> payloads() {
+  std::vector<Value> out;
+  for (int i = 0; i < 64; ++i) out.emplace_back(Dict{{"x", Value(i % 7 + 1)}});
+  return out;
+}
+
+class CoreLoad {
+ public:
+  explicit CoreLoad(rcm::State root) {
+    rsm::Service service;
+    service.name = "t";
+    rsm::Event event;
+    event.name = "ev";
+    service.events.push_back(event);
+    auto program = semantics::Program::build({std::move(root), {}}, {{"t", service}});
+    if (!program) std::abort();
+    run_ = std::make_unique<semantics::Run>(*semantics::Run::create(*program, {}));
+    event_ = (*program)->services.find_event("t", "ev");
+    semantics::NoRecorder none;
+    run_->macro_step(none);
+  }
+
+  template <typename Recorder>
+  double nanoseconds(int events) {
+    const double start = cpu_seconds();
+    for (int i = 0; i < events; ++i) {
+      Recorder recorder;
+      run_->post_event(event_, payloads_[static_cast<std::size_t>(i & 63)]);
+      run_->macro_step(recorder);
+    }
+    if (run_->status() != semantics::Status::running) std::abort();
+    return (cpu_seconds() - start) * 1e9 / events;
+  }
+
+  // The buffers of a recorder are kept from one macro step to the next, as a server does that streams them.
+  double tree_nanoseconds(int events) {
+    semantics::TreeRecorder recorder;
+    const double start = cpu_seconds();
+    for (int i = 0; i < events; ++i) {
+      recorder.derivation.clear();
+      run_->post_event(event_, payloads_[static_cast<std::size_t>(i & 63)]);
+      run_->macro_step(recorder);
+    }
+    return (cpu_seconds() - start) * 1e9 / events;
+  }
+  double name_nanoseconds(int events) {
+    semantics::NameRecorder recorder;
+    const double start = cpu_seconds();
+    for (int i = 0; i < events; ++i) {
+      recorder.names.clear();
+      recorder.micro.clear();
+      run_->post_event(event_, payloads_[static_cast<std::size_t>(i & 63)]);
+      run_->macro_step(recorder);
+    }
+    return (cpu_seconds() - start) * 1e9 / events;
+  }
+
+ private:
+  std::vector<Value> payloads_ = payloads();
+  std::unique_ptr<semantics::Run> run_;
+  semantics::EventId event_ = 0;
+};
+
+template <typename Machine>
+double table_nanoseconds(Machine machine, int events, double (*check)(const Machine&)) {
+  const double start = cpu_seconds();
+  for (int i = 0; i < events; ++i) {
+    machine.event(static_cast<double>(i % 7 + 1));
+    asm volatile("" : : "r"(&machine) : "memory");  // each event is worked on by itself
+  }
+  const double used = cpu_seconds() - start;
+  if (check(machine) < -1) std::abort();
+  return used * 1e9 / events;
+}
+
+double median(std::vector<double> v) {
+  std::ranges::sort(v);
+  return v[v.size() / 2];
+}
+
+struct Workload {
+  std::string name;
+  rcm::State model;
+  int events;
+  std::function<double(int)> table;
+};
+
+}  // namespace
+}  // namespace race::bench
+
+int main(int argc, char** argv) {
+  using namespace race::bench;
+  const int rounds = argc > 1 ? std::max(1, std::atoi(argv[1])) : 7;
+  const auto machine = [](TableMachine m) {
+    return [m](int events) {
+      return table_nanoseconds<TableMachine>(m, events, [](const TableMachine& t) { return double(t.state()); });
+    };
+  };
+  const auto sum_machine = [](int events) {
+    return table_nanoseconds<TableSum>({}, events, [](const TableSum& t) { return t.sum(); });
+  };
+  const std::vector<Workload> loads = {
+      {"toggle", ring(2), 400000, machine(TableMachine::ring(2))},
+      {"toggle under 10 ancestors", deep(10), 100000, machine(TableMachine::deep(10))},
+      {"toggle under 50 ancestors", deep(50), 30000, machine(TableMachine::deep(50))},
+      {"ring of 10", ring(10), 400000, machine(TableMachine::ring(10))},
+      {"ring of 100", ring(100), 400000, machine(TableMachine::ring(100))},
+      {"ring of 1000", ring(1000), 400000, machine(TableMachine::ring(1000))},
+      {"10 concurrent", concurrent(10), 40000, machine(TableMachine::concurrent(10))},
+      {"100 concurrent", concurrent(100), 4000, machine(TableMachine::concurrent(100))},
+      {"payload and guard", sum(), 400000, sum_machine},
+  };
+  std::printf("ns of CPU per event, median of %d interleaved rounds\n", rounds);
+  std::printf("%-28s %9s %9s %9s %9s %9s %9s\n", "work", "off", "names", "tree", "tree/off", "table", "off/table");
+  for (const Workload& load : loads) {
+    CoreLoad core(load.model);
+    std::vector<double> off, names, tree, table;
+    for (int i = 0; i < rounds; ++i) {
+      off.push_back(core.nanoseconds<race::semantics::NoRecorder>(load.events));
+      names.push_back(core.name_nanoseconds(load.events / 4));
+      tree.push_back(core.tree_nanoseconds(load.events / 4));
+      table.push_back(load.table(load.events));
+    }
+    std::printf("%-28s %9.0f %9.0f %9.0f %9.1f %9.1f %9.1f\n", load.name.c_str(), median(off), median(names),
+                median(tree), median(tree) / median(off), median(table), median(off) / median(table));
+  }
+}

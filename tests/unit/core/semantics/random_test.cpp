@@ -1,0 +1,161 @@
+// Properties of every run, held on random models of random_models.h. RACE_SEED and RACE_STEPS choose another run; both
+// are printed.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "core/semantics/script.h"
+#include "core/value/json.h"
+#include "tests/unit/core/semantics/random_models.h"
+
+namespace race::semantics {
+namespace {
+
+std::uint64_t setting(const char* name, std::uint64_t otherwise) {
+  const char* text = std::getenv(name);
+  return text ? std::strtoull(text, nullptr, 10) : otherwise;
+}
+
+// The invariant of core/SEMANTICS.md section 9; the first violation, or nothing.
+std::string violation(const semantics::Run& run) {
+  const Program& p = run.program();
+  const RunState& r = run.state();
+  for (std::uint32_t i = 0; i < p.states.size(); ++i) {
+    const StateInfo& s = p.states[i];
+    const bool active = r.flags[i] != 0;
+    const bool parent_active = s.parent == kNoState || r.flags[index(s.parent)] != 0;
+    if (active && !parent_active) return s.path + " is active, its parent is not";
+    for (std::size_t k = 0; active && k < s.parameters.size(); ++k)
+      if (r.values[s.parameter_slot + k].is_unknown()) return s.path + " is active without " + s.parameters[k].name;
+    for (const PortId port : s.ports)
+      if (r.flags[p.flag(port)] && (active || !parent_active)) return p.address(port) + " is active at the wrong time";
+  }
+  for (const BarrierInfo& b : p.barriers) {
+    const bool parent_active = r.flags[index(b.parent)] != 0;
+    for (const PortId port : b.in)
+      if (r.arrived[index(port)] && !parent_active) return b.path + " keeps arrivals in an inactive parent";
+  }
+  if (r.started && run.status() == Status::running && !r.flags[0]) return "the root is not active";
+  return "";
+}
+
+bool same(const RunState& a, const RunState& b) {
+  return a.values == b.values && a.flags == b.flags && a.arrived == b.arrived && a.call_count == b.call_count;
+}
+
+std::vector<OutgoingCall> step(semantics::Run& run, Derivation* derivation) {
+  if (derivation) {
+    TreeRecorder recorder;
+    run.macro_step(recorder);
+    *derivation = std::move(recorder.derivation);
+  } else {
+    NoRecorder recorder;
+    run.macro_step(recorder);
+  }
+  return run.take_calls();
+}
+
+struct Outcomes {
+  std::uint64_t steps = 0, ended = 0, faulted = 0, models = 0, micro = 0;
+};
+
+// One model, driven for at most `limit` macro steps by two runs: one that skips what cannot matter and one that records
+// all.
+void drive(std::uint64_t seed, std::uint64_t limit, Outcomes& outcomes) {
+  RandomModels random(seed);
+  auto program = Program::build(random.model(), RandomModels::services());
+  ASSERT_TRUE(program) << "seed " << seed << ": " << to_string(program.error()[0]);
+  Budgets budgets;
+  budgets.micro_steps = 300;
+  semantics::Run fast = *semantics::Run::create(*program, {}, budgets);
+  semantics::Run recorded = fast;
+  semantics::Run checkpoint = fast;
+  struct Done {
+    std::optional<Input> input;
+    Derivation derivation;
+    std::vector<OutgoingCall> calls;
+  };
+  std::vector<Done> since;  // the checkpoint
+  ++outcomes.models;
+  for (std::uint64_t i = 0; i < limit && fast.status() == Status::running; ++i) {
+    if (i > 0)
+      for (std::size_t inputs = 1 + random.pick(2); inputs-- > 0;)
+        random.post({&fast, &recorded}, fast.state().call_count);
+    if (!recorded.has_input()) continue;
+    const bool traced = random.chance(0.02);  // replay compares whole derivations, now and then
+    const std::optional<Input> input =
+        recorded.state().waiting.empty() ? std::nullopt : semantics::Run(recorded).take_input();
+    Derivation derivation;
+    const std::vector<OutgoingCall> calls = step(recorded, &derivation);
+    ASSERT_EQ(step(fast, nullptr), calls) << "seed " << seed << ", step " << i;
+    ASSERT_TRUE(same(fast.state(), recorded.state()))
+        << "seed " << seed << ", step " << i << "\nfast     " << to_json(fast.state_json()) << "\nrecorded "
+        << to_json(recorded.state_json());
+    ASSERT_EQ(fast.status(), recorded.status()) << "seed " << seed << ", step " << i;
+    ASSERT_EQ(violation(fast), "") << "seed " << seed << ", step " << i;
+    ++outcomes.steps;
+    outcomes.micro += derivation.micro.size();
+    since.push_back({input, std::move(derivation), calls});
+    if (traced || since.size() > 50 || recorded.status() != Status::running) {
+      semantics::Run replayed = checkpoint;
+      for (const Done& done : since) {
+        TreeRecorder recorder;
+        replayed.begin(done.input);
+        while (replayed.micro(recorder)) {
+        }
+        ASSERT_EQ(recorder.derivation, done.derivation) << "seed " << seed << ", step " << i;
+        ASSERT_EQ(replayed.take_calls(), done.calls) << "seed " << seed << ", step " << i;
+      }
+      ASSERT_TRUE(same(replayed.state(), recorded.state())) << "seed " << seed << ", step " << i;
+      checkpoint = recorded;
+      since.clear();
+    }
+  }
+  outcomes.ended += fast.status() == Status::ended ? 1 : 0;
+  outcomes.faulted += fast.status() == Status::faulted ? 1 : 0;
+}
+
+TEST(RandomModels, KeepTheirInvariantsAndAgreeWithEveryWayOfRunningThem) {
+  const std::uint64_t seed = setting("RACE_SEED", 20140901), steps = setting("RACE_STEPS", 1'000'000);
+  std::cout << "RACE_SEED=" << seed << " RACE_STEPS=" << steps << std::endl;
+  Outcomes outcomes;
+  for (std::uint64_t i = 0; outcomes.steps < steps; ++i) {
+    drive(seed + i, 300, outcomes);
+    if (HasFatalFailure()) return;
+  }
+  std::cout << outcomes.models << " models, " << outcomes.steps << " macro steps, " << outcomes.micro
+            << " micro steps, " << outcomes.ended << " ended, " << outcomes.faulted << " faulted" << std::endl;
+  EXPECT_GT(outcomes.faulted, outcomes.models / 100);
+  EXPECT_GT(outcomes.ended, outcomes.models / 100);
+}
+
+// R4: a discarded micro step leaves no trace in Δ.
+TEST(RandomModels, AFaultLeavesDeltaAsAfterTheLastCompleteMicroStep) {
+  const std::uint64_t seed = setting("RACE_SEED", 7);
+  std::cout << "RACE_SEED=" << seed << std::endl;
+  int faults = 0;
+  for (std::uint64_t i = 0; i < 3000; ++i) {
+    RandomModels random(seed + i);
+    auto program = Program::build(random.model(), RandomModels::services());
+    ASSERT_TRUE(program);
+    Budgets budgets;
+    budgets.micro_steps = 300;
+    semantics::Run run = *semantics::Run::create(*program, {}, budgets);
+    for (int k = 0; k < 50 && run.status() == Status::running; ++k) {
+      if (k > 0) random.post({&run}, run.state().call_count);
+      run.begin(run.take_input());
+      TreeRecorder recorder;
+      RunState before = run.state();
+      while (run.micro(recorder)) before = run.state();
+      if (run.status() != Status::faulted) continue;
+      ++faults;
+      EXPECT_EQ(before.values, run.state().values) << "seed " << seed + i;
+      EXPECT_EQ(before.flags, run.state().flags) << "seed " << seed + i;
+      EXPECT_EQ(before.arrived, run.state().arrived) << "seed " << seed + i;
+    }
+  }
+  EXPECT_GT(faults, 100);
+}
+
+}  // namespace
+}  // namespace race::semantics
