@@ -2,15 +2,14 @@
 import { Handle, Position, type Node, type NodeProps } from "@xyflow/react";
 import type { DrawnNode } from "../../shared/drawing/drawing";
 import { useView, view } from "../client";
-import { useLive } from "./LiveContext";
+import { useLive } from "./useLive";
 
 export type BarrierFlowNode = Node<{ readonly drawn: DrawnNode; readonly inbound: readonly string[] }, "barrier">;
 
 export function BarrierNode({ data: { drawn, inbound } }: NodeProps<BarrierFlowNode>) {
-  const live = useLive();
   const selected = useView((v) => v.selection?.kind === "node" && v.selection.path === drawn.path);
-  const active = live.active.has(drawn.path);
-  const arrived = live.activated[drawn.path] ?? [];
+  const active = useLive((live) => live.active.has(drawn.path));
+  const arrived = useLive((live) => live.activated[drawn.path]) ?? [];
   const missing = inbound.filter((port) => !arrived.includes(port));
   const waiting = arrived.length > 0 && missing.length > 0;
   const text = waiting ? `waits for ${missing.join(", ")}` : `${inbound.length} inbound ports`;

@@ -3,14 +3,12 @@ import { Background, BackgroundVariant, ControlButton, Controls, MiniMap, ReactF
 import { useEffect, useMemo, useRef, useState, type CSSProperties } from "react";
 import { fit } from "../../shared/drawing/fit";
 import { flowLines, flowNodes } from "../../shared/drawing/flow";
-import { liveOf } from "../../shared/drawing/live";
 import type { ModelTree } from "../../shared/model/modelTree";
 import { pathOf } from "../../shared/session/view";
-import { useCore, useSession, useView, view } from "../client";
+import { useView, view } from "../client";
 import { BarrierNode, type BarrierFlowNode } from "./BarrierNode";
 import { Breadcrumb } from "./Breadcrumb";
 import { CanvasTools } from "./CanvasTools";
-import { LiveContext } from "./LiveContext";
 import { ArrowHeads, ModelLine, type LineFlowEdge } from "./ModelLine";
 import { StateNode, type StateFlowNode } from "./StateNode";
 import { useDrawing, type Laid } from "./useDrawing";
@@ -23,21 +21,15 @@ export function ModelCanvas({ tree }: { readonly tree: ModelTree | undefined }) 
   const frame = useRef<HTMLDivElement>(null);
   const size = useSize(frame);
   const laid = useDrawing(tree, size);
-  const run = useSession((s) => s.run);
-  const fired = useSession((s) => s.fired);
-  const fault = useCore()?.fault;
-  const live = useMemo(() => liveOf(run, fired, fault), [run, fired, fault]);
   return (
     <section className="canvas" aria-label="Model" ref={frame}>
       <ArrowHeads />
       {laid !== undefined && tree !== undefined ? (
-        <LiveContext value={live}>
-          <ReactFlowProvider>
-            <Breadcrumb tree={tree} />
-            <CanvasTools tree={tree} detail={laid.detail} />
-            <Flow laid={laid} tree={tree} />
-          </ReactFlowProvider>
-        </LiveContext>
+        <ReactFlowProvider>
+          <Breadcrumb tree={tree} />
+          <CanvasTools tree={tree} detail={laid.detail} />
+          <Flow laid={laid} tree={tree} />
+        </ReactFlowProvider>
       ) : (
         <Empty waiting={tree !== undefined} />
       )}

@@ -4,13 +4,14 @@ import type { DrawnLine } from "../../shared/drawing/drawing";
 import { lineState } from "../../shared/drawing/live";
 import { roundedPath } from "../../shared/drawing/path";
 import { useView } from "../client";
-import { useLive } from "./LiveContext";
+import { useLive } from "./useLive";
 
 export type LineFlowEdge = Edge<{ readonly line: DrawnLine }, "line">;
 
 export function ModelLine({ id, data }: EdgeProps<LineFlowEdge>) {
-  const live = useLive();
   const line = data?.line;
+  const state = useLive((live) => (line === undefined ? "idle" : lineState(line, live)));
+  const beat = useLive((live) => (state === "fired" ? live.beat : 0));
   const touched = useView(
     (v) =>
       line !== undefined &&
@@ -20,11 +21,10 @@ export function ModelLine({ id, data }: EdgeProps<LineFlowEdge>) {
         : line.from.startsWith(`${v.selection.path}.`) || line.to === v.selection.path),
   );
   if (line === undefined) return null;
-  const state = lineState(line, live);
   const start = line.points[0];
   const marker = line.kind === "exit" || line.kind === "nowhere" ? "open" : state === "fired" ? "fired" : "plain";
   return (
-    <g className={`line line-${line.kind} is-${state}${touched ? " is-touched" : ""}`} key={state === "fired" ? live.beat : 0}>
+    <g className={`line line-${line.kind} is-${state}${touched ? " is-touched" : ""}`} key={beat}>
       <BaseEdge id={id} path={roundedPath(line.points, 7)} markerEnd={`url(#arrow-${marker})`} interactionWidth={0} />
       {line.kind === "first" && start !== undefined && <circle className="line-start" cx={start.x} cy={start.y} r={4} />}
     </g>

@@ -2,17 +2,17 @@
 import { Handle, Position, type NodeProps, type Node } from "@xyflow/react";
 import type { DrawnNode, DrawnPort } from "../../shared/drawing/drawing";
 import { liveValue } from "../../shared/drawing/live";
-import { clip, valueText } from "../../shared/model/describe";
+import { clip, valueText, type Line } from "../../shared/model/describe";
 import { useView, view } from "../client";
-import { useLive } from "./LiveContext";
+import { useLive } from "./useLive";
 
 export type StateFlowNode = Node<{ readonly drawn: DrawnNode }, "state">;
 
 export function StateNode({ data: { drawn } }: NodeProps<StateFlowNode>) {
-  const live = useLive();
   const selected = useView((v) => v.selection?.kind === "node" && v.selection.path === drawn.path);
-  const active = live.active.has(drawn.path);
-  const classes = ["state", active && "is-active", selected && "is-selected", drawn.open && "is-open", live.faultAt === drawn.path && "is-faulted"];
+  const active = useLive((live) => live.active.has(drawn.path));
+  const faulted = useLive((live) => live.faultAt === drawn.path);
+  const classes = ["state", active && "is-active", selected && "is-selected", drawn.open && "is-open", faulted && "is-faulted"];
   const select = () => view.dispatch({ type: "select", selection: { kind: "node", path: drawn.path } });
   return (
     <div
@@ -60,34 +60,37 @@ function Toggle({ drawn }: { readonly drawn: DrawnNode }) {
 }
 
 function TextSection({ drawn }: { readonly drawn: DrawnNode }) {
-  const live = useLive();
   return (
     <dl className="state-text">
-      {drawn.lines.map((line, i) => {
-        const value = liveValue(live, drawn.path, line);
-        return (
-          <div key={i}>
-            <dt>{drawn.lines[i - 1]?.label === line.label ? "" : line.label}</dt>
-            <dd title={value === undefined ? line.text : `${line.text}\nnow ${valueText(value)}`}>
-              {line.text}
-              {value !== undefined && line.label !== "params" && <span className="live"> = {clip(valueText(value), 18)}</span>}
-            </dd>
-          </div>
-        );
-      })}
+      {drawn.lines.map((line, i) => (
+        <div key={i}>
+          <dt>{drawn.lines[i - 1]?.label === line.label ? "" : line.label}</dt>
+          <LineText path={drawn.path} line={line} />
+        </div>
+      ))}
     </dl>
   );
 }
 
+function LineText({ path, line }: { readonly path: string; readonly line: Line }) {
+  const value = useLive((live) => liveValue(live, path, line));
+  return (
+    <dd title={value === undefined ? line.text : `${line.text}\nnow ${valueText(value)}`}>
+      {line.text}
+      {value !== undefined && line.label !== "params" && <span className="live"> = {clip(valueText(value), 18)}</span>}
+    </dd>
+  );
+}
+
 function PortBox({ port, origin }: { readonly port: DrawnPort; readonly origin: DrawnNode }) {
-  const live = useLive();
   const selected = useView((v) => v.selection?.kind === "port" && v.selection.address === port.address);
-  const fired = live.fired.has(port.address);
-  const active = live.ports.has(port.address);
+  const beat = useLive((live) => (live.fired.has(port.address) ? live.beat : 0));
+  const active = useLive((live) => live.ports.has(port.address));
+  const fired = beat > 0;
   const classes = ["port", active && "is-active", selected && "is-selected", fired && "is-fired", port.exits && "is-exit"];
   return (
     <button
-      key={fired ? live.beat : 0}
+      key={beat}
       type="button"
       className={classes.filter(Boolean).join(" ")}
       aria-label={`Port ${port.address}`}

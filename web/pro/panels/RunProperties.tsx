@@ -21,7 +21,7 @@ export function RunProperties() {
     <>
       <header className="prop-head">
         <small>Run {core.id}</small>
-        <h2>{name ?? core.document}</h2>
+        <h2>{name === undefined || name === "" ? core.document : name}</h2>
         <span className={`pill is-${core.status}`}>{statusText(core)}</span>
       </header>
       {fault !== undefined && (

@@ -26,6 +26,8 @@ interface Block {
 }
 
 const kMargin = 24;
+/** From so many children on, one direction is enough to try. */
+const kMany = 40;
 
 export async function layoutModel(engine: LayoutEngine, request: LayoutRequest): Promise<Drawing> {
   const block = await layoutNode(engine, request, request.state, request.path, "EAST", 0);
@@ -52,7 +54,7 @@ async function layoutNode(
   const open = node.children.length > 0 && !request.collapsed.has(path);
   if (!open) return leaf(request, node, path, side, depth);
   const candidates: Block[] = [];
-  for (const direction of ["RIGHT", "DOWN"] as const) {
+  for (const direction of node.children.length > kMany ? (["RIGHT"] as const) : (["RIGHT", "DOWN"] as const)) {
     const inner: Side = direction === "RIGHT" ? "EAST" : "SOUTH";
     const children = new Map<string, Block>();
     for (const child of node.children) {
@@ -70,6 +72,7 @@ async function layoutNode(
 function arrangements(direction: Arrangement["direction"], children: number, aspect: number): readonly Arrangement[] {
   const plain: Arrangement = { direction, wrap: false, aspect };
   if (children < 4) return [plain];
+  if (children > kMany) return [plain, { direction, wrap: true, aspect }];
   return [plain, { direction, wrap: true, aspect }, { direction, wrap: true, aspect: aspect * 1.6 }];
 }
 

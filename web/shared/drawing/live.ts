@@ -32,11 +32,19 @@ export function liveOf(run: RunState | undefined, fired: { readonly beat: number
   };
 }
 
-/** The live value that belongs to a line of a state's text section. */
+/** The live value that belongs to a line of a state's text section; the same object while it does not change. */
 export function liveValue(live: Live, path: string, line: Line): JsonValue | undefined {
   if (line.slot === undefined || live.run === undefined) return undefined;
-  const kinds = { params: live.run.parameters, results: live.run.results, vars: live.run.variables } as const;
-  return line.label in kinds ? kinds[line.label as keyof typeof kinds][path]?.[line.slot] : undefined;
+  switch (line.label) {
+    case "params":
+      return live.run.parameters[path]?.[line.slot];
+    case "results":
+      return live.run.results[path]?.[line.slot];
+    case "vars":
+      return live.run.variables[path]?.[line.slot];
+    default:
+      return undefined;
+  }
 }
 
 /** How a line looks now: `fired` where its port just fired, `active` where its port waits to be taken. */

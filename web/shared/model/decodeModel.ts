@@ -56,7 +56,7 @@ export const state: Decoder<State> = object((f) =>
 export const rcmDocument: Decoder<RcmDocument> = object((f) => {
   f.need("rcm", number);
   return {
-    name: f.or("name", string, "untitled"),
+    name: f.or("name", string, ""),
     services: f.or("services", record(string), {}),
     library: f.or("library", array(state), []),
     root: f.need("root", state),

@@ -1,0 +1,15 @@
+// The run's light, for nodes and lines: each reads the part that it shows, so a step redraws only what it changed.
+import { liveOf, still, type Live } from "../../shared/drawing/live";
+import { emptySession, watchedCore, type Session } from "../../shared/session/session";
+import { useSession } from "../client";
+
+let latest: { readonly session: Session; readonly live: Live } = { session: emptySession, live: still };
+
+/** Made once per change of the session, however many nodes ask. */
+function liveFor(session: Session): Live {
+  if (latest.session !== session) latest = { session, live: liveOf(session.run, session.fired, watchedCore(session)?.fault) };
+  return latest.live;
+}
+
+/** What `select` reads of the run; it must give the same value while nothing that it shows has changed. */
+export const useLive = <T>(select: (live: Live) => T): T => useSession((session) => select(liveFor(session)));
