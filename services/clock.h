@@ -1,11 +1,10 @@
-// Clock: the one source of time for every service and for the server. Nothing else reads a clock. It is world time
-// where there is a world, else steady time; both count seconds from the start of the process's cell or server.
+// Clock: the one source of time for every service and for the server. Nothing else reads a clock. It counts seconds of
+// the cell's world from the start; where there is no world, of what paces the cell.
 //
 // Threads: now() may be called on any.
 #pragma once
 
 #include <atomic>
-#include <chrono>
 
 #include "services/component.h"
 
@@ -16,15 +15,6 @@ class Clock {
   virtual ~Clock() = default;
   /// Seconds since the clock began; never goes back.
   virtual Time now() const = 0;
-};
-
-/// Steady time since it was made.
-class SteadyClock final : public Clock {
- public:
-  Time now() const override { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 /// World time: whoever steps the world sets it.

@@ -1,0 +1,104 @@
+#include "server/cell/cell.h"
+
+#include <chrono>
+#include <filesystem>
+
+#include "core/value/json.h"
+#include "server/cell/scene_json.h"
+#include "server/store/read_file.h"
+#include "services/database/database.h"
+#include "services/gripper/gripper.h"
+#include "services/robot/robot.h"
+#include "services/timer/timer.h"
+
+namespace race::server {
+
+namespace fs = std::filesystem;
+
+Expected<std::unique_ptr<Cell>> Cell::create(const CellSetup& setup, services::HostObserver& observer) {
+  std::unique_ptr<Cell> cell(new Cell(observer));
+  const fs::path scene = fs::path(setup.folder) / "scene.json";
+  if (!setup.folder.empty() && fs::exists(scene)) {
+    if (auto added = cell->add_world(scene); !added) return tl::unexpected(std::move(added).error());
+  }
+  if (auto added = cell->add_database(setup); !added) return tl::unexpected(std::move(added).error());
+  auto& host = cell->host_.declare("timer", "timer", cell->unit_);
+  cell->host_.attach("timer", std::make_unique<timer::Timer>(host));
+  return cell;
+}
+
+Expected<void> Cell::add_world(const std::string& scene_path) {
+  ASSIGN_OR_RETURN(world_, world::World::load(scene_path));
+  scene_ = scene_json(*world_);
+  const std::string& urdf = world_->scene().robot.urdf;
+  urdf_name_ = fs::path(urdf).filename();
+  ASSIGN_OR_RETURN(urdf_, read_file(urdf));
+  auto& robot_host = host_.declare("robot", "robot", unit_);
+  ASSIGN_OR_RETURN(auto robot, robot::Robot::create(robot_host, *world_));
+  host_.attach("robot", std::move(robot));
+  auto& gripper_host = host_.declare("gripper", "gripper", unit_);
+  host_.attach("gripper", std::make_unique<gripper::Gripper>(gripper_host, *world_));
+  return {};
+}
+
+Expected<void> Cell::add_database(const CellSetup& setup) {
+  ASSIGN_OR_RETURN(auto store, database::Store::open(setup.database));
+  const fs::path seeds = fs::path(setup.folder) / "database.json";
+  if (!setup.folder.empty() && fs::exists(seeds)) {
+    ASSIGN_OR_RETURN(const std::string text, read_file(seeds));
+    ASSIGN_OR_RETURN(const Value values, parse_json(text));
+    if (!values.is_dict()) return unexpected(ErrorCode::type, "expected an object of key: value", seeds);
+    for (const auto& [key, value] : values.as_dict()) {
+      if (store.get(key.as_string())) continue;
+      if (auto put = store.put(key.as_string(), value); !put) return tl::unexpected(std::move(put).error());
+    }
+  }
+  if (setup.own_threads) database_unit_ = std::make_unique<services::WorkThread>();
+  auto& host = host_.declare("db", "database", database_unit_ ? *database_unit_ : unit_);
+  host_.attach("db", std::make_unique<database::Database>(std::move(store), host));
+  return {};
+}
+
+Cell::~Cell() { stop(); }
+
+void Cell::step() {
+  unit_.run();
+  if (world_) world_->step();
+  clock_.set(static_cast<double>(++steps_) * kStep);
+  host_.step(unit_);
+  constexpr std::int64_t kStepsPerPose = 33;
+  if (pose_watched_ && steps_ % kStepsPerPose == 0) publish_pose();
+}
+
+void Cell::start_real_time() {
+  thread_ = std::thread([this] {
+    using namespace std::chrono_literals;
+    auto next = std::chrono::steady_clock::now();
+    while (!stop_) {
+      next += 1ms;
+      std::this_thread::sleep_until(next);
+      if (const auto now = std::chrono::steady_clock::now(); now - next > 100ms) next = now;
+      step();
+    }
+  });
+}
+
+void Cell::stop() {
+  if (stop_.exchange(true)) return;
+  if (thread_.joinable()) thread_.join();
+  database_unit_.reset();
+  host_.stop();
+}
+
+void Cell::publish_pose() {
+  if (!world_ || !publish_pose_) return;
+  Value pose = pose_json(*world_, clock_.now());
+  publish_pose_(std::move(pose.freeze()));
+}
+
+std::optional<std::string> Cell::file(const std::string& name) const {
+  if (!world_ || name != urdf_name_) return std::nullopt;
+  return urdf_;
+}
+
+}  // namespace race::server

@@ -1,0 +1,80 @@
+// Cell: the services of this process and the world they act in, with one host and one clock. Its unit steps at 1 kHz:
+// either paced by real time on a thread of its own, or by whoever calls step(), as fast as that goes.
+//
+// Threads: without start_real_time(), one: the caller's. With it, the unit's thread is the cell's own.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "core/value/expected.h"
+#include "core/value/value.h"
+#include "services/host.h"
+#include "services/world/world.h"
+
+namespace race::server {
+
+struct CellSetup {
+  std::string folder;       // with scene.json and database.json; what is absent is not there
+  std::string database;     // file of the database, or ":memory:"
+  bool own_threads = true;  // the database lives on a thread of its own; else all services are one unit
+};
+
+class Cell {
+ public:
+  static constexpr double kStep = world::World::kStep;
+
+  /// Builds the world of `folder`/scene.json with the services `robot` and `gripper`, and `db` and `timer`. Values of
+  /// `folder`/database.json whose keys the database does not have are added to it. Errors: `io`, and those of the
+  /// files.
+  static Expected<std::unique_ptr<Cell>> create(const CellSetup& setup, services::HostObserver& observer);
+  ~Cell();
+  Cell(const Cell&) = delete;
+  Cell& operator=(const Cell&) = delete;
+
+  services::Host& host() { return host_; }
+  const services::Clock& clock() const { return clock_; }
+  bool has_world() const { return world_ != nullptr; }
+
+  /// Does what was called since; no time passes. Whether there was anything.
+  bool work() { return unit_.run(); }
+  /// One step of the world and its services, 1 ms.
+  void step();
+
+  /// Steps in real time until stop(). If the machine falls behind by more than 100 ms, world time waits for it.
+  void start_real_time();
+  /// The units end; nothing is called on a service afterwards.
+  void stop();
+
+  /// `publish` gets poses (schemas/cell_pose.json, frozen) at 30 Hz of world time, on the unit's thread, while watched.
+  void on_pose(std::function<void(Value)> publish) { publish_pose_ = std::move(publish); }
+  void watch_pose(bool on) { pose_watched_ = on; }
+
+  /// schemas/scene.json, frozen; null without a world.
+  const Value& scene() const { return scene_; }
+  /// The text of the URDF file that the scene names; nothing for another name.
+  std::optional<std::string> file(const std::string& name) const;
+
+ private:
+  explicit Cell(services::HostObserver& observer) : host_(clock_, observer) {}
+  Expected<void> add_world(const std::string& scene_path);
+  Expected<void> add_database(const CellSetup& setup);
+  void publish_pose();
+
+  services::WorldClock clock_;
+  services::WorkQueue unit_;
+  std::unique_ptr<services::WorkThread> database_unit_;
+  std::unique_ptr<world::World> world_;
+  services::Host host_;
+  std::int64_t steps_ = 0;
+  Value scene_;
+  std::string urdf_name_, urdf_;
+  std::function<void(Value)> publish_pose_;
+  std::atomic<bool> pose_watched_{false}, stop_{false};
+  std::thread thread_;
+};
+
+}  // namespace race::server

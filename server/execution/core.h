@@ -1,0 +1,146 @@
+// Core: one run on its own strand. Inputs arrive in a queue, a macro step takes what the semantics says, calls go out
+// after the micro step in which they were made. It can be held between macro steps and led in micro steps; what
+// watchers see leaves it after a macro step as frozen values, and it never waits for one.
+//
+// Threads: all public functions on any but the core's strand; those that say "waits" wait for it, a few seconds at
+// most, and answer `unavailable` if it has not come round by then.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "core/value/expected.h"
+#include "server/execution/journal.h"
+#include "server/execution/replay.h"
+#include "server/execution/state_view.h"
+#include "server/execution/strand.h"
+#include "services/host.h"
+
+namespace race::server {
+
+/// Where a core's news go. Called on its strand; must be quick. All values are frozen.
+class CoreWatcher {
+ public:
+  virtual ~CoreWatcher() = default;
+  /// schemas/core.json
+  virtual void core_changed(const std::string& id, Value core) = 0;
+  virtual void state_snapshot(const std::string& id, Value state) = 0;
+  virtual void state_changed(const std::string& id, Value delta) = 0;
+  virtual void derivation_snapshot(const std::string& id, Value next) = 0;
+  virtual void derived(const std::string& id, Value steps) = 0;
+  virtual void printed(const std::string& id, const std::string& text) = 0;
+};
+
+/// How far a held core goes.
+struct StepGoal {
+  enum class Kind : std::uint8_t { none, micro, macro, entered, left } kind = Kind::none;
+  std::string path;  // of `entered` and `left`
+};
+
+class Core : public std::enable_shared_from_this<Core> {
+ public:
+  /// `header.arguments` and `header.native` are frozen. All outlive the core. Errors: those of semantics::Run::create.
+  static Expected<std::shared_ptr<Core>> create(std::string id, std::string document, JournalHeader header, Pool& pool,
+                                                services::Host& host, CoreWatcher& watcher);
+
+  const std::string& id() const { return id_; }
+  const semantics::Program& program() const { return *header_.program; }
+  const JournalHeader& header() const { return header_; }
+  /// As published last (schemas/core.json).
+  Value info() const;
+
+  /// A service said something that may concern this core.
+  void deliver(const services::Delivery& delivery);
+
+  // Commands: wait, and give the core as it is then. Error `conflict`: it is not in the state for it.
+  Expected<Value> start();
+  Expected<Value> pause();
+  Expected<Value> resume();
+  /// Ends the run between macro steps.
+  Expected<Value> stop();
+  /// Error `not_found`: no such state.
+  Expected<Value> step(StepGoal goal);
+
+  // Questions: wait.
+  /// schemas/core_state.json
+  Expected<Value> state();
+  /// schemas/why.json; `not_found`: no such port.
+  Expected<Value> why(const std::string& port);
+  /// A copy, and the micro steps done if the last macro step is not complete, else -1.
+  struct JournalView {
+    Journal journal;
+    int micro = -1;
+    semantics::Status status = semantics::Status::running;
+    std::string outcome;
+    std::optional<semantics::RunFault> fault;
+  };
+  Expected<JournalView> journal();
+  /// schemas/derivations.json, recomputed on a strand of its own. `out_of_range`: no such macro steps; 0 = the last
+  /// one.
+  Expected<Value> derivations(std::size_t from, std::size_t to);
+
+  /// No more steps are begun: the server ends.
+  void close() { closed_ = true; }
+
+  // Watching. A snapshot is published first; from then on, what changes.
+  void watch_state();
+  void watch_derivation(bool on);
+
+ private:
+  Core(std::string id, std::string document, JournalHeader header, semantics::Run run, Pool& pool, services::Host& host,
+       CoreWatcher& watcher);
+  template <typename F>
+  auto on_strand(F function) -> std::invoke_result_t<F>;
+
+  // All below: on the strand.
+  bool is_over() const { return run_.status() != semantics::Status::running; }
+  void schedule();
+  void advance();
+  void take_inbox();
+  bool micro_step();
+  void begin();
+  void complete();
+  void send_calls();
+  bool reached_goal() const;
+  void hold();
+  void publish(bool complete);
+  void publish_info();
+  Value info_json() const;
+
+  static constexpr int kTurn = 256;  // micro steps in one turn of the strand
+
+  const std::string id_, document_;
+  const JournalHeader header_;
+  Strand strand_, replay_strand_;
+  services::Host& host_;
+  CoreWatcher& watcher_;
+
+  mutable std::mutex mutex_;  // of the two below
+  std::vector<services::Delivery> inbox_;
+  Value info_;
+  std::atomic<bool> derivation_watched_{false}, closed_{false};
+
+  semantics::Run run_;
+  std::vector<JournalEntry> journal_;
+  bool started_ = false, paused_ = false, scheduled_ = false;
+  StepGoal goal_;
+  semantics::StateId goal_state_ = semantics::kNoState;
+  std::uint32_t goal_activations_ = 0;
+  bool goal_active_ = false;
+
+  bool open_ = false;  // a macro step has begun and is not complete
+  int micro_ = 0;      // micro steps done of it
+  std::optional<semantics::TreeRecorder> recorder_;
+  std::size_t derived_ = 0;                         // micro steps of it that were published
+  std::vector<semantics::OutgoingCall> new_calls_;  // since the last publication
+  bool state_watched_ = false;
+  StateView view_;
+  Value announced_ = Value::unknown();  // what the list of cores was told last
+
+  std::shared_ptr<Replay> replay_;  // of the replay strand
+};
+
+}  // namespace race::server

@@ -1,0 +1,51 @@
+// Cores: all cores of the server, by id; brings them what services say.
+//
+// Threads: any.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "core/rcm/model.h"
+#include "server/execution/core.h"
+
+namespace race::server {
+
+class Cores {
+ public:
+  static constexpr std::size_t kMost = 64;
+
+  /// All outlive this.
+  Cores(Pool& pool, services::Host& host, CoreWatcher& watcher) : pool_(pool), host_(host), watcher_(watcher) {}
+
+  /// A core of `document` that waits to be started. Errors: violations of the program (with `type` for a service of
+  /// another type than the document expects), an argument that does not fit, `conflict`: there are kMost cores already.
+  Checked<std::shared_ptr<Core>> create(const std::string& name, const rcm::Document& document, Dict arguments);
+  /// `not_found`: there is none of this id.
+  Expected<std::shared_ptr<Core>> find(const std::string& id) const;
+  /// In order of creation.
+  std::vector<std::shared_ptr<Core>> all() const;
+  /// Takes a core out; whoever still holds it may end it. Error `not_found`.
+  Expected<std::shared_ptr<Core>> remove(const std::string& id);
+
+  /// An event goes to every core that names it, a response to the core whose call it answers.
+  void deliver(const services::Delivery& delivery);
+  /// No core goes on: the server ends.
+  void close();
+
+ private:
+  Pool& pool_;
+  services::Host& host_;
+  CoreWatcher& watcher_;
+  mutable std::mutex mutex_;
+  std::map<std::uint64_t, std::shared_ptr<Core>> cores_;
+  std::uint64_t next_ = 1;
+};
+
+/// schemas/native.json of a document, frozen.
+Checked<Value> native_json(const rcm::Document& document);
+
+}  // namespace race::server

@@ -1,0 +1,47 @@
+// Headless: one task with services of its own and no clients, on one thread. World time waits for the core: it passes
+// only while nothing is left to do, so the same model, arguments and cell give the same run.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "server/cell/cell.h"
+#include "server/execution/journal.h"
+#include "server/execution/state_view.h"
+
+namespace race::server {
+
+struct HeadlessSetup {
+  CellSetup cell;         // on one thread, whatever it says
+  bool fast = false;      // as fast as possible; else paced by real time
+  double limit_s = 3600;  // of world time; a run that goes on then is left as it is
+};
+
+class Headless final : public services::HostObserver {
+ public:
+  /// Of a macro step or a service: schemas/core_delta.json without `core` and with `time`, or a line of the log.
+  using Report = std::function<void(const Dict&)>;
+
+  /// Runs `document` to its end. The last report has `status`, `outcome` or `fault`, `results`, `time` [s] and `steps`.
+  /// Errors: those of the document, the arguments and the cell.
+  static Checked<semantics::Status> run(const rcm::Document& document, Dict arguments, const HeadlessSetup& setup,
+                                        const Report& report);
+
+  void delivered(const services::Delivery& delivery) override { deliveries_.push_back(delivery); }
+  void changed(const services::ServiceStatus&) override {}
+  void logged(services::Time time, const std::string& key, const std::string& text) override;
+
+ private:
+  explicit Headless(const Report& report) : report_(report) {}
+  void execute(semantics::Run& run, Cell& cell, const HeadlessSetup& setup);
+  void settle(semantics::Run& run, Cell& cell);
+  void macro_step(semantics::Run& run, Cell& cell);
+  void take_deliveries(semantics::Run& run);
+
+  const Report& report_;
+  std::vector<services::Delivery> deliveries_;
+  StateView view_;
+};
+
+}  // namespace race::server

@@ -1,0 +1,27 @@
+// POST /api/v1/cores: a core of a document and arguments, which waits to be started.
+#include "core/value/fields.h"
+#include "core/value/json.h"
+#include "server/handlers/handlers.h"
+
+namespace race::server {
+
+Handled create_core(const Request& request, Application& app) {
+  auto body = parse_json(request.body);
+  if (!body) return failed(std::move(body).error());
+  std::vector<Error> errors;
+  Fields fields(*body, "", "the request", errors);
+  const auto name = fields.text("document", Fields::Need::required);
+  const Value* arguments = fields.find("arguments");
+  if (arguments && !arguments->is_dict()) fields.violation(ErrorCode::type, "`arguments` must be an object");
+  fields.close();
+  if (!errors.empty()) return tl::unexpected(std::move(errors));
+  const auto stored = app.documents().get(*name);
+  if (!stored) return tl::unexpected(stored.error());
+  const auto core = app.cores().create(stored->name, stored->document, arguments ? arguments->as_dict() : Dict());
+  if (!core) return tl::unexpected(core.error());
+  Reply reply = ok((*core)->info());
+  reply.status = 201;
+  return reply;
+}
+
+}  // namespace race::server

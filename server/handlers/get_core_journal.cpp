@@ -1,0 +1,14 @@
+// GET /api/v1/cores/{id}/journal: header and inputs of the run.
+#include "server/handlers/handlers.h"
+
+namespace race::server {
+
+Handled get_core_journal(const Request& request, Application& app) {
+  const auto core = core_of(request, app);
+  if (!core) return tl::unexpected(core.error());
+  const auto view = (*core)->journal();
+  if (!view) return failed(view.error());
+  return ok(journal_json(view->journal));
+}
+
+}  // namespace race::server

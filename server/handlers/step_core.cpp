@@ -1,0 +1,43 @@
+// POST /api/v1/cores/{id}/step: one micro step, one macro step, or until a state is entered or left.
+#include "core/value/fields.h"
+#include "core/value/json.h"
+#include "server/handlers/handlers.h"
+
+namespace race::server {
+
+namespace {
+
+Checked<StepGoal> read_goal(const std::string& text) {
+  auto body = parse_json(text);
+  if (!body) return failed(std::move(body).error());
+  std::vector<Error> errors;
+  Fields fields(*body, "", "the step", errors);
+  const std::string kind = fields.text("kind", Fields::Need::required).value_or("");
+  StepGoal goal;
+  if (kind == "until") {
+    goal.path = fields.text("path", Fields::Need::required).value_or("");
+    const std::string when = fields.text("when", Fields::Need::required).value_or("");
+    goal.kind = when == "left" ? StepGoal::Kind::left : StepGoal::Kind::entered;
+    if (when != "left" && when != "entered") fields.violation(ErrorCode::type, "`when` must be `entered` or `left`");
+    if (goal.path.empty()) fields.violation(ErrorCode::missing, "`path` must name a state");
+  } else {
+    goal.kind = kind == "micro" ? StepGoal::Kind::micro : StepGoal::Kind::macro;
+    if (kind != "micro" && kind != "macro")
+      fields.violation(ErrorCode::type, "`kind` must be `micro`, `macro` or `until`");
+  }
+  fields.close();
+  if (!errors.empty()) return tl::unexpected(std::move(errors));
+  return goal;
+}
+
+}  // namespace
+
+Handled step_core(const Request& request, Application& app) {
+  const auto core = core_of(request, app);
+  if (!core) return tl::unexpected(core.error());
+  auto goal = read_goal(request.body);
+  if (!goal) return tl::unexpected(std::move(goal).error());
+  return answer((*core)->step(std::move(*goal)));
+}
+
+}  // namespace race::server

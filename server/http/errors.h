@@ -1,0 +1,23 @@
+// Refusals as clients see them: {"errors": [{"path", "code", "message"}]} (schemas/errors.json), and the HTTP status.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/value/expected.h"
+#include "core/value/value.h"
+#include "server/http/message.h"
+
+namespace race::server {
+
+Value errors_json(const std::vector<Error>& errors);
+
+/// 404 for `not_found`, 409 `conflict`, 413 `too_large`, 503 `unavailable` and `io`, 400 what is not JSON or out of
+/// range, else 422: a body that was understood and breaks a rule. The first error decides.
+int status_of(const std::vector<Error>& errors);
+
+Reply refusal(const std::vector<Error>& errors);
+/// One error of the door itself, with a code that no document has.
+Reply refusal(int status, const std::string& code, const std::string& message);
+
+}  // namespace race::server

@@ -1,0 +1,304 @@
+// The one file that knows Boost.Beast. Coroutines of one thread; the strands of the rest never block it.
+#include "server/http/listener.h"
+
+#include <array>
+#include <boost/asio.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/websocket.hpp>
+#include <chrono>
+
+#include "core/value/json.h"
+#include "server/http/door.h"
+#include "server/http/errors.h"
+#include "server/http/routes.h"
+#include "server/http/static_files.h"
+#include "server/stream/requests.h"
+
+namespace race::server {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = beast::http;
+namespace websocket = beast::websocket;
+using asio::awaitable;
+using asio::ip::tcp;
+using boost::system::error_code;
+using namespace std::chrono_literals;
+
+constexpr auto kUse = asio::as_tuple(asio::use_awaitable);
+constexpr auto kPatience = 30s;  // for a request to arrive whole and an answer to leave
+constexpr auto kLinger = 2s;     // for a client to stop sending what is refused
+constexpr auto kIdle = 120s;     // between requests of one connection
+constexpr std::string_view kStream = "/api/v1/stream";
+
+struct Context {
+  Door door;
+  std::string web;
+  Application& app;
+  Pool& handlers;
+  int connections = 0;
+};
+
+using Parser = http::request_parser<http::string_body>;
+
+// Beast's request as ours. Error: the target.
+Expected<Request> to_request(const http::request<http::string_body>& from) {
+  Request request;
+  request.method = std::string(from.method_string());
+  for (const auto& field : from) {
+    std::string name(field.name_string());
+    for (char& c : name) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
+    request.headers.emplace_back(std::move(name), std::string(field.value()));
+  }
+  ASSIGN_OR_RETURN(auto target, parse_target(std::string_view(from.target())));
+  request.path = std::move(target.first);
+  request.query = std::move(target.second);
+  return request;
+}
+
+http::response<http::string_body> to_response(Reply reply, bool keep_alive) {
+  http::response<http::string_body> response(static_cast<http::status>(reply.status), 11);
+  response.keep_alive(keep_alive);
+  response.set(http::field::server, "race");
+  response.set("X-Content-Type-Options", "nosniff");
+  for (const auto& [name, value] : reply.headers) response.set(name, value);
+  if (reply.type.empty()) {
+    response.set(http::field::content_type, "application/json");
+    if (response.find(http::field::cache_control) == response.end())
+      response.set(http::field::cache_control, "no-store");
+    response.body() = to_json(reply.body);
+  } else {
+    response.set(http::field::content_type, reply.type);
+    response.body() = std::move(reply.text);
+  }
+  response.prepare_payload();
+  return response;
+}
+
+Reply answer(Request request, Context& context) {
+  if (request.path.starts_with("/api/")) return handle(std::move(request), context.app);
+  if (request.method == "GET")
+    if (auto file = static_file(context.web, request.path)) return std::move(*file);
+  return refusal(404, "not_found", "there is no such page");
+}
+
+// Runs `function` on the pool of the handlers and goes on here with its value.
+awaitable<Reply> on_pool(Pool& pool, std::function<Reply()> function) {
+  auto executor = co_await asio::this_coro::executor;
+  co_return co_await asio::async_initiate<const asio::use_awaitable_t<>, void(Reply)>(
+      [&pool, executor](auto handler, std::function<Reply()> work) {
+        // Held by the work until its value is handed over.
+        auto shared = std::make_shared<decltype(handler)>(std::move(handler));
+        pool.post([shared, executor, work = std::move(work)]() mutable {
+          auto reply = std::make_shared<Reply>(work());
+          asio::post(executor, [shared = std::move(shared), reply] { (*shared)(std::move(*reply)); });
+        });
+      },
+      asio::use_awaitable, std::move(function));
+}
+
+// One client of the stream. Held by its two coroutines, and by the hub until it leaves.
+class StreamSession final : public Listener, public std::enable_shared_from_this<StreamSession> {
+ public:
+  StreamSession(beast::tcp_stream stream, Hub& hub)
+      : socket_(std::move(stream)), waker_(socket_.get_executor()), executor_(socket_.get_executor()), hub_(hub) {}
+
+  Outbox& outbox() override { return outbox_; }
+  void wake() override {
+    asio::post(executor_, [self = shared_from_this()] { self->waker_.cancel(); });
+  }
+
+  awaitable<void> run(Parser::value_type request) {
+    beast::get_lowest_layer(socket_).expires_never();
+    socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
+    socket_.read_message_max(Door::kMessageBytes);
+    const auto [failed] = co_await socket_.async_accept(request, kUse);
+    if (failed) co_return;
+    asio::co_spawn(
+        executor_, [self = shared_from_this()] { return self->write(); }, asio::detached);
+    beast::flat_buffer buffer(Door::kMessageBytes + 1024);
+    for (;;) {
+      const auto [error, bytes] = co_await socket_.async_read(buffer, kUse);
+      if (error) break;
+      if (!socket_.got_text()) break;
+      const auto data = buffer.cdata();
+      handle_stream_request({static_cast<const char*>(data.data()), data.size()}, shared_from_this(), hub_);
+      buffer.consume(buffer.size());
+    }
+    over_ = true;
+    hub_.leave(shared_from_this());
+    waker_.cancel();
+    beast::get_lowest_layer(socket_).close();
+  }
+
+ private:
+  awaitable<void> write() {
+    while (!over_) {
+      while (auto text = outbox_.pop()) {
+        const auto [error, bytes] = co_await socket_.async_write(asio::buffer(**text), kUse);
+        if (error || over_) {
+          beast::get_lowest_layer(socket_).close();
+          co_return;
+        }
+      }
+      for (const std::string& channel : outbox_.take_owed()) hub_.subscribe(shared_from_this(), channel, std::nullopt);
+      waker_.expires_at(std::chrono::steady_clock::time_point::max());
+      co_await waker_.async_wait(kUse);
+    }
+  }
+
+  websocket::stream<beast::tcp_stream> socket_;
+  asio::steady_timer waker_;
+  asio::any_io_executor executor_;
+  Hub& hub_;
+  Outbox outbox_;
+  bool over_ = false;
+};
+
+// Why a header could not be read.
+std::optional<Reply> unreadable(error_code error) {
+  if (error == http::error::header_limit || error == http::error::buffer_overflow)
+    return refusal(431, "too_large", "a header has at most " + std::to_string(Door::kHeaderBytes) + " bytes");
+  if (error == http::error::body_limit)
+    return refusal(413, "too_large", "a body has at most " + std::to_string(Door::kBodyBytes) + " bytes");
+  if (error.category() == make_error_code(http::error::bad_method).category() && error != http::error::end_of_stream &&
+      error != http::error::partial_message)
+    return refusal(400, "http", error.message());
+  return std::nullopt;  // the connection is gone
+}
+
+awaitable<bool> send(beast::tcp_stream& stream, Reply reply, bool keep_alive) {
+  const auto response = to_response(std::move(reply), keep_alive);
+  stream.expires_after(kPatience);
+  const auto [error, bytes] = co_await http::async_write(stream, response, kUse);
+  if (error || keep_alive) co_return !error;
+  // A client that is still sending would lose the answer if the connection were cut: what it sends is thrown away.
+  error_code ignored;
+  stream.socket().shutdown(tcp::socket::shutdown_send, ignored);
+  stream.expires_after(kLinger);
+  std::array<char, 65536> waste;
+  for (std::size_t drained = 0; drained < 4 * Door::kBodyBytes;) {
+    const auto [end, read] = co_await stream.async_read_some(asio::buffer(waste), kUse);
+    if (end) break;
+    drained += read;
+  }
+  co_return false;
+}
+
+// (An initializer list within a co_await expression is more than g++ 12 can do.)
+Reply bad_target(const Error& error) {
+  Reply reply = refusal(std::vector<Error>{error});
+  reply.status = 400;
+  return reply;
+}
+
+// One request of a connection: whether another may follow.
+awaitable<bool> serve_one(beast::tcp_stream& stream, beast::flat_buffer& buffer, Context& context) {
+  Parser parser;
+  parser.header_limit(Door::kHeaderBytes);
+  parser.body_limit(Door::kBodyBytes);
+  stream.expires_after(kIdle);
+  if (const auto [error, bytes] = co_await http::async_read_header(stream, buffer, parser, kUse); error) {
+    if (auto reply = unreadable(error)) co_await send(stream, std::move(*reply), false);
+    co_return false;
+  }
+  auto request = to_request(parser.get());
+  if (!request) co_return co_await send(stream, bad_target(request.error()), false);
+  const bool upgrade = websocket::is_upgrade(parser.get());
+  if (auto refused = context.door.refuse(*request, upgrade))
+    co_return co_await send(stream, std::move(*refused), false);
+  stream.expires_after(kPatience);
+  if (const auto [error, bytes] = co_await http::async_read(stream, buffer, parser, kUse); error) {
+    if (auto reply = unreadable(error)) co_await send(stream, std::move(*reply), false);
+    co_return false;
+  }
+  if (upgrade && request->path == kStream && request->method == "GET") {
+    auto session = std::make_shared<StreamSession>(std::move(stream), context.app.hub());
+    co_await session->run(parser.release());
+    co_return false;
+  }
+  if (request->path == kStream)
+    co_return co_await send(stream, refusal(426, "upgrade", "a WebSocket is served here"), false);
+  const bool keep_alive = parser.keep_alive();
+  request->body = std::move(parser.get().body());
+  stream.expires_never();
+  Reply reply = co_await on_pool(context.handlers,
+                                 [request = std::move(*request), &context] { return answer(request, context); });
+  co_return co_await send(stream, std::move(reply), keep_alive);
+}
+
+awaitable<void> serve(tcp::socket socket, Context& context) {
+  beast::tcp_stream stream(std::move(socket));
+  beast::flat_buffer buffer(Door::kHeaderBytes + 64 * 1024);
+  try {
+    while (co_await serve_one(stream, buffer, context)) {
+    }
+  } catch (const std::exception& failure) {
+    context.app.log("server", std::string("a connection failed: ") + failure.what());
+  }
+  --context.connections;
+}
+
+awaitable<void> accept(tcp::acceptor& acceptor, Context& context) {
+  for (;;) {
+    auto [error, socket] = co_await acceptor.async_accept(kUse);
+    if (error == asio::error::operation_aborted) co_return;
+    if (error) {  // out of descriptors: others will be given back
+      asio::steady_timer pause(acceptor.get_executor(), 100ms);
+      co_await pause.async_wait(kUse);
+      continue;
+    }
+    if (context.connections >= HttpServer::kConnections) continue;
+    ++context.connections;
+    error_code ignored;
+    socket.set_option(tcp::no_delay(true), ignored);
+    asio::co_spawn(acceptor.get_executor(), serve(std::move(socket), context), asio::detached);
+  }
+}
+
+}  // namespace
+
+struct HttpServer::Sockets {
+  explicit Sockets(std::string its_web, Application& app)
+      : acceptor(io), handlers(std::make_unique<Pool>(4)), context{Door(0), std::move(its_web), app, *handlers} {}
+  // The handlers end while the sockets they answer to are still there.
+  ~Sockets() { handlers.reset(); }
+
+  asio::io_context io{1};
+  tcp::acceptor acceptor;
+  std::unique_ptr<Pool> handlers;
+  Context context;
+};
+
+HttpServer::HttpServer(std::unique_ptr<Sockets> sockets) : sockets_(std::move(sockets)) {}
+HttpServer::~HttpServer() = default;
+
+Expected<std::unique_ptr<HttpServer>> HttpServer::listen(std::uint16_t port, std::string web, Application& app) {
+  auto sockets = std::make_unique<Sockets>(std::move(web), app);
+  const tcp::endpoint endpoint(asio::ip::address_v4::loopback(), port);
+  try {
+    sockets->acceptor.open(endpoint.protocol());
+    sockets->acceptor.set_option(tcp::acceptor::reuse_address(true));
+    sockets->acceptor.bind(endpoint);
+    sockets->acceptor.listen();
+  } catch (const boost::system::system_error& failure) {
+    return unexpected(ErrorCode::io, failure.code().message(), "127.0.0.1:" + std::to_string(port));
+  }
+  sockets->context.door = Door(sockets->acceptor.local_endpoint().port());
+  return std::unique_ptr<HttpServer>(new HttpServer(std::move(sockets)));
+}
+
+std::uint16_t HttpServer::port() const { return sockets_->acceptor.local_endpoint().port(); }
+
+void HttpServer::run() {
+  asio::signal_set signals(sockets_->io, SIGINT, SIGTERM);
+  signals.async_wait([this](error_code, int) { sockets_->io.stop(); });
+  asio::co_spawn(sockets_->io, accept(sockets_->acceptor, sockets_->context), asio::detached);
+  sockets_->io.run();
+}
+
+void HttpServer::stop() { sockets_->io.stop(); }
+
+}  // namespace race::server

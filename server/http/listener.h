@@ -1,0 +1,37 @@
+// HttpServer: the sockets of `race serve`: HTTP and the stream on one loopback port. All of Beast is in listener.cpp;
+// what it does with a request is in door.h, routes.h, static_files.h and stream/.
+//
+// Threads: run() is the one that owns the sockets; handlers run on a pool of their own and may wait there.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "core/value/expected.h"
+#include "server/application.h"
+
+namespace race::server {
+
+class HttpServer {
+ public:
+  static constexpr int kConnections = 512;  // at once; further ones are closed
+
+  /// Listens on 127.0.0.1:`port` (0: any free one) and serves the files of `web`, if it is not empty, beside the
+  /// routes. The application outlives the server. Error `io`: the port cannot be had.
+  static Expected<std::unique_ptr<HttpServer>> listen(std::uint16_t port, std::string web, Application& app);
+  ~HttpServer();
+
+  std::uint16_t port() const;
+  /// Serves until SIGINT, SIGTERM or stop().
+  void run();
+  /// On any thread.
+  void stop();
+
+ private:
+  struct Sockets;
+  explicit HttpServer(std::unique_ptr<Sockets> sockets);
+  std::unique_ptr<Sockets> sockets_;
+};
+
+}  // namespace race::server

@@ -1,0 +1,41 @@
+// Request and Reply: what the routes see of HTTP. The listener makes one from the other; sockets stay there.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/value/expected.h"
+#include "core/value/value.h"
+
+namespace race::server {
+
+/// A parsed request. Header names are in lower case, each header as often as it came.
+struct Request {
+  std::string method;                                     // "GET"
+  std::string path;                                       // decoded, begins with '/'
+  std::map<std::string, std::string, std::less<>> query;  // decoded; the first of equal names
+  std::vector<std::pair<std::string, std::string>> headers;
+  std::string body;
+  std::map<std::string, std::string, std::less<>> parameters;  // of the route, such as `id`
+
+  /// The header, empty if it is absent.
+  std::string_view header(std::string_view name) const;
+  std::size_t count(std::string_view name) const;
+};
+
+/// An answer: JSON, or a text of another type.
+struct Reply {
+  int status = 200;
+  Value body;
+  std::string text, type;  // if `type` is not empty, the answer is `text`
+  std::vector<std::pair<std::string, std::string>> headers;
+};
+
+/// The path and query of a request target, decoded. Error `syntax`: it is not of the form /path?query, or is
+/// not properly encoded.
+Expected<std::pair<std::string, std::map<std::string, std::string, std::less<>>>> parse_target(std::string_view target);
+
+}  // namespace race::server

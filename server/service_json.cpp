@@ -1,0 +1,48 @@
+#include "server/service_json.h"
+
+#include "core/rsm/document.h"
+
+namespace race::server {
+namespace {
+
+Value number(std::uint64_t n) { return static_cast<std::int64_t>(n); }
+
+Value pending_json(const services::PendingCall& call) {
+  Dict json{{"call", number(call.id)}, {"operation", call.operation}, {"time", call.time}};
+  if (!call.caller.core.empty()) {
+    json.set("core", call.caller.core);
+    json.set("core_call", number(call.caller.call));
+  }
+  return json;
+}
+
+Value violation_json(const services::Violation& violation) {
+  Dict json{{"time", violation.time}, {"rule", violation.rule}, {"message", violation.message}};
+  if (violation.call != 0) json.set("call", number(violation.call));
+  if (!violation.operation.empty()) json.set("operation", violation.operation);
+  return json;
+}
+
+}  // namespace
+
+Value service_state_json(const services::ServiceStatus& status) {
+  List pending, violations;
+  for (const auto& each : status.pending) pending.push_back(pending_json(each));
+  for (const auto& each : status.violations) violations.push_back(violation_json(each));
+  Dict json{{"key", status.key},
+            {"state", status.state ? Value(*status.state) : Value()},
+            {"available", status.available},
+            {"pending", std::move(pending)},
+            {"violations", std::move(violations)}};
+  if (!status.last.empty()) json.set("last", status.last);
+  return json;
+}
+
+Value service_json(const services::ServiceStatus& status) {
+  Dict json = service_state_json(status).as_dict();
+  json.set("type", status.type);
+  json.set("rsm", rsm::write_service(*status.model));
+  return json;
+}
+
+}  // namespace race::server

@@ -1,0 +1,65 @@
+#include "server/stream/outbox.h"
+
+#include <algorithm>
+
+namespace race::server {
+
+void Outbox::push(const std::string& channel, Text text, bool sampled) {
+  const std::lock_guard lock(mutex_);
+  if (owed_.contains(channel)) return;
+  if (sampled) {
+    const auto older = std::ranges::find(items_, channel, &Item::channel);
+    if (older != items_.end()) {
+      bytes_ = bytes_ - older->text->size() + text->size();
+      older->text = std::move(text);
+      return;
+    }
+  }
+  bytes_ += text->size();
+  items_.push_back({channel, std::move(text), sampled});
+  // A lone message may be as large as it is: it is a snapshot or what a client asked for.
+  while (items_.size() > 1 && (items_.size() > kMessages || bytes_ > kBytes)) {
+    const auto victim = std::ranges::find(items_, false, &Item::sampled);
+    const std::string slow = victim == items_.end() ? items_.front().channel : victim->channel;
+    erase(slow);
+    owed_.insert(slow);
+  }
+}
+
+std::optional<Text> Outbox::pop() {
+  const std::lock_guard lock(mutex_);
+  if (items_.empty()) return std::nullopt;
+  Text text = std::move(items_.front().text);
+  items_.pop_front();
+  bytes_ -= text->size();
+  return text;
+}
+
+void Outbox::drop(const std::string& channel) {
+  const std::lock_guard lock(mutex_);
+  erase(channel);
+  owed_.erase(channel);
+}
+
+std::vector<std::string> Outbox::take_owed() {
+  const std::lock_guard lock(mutex_);
+  if (!items_.empty()) return {};
+  std::vector<std::string> owed(owed_.begin(), owed_.end());
+  owed_.clear();
+  return owed;
+}
+
+std::size_t Outbox::size() const {
+  const std::lock_guard lock(mutex_);
+  return items_.size();
+}
+
+void Outbox::erase(const std::string& channel) {
+  std::erase_if(items_, [&](const Item& item) {
+    if (item.channel != channel) return false;
+    bytes_ -= item.text->size();
+    return true;
+  });
+}
+
+}  // namespace race::server
