@@ -1,5 +1,6 @@
 // The constraints of code: every text of a document is checked with the names of its scope, as translation leaves them.
-#include <algorithm>
+#include <set>
+#include <string_view>
 
 #include "core/language/code.h"
 #include "core/rcm/call_text.h"
@@ -67,6 +68,7 @@ class CodeCheck {
 
   Symbols symbols_of(const State& state) const {
     Symbols out;
+    if (!names_) return out;
     const auto own = interface_of(state);
     out.parameters = own.parameters;
     out.results = own.results;
@@ -91,10 +93,12 @@ class CodeCheck {
       if (parameter.from) check(*parameter.from, CodeKind::expression, parent, path);
     }
     if (!child.link || !names_) return;
+    std::set<std::string_view> own;
+    for (const Parameter& parameter : child.parameters) {
+      if (parameter.value || parameter.from) own.insert(parameter.name);
+    }
     for (const Parameter& parameter : library_.parameters(child)) {
-      const bool own = std::any_of(child.parameters.begin(), child.parameters.end(),
-                                   [&](const Parameter& p) { return p.name == parameter.name && (p.value || p.from); });
-      if (parameter.from && !own)
+      if (parameter.from && !own.contains(parameter.name))
         report(language::check(*parameter.from, CodeKind::expression, parent), path, Names::only);
     }
   }

@@ -1,6 +1,7 @@
 #include "core/rcm/constraints.h"
 
-#include <algorithm>
+#include <set>
+#include <string_view>
 
 #include "core/rcm/constraints_internal.h"
 #include "core/rcm/extent.h"
@@ -9,10 +10,13 @@
 namespace race::rcm {
 namespace {
 
-/// Whether reading has said already what is wrong with the name of the nameless node at `path`.
-bool said(const Draft& draft, const Error& error) {
-  if (error.code != ErrorCode::name || !error.path.ends_with('?')) return false;
-  return std::any_of(draft.errors.begin(), draft.errors.end(), [&](const Error& e) { return e.path == error.path; });
+/// The paths of nameless nodes of which reading has said already that the name is missing or no text.
+std::set<std::string_view> said_nameless(const std::vector<Error>& errors) {
+  std::set<std::string_view> out;
+  for (const Error& error : errors) {
+    if (error.path.ends_with('?')) out.insert(error.path);
+  }
+  return out;
 }
 
 void check_extent(const Document& document, const Library& library, std::vector<Error>& errors) {
@@ -20,20 +24,22 @@ void check_extent(const Document& document, const Library& library, std::vector<
   if (extent.depth > kMaxDepth)
     errors.push_back(
         {ErrorCode::too_deep, "states and links are nested more than " + std::to_string(kMaxDepth) + " levels deep"});
-  if (extent.states > kMaxStates)
-    errors.push_back({ErrorCode::too_large,
-                      "with its links, it has more than " + std::to_string(kMaxStates) + " states and barriers"});
+  if (extent.states > kMaxStates || extent.bytes > kMaxBytes)
+    errors.push_back({ErrorCode::too_large, "with its links, it has more than " + std::to_string(kMaxStates) +
+                                                " states and barriers, or more than " +
+                                                std::to_string(kMaxBytes >> 20U) + " MiB of text"});
 }
 
 }  // namespace
 
 std::vector<Error> violations(const Draft& draft) {
   std::vector<Error> errors = draft.errors;
+  const auto nameless = said_nameless(draft.errors);
   const Library library(draft.document);
   std::vector<Error> structure;
   check_structure(draft.document, draft.has_root, library, structure);
   for (Error& error : structure) {
-    if (!said(draft, error)) errors.push_back(std::move(error));
+    if (error.code != ErrorCode::name || !nameless.contains(error.path)) errors.push_back(std::move(error));
   }
   if (errors.empty()) check_extent(draft.document, library, errors);
   const bool names = errors.empty();

@@ -15,6 +15,7 @@ namespace race::rcm {
 /// How large a native model may become, links expanded; a document beyond it is rejected (`too_large`, `too_deep`).
 inline constexpr std::size_t kMaxStates = 100'000;
 inline constexpr std::size_t kMaxDepth = 256;
+inline constexpr std::size_t kMaxBytes = 64U << 20U;
 
 /// All violations of a document. While its structure has some, names in its code are not checked (`scope`,
 /// `unknown_name`).

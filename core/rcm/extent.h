@@ -9,7 +9,9 @@
 namespace race::rcm {
 
 struct Extent {
-  std::size_t states = 0;  // states and barriers; no more than a large number
+  // Both stop to count soon after their limits (constraints.h).
+  std::size_t states = 0;  // states and barriers
+  std::size_t bytes = 0;   // of names and code; an element without text counts a little
   std::size_t depth = 0;   // levels of states, each link counted as a level
 };
 

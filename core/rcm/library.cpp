@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/rcm/constraints.h"
-
 namespace race::rcm {
 namespace {
 
@@ -77,8 +75,29 @@ class CycleSearch {
 
 }  // namespace
 
-Library::Library(const Document& document) : document_(document) {
+Library::Library(const Document& document) : document_(document), behaviours_(document.library.size(), nullptr) {
   for (std::size_t i = 0; i < document.library.size(); ++i) index_.emplace(document.library[i].name, i);
+  for (std::size_t i = 0; i < document.library.size(); ++i) resolve(i);
+  for (const State* behaviour : behaviours_) {
+    if (!behaviour || interfaces_.contains(behaviour)) continue;
+    Interface& interface = interfaces_[behaviour];
+    for (const Parameter& parameter : behaviour->parameters) interface.parameters.insert(parameter.name);
+    for (const Port& port : behaviour->ports) interface.ports.insert(port.name);
+  }
+}
+
+/// Finds the behaviour of a state and of all on the way to it.
+void Library::resolve(std::size_t start) {
+  std::set<std::size_t> way;
+  const State* behaviour = nullptr;
+  for (std::size_t at = start; !behaviour && way.insert(at).second;) {
+    const State& state = document_.library[at];
+    behaviour = state.link ? behaviours_[at] : &state;
+    const auto next = state.link ? index_.find(*state.link) : index_.end();
+    if (next == index_.end()) break;
+    at = next->second;
+  }
+  for (const std::size_t i : way) behaviours_[i] = behaviour;
 }
 
 const State* Library::find(std::string_view name) const {
@@ -87,12 +106,15 @@ const State* Library::find(std::string_view name) const {
 }
 
 const State* Library::behaviour(const State& state) const {
-  const State* at = &state;
-  for (std::size_t hops = 0; at && at->link; ++hops) {
-    if (hops == kMaxDepth) return nullptr;
-    at = find(*at->link);
-  }
-  return at;
+  if (!state.link) return &state;
+  const auto found = index_.find(*state.link);
+  return found == index_.end() ? nullptr : behaviours_[found->second];
+}
+
+const Library::Interface* Library::interface(std::string_view name) const {
+  const auto found = index_.find(name);
+  const State* behaviour = found == index_.end() ? nullptr : behaviours_[found->second];
+  return behaviour ? &interfaces_.at(behaviour) : nullptr;
 }
 
 std::vector<Parameter> Library::parameters(const State& state) const {

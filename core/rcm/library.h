@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,9 +19,15 @@ class Library {
   /// The library's state `name` (the first, if the name stands twice); nullptr if there is none.
   const State* find(std::string_view name) const;
 
-  /// The state whose behaviour `state` has: itself, or the end of its links. nullptr if a link leads to nothing, in
-  /// a circle, or over more than kMaxDepth links.
+  /// The state whose behaviour `state` has: itself, or the end of its links. nullptr if a link leads to nothing or in a
+  /// circle.
   const State* behaviour(const State& state) const;
+
+  /// What a link to the library's state `name` may override: the names of its behaviour. nullptr if it has none.
+  struct Interface {
+    std::set<std::string_view> parameters, ports;
+  };
+  const Interface* interface(std::string_view name) const;
 
   /// The parameters of `state`: its own, or those of the state it links with its expressions in place of theirs (where
   /// it has one), its type, texts and meta where it has them. Requires behaviour(state).
@@ -31,8 +38,12 @@ class Library {
   std::vector<std::vector<std::string>> cycles() const;
 
  private:
+  void resolve(std::size_t start);
+
   const Document& document_;
-  std::map<std::string, std::size_t, std::less<>> index_;
+  std::map<std::string_view, std::size_t> index_;
+  std::vector<const State*> behaviours_;          // of each state of the library
+  std::map<const State*, Interface> interfaces_;  // of those that are behaviours
 };
 
 /// `own` in place of `linked`, entry by entry if both are objects: the meta of a link.

@@ -157,17 +157,14 @@ class Structure {
       add(ErrorCode::link_field, path, "a linking state has no behaviour of its own: only parameters and ports");
     if (!library_.find(*state.link))
       return add(ErrorCode::link_unknown, path, "the library has no state " + quoted(*state.link));
-    const State* linked = library_.behaviour(state);
-    if (!linked) return;  // a link further on leads nowhere or back or too far, which is said there
-    Names parameters, ports;
-    for (const Parameter& parameter : linked->parameters) parameters.insert(parameter.name);
-    for (const Port& port : linked->ports) ports.insert(port.name);
+    const Library::Interface* linked = library_.interface(*state.link);
+    if (!linked) return;  // a link further on leads nowhere or back, which is said there
     for (const Parameter& parameter : state.parameters) {
-      if (!parameters.contains(parameter.name))
+      if (!linked->parameters.contains(parameter.name))
         add(ErrorCode::link_parameter, path, quoted(*state.link) + " has no parameter " + quoted(parameter.name));
     }
     for (const Port& port : state.ports) {
-      if (!ports.contains(port.name))
+      if (!linked->ports.contains(port.name))
         add(ErrorCode::link_port, port_path(path, port.name),
             quoted(*state.link) + " has no port " + quoted(port.name));
     }

@@ -1,7 +1,5 @@
 #include "core/rcm/translate.h"
 
-#include <algorithm>
-
 #include "core/rcm/constraints.h"
 #include "core/rcm/library.h"
 #include "core/rcm/oracle.h"
@@ -27,11 +25,12 @@ class Translation {
     if (!state.doc.empty()) out.doc = state.doc;
     out.meta = merged_meta(out.meta, state.meta);
     out.parameters = library_.parameters(state);
+    std::map<std::string_view, Port*> ports;
+    for (Port& port : out.ports) ports.emplace(port.name, &port);
     for (const Port& own : state.ports) {
-      const auto port =
-          std::find_if(out.ports.begin(), out.ports.end(), [&](const Port& p) { return p.name == own.name; });
-      port->to = own.to;
-      port->meta = merged_meta(port->meta, own.meta);
+      Port& port = *ports.at(own.name);
+      port.to = own.to;
+      port.meta = merged_meta(port.meta, own.meta);
       origin_[port_path(path, own.name)] = port_path(from, own.name);
     }
     origin_[path] = from;

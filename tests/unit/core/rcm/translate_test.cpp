@@ -1,0 +1,173 @@
+// Translation: what links (3.3.1) and oracles (3.3.2, Fig. 3.10) become, and where each element came from.
+#include "core/rcm/translate.h"
+
+#include <gtest/gtest.h>
+
+#include "core/rcm/document.h"
+#include "tests/unit/core/rcm/cases.h"
+
+namespace race::rcm {
+namespace {
+
+using Origin = std::map<std::string, std::string>;
+
+NativeModel native(std::string_view document) { return translate(read_document_text(document).value()).value(); }
+
+NativeModel native_case(const std::string& name) {
+  return native(read_text(RACE_SOURCE_DIR "/tests/conformance/" + name + "/model.json"));
+}
+
+State child(const State& state, std::string_view name) {
+  for (const Node& node : state.children) {
+    if (name_of(node) == name) return std::get<State>(node);
+  }
+  throw std::out_of_range("no child " + std::string(name));
+}
+
+/// A state as JSON; the test fails with both texts where they differ.
+void expect_state(const State& state, std::string_view json) {
+  EXPECT_EQ(to_json(write_state(state), 1), to_json(parse_json(json).value(), 1));
+}
+
+TEST(Link, TakesOverEverythingButExpressionsAndDestinations) {
+  const NativeModel model = native_case("link");
+  expect_state(child(model.root, "First"), R"json({
+    "state": "First",
+    "parameters": [{"name": "width", "value": 0.05}, {"name": "force", "from": "par.f"}],
+    "results": [{"name": "w"}],
+    "entry": "svc.gripper.grasp(par.width, par.force)",
+    "actions": [{"when": "svc.gripper.grasp.result", "do": "res.w = svc.gripper.grasp.result"}],
+    "ports": [{"name": "success", "when": "available(res.w) and res.w > 0", "to": "Done"},
+              {"name": "error", "when": "available(res.w) and res.w <= 0", "to": "Second"}]})json");
+  EXPECT_EQ(child(model.root, "Second").parameters[0].value, Value(1));
+  EXPECT_EQ(child(model.root, "Second").ports[1].to, std::nullopt);
+}
+
+TEST(Link, OfALinkedLibraryStateIsFollowed) {
+  const NativeModel model = native_case("link-nested");
+  EXPECT_EQ(model.root.name, "Root");
+  EXPECT_EQ(model.root.parameters[0].value, Value(5));
+  EXPECT_EQ(child(model.root, "B").entry, "res.y = par.x * 2");
+  EXPECT_EQ(child(model.root, "B").parameters[0].from, "chi.A.res.y");
+  EXPECT_EQ(model.origin, (Origin{{"Root", "Root"},
+                                  {"Root.done", "library/Twice.done"},
+                                  {"Root/A", "library/Twice/A"},
+                                  {"Root/A.done", "library/Twice/A.done"},
+                                  {"Root/B", "library/Twice/B"},
+                                  {"Root/B.done", "library/Leaf.done"}}));
+}
+
+TEST(Link, ToALinkTakesTheNearestExpression) {
+  const NativeModel model = native(R"({"rcm": 1, "library": [
+      {"state": "Inner", "parameters": [{"name": "a", "value": 1}, {"name": "b", "value": 1}, {"name": "c", "value": 1}]},
+      {"state": "Outer", "link": "Inner", "parameters": [{"name": "a", "value": 2}, {"name": "b", "value": 2}]}],
+    "root": {"state": "R", "link": "Outer", "parameters": [{"name": "a", "value": 3}, {"name": "b"}]}})");
+  EXPECT_EQ(model.root.parameters[0].value, Value(3));
+  EXPECT_EQ(model.root.parameters[1].value, Value(2)) << "a parameter without expression overrides none";
+  EXPECT_EQ(model.root.parameters[2].value, Value(1));
+}
+
+TEST(Link, KeepsItsOwnMetaBeforeTheLibrarys) {
+  const NativeModel model = native(R"({"rcm": 1, "library": [
+      {"state": "L", "doc": "of L", "meta": {"id": "l", "icon": "hand"},
+       "parameters": [{"name": "p", "value": 1, "unit": "m", "meta": {"id": "lp", "min": 0}}],
+       "ports": [{"name": "q", "when": "True", "meta": {"id": "lq"}}]}],
+    "root": {"state": "R", "link": "L", "meta": {"id": "r"}, "parameters": [{"name": "p", "value": 2, "meta": {"id": "rp"}}],
+             "ports": [{"name": "q", "meta": {"id": "rq"}}]}})");
+  expect_state(model.root, R"({"state": "R", "doc": "of L",
+    "parameters": [{"name": "p", "value": 2, "unit": "m", "meta": {"id": "rp", "min": 0}}],
+    "ports": [{"name": "q", "when": "True", "meta": {"id": "rq"}}], "meta": {"id": "r", "icon": "hand"}})");
+}
+
+TEST(ExprOracle, BecomesADispatcherInFrontOfTheChildren) {
+  const State task = child(native_case("oracle-expr").root, "Task");
+  EXPECT_EQ(task.first, "Dispatcher");
+  EXPECT_EQ(name_of(task.children.front()), "Dispatcher");
+  EXPECT_EQ(task.children.size(), 4U);
+  EXPECT_EQ(task.keep, std::nullopt);
+  expect_state(child(task, "Dispatcher"), R"({
+    "state": "Dispatcher", "parameters": [{"name": "choice", "from": "par.entry"}],
+    "ports": [{"name": "to_A", "when": "par.choice == 'A'", "to": "A"},
+              {"name": "to_B", "when": "par.choice == 'B'", "to": "B"},
+              {"name": "to_C", "when": "par.choice == 'C'", "to": "C"},
+              {"name": "otherwise", "when": "available(par.choice) and par.choice not in ['A', 'B', 'C']", "to": "A"}]})");
+}
+
+TEST(ExprOracle, WithoutFirstHasNoOtherwiseAndLeadsToStatesOnly) {
+  const NativeModel model = native(R"({"rcm": 1, "root": {"state": "R", "oracle": {"kind": "expr", "expr": "'A'"},
+      "children": [{"barrier": "b", "to": ["A"]}, {"state": "A"}]}})");
+  ASSERT_EQ(child(model.root, "Dispatcher").ports.size(), 1U);
+  EXPECT_EQ(child(model.root, "Dispatcher").ports[0].name, "to_A");
+}
+
+TEST(ExternalOracle, AsksOnEntryWithArgumentsOfTheComposite) {
+  expect_state(child(child(native_case("oracle-external").root, "Task"), "Dispatcher"), R"json({
+    "state": "Dispatcher",
+    "parameters": [{"name": "arg0", "from": "par"}, {"name": "arg1", "from": "res"}, {"name": "arg2", "from": "var"},
+                   {"name": "arg3", "from": "'x'"}],
+    "results": [{"name": "choice"}],
+    "entry": "svc.O.decide(par.arg0, par.arg1, par.arg2, par.arg3)",
+    "actions": [{"when": "svc.O.decide.result", "do": "res.choice = svc.O.decide.result"}],
+    "ports": [{"name": "to_A", "when": "res.choice == 'A'", "to": "A"},
+              {"name": "to_B", "when": "res.choice == 'B'", "to": "B"},
+              {"name": "to_C", "when": "res.choice == 'C'", "to": "C"},
+              {"name": "otherwise",
+               "when": "svc.O.decide.error or (available(res.choice) and res.choice not in ['A', 'B', 'C'])",
+               "to": "A"}]})json");
+}
+
+TEST(ExternalOracle, CountsKeywordsOn) {
+  const NativeModel model = native(R"json({"rcm": 1, "root": {"state": "R", "first": "A", "children": [{"state": "A"}],
+      "oracle": {"kind": "external", "call": "svc.O.decide(1, where=var)"}}})json");
+  EXPECT_EQ(child(model.root, "Dispatcher").entry, "svc.O.decide(par.arg0, where=par.arg1)");
+  EXPECT_EQ(child(model.root, "Dispatcher").parameters[1].from, "var");
+}
+
+TEST(HistoryOracle, RemembersTheChildAndKeeps) {
+  expect_state(child(native_case("oracle-history-resume").root, "Task"), R"({
+    "state": "Task",
+    "variables": [{"name": "last_active", "initial": "M"}],
+    "actions": [{"when": "chi.M.active and var.last_active != 'M'", "do": "var.last_active = 'M'"},
+                {"when": "chi.G.active and var.last_active != 'G'", "do": "var.last_active = 'G'"}],
+    "children": [
+      {"state": "Dispatcher", "parameters": [{"name": "choice", "from": "var.last_active"}],
+       "ports": [{"name": "to_M", "when": "par.choice == 'M'", "to": "M"},
+                 {"name": "to_G", "when": "par.choice == 'G'", "to": "G"},
+                 {"name": "otherwise", "when": "available(par.choice) and par.choice not in ['M', 'G']", "to": "M"}]},
+      {"state": "M", "ports": [{"name": "m", "when": "svc.t.go", "to": "G"}]},
+      {"state": "G", "ports": [{"name": "g", "when": "svc.t.go"}]}],
+    "first": "Dispatcher",
+    "ports": [{"name": "collision", "when": "svc.t.hit", "to": "Handle"},
+              {"name": "done", "when": "chi.G.port.g", "to": "Rest"}],
+    "keep": ["collision"]})");
+  EXPECT_TRUE(child(native_case("oracle-history").root, "Task").keep->any) << "without `resume`, through any port";
+}
+
+TEST(HistoryOracle, StandsBehindTheCompositesOwnVariablesAndActions) {
+  const NativeModel model = native(R"({"rcm": 1, "root": {"state": "R", "first": "A", "children": [{"state": "A"}],
+      "variables": [{"name": "v"}], "actions": [{"when": "False", "do": "pass"}], "oracle": {"kind": "history"}}})");
+  EXPECT_EQ(model.root.variables[1].name, "last_active");
+  EXPECT_EQ(model.root.actions[0].when, "False");
+}
+
+TEST(Oracle, OfALibraryStateIsTranslatedAtEachLink) {
+  const NativeModel model = native(R"({"rcm": 1,
+    "library": [{"state": "L", "children": [{"state": "X"}], "oracle": {"kind": "expr", "expr": "'X'"}}],
+    "root": {"state": "R", "children": [{"state": "A", "link": "L"}, {"state": "B", "link": "L"}]}})");
+  EXPECT_EQ(child(child(model.root, "B"), "Dispatcher").ports[0].to, "X");
+  EXPECT_EQ(model.origin.at("R/B"), "R/B");
+  EXPECT_EQ(model.origin.at("R/B/X"), "library/L/X");
+  EXPECT_EQ(model.origin.at("R/B/Dispatcher"), "library/L");
+  EXPECT_EQ(model.origin.at("R/B/Dispatcher.to_X"), "library/L");
+}
+
+TEST(Translation, LeavesADocumentWithoutExtensionsAsItIs) {
+  const auto document =
+      read_document_text(read_text(RACE_SOURCE_DIR "/tests/conformance/barrier-join/model.json")).value();
+  const NativeModel model = translate(document).value();
+  EXPECT_EQ(model.root, document.root);
+  for (const auto& [path, origin] : model.origin) EXPECT_EQ(path, origin);
+}
+
+}  // namespace
+}  // namespace race::rcm
