@@ -2,6 +2,8 @@
 import { createApi, RefusedError, type Step } from "../shared/api";
 import type { CellPose } from "../shared/messages/cell";
 import type { Core } from "../shared/messages/core";
+import { foldedAtFirst } from "../shared/model/folding";
+import { buildTree } from "../shared/model/modelTree";
 import { isOver, type Command } from "../shared/run/controls";
 import { applyEvent, emptySession, watchedCore, type Session, type SessionEvent } from "../shared/session/session";
 import { applyGesture, initialView, type Gesture, type View } from "../shared/session/view";
@@ -86,7 +88,11 @@ export function watch(id: string | undefined): void {
   if (id === undefined) return;
   stream?.subscribe(`core/${id}/state`);
   stream?.subscribe(`core/${id}/derivation`);
-  void api.coreModel(id).then((model) => session.dispatch({ type: "model", id, model }), problem);
+  void api.coreModel(id).then((model) => {
+    if (session.get().watched !== id) return;
+    view.dispatch({ type: "collapse_all", paths: foldedAtFirst(buildTree(model.root)) });
+    session.dispatch({ type: "model", id, model });
+  }, problem);
 }
 
 /** Makes a core of a document, watches it, and starts it if asked. */

@@ -85,7 +85,7 @@ function Flow({ laid, tree }: { readonly laid: Laid; readonly tree: ModelTree })
       <Controls showInteractive={false} showFitView={false} position="bottom-left">
         <FitButton laid={laid} />
       </Controls>
-      {laid.drawing.nodes.length > 30 && <MiniMap pannable zoomable position="bottom-right" nodeColor="#dfe7e2" maskColor="#f5f6f4cc" />}
+      {laid.drawing.nodes.length > 30 && <MiniMap pannable zoomable position="bottom-right" nodeColor={(node: StateFlowNode | BarrierFlowNode) => (node.data.drawn.depth === 0 ? "#f1f4f2" : "#c9d6cf")} maskColor="#f5f6f4cc" />}
       <Sight laid={laid} />
     </ReactFlow>
   );

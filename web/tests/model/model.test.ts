@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { clip, describeState, valueText } from "../../shared/model/describe";
+import { foldedAtFirst } from "../../shared/model/folding";
 import { exitReferences } from "../../shared/model/exitReferences";
 import { ancestry, buildTree, inboundPorts, portAt, splitAddress, stateAt } from "../../shared/model/modelTree";
 import { search } from "../../shared/model/search";
@@ -56,6 +57,17 @@ describe("the text section of a state", () => {
   it("writes values as a task author would", () => {
     expect(valueText({ pose: [0.4, 0, null], held: true, name: "x" })).toBe("{pose: [0.4, 0, None], held: True, name: 'x'}");
     expect(clip("abcdef", 4)).toBe("abc…");
+  });
+});
+
+describe("foldedAtFirst", () => {
+  it("shows a task of ordinary size whole", () => expect(foldedAtFirst(collision)).toEqual([]));
+  it("folds every composite below the root of a large one", () => {
+    const { root } = modelOf("thesis-collision-history");
+    const pick = root.children[0];
+    if (pick === undefined) throw new Error("the fixture has no children");
+    const copies = Array.from({ length: 9 }, (_, i) => ({ ...pick, name: `Pick${i}` }));
+    expect(foldedAtFirst(buildTree({ ...root, children: copies }))).toEqual(copies.map((copy) => `Root/${copy.name}`));
   });
 });
 
