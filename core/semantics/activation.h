@@ -62,7 +62,6 @@ void leave_children(Step<R>& step, StateId s) {
   live.lingering.clear();
   live.open.clear();
   live.waiting.clear();
-  live.pending_ports = live.open_barriers = false;
 }
 
 // SDeact2 (3.20): leaving an active state.
@@ -122,7 +121,7 @@ void SAct1(Step<R>& step, StateId s, PortId by) {
   Act(step, s);
   withdraw_ports(step, s);
   forget_earlier_activation(step, s);
-  if (step.program[s].watched) step.live(step.program[s].parent).dirty = true;
+  if (step.program[s].watched) wake(step.run, step.program[s].parent);
   Func(step, s, step.program[s].entry, FunctionOf::entry);
   if (const NodeRef first = step.program[s].first) {
     if (!first.barrier) resolve_parameters(step, first.state());
@@ -166,6 +165,10 @@ void BAct23(Step<R>& step, BarrierId b, PortId p) {
   }
   const std::size_t mark = step.mark();
   BIn(step, b, p);
+  if constexpr (!R::kRecords) {  // OPTIMIZATION: arrivals are counted
+    if (step.run.arrivals[index(b)] == step.program[b].in.size()) Act(step, b);
+    return;
+  }
   for (const PortId in : step.program[b].in) {
     if (Activated(step, b, in)) continue;
     if constexpr (R::kTree) rule.node().rule = Rule::BAct3;

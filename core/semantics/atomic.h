@@ -21,8 +21,9 @@ void Act(Step<R>& step, StateId s) {
   step.apply(Rule::Act, s);
   step.set_flag(step.program.flag(s), true, s, parent);
   Live& live = step.live(s);
-  live.awake = live.dirty = true;
+  wake(step.run, s);
   live.looking = false;
+  ++step.run.active_states;
   live.activated_in = step.run.epoch;
   live.activated_at = ++step.run.tick;
   live.calls_before = step.run.call_count;
@@ -48,7 +49,7 @@ void Act(Step<R>& step, BarrierId b) {
   step.apply(Rule::Act, b);
   step.set_flag(step.program.flag(b), true, parent, parent);
   step.live(parent).open.push_back(b);
-  step.live(parent).open_barriers = true;
+  step.run.hot.add(parent);
 }
 
 // An active port of `s` without destination, or of the root, stays active until its state is activated again or its
@@ -62,7 +63,7 @@ void Act(Step<R>& step, PortId p) {
   if (parent == kNoState) return;
   Live& above = step.live(parent);
   (info.to ? above.pending : above.lingering).push_back(p);
-  above.pending_ports = !above.pending.empty();
+  if (info.to) step.run.hot.add(parent);
 }
 
 // Deact (3.10):   Δ ⊢ x.active ⇝ true   ⟹   Δ ⊢ x ⇝ x'[active = false], Δ'[Φ']
@@ -71,6 +72,7 @@ void Deact(Step<R>& step, StateId s) {
   const StateId parent = step.program[s].parent;
   step.apply(Rule::Deact, s);
   step.set_flag(step.program.flag(s), false, s, parent);
+  --step.run.active_states;
   if (parent == kNoState) return;
   const Live& live = step.live(s);
   Live& above = step.live(parent);
@@ -99,7 +101,7 @@ void BIn(Step<R>& step, BarrierId b, PortId p) {
   OpenNode<R> node = step.apply(Rule::BIn, b, p);
   Live& above = step.live(step.program[b].parent);
   if (std::ranges::find(above.waiting, b) == above.waiting.end()) above.waiting.push_back(b);
-  step.set_arrived(p, true);
+  if (!step.run.arrived[index(p)]) step.set_arrived(p, true);
 }
 
 // Activated (3.12):   Δ, p ⊢ b.activated(p) ⇝ {true, false}

@@ -7,6 +7,8 @@ RunState::RunState(const Program& program)
       flags(program.flag_count(), 0),
       arrived(program.ports.size(), 0),
       live(program.states.size()),
+      arrivals(program.barriers.size(), 0),
+      hot(program.states.size()),
       event_data(program.services.events().size(), Value::unknown()),
       event_tick(program.services.events().size(), 0),
       response_tick(program.services.operations().size(), 0),
@@ -15,21 +17,31 @@ RunState::RunState(const Program& program)
       triggered(program.ports.size(), 0),
       calls(program.services.operations().size()) {}
 
-void wake_state(RunState& run, const Program& program, StateId s) {
-  run.live[index(s)].dirty = true;
-  for (; s != kNoState; s = program[s].parent) run.live[index(s)].awake = true;
+namespace {
+
+// OPTIMIZATION: from the root along active children into whose subtree readers are, or, if the readers are few,
+// straight to them.
+void wake_below(RunState& run, const Program& program, StateId s, std::uint64_t mask) {
+  const StateInfo& info = program[s];
+  if (info.own_mask & mask) wake(run, s);
+  for (StateId c = run.live[index(s)].first_active; c != kNoState; c = run.live[index(c)].next)
+    if (program[c].subtree_mask & mask) wake_below(run, program, c, mask);
 }
 
-bool wake_readers(RunState& run, const Program& program, StateId s, std::uint64_t mask) {
-  const StateInfo& info = program[s];
-  if (!(info.subtree_mask & mask)) return false;
-  Live& live = run.live[index(s)];
-  bool any = false;
-  if (info.own_mask & mask) any = live.dirty = true;
-  for (StateId c = live.first_active; c != kNoState; c = run.live[index(c)].next)
-    if (wake_readers(run, program, c, mask)) any = true;
-  if (any) live.awake = true;
-  return any;
+void wake_readers(RunState& run, const Program& program, const std::vector<StateId>& readers, std::uint64_t mask) {
+  if (readers.size() > 2 * run.active_states) return wake_below(run, program, Program::root, mask);
+  for (const StateId s : readers)
+    if (run.flags[program.flag(s)]) wake(run, s);
+}
+
+}  // namespace
+
+void wake_event_readers(RunState& run, const Program& program, EventId event) {
+  wake_readers(run, program, program.event_readers[event], Program::event_bit(event));
+}
+
+void wake_response_readers(RunState& run, const Program& program, OperationId operation) {
+  wake_readers(run, program, program.response_readers[operation], Program::response_bit(operation));
 }
 
 namespace {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/semantics/program.h"
+#include "core/semantics/state_set.h"
 
 namespace race::semantics {
 
@@ -19,19 +20,17 @@ struct Live {
   // Active children in order of declaration, as a list through `next` and `previous` of the children.
   StateId first_active = kNoState, last_active = kNoState;
   StateId next = kNoState, previous = kNoState;
-  // OPTIMIZATION: a state that is not awake would take an SProp without effect, and so would all its descendants.
-  bool awake = false;
-  bool dirty = false;    // something that its conditions or actions read has changed since it looked
-  bool looking = false;  // it was dirty when the present visit began
-  bool touched = false;  // has values that differ from "never active"
-  bool recheck = false;  // looks again in the next macro step
-  bool pending_ports = false, open_barriers = false;  // the lists below are not empty
-  std::uint64_t activated_in = 0;                     // macro step (epoch) of the last activation, R21
-  std::uint64_t activated_at = 0;                     // tick of the last activation, R19
-  std::uint64_t calls_before = 0;                     // calls of the run before the last activation, R20
+  bool dirty = false;              // something that its conditions or actions read has changed since it looked
+  bool looking = false;            // it was dirty when the present visit began
+  bool touched = false;            // has values that differ from "never active"
+  bool recheck = false;            // looks again in the next macro step
+  std::uint64_t activated_in = 0;  // macro step (epoch) of the last activation, R21
+  std::uint64_t activated_at = 0;  // tick of the last activation, R19
+  std::uint64_t calls_before = 0;  // calls of the run before the last activation, R20
   std::uint32_t activations = 0;
   PortId left_through = kNoPort;  // R8: by which port it was last left,
   std::uint32_t left_during = 0;  // in which activation of its parent
+  std::uint64_t resolved_in = 0;  // transition in which its parameters were resolved, R23
 
   std::vector<PortId> pending;     // active ports of children, with destination
   std::vector<PortId> lingering;   // and without
@@ -74,14 +73,20 @@ struct RunState {
   explicit RunState(const Program& program);
 
   // Δ
-  std::vector<Value> values;          // Π, Ξ, Λ by Slot
-  std::vector<std::uint8_t> flags;    // Φ by Flag
-  std::vector<std::uint8_t> arrived;  // activated(b), by inbound port
-  std::vector<Live> live;             // by StateId
+  std::vector<Value> values;            // Π, Ξ, Λ by Slot
+  std::vector<std::uint8_t> flags;      // Φ by Flag
+  std::vector<std::uint8_t> arrived;    // activated(b), by inbound port
+  std::vector<Live> live;               // by StateId
+  std::vector<std::uint32_t> arrivals;  // how many of the inbound ports have arrived, by BarrierId
+  // OPTIMIZATION: the states that have something to look at: dirty, or with ports or barriers to lead on. Any other
+  // active state would take an SProp without effect.
+  StateSet hot;
+  std::uint32_t active_states = 0;
 
   // Σ
   std::uint64_t epoch = 1;  // the present macro step
   std::uint64_t tick = 1;
+  std::uint64_t transitions = 0;                         // PTrans1 and barriers of PTrans2
   EventId occurrence = kNone;                            // of this macro step
   std::vector<Value> event_data;                         // newest ever delivered, by EventId
   std::vector<std::uint64_t> event_tick, response_tick;  // last delivery
@@ -97,11 +102,15 @@ struct RunState {
   std::vector<std::string> services_called;  // in order of first call
 };
 
-/// Marks `s` and the way to it from the root: it looks again.
-void wake_state(RunState& run, const Program& program, StateId s);
+/// `s` looks again, in this micro step if it comes later in tree order, else in the next.
+inline void wake(RunState& run, StateId s) {
+  run.live[index(s)].dirty = true;
+  run.hot.add(s);
+}
 
-/// Marks every active state below and including `s` that reads service data of this filter; whether there was one.
-bool wake_readers(RunState& run, const Program& program, StateId s, std::uint64_t mask);
+/// Every active state whose conditions or actions read the event, or a response of the operation, looks again.
+void wake_event_readers(RunState& run, const Program& program, EventId event);
+void wake_response_readers(RunState& run, const Program& program, OperationId operation);
 
 /// Everything in Δ as never active, for a state that is entered (R8): results and variables of `s` initial, parameters
 /// too of its descendants. `log` takes the old values.

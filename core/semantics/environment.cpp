@@ -31,8 +31,8 @@ const Value& StepEnvironment::response(OperationId operation, bool error) {
 void StepEnvironment::write(Slot slot, Value value) {
   const std::uint8_t readers = program_.slot_readers[slot];
   const StateId owner = program_.slot_state[slot];
-  if (readers & kOwner) run_.live[index(owner)].dirty = true;
-  if (readers & kParent) run_.live[index(program_[owner].parent)].dirty = true;
+  if (readers & kOwner) wake(run_, owner);
+  if (readers & kParent) wake(run_, program_[owner].parent);
   log_.emplace_back(slot, std::move(run_.values[slot]));
   run_.values[slot] = std::move(value);
 }

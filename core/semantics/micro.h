@@ -62,7 +62,7 @@ bool PTrigger(Step<R>& step, StateId s) {
 //   Σ,Δ ⊢ s → s,Δ'
 template <Recorder R>
 bool PTrans1(Step<R>& step, StateId s) {
-  if (!step.live(s).pending_ports) return false;
+  if (step.live(s).pending.empty()) return false;
   OpenNode<R> rule = step.apply(Rule::PTrans1, s);
   Active(step, s);
   actions_of(step, s);
@@ -70,8 +70,8 @@ bool PTrans1(Step<R>& step, StateId s) {
   std::vector<PortId>& taken = step.work.ports;
   taken.clear();
   std::swap(taken, step.live(s).pending);
-  step.live(s).pending_ports = false;
-  std::ranges::sort(taken, {}, [](PortId p) { return index(p); });
+  const auto number = [](PortId p) { return index(p); };
+  if (!std::ranges::is_sorted(taken, {}, number)) std::ranges::sort(taken, {}, number);
   if constexpr (!R::kTree) {
     resolve_destinations(step, taken);
     for (const PortId p : taken) {
@@ -96,16 +96,20 @@ bool PTrans1(Step<R>& step, StateId s) {
   return true;
 }
 
+/// The parameters of `s`, if it is inactive and they have not been resolved in this transition.
+template <Recorder R>
+void resolve_once(Step<R>& step, StateId s) {
+  if (step.is_active(s) || step.live(s).resolved_in == step.run.transitions) return;
+  step.live(s).resolved_in = step.run.transitions;
+  resolve_parameters(step, s);
+}
+
 /// The parameters of every destination that is an inactive state, once each.
 template <Recorder R>
 void resolve_destinations(Step<R>& step, const std::vector<PortId>& ports) {
-  for (std::size_t i = 0; i < ports.size(); ++i) {
-    const NodeRef to = step.program[ports[i]].to;
-    if (to.barrier || step.is_active(to.state())) continue;
-    const auto same = [&](PortId p) { return step.program[p].to.number == to.number && !step.program[p].to.barrier; };
-    if (std::any_of(ports.begin(), ports.begin() + static_cast<std::ptrdiff_t>(i), same)) continue;
-    resolve_parameters(step, to.state());
-  }
+  ++step.run.transitions;
+  for (const PortId p : ports)
+    if (const NodeRef to = step.program[p].to; !to.barrier) resolve_once(step, to.state());
 }
 
 /// Moves the recorded Resolve nodes of `to` into the derivation.
@@ -126,14 +130,13 @@ void show_resolved(Step<R>& step, std::vector<DerivationNode>& resolved, NodeRef
 //   Σ,Δ ⊢ s → s,Δ'
 template <Recorder R>
 bool PTrans2(Step<R>& step, StateId s) {
-  if (!step.live(s).open_barriers) return false;
+  if (step.live(s).open.empty()) return false;
   OpenNode<R> rule = step.apply(Rule::PTrans2, s);
   Active(step, s);
   actions_of(step, s);
   std::vector<BarrierId>& taken = step.work.barriers;
   taken.clear();
   std::swap(taken, step.live(s).open);
-  step.live(s).open_barriers = false;
   std::ranges::sort(taken, {}, [](BarrierId b) { return index(b); });
   for (const BarrierId b : taken) {
     std::erase(step.live(s).waiting, b);
@@ -148,13 +151,9 @@ bool PTrans2(Step<R>& step, StateId s) {
 template <Recorder R>
 void open_barrier(Step<R>& step, BarrierId b) {
   const std::vector<StateId>& to = step.program[b].to;
-  const auto named_before = [&](std::size_t i) {
-    return std::find(to.begin(), to.begin() + static_cast<std::ptrdiff_t>(i), to[i]) !=
-           to.begin() + static_cast<std::ptrdiff_t>(i);
-  };
   const std::size_t mark = step.mark();
-  for (std::size_t i = 0; i < to.size(); ++i)
-    if (!step.is_active(to[i]) && !named_before(i)) resolve_parameters(step, to[i]);
+  ++step.run.transitions;
+  for (const StateId d : to) resolve_once(step, d);
   if constexpr (R::kTree) {
     std::vector<DerivationNode> resolved(step.recorder.derivation.nodes.begin() + static_cast<std::ptrdiff_t>(mark),
                                          step.recorder.derivation.nodes.end());
@@ -180,28 +179,45 @@ bool SProp(Step<R>& step, StateId s) {
   OpenNode<R> rule = step.apply(Rule::SProp, s);
   Active(step, s);
   actions_of(step, s);
-  bool awake = false;
-  for (StateId c = step.live(s).first_active; c != kNoState;) {
-    const StateId next = step.live(c).next;  // c may leave the list, its siblings stay
-    if (R::kRecords || step.live(c).awake) awake |= visit(step, c);
-    c = next;
+  if constexpr (R::kRecords) {
+    for (StateId c = step.live(s).first_active; c != kNoState;) {
+      const StateId next = step.live(c).next;  // c may leave the list, its siblings stay
+      visit(step, c);
+      c = next;
+    }
   }
-  Live& live = step.live(s);
-  live.awake = awake || step.woken || live.dirty || live.pending_ports || live.open_barriers;
   return true;
 }
 
-/// One micro transition of an active state. Returns whether its subtree, or its parent because of it, has to look
-/// again.
+/// One micro transition of an active state. Returns whether its children take theirs too: whether it was SProp.
 template <Recorder R>
 bool visit(Step<R>& step, StateId s) {
   Live& live = step.live(s);
   live.looking = live.dirty;
   live.dirty = false;
-  if (PTrigger(step, s)) return false;  // what it leaves behind has marked the parent
-  if (PTrans1(step, s) || PTrans2(step, s)) return live.awake = true;
-  SProp(step, s);
-  return live.awake;
+  step.run.hot.remove(s);
+  if (PTrigger(step, s) || PTrans1(step, s) || PTrans2(step, s)) return false;
+  return SProp(step, s);
+}
+
+/// The micro transition of the root, and so of the model.
+/// OPTIMIZATION: without a derivation only the states that have something to look at are visited, in tree order, which
+/// is the order in which SProp would come to them; below a state that did not take SProp none is.
+template <Recorder R>
+void visit_root(Step<R>& step) {
+  if constexpr (R::kRecords) {
+    visit(step, Program::root);
+  } else {
+    StateSet& hot = step.run.hot;
+    for (StateId s = hot.next(0); s != kNoState;) {
+      std::uint32_t next = index(s) + 1;
+      if (!step.is_active(s))
+        hot.remove(s);
+      else if (!visit(step, s))
+        next = step.program[s].end;
+      s = hot.next(next);
+    }
+  }
 }
 
 }  // namespace race::semantics

@@ -210,9 +210,15 @@ class Builder {
   void watch(std::uint32_t number, const Code& code) {
     if (!code) return;
     const language::Mentions& m = code.mentions();
-    for (const EventId e : m.events) masks_[number] |= Program::event_bit(e);
-    for (const EventId e : m.latest) masks_[number] |= Program::event_bit(e);
-    for (const OperationId o : m.responses) masks_[number] |= Program::response_bit(o);
+    for (const auto* events : {&m.events, &m.latest})
+      for (const EventId e : *events) {
+        masks_[number] |= Program::event_bit(e);
+        event_readers_[e].insert(StateId{number});
+      }
+    for (const OperationId o : m.responses) {
+      masks_[number] |= Program::response_bit(o);
+      response_readers_[o].insert(StateId{number});
+    }
     const auto& owner = p_.slot_state;
     for (const Slot slot : m.reads) p_.slot_readers[slot] |= index(owner[slot]) == number ? kOwner : kParent;
     for (const Flag flag : m.flags) {
@@ -298,6 +304,10 @@ class Builder {
       if (p_.slot_readers[slot] & kParent) p_.states[index(p_.slot_state[slot])].watched = true;
     p_.event_named.assign(p_.services.events().size(), 0);
     p_.response_named.assign(p_.services.operations().size(), 0);
+    p_.event_readers.resize(p_.event_named.size());
+    p_.response_readers.resize(p_.response_named.size());
+    for (const auto& [e, readers] : event_readers_) p_.event_readers[e].assign(readers.begin(), readers.end());
+    for (const auto& [o, readers] : response_readers_) p_.response_readers[o].assign(readers.begin(), readers.end());
     for (const EventId e : named_events_) p_.event_named[e] = 1;
     for (const OperationId o : named_responses_) p_.response_named[o] = 1;
     for (const auto& event : p_.services.events()) p_.sampled.push_back(event.sampled ? 1 : 0);
@@ -307,6 +317,8 @@ class Builder {
   const rcm::NativeModel& model_;
   std::vector<const rcm::State*> syntax_;  // by state number
   std::vector<std::uint64_t> masks_;
+  std::map<EventId, std::set<StateId>> event_readers_;
+  std::map<OperationId, std::set<StateId>> response_readers_;
   std::set<EventId> named_events_;
   std::set<OperationId> named_responses_;
   std::vector<Error> errors_;

@@ -77,11 +77,11 @@ struct ActionInfo {
 };
 
 struct PortInfo {
-  std::string name;
   StateId state = kNoState;
-  Code when;
   bool svc = false;  // its condition mentions svc: R9 applies
   NodeRef to;
+  Code when;
+  std::string name;
 };
 
 struct BarrierInfo {
@@ -92,23 +92,23 @@ struct BarrierInfo {
 };
 
 struct StateInfo {
-  std::string name, path;
   StateId parent = kNoState;
   std::uint32_t end = 0;  // its descendants are the states (own number, end)
-  std::vector<NodeRef> children;
-  NodeRef first;
   Range<PortId> ports;
   Range<ActionId> actions;
+  std::uint64_t own_mask = 0;  // service data that its conditions and actions read, as bits of a small filter
+  std::uint64_t subtree_mask = 0;
+  bool watched = false;                   // its parent reads a parameter or result of it
+  bool keeps = false, keeps_any = false;  // R8
+  NodeRef first;
+  Code entry, exit;
+  Slot parameter_slot = 0, result_slot = 0, variable_slot = 0;
   std::vector<ParameterInfo> parameters;  // slots from `parameter_slot` on; likewise below
   std::vector<std::string> results, variables;
-  Slot parameter_slot = 0, result_slot = 0, variable_slot = 0;
-  Code entry, exit;
-  bool keeps = false, keeps_any = false;  // R8
+  std::vector<NodeRef> children;
   std::vector<PortId> keep_ports;
   std::vector<OperationId> calls;  // by code of it or a descendant (R20)
-  std::uint64_t own_mask = 0;      // service data that its conditions and actions read, as bits of a small filter
-  std::uint64_t subtree_mask = 0;
-  bool watched = false;  // its parent reads a parameter or result of it
+  std::string name, path;
 };
 
 /// Who has to look again when a place in Δ changes.
@@ -157,6 +157,8 @@ class Program {
   language::ServiceTable services;
   std::vector<std::uint8_t> sampled;  // by EventId
   std::vector<std::uint8_t> event_named, response_named;
+  // The states whose conditions and actions read the event, or a response of the operation, in order.
+  std::vector<std::vector<StateId>> event_readers, response_readers;
 };
 
 }  // namespace race::semantics

@@ -156,13 +156,18 @@ void Run::begin(std::optional<Input> input) {
   ++body_->position;
   if (!input) return;
   ++run.epoch;  // `executed`, `triggered` and the states activated in this macro step are empty
-  std::uint64_t mask = run.occurrence == kNone ? 0 : Program::event_bit(run.occurrence);
-  run.occurrence = kNone;
+  const bool active = run.flags[program.flag(Program::root)] != 0;
+  for (const StateId s : run.recheck) {
+    run.live[index(s)].recheck = false;
+    if (run.flags[program.flag(s)]) wake(run, s);
+  }
+  run.recheck.clear();
+  const EventId before = std::exchange(run.occurrence, kNone);
   if (input->kind == Input::Kind::event) {
     run.occurrence = input->number;
     run.event_data[input->number] = std::move(input->data);
     run.event_tick[input->number] = ++run.tick;
-    mask |= Program::event_bit(input->number);
+    if (active) wake_event_readers(run, program, input->number);
   } else {
     CallRecord* record = answerable(run, input->number, input->call);
     assert(record);
@@ -170,15 +175,9 @@ void Run::begin(std::optional<Input> input) {
     record->is_error = input->is_error;
     record->response = std::move(input->data);
     run.response_tick[input->number] = ++run.tick;
-    mask |= Program::response_bit(input->number);
+    if (active) wake_response_readers(run, program, input->number);
   }
-  if (!run.flags[program.flag(Program::root)]) return;
-  for (const StateId s : run.recheck) {
-    run.live[index(s)].recheck = false;
-    if (run.flags[program.flag(s)]) wake_state(run, program, s);
-  }
-  run.recheck.clear();
-  wake_readers(run, program, Program::root, mask);
+  if (active && before != kNone && before != run.occurrence) wake_event_readers(run, program, before);
 }
 
 namespace {
@@ -216,7 +215,7 @@ void Run::micro_transition(R& recorder, bool& changed) {
     changed = true;
     return;
   }
-  if (step.is_active(Program::root)) visit(step, Program::root);
+  if (step.is_active(Program::root)) visit_root(step);
   changed = step.changed;
 }
 
@@ -225,7 +224,7 @@ bool Run::micro(R& recorder) {
   Body& b = *body_;
   if (b.status != Status::running) return false;
   if constexpr (!R::kRecords)
-    if (b.state.started && !b.state.live[0].awake) return false;
+    if (b.state.started && b.state.hot.empty()) return false;
   std::size_t mark = 0;
   if constexpr (R::kTree) mark = recorder.derivation.nodes.size();
   if constexpr (R::kRecords && !R::kTree) mark = recorder.names.size();

@@ -75,10 +75,12 @@ class Step {
     work.log.flags.emplace_back(flag, run.flags[flag]);
     run.flags[flag] = on ? 1 : 0;
     const std::uint8_t readers = program.flag_readers[flag];
-    if (readers & kOwner) live(owner).dirty = true;
-    if (readers & kParent) live(parent).dirty = true;
+    if (readers & kOwner) wake(run, owner);
+    if (readers & kParent) wake(run, parent);
   }
+  /// An arrival of `p` at its barrier comes or goes. Requires a change.
   void set_arrived(PortId p, bool on) {
+    run.arrivals[program[p].to.number] += on ? 1U : ~0U;
     work.log.arrived.emplace_back(p, run.arrived[index(p)]);
     run.arrived[index(p)] = on ? 1 : 0;
   }
@@ -129,8 +131,6 @@ class Step {
   R& recorder;
   /// R14: whether this micro step changed Δ, `executed` or `triggered`.
   bool changed = false;
-  /// A call withdrew a response that states read which this micro step has visited already: all on the way stay awake.
-  bool woken = false;
 
  private:
   // `node` moves when its premises are added: it is not touched after that.
@@ -194,7 +194,7 @@ void Step<R>::commit_calls(StateId s) {
       std::vector<CallRecord>& records = run.calls[call.operation];
       std::erase_if(records, [&](const CallRecord& record) { return record.caller == s; });
       records.push_back({s, number});
-      if (wake_readers(run, program, Program::root, Program::response_bit(call.operation))) woken = true;
+      wake_response_readers(run, program, call.operation);
     }
     work.outgoing.push_back({number, call.operation, std::move(call.service), std::move(call.name),
                              std::move(call.args), std::move(call.kwargs), s});

@@ -1,6 +1,6 @@
 // What one event costs, in nanoseconds of CPU time: the core without derivations, with the names of the applied rules,
 // and with whole trees, beside a minimal table-driven machine doing the same work in the same run. Each figure is the
-// median of interleaved rounds. Usage: core_bench [rounds]
+// median of interleaved rounds. Usage: core_bench [rounds [part of a name [off]]]
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -138,13 +138,19 @@ int main(int argc, char** argv) {
   std::printf("ns of CPU per event, median of %d interleaved rounds\n", rounds);
   std::printf("%-28s %9s %9s %9s %9s %9s %9s\n", "work", "off", "names", "tree", "tree/off", "table", "off/table");
   for (const Workload& load : loads) {
+    if (argc > 2 && load.name.find(argv[2]) == std::string::npos) continue;
     CoreLoad core(load.model);
     std::vector<double> off, names, tree, table;
     for (int i = 0; i < rounds; ++i) {
       off.push_back(core.nanoseconds<race::semantics::NoRecorder>(load.events));
+      if (argc > 3) continue;
       names.push_back(core.name_nanoseconds(load.events / 4));
       tree.push_back(core.tree_nanoseconds(load.events / 4));
       table.push_back(load.table(load.events));
+    }
+    if (argc > 3) {
+      std::printf("%-28s %9.0f\n", load.name.c_str(), median(off));
+      continue;
     }
     std::printf("%-28s %9.0f %9.0f %9.0f %9.1f %9.1f %9.1f\n", load.name.c_str(), median(off), median(names),
                 median(tree), median(tree) / median(off), median(table), median(off) / median(table));
