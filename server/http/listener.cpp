@@ -84,19 +84,21 @@ Reply answer(Request request, Context& context) {
   return refusal(404, "not_found", "there is no such page");
 }
 
-// Runs `function` on the pool of the handlers and goes on here with its value.
-awaitable<Reply> on_pool(Pool& pool, std::function<Reply()> function) {
-  auto executor = co_await asio::this_coro::executor;
-  co_return co_await asio::async_initiate<const asio::use_awaitable_t<>, void(Reply)>(
-      [&pool, executor](auto handler, std::function<Reply()> work) {
-        // Held by the work until its value is handed over.
-        auto shared = std::make_shared<decltype(handler)>(std::move(handler));
-        pool.post([shared, executor, work = std::move(work)]() mutable {
-          auto reply = std::make_shared<Reply>(work());
-          asio::post(executor, [shared = std::move(shared), reply] { (*shared)(std::move(*reply)); });
-        });
-      },
-      asio::use_awaitable, std::move(function));
+// Runs `work` on the pool of the handlers and goes on here with its value. (What a co_await expression uses has a name:
+// g++ 12 destroys temporaries with captures twice.)
+awaitable<Reply> on_pool(Pool& pool, std::function<Reply()> work) {
+  const asio::any_io_executor executor = co_await asio::this_coro::executor;
+  auto initiate = [&pool, &executor, &work](auto handler) {
+    // Held by the work until its value is handed over.
+    auto shared = std::make_shared<decltype(handler)>(std::move(handler));
+    pool.post([shared, executor, work = std::move(work)]() mutable {
+      auto reply = std::make_shared<Reply>(work());
+      asio::post(executor, [shared = std::move(shared), reply] { (*shared)(std::move(*reply)); });
+    });
+  };
+  Reply reply =
+      co_await asio::async_initiate<const asio::use_awaitable_t<>, void(Reply)>(initiate, asio::use_awaitable);
+  co_return reply;
 }
 
 // One client of the stream. Held by its two coroutines, and by the hub until it leaves.
@@ -205,7 +207,10 @@ awaitable<bool> serve_one(beast::tcp_stream& stream, beast::flat_buffer& buffer,
     co_return false;
   }
   auto request = to_request(parser.get());
-  if (!request) co_return co_await send(stream, bad_target(request.error()), false);
+  if (!request) {
+    Reply reply = bad_target(request.error());
+    co_return co_await send(stream, std::move(reply), false);
+  }
   const bool upgrade = websocket::is_upgrade(parser.get());
   if (auto refused = context.door.refuse(*request, upgrade))
     co_return co_await send(stream, std::move(*refused), false);
@@ -219,13 +224,15 @@ awaitable<bool> serve_one(beast::tcp_stream& stream, beast::flat_buffer& buffer,
     co_await session->run(parser.release());
     co_return false;
   }
-  if (request->path == kStream)
-    co_return co_await send(stream, refusal(426, "upgrade", "a WebSocket is served here"), false);
+  if (request->path == kStream) {
+    Reply reply = refusal(426, "upgrade", "a WebSocket is served here");
+    co_return co_await send(stream, std::move(reply), false);
+  }
   const bool keep_alive = parser.keep_alive();
   request->body = std::move(parser.get().body());
   stream.expires_never();
-  Reply reply = co_await on_pool(context.handlers,
-                                 [request = std::move(*request), &context] { return answer(request, context); });
+  std::function<Reply()> work = [request = std::move(*request), &context] { return answer(request, context); };
+  Reply reply = co_await on_pool(context.handlers, std::move(work));
   co_return co_await send(stream, std::move(reply), keep_alive);
 }
 
