@@ -77,7 +77,8 @@ class CycleSearch {
 
 Library::Library(const Document& document) : document_(document), behaviours_(document.library.size(), nullptr) {
   for (std::size_t i = 0; i < document.library.size(); ++i) index_.emplace(document.library[i].name, i);
-  for (std::size_t i = 0; i < document.library.size(); ++i) resolve(i);
+  std::vector<bool> known(document.library.size());
+  for (std::size_t i = 0; i < document.library.size(); ++i) resolve(i, known);
   for (const State* behaviour : behaviours_) {
     if (!behaviour || interfaces_.contains(behaviour)) continue;
     Interface& interface = interfaces_[behaviour];
@@ -86,13 +87,19 @@ Library::Library(const Document& document) : document_(document), behaviours_(do
   }
 }
 
-/// Finds the behaviour of a state and of all on the way to it.
-void Library::resolve(std::size_t start) {
-  std::set<std::size_t> way;
+/// Finds the behaviour of a state and of all on the way to it; `known` marks those that are found already.
+void Library::resolve(std::size_t start, std::vector<bool>& known) {
+  std::vector<std::size_t> way;
   const State* behaviour = nullptr;
-  for (std::size_t at = start; !behaviour && way.insert(at).second;) {
+  for (std::size_t at = start;;) {
+    if (known[at]) {
+      behaviour = behaviours_[at];
+      break;
+    }
+    known[at] = true;  // in a circle, that is the end: nullptr
+    way.push_back(at);
     const State& state = document_.library[at];
-    behaviour = state.link ? behaviours_[at] : &state;
+    if (!state.link) behaviour = &state;
     const auto next = state.link ? index_.find(*state.link) : index_.end();
     if (next == index_.end()) break;
     at = next->second;

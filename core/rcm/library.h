@@ -38,7 +38,7 @@ class Library {
   std::vector<std::vector<std::string>> cycles() const;
 
  private:
-  void resolve(std::size_t start);
+  void resolve(std::size_t start, std::vector<bool>& known);
 
   const Document& document_;
   std::map<std::string_view, std::size_t> index_;

@@ -185,6 +185,14 @@ TEST(Extent, OfLongChainsIsBounded) {
   EXPECT_THAT(rejected(R"({"state": "P"})", library), ElementsAre(": too_deep"));
 }
 
+TEST(Link, OfALongChainToNothingIsSaidOnceWhereItBreaks) {
+  std::string library;
+  for (int i = 0; i < 20'000; ++i)
+    library += (i == 0 ? "" : ", ") + std::string(R"({"state": "L)") + std::to_string(i) + R"(", "link": "L)" +
+               std::to_string(i + 1) + "\"}";
+  EXPECT_THAT(rejected(R"({"state": "P", "link": "L0"})", library), ElementsAre("library/L19999: link_unknown"));
+}
+
 // Oracles
 
 TEST(Oracle, NeedsWhatItsTranslationUses) {
