@@ -313,6 +313,8 @@ void Core::publish(bool complete) {
     delta.set("calls", std::move(calls));
     Value frozen = std::move(delta);
     watcher_.state_changed(id_, std::move(frozen.freeze()));
+    // The delta said that a core that steps goes on: that it holds again is news then.
+    if (goal_.kind != StepGoal::Kind::none) announced_ = Value::unknown();
   }
   if (recorder_) {
     const semantics::Derivation& derivation = recorder_->derivation;
