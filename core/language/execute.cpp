@@ -256,12 +256,17 @@ Machine::Flow Machine::augment_place(const Node& n, NodeId id) {
   const Place& place = program_->places[n.a];
   const Frame frame(stack_);
   if (!keys_of(place)) return Flow::halt;
+  const auto locate = [&](Value& copy) {
+    Value* root = root_of(place, copy, id);
+    return root == nullptr ? nullptr : find(*root, frame.arguments().first(place.steps.size()), id);
+  };
+  if (Value looked; locate(looked) == nullptr)
+    return Flow::halt;  // what is not there is a fault before the value is one
   Value out;
   const Value by = evaluate(n.b, out);
   if (stopped_) return Flow::halt;
   Value copy;
-  Value* root = root_of(place, copy, id);
-  Value* where = root == nullptr ? nullptr : find(*root, frame.arguments().first(place.steps.size()), id);
+  Value* where = locate(copy);
   if (where == nullptr) return Flow::halt;
   if (!augmented(static_cast<Op>(n.c), *where, by, static_cast<int>(place.steps.size())))
     return located(id), Flow::halt;

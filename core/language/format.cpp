@@ -14,7 +14,7 @@ namespace {
 struct Specification {
   std::string fill = " ";
   char align = 0;
-  char sign = '-';
+  char sign = 0;  // none given: as '-'
   bool no_negative_zero = false;
   bool alternate = false;
   std::int64_t width = 0;
@@ -127,15 +127,14 @@ Value laid_out(Context& context, const Specification& s, std::string before, std
 
 std::string sign_of(const Specification& s, bool negative) {
   if (negative) return "-";
-  return s.sign == '-' ? std::string() : std::string(1, s.sign);
+  return s.sign == '-' || s.sign == 0 ? std::string() : std::string(1, s.sign);
 }
 
 Value format_text(Context& context, const Value& v, std::string_view source) {
   const auto s = parse_specification(context, source, '<');
   if (!s) return Value::unknown();
   if (s->type != 0 && s->type != 's') return bad(context, "Unknown format code for object of type 'str'");
-  if (source.find_first_of("+- ", s->fill.size()) < source.size() && s->sign != '-')
-    return bad(context, "Sign not allowed in string format specifier");
+  if (s->sign != 0) return bad(context, "Sign not allowed in string format specifier");
   if (s->alternate || s->no_negative_zero || s->align == '=' || s->grouping != 0)
     return bad(context, "not allowed in string format specifier");
   std::string text = v.as_string();
@@ -148,7 +147,7 @@ Value format_integer(Context& context, std::int64_t v, const Specification& s) {
   if (s.no_negative_zero)
     return bad(context, "Negative zero coercion (z) not allowed in format specifier with integer");
   if (s.type == 'c') {
-    if (s.sign != '-' || s.alternate) return bad(context, "not allowed with integer format specifier 'c'");
+    if (s.sign != 0 || s.alternate) return bad(context, "not allowed with integer format specifier 'c'");
     if (v < 0 || v > 0x10FFFF) return context.fail(FaultKind::overflow, "%c arg not in range(0x110000)");
     if (v >= 0xD800 && v <= 0xDFFF) return bad(context, "a surrogate is no character");
     return laid_out(context, s, "", "", utf8::encode(std::u32string(1, static_cast<char32_t>(v))));

@@ -50,9 +50,7 @@ List words(std::string_view text, std::int64_t most, bool from_right) {
     while (at < points.size() && unicode::is_space(points[at])) ++at;
     if (at == points.size()) break;
     if (most-- == 0) {
-      std::size_t end = points.size();
-      while (end > at && unicode::is_space(points[end - 1])) --end;
-      put(at, end);
+      put(at, points.size());
       break;
     }
     const std::size_t begin = at;
