@@ -9,6 +9,7 @@ import { chromium, type Browser, type Page } from "playwright-core";
 
 export const project = fileURLToPath(new URL("../../", import.meta.url));
 export const binary = process.env["RACE_BINARY"] ?? join(project, "build/release/race");
+const demo = process.env["RACE_DEMO"] ?? join(project, "deploy/demo");
 const pictures = join(project, "build/test/browser");
 
 export interface Stage {
@@ -54,7 +55,7 @@ async function healthy(url: string, server: ChildProcess): Promise<void> {
 export async function openStage(): Promise<Stage> {
   const port = await freePort();
   const data = mkdtempSync(join(tmpdir(), "race-browser-"));
-  const options = ["serve", "--port", String(port), "--data", data, "--demo", join(project, "deploy/demo"), "--web", join(project, "web/dist")];
+  const options = ["serve", "--port", String(port), "--data", data, "--demo", demo, "--web", join(project, "web/dist")];
   const server = spawn(binary, options, { stdio: ["ignore", "ignore", "inherit"] });
   await new Promise((resolve, reject) => server.once("spawn", resolve).once("error", reject));
   let browser: Browser | undefined;

@@ -1,5 +1,5 @@
 // Why a port fired or does not fire (api/schemas/why.json).
-import { array, boolean, object, present, string, type Decoder } from "../json/decode";
+import { array, boolean, json, object, present, string, type Decoder, type JsonValue } from "../json/decode";
 
 /** Three-valued (R2): null is unknown. */
 export type Truth = boolean | null;
@@ -12,6 +12,12 @@ export interface WhyAtom {
   /** Its change alone would make the condition true. */
   readonly blocks: boolean;
   readonly requires: readonly string[];
+  /** Names that it reads, with what is there now, if anything. */
+  readonly reads: readonly { readonly text: string; readonly value?: JsonValue }[];
+  /** What it would have to become. */
+  readonly wanted?: boolean;
+  /** Not alone, but with the others that are marked so, its change would make the condition true. */
+  readonly together: boolean;
 }
 
 export interface Why {
@@ -29,6 +35,10 @@ export interface Why {
 
 const truth: Decoder<Truth> = (value, path) => (value === null ? null : boolean(value, path));
 
+const read: Decoder<WhyAtom["reads"][number]> = object((r) =>
+  present<WhyAtom["reads"][number]>({ text: r.need("text", string), value: r.maybe("value", json) }),
+);
+
 export const why: Decoder<Why> = object((f) =>
   present<Why>({
     port: f.need("port", string),
@@ -40,13 +50,18 @@ export const why: Decoder<Why> = object((f) =>
     atoms: f.need(
       "atoms",
       array(
-        object((a) => ({
-          text: a.need("text", string),
-          value: a.need("value", truth),
-          service: a.need("service", boolean),
-          blocks: a.need("blocks", boolean),
-          requires: a.or("requires", array(string), []),
-        })),
+        object((a) =>
+          present<WhyAtom>({
+            text: a.need("text", string),
+            value: a.need("value", truth),
+            service: a.need("service", boolean),
+            blocks: a.need("blocks", boolean),
+            requires: a.or("requires", array(string), []),
+            reads: a.or("reads", array(read), []),
+            wanted: a.maybe("wanted", boolean),
+            together: a.or("together", boolean, false),
+          }),
+        ),
       ),
     ),
     held: f.maybe("held", string),

@@ -4,7 +4,7 @@ import { buildTree } from "../../shared/model/modelTree";
 import { applyDelta, runningNow } from "../../shared/run/applyDelta";
 import { allowed, commandOfKey, primary, statusText } from "../../shared/run/controls";
 import { callText, inputText } from "../../shared/run/inputText";
-import { whyHeadline } from "../../shared/run/whyText";
+import { atomAdvice, readsText, whyHeadline } from "../../shared/run/whyText";
 import { caseNames, modelOf, runOf } from "../conformance";
 
 const core: Core = { id: "1", document: "pick", status: "running", paused: false, step: 1, micro: 0, waiting: 0, arguments: {} };
@@ -102,6 +102,13 @@ describe("words", () => {
   });
   it("show a call as it stands in code", () => {
     expect(callText({ service: "robot", operation: "move", args: [[1, 2]], kwargs: { speed: 0.5 } })).toBe("robot.move([1, 2], speed=0.5)");
+  });
+  it("say what the change of an atom would do, and what it reads", () => {
+    const atom = { text: "res.w > 1", value: false, service: false, requires: [], reads: [{ text: "res.w", value: 0 }, { text: "par.x" }], blocks: true, wanted: true, together: false };
+    expect(atomAdvice(atom)).toBe("becoming true alone would fire this port");
+    expect(atomAdvice({ ...atom, blocks: false, together: true })).toBe("becoming true would fire it, with the others marked so");
+    expect(atomAdvice({ ...atom, blocks: false })).toBeUndefined();
+    expect(readsText(atom)).toBe("res.w is 0, par.x has no value yet");
   });
   it("explain a port that is held back", () => {
     const why = { port: "A.p", condition: "svc.s.e", value: true, active: false, stateActive: true, reason: "", atoms: [], held: "R9" } as const;
