@@ -28,6 +28,8 @@ language::ChildSymbols barrier_symbols() {
   return out;
 }
 
+std::string of_parameter(const Parameter& parameter) { return "parameter `" + parameter.name + "`"; }
+
 class CodeCheck {
  public:
   CodeCheck(const Library& library, bool names, std::vector<Error>& errors)
@@ -36,11 +38,12 @@ class CodeCheck {
   void check_state(const State& state, const std::string& path) {
     if (state.link) return;
     const Symbols symbols = symbols_of(state);
-    if (state.entry) check(*state.entry, CodeKind::function, symbols, path);
-    if (state.exit) check(*state.exit, CodeKind::function, symbols, path);
-    for (const Action& action : state.actions) {
-      check(action.when, CodeKind::condition, symbols, path);
-      check(action.code, CodeKind::function, symbols, path);
+    if (state.entry) check("entry", *state.entry, CodeKind::function, symbols, path);
+    if (state.exit) check("exit", *state.exit, CodeKind::function, symbols, path);
+    for (std::size_t i = 0; i < state.actions.size(); ++i) {
+      const std::string which = "action " + std::to_string(i);
+      check(which + ", `when`", state.actions[i].when, CodeKind::condition, symbols, path);
+      check(which + ", `do`", state.actions[i].code, CodeKind::function, symbols, path);
     }
     if (state.oracle) check_oracle(*state.oracle, symbols, path);
     for (const Node& child : state.children) {
@@ -51,7 +54,7 @@ class CodeCheck {
       check_state(*inner, at);
     }
     for (const Port& port : state.ports) {
-      if (port.when) check(*port.when, CodeKind::condition, symbols, port_path(path, port.name));
+      if (port.when) check("`when`", *port.when, CodeKind::condition, symbols, port_path(path, port.name));
     }
   }
 
@@ -59,7 +62,9 @@ class CodeCheck {
   /// those.
   void check_open_parameters(const State& state, const std::string& path) {
     for (const Parameter& parameter : state.parameters) {
-      if (parameter.from) report(language::check(*parameter.from, CodeKind::expression, Symbols{}), path, Names::open);
+      if (parameter.from)
+        report(of_parameter(parameter), language::check(*parameter.from, CodeKind::expression, Symbols{}), path,
+               Names::open);
     }
   }
 
@@ -90,7 +95,7 @@ class CodeCheck {
   /// library, but for the names.
   void check_parameters(const State& child, const Symbols& parent, const std::string& path) {
     for (const Parameter& parameter : child.parameters) {
-      if (parameter.from) check(*parameter.from, CodeKind::expression, parent, path);
+      if (parameter.from) check(of_parameter(parameter), *parameter.from, CodeKind::expression, parent, path);
     }
     if (!child.link || !names_) return;
     std::set<std::string_view> own;
@@ -99,28 +104,33 @@ class CodeCheck {
     }
     for (const Parameter& parameter : library_.parameters(child)) {
       if (parameter.from && !own.contains(parameter.name))
-        report(language::check(*parameter.from, CodeKind::expression, parent), path, Names::only);
+        report(of_parameter(parameter), language::check(*parameter.from, CodeKind::expression, parent), path,
+               Names::only);
     }
   }
 
   void check_oracle(const Oracle& oracle, const Symbols& symbols, const std::string& path) {
-    if (oracle.kind == Oracle::Kind::expr) check(oracle.text, CodeKind::expression, symbols, path);
+    if (oracle.kind == Oracle::Kind::expr) check("oracle", oracle.text, CodeKind::expression, symbols, path);
     if (oracle.kind != Oracle::Kind::external) return;
     const auto call = parse_call(oracle.text);
     if (!call) return;
-    for (const auto& argument : call->arguments) check(argument.expression, CodeKind::expression, symbols, path);
+    for (const auto& argument : call->arguments)
+      check("oracle, argument `" + argument.expression + "`", argument.expression, CodeKind::expression, symbols, path);
   }
 
-  void check(std::string_view text, CodeKind kind, const Symbols& symbols, const std::string& path) {
-    report(language::check(text, kind, symbols), path, Names::checked);
+  /// `which`: how messages call this text of the element at `path`.
+  void check(const std::string& which, std::string_view text, CodeKind kind, const Symbols& symbols,
+             const std::string& path) {
+    report(which, language::check(text, kind, symbols), path, Names::checked);
   }
 
-  void report(std::vector<Error> found, const std::string& path, Names names) {
+  void report(const std::string& which, std::vector<Error> found, const std::string& path, Names names) {
     for (Error& error : found) {
       const bool unknown = error.code == ErrorCode::unknown_name;
       if (!names_ && (unknown || error.code == ErrorCode::scope)) continue;
       if ((names == Names::open && unknown) || (names == Names::only && !unknown)) continue;
       error.path = path;
+      error.message = which + ": " + error.message;
       errors_.push_back(std::move(error));
     }
   }

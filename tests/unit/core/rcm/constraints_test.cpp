@@ -245,6 +245,12 @@ TEST(Code, IsCheckedWhereverItStands) {
   EXPECT_THAT(rejected(R"({"state": "P"})", R"({"state": "L", "entry": "x ="})"), ElementsAre("library/L: syntax"));
 }
 
+TEST(Code, IsNamedInTheMessage) {
+  EXPECT_THAT(message(R"({"state": "P", "exit": "x ="})"), testing::StartsWith("exit: "));
+  EXPECT_THAT(message(R"({"state": "P", "actions": [{"when": "True", "do": "pass"}, {"when": "True", "do": "x ="}]})"),
+              testing::StartsWith("action 1, `do`: "));
+}
+
 TEST(Code, OfAParentSeesWhatALinkTakesOver) {
   const auto with = [](const std::string& condition) {
     return rejected(R"({"state": "P", "children": [{"state": "A", "link": "Grasp"}],
