@@ -32,6 +32,8 @@ const kAny = "#any";
 const kCharacter = 6.6;
 const kMargin = 30;
 const kArc = 34;
+/** Between labels that are farther apart than this [px] another one stands. */
+const kFar = 44;
 
 /** What stands on an arrow: the operation, or the transition's name where none is needed; codes of errors after a slash. */
 export function transitionText(transition: RsmTransition): string {
@@ -47,13 +49,14 @@ interface Group {
   readonly text: string;
 }
 
-/** Loops of one state share an arrow, unless a deferral or an error tells them apart. */
+/** Operations that lead from a state, or from all, to where they came from share an arrow, unless a deferral or an error tells them apart. */
 function groups(rsm: Rsm): readonly Group[] {
   const answers = new Set(rsm.transitions.flatMap((t) => t.defer));
   const found = new Map<string, RsmTransition[]>();
   for (const t of rsm.transitions) {
-    const plain = t.src === t.dst && t.defer.length === 0 && t.error === undefined && t.operation !== undefined && !answers.has(t.id);
-    const key = plain ? `loop ${t.dst}` : t.id;
+    const returns = t.src === t.dst || (t.src === undefined && rsm.states.length === 1);
+    const plain = returns && t.defer.length === 0 && t.error === undefined && t.operation !== undefined && !answers.has(t.id);
+    const key = plain ? `${t.src ?? kAny} to ${t.dst}` : t.id;
     found.set(key, [...(found.get(key) ?? []), t]);
   }
   return [...found.values()].flatMap((transitions) => {
@@ -138,11 +141,15 @@ function deferral(from: string, to: string, arrows: readonly RsmArrow[], middle:
   return [{ id: `${from}:${to}`, path: deferralPath(source, target, middle) }];
 }
 
-/** Straight down where one label stands above the other; else an arc around what lies between them. */
+/** Straight where the labels stand one above the other, beside what stands between them; else an arc around it. */
 function deferralPath(source: Box, target: Box, middle: number): string {
   const [a, b] = [source.x + source.width / 2, target.x + target.width / 2];
   if (Math.abs(a - b) < (source.width + target.width) / 2) {
     const down = target.y > source.y;
+    if (Math.abs(target.y - source.y) > kFar) {
+      const [y, z, left] = [source.y + source.height / 2, target.y + target.height / 2, Math.min(source.x, target.x)];
+      return `M ${source.x} ${y} C ${left - kArc} ${y}, ${left - kArc} ${z}, ${target.x} ${z}`;
+    }
     return `M ${a} ${down ? source.y + source.height : source.y} L ${b} ${down ? target.y : target.y + target.height}`;
   }
   const above = source.y + source.height / 2 <= middle;

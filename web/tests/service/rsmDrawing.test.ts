@@ -50,6 +50,8 @@ describe("drawRsm", async () => {
     const stateless = { rsm: 1, name: "db", operations: [{ name: "get" }, { name: "add" }], events: [], states: [{ name: "Ready" }], transitions: loops };
     const arrows = (await drawRsm(engine, rsm(stateless, ""))).arrows;
     expect(arrows.map((arrow) => [arrow.label.text, arrow.transitions])).toEqual([["get, add", ["get", "add"]]]);
+    const anywhere = { ...stateless, transitions: loops.map(({ src: _, ...rest }) => rest) };
+    expect((await drawRsm(engine, rsm(anywhere, ""))).arrows.map((arrow) => arrow.label.text)).toEqual(["get, add"]);
   });
   it("links a deferred call with the transition that answers it", () => {
     expect(drawing.deferrals.map((link) => link.id)).toEqual(["start:arrive"]);
