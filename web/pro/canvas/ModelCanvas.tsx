@@ -120,7 +120,7 @@ function Sight({ laid }: { readonly laid: Laid }) {
 
   useEffect(() => {
     if (known) void setViewport(fit(laid.drawing, { width, height }), { duration: 250 });
-  }, [laid.key, known]); // eslint-disable-line react-hooks/exhaustive-deps -- a resize must not take the view away
+  }, [laid.key, known]); // not the size: a resize must not take the view away
 
   useEffect(() => {
     if (reveal === seen || selection === undefined) return;

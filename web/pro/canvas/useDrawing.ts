@@ -27,7 +27,7 @@ export function useDrawing(tree: ModelTree | undefined, canvas: Size | undefined
   const [laid, setLaid] = useState<Laid>();
   const ready = canvas !== undefined;
   // The canvas' size chooses the first arrangement; later changes of its size must not rearrange the drawing.
-  const frame = useMemo(() => canvas, [ready, focus]); // eslint-disable-line react-hooks/exhaustive-deps
+  const frame = useMemo(() => canvas, [ready, focus]);
 
   useEffect(() => {
     const root = tree?.keys().next().value;

@@ -15,7 +15,8 @@ export function nodeAt(root: Derivation, path: ProofPath): Derivation | undefine
 export function subjectText(node: Derivation): string {
   const subject = nameOf(node.at);
   if (node.parameter !== undefined) return `${subject}.par.${node.parameter}`;
-  if (node.port !== undefined) return node.port.includes("/") ? node.port : `${subject}.${node.port}`;
+  if (node.port?.includes("/") === true) return `${subject} by ${node.port}`;
+  if (node.port !== undefined) return `${subject}.${node.port}`;
   if (node.action !== undefined) return `${subject}.actions[${node.action}]`;
   return node.of === undefined ? subject : `${subject}.${node.of}`;
 }

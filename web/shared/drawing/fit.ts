@@ -3,7 +3,7 @@ import type { Drawing } from "./drawing";
 import type { Size } from "./measure";
 
 /** Below this zoom the code in a drawing is too small to read. */
-const kReadable = 0.72;
+const kReadable = 0.68;
 const kLargest = 1.25;
 /** Kept free for the breadcrumb above, and around [px]. */
 const kTop = 50;

@@ -88,7 +88,7 @@ function travel(lines: readonly DrawnLine[]): number {
 function best(blocks: readonly Block[], aspect: number): Block {
   const cost = ({ size, ports, lines }: Block) => {
     const width = size.width + Math.max(0, ...ports.map((port) => port.x + port.width - size.width));
-    return Math.max(width / aspect, size.height) + 0.35 * Math.sqrt((width * size.height) / aspect) + 1.2 * travel(lines);
+    return Math.max(width / aspect, size.height) + 0.35 * Math.sqrt((width * size.height) / aspect) + 0.6 * travel(lines);
   };
   const first = blocks[0];
   if (first === undefined) throw new Error("no arrangement");

@@ -28,6 +28,10 @@ describe("judgement", () => {
 });
 
 describe("subjectText", () => {
+  it("keeps the node that a port of another leads to apart from that port", () => {
+    const entered: Derivation = { rule: "SAct1", equation: "3.22", at: "Root/B", port: "Root/A.success", premises: [] };
+    expect(subjectText(entered)).toBe("B by Root/A.success");
+  });
   it("names ports, parameters and actions of a node", () => {
     expect(subjectText(node("Resolve"))).toBe("Pick.par.pose");
     expect(subjectText(node("PTrigger"))).toBe("Dispatcher.to_Release");

@@ -87,7 +87,7 @@ describe("layoutModel", () => {
   });
   it("needs less room with less detail", async () => {
     const [full, slim] = [await draw("thesis-collision-history"), await draw("thesis-collision-history", "slim")];
-    expect(slim.width * slim.height).toBeLessThan(0.5 * full.width * full.height);
+    expect(slim.width * slim.height).toBeLessThan(0.6 * full.width * full.height);
   });
   it("gives a stub to exactly the ports that lead nowhere and that no parent names", async () => {
     const drawing = await draw("thesis-search-object-found");
