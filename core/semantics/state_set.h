@@ -2,6 +2,7 @@
 // the next one is a few words, however large the model is.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <vector>
@@ -13,56 +14,62 @@ namespace race::semantics {
 class StateSet {
  public:
   explicit StateSet(std::size_t states = 0) {
+    std::size_t words = 0;
     do {
       states = (states + 63) / 64;
-      levels_.emplace_back(states, 0);
+      levels_[depth_++] = static_cast<std::uint32_t>(words);
+      words += states;
     } while (states > 1);
+    words_.assign(words, 0);
   }
 
   void add(StateId s) {
     std::uint32_t i = index(s);
-    for (std::vector<std::uint64_t>& level : levels_) {
-      std::uint64_t& word = level[i >> 6];
+    for (std::size_t level = 0; level < depth_; ++level, i >>= 6) {
+      std::uint64_t& word = words_[levels_[level] + (i >> 6)];
       const std::uint64_t before = word;
       word |= std::uint64_t{1} << (i & 63);
+      if (level == 0) members_ += word != before ? 1 : 0;
       if (before != 0) return;  // the summaries know of this word
-      i >>= 6;
     }
   }
 
   void remove(StateId s) {
     std::uint32_t i = index(s);
-    for (std::vector<std::uint64_t>& level : levels_) {
-      std::uint64_t& word = level[i >> 6];
+    for (std::size_t level = 0; level < depth_; ++level, i >>= 6) {
+      std::uint64_t& word = words_[levels_[level] + (i >> 6)];
+      const std::uint64_t before = word;
       word &= ~(std::uint64_t{1} << (i & 63));
+      if (level == 0) members_ -= word != before ? 1 : 0;
       if (word != 0) return;
-      i >>= 6;
     }
   }
 
-  bool empty() const { return levels_.back()[0] == 0; }
+  bool empty() const { return members_ == 0; }
 
   /// The first member from number `from` on; kNoState if there is none.
   StateId next(std::uint32_t from) const {
-    std::size_t level = 0;
-    for (;;) {  // up to a word with a member at or after `from`
-      const std::size_t word = from >> 6;
-      if (word >= levels_[level].size()) return kNoState;
-      const std::uint64_t rest = levels_[level][word] >> (from & 63);
-      if (rest != 0) {
+    if (members_ == 0) return kNoState;
+    for (std::size_t level = 0; level < depth_; ++level) {  // up to a word with a member at or after `from`
+      const std::uint32_t word = levels_[level] + (from >> 6);
+      const std::uint32_t end = level + 1 < depth_ ? levels_[level + 1] : static_cast<std::uint32_t>(words_.size());
+      if (word >= end) return kNoState;
+      if (const std::uint64_t rest = words_[word] >> (from & 63); rest != 0) {
         from += static_cast<std::uint32_t>(std::countr_zero(rest));
-        break;
+        for (; level > 0; --level)  // down to the member
+          from = (from << 6) + static_cast<std::uint32_t>(std::countr_zero(words_[levels_[level - 1] + from]));
+        return StateId{from};
       }
-      if (++level == levels_.size()) return kNoState;
-      from = static_cast<std::uint32_t>(word) + 1;
+      from = (from >> 6) + 1;
     }
-    for (; level > 0; --level)  // down to the member
-      from = (from << 6) + static_cast<std::uint32_t>(std::countr_zero(levels_[level - 1][from]));
-    return StateId{from};
+    return kNoState;
   }
 
  private:
-  std::vector<std::vector<std::uint64_t>> levels_;  // the members; then, a bit for each word of the level below
+  std::vector<std::uint64_t> words_;  // the members; then, level by level, a bit for each word of the level below
+  std::array<std::uint32_t, 6> levels_ = {};  // where each level begins
+  std::size_t depth_ = 0;
+  std::uint32_t members_ = 0;
 };
 
 }  // namespace race::semantics
