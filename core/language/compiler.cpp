@@ -107,6 +107,9 @@ Code Compiler::finish() {
 
 Checked<Code> compile(std::string_view text, CodeKind kind, const Symbols& symbols, ServiceTable& services) {
   if (std::vector<Error> errors = check(text, kind, symbols); !errors.empty()) return tl::unexpected(std::move(errors));
+  for (const std::string& name : variable_names(text))
+    if (symbols.variables.find(name) == symbols.variables.end())
+      return tl::unexpected(std::vector{Error{ErrorCode::unknown_name, "var." + name + " has no place"}});
   const Parsed parsed = parse(text, kind);
   return Compiler(text, kind, symbols, services).run(parsed.tree);
 }

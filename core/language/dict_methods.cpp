@@ -48,7 +48,8 @@ Value dict_values(Context&, const Value& self, Arguments) {
 }
 
 Value dict_pop(Context& context, Value& self, Arguments arguments) {
-  if (!is_hashable(context, arguments[0])) return Value::unknown();
+  // In an empty dict Python does not look at the key.
+  if (!self.as_dict().empty() && !is_hashable(context, arguments[0])) return Value::unknown();
   const Value* found = arguments[0].is_string() ? self.as_dict().find(arguments[0]) : nullptr;
   if (found == nullptr && given(arguments, 1)) return arguments[1];
   if (found == nullptr) return context.fail(FaultKind::missing, repr(arguments[0]));

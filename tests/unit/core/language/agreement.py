@@ -36,7 +36,9 @@ def computed(v):
 
 
 def stored(v):
-    return copy.deepcopy(v)
+    if isinstance(v, (list, tuple)):
+        return type(v)(stored(x) for x in v)
+    return {k: stored(x) for k, x in v.items()} if isinstance(v, dict) else v
 
 
 def keyed(d):

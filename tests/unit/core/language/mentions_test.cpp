@@ -1,0 +1,70 @@
+// What code mentions: the ground for R9, R19 and R21.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/unit/core/language/environment.h"
+
+namespace race::language::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+Mentions of(State& state, std::string_view text, CodeKind kind) {
+  const auto code = compile(text, kind, state.symbols, state.table);
+  EXPECT_TRUE(code) << text;
+  return code->mentions();
+}
+
+TEST(Mentions, SeparatesOccurrencesLatestAndResponses) {
+  State state;
+  const Mentions m = of(state, "svc.t.data.x > 1 and svc.t.sample.latest or svc.t.op.error", CodeKind::condition);
+  EXPECT_TRUE(m.svc);
+  EXPECT_THAT(m.events, ElementsAre(0U));
+  EXPECT_THAT(m.latest, ElementsAre(1U));
+  EXPECT_THAT(m.responses, ElementsAre(0U));
+  EXPECT_THAT(m.calls, IsEmpty());
+}
+
+TEST(Mentions, HasSlotsAndFlagsThatAreReadAndWritten) {
+  State state;
+  const Mentions m =
+      of(state, "res.out = par.a\nvar.n += 1\nvar.log.append(chi.C.res.x)\nif chi.C or port.p: res.x = 1",
+         CodeKind::function);
+  EXPECT_FALSE(m.svc);
+  EXPECT_THAT(m.reads, ElementsAre(State::par_a, State::var_n, State::var_log, State::child_x));
+  EXPECT_THAT(m.writes, ElementsAre(State::res_out, State::res_x, State::var_n, State::var_log));
+  EXPECT_THAT(m.flags, ElementsAre(State::port_p, State::child_active));
+}
+
+TEST(Mentions, OfAWholeCollectionAreAllItsSlots) {
+  State state;
+  EXPECT_THAT(of(state, "len(res)", CodeKind::condition).reads,
+              ElementsAre(State::res_out, State::res_x, State::res_unset));
+}
+
+TEST(Mentions, OfADynamicServiceAreThoseOfAllServices) {
+  State state;
+  state.table.declare_event("u", "data", false);
+  state.table.declare_operation("u", "op", true);
+  EXPECT_THAT(of(state, "svc[par.a].data", CodeKind::condition).events, ElementsAre(0U, 2U));
+  EXPECT_THAT(of(state, "svc[par.a].op.result", CodeKind::condition).responses, ElementsAre(0U, 1U));
+  EXPECT_THAT(of(state, "svc[par.a].op()", CodeKind::function).calls, ElementsAre(0U, 1U));
+}
+
+TEST(Compile, WantsAPlaceForEveryVariable) {
+  State state;
+  EXPECT_TRUE(check("var.other", CodeKind::condition, state.symbols).empty());
+  EXPECT_FALSE(compile("var.other", CodeKind::condition, state.symbols, state.table));
+}
+
+TEST(Mentions, AddNamesThatTheTableDoesNotHave) {
+  State state;
+  of(state, "svc.new.go and svc.new.run.result", CodeKind::condition);
+  EXPECT_NE(state.table.find_event("new", "go"), kNone);
+  EXPECT_NE(state.table.find_operation("new", "run"), kNone);
+  EXPECT_EQ(state.table.find_event("new", "run"), kNone);
+}
+
+}  // namespace
+}  // namespace race::language::test
