@@ -45,6 +45,7 @@ struct CallRecord {
   std::uint64_t number = 0;
   bool answered = false, is_error = false;
   Value response = Value::unknown();
+  bool operator==(const CallRecord&) const = default;
 };
 
 /// A call that leaves the run (FuncSC). Without caller: made because the run ended, not by code.

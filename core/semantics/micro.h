@@ -43,7 +43,10 @@ bool PTrigger(Step<R>& step, StateId s) {
   OpenNode<R> rule = step.apply(Rule::PTrigger, s, p);
   Active(step, s);
   step.record_condition(s, p, kNone, language::Truth::yes);
-  if (step.program[p].svc) step.run.triggered[index(p)] = step.run.epoch;
+  if (step.program[p].svc) {
+    step.work.log.triggered.emplace_back(p, step.run.triggered[index(p)]);
+    step.run.triggered[index(p)] = step.run.epoch;
+  }
   SDeact2(step, s);
   Act(step, p);
   if (step.program[s].keeps && step.program[s].parent != kNoState) {

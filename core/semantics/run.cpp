@@ -17,6 +17,14 @@ void StepLog::undo(RunState& run) {
   for (auto& [slot, value] : std::views::reverse(values)) run.values[slot] = std::move(value);
   for (const auto& [flag, value] : std::views::reverse(flags)) run.flags[flag] = value;
   for (const auto& [port, value] : std::views::reverse(arrived)) run.arrived[index(port)] = value;
+  for (const auto& [port, value] : std::views::reverse(triggered)) run.triggered[index(port)] = value;
+  for (LoggedCall& call : std::views::reverse(calls)) {
+    --run.call_count;
+    if (call.operation == kNone) continue;
+    std::vector<CallRecord>& records = run.calls[call.operation];
+    records.pop_back();
+    if (call.before) records.insert(records.begin() + static_cast<std::ptrdiff_t>(call.place), std::move(*call.before));
+  }
   clear();
 }
 
@@ -241,6 +249,7 @@ bool Run::micro(R& recorder) {
   } catch (const FaultSignal& signal) {
     forget();
     b.work.log.undo(b.state);
+    b.environment.calls.clear();
     b.state.started = !first;
     fail({signal.fault.kind, b.program->node_path(signal.at), signal.fault.message, signal.fault.where});
     return false;

@@ -21,16 +21,29 @@ struct FaultSignal {
   Flag at;
 };
 
+/// A call that was made, and the record of its caller's call before it, with its place among the others.
+struct LoggedCall {
+  OperationId operation = kNone;  // kNone: nobody can name it, so there is no record
+  std::size_t place = 0;
+  std::optional<CallRecord> before;
+};
+
 /// The changes of a micro step, for discarding it: what stood before, oldest first.
 struct StepLog {
   ValueLog values;
   std::vector<std::pair<Flag, std::uint8_t>> flags;
   std::vector<std::pair<PortId, std::uint8_t>> arrived;
+  std::vector<std::pair<PortId, std::uint64_t>> triggered;
+  std::vector<LoggedCall> calls;
   void clear() {
     values.clear();
     flags.clear();
     arrived.clear();
+    triggered.clear();
+    calls.clear();
   }
+  /// Gives back what can be seen of a run: Π, Ξ, Λ, Φ, arrivals, calls and their responses, what R9 holds back. The
+  /// lists and marks below the rules stay: the run does not go on.
   void undo(RunState& run);
 };
 
@@ -190,12 +203,18 @@ template <Recorder R>
 void Step<R>::commit_calls(StateId s) {
   for (BufferedCall& call : environment.calls) {
     const std::uint64_t number = ++run.call_count;
+    LoggedCall logged{call.operation, 0, std::nullopt};
     if (call.operation != kNone) {
       std::vector<CallRecord>& records = run.calls[call.operation];
-      std::erase_if(records, [&](const CallRecord& record) { return record.caller == s; });
+      if (const auto old = std::ranges::find(records, s, &CallRecord::caller); old != records.end()) {
+        logged.place = static_cast<std::size_t>(old - records.begin());
+        logged.before = std::move(*old);
+        records.erase(old);
+      }
       records.push_back({s, number});
       wake_response_readers(run, program, call.operation);
     }
+    work.log.calls.push_back(std::move(logged));
     work.outgoing.push_back({number, call.operation, std::move(call.service), std::move(call.name),
                              std::move(call.args), std::move(call.kwargs), s});
   }

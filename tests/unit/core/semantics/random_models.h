@@ -1,6 +1,6 @@
 // Random models and random inputs for them, from a seed. The models are legal documents of every construct: nesting,
-// barriers, forks and joins, loops, keep, parameters, actions with and without service data, calls, unmet and faulty
-// code.
+// barriers, forks and joins, loops, keep, parameters, actions with and without service data, calls, services named
+// dynamically, unmet and faulty code.
 #pragma once
 
 #include <random>
@@ -17,13 +17,14 @@ class RandomModels {
  public:
   explicit RandomModels(std::uint64_t seed) : random_(seed) {}
 
-  /// A native model with at most about 40 states.
+  /// A native model with at most about 40 states; one in five is deep and narrow.
   rcm::NativeModel model() {
     states_ = 0;
+    deep_ = chance(0.2);
     return {state("Root", 0, {}), {}};
   }
 
-  /// Service `t`: events e0..e3 and the sampled s0, operations o0, o1; `safe` is declared safe.
+  /// Services `t` and `u`, alike: events e0..e3 and the sampled s0, operations o0, o1 and `halt`, which is safe.
   static std::map<std::string, rsm::Service> services() {
     rsm::Service service;
     service.name = "t";
@@ -39,12 +40,17 @@ class RandomModels {
       operation.safe = operation.name == "halt";
       service.operations.push_back(operation);
     }
-    return {{"t", service}};
+    return {{"t", service}, {"u", service}};
   }
 
-  /// What arrives next at every one of `runs`, which are in the same state: an occurrence, or a response to a recent
-  /// call.
+  /// What arrives next at every one of `runs`, which are in the same state: an occurrence, a response to a recent call,
+  /// or the loss of a service.
   void post(const std::vector<Run*>& runs, std::uint64_t calls) {
+    if (chance(0.02)) {
+      const std::string lost = service();
+      for (Run* run : runs) run->post_lost(lost);
+      return;
+    }
     if (calls > 0 && chance(0.4)) {
       const std::uint64_t number = calls - std::min<std::uint64_t>(pick(4), calls - 1);
       const bool error = chance(0.3);
@@ -54,60 +60,90 @@ class RandomModels {
     }
     static const char* const kEvents[] = {"e0", "e1", "e2", "e3", "s0"};
     const char* const event = kEvents[pick(5)];
-    const Value data = chance(0.8) ? Value(Dict{{"x", value()}}) : Value();
-    for (Run* run : runs) run->post_event("t", event, data);
+    const std::string of = service();
+    const Value data = Value(Dict{{"x", value()}});
+    for (Run* run : runs) run->post_event(of, event, data);
   }
 
   std::size_t pick(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random_); }
   bool chance(double p) { return std::uniform_real_distribution<double>(0, 1)(random_) < p; }
 
  private:
-  struct Names {  // of the surroundings, for code
-    std::vector<std::string> parameters, results;
-  };
-
   Value value() { return Value(static_cast<std::int64_t>(pick(5)) - 1); }
   std::string number(std::size_t n) { return std::to_string(pick(n)); }
 
+  std::string service() { return chance(0.8) ? "t" : "u"; }
+
+  // A service by its name, or by a computed one.
+  std::string svc() {
+    if (chance(0.8)) return "svc." + service();
+    if (chance(0.5)) return "svc['" + service() + "']";
+    return chance(0.5) ? "svc['t' if par.p > 1 else 'u']" : "svc['u' if var.v > 1 else 't']";
+  }
+
   std::string service_datum() {
-    switch (pick(8)) {
+    switch (pick(10)) {
       case 0:
-        return "svc.t.e" + number(4);
+        return svc() + ".e" + number(4);
       case 1:
-        return "svc.t.e" + number(4) + ".x > " + number(3);
+        return svc() + ".e" + number(4) + ".x > " + number(3);
       case 2:
-        return "svc.t.o" + number(2) + ".result";
+        return svc() + ".o" + number(2) + ".result";
       case 3:
-        return "svc.t.o" + number(2) + ".error";
+        return svc() + ".o" + number(2) + ".error";
       case 4:
-        return "svc.t.s0.x >= " + number(4);
+        return svc() + ".s0.x >= " + number(4);
       case 5:
-        return "svc.t.s0";
+        return svc() + ".s0";
       case 6:
-        return "svc.t.e" + number(4) + ".latest.x == " + number(3);
+        return svc() + ".e" + number(4) + ".latest.x == " + number(3);
+      case 7:
+        return svc() + ".o" + number(2) + ".result == " + number(4);
+      case 8:
+        return "available(" + svc() + ".o" + number(2) + ".result) or available(" + svc() + ".o" + number(2) +
+               ".error)";
       default:
-        return "not available(svc.t.e" + number(4) + ")";
+        return "not available(" + svc() + ".e" + number(4) + ")";
+    }
+  }
+
+  std::string child_atom(const rcm::Node& child) {
+    const std::string chi = "chi." + rcm::name_of(child);
+    if (std::holds_alternative<rcm::Barrier>(child)) return chance(0.5) ? chi : chi + ".active";
+    const auto& c = std::get<rcm::State>(child);
+    if (!c.ports.empty() && chance(0.4)) return chi + ".port." + c.ports[pick(c.ports.size())].name;
+    switch (pick(6)) {
+      case 0:
+        return chi + ".res.r > " + number(3);
+      case 1:
+        return chi + ".par.p == " + number(3);
+      case 2:
+        return "available(" + chi + ".res.r)";
+      case 3:
+        return chi;
+      default:
+        return chi + ".active";
     }
   }
 
   std::string atom(const rcm::State& s) {
     if (chance(0.45)) return service_datum();
-    if (!s.children.empty() && chance(0.5)) {
-      const rcm::Node& child = s.children[pick(s.children.size())];
-      const std::string chi = "chi." + rcm::name_of(child);
-      if (std::holds_alternative<rcm::Barrier>(child)) return chi + ".active";
-      const auto& c = std::get<rcm::State>(child);
-      if (!c.ports.empty() && chance(0.5)) return chi + ".port." + c.ports[pick(c.ports.size())].name;
-      if (chance(0.4)) return chi + ".res.r > " + number(3);
-      return chi + ".active";
-    }
-    switch (pick(4)) {
+    if (!s.children.empty() && chance(0.5)) return child_atom(s.children[pick(s.children.size())]);
+    switch (pick(9)) {
       case 0:
         return "res.r == " + number(4);
       case 1:
         return "var.v > " + number(3);
       case 2:
         return "available(res.r)";
+      case 3:
+        return "'r' in res";
+      case 4:
+        return "var.get('w', 0) > " + number(3);
+      case 5:
+        return "len(par) + sum(var.values()) > " + number(4);
+      case 6:
+        return s.ports.empty() ? "var.w > 0" : "not port." + s.ports[pick(s.ports.size())].name + " and var.v > 0";
       default:
         return "par.p < " + number(3);
     }
@@ -127,13 +163,13 @@ class RandomModels {
   }
 
   std::string function() {
-    switch (pick(9)) {
+    switch (pick(13)) {
       case 0:
-        return "svc.t.o" + number(2) + "(par.p)";
+        return svc() + ".o" + number(2) + "(par.p)";
       case 1:
-        return "res.r = " + number(4) + "\nsvc.t.o" + number(2) + "(res.r, k=1)";
+        return "res.r = " + number(4) + "\n" + svc() + ".o" + number(2) + "(res.r, k=1)";
       case 2:
-        return "res.r = svc.t.e" + number(4) + ".x";
+        return "res.r = " + svc() + ".e" + number(4) + ".x";
       case 3:
         return "var.v = var.v + 1";
       case 4:
@@ -141,9 +177,17 @@ class RandomModels {
       case 5:
         return "var.v = (var.v + 1) % 4\nres.r = var.v";
       case 6:
-        return "res.r = svc.t.s0.latest.x";
+        return "res.r = " + svc() + ".s0.latest.x";
       case 7:
-        return faults_ && chance(0.1) ? "res.r = 1 // (par.p - par.p)" : "res.r = 1";
+        return chance(0.1) ? "res.r = 1 // (par.p - par.p)" : "res.r = 1";
+      case 8:
+        return "var.w = len(res) + " + number(3);
+      case 9:
+        return "if available(" + svc() + ".o" + number(2) + ".error):\n    var.v = 0\nelse:\n    var.w = 2";
+      case 10:  // unmet once it has called
+        return "var.v = 3\n" + svc() + ".o0(1)\nres.r = " + svc() + ".o0.result";
+      case 11:
+        return "for i in range(par.p):\n    " + svc() + ".o" + number(2) + "(i)\nvar.v = 1";
       default:
         return "res.r = par.p";
     }
@@ -156,7 +200,7 @@ class RandomModels {
     rcm::Parameter p;
     p.name = "p";
     if (depth > 0 && chance(0.5))
-      p.from = chance(0.8) ? "par.p" : "var.v";
+      p.from = chance(0.7) ? "par.p" : chance(0.5) ? "var.v" : "par.p if len(var) > 1 else sum(par.values())";
     else
       p.value = value();
     s.parameters.push_back(p);
@@ -170,8 +214,8 @@ class RandomModels {
     s.variables.push_back(v);
 
     std::vector<std::string> names, barriers;
-    if (depth < 4 && states_ < 40 && chance(depth == 0 ? 1.0 : 0.5)) {
-      const std::size_t count = 1 + pick(4);
+    if (depth < (deep_ ? 12 : 4) && states_ < 40 && chance(depth == 0 ? 1.0 : deep_ ? 0.9 : 0.5)) {
+      const std::size_t count = deep_ ? 1 + pick(2) : 1 + pick(4);
       for (std::size_t i = 0; i < count; ++i) names.push_back("S" + std::to_string(i));
       for (std::size_t i = 0; i < pick(3); ++i) barriers.push_back("b" + std::to_string(i));
     }
@@ -204,8 +248,8 @@ class RandomModels {
       action.code = function();
       s.actions.push_back(action);
     }
-    if (chance(0.3)) s.entry = chance(0.5) ? "res.r = par.p" : "svc.t.o" + number(2) + "()";
-    if (chance(0.2)) s.exit = "var.v = 1";
+    if (chance(0.3)) s.entry = chance(0.5) ? "res.r = par.p" : svc() + ".o" + number(2) + "()";
+    if (chance(0.2)) s.exit = chance(0.7) ? "var.v = 1" : svc() + ".o" + number(2) + "(par.p)";
     if (!s.ports.empty() && chance(0.2)) {
       s.keep.emplace();
       s.keep->any = chance(0.5);
@@ -216,7 +260,7 @@ class RandomModels {
 
   std::mt19937_64 random_;
   int states_ = 0;
-  bool faults_ = true;
+  bool deep_ = false;
 };
 
 }  // namespace race::semantics
