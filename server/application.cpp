@@ -18,7 +18,7 @@ Checked<std::unique_ptr<Application>> Application::create(const Setup& setup) {
   app->stream_pool_ = std::make_unique<Pool>(1);
   app->hub_ = std::make_unique<Hub>(*app->stream_pool_, setup.first_sequence,
                                     [self = app.get()](const std::string& name) { return self->find_channel(name); });
-  auto cell = Cell::create({setup.demo, data / "database.sqlite", true}, *app);
+  auto cell = Cell::create({setup.demo, data / "database.sqlite", true, setup.further}, *app);
   if (!cell) return fail(std::move(cell).error());
   app->cell_ = std::move(*cell);
   app->pool_ = std::make_unique<Pool>(2);

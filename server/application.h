@@ -25,6 +25,7 @@ class Application final : public CoreWatcher, public services::HostObserver {
     std::string data;  // folder for documents and the database; it exists
     std::string demo;  // folder with scene.json, database.json and *.rcm.json; may be empty
     std::int64_t first_sequence = 1;
+    std::vector<FurtherService> further = {};
   };
   static Checked<std::unique_ptr<Application>> create(const Setup& setup);
   ~Application() override;

@@ -41,6 +41,8 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
     if (e.id == kNumberOverflow) return fail(ErrorCode::constant, kOutOfRange);
     std::string text = e.what();
     if (const auto start = text.find("] "); start != std::string::npos) text = text.substr(start + 2);
+    // What it quotes of the input need not be text.
+    text = text.substr(0, text.find("; last read"));
     return fail(ErrorCode::json, "not JSON at byte " + std::to_string(position) + ": " + text);
   }
 

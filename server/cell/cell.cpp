@@ -24,6 +24,8 @@ Expected<std::unique_ptr<Cell>> Cell::create(const CellSetup& setup, services::H
   if (auto added = cell->add_database(setup); !added) return tl::unexpected(std::move(added).error());
   auto& host = cell->host_.declare("timer", "timer", cell->unit_);
   cell->host_.attach("timer", std::make_unique<timer::Timer>(host));
+  for (const FurtherService& service : setup.further)
+    cell->host_.attach(service.key, service.make(cell->host_.declare(service.key, service.type, cell->unit_)));
   return cell;
 }
 

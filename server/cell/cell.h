@@ -17,10 +17,17 @@
 
 namespace race::server {
 
+/// One more service of a cell, in its unit.
+struct FurtherService {
+  std::string key, type;
+  std::function<std::unique_ptr<services::Component>(services::ServiceHost&)> make;
+};
+
 struct CellSetup {
   std::string folder;       // with scene.json and database.json; what is absent is not there
   std::string database;     // file of the database, or ":memory:"
   bool own_threads = true;  // the database lives on a thread of its own; else all services are one unit
+  std::vector<FurtherService> further = {};
 };
 
 class Cell {

@@ -271,7 +271,10 @@ void Core::complete() {
 }
 
 void Core::send_calls() {
-  for (std::string& text : run_.take_printed()) watcher_.printed(id_, text);
+  for (std::string& text : run_.take_printed()) {
+    if (text.ends_with('\n')) text.pop_back();
+    watcher_.printed(id_, text);
+  }
   for (semantics::OutgoingCall& call : run_.take_calls()) {
     host_.call({id_, call.number}, call.service, call.name, call.args, call.kwargs);
     new_calls_.push_back(std::move(call));

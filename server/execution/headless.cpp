@@ -100,7 +100,10 @@ void Headless::macro_step(Run& run, Cell& cell) {
       cell.host().call({"1", call.number}, call.service, call.name, call.args, call.kwargs);
       calls.push_back(call_json(call));
     }
-    for (const std::string& text : run.take_printed()) logged(cell.clock().now(), "core", text);
+    for (std::string& text : run.take_printed()) {
+      if (text.ends_with('\n')) text.pop_back();
+      logged(cell.clock().now(), "core", text);
+    }
   }
   Dict out{{"time", cell.clock().now()}, {"step", integer(run.position())}};
   out.set("input", input_json(run.program(), entry));

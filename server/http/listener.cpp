@@ -116,6 +116,7 @@ class StreamSession final : public Listener, public std::enable_shared_from_this
     beast::get_lowest_layer(socket_).expires_never();
     socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
     socket_.read_message_max(Door::kMessageBytes);
+    socket_.auto_fragment(false);  // a message is one frame
     const auto [failed] = co_await socket_.async_accept(request, kUse);
     if (failed) co_return;
     asio::co_spawn(

@@ -4,10 +4,12 @@
 #include <charconv>
 #include <optional>
 
+#include "core/language/utf8.h"
+
 namespace race::server {
 namespace {
 
-// %41 -> A; in a query, + -> space. Nothing: badly encoded, or a control character.
+// %41 -> A; in a query, + -> space. Nothing: badly encoded, a control character, or no UTF-8.
 std::optional<std::string> decode(std::string_view text, bool query) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -25,6 +27,7 @@ std::optional<std::string> decode(std::string_view text, bool query) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) return std::nullopt;
     out += c;
   }
+  if (!language::utf8::valid(out)) return std::nullopt;
   return out;
 }
 

@@ -1,0 +1,67 @@
+"""Tasks that the tests run: small, and known by heart."""
+
+
+def document(name, root, **more):
+    return {"rcm": 1, "name": name, "root": root, **more}
+
+
+def ticking(name="ticking", last=5):
+    """Counts ticks of the timer in two states that take turns; ends at `done` when it has seen `last`."""
+    toggle = lambda me, other: {
+        "state": me, "ports": [{"name": "next", "when": "svc.timer.tick", "to": other}]}
+    return document(name, {
+        "state": "Root", "results": [{"name": "n", "initial": 0}],
+        "parameters": [{"name": "last", "value": last}],
+        "actions": [{"when": "svc.timer.tick", "do": "res.n = res.n + 1"}],
+        "children": [toggle("Ping", "Pong"), toggle("Pong", "Ping")], "first": "Ping",
+        "ports": [{"name": "done", "when": "res.n >= par.last"}]})
+
+
+def storing(name="storing"):
+    """Stores its argument in the database, reads it again and gives it as result."""
+    return document(name, {
+        "state": "Root", "parameters": [{"name": "key", "value": "x"}, {"name": "value"}],
+        "results": [{"name": "read"}],
+        "actions": [{"when": "available(chi.Get.res.value)", "do": "res.read = chi.Get.res.value"}],
+        "children": [
+            {"state": "Add", "parameters": [{"name": "key", "from": "par.key"}, {"name": "value", "from": "par.value"}],
+             "entry": "svc.db.add(par.key, par.value)",
+             "ports": [{"name": "success", "when": "svc.db.add.result", "to": "Get"},
+                       {"name": "error", "when": "svc.db.add.error"}]},
+            {"state": "Get", "parameters": [{"name": "key", "from": "par.key"}], "results": [{"name": "value"}],
+             "entry": "svc.db.get(key=par.key)",
+             "actions": [{"when": "svc.db.get.result", "do": "res.value = svc.db.get.result"}],
+             "ports": [{"name": "success", "when": "available(res.value)"}]}],
+        "first": "Add",
+        "ports": [{"name": "success", "when": "chi.Get.port.success"}, {"name": "error", "when": "chi.Add.port.error"}]})
+
+
+def reading(name="reading"):
+    """Reads a key of the database: `found` with its value as result, or `missing`."""
+    return document(name, {
+        "state": "Root", "parameters": [{"name": "key"}], "results": [{"name": "value"}],
+        "entry": "svc.db.get(par.key)",
+        "actions": [{"when": "svc.db.get.result", "do": "res.value = svc.db.get.result"}],
+        "ports": [{"name": "found", "when": "available(res.value)"}, {"name": "missing", "when": "svc.db.get.error"}]})
+
+
+def chain(name="chain"):
+    """Four states, one after the other without waiting: one macro step of many micro steps."""
+    states = [{"state": f"S{i}", "ports": [{"name": "next", "when": "True", "to": f"S{i + 1}"}]} for i in range(3)]
+    return document(name, {"state": "Root", "children": [*states, {"state": "S3"}], "first": "S0",
+                           "ports": [{"name": "done", "when": "svc.timer.elapsed"}]})
+
+
+def faulty(name="faulty"):
+    """Divides by zero at the first tick."""
+    return document(name, {"state": "Root", "variables": [{"name": "zero", "initial": 0}],
+                           "actions": [{"when": "svc.timer.tick", "do": "var.x = 1 / var.zero"}]})
+
+
+def calling(service, operation, name="calling"):
+    """Calls once: `result` or `error`."""
+    answer = f"svc.{service}.{operation}"
+    return document(name, {"state": "Root", "entry": f"{answer}()", "results": [{"name": "code"}],
+                           "actions": [{"when": f"{answer}.error", "do": f"res.code = {answer}.error.code"}],
+                           "ports": [{"name": "result", "when": f"{answer}.result"},
+                                     {"name": "error", "when": "available(res.code)"}]})

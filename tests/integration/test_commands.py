@@ -1,0 +1,98 @@
+"""The command line: race run, and what every command does with bad input."""
+import json
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import models
+from client import PROGRAM, PROJECT
+
+DEMO = PROJECT / "deploy/demo"
+
+
+def race(*arguments, document=None):
+    """(status, lines of stdout, stderr); DOCUMENT among the arguments is the file of `document`."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder, "model.rcm.json")
+        if document is not None:
+            path.write_text(document if isinstance(document, str) else json.dumps(document))
+        words = [str(path) if a == "DOCUMENT" else str(a) for a in arguments]
+        out = subprocess.run([PROGRAM, *words], capture_output=True, text=True, timeout=280)
+    return out.returncode, out.stdout.splitlines(), out.stderr
+
+
+class Run(unittest.TestCase):
+    def test_the_last_line_says_how_it_ended(self):
+        status, lines, _ = race("run", "DOCUMENT", "--fast", "--json", document=models.ticking(last=3))
+        last = json.loads(lines[-1])
+        self.assertEqual((status, last["status"], last["outcome"], last["results"]), (0, "ended", "done", {"n": 3}))
+
+    def test_fast_runs_are_the_same_run(self):
+        arguments = ("run", "DOCUMENT", "--fast", "--json", "--seed", 7, "--arguments", '{"value": [1, {"a": 2.5}]}')
+        runs = [race(*arguments, document=models.storing()) for _ in range(3)]
+        self.assertEqual(runs[0], runs[1])
+        self.assertEqual(runs[0], runs[2])
+        self.assertEqual(json.loads(runs[0][1][-1])["results"], {"read": [1, {"a": 2.5}]})
+
+    def test_real_time_gives_the_same_outcome(self):
+        status, lines, _ = race("run", "DOCUMENT", "--json", document=models.ticking(last=2))
+        self.assertEqual((status, json.loads(lines[-1])["outcome"]), (0, "done"))
+
+    def test_a_faulted_run_ends_with_status_1(self):
+        status, lines, _ = race("run", "DOCUMENT", "--fast", "--json", document=models.faulty())
+        last = json.loads(lines[-1])
+        self.assertEqual((status, last["status"], last["fault"]["kind"]), (1, "faulted", "zero_division"))
+
+    def test_a_run_without_an_end_is_left_at_its_limit(self):
+        status, lines, _ = race("run", "DOCUMENT", "--fast", "--json", "--limit", 2, document=models.chain())
+        self.assertEqual((status, json.loads(lines[-1])["status"]), (1, "running"))
+
+    def test_pick_lifts_the_part(self):
+        status, lines, _ = race("run", DEMO / "pick.rcm.json", "--fast", "--json")
+        last = json.loads(lines[-1])
+        self.assertEqual((status, last["outcome"]), (0, "success"))
+        self.assertAlmostEqual(last["results"]["actual_width"], 0.04, delta=0.002)
+
+    def test_pick_without_a_pose_ends_at_error(self):
+        status, lines, _ = race("run", DEMO / "pick.rcm.json", "--fast", "--json", "--arguments", '{"pose": "unknown"}')
+        entered = [path for line in lines[:-1] for path, on in json.loads(line)["active"].items() if on]
+        self.assertEqual((status, json.loads(lines[-1])["outcome"]), (0, "error"))
+        self.assertNotIn("Pick/Approach", entered)
+
+    def test_pick_without_a_part_retreats_and_ends_at_error(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("scene.json", "lwr_wsg50.urdf"):
+                Path(folder, name).write_text((DEMO / name).read_text())
+            nowhere = {"position": [0.45, 0.0, 0.1], "orientation": [1, 0, 0, 0]}
+            Path(folder, "database.json").write_text(json.dumps({"object_pose": nowhere}))
+            status, lines, _ = race("run", DEMO / "pick.rcm.json", "--cell", folder, "--fast", "--json")
+        fired = [port for line in lines[:-1] for port in json.loads(line)["fired"]]
+        self.assertEqual((status, json.loads(lines[-1])["outcome"]), (0, "error"))
+        self.assertEqual([p for p in fired if p.startswith(("Pick/Grasp", "Pick/CheckPart"))],
+                         ["Pick/Grasp.error", "Pick/CheckPart.error"])
+
+
+class BadInput(unittest.TestCase):
+    def test_is_told_with_path_and_code_and_status_2(self):
+        wrong = models.document("wrong", {"state": "Root", "first": "Nowhere"})
+        for words in (("run", "DOCUMENT"), ("check", "DOCUMENT"), ("translate", "DOCUMENT"), ("fmt", "DOCUMENT")):
+            status, _, errors = race(*words, document=wrong)
+            self.assertEqual(status, 2, words)
+            self.assertIn("Root: first: ", errors)
+        status, lines, _ = race("run", "DOCUMENT", "--json", document=wrong)
+        self.assertEqual(json.loads("\n".join(lines))["errors"][0]["code"], "first")
+
+    def test_of_options(self):
+        for words in (("run",), ("run", "a", "b"), ("run", "DOCUMENT", "--slow"), ("run", "DOCUMENT", "--seed"),
+                      ("run", "DOCUMENT", "--seed", "x"), ("run", "DOCUMENT", "--arguments", "["),
+                      ("run", "DOCUMENT", "--arguments", "[]"), ("run", "/nowhere.json"),
+                      ("run", "DOCUMENT", "--arguments", '{"colour": 1}'), ("serve", "--port", "99999"),
+                      ("serve", "--data", "/proc/no"), ("serve", "more"), ("dance",), ()):
+            status, _, errors = race(*words, document=models.ticking())
+            self.assertEqual(status, 2, words)
+            self.assertTrue(errors, words)
+
+
+if __name__ == "__main__":
+    unittest.main()

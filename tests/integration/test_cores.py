@@ -1,0 +1,179 @@
+"""Cores on the real server: several at once, held and led, replayed, explained."""
+import json
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import models
+from client import PROGRAM, Server
+
+
+def strip(step):
+    """A macro step as `race derive` prints it."""
+    calls = [{k: v for k, v in call.items() if k != "call"} for call in step["calls"]]
+    return {"micro": step["micro"], "calls": calls, "state": step["state"]}
+
+
+class Cores(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.server = Server()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.server.stop()
+
+    def derive(self, core):
+        """What `race derive` makes of the exported script."""
+        with tempfile.TemporaryDirectory() as folder:
+            model, script = Path(folder, "model.json"), Path(folder, "script.json")
+            model.write_text(json.dumps(self.server.get(f"/cores/{core}/native", "native")["document"]))
+            script.write_text(json.dumps(self.server.get(f"/cores/{core}/script", "script")))
+            out = subprocess.run([PROGRAM, "derive", str(model), str(script)], capture_output=True, text=True)
+        self.assertIn(out.returncode, (0, 1), out.stderr)
+        return json.loads(out.stdout)
+
+    def held(self, document, arguments=None):
+        """A core that is paused before its first step."""
+        core = self.server.core(document, arguments, start=False)
+        self.server.post(f"/cores/{core}/pause", None, "core")
+        self.server.post(f"/cores/{core}/start", None, "core")
+        return core
+
+    def step(self, core, **how):
+        self.server.post(f"/cores/{core}/step", how, "core")
+        return self.server.wait(core, lambda c: c["paused"] or c["status"] != "running")
+
+    def active(self, core):
+        return self.server.get(f"/cores/{core}/state", "core_state")["state"]["active"]
+
+    def test_several_at_once_each_with_its_own_answers(self):
+        document = models.storing()
+        self.server.put("/documents/storing", document, "document_entry")
+        cores = []
+        for i in range(20):
+            core = self.server.post("/cores", {"document": "storing", "arguments": {"key": f"k{i}", "value": [i]}}, "core", 201)
+            cores.append(core["id"])
+        for core in cores:
+            self.server.post(f"/cores/{core}/start", None, "core")
+        for i, core in enumerate(cores):
+            ended = self.server.ended(core)
+            self.assertEqual((ended["outcome"], ended["results"]), ("success", {"read": [i]}))
+            self.server.expect("DELETE", f"/cores/{core}", None, "core", 200)
+
+    def test_the_exported_script_gives_the_same_derivations(self):
+        core = self.server.core(models.ticking("replayed", last=7))
+        ended = self.server.ended(core)
+        ours = self.server.get(f"/cores/{core}/derivations?from=1&to={ended['step']}", "derivations")
+        theirs = self.derive(core)
+        self.assertEqual([strip(step) for step in ours["steps"]], theirs["steps"])
+        self.assertEqual((ours["status"], ours["outcome"]), (theirs["status"], theirs["outcome"]))
+
+    def test_one_step_alone_is_the_same_as_in_the_whole(self):
+        core = self.server.core(models.ticking("asked", last=4))
+        ended = self.server.ended(core)
+        whole = self.server.get(f"/cores/{core}/derivations?from=1&to={ended['step']}", "derivations")["steps"]
+        for step in reversed(whole):
+            self.assertEqual(self.server.get(f"/cores/{core}/derivations?from={step['step']}", "derivations")["steps"], [step])
+
+    def test_a_fault_is_shown_and_replayed(self):
+        core = self.server.core(models.faulty())
+        ended = self.server.ended(core)
+        self.assertEqual((ended["status"], ended["fault"]["kind"], ended["fault"]["at"]), ("faulted", "zero_division", "Root"))
+        theirs = self.derive(core)
+        self.assertEqual((theirs["status"], theirs["fault"]), ("faulted", ended["fault"]))
+
+    def test_calls_to_what_is_not_there_are_answered(self):
+        core = self.server.core(models.calling("oven", "heat"))
+        ended = self.server.ended(core)
+        self.assertEqual((ended["outcome"], ended["results"]), ("error", {"code": "unavailable"}))
+        theirs = self.derive(core)
+        self.assertEqual(theirs["outcome"], "error")
+        core = self.server.core(models.calling("timer", "cancel"))
+        self.assertEqual(self.server.ended(core)["results"], {"code": "not_accepted"})
+
+    def test_micro_steps_one_by_one_are_the_macro_step(self):
+        core = self.held(models.chain())
+        entered = []
+        for _ in range(6):
+            state = self.step(core, kind="micro")
+            entered.append((state["micro"], self.active(core)[-1]))
+        # A port fires in one micro step and is followed in the next.
+        self.assertEqual(entered, [(1, "Root/S0"), (2, "Root"), (3, "Root/S1"), (4, "Root"), (5, "Root/S2"), (6, "Root")])
+        partial = self.server.get(f"/cores/{core}/derivations", "derivations")["steps"]
+        self.assertEqual((len(partial), len(partial[0]["micro"]), partial[0]["complete"]), (1, 6, False))
+        state = self.step(core, kind="macro")
+        self.assertEqual((state["step"], state["micro"], self.active(core)), (1, 0, ["Root", "Root/S3"]))
+        whole = self.server.get(f"/cores/{core}/derivations", "derivations")["steps"][0]
+        self.assertEqual(whole["micro"][:6], partial[0]["micro"])
+        self.assertEqual(strip(whole), self.derive(core)["steps"][0])
+
+    def test_a_core_goes_on_until_a_state_is_entered_or_left(self):
+        core = self.held(models.ticking("until", last=100))
+        self.step(core, kind="until", path="Root/Pong", when="entered")
+        self.assertEqual(self.active(core), ["Root", "Root/Pong"])
+        self.step(core, kind="until", path="Root/Pong", when="left")
+        self.assertEqual(self.active(core), ["Root"])
+        self.step(core, kind="until", path="Root/Pong", when="left")
+        self.assertEqual(self.server.get(f"/cores/{core}", "core")["paused"], True)
+        self.server.post(f"/cores/{core}/step", {"kind": "until", "path": "Root/Nowhere", "when": "left"}, status=404)
+
+    def test_a_pause_changes_nothing_but_the_time(self):
+        core = self.server.core(models.ticking("paused", last=6))
+        for _ in range(3):
+            self.server.post(f"/cores/{core}/pause", None, "core")
+            before = self.server.get(f"/cores/{core}", "core")["step"]
+            self.server.get(f"/cores/{core}/state", "core_state")
+            self.assertEqual(self.server.get(f"/cores/{core}", "core")["step"], before)
+            self.server.post(f"/cores/{core}/resume", None, "core")
+        self.assertEqual(self.server.ended(core)["outcome"], "done")
+
+    def test_stop_ends_a_run_between_macro_steps(self):
+        core = self.server.core(models.ticking("stopped", last=1000))
+        self.server.wait(core, lambda c: c["step"] >= 2)
+        stopped = self.server.post(f"/cores/{core}/stop", None, "core")
+        self.assertEqual(stopped["status"], "aborted")
+        entries = self.server.get(f"/cores/{core}/journal", "journal")["entries"]
+        self.assertEqual([e["position"] for e in entries], list(range(1, stopped["step"] + 1)))
+        self.assertEqual(entries[0]["input"], {"kind": "start"})
+        self.assertEqual(entries[-1]["input"], {"kind": "abort"})
+        last = self.server.get(f"/cores/{core}/derivations", "derivations")["steps"][0]
+        self.assertEqual((last["input"], last["micro"]), ({"kind": "abort"}, []))
+
+    def test_why_names_the_atom_whose_change_fires_the_port(self):
+        document = models.document("why", {
+            "state": "Root", "parameters": [{"name": "a", "value": 1}],
+            "children": [{"state": "A", "parameters": [{"name": "a", "from": "par.a"}],
+                          "ports": [{"name": "go", "when": "par.a > 3 and not (par.a == 7)", "to": "B"},
+                                    {"name": "wait", "when": "svc.timer.elapsed", "to": "B"}]},
+                         {"state": "B"}],
+            "first": "A"})
+        core = self.server.core(document)
+        why = self.server.get(f"/cores/{core}/why?port=Root/A.go", "why")
+        self.assertEqual((why["value"], why["state_active"], why["active"]), (False, True, False))
+        blocking = [(atom["text"], atom["wanted"]) for atom in why["atoms"] if atom["blocks"]]
+        self.assertEqual(blocking, [("par.a > 3", True)])
+        waits = self.server.get(f"/cores/{core}/why?port=Root/A.wait", "why")
+        self.assertEqual((waits["value"], waits["atoms"][0]["service"]), (None, True))
+        # Made so, the port fires.
+        other = self.server.core(document, {"a": 4})
+        self.server.wait(other, lambda c: c["step"] == 1)
+        self.assertEqual(self.active(other), ["Root", "Root/B"])
+
+    def test_there_is_a_most_of_cores(self):
+        self.server.put("/documents/many", models.ticking("many"), "document_entry")
+        ids = []
+        while True:
+            status, answer = self.server.request("POST", "/api/v1/cores", {"document": "many"})
+            if status != 201:
+                break
+            ids.append(answer["id"])
+            self.assertLessEqual(len(ids), 64)
+        self.assertEqual((status, answer["errors"][0]["code"]), (409, "conflict"))
+        for core in ids:
+            self.server.expect("DELETE", f"/cores/{core}", None, "core", 200)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,122 @@
+"""The doors: whatever comes in, the server refuses it in its form and goes on."""
+import random
+import unittest
+
+import models
+from client import Server, Stream
+
+
+class Doors(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.server = Server()
+        cls.host = f"127.0.0.1:{cls.server.port}"
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.server.get("/health", "health")
+        cls.server.stop()
+
+    def status(self, data):
+        answer = self.server.raw(data)
+        return int(answer.split()[1]) if answer else None
+
+    def head(self, *lines, first="GET /api/v1/health HTTP/1.1", host=True):
+        lines = [first, *([f"Host: {self.host}"] if host else []), *lines]
+        return ("\r\n".join(lines) + "\r\n\r\n").encode()
+
+    def test_bad_json_is_refused(self):
+        for body in ("", "{", "[1,]", "{} {}", '{"a": 1, "a": 2}', "\x00", b"\xff\xfe", '"\\ud800"', "NaN"):
+            with self.subTest(body=body):
+                self.assertIn(self.server.request("POST", "/api/v1/cores", body)[0], (400, 422))
+
+    def test_depth_ends_at_64(self):
+        self.assertEqual(self.server.request("POST", "/api/v1/cores", "[" * 65 + "]" * 65)[0], 400)
+        self.assertEqual(self.server.request("POST", "/api/v1/cores", "[" * 64 + "]" * 64)[0], 422)
+        self.assertEqual(self.server.request("POST", "/api/v1/cores", "[" * 100000)[0], 400)
+        self.assertEqual(self.server.request("PUT", "/api/v1/documents/deep", '{"a":' * 100 + "1" + "}" * 100)[0], 400)
+
+    def test_one_host_of_the_allowed_ones(self):
+        self.assertEqual(self.status(self.head()), 200)
+        self.assertEqual(self.status(self.head("Host: localhost", host=False)), 421)
+        self.assertEqual(self.status(self.head(f"Host: LOCALHOST:{self.server.port}", host=False)), 200)
+        self.assertEqual(self.status(self.head("Host: evil.example", host=False)), 421)
+        self.assertEqual(self.status(self.head(host=False)), 400)
+        self.assertEqual(self.status(self.head(f"Host: {self.host}")), 400)
+
+    def test_origin_counts_where_something_changes(self):
+        post = "POST /api/v1/cores HTTP/1.1"
+        self.assertEqual(self.status(self.head("Origin: http://evil.example", first=post)), 403)
+        self.assertEqual(self.status(self.head("Origin: null", first=post)), 403)
+        self.assertEqual(self.status(self.head(f"Origin: http://{self.host}", first=post)), 400)  # no JSON
+        self.assertEqual(self.status(self.head(f"Origin: https://{self.host}", first=post)), 403)
+        self.assertEqual(self.status(self.head("Origin: http://evil.example")), 200)
+        with Stream(self.server.port, [f"Origin: http://localhost:{self.server.port}"]) as stream:
+            self.assertEqual(stream.status, 101)
+        with Stream(self.server.port, ["Origin: http://evil.example"]) as stream:
+            self.assertEqual(stream.status, 403)
+
+    def test_transfer_encoding_is_answered_501_before_any_body(self):
+        for value in ("chunked", "gzip, chunked", "identity", "chunked, identity", "x"):
+            with self.subTest(value=value):
+                request = self.head(f"Transfer-Encoding: {value}", first="POST /api/v1/cores HTTP/1.1")
+                self.assertIn(self.status(request), (501, 400) if value != "chunked" else (501,))
+                self.assertIn(self.status(request + b"5\r\nhello\r\n0\r\n\r\n"), (501, 400))
+
+    def test_sizes_end(self):
+        large = self.head("Content-Length: 5000000", "Content-Type: application/json", first="PUT /api/v1/documents/x HTTP/1.1")
+        self.assertEqual(self.status(large), 413)
+        self.assertEqual(self.status(large + b" " * 5000000), 413)
+        self.assertEqual(self.status(self.head("X: " + "x" * 20000)), 431)
+        self.assertEqual(self.status(self.head(first=f"GET /{'x' * 20000} HTTP/1.1")), 431)
+
+    def test_a_body_is_json(self):
+        status, _ = self.server.request("POST", "/api/v1/cores", "{}", {"Content-Type": "text/plain"})
+        self.assertEqual(status, 415)
+
+    def test_targets_are_decoded_or_refused(self):
+        for target in ("/api/v1/cores/%zz", "/api/v1/cores/%ff", "/api/v1/cores?x=%c3%28", "/api/v1/cores/%0a", "http://a/b", "*", "/%"):
+            with self.subTest(target=target):
+                self.assertEqual(self.status(self.head(first=f"GET {target} HTTP/1.1")), 400)
+
+    def test_noise_does_no_harm(self):
+        seed = 20260
+        noise = random.Random(seed)
+        for round in range(200):
+            length = noise.randrange(1, 300)
+            data = bytes(noise.randrange(256) for _ in range(length))
+            if round % 2:
+                cut = noise.randrange(5, 60)
+                data = self.head()[:cut] + data
+            try:
+                self.server.raw(data)
+            except ConnectionError:
+                pass
+        self.server.get("/health", "health")
+
+    def test_wrong_messages_on_the_stream_are_told(self):
+        with self.server.stream() as stream:
+            for message in ("{", "[]", '{"type": "subscribe"}', '{"type": "shout", "channel": "log"}',
+                            '{"type": "subscribe", "channel": "core/99/state"}',
+                            '{"type": "subscribe", "channel": "cell/pose"}',
+                            '{"type": "subscribe", "channel": "log", "since": "x"}', "[" * 1000):
+                stream.send(message)
+                self.assertEqual(stream.message()["kind"], "error")
+            stream.send_frame(1, b"x" * 70000)
+            with self.assertRaises(ConnectionError):
+                stream.message()
+
+    def test_deep_values_of_a_task_do_no_harm(self):
+        deep = models.document("deep", {
+            "state": "Root", "results": [{"name": "x", "initial": []}],
+            "entry": "y = []\nfor i in range(20000):\n    y = [y]\nres.x = y\nsvc.db.add('deep', y)",
+            "ports": [{"name": "stored", "when": "svc.db.add.result"}, {"name": "refused", "when": "svc.db.add.error"}]})
+        core = self.server.core(deep)
+        ended = self.server.ended(core)
+        self.assertIn(ended["status"], ("ended", "faulted"))
+        self.server.request("GET", f"/api/v1/cores/{core}/state")
+        self.server.request("GET", f"/api/v1/cores/{core}/derivations")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,43 @@
+"""What is kept is there after a restart; numbers of messages do not come again."""
+import shutil
+import tempfile
+import unittest
+
+import models
+from client import Server
+
+
+class Restart(unittest.TestCase):
+    def setUp(self):
+        self.data = tempfile.mkdtemp(prefix="race-test-")
+
+    def tearDown(self):
+        shutil.rmtree(self.data)
+
+    def test_the_database_and_documents_survive(self):
+        pose = {"position": [0.1, 0.2, 0.3], "orientation": [0.0, 0.0, 0.0, 1.0]}
+        with Server(data=self.data) as server:
+            core = server.core(models.storing(), {"key": "pose", "value": pose})
+            self.assertEqual(server.ended(core)["outcome"], "success")
+        with Server(data=self.data) as server:
+            self.assertEqual(server.get("/documents/storing", "document_entry")["document"], models.storing())
+            self.assertEqual(server.get("/cores", "cores")["cores"], [])
+            core = server.core(models.reading(), {"key": "pose"})
+            ended = server.ended(core)
+            self.assertEqual((ended["outcome"], ended["results"]), ("found", {"value": pose}))
+            core = server.core(models.reading(), {"key": "other"})
+            self.assertEqual(server.ended(core)["outcome"], "missing")
+
+    def test_numbers_of_messages_go_up(self):
+        numbers = []
+        for _ in range(2):
+            with Server(data=self.data) as server, server.stream() as stream:
+                stream.subscribe("cores", since=numbers[-1] if numbers else None)
+                message = stream.message()
+                self.assertEqual(message["kind"], "snapshot")
+                numbers.append(message["sequence"])
+        self.assertGreater(numbers[1], numbers[0])
+
+
+if __name__ == "__main__":
+    unittest.main()

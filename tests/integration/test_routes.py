@@ -1,0 +1,115 @@
+"""Every route of api/openapi.yaml answers, and answers what its schema says."""
+import json
+import unittest
+
+import models
+from client import PROJECT, Server, check
+
+
+class Routes(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.server = Server("--demo", str(PROJECT / "deploy/demo"))
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.server.stop()
+
+    def test_server_health_rules_services_and_cell(self):
+        health = self.server.get("/health", "health")
+        self.assertTrue(health["cell"])
+        names = [rule["rule"] for rule in self.server.get("/rules", "rules")["rules"]]
+        self.assertIn("PTrans1", names)
+        services = self.server.get("/services", "services")["services"]
+        self.assertEqual({s["key"]: s["type"] for s in services},
+                         {"robot": "robot", "gripper": "gripper", "db": "database", "timer": "timer"})
+        scene = self.server.get("/cell", "scene")
+        urdf = self.server.get("/cell/" + scene["robots"][0]["urdf"])
+        self.assertIn("<robot", urdf)
+        self.server.get("/cell/other.urdf", status=404)
+        self.server.get("/cell/..%2Fscene.json", status=404)
+
+    def test_a_document_is_stored_translated_and_given_back(self):
+        document = models.ticking()
+        stored = self.server.put("/documents/mine", document, "document_entry")
+        again = self.server.put("/documents/mine", document, "document_entry")
+        self.assertEqual(stored["revision"], again["revision"])
+        document["root"]["doc"] = "changed"
+        changed = self.server.put("/documents/mine", document, "document_entry")
+        self.assertEqual(changed["revision"], stored["revision"] + 1)
+        self.assertEqual(self.server.get("/documents/mine", "document_entry")["document"], document)
+        names = [entry["name"] for entry in self.server.get("/documents", "documents")["documents"]]
+        self.assertIn("mine", names)
+        self.assertIn("pick", names)
+        native = self.server.get("/documents/pick/native", "native")
+        self.assertEqual(native["origin"]["Pick/Grasp"], "Pick/Grasp")
+
+    def test_a_wrong_document_is_refused_whole_with_every_violation(self):
+        wrong = models.document("wrong", {"state": "Root", "children": [{"state": "A"}, {"state": "A"}], "first": "B",
+                                          "entry": "res.x = "})
+        errors = self.server.put("/documents/wrong", wrong, status=422)["errors"]
+        self.assertLessEqual({"duplicate", "first"}, {error["code"] for error in errors})
+        self.server.get("/documents/wrong", status=404)
+        self.server.put("/documents/no%20name", models.ticking(), status=422)
+
+    def test_a_core_through_its_life(self):
+        core = self.server.core(models.ticking("life", last=3), {"last": 2}, start=False)
+        path = f"/cores/{core}"
+        self.assertEqual(self.server.get(path, "core")["status"], "ready")
+        self.server.post(path + "/stop", status=409)
+        self.server.post(path + "/start", None, "core")
+        self.server.post(path + "/start", status=409)
+        ended = self.server.ended(core)
+        self.assertEqual((ended["status"], ended["outcome"], ended["results"]), ("ended", "done", {"n": 2}))
+        self.server.get(path + "/state", "core_state")
+        self.server.get(path + "/native", "native")
+        self.server.get(path + "/journal", "journal")
+        self.server.get(path + "/script", "script")
+        steps = ended["step"]
+        derivations = self.server.get(f"{path}/derivations?from=1&to={steps}", "derivations")
+        self.assertEqual([s["step"] for s in derivations["steps"]], list(range(1, steps + 1)))
+        self.server.get(f"{path}/derivations?from={steps + 1}", status=400)
+        self.server.get(f"{path}/derivations?from=x", status=400)
+        self.server.get(f"{path}/why?port=Root.done", "why")
+        self.server.get(f"{path}/why?port=Root.nothing", status=404)
+        self.server.get(f"{path}/why", status=422)
+        for command in ("pause", "resume", "stop", "start"):
+            self.server.post(f"{path}/{command}", status=409)
+        self.server.expect("DELETE", path, None, "core", 200)
+        for route in ("", "/state", "/native", "/journal", "/script", "/derivations", "/why?port=Root.done"):
+            self.server.get(path + route, status=404)
+        self.assertNotIn(core, [c["id"] for c in self.server.get("/cores", "cores")["cores"]])
+
+    def test_what_does_not_fit_is_refused_by_name(self):
+        self.server.post("/cores", {"document": "nothing"}, status=404)
+        self.server.post("/cores", {}, status=422)
+        self.server.post("/cores", {"document": "pick", "speed": 1}, status=422)
+        self.server.post("/cores", {"document": "pick", "arguments": []}, status=422)
+        errors = self.server.post("/cores", {"document": "pick", "arguments": {"colour": 1}}, status=422)["errors"]
+        self.assertEqual((errors[0]["path"], errors[0]["code"]), ("Pick", "unknown_name"))
+        self.server.put("/documents/other", models.ticking() | {"services": {"timer": "clock"}}, "document_entry")
+        errors = self.server.post("/cores", {"document": "other"}, status=422)["errors"]
+        self.assertEqual(errors[0]["path"], "services/timer")
+        self.server.get("/cores/0", status=404)
+        self.server.get("/cores/x", status=404)
+        core = self.server.core(models.ticking("held"), start=False)
+        self.server.post(f"/cores/{core}/step", {"kind": "micro"}, status=409)
+        self.server.post(f"/cores/{core}/step", {"kind": "back"}, status=422)
+        self.server.post(f"/cores/{core}/step", {"kind": "until", "path": "Root/Pong"}, status=422)
+
+    def test_what_is_not_in_the_interface_is_not_there(self):
+        self.server.get("/nothing", status=404)
+        self.server.get("/cores/1/2/3", status=404)
+        self.server.expect("PATCH", "/cores", {}, None, 405)
+        status, _ = self.server.request("GET", "/")
+        self.assertEqual(status, 404)
+
+    def test_every_example_is_of_its_schema(self):
+        examples = list((PROJECT / "api/examples").glob("*.json"))
+        self.assertGreater(len(examples), 10)
+        for example in examples:
+            check(example.name.split(".")[0], json.loads(example.read_text()))
+
+
+if __name__ == "__main__":
+    unittest.main()

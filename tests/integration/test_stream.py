@@ -1,0 +1,206 @@
+"""The stream: a snapshot, then deltas without gaps; reconnecting; slow clients; what is sent is what the run does."""
+import unittest
+
+import models
+from client import PROJECT, Server
+
+
+def apply(state, delta):
+    """A core_delta on a core_state: what a client does."""
+    whole = {"core": delta["core"], "state": {key: value.copy() for key, value in state["state"].items()}}
+    new = whole["state"]
+    for field in ("active", "ports"):
+        names = [name for name in new[field] if delta[field].get(name, True)]
+        names += [name for name, on in delta[field].items() if on and name not in names]
+        new[field] = names
+    for barrier, ports in delta["activated"].items():
+        new["activated"].pop(barrier, None)
+        if ports:
+            new["activated"][barrier] = ports
+    for field in ("parameters", "results", "variables"):
+        values = {path: dict(entries) for path, entries in new[field].items()}
+        for path, names in delta["unset"].get(field, {}).items():
+            for name in names:
+                values[path].pop(name)
+        for path, entries in delta[field].items():
+            values.setdefault(path, {}).update(entries)
+        new[field] = {path: entries for path, entries in values.items() if entries}
+    return whole
+
+
+def same(state):
+    """Without what has no order."""
+    return {**state, "state": {**state["state"], "active": sorted(state["state"]["active"]),
+                               "ports": sorted(state["state"]["ports"])}}
+
+
+class Streaming(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.server = Server("--demo", str(PROJECT / "deploy/demo"))
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.server.stop()
+
+    def test_a_snapshot_and_its_deltas_are_the_state(self):
+        core = self.server.core(models.storing("shown"), {"value": {"deep": [1, 2.5, None]}}, start=False)
+        with self.server.stream() as stream:
+            stream.subscribe(f"core/{core}/state")
+            snapshot = stream.message()
+            self.assertEqual((snapshot["kind"], snapshot["data"]["core"]["status"]), ("snapshot", "ready"))
+            self.server.post(f"/cores/{core}/start", None, "core")
+            deltas = stream.until(lambda m: m["data"]["core"]["status"] == "ended")
+        numbers = [m["sequence"] for m in [snapshot, *deltas]]
+        self.assertEqual(numbers, list(range(numbers[0], numbers[0] + len(numbers))))
+        state = snapshot["data"]
+        for delta in deltas:
+            self.assertEqual(delta["kind"], "delta")
+            state = apply(state, delta["data"])
+        self.assertEqual(same(state), same(self.server.get(f"/cores/{core}/state", "core_state")))
+        fired = [port for delta in deltas for port in delta["data"]["fired"]]
+        self.assertEqual(fired, ["Root/Add.success", "Root/Get.success", "Root.success"])
+        calls = [call["operation"] for delta in deltas for call in delta["data"]["calls"]]
+        self.assertEqual(calls, ["add", "get"])
+
+    def test_who_comes_again_gets_what_it_missed(self):
+        core = self.server.core(models.ticking("missed", last=100000))
+        channel = f"core/{core}/state"
+        with self.server.stream() as stream:
+            stream.subscribe(channel)
+            seen = stream.until(lambda m: m["kind"] == "delta")
+        self.server.wait(core, lambda c: c["step"] >= seen[-1]["data"]["core"]["step"] + 3)
+        with self.server.stream() as stream:
+            stream.subscribe(channel, since=seen[-1]["sequence"])
+            first = stream.message()
+            self.assertEqual((first["kind"], first["sequence"]), ("delta", seen[-1]["sequence"] + 1))
+        with self.server.stream() as stream:
+            stream.subscribe(channel, since=5)  # of an earlier server
+            self.assertEqual(stream.message()["kind"], "snapshot")
+        with self.server.stream() as stream:
+            stream.subscribe(channel, since=first["sequence"] + 10**9)  # of nobody
+            self.assertEqual(stream.message()["kind"], "snapshot")
+        self.server.expect("DELETE", f"/cores/{core}", None, "core", 200)
+
+    def test_the_second_listener_sees_the_same_from_its_snapshot_on(self):
+        core = self.server.core(models.ticking("both", last=100000))
+        channel = f"core/{core}/state"
+        with self.server.stream() as first, self.server.stream() as second:
+            first.subscribe(channel)
+            first.until(lambda m: m["kind"] == "delta")
+            second.subscribe(channel)
+            theirs = [second.message() for _ in range(6)]
+            self.assertEqual(theirs[0]["kind"], "snapshot")
+            ours = first.until(lambda m: m["sequence"] == theirs[-1]["sequence"])
+            common = {m["sequence"]: m for m in ours}
+            for message in theirs[1:]:
+                if message["sequence"] in common:
+                    self.assertEqual(message, common[message["sequence"]])
+            state = theirs[0]["data"]
+            for message in theirs[1:]:
+                state = apply(state, message["data"])
+            self.assertEqual(state["core"], theirs[-1]["data"]["core"])
+        self.server.expect("DELETE", f"/cores/{core}", None, "core", 200)
+
+    def test_derivations_of_the_live_run_are_those_of_its_replay(self):
+        core = self.server.core(models.ticking("derived", last=4), start=False)
+        with self.server.stream() as stream:
+            stream.subscribe(f"core/{core}/derivation")
+            self.assertEqual(stream.message()["data"], {"next": 1})
+            self.server.post(f"/cores/{core}/start", None, "core")
+            ended = self.server.ended(core)
+            live = []
+            while len(live) < ended["step"]:
+                live += stream.message()["data"]["steps"]
+        replayed = self.server.get(f"/cores/{core}/derivations?from=1&to={ended['step']}", "derivations")["steps"]
+        for ours, theirs in zip(live, replayed, strict=True):
+            self.assertEqual((ours["step"], ours["input"], ours["micro"], ours["calls"], ours["first"], ours["complete"]),
+                             (theirs["step"], theirs["input"], theirs["micro"], theirs["calls"], 0, True))
+
+    def test_the_recorder_starts_with_the_first_watcher(self):
+        core = self.server.core(models.ticking("late", last=100000))
+        self.server.wait(core, lambda c: c["step"] >= 3)
+        for _ in range(2):
+            with self.server.stream() as stream:
+                stream.subscribe(f"core/{core}/derivation")
+                messages = [stream.message(), stream.message()]
+            self.assertEqual(messages[0]["kind"], "snapshot")
+            self.assertGreaterEqual(messages[0]["data"]["next"], 4)
+            self.assertGreaterEqual(messages[1]["data"]["steps"][0]["step"], messages[0]["data"]["next"])
+            self.assertTrue(messages[1]["data"]["steps"][0]["micro"])
+        self.server.expect("DELETE", f"/cores/{core}", None, "core", 200)
+
+    def test_cores_services_and_log(self):
+        with self.server.stream() as stream:
+            for channel in ("cores", "services", "log"):
+                stream.subscribe(channel)
+                self.assertEqual((stream.message()["kind"]), "snapshot")
+            document = models.calling("timer", "cancel", "heard")
+            document["root"]["exit"] = "print('leaving')"
+            core = self.server.core(document)
+            messages = stream.until(lambda m: m["channel"] == "log" and m["data"]["entries"][0]["text"] == "leaving")
+            self.assertIn("timer", [m["data"]["services"][0]["key"] for m in messages if m["channel"] == "services"])
+            self.server.ended(core)
+            self.server.expect("DELETE", f"/cores/{core}", None, "core", 200)
+            messages += stream.until(lambda m: m["channel"] == "cores" and "removed" in m["data"])
+            states = [m["data"]["core"]["status"] for m in messages
+                      if m["channel"] == "cores" and m["data"].get("core", {}).get("id") == core]
+            self.assertEqual((states[0], states[-1]), ("ready", "ended"))
+
+    def test_a_channel_ends_with_its_core(self):
+        core = self.server.core(models.ticking("removed", last=100000))
+        with self.server.stream() as stream:
+            stream.subscribe(f"core/{core}/state")
+            stream.message()
+            self.server.expect("DELETE", f"/cores/{core}", None, "core", 200)
+            ended = stream.until(lambda m: m["kind"] == "error")[-1]
+            self.assertEqual(ended["data"]["errors"][0]["code"], "not_found")
+
+    def test_the_cell_moves_in_world_time(self):
+        with self.server.stream() as stream:
+            stream.subscribe("cell/pose")
+            first, second = stream.message(), stream.message()
+            self.assertEqual((first["kind"], second["kind"]), ("snapshot", "delta"))
+            self.assertGreater(second["data"]["time"], first["data"]["time"])
+            scene = self.server.get("/cell", "scene")
+            movable = {body["name"] for body in scene["bodies"] if not body["fixed"]}
+            self.assertEqual(set(first["data"]["bodies"]), movable)
+            stream.send({"type": "unsubscribe", "channel": "cell/pose"})
+            stream.subscribe("cores")
+            stream.until(lambda m: m["channel"] == "cores")
+
+    def test_a_client_that_does_not_read_falls_back_to_a_snapshot(self):
+        # Each macro step moves a long text, so that what waits soon exceeds what a client may leave unread.
+        document = models.document("loud", {
+            "state": "Root", "variables": [{"name": "text", "initial": ""}],
+            "children": [
+                {"state": "A", "entry": "svc.db.get('none')",
+                 "ports": [{"name": "next", "when": "svc.db.get.error", "to": "B"}]},
+                {"state": "B", "results": [{"name": "t"}], "entry": "res.t = 'x' * 100000\nsvc.db.get('none')",
+                 "ports": [{"name": "next", "when": "svc.db.get.error", "to": "A"}]}],
+            "first": "A"})
+        core = self.server.core(document, start=False)
+        with self.server.stream() as slow:
+            slow.subscribe(f"core/{core}/state")
+            snapshot = slow.message()
+            self.server.post(f"/cores/{core}/start", None, "core")
+            self.server.wait(core, lambda c: c["step"] > 2000)
+            self.server.post(f"/cores/{core}/pause", None, "core")
+            numbers, kinds = [snapshot["sequence"]], []
+            last = self.server.get(f"/cores/{core}", "core")["step"]
+            state = snapshot["data"]
+            while state["core"]["step"] < last:
+                message = slow.message()
+                numbers.append(message["sequence"])
+                kinds.append(message["kind"])
+                state = message["data"] if message["kind"] == "snapshot" else apply(state, message["data"])
+                if message["kind"] == "delta":
+                    self.assertEqual(numbers[-1], numbers[-2] + 1)
+        self.assertIn("snapshot", kinds)
+        self.assertLess(len(kinds), 2000)
+        self.assertEqual(same(state)["state"], same(self.server.get(f"/cores/{core}/state", "core_state"))["state"])
+        self.server.expect("DELETE", f"/cores/{core}", None, "core", 200)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,163 @@
+#include "server/stream/hub.h"
+
+#include <gmock/gmock.h>
+
+#include "core/value/json.h"
+
+namespace race::server {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+class Client final : public Listener {
+ public:
+  Outbox& outbox() override { return box; }
+  void wake() override {}
+  // What came since: "kind sequence-first data".
+  std::vector<std::string> received() {
+    std::vector<std::string> out;
+    while (const auto text = box.pop()) {
+      const Value message = parse_json(**text).value();
+      out.push_back(message.find("kind")->as_string() + " " +
+                    std::to_string(message.find("sequence")->as_integer() - HubFirst) + " " +
+                    (message.find("data")->is_integer() ? std::to_string(message.find("data")->as_integer()) : "-"));
+    }
+    return out;
+  }
+  static constexpr std::int64_t HubFirst = 1000;
+  Outbox box;
+};
+
+// A channel `n` whose state is a number: its deltas are the new number. `pose` is sampled, `seen` is published only
+// while it is watched.
+struct HubTest : testing::Test {
+  std::optional<Source> source(const std::string& name) {
+    if (name == "n") return Source{false, [this] { refresh("n"); }, {}};
+    if (name == "pose") return Source{true, {}, [this](bool on) { watched = on; }};
+    if (name == "seen") return Source{false, [this] { refresh("seen"); }, [this](bool on) { watched = on; }};
+    return std::nullopt;
+  }
+  void refresh(const std::string& name) {
+    ++refreshed;
+    hub.publish_snapshot(name, Value(state));
+  }
+  void delta(const std::string& name = "n") { hub.publish_delta(name, Value(++state)); }
+  // Until the hub has done what it was asked for.
+  void settle() {
+    // Each of its strands does one thing at a time in turn on the one thread; the hub has at most kKept + 10 to do.
+    for (std::size_t i = 0; i < Hub::kKept + 10; ++i) Strand(pool).ask([] { return 0; });
+  }
+  std::vector<std::string> received(const std::shared_ptr<Client>& client) {
+    settle();
+    return client->received();
+  }
+
+  Pool pool{1};
+  Hub hub{pool, Client::HubFirst, [this](const std::string& name) { return source(name); }};
+  int state = 0, refreshed = 0;
+  bool watched = false;
+  std::shared_ptr<Client> client = std::make_shared<Client>(), other = std::make_shared<Client>();
+};
+
+TEST_F(HubTest, SendsASnapshotThenDeltas) {
+  hub.subscribe(client, "n", {});
+  settle();
+  delta();
+  delta();
+  EXPECT_THAT(received(client), ElementsAre("snapshot 0 0", "delta 1 1", "delta 2 2"));
+}
+
+TEST_F(HubTest, ALaterListenerGetsTheKeptSnapshotAndTheDeltasAfterIt) {
+  hub.subscribe(client, "n", {});
+  settle();
+  delta();
+  hub.subscribe(other, "n", {});
+  settle();
+  delta();
+  EXPECT_THAT(received(other), ElementsAre("snapshot 0 0", "delta 1 1", "delta 2 2"));
+  EXPECT_EQ(refreshed, 1);
+}
+
+TEST_F(HubTest, WhenWhatIsKeptDoesNotReachTheSourceIsAsked) {
+  hub.subscribe(client, "n", {});
+  settle();
+  for (std::size_t i = 0; i < Hub::kKept + 1; ++i) delta();
+  settle();
+  hub.subscribe(other, "n", {});
+  EXPECT_THAT(received(other), ElementsAre("snapshot 257 257"));
+  EXPECT_EQ(refreshed, 2);
+}
+
+TEST_F(HubTest, WhoComesAgainGetsWhatItMissed) {
+  hub.subscribe(client, "n", {});
+  settle();
+  delta();
+  settle();
+  hub.leave(client);
+  delta();
+  delta();
+  hub.subscribe(other, "n", Client::HubFirst + 1);
+  EXPECT_THAT(received(other), ElementsAre("delta 2 2", "delta 3 3"));
+  hub.subscribe(other, "n", Client::HubFirst + 3);
+  delta();
+  EXPECT_THAT(received(other), ElementsAre("delta 4 4"));
+}
+
+TEST_F(HubTest, ANumberOfAnotherServerGetsASnapshot) {
+  hub.subscribe(client, "n", Client::HubFirst - 5);
+  EXPECT_THAT(received(client), ElementsAre("snapshot 0 0"));
+  hub.subscribe(other, "n", Client::HubFirst + 5);
+  EXPECT_THAT(received(other), ElementsAre("snapshot 0 0"));
+}
+
+TEST_F(HubTest, ASampledChannelIsWholeInEveryMessage) {
+  hub.subscribe(client, "pose", {});
+  settle();
+  EXPECT_TRUE(watched);
+  delta("pose");
+  EXPECT_THAT(received(client), ElementsAre("snapshot 1 1"));
+  delta("pose");
+  delta("pose");
+  EXPECT_THAT(received(client), ElementsAre("delta 3 3"));
+  hub.unsubscribe(client, "pose");
+  delta("pose");
+  EXPECT_THAT(received(client), IsEmpty());
+  EXPECT_FALSE(watched);
+}
+
+TEST_F(HubTest, WhatIsPublishedOnlyWhileWatchedBeginsAnewAfterAGap) {
+  hub.subscribe(client, "seen", {});
+  settle();
+  delta("seen");
+  EXPECT_THAT(received(client), ElementsAre("snapshot 0 0", "delta 1 1"));
+  hub.leave(client);
+  settle();
+  EXPECT_FALSE(watched);
+  state = 50;
+  hub.subscribe(client, "seen", {});
+  EXPECT_THAT(received(client), ElementsAre("snapshot 1 50"));
+}
+
+TEST_F(HubTest, AnUnknownChannelAndAnEndedOneAreErrors) {
+  hub.subscribe(client, "nothing", {});
+  EXPECT_THAT(received(client), ElementsAre("error 0 -"));
+  hub.subscribe(client, "n", {});
+  settle();
+  hub.close("n");
+  EXPECT_THAT(received(client), ElementsAre("snapshot 0 0", "error 1 -"));
+}
+
+TEST_F(HubTest, OneSerialisationIsSharedByAllListeners) {
+  hub.subscribe(client, "n", {});
+  hub.subscribe(other, "n", {});
+  settle();
+  client->received();
+  other->received();
+  delta();
+  settle();
+  EXPECT_EQ(client->box.pop()->get(), other->box.pop()->get());
+}
+
+}  // namespace
+}  // namespace race::server

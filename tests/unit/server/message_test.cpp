@@ -1,0 +1,31 @@
+#include "server/http/message.h"
+
+#include <gtest/gtest.h>
+
+namespace race::server {
+namespace {
+
+TEST(Target, IsDecodedInPathAndQuery) {
+  const auto target = parse_target("/a%20b/c+d?port=Root%2FA.go&x=1+2&port=other&flag");
+  ASSERT_TRUE(target);
+  EXPECT_EQ(target->first, "/a b/c+d");
+  EXPECT_EQ(target->second.at("port"), "Root/A.go");
+  EXPECT_EQ(target->second.at("x"), "1 2");
+  EXPECT_EQ(target->second.at("flag"), "");
+}
+
+TEST(Target, ThatIsNoneIsRefused) {
+  for (const char* text : {"", "*", "a", "http://x/", "/%", "/%4", "/%4g", "/%0d", "/%00", "/%ff", "/?a=%e2%28"})
+    EXPECT_FALSE(parse_target(text)) << text;
+}
+
+TEST(Request, GivesHeadersAsOftenAsTheyCame) {
+  Request request;
+  request.headers = {{"host", "a"}, {"origin", "x"}, {"host", "b"}};
+  EXPECT_EQ(request.count("host"), 2U);
+  EXPECT_EQ(request.header("host"), "a");
+  EXPECT_EQ(request.header("cookie"), "");
+}
+
+}  // namespace
+}  // namespace race::server

@@ -1,0 +1,60 @@
+#include "server/execution/state_view.h"
+
+#include <gmock/gmock.h>
+
+#include "core/rcm/document.h"
+#include "core/rcm/translate.h"
+#include "core/value/json.h"
+
+namespace race::server {
+namespace {
+
+semantics::Run make_run(const char* text) {
+  const auto native = rcm::translate(rcm::read_document_text(text).value()).value();
+  return semantics::Run::create(semantics::Program::build(native, {}).value(), {}).value();
+}
+
+// Two states that meet at a barrier; the second forgets its variable when it is left for the first time.
+constexpr const char* kModel = R"json({"rcm": 1, "root": {"state": "R", "children": [
+  {"barrier": "fork", "to": ["A", "B"]},
+  {"state": "A", "entry": "var.x = 1", "ports": [{"name": "go", "when": "svc.t.a", "to": "join"}]},
+  {"state": "B", "ports": [{"name": "go", "when": "svc.t.b", "to": "join"}]},
+  {"barrier": "join", "to": ["C"]},
+  {"state": "C", "parameters": [{"name": "p", "value": [1]}]}], "first": "fork"}})json";
+
+struct StateViewTest : testing::Test {
+  std::string step(const char* event = nullptr) {
+    if (event) run.post_event("t", event, Value());
+    run.begin(run.take_input());
+    semantics::NoRecorder none;
+    while (run.micro(none)) view.look(run);
+    return to_json(Value(view.delta(run)));
+  }
+  semantics::Run run = make_run(kModel);
+  StateView view;
+};
+
+TEST_F(StateViewTest, TellsWhatHasChangedAndNothingElse) {
+  view.snapshot(run);
+  EXPECT_EQ(step(),
+            R"({"active":{"R":true,"R/A":true,"R/B":true},"ports":{},"activated":{},"parameters":{},"results":{},)"
+            R"("variables":{"R/A":{"x":1}},"unset":{},"fired":[]})");
+  EXPECT_EQ(step("a"),
+            R"({"active":{"R/A":false},"ports":{},"activated":{"R/join":["R/A.go"]},"parameters":{},"results":{},)"
+            R"("variables":{},"unset":{},"fired":["R/A.go"]})");
+  EXPECT_EQ(step("b"), R"({"active":{"R/B":false,"R/C":true},"ports":{},"activated":{"R/join":[]},)"
+                       R"("parameters":{"R/C":{"p":[1]}},"results":{},"variables":{},"unset":{},"fired":["R/B.go"]})");
+}
+
+TEST_F(StateViewTest, CountsFromTheLastSnapshot) {
+  view.snapshot(run);
+  step();
+  step("a");
+  view.snapshot(run);
+  EXPECT_EQ(
+      to_json(Value(view.delta(run))),
+      R"({"active":{},"ports":{},"activated":{},"parameters":{},"results":{},"variables":{},"unset":{},"fired":[]})");
+}
+
+}  // namespace
+}  // namespace race::server
