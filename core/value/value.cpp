@@ -122,6 +122,19 @@ Dict::Dict(std::initializer_list<std::pair<std::string_view, Value>> entries) {
   for (const auto& [key, value] : entries) set(key, value);
 }
 
+namespace {
+
+// OPTIMIZATION: names are short; comparing them in line costs less than a call of memcmp.
+bool same(const std::string& a, const std::string& b) noexcept {
+  const std::size_t size = a.size();
+  if (size != b.size()) return false;
+  for (std::size_t i = 0; i < size; ++i)
+    if (a[i] != b[i]) return false;
+  return true;
+}
+
+}  // namespace
+
 // Where the index holds `key`, or the free place where it would stand.
 std::size_t Dict::probe(std::string_view key) const noexcept {
   const std::size_t mask = index_.size() - 1;
@@ -154,10 +167,11 @@ const Value* Dict::find_text(std::string_view key) const noexcept {
 }
 
 const Value* Dict::find(const Value& key) const noexcept {
-  if (index_.empty())
-    for (const Entry& entry : entries_)
-      if (entry.first.identical(key)) return &entry.second;
-  return find_text(key.as_string());
+  const std::string& text = key.as_string();
+  if (!index_.empty()) return find_text(text);
+  for (const Entry& entry : entries_)
+    if (entry.first.identical(key) || same(entry.first.as_string(), text)) return &entry.second;
+  return nullptr;
 }
 
 Value* Dict::find(const Value& key) noexcept { return const_cast<Value*>(std::as_const(*this).find(key)); }
