@@ -111,6 +111,13 @@ struct Tree {
   Block statements;
 };
 
+/// The items of an expression, to be read.
+inline std::vector<const Expr*> pointers(const std::vector<ExprPtr>& items) {
+  std::vector<const Expr*> parts;
+  for (const ExprPtr& item : items) parts.push_back(item.get());
+  return parts;
+}
+
 /// Calls `visit(child)` for each direct part of an expression, clauses included, in the order of the text.
 template <typename Visit>
 void for_each_part(const Expr& e, Visit&& visit) {

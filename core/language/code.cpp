@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/language/machine_internal.h"
+#include "core/language/shortcuts_internal.h"
 
 namespace race::language {
 
@@ -72,7 +73,10 @@ Interpreter::Interpreter(Limits limits) : state_(std::make_unique<State>(limits)
 Interpreter::~Interpreter() = default;
 
 Truth Interpreter::condition(const Code& code, Environment& environment) {
-  return state_->machine.condition(code.program(), environment);
+  const Program& program = code.program();
+  if (program.comparison.datum != Op::pass && environment.trace == nullptr && state_->steps >= Comparison::kUnits)
+    if (const auto truth = decide(program, environment)) return *truth;
+  return state_->machine.condition(program, environment);
 }
 std::optional<Value> Interpreter::expression(const Code& code, Environment& environment) {
   return state_->machine.expression(code.program(), environment);

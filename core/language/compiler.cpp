@@ -4,6 +4,7 @@
 #include "core/language/checker.h"
 #include "core/language/compiler_internal.h"
 #include "core/language/parser.h"
+#include "core/language/shortcuts_internal.h"
 
 namespace race::language {
 
@@ -100,6 +101,10 @@ Code Compiler::finish() {
   m.reads = list(reads_);
   m.writes = list(writes_);
   m.flags = list(flags_);
+  if (program_->kind == CodeKind::condition) {
+    m.needs_occurrence = needs_occurrence(*program_, services_);
+    program_->comparison = comparison_of(*program_);
+  }
   Code code;
   code.program_ = std::move(program_);
   return code;

@@ -43,7 +43,8 @@ class Machine {
 
   // evaluate.cpp: references and operators
   void begin(const Program& program, Environment& environment, bool strict);
-  bool over();  // after an evaluation: whether it went over its budget
+  void exhausted(NodeId id);  // the budget is
+  bool over();                // after an evaluation: whether it went over its budget
   const Value& operand(NodeId id, Value& out);
   const Value& evaluate(NodeId id, Value& out);
   Truth test(NodeId id);
@@ -156,7 +157,8 @@ inline const Value& Machine::operand(NodeId id, Value& out) {
 }
 
 struct Interpreter::State {
-  explicit State(Limits limits) : machine(limits) {}
+  explicit State(Limits limits) : steps(limits.steps), machine(limits) {}
+  std::uint64_t steps;
   Machine machine;
 };
 

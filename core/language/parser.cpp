@@ -42,6 +42,18 @@ void Parser::expect(std::string_view text) {
   if (!accept(text)) fail("expected '" + std::string(text) + "'");
 }
 
+// Whether an expression can begin at the next token.
+bool Parser::begins_expression() const {
+  const Token& token = peek();
+  if (token.kind == TokenKind::keyword)
+    return token.text == "not" || token.text == "lambda" || token.text == "None" || token.text == "True" ||
+           token.text == "False" || token.text == "await" || token.text == "yield";
+  if (token.kind == TokenKind::op)
+    return token.text == "(" || token.text == "[" || token.text == "{" || token.text == "-" || token.text == "+" ||
+           token.text == "~" || token.text == "*" || token.text == "...";
+  return token.kind == TokenKind::name || token.kind == TokenKind::number || token.kind == TokenKind::string;
+}
+
 void Parser::fail(std::string message) { fail(std::move(message), peek().at); }
 
 void Parser::fail(std::string message, Span at) {

@@ -77,6 +77,7 @@ class Parser {
   bool at(std::string_view text) const;  // an operator or keyword
   bool accept(std::string_view text);
   void expect(std::string_view text);
+  bool begins_expression() const;
   bool at_kind(TokenKind kind) const { return peek().kind == kind; }
   std::uint32_t last_end() const { return position_ == 0 ? peek().at.begin : tokens_[position_ - 1].at.end; }
 

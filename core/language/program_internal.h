@@ -138,6 +138,16 @@ struct ComprehensionClause {
   std::vector<NodeId> filters;
 };
 
+/// A condition `datum op bound` or `datum.key op bound`; `datum` is Op::pass for conditions of any other form.
+struct Comparison {
+  static constexpr std::uint64_t kUnits = 4;  // of the budget
+  Op datum = Op::pass;                        // event, event_latest or slot,
+  Op op = Op::pass;
+  std::uint32_t number = 0;   // its number
+  std::uint32_t key = kNone;  // constant
+  std::uint32_t bound = 0;    // constant, an int or float
+};
+
 class Program {
  public:
   CodeKind kind = CodeKind::condition;
@@ -155,6 +165,7 @@ class Program {
   std::vector<std::vector<ComprehensionClause>> comprehensions;
   std::vector<std::string> locals;  // their names
   NodeId root = 0;
+  Comparison comparison;
 
   const std::uint32_t* run(const Node& n) const { return runs.data() + n.a; }
   SourceRange range(NodeId id) const { return range_of(text, spans[id]); }

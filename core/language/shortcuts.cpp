@@ -1,0 +1,159 @@
+#include "core/language/shortcuts_internal.h"
+
+#include <algorithm>
+
+namespace race::language {
+
+// Comparisons.
+
+Comparison comparison_of(const Program& condition) {
+  const Node& root = condition.nodes[condition.root];
+  if (root.op < Op::less || root.op > Op::not_equal) return {};
+  const Node& bound = condition.nodes[root.b];
+  if (bound.op != Op::constant || !condition.constants[bound.a].is_numeric()) return {};
+  Comparison made{.op = root.op, .bound = bound.a};
+  const Node* datum = &condition.nodes[root.a];
+  if (datum->op == Op::field) {
+    made.key = datum->b;
+    datum = &condition.nodes[datum->a];
+  }
+  if (datum->op != Op::event && datum->op != Op::event_latest && datum->op != Op::slot) return {};
+  made.datum = datum->op;
+  made.number = datum->a;
+  return made;
+}
+
+namespace {
+
+template <typename Number>
+bool holds(Op op, Number a, Number b) {
+  switch (op) {
+    case Op::less:
+      return a < b;
+    case Op::less_equal:
+      return a <= b;
+    case Op::greater:
+      return a > b;
+    case Op::greater_equal:
+      return a >= b;
+    case Op::equal:
+      return a == b;
+    default:
+      return a != b;
+  }
+}
+
+const Value& datum(const Comparison& c, const Environment& environment) {
+  if (c.datum == Op::slot) return environment.values[c.number];
+  return environment.event_data[c.number];
+}
+
+}  // namespace
+
+std::optional<Truth> decide(const Program& condition, const Environment& environment) {
+  const Comparison& c = condition.comparison;
+  if (c.datum == Op::event && environment.occurrence != c.number && environment.sampled[c.number] == 0)
+    return Truth::unknown;
+  const Value* found = &datum(c, environment);
+  if (found->is_unknown()) return Truth::unknown;
+  const Value* constants = condition.constants.data();
+  if (c.key != kNone) {
+    if (!found->is_dict()) return std::nullopt;
+    found = found->as_dict().find(constants[c.key]);
+    if (found == nullptr) return std::nullopt;
+  }
+  const Value& bound = constants[c.bound];
+  if (found->kind() != bound.kind()) return std::nullopt;
+  const bool result = bound.is_integer() ? holds(c.op, found->as_integer(), bound.as_integer())
+                                         : holds(c.op, found->as_number(), bound.as_number());
+  return result ? Truth::yes : Truth::no;
+}
+
+// Conditions that wait for an occurrence.
+
+namespace {
+
+// What is certain about a part while no event occurs. Unknown is neither true nor false.
+struct Certain {
+  bool not_true = false, not_false = false;
+  bool no_fault = false;
+  bool unknown() const { return not_true && not_false && no_fault; }
+};
+constexpr Certain kNothing = {false, false, false};
+constexpr Certain kSomeValue = {false, false, true};
+constexpr Certain kAlwaysUnknown = {true, true, true};
+
+class Waiting {
+ public:
+  Waiting(const Program& condition, const ServiceTable& services) : program_(condition), services_(services) {}
+
+  Certain part(NodeId id) const {
+    const Node& n = program_.nodes[id];
+    switch (n.op) {
+      case Op::constant:
+      case Op::slot:
+      case Op::flag:
+      case Op::event_latest:
+      case Op::response:
+      case Op::response_present:
+        return kSomeValue;
+      case Op::event_present:
+        return kAlwaysUnknown;
+      case Op::event:
+        return services_.events()[n.a].sampled ? kSomeValue : kAlwaysUnknown;
+      case Op::field:  // of something known it may be missing
+        return part(n.a).unknown() ? kAlwaysUnknown : kNothing;
+      case Op::less:
+      case Op::less_equal:
+      case Op::greater:
+      case Op::greater_equal:
+      case Op::equal:
+      case Op::not_equal:
+        return comparison(part(n.a), part(n.b));
+      case Op::logical_not: {
+        const Certain c = part(n.a);
+        return {c.not_false, c.not_true, c.no_fault};
+      }
+      case Op::logical_and:
+      case Op::logical_or:
+        return logical(n);
+      default:
+        return kNothing;
+    }
+  }
+
+ private:
+  // Operands of both sides are evaluated; one that is unknown makes the comparison unknown.
+  static Certain comparison(Certain left, Certain right) {
+    return left.no_fault && right.no_fault && (left.unknown() || right.unknown()) ? kAlwaysUnknown : kNothing;
+  }
+
+  // Kleene: `and` is not true if one part is not, and not false if no part is; `or` the other way round.
+  Certain logical(const Node& n) const {
+    Certain some = {false, false, true};
+    Certain all = {true, true, true};
+    for (std::size_t i = 0; i < n.count; ++i) {
+      const Certain c = part(program_.run(n)[i]);
+      some.not_true |= c.not_true;
+      some.not_false |= c.not_false;
+      all.not_true &= c.not_true;
+      all.not_false &= c.not_false;
+      all.no_fault &= c.no_fault;
+    }
+    if (n.op == Op::logical_and) return {some.not_true, all.not_false, all.no_fault};
+    return {all.not_true, some.not_false, all.no_fault};
+  }
+
+  const Program& program_;
+  const ServiceTable& services_;
+};
+
+}  // namespace
+
+bool needs_occurrence(const Program& condition, const ServiceTable& services) {
+  if (condition.nodes.size() > kFewUnits) return false;
+  const Certain whole = Waiting(condition, services).part(condition.root);
+  return whole.not_true && whole.no_fault;
+}
+
+}  // namespace race::language
