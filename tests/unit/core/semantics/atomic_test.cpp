@@ -155,6 +155,18 @@ TEST(CondBD, ForgetsTheResponseWhenItsStateIsEnteredAgain) {
   EXPECT_EQ(run.get("results", "R/A", "r"), Value(30));
 }
 
+TEST(CondBD, ReadsNoResponseToACallOfAnEarlierActivation) {
+  SmallRun run(R"({'state': 'R', 'first': 'A', 'children': [{'state': 'A', 'results': [{'name': 'r'}],
+    'actions': [{'when': 'svc.t.b', 'do': 'svc.t.f()'}, {'when': 'svc.t.f.result', 'do': 'res.r = svc.t.f.result'}],
+    'ports': [{'name': 'p', 'when': 'svc.t.a', 'to': 'A'}]}]})");
+  run.step();
+  run.event("b");
+  run.result(1, 10);
+  EXPECT_EQ(run.get("results", "R/A", "r"), Value(10));
+  run.event("a");
+  EXPECT_TRUE(run.get("results", "R/A", "r").is_unknown());
+}
+
 TEST(CondBD, CountsTheCallsOfDescendants) {
   SmallRun run(R"({'state': 'R', 'results': [{'name': 'r'}], 'first': 'b',
     'actions': [{'when': 'svc.t.f.result', 'do': 'res.r = svc.t.f.result'}], 'children': [
