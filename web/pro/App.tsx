@@ -5,7 +5,7 @@ import { watchedCore } from "../shared/session/session";
 import { ModelCanvas } from "./canvas/ModelCanvas";
 import { useTree } from "./canvas/useDrawing";
 import { CellInset } from "./cell/CellInset";
-import { run, session, useView } from "./client";
+import { run, session, useView, view } from "./client";
 import { Drawer } from "./panels/Drawer";
 import { PropertiesPanel } from "./panels/PropertiesPanel";
 import { RunBar } from "./panels/RunBar";
@@ -23,6 +23,7 @@ function useRunKeys(): void {
         document.getElementById("search")?.focus();
         return;
       }
+      if (event.key === "Escape") view.dispatch({ type: "select", selection: undefined });
       if (event.ctrlKey || event.altKey || event.metaKey) return;
       const command = commandOfKey(event.key, event.shiftKey, watchedCore(session.get()));
       if (command === undefined) return;

@@ -1,7 +1,7 @@
 // The canvas: the laid out model with zoom, pan, breadcrumb and the light of the run.
 import { Background, BackgroundVariant, ControlButton, Controls, MiniMap, ReactFlow, ReactFlowProvider, useReactFlow, useStore, type NodeTypes, type EdgeTypes } from "@xyflow/react";
-import { useEffect, useMemo, useRef, useState, type CSSProperties } from "react";
-import { fit } from "../../shared/drawing/fit";
+import { useEffect, useMemo, useRef, useState, type CSSProperties, type RefObject } from "react";
+import { fit, fitReadable } from "../../shared/drawing/fit";
 import { flowLines, flowNodes } from "../../shared/drawing/flow";
 import type { ModelTree } from "../../shared/model/modelTree";
 import { pathOf } from "../../shared/session/view";
@@ -63,6 +63,10 @@ function Flow({ laid, tree }: { readonly laid: Laid; readonly tree: ModelTree })
       ),
     [laid],
   );
+  const moved = useRef(false);
+  const move = () => {
+    moved.current = true;
+  };
   return (
     <ReactFlow
       nodes={nodes}
@@ -79,26 +83,47 @@ function Flow({ laid, tree }: { readonly laid: Laid; readonly tree: ModelTree })
       minZoom={0.08}
       maxZoom={2.5}
       proOptions={{ hideAttribution: true }}
+      onMoveStart={(event) => event !== null && move()}
       onPaneClick={() => view.dispatch({ type: "select", selection: undefined })}
     >
       <Background variant={BackgroundVariant.Dots} gap={22} size={1.2} color="#dde2de" />
-      <Controls showInteractive={false} showFitView={false} position="bottom-left">
-        <FitButton laid={laid} />
+      <Controls showInteractive={false} showFitView={false} position="bottom-left" onZoomIn={move} onZoomOut={move}>
+        <FitButton laid={laid} moved={moved} />
       </Controls>
       {laid.drawing.nodes.length > 30 && <MiniMap pannable zoomable position="bottom-right" nodeColor={(node: StateFlowNode | BarrierFlowNode) => (node.data.drawn.depth === 0 ? "#f1f4f2" : "#c9d6cf")} maskColor="#f5f6f4cc" />}
-      <Sight laid={laid} />
+      <Sight laid={laid} moved={moved} />
     </ReactFlow>
   );
 }
 
 /** The library would let clicks through nodes that can neither be dragged nor selected by it. */
 const kTouchable = { pointerEvents: "all" } as const;
-function FitButton({ laid }: { readonly laid: Laid }) {
+interface SightProps {
+  readonly laid: Laid;
+  /** A person has moved or zoomed the drawing: then it stays where it is. */
+  readonly moved: RefObject<boolean>;
+}
+
+function FitButton({ laid, moved }: SightProps) {
   const { setViewport } = useReactFlow();
   const width = useStore((s) => s.width);
   const height = useStore((s) => s.height);
+  const fitAll = useRef(() => {});
+  fitAll.current = () => {
+    moved.current = false;
+    void setViewport(fit(laid.drawing, { width, height }), { duration: 250 });
+  };
+  useEffect(() => {
+    const press = (event: KeyboardEvent) => {
+      if (!event.ctrlKey || event.code !== "Space") return;
+      event.preventDefault();
+      fitAll.current();
+    };
+    addEventListener("keydown", press);
+    return () => removeEventListener("keydown", press);
+  }, []);
   return (
-    <ControlButton aria-label="Fit" title="Fit (Ctrl+1)" onClick={() => void setViewport(fit(laid.drawing, { width, height }), { duration: 250 })}>
+    <ControlButton aria-label="Fit" aria-keyshortcuts="Control+Space" title="Fit (Ctrl+Space)" onClick={() => fitAll.current()}>
       <svg viewBox="0 0 16 16" aria-hidden="true">
         <path d="M2 6V2h4M10 2h4v4M14 10v4h-4M6 14H2v-4" fill="none" stroke="currentColor" strokeWidth="2" />
       </svg>
@@ -106,8 +131,8 @@ function FitButton({ laid }: { readonly laid: Laid }) {
   );
 }
 
-/** Keeps the drawing in sight: fits it when it is new, moves to what a jump selected, and writes larger when zoomed far out. */
-function Sight({ laid }: { readonly laid: Laid }) {
+/** Keeps the drawing in sight: fits it when it is new and, unless it was moved, when the canvas changes; moves to what a jump selected, and writes larger when zoomed far out. */
+function Sight({ laid, moved }: SightProps) {
   const { fitView, setViewport } = useReactFlow();
   const width = useStore((s) => s.width);
   const height = useStore((s) => s.height);
@@ -118,15 +143,26 @@ function Sight({ laid }: { readonly laid: Laid }) {
   const selection = useView((v) => v.selection);
   const [seen, setSeen] = useState(reveal);
 
+  const show = (duration: number) => {
+    const view = laid.asked ? fitReadable : fit;
+    if (known) void setViewport(view(laid.drawing, { width, height }), { duration });
+  };
+
   useEffect(() => {
-    if (known) void setViewport(fit(laid.drawing, { width, height }), { duration: 250 });
-  }, [laid.key, known]); // not the size: a resize must not take the view away
+    moved.current = false;
+    show(250);
+  }, [laid.key, known]);
+
+  useEffect(() => {
+    if (!moved.current) show(0);
+  }, [width, height]);
 
   useEffect(() => {
     if (reveal === seen || selection === undefined) return;
     const id = pathOf(selection);
     if (!laid.drawing.nodes.some((node) => node.path === id)) return;
     setSeen(reveal);
+    moved.current = true;
     const frame = requestAnimationFrame(() => void fitView({ nodes: [{ id }], padding: 1.2, maxZoom: 1.1, duration: 350 }));
     return () => cancelAnimationFrame(frame);
   }, [reveal, seen, selection, laid, fitView]);

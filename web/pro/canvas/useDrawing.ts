@@ -11,6 +11,8 @@ import { layoutInWorker } from "./layoutEngine";
 export interface Laid {
   readonly drawing: Drawing;
   readonly detail: Detail;
+  /** The detail was asked for, so it must be large enough to be read at first. */
+  readonly asked: boolean;
   /** What the canvas fits itself to: changes with the model, the focus and the detail. */
   readonly key: string;
 }
@@ -40,13 +42,13 @@ export function useDrawing(tree: ModelTree | undefined, canvas: Size | undefined
     let current = true;
     const aspect = Math.min(2.4, Math.max(0.6, frame.width / frame.height));
     const draw = (detail: Detail) => layoutModel(layoutInWorker, { state, path, collapsed, detail, aspect });
-    const keyOf = (detail: Detail) => `${root ?? ""} ${path} ${detail} ${collapsed.size}`;
+    const keyOf = (detail: Detail) => `${root ?? ""} ${path} ${wanted} ${detail} ${collapsed.size}`;
     // The least detail is there first; more follows as long as it can be read.
     const show = async () => {
       for (const detail of wanted === "auto" ? details : [wanted]) {
         const drawing = await draw(detail);
         if (!current || (detail !== "slim" && wanted === "auto" && !readable(drawing, frame))) return;
-        setLaid({ drawing, detail, key: keyOf(detail) });
+        setLaid({ drawing, detail, asked: wanted !== "auto", key: keyOf(detail) });
       }
     };
     void show();

@@ -2,14 +2,16 @@
 import { useMemo } from "react";
 import { nameOf, type ModelTree } from "../../shared/model/modelTree";
 import { runningNow } from "../../shared/run/applyDelta";
-import { useSession, view } from "../client";
+import { isOver } from "../../shared/run/controls";
+import { useCore, useSession, view } from "../client";
 
 export function RunningNow({ tree }: { readonly tree: ModelTree | undefined }) {
   const state = useSession((s) => s.run);
+  const core = useCore();
   const paths = useMemo(() => (state === undefined || tree === undefined ? [] : runningNow(state, tree)), [state, tree]);
   return (
     <section aria-label="Running now" className="running">
-      <h2>Running now</h2>
+      <h2>{core !== undefined && isOver(core) && paths.length > 0 ? "Active at the end" : "Running now"}</h2>
       {paths.length === 0 ? (
         <p className="quiet">Nothing is active.</p>
       ) : (
@@ -18,7 +20,7 @@ export function RunningNow({ tree }: { readonly tree: ModelTree | undefined }) {
             <li key={path}>
               <button type="button" onClick={() => view.dispatch({ type: "jump", selection: { kind: "node", path } })}>
                 <i className="dot" aria-hidden="true" />
-                <span>{nameOf(path)}</span>
+                <span title={path}>{nameOf(path)}</span>
                 <small>{path.slice(0, -nameOf(path).length - 1)}</small>
               </button>
             </li>

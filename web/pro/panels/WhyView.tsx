@@ -1,15 +1,15 @@
 // Why a port fired or not: the atoms of its condition with their values, and those whose change would fire it.
 import type { Why } from "../../shared/messages/why";
-import { atomAdvice, readsText, truthText, whyHeadline } from "../../shared/run/whyText";
+import { atomAdvice, codePieces, readsText, truthText, whyHeadline } from "../../shared/run/whyText";
 
 export function WhyView({ why }: { readonly why: Why }) {
   return (
     <section className="why" aria-label="Why">
       <h3>{whyHeadline(why)}</h3>
-      <p>{why.reason}</p>
+      <p>{codePieces(why.reason).map((piece, i) => (piece.code ? <code key={i}>{piece.text}</code> : piece.text))}</p>
       <ul aria-label="Atoms of the condition">
         {why.atoms.map((atom, i) => {
-          const advice = atomAdvice(atom);
+          const advice = atomAdvice(why, atom);
           const reads = readsText(atom);
           return (
             <li key={i} className={`atom is-${truthText(atom.value)}${advice === undefined ? "" : " blocks"}`} data-blocks={atom.blocks}>

@@ -26,6 +26,18 @@ export function fit(drawing: Size, canvas: Size): Viewport {
   };
 }
 
+/** The first view when code was asked for: all of the drawing if its code can be read then, else its beginning at a readable size. */
+export function fitReadable(drawing: Size, canvas: Size): Viewport {
+  const whole = fit(drawing, canvas);
+  if (whole.zoom >= kReadable) return whole;
+  const start = (length: number, room: number, edge: number) => edge + Math.max(0, (room - length * kReadable) / 2);
+  return {
+    zoom: kReadable,
+    x: start(drawing.width, canvas.width - 2 * kAround, kAround),
+    y: start(drawing.height, canvas.height - kTop - kAround, kTop),
+  };
+}
+
 export function readable(drawing: Drawing, canvas: Size): boolean {
   return fit(drawing, canvas).zoom >= kReadable;
 }

@@ -13,11 +13,17 @@ export function whyHeadline(why: Why): string {
   return "Does not fire";
 }
 
-/** What the change of an atom would do to the port, if it would do anything. */
-export function atomAdvice(atom: WhyAtom): string | undefined {
+/** What the change of an atom would do to the port, if it would do anything: nothing, where its state is not active or it has fired. */
+export function atomAdvice(why: Why, atom: WhyAtom): string | undefined {
+  if (why.active || !why.stateActive || atom.reads.length === 0) return undefined;
   if (!atom.blocks && !atom.together) return undefined;
   const become = atom.wanted === undefined ? "a change" : `becoming ${truthText(atom.wanted)}`;
   return atom.blocks ? `${become} alone would fire this port` : `${become} would fire it, with the others marked so`;
+}
+
+/** A text of the server in pieces: what stands between backticks is code. */
+export function codePieces(text: string): readonly { readonly code: boolean; readonly text: string }[] {
+  return text.split("`").map((piece, i) => ({ code: i % 2 === 1, text: piece }));
 }
 
 /** What an atom reads, with the values that are there. */

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { fit } from "../../shared/drawing/fit";
+import { fit, fitReadable } from "../../shared/drawing/fit";
 import { roundedPath } from "../../shared/drawing/path";
 
 const canvas = { width: 1000, height: 640 };
@@ -17,6 +17,19 @@ describe("fit", () => {
     expect(view.y + drawing.height * view.zoom).toBeLessThanOrEqual(canvas.height);
   });
   it("does not blow a small drawing up", () => expect(fit({ width: 10, height: 10 }, canvas).zoom).toBe(1.25));
+});
+
+describe("fitReadable", () => {
+  it("shows all of a drawing whose code can be read then", () => {
+    const drawing = { width: 900, height: 500 };
+    expect(fitReadable(drawing, canvas)).toEqual(fit(drawing, canvas));
+  });
+  it("shows the beginning of a larger one, at a size at which its code can be read", () => {
+    const view = fitReadable({ width: 700, height: 9000 }, canvas);
+    expect(view.zoom).toBeGreaterThan(0.62);
+    expect(view.y).toBe(50);
+    expect(view.x + 350 * view.zoom).toBeCloseTo(500);
+  });
 });
 
 describe("roundedPath", () => {

@@ -4,7 +4,7 @@ import { buildTree } from "../../shared/model/modelTree";
 import { applyDelta, runningNow } from "../../shared/run/applyDelta";
 import { allowed, commandOfKey, primary, statusText } from "../../shared/run/controls";
 import { callText, inputText } from "../../shared/run/inputText";
-import { atomAdvice, readsText, whyHeadline } from "../../shared/run/whyText";
+import { atomAdvice, codePieces, readsText, whyHeadline } from "../../shared/run/whyText";
 import { caseNames, modelOf, runOf } from "../conformance";
 
 const core: Core = { id: "1", document: "pick", status: "running", paused: false, step: 1, micro: 0, waiting: 0, arguments: {} };
@@ -105,10 +105,26 @@ describe("words", () => {
   });
   it("say what the change of an atom would do, and what it reads", () => {
     const atom = { text: "res.w > 1", value: false, service: false, requires: [], reads: [{ text: "res.w", value: 0 }, { text: "par.x" }], blocks: true, wanted: true, together: false };
-    expect(atomAdvice(atom)).toBe("becoming true alone would fire this port");
-    expect(atomAdvice({ ...atom, blocks: false, together: true })).toBe("becoming true would fire it, with the others marked so");
-    expect(atomAdvice({ ...atom, blocks: false })).toBeUndefined();
+    const why = { port: "A.p", condition: atom.text, value: false, active: false, stateActive: true, reason: "", atoms: [atom] } as const;
+    expect(atomAdvice(why, atom)).toBe("becoming true alone would fire this port");
+    expect(atomAdvice(why, { ...atom, blocks: false, together: true })).toBe("becoming true would fire it, with the others marked so");
+    expect(atomAdvice(why, { ...atom, blocks: false })).toBeUndefined();
     expect(readsText(atom)).toBe("res.w is 0, par.x has no value yet");
+  });
+  it("promise nothing from an atom of a port that cannot fire now, or has fired, and nothing from a constant", () => {
+    const atom = { text: "res.w", value: false, service: false, requires: [], reads: [{ text: "res.w" }], blocks: true, wanted: true, together: false };
+    const why = { port: "A.p", condition: "res.w", value: false, active: false, stateActive: true, reason: "", atoms: [atom] } as const;
+    expect(atomAdvice(why, atom)).toBeDefined();
+    expect(atomAdvice({ ...why, stateActive: false }, atom)).toBeUndefined();
+    expect(atomAdvice({ ...why, active: true }, atom)).toBeUndefined();
+    expect(atomAdvice(why, { ...atom, text: "False", reads: [] })).toBeUndefined();
+  });
+  it("tell code from words", () => {
+    expect(codePieces("It fires when `a` becomes true.")).toEqual([
+      { code: false, text: "It fires when " },
+      { code: true, text: "a" },
+      { code: false, text: " becomes true." },
+    ]);
   });
   it("explain a port that is held back", () => {
     const why = { port: "A.p", condition: "svc.s.e", value: true, active: false, stateActive: true, reason: "", atoms: [], held: "R9" } as const;
