@@ -74,11 +74,16 @@ Value Application::cores_json() const {
   return std::move(json.freeze());
 }
 
-void Application::core_changed(const std::string&, Value core) {
+void Application::core_changed(const std::string& id, Value core) {
+  log_status(id, core);
   Value delta = Dict{{"core", std::move(core)}};
   hub_->publish_delta("cores", std::move(delta.freeze()));
 }
 void Application::core_removed(const std::string& id) {
+  {
+    const std::lock_guard lock(log_mutex_);
+    statuses_.erase(id);
+  }
   Value delta = Dict{{"removed", id}};
   hub_->publish_delta("cores", std::move(delta.freeze()));
   hub_->close("core/" + id + "/state");
@@ -97,6 +102,25 @@ void Application::derived(const std::string& id, Value steps) {
   hub_->publish_delta("core/" + id + "/derivation", std::move(steps));
 }
 void Application::printed(const std::string& id, const std::string& text) { log("core/" + id, text); }
+
+// What becomes of a run is a line of the log: started, ended and how, faulted and where.
+void Application::log_status(const std::string& id, const Value& core) {
+  const auto text = [](const Value& json, const char* name) {
+    const Value* field = json.find(name);
+    return field ? field->as_string() : std::string();
+  };
+  const std::string status = text(core, "status");
+  {
+    const std::lock_guard lock(log_mutex_);
+    std::string& last = statuses_[id];
+    if (std::exchange(last, status) == status) return;
+  }
+  std::string line = text(core, "document") + ": " + status;
+  if (const std::string outcome = text(core, "outcome"); !outcome.empty()) line += " at " + outcome;
+  if (const Value* fault = core.find("fault"))
+    line += ", " + text(*fault, "kind") + " at " + text(*fault, "at") + ": " + text(*fault, "message");
+  log("core/" + id, line);
+}
 
 void Application::delivered(const services::Delivery& delivery) {
   if (cores_) cores_->deliver(delivery);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -61,9 +62,11 @@ class Application final : public CoreWatcher, public services::HostObserver {
   Application() = default;
   std::optional<Source> find_channel(const std::string& name);
   void publish_log();
+  void log_status(const std::string& id, const Value& core);
 
   std::mutex log_mutex_;
-  std::deque<Value> log_;  // schemas/log_entry.json
+  std::deque<Value> log_;                        // schemas/log_entry.json
+  std::map<std::string, std::string> statuses_;  // of cores, as logged last
 
   // In the order in which they come to life; a core's strand may still call the host while its pool ends.
   std::unique_ptr<Pool> stream_pool_;

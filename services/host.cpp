@@ -189,6 +189,11 @@ CallId Host::call(Caller caller, const std::string& service, std::string operati
                     pending.caller};
     answer.data = Dict{{"code", Value(name(ErrorCode::unavailable))}};
     answer.data.freeze();
+    observer_.logged(pending.time, service,
+                     "cannot answer `" + operation + "` of core " + pending.caller.core +
+                         (!slot                    ? ": there is no such service"
+                          : slot->status.available ? ": no such operation"
+                                                   : ": lost"));
     observer_.delivered(answer);
     return pending.id;
   }

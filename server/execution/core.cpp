@@ -1,5 +1,7 @@
 #include "server/execution/core.h"
 
+#include <algorithm>
+
 #include "server/execution/why.h"
 
 namespace race::server {
@@ -140,6 +142,22 @@ Expected<Value> Core::why(const std::string& port) {
   });
 }
 
+Expected<Value> Core::why_before(const std::string& port, std::size_t step, int micro) {
+  const auto id = program().find_port(port);
+  if (!id) return unexpected(ErrorCode::not_found, "there is no port of this path", port);
+  ASSIGN_OR_RETURN(JournalView view, journal());
+  const std::size_t steps = view.journal.entries.size();
+  if (step < 1 || step > steps)
+    return unexpected(ErrorCode::out_of_range, "there are macro steps 1 to " + std::to_string(steps), "step");
+  const int reached = step == steps && view.micro >= 0 ? std::min(micro, view.micro) : micro;
+  auto why = replay_strand_.ask([replay = replay_, view = std::move(view), step, reached, id] {
+    Value json = replay->why(view.journal.entries, step, reached, *id);
+    return json.freeze();
+  });
+  if (!why) return unexpected(ErrorCode::unavailable, "the explanation takes long, ask again");
+  return std::move(*why);
+}
+
 Expected<Core::JournalView> Core::journal() {
   return on_strand([this]() -> Expected<JournalView> {
     return JournalView{{header_, journal_}, open_ ? micro_ : -1, run_.status(), run_.outcome(), run_.fault()};
@@ -168,6 +186,8 @@ Expected<Value> Core::derivations(std::size_t from, std::size_t to) {
 
 void Core::watch_state() {
   strand_.post([this, self = shared_from_this()] {
+    // Those who watch already hear what happened since the last delta: the next one begins at the snapshot.
+    if (state_watched_ && open_ && !paused_) publish(false);
     state_watched_ = true;
     Value snapshot = Dict{{"core", info_json()}, {"state", view_.snapshot(run_)}};
     watcher_.state_snapshot(id_, snapshot.freeze());

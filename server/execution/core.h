@@ -69,6 +69,9 @@ class Core : public std::enable_shared_from_this<Core> {
   Expected<Value> state();
   /// schemas/why.json; `not_found`: no such port.
   Expected<Value> why(const std::string& port);
+  /// The same as things were before micro step `micro` (from 0) of macro step `step` (from 1), recomputed on a strand
+  /// of its own. `out_of_range`: no such macro step.
+  Expected<Value> why_before(const std::string& port, std::size_t step, int micro);
   /// A copy, and the micro steps done if the last macro step is not complete, else -1.
   struct JournalView {
     Journal journal;

@@ -1,5 +1,7 @@
 #include "server/execution/replay.h"
 
+#include "server/execution/why.h"
+
 namespace race::server {
 
 using semantics::Run;
@@ -54,6 +56,13 @@ List Replay::steps(const std::vector<JournalEntry>& journal, std::size_t from, s
     steps.push_back(std::move(json));
   }
   return steps;
+}
+
+Value Replay::why(const std::vector<JournalEntry>& journal, std::size_t step, int micro, semantics::PortId port) {
+  Run& run = at(journal, step - 1);
+  semantics::NoRecorder none;
+  apply(run, journal[step - 1], none, micro);
+  return why_json(run, port);
 }
 
 Value call_json(const semantics::OutgoingCall& call) {

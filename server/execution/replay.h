@@ -19,6 +19,11 @@ class Replay {
   /// of entries; the journal is longer than or equal to that of the call before.
   List steps(const std::vector<JournalEntry>& journal, std::size_t from, std::size_t to, int micro);
 
+  /// schemas/why.json as things were before micro step `micro`, from 0, of macro step `step`; as they were at the end
+  /// of the macro step if it has fewer. Requires 1 <= step <= number of entries, micro >= 0, and of `journal` the same
+  /// as `steps`.
+  Value why(const std::vector<JournalEntry>& journal, std::size_t step, int micro, semantics::PortId port);
+
  private:
   semantics::Run& at(const std::vector<JournalEntry>& journal, std::size_t position);
 

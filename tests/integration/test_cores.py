@@ -161,6 +161,41 @@ class Cores(unittest.TestCase):
         self.server.wait(other, lambda c: c["step"] == 1)
         self.assertEqual(self.active(other), ["Root", "Root/B"])
 
+    def test_why_a_port_fired_is_told_from_the_atoms_of_then(self):
+        document = models.document("fired", {
+            "state": "Root", "variables": [{"name": "v", "initial": 1}],
+            "children": [{"state": "A", "exit": "pass", "ports": [{"name": "go", "when": "var.n == 1 or False", "to": "B"}],
+                          "variables": [{"name": "n", "initial": 1}]},
+                         {"state": "B"}],
+            "first": "A"})
+        core = self.server.core(document)
+        self.server.wait(core, lambda c: c["step"] == 1)
+        now = self.server.get(f"/cores/{core}/why?port=Root/A.go", "why")
+        self.assertEqual(now["state_active"], False)
+        micro = self.server.get(f"/cores/{core}/derivations?from=1", "derivations")["steps"][0]["micro"]
+        fires = lambda node: node["rule"] == "PTrigger" or any(fires(p) for p in node["premises"])
+        number = [fires(node) for node in micro].index(True)
+        then = self.server.get(f"/cores/{core}/why?port=Root/A.go&step=1&micro={number}", "why")
+        self.assertEqual((then["value"], then["state_active"], then["active"]), (True, True, False))
+        self.assertEqual([(atom["text"], atom["value"]) for atom in then["atoms"]], [("var.n == 1", True), ("False", False)])
+        after = self.server.get(f"/cores/{core}/why?port=Root/A.go&step=1&micro={number + 1}", "why")
+        self.assertEqual((after["state_active"], after["active"]), (False, True))
+        self.server.get(f"/cores/{core}/why?port=Root/A.go&step=9&micro=0", status=400)
+        self.server.get(f"/cores/{core}/why?port=Root/A.go&step=0&micro=0", status=400)
+        self.server.get(f"/cores/{core}/why?port=Root/A.go&step=1&micro=-1", status=400)
+        self.server.get(f"/cores/{core}/why?port=Root/A.go&step=1", status=422)
+
+    def test_the_log_tells_what_becomes_of_runs_and_of_calls_that_nobody_answers(self):
+        core = self.server.core(models.document("calling", {
+            "state": "Root", "entry": "svc.nobody.help()", "ports": [{"name": "sad", "when": "svc.nobody.help.error"}]}))
+        self.server.ended(core)
+        with self.server.stream() as stream:
+            stream.subscribe("log")
+            lines = [(line["source"], line["text"]) for line in stream.message()["data"]["entries"]]
+        self.assertEqual([text for source, text in lines if source == f"core/{core}"],
+                         ["calling: ready", "calling: running", "calling: ended at sad"])
+        self.assertIn(("nobody", f"cannot answer `help` of core {core}: there is no such service"), lines)
+
     def test_there_is_a_most_of_cores(self):
         self.server.put("/documents/many", models.ticking("many"), "document_entry")
         ids = []
