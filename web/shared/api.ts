@@ -1,4 +1,5 @@
 // The REST door: every request to the server, each answer parsed from `unknown` before anyone sees it.
+import type { MicroStep } from "./derivation/proof";
 import { array, boolean, number, object, present, string, type Decoder, type JsonValue } from "./json/decode";
 import { scene, type Scene } from "./messages/cell";
 import { core, type Core } from "./messages/core";
@@ -79,7 +80,9 @@ export function createApi(base: string, fetcher: typeof fetch) {
     step: (id: string, step: Step): Promise<Core> => request("POST", `/cores/${segment(id)}/step`, core, { ...step }),
     derivations: (id: string, from: number, to: number): Promise<readonly TraceStep[]> =>
       get(`/cores/${segment(id)}/derivations?from=${from}&to=${to}`, traceSteps),
-    why: (id: string, port: string): Promise<Why> => get(`/cores/${segment(id)}/why?port=${segment(port)}`, why),
+    /** As things are now, or as they were before a past micro step. */
+    why: (id: string, port: string, before?: MicroStep): Promise<Why> =>
+      get(`/cores/${segment(id)}/why?port=${segment(port)}${before === undefined ? "" : `&step=${before.step}&micro=${before.micro}`}`, why),
     cell: (): Promise<Scene> => get("/cell", scene),
     /** Address of a file that the scene names. */
     cellFile: (file: string): string => `${base}/cell/${segment(file)}`,

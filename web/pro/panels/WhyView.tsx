@@ -7,23 +7,30 @@ export function WhyView({ why }: { readonly why: Why }) {
     <section className="why" aria-label="Why">
       <h3>{whyHeadline(why)}</h3>
       <p>{codePieces(why.reason).map((piece, i) => (piece.code ? <code key={i}>{piece.text}</code> : piece.text))}</p>
-      <ul aria-label="Atoms of the condition">
-        {why.atoms.map((atom, i) => {
-          const advice = atomAdvice(why, atom);
-          const reads = readsText(atom);
-          return (
-            <li key={i} className={`atom is-${truthText(atom.value)}${advice === undefined ? "" : " blocks"}`} data-blocks={atom.blocks}>
-              <code>{atom.text}</code>
-              <span className="truth">{truthText(atom.value)}</span>
-              {reads !== undefined && <small className="reads">{reads}</small>}
-              {advice !== undefined && <small>{advice}</small>}
-            </li>
-          );
-        })}
-      </ul>
+      <Atoms why={why} />
       <p className="quiet">
         Condition now: <strong>{truthText(why.value)}</strong>
       </p>
     </section>
+  );
+}
+
+/** The atoms of the condition, in the order of its text. */
+export function Atoms({ why }: { readonly why: Why }) {
+  return (
+    <ul aria-label="Atoms of the condition">
+      {why.atoms.map((atom, i) => {
+        const advice = atomAdvice(why, atom);
+        const reads = readsText(atom);
+        return (
+          <li key={i} className={`atom is-${truthText(atom.value)}${advice === undefined ? "" : " blocks"}`} data-blocks={atom.blocks}>
+            <code>{atom.text}</code>
+            <span className="truth">{truthText(atom.value)}</span>
+            {reads !== undefined && <small className="reads">{reads}</small>}
+            {advice !== undefined && <small>{advice}</small>}
+          </li>
+        );
+      })}
+    </ul>
   );
 }

@@ -111,6 +111,20 @@ export function leading(root: Derivation): ProofPath {
   return premise === undefined ? [] : [next, ...leading(premise)];
 }
 
+/** A micro step of a run: the macro step, counted from 1, and its number in it, counted from 0. */
+export interface MicroStep {
+  readonly step: number;
+  readonly micro: number;
+}
+
+/** The latest of these micro steps in which a port fired (PTrigger). */
+export function lastFiring(steps: readonly TraceStep[], address: string): MicroStep | undefined {
+  const fires = (node: Derivation): boolean =>
+    (node.rule === "PTrigger" && `${node.at}.${node.port ?? ""}` === address) || node.premises.some(fires);
+  const step = steps.findLast((each) => each.micro.some(fires));
+  return step === undefined ? undefined : { step: step.step, micro: step.first + step.micro.findLastIndex(fires) };
+}
+
 export function premiseCount(node: Derivation): string {
   return node.premises.length === 1 ? "1 premise" : `${node.premises.length} premises`;
 }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { facts, judgement, leading, mergeSteps, nodeAt, notable, size, subjectText, summary } from "../../shared/derivation/proof";
+import { facts, judgement, lastFiring, leading, mergeSteps, nodeAt, notable, size, subjectText, summary } from "../../shared/derivation/proof";
 import type { Derivation, TraceStep } from "../../shared/messages/derivation";
 import { caseNames, runOf } from "../conformance";
 
@@ -24,6 +24,21 @@ describe("judgement", () => {
     expect(judgement(node("SDeact2"))).toBe("Σ,Δ ⊢ Dispatcher →↓ Dispatcher′, Δ′");
     expect(judgement(node("Active"))).toBe("Δ ⊢ Root.active ⇝ False");
     expect(judgement(node("FuncSC"))).toBe("gripper.release() is called");
+  });
+});
+
+describe("lastFiring", () => {
+  const fires = (port: string): Derivation => ({
+    rule: "Micro", equation: "3.31", at: "R", premises: [{ rule: "PTrigger", equation: "3.27", at: "R/A", port, premises: [] }],
+  });
+  it("finds the latest micro step in which the port fired, also in a part of a macro step", () => {
+    const steps = [step(1, 0, [fires("p")]), step(2, 0, [fires("q"), fires("p"), fires("q")]), step(3, 2, [fires("q")])];
+    expect(lastFiring(steps, "R/A.p")).toEqual({ step: 2, micro: 1 });
+    expect(lastFiring(steps, "R/A.q")).toEqual({ step: 3, micro: 2 });
+  });
+  it("knows nothing of a port that did not fire", () => {
+    expect(lastFiring([step(1, 0, [fires("p")])], "R/B.p")).toBeUndefined();
+    expect(lastFiring([], "R/A.p")).toBeUndefined();
   });
 });
 

@@ -1,0 +1,71 @@
+// The server's answers for a selected port: why it does not fire now, and why it fired when it last did.
+import { useEffect, useMemo, useState } from "react";
+import { lastFiring, type MicroStep } from "../../shared/derivation/proof";
+import type { Why } from "../../shared/messages/why";
+import { inputText } from "../../shared/run/inputText";
+import { api, useCore, useSession, view } from "../client";
+import { Atoms, WhyView } from "./WhyView";
+
+/** An answer of the server, or what it said instead. */
+type Answer = { readonly why: Why } | { readonly failed: string } | undefined;
+
+/** Asks anew when `moment` changes; the answer before stays until then. */
+function useWhy(address: string, moment: unknown, before?: MicroStep): Answer {
+  const id = useCore()?.id;
+  const [answer, setAnswer] = useState<Answer>();
+  useEffect(() => {
+    if (id === undefined) return;
+    let current = true;
+    api.why(id, address, before).then(
+      (why) => current && setAnswer({ why }),
+      (error: unknown) => current && setAnswer({ failed: error instanceof Error ? error.message : String(error) }),
+    );
+    return () => {
+      current = false;
+    };
+  }, [id, address, moment, before]);
+  return answer;
+}
+
+export function AskWhy({ address }: { readonly address: string }) {
+  const steps = useSession((s) => s.steps);
+  const fired = lastFiring(steps, address);
+  const firing = useMemo(() => fired, [fired?.step, fired?.micro]);
+  return (
+    <>
+      <WhyNow address={address} known={firing !== undefined} />
+      {firing !== undefined && <WhyFired address={address} firing={firing} />}
+    </>
+  );
+}
+
+/** For the present state; a port that has fired is explained by its firing, if that is known. */
+function WhyNow({ address, known }: { readonly address: string; readonly known: boolean }) {
+  const answer = useWhy(address, useSession((s) => s.run));
+  if (answer === undefined) return null;
+  if ("failed" in answer) return <p className="quiet">No explanation: {answer.failed}</p>;
+  return answer.why.active && known ? null : <WhyView why={answer.why} />;
+}
+
+/** The atoms of its condition as they were when it fired, with the way to the derivation. */
+function WhyFired({ address, firing }: { readonly address: string; readonly firing: MicroStep }) {
+  const answer = useWhy(address, undefined, firing);
+  const input = useSession((s) => s.steps.find((step) => step.step === firing.step)?.input);
+  if (answer === undefined || "failed" in answer) return null;
+  return (
+    <section className="why" aria-label="Why it fired">
+      <h3>
+        Fired in macro step {firing.step}, micro step {firing.micro}
+      </h3>
+      {input !== undefined && (
+        <p>
+          Upon <code>{inputText(input)}</code>, its condition was true:
+        </p>
+      )}
+      <Atoms why={answer.why} />
+      <button type="button" className="link" onClick={() => view.dispatch({ type: "step", step: firing.step })}>
+        Show the derivation
+      </button>
+    </section>
+  );
+}
