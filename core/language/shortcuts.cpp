@@ -1,10 +1,7 @@
 #include "core/language/shortcuts_internal.h"
-
-#include <algorithm>
+#include "core/language/values.h"
 
 namespace race::language {
-
-// Comparisons.
 
 Comparison comparison_of(const Program& condition) {
   const Node& root = condition.nodes[condition.root];
@@ -25,54 +22,6 @@ Comparison comparison_of(const Program& condition) {
 
 namespace {
 
-template <typename Number>
-bool holds(Op op, Number a, Number b) {
-  switch (op) {
-    case Op::less:
-      return a < b;
-    case Op::less_equal:
-      return a <= b;
-    case Op::greater:
-      return a > b;
-    case Op::greater_equal:
-      return a >= b;
-    case Op::equal:
-      return a == b;
-    default:
-      return a != b;
-  }
-}
-
-const Value& datum(const Comparison& c, const Environment& environment) {
-  if (c.datum == Op::slot) return environment.values[c.number];
-  return environment.event_data[c.number];
-}
-
-}  // namespace
-
-std::optional<Truth> decide(const Program& condition, const Environment& environment) {
-  const Comparison& c = condition.comparison;
-  if (c.datum == Op::event && environment.occurrence != c.number && environment.sampled[c.number] == 0)
-    return Truth::unknown;
-  const Value* found = &datum(c, environment);
-  if (found->is_unknown()) return Truth::unknown;
-  const Value* constants = condition.constants.data();
-  if (c.key != kNone) {
-    if (!found->is_dict()) return std::nullopt;
-    found = found->as_dict().find(constants[c.key]);
-    if (found == nullptr) return std::nullopt;
-  }
-  const Value& bound = constants[c.bound];
-  if (found->kind() != bound.kind()) return std::nullopt;
-  const bool result = bound.is_integer() ? holds(c.op, found->as_integer(), bound.as_integer())
-                                         : holds(c.op, found->as_number(), bound.as_number());
-  return result ? Truth::yes : Truth::no;
-}
-
-// Conditions that wait for an occurrence.
-
-namespace {
-
 // What is certain about a part while no event occurs. Unknown is neither true nor false.
 struct Certain {
   bool not_true = false, not_false = false;
@@ -90,7 +39,10 @@ class Waiting {
   Certain part(NodeId id) const {
     const Node& n = program_.nodes[id];
     switch (n.op) {
-      case Op::constant:
+      case Op::constant: {
+        const bool yes = truth(program_.constants[n.a]);
+        return {!yes, yes, true};
+      }
       case Op::slot:
       case Op::flag:
       case Op::event_latest:

@@ -50,6 +50,7 @@ void leave_children(Step<R>& step, StateId s) {
         SDeact1(step, child.state());
     }
   } else {
+    if (step.program[s].children.empty()) return;
     const Live& live = step.live(s);
     while (live.first_active != kNoState) SDeact2(step, live.first_active);
     for (const auto* ports : {&live.pending, &live.lingering})
@@ -87,6 +88,7 @@ void activate(Step<R>& step, NodeRef node, PortId by);
 template <Recorder R>
 void forget_earlier_activation(Step<R>& step, StateId s) {
   const StateInfo& info = step.program[s];
+  if (info.bare) return;
   const Live& live = step.live(s);
   if (info.keeps && info.parent != kNoState && live.left_through != kNoPort &&
       live.left_during == step.live(info.parent).activations &&

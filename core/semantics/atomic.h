@@ -21,7 +21,8 @@ void Act(Step<R>& step, StateId s) {
   step.apply(Rule::Act, s);
   step.set_flag(step.program.flag(s), true, s, parent);
   Live& live = step.live(s);
-  wake(step.run, s);
+  // OPTIMIZATION: in this macro step its ports see no occurrence (R21), so one that waits for one need not look.
+  if (!step.program[s].waits || step.run.small_budget) wake(step.run, s);
   live.looking = false;
   ++step.run.active_states;
   live.activated_in = step.run.epoch;
@@ -174,8 +175,9 @@ bool delivered_anew(Step<R>& step, StateId s, ActionId a) {
 // Action1 (4.17): executed(Σ, a) ⇝ false, a.cond ⇝ true   ⟹   a.func, Σ'[executed ∪= a]
 // Action2 (3.17): executed(Σ, a) ⇝ true                   ⟹   nothing
 // Action3 (4.18): a.cond ⇝ false                          ⟹   nothing
+// OPTIMIZATION: out of line, so that states without actions pay nothing for it.
 template <Recorder R>
-void Action(Step<R>& step, StateId s, ActionId a) {
+[[gnu::noinline]] void Action(Step<R>& step, StateId s, ActionId a) {
   const ActionInfo& action = step.program.actions[a];
   const std::uint32_t number = a - step.program[s].actions.low;
   const auto look_again = [&] {  // in the next macro step, when `executed` is empty
@@ -231,9 +233,8 @@ void Action(Step<R>& step, StateId s, ActionId a) {
 
 /// All actions of `s`, in order: a premise of the micro rules.
 template <Recorder R>
-void actions_of(Step<R>& step, StateId s) {
-  if constexpr (!R::kRecords)
-    if (!step.live(s).looking) return;
+inline void actions_of(Step<R>& step, StateId s) {
+  if (!R::kRecords && !step.live(s).looking) return;
   for (const ActionId a : step.program[s].actions) Action(step, s, a);
 }
 

@@ -29,7 +29,7 @@ void wake_below(RunState& run, const Program& program, StateId s, std::uint64_t 
 }
 
 void wake_readers(RunState& run, const Program& program, const std::vector<StateId>& readers, std::uint64_t mask) {
-  if (readers.size() > 2 * run.active_states) return wake_below(run, program, Program::root, mask);
+  if (readers.size() > 8 * run.active_states) return wake_below(run, program, Program::root, mask);
   for (const StateId s : readers)
     if (run.flags[program.flag(s)]) wake(run, s);
 }

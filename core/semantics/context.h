@@ -83,6 +83,7 @@ struct RunState {
   // active state would take an SProp without effect.
   StateSet hot;
   std::uint32_t active_states = 0;
+  bool small_budget = false;  // even a short condition may exceed it: all are evaluated
 
   // Σ
   std::uint64_t epoch = 1;  // the present macro step

@@ -91,12 +91,15 @@ NodeValue node_value(language::Truth truth);
 struct NoRecorder {
   static constexpr bool kRecords = false;
   static constexpr bool kTree = false;
+  static constexpr bool kLooksAgain = false;
 };
 
-/// Records the names of the applied rules in pre-order.
+/// Records the names of the applied rules in pre-order. Leaves nothing out: every micro step looks at all conditions,
+/// so that what the others skip can be tested against it.
 struct NameRecorder {
   static constexpr bool kRecords = true;
   static constexpr bool kTree = false;
+  static constexpr bool kLooksAgain = true;
   std::vector<Rule> names;
   std::vector<std::uint32_t> micro;  // where each micro step begins
 };
@@ -105,6 +108,7 @@ struct NameRecorder {
 struct TreeRecorder {
   static constexpr bool kRecords = true;
   static constexpr bool kTree = true;
+  static constexpr bool kLooksAgain = false;
   Derivation derivation;
   EvaluationRecord evaluation;
 };
@@ -113,6 +117,7 @@ template <typename R>
 concept Recorder = requires {
   { R::kRecords } -> std::convertible_to<bool>;
   { R::kTree } -> std::convertible_to<bool>;
+  { R::kLooksAgain } -> std::convertible_to<bool>;  // at conditions of which nothing has changed
 };
 
 /// A node while its premises are recorded: it closes (its size is known) when this goes out of scope. Without a tree it

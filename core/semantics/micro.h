@@ -9,7 +9,7 @@ namespace race::semantics {
 template <Recorder R>
 bool visit(Step<R>& step, StateId s);
 
-/// The first port of `s` in order whose condition is fulfilled; its Cond can then be recorded.
+/// The first port of `s` in order whose condition is fulfilled.
 /// REFINEMENT R9: a port whose condition mentions svc fires once in a macro step; where it would fire again, no port
 /// fires. REFINEMENT R21: it does not see the occurrence of the macro step in which its state was activated.
 template <Recorder R>
@@ -17,7 +17,7 @@ PortId first_fulfilled_port(Step<R>& step, StateId s) {
   const bool sees_occurrence = step.live(s).activated_in != step.run.epoch;
   for (const PortId p : step.program[s].ports) {
     const PortInfo& port = step.program[p];
-    if (step.truth(port.when, s, sees_occurrence) != language::Truth::yes) continue;
+    if (step.untraced(port.when, s, sees_occurrence) != language::Truth::yes) continue;
     if (!port.svc || step.run.triggered[index(p)] != step.run.epoch) return p;
     if (!step.live(s).recheck) {
       step.live(s).recheck = true;
@@ -36,12 +36,12 @@ PortId first_fulfilled_port(Step<R>& step, StateId s) {
 //   Σ,Δ ⊢ s → s',Δ''
 template <Recorder R>
 bool PTrigger(Step<R>& step, StateId s) {
-  if constexpr (!R::kRecords)
-    if (!step.live(s).looking) return false;
+  if (!step.live(s).looking) return false;
   const PortId p = first_fulfilled_port(step, s);
   if (p == kNoPort) return false;
   OpenNode<R> rule = step.apply(Rule::PTrigger, s, p);
   Active(step, s);
+  if constexpr (R::kTree) step.truth(step.program[p].when, s, step.live(s).activated_in != step.run.epoch);
   step.record_condition(s, p, kNone, language::Truth::yes);
   if (step.program[p].svc) {
     step.work.log.triggered.emplace_back(p, step.run.triggered[index(p)]);
@@ -196,10 +196,13 @@ bool SProp(Step<R>& step, StateId s) {
 template <Recorder R>
 bool visit(Step<R>& step, StateId s) {
   Live& live = step.live(s);
-  live.looking = live.dirty;
+  live.looking = live.dirty || R::kLooksAgain;
   live.dirty = false;
   step.run.hot.remove(s);
-  if (PTrigger(step, s) || PTrans1(step, s) || PTrans2(step, s)) return false;
+  // OPTIMIZATION: the rules look at these themselves; not calling them costs less.
+  if (live.looking && PTrigger(step, s)) return false;
+  if (!live.pending.empty() && PTrans1(step, s)) return false;
+  if (!live.open.empty() && PTrans2(step, s)) return false;
   return SProp(step, s);
 }
 

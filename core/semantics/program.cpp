@@ -285,6 +285,10 @@ class Builder {
               compiled(*child_syntax.parameters[i].from, CodeKind::expression, symbols, info.path);
     }
     state.calls.assign(calls.begin(), calls.end());
+    state.waits = syntax.actions.empty();
+    for (const PortId p : state.ports)
+      state.waits = state.waits && p_[p].when && p_[p].when.mentions().needs_occurrence;
+    state.bare = state.results.empty() && state.variables.empty() && state.end == number + 1;
   }
 
   void finish_masks() {

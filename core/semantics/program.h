@@ -98,6 +98,8 @@ struct StateInfo {
   Range<ActionId> actions;
   std::uint64_t own_mask = 0;  // service data that its conditions and actions read, as bits of a small filter
   std::uint64_t subtree_mask = 0;
+  bool waits = false;                     // no actions, and no port can fire without an occurrence
+  bool bare = false;                      // nothing that R8 could reset: no results, variables or child states
   bool watched = false;                   // its parent reads a parameter or result of it
   bool keeps = false, keeps_any = false;  // R8
   NodeRef first;

@@ -88,6 +88,7 @@ Expected<Run> Run::create(std::shared_ptr<const Program> program, const Dict& ar
   }
   auto body = std::make_unique<Body>(std::move(program), budgets);
   body->arguments = std::move(values);
+  body->state.small_budget = budgets.evaluation.steps < language::kFewUnits;
   return Run(std::move(body));
 }
 
@@ -231,7 +232,7 @@ template <Recorder R>
 bool Run::micro(R& recorder) {
   Body& b = *body_;
   if (b.status != Status::running) return false;
-  if constexpr (!R::kRecords)
+  if constexpr (!R::kLooksAgain)  // OPTIMIZATION: it would be idle
     if (b.state.started && b.state.hot.empty()) return false;
   std::size_t mark = 0;
   if constexpr (R::kTree) mark = recorder.derivation.nodes.size();

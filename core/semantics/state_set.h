@@ -2,6 +2,7 @@
 // the next one is a few words, however large the model is.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -23,33 +24,54 @@ class StateSet {
     words_.assign(words, 0);
   }
 
+  // OPTIMIZATION: the lowest level is done in line; most changes end there.
   void add(StateId s) {
-    std::uint32_t i = index(s);
-    for (std::size_t level = 0; level < depth_; ++level, i >>= 6) {
-      std::uint64_t& word = words_[levels_[level] + (i >> 6)];
-      const std::uint64_t before = word;
-      word |= std::uint64_t{1} << (i & 63);
-      if (level == 0) members_ += word != before ? 1 : 0;
-      if (before != 0) return;  // the summaries know of this word
-    }
+    std::uint64_t& word = words_[index(s) >> 6];
+    const std::uint64_t before = word;
+    word |= bit(index(s));
+    last_ = members_ == 0 ? index(s) : std::max(last_, index(s));
+    members_ += word != before ? 1 : 0;
+    if (before == 0 && depth_ > 1) add_summaries(index(s) >> 6);
   }
 
   void remove(StateId s) {
-    std::uint32_t i = index(s);
-    for (std::size_t level = 0; level < depth_; ++level, i >>= 6) {
-      std::uint64_t& word = words_[levels_[level] + (i >> 6)];
-      const std::uint64_t before = word;
-      word &= ~(std::uint64_t{1} << (i & 63));
-      if (level == 0) members_ -= word != before ? 1 : 0;
-      if (word != 0) return;
-    }
+    std::uint64_t& word = words_[index(s) >> 6];
+    const std::uint64_t before = word;
+    word &= ~bit(index(s));
+    members_ -= word != before ? 1 : 0;
+    if (word == 0 && depth_ > 1) remove_summaries(index(s) >> 6);
   }
 
   bool empty() const { return members_ == 0; }
 
   /// The first member from number `from` on; kNoState if there is none.
   StateId next(std::uint32_t from) const {
-    if (members_ == 0) return kNoState;
+    if (members_ == 0 || from > last_) return kNoState;
+    if (const std::uint64_t rest = words_[from >> 6] >> (from & 63); rest != 0)
+      return StateId{from + static_cast<std::uint32_t>(std::countr_zero(rest))};
+    return depth_ > 1 ? next_by_summaries(from) : kNoState;
+  }
+
+ private:
+  static std::uint64_t bit(std::uint32_t i) { return std::uint64_t{1} << (i & 63); }
+
+  // Word `i` of the lowest level has got its first member, or lost its last.
+  [[gnu::noinline]] void add_summaries(std::uint32_t i) {
+    for (std::size_t level = 1; level < depth_; ++level, i >>= 6) {
+      std::uint64_t& word = words_[levels_[level] + (i >> 6)];
+      const std::uint64_t before = word;
+      word |= bit(i);
+      if (before != 0) return;  // the summaries know of this word
+    }
+  }
+  [[gnu::noinline]] void remove_summaries(std::uint32_t i) {
+    for (std::size_t level = 1; level < depth_; ++level, i >>= 6) {
+      std::uint64_t& word = words_[levels_[level] + (i >> 6)];
+      word &= ~bit(i);
+      if (word != 0) return;
+    }
+  }
+  [[gnu::noinline]] StateId next_by_summaries(std::uint32_t from) const {
     for (std::size_t level = 0; level < depth_; ++level) {  // up to a word with a member at or after `from`
       const std::uint32_t word = levels_[level] + (from >> 6);
       const std::uint32_t end = level + 1 < depth_ ? levels_[level + 1] : static_cast<std::uint32_t>(words_.size());
@@ -65,11 +87,11 @@ class StateSet {
     return kNoState;
   }
 
- private:
   std::vector<std::uint64_t> words_;  // the members; then, level by level, a bit for each word of the level below
   std::array<std::uint32_t, 6> levels_ = {};  // where each level begins
   std::size_t depth_ = 0;
   std::uint32_t members_ = 0;
+  std::uint32_t last_ = 0;  // no member has a greater number
 };
 
 }  // namespace race::semantics

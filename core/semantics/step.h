@@ -84,17 +84,17 @@ class Step {
   bool is_active(PortId p) const { return run.flags[program.flag(p)] != 0; }
 
   /// Sets an entry of Φ and tells those who read it. `owner`: the state that a Reader::kOwner is.
-  void set_flag(Flag flag, bool on, StateId owner, StateId parent) {
-    work.log.flags.emplace_back(flag, run.flags[flag]);
+  [[gnu::always_inline]] void set_flag(Flag flag, bool on, StateId owner, StateId parent) {
+    const std::pair<Flag, std::uint8_t> before(flag, run.flags[flag]);
+    work.log.flags.push_back(before);
     run.flags[flag] = on ? 1 : 0;
-    const std::uint8_t readers = program.flag_readers[flag];
-    if (readers & kOwner) wake(run, owner);
-    if (readers & kParent) wake(run, parent);
+    if (const std::uint8_t readers = program.flag_readers[flag]) tell(readers, owner, parent);
   }
   /// An arrival of `p` at its barrier comes or goes. Requires a change.
   void set_arrived(PortId p, bool on) {
     run.arrivals[program[p].to.number] += on ? 1U : ~0U;
-    work.log.arrived.emplace_back(p, run.arrived[index(p)]);
+    const std::pair<PortId, std::uint8_t> before(p, run.arrived[index(p)]);
+    work.log.arrived.push_back(before);
     run.arrived[index(p)] = on ? 1 : 0;
   }
 
@@ -103,6 +103,16 @@ class Step {
     environment.enter(s, sees_occurrence);
     if constexpr (R::kTree) recorder.evaluation.clear();
     const language::Truth value = interpreter.condition(condition, environment);
+    if (value == language::Truth::fault) raise(interpreter.fault(), program.flag(s));
+    return value;
+  }
+
+  /// OPTIMIZATION: the same without what record_condition needs: most conditions are not fulfilled and not recorded.
+  language::Truth untraced(const Code& condition, StateId s, bool sees_occurrence) {
+    environment.trace = nullptr;
+    environment.enter(s, sees_occurrence);
+    const language::Truth value = interpreter.condition(condition, environment);
+    if constexpr (R::kTree) environment.trace = &recorder.evaluation;
     if (value == language::Truth::fault) raise(interpreter.fault(), program.flag(s));
     return value;
   }
@@ -146,6 +156,10 @@ class Step {
   bool changed = false;
 
  private:
+  [[gnu::noinline]] void tell(std::uint8_t readers, StateId owner, StateId parent) {
+    if (readers & kOwner) wake(run, owner);
+    if (readers & kParent) wake(run, parent);
+  }
   // `node` moves when its premises are added: it is not touched after that.
   void record_evaluation(DerivationNode& node, StateId s, std::size_t first_call) {
     if constexpr (R::kTree) {

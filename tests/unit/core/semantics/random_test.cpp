@@ -68,8 +68,8 @@ struct Outcomes {
   std::uint64_t steps = 0, ended = 0, faulted = 0, models = 0, micro = 0;
 };
 
-// One model, driven for at most `limit` macro steps by two runs: one that skips what cannot matter (and, in every third
-// model, records names now and then) and one that records all.
+// One model, driven for at most `limit` macro steps by three runs: one that skips what cannot matter (and, in every
+// third model, records names now and then), one that records trees, and one that records names and skips nothing.
 void drive(std::uint64_t seed, std::uint64_t limit, Outcomes& outcomes) {
   RandomModels random(seed);
   auto program = Program::build(random.model(), RandomModels::services());
@@ -78,6 +78,7 @@ void drive(std::uint64_t seed, std::uint64_t limit, Outcomes& outcomes) {
   budgets.micro_steps = 300;
   semantics::Run fast = *semantics::Run::create(*program, {}, budgets);
   semantics::Run recorded = fast;
+  semantics::Run thorough = fast;
   semantics::Run checkpoint = fast;
   struct Done {
     std::optional<Input> input;
@@ -90,7 +91,7 @@ void drive(std::uint64_t seed, std::uint64_t limit, Outcomes& outcomes) {
   for (std::uint64_t i = 0; i < limit && fast.status() == Status::running; ++i) {
     if (i > 0)
       for (std::size_t inputs = 1 + random.pick(2); inputs-- > 0;)
-        random.post({&fast, &recorded}, fast.state().call_count);
+        random.post({&fast, &recorded, &thorough}, fast.state().call_count);
     if (!recorded.has_input()) continue;
     const bool traced = random.chance(0.02);  // replay compares whole derivations, now and then
     const std::optional<Input> input =
@@ -102,10 +103,15 @@ void drive(std::uint64_t seed, std::uint64_t limit, Outcomes& outcomes) {
     NoRecorder nothing;
     const bool named = mixes && random.chance(0.3);
     ASSERT_EQ(named ? step(fast, names) : step(fast, nothing), calls) << "seed " << seed << ", step " << i;
+    NameRecorder all;
+    ASSERT_EQ(step(thorough, all), calls) << "seed " << seed << ", step " << i;
+    std::ranges::sort(all.names);
+    ASSERT_EQ(all.names, sorted_rules(derivation)) << "seed " << seed << ", step " << i;
     std::ranges::sort(names.names);
     if (named) {
-      ASSERT_EQ(names.names, sorted_rules(derivation)) << "seed " << seed << ", step " << i;
+      ASSERT_EQ(names.names, all.names) << "seed " << seed << ", step " << i;
     }
+    ASSERT_TRUE(same(thorough.state(), recorded.state())) << "seed " << seed << ", step " << i;
     ASSERT_TRUE(same(fast.state(), recorded.state()))
         << "seed " << seed << ", step " << i << "\nfast     " << to_json(fast.state_json()) << "\nrecorded "
         << to_json(recorded.state_json());
