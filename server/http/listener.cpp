@@ -58,9 +58,15 @@ Expected<Request> to_request(const http::request<http::string_body>& from) {
   return request;
 }
 
-http::response<http::string_body> to_response(Reply reply, bool keep_alive) {
+// What an answer to a request needs besides itself.
+struct Manner {
+  bool keep_alive = false;
+  bool head = false;  // without the body
+};
+
+http::response<http::string_body> to_response(Reply reply, Manner manner) {
   http::response<http::string_body> response(static_cast<http::status>(reply.status), 11);
-  response.keep_alive(keep_alive);
+  response.keep_alive(manner.keep_alive);
   response.set(http::field::server, "race");
   response.set("X-Content-Type-Options", "nosniff");
   for (const auto& [name, value] : reply.headers) response.set(name, value);
@@ -74,6 +80,7 @@ http::response<http::string_body> to_response(Reply reply, bool keep_alive) {
     response.body() = std::move(reply.text);
   }
   response.prepare_payload();
+  if (manner.head) response.body().clear();
   return response;
 }
 
@@ -172,11 +179,11 @@ std::optional<Reply> unreadable(error_code error) {
   return std::nullopt;  // the connection is gone
 }
 
-awaitable<bool> send(beast::tcp_stream& stream, Reply reply, bool keep_alive) {
-  const auto response = to_response(std::move(reply), keep_alive);
+awaitable<bool> send(beast::tcp_stream& stream, Reply reply, Manner manner) {
+  const auto response = to_response(std::move(reply), manner);
   stream.expires_after(kPatience);
   const auto [error, bytes] = co_await http::async_write(stream, response, kUse);
-  if (error || keep_alive) co_return !error;
+  if (error || manner.keep_alive) co_return !error;
   // A client that is still sending would lose the answer if the connection were cut: what it sends is thrown away.
   error_code ignored;
   stream.socket().shutdown(tcp::socket::shutdown_send, ignored);
@@ -202,22 +209,30 @@ awaitable<bool> serve_one(beast::tcp_stream& stream, beast::flat_buffer& buffer,
   Parser parser;
   parser.header_limit(Door::kHeaderBytes);
   parser.body_limit(Door::kBodyBytes);
-  stream.expires_after(kIdle);
+  if (buffer.size() == 0) {
+    stream.expires_after(kIdle);
+    const auto [error, bytes] = co_await stream.async_read_some(buffer.prepare(Door::kHeaderBytes), kUse);
+    if (error) co_return false;
+    buffer.commit(bytes);
+  }
+  stream.expires_after(kPatience);
   if (const auto [error, bytes] = co_await http::async_read_header(stream, buffer, parser, kUse); error) {
-    if (auto reply = unreadable(error)) co_await send(stream, std::move(*reply), false);
+    if (auto reply = unreadable(error)) co_await send(stream, std::move(*reply), Manner());
     co_return false;
   }
   auto request = to_request(parser.get());
   if (!request) {
     Reply reply = bad_target(request.error());
-    co_return co_await send(stream, std::move(reply), false);
+    co_return co_await send(stream, std::move(reply), Manner());
   }
   const bool upgrade = websocket::is_upgrade(parser.get());
+  Manner manner{false, request->method == "HEAD"};
+  if (manner.head) request->method = "GET";
   if (auto refused = context.door.refuse(*request, upgrade))
-    co_return co_await send(stream, std::move(*refused), false);
+    co_return co_await send(stream, std::move(*refused), manner);
   stream.expires_after(kPatience);
   if (const auto [error, bytes] = co_await http::async_read(stream, buffer, parser, kUse); error) {
-    if (auto reply = unreadable(error)) co_await send(stream, std::move(*reply), false);
+    if (auto reply = unreadable(error)) co_await send(stream, std::move(*reply), Manner());
     co_return false;
   }
   if (upgrade && request->path == kStream && request->method == "GET") {
@@ -227,14 +242,14 @@ awaitable<bool> serve_one(beast::tcp_stream& stream, beast::flat_buffer& buffer,
   }
   if (request->path == kStream) {
     Reply reply = refusal(426, "upgrade", "a WebSocket is served here");
-    co_return co_await send(stream, std::move(reply), false);
+    co_return co_await send(stream, std::move(reply), Manner());
   }
-  const bool keep_alive = parser.keep_alive();
+  manner.keep_alive = parser.keep_alive();
   request->body = std::move(parser.get().body());
   stream.expires_never();
   std::function<Reply()> work = [request = std::move(*request), &context] { return answer(request, context); };
   Reply reply = co_await on_pool(context.handlers, std::move(work));
-  co_return co_await send(stream, std::move(reply), keep_alive);
+  co_return co_await send(stream, std::move(reply), manner);
 }
 
 awaitable<void> serve(tcp::socket socket, Context& context) {
@@ -271,8 +286,11 @@ awaitable<void> accept(tcp::acceptor& acceptor, Context& context) {
 struct HttpServer::Sockets {
   explicit Sockets(std::string its_web, Application& app)
       : acceptor(io), handlers(std::make_unique<Pool>(4)), context{Door(0), std::move(its_web), app, *handlers} {}
-  // The handlers end while the sockets they answer to are still there.
-  ~Sockets() { handlers.reset(); }
+  // Handlers end, and the hub lets go of its listeners, while the sockets are still there.
+  ~Sockets() {
+    handlers.reset();
+    context.app.hub().release();
+  }
 
   asio::io_context io{1};
   tcp::acceptor acceptor;

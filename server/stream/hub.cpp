@@ -76,6 +76,7 @@ void Hub::publish_delta(std::string name, Value data) {
 
 void Hub::subscribe(std::shared_ptr<Listener> listener, std::string name, std::optional<std::int64_t> since) {
   strand_.post([this, listener = std::move(listener), name = std::move(name), since] {
+    if (released_) return;
     if (name.empty()) return;  // refusals that were dropped are not repeated
     Channel* channel = find(name);
     if (!channel) {
@@ -87,8 +88,8 @@ void Hub::subscribe(std::shared_ptr<Listener> listener, std::string name, std::o
     channel->listeners.erase(listener);
     if (since && catch_up(name, *channel, *listener, *since)) {
       channel->listeners.insert(listener);
-    } else if (channel->snapshot && !channel->source.sampled &&
-               catch_up(name, *channel, *listener, channel->snapshot->sequence)) {
+    } else if (channel->snapshot && !channel->source.sampled && channel->snapshot->sequence == channel->sequence) {
+      send(*listener, name, channel->snapshot->text, false);
       channel->listeners.insert(listener);
     } else {
       channel->waiting.insert(listener);
@@ -133,6 +134,17 @@ void Hub::unsubscribe(std::shared_ptr<Listener> listener, std::string name) {
 void Hub::leave(std::shared_ptr<Listener> listener) {
   strand_.post([this, listener = std::move(listener)] {
     for (auto& [name, channel] : channels_) forget(channel, listener);
+  });
+}
+
+void Hub::release() {
+  strand_.ask([this] {
+    released_ = true;
+    for (auto& [name, channel] : channels_) {
+      channel.listeners.clear();
+      channel.waiting.clear();
+    }
+    return true;
   });
 }
 

@@ -1,6 +1,6 @@
 // Hub: the channels of the stream and who listens. A channel has numbered deltas, of which the last ones are kept, and
-// the last snapshot; who subscribes gets that snapshot and the deltas after it, or only what it missed. When what is
-// kept does not reach, the source of the channel is asked for a new snapshot.
+// the last snapshot; who comes again gets what it missed. Who comes new gets the snapshot if nothing has changed since:
+// else, or when what is kept does not reach, the source of the channel is asked for a new one. Nobody is shown the past.
 //
 // Everything happens on the hub's strand: sources publish and go on; each message is serialised once.
 //
@@ -58,6 +58,8 @@ class Hub {
   void unsubscribe(std::shared_ptr<Listener> listener, std::string channel);
   /// The listener is gone.
   void leave(std::shared_ptr<Listener> listener);
+  /// All listeners are gone, and whoever comes is not listened to: their sockets end. Waits for it.
+  void release();
   /// Errors of a request, told to a listener alone.
   void refuse(std::shared_ptr<Listener> listener, std::string channel, std::vector<Error> errors);
 
@@ -86,6 +88,7 @@ class Hub {
   std::int64_t first_;
   std::function<std::optional<Source>(const std::string&)> find_;
   std::map<std::string, Channel> channels_;
+  bool released_ = false;
 };
 
 }  // namespace race::server

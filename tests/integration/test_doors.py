@@ -79,6 +79,13 @@ class Doors(unittest.TestCase):
             with self.subTest(target=target):
                 self.assertEqual(self.status(self.head(first=f"GET {target} HTTP/1.1")), 400)
 
+    def test_head_is_get_without_the_body(self):
+        head = self.head(first="HEAD /api/v1/health HTTP/1.1")
+        answer = self.server.raw(head + self.head("Connection: close"))
+        first, rest = answer.split(b"\r\n\r\n", 1)
+        self.assertRegex(first, rb"^HTTP/1.1 200[\s\S]*Content-Length: [1-9]")
+        self.assertTrue(rest.startswith(b"HTTP/1.1 200"))
+
     def test_noise_does_no_harm(self):
         seed = 20260
         noise = random.Random(seed)

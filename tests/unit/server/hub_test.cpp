@@ -68,14 +68,24 @@ TEST_F(HubTest, SendsASnapshotThenDeltas) {
   EXPECT_THAT(received(client), ElementsAre("snapshot 0 0", "delta 1 1", "delta 2 2"));
 }
 
-TEST_F(HubTest, ALaterListenerGetsTheKeptSnapshotAndTheDeltasAfterIt) {
+TEST_F(HubTest, ALaterListenerGetsANewSnapshotIfSomethingHasChanged) {
   hub.subscribe(client, "n", {});
   settle();
   delta();
   hub.subscribe(other, "n", {});
   settle();
   delta();
-  EXPECT_THAT(received(other), ElementsAre("snapshot 0 0", "delta 1 1", "delta 2 2"));
+  EXPECT_THAT(received(other), ElementsAre("snapshot 1 1", "delta 2 2"));
+  EXPECT_EQ(refreshed, 2);
+}
+
+TEST_F(HubTest, ALaterListenerGetsTheKeptSnapshotIfNothingHasChanged) {
+  hub.subscribe(client, "n", {});
+  settle();
+  hub.subscribe(other, "n", {});
+  settle();
+  delta();
+  EXPECT_THAT(received(other), ElementsAre("snapshot 0 0", "delta 1 1"));
   EXPECT_EQ(refreshed, 1);
 }
 
