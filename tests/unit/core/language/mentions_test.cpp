@@ -52,6 +52,28 @@ TEST(Mentions, OfADynamicServiceAreThoseOfAllServices) {
   EXPECT_THAT(of(state, "svc[par.a].op()", CodeKind::function).calls, ElementsAre(0U, 1U));
 }
 
+// What the semantics then does not evaluate must not be true, nor a fault, while nothing occurs.
+TEST(Mentions, KnowTheConditionsThatNeedAnOccurrence) {
+  Runner r;
+  r.state.set(State::res_x, Value("text"));
+  r.state.raise(State::port_p);
+  r.state.deliver(0, Dict{{"x", Value(4)}});
+  r.state.deliver(1, Dict{{"x", Value(4)}});
+  r.state.occurrence = kNone;
+  for (const char* text :
+       {"svc.t.data", "svc.t.sample", "svc.t.data.x > 3", "svc.t.data.a.b < res.x", "svc.t.data and res.x",
+        "svc.t.data and not port.p", "not svc.t.data", "svc.t.data.x == 1 or svc.t.sample", "False",
+        "not (svc.t.data.x > 3 or port.p)", "svc.t.op.result and svc.t.data"}) {
+    EXPECT_TRUE(of(r.state, text, CodeKind::condition).needs_occurrence) << text;
+    EXPECT_THAT(r.condition(text), ::testing::AnyOf("False", "unknown")) << text;
+  }
+  for (const char* text :
+       {"svc.t.sample.x > 3", "svc.t.data or port.p", "svc.t.data.latest", "not available(svc.t.data)",
+        "svc.t.op.result", "not (svc.t.data and not port.p)", "True", "svc.t.data and res.x > 1",
+        "svc.t.data and 1 / 0", "svc.t.data.x > res.x.y", "svc.t.data > 1 > 0"})
+    EXPECT_FALSE(of(r.state, text, CodeKind::condition).needs_occurrence) << text;
+}
+
 TEST(Compile, WantsAPlaceForEveryVariable) {
   State state;
   EXPECT_TRUE(check("var.other", CodeKind::condition, state.symbols).empty());
