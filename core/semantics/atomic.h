@@ -10,7 +10,7 @@ namespace race::semantics {
 template <Recorder R, typename Node>
 bool Active(Step<R>& step, Node x) {
   const bool active = step.is_active(x);
-  step.apply(Rule::Active, x).value(active);
+  step.conclude(Rule::Active, x, kNoPort, active);
   return active;
 }
 
@@ -109,7 +109,7 @@ void BIn(Step<R>& step, BarrierId b, PortId p) {
 template <Recorder R>
 bool Activated(Step<R>& step, BarrierId b, PortId p) {
   const bool arrived = step.run.arrived[index(p)] != 0;
-  step.apply(Rule::Activated, b, p).value(arrived);
+  step.conclude(Rule::Activated, b, p, arrived);
   return arrived;
 }
 

@@ -141,10 +141,6 @@ class OpenNode {
   }
   /// Requires a tree.
   DerivationNode& node() { return recorder_->derivation.nodes[number_]; }
-  OpenNode& value(bool v) {
-    if constexpr (R::kTree) node().value = v ? NodeValue::yes : NodeValue::no;
-    return *this;
-  }
   OpenNode& refinement(Refinement r) {
     if constexpr (R::kTree) node().refinement = r;
     return *this;

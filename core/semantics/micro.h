@@ -44,7 +44,7 @@ bool PTrigger(Step<R>& step, StateId s) {
   if constexpr (R::kTree) step.truth(step.program[p].when, s, step.live(s).activated_in != step.run.epoch);
   step.record_condition(s, p, kNone, language::Truth::yes);
   if (step.program[p].svc) {
-    step.work.log.triggered.emplace_back(p, step.run.triggered[index(p)]);
+    step.work.log.triggered.add(p, step.run.triggered[index(p)]);
     step.run.triggered[index(p)] = step.run.epoch;
   }
   SDeact2(step, s);

@@ -16,6 +16,8 @@ class Builder {
 
   std::vector<Error> build() {
     lay_out(model_.root, model_.root.name, kNoState);
+    p_.first_barrier_flag = static_cast<Flag>(p_.states.size());
+    p_.first_port_flag = p_.first_barrier_flag + static_cast<Flag>(p_.barriers.size());
     for (std::uint32_t s = 0; s < p_.states.size(); ++s) connect(s);
     // svc[expr].x stands for every service of the table, so names that code adds to it have to be there first.
     for (std::size_t known = kNone; known != table_size();) {
@@ -222,8 +224,7 @@ class Builder {
     const auto& owner = p_.slot_state;
     for (const Slot slot : m.reads) p_.slot_readers[slot] |= index(owner[slot]) == number ? kOwner : kParent;
     for (const Flag flag : m.flags) {
-      const std::size_t first_port = p_.states.size() + p_.barriers.size();
-      const bool own = flag >= first_port && index(p_.ports[flag - first_port].state) == number;
+      const bool own = flag >= p_.first_port_flag && index(p_.ports[flag - p_.first_port_flag].state) == number;
       p_.flag_readers[flag] |= own ? kOwner : kParent;
     }
     note(code);

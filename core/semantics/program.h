@@ -128,8 +128,8 @@ class Program {
   const PortInfo& operator[](PortId p) const { return ports[index(p)]; }
 
   Flag flag(StateId s) const { return index(s); }
-  Flag flag(BarrierId b) const { return static_cast<Flag>(states.size()) + index(b); }
-  Flag flag(PortId p) const { return static_cast<Flag>(states.size() + barriers.size()) + index(p); }
+  Flag flag(BarrierId b) const { return first_barrier_flag + index(b); }
+  Flag flag(PortId p) const { return first_port_flag + index(p); }
   std::size_t flag_count() const { return states.size() + barriers.size() + ports.size(); }
 
   /// `Root/A.success`
@@ -150,6 +150,7 @@ class Program {
 
   static constexpr StateId root{0};
   std::vector<StateInfo> states;  // in tree order; the root is 0
+  Flag first_barrier_flag = 0, first_port_flag = 0;
   std::vector<BarrierInfo> barriers;
   std::vector<PortInfo> ports;  // of one state together, siblings in order
   std::vector<ActionInfo> actions;

@@ -28,12 +28,31 @@ struct LoggedCall {
   std::optional<CallRecord> before;
 };
 
-/// The changes of a micro step, for discarding it: what stood before, oldest first.
+/// What stood where before, oldest first.
+/// OPTIMIZATION: a vector that never shrinks, so that adding is a store in line.
+template <typename Place, typename Old>
+class Log {
+ public:
+  void add(Place place, Old old) {
+    if (size_ == entries_.size()) grow();
+    entries_[size_++] = {place, old};
+  }
+  void clear() { size_ = 0; }
+  auto begin() const { return entries_.begin(); }
+  auto end() const { return entries_.begin() + static_cast<std::ptrdiff_t>(size_); }
+
+ private:
+  [[gnu::noinline]] void grow() { entries_.resize(2 * size_ + 16); }
+  std::vector<std::pair<Place, Old>> entries_;
+  std::size_t size_ = 0;
+};
+
+/// The changes of a micro step, for discarding it.
 struct StepLog {
   ValueLog values;
-  std::vector<std::pair<Flag, std::uint8_t>> flags;
-  std::vector<std::pair<PortId, std::uint8_t>> arrived;
-  std::vector<std::pair<PortId, std::uint64_t>> triggered;
+  Log<Flag, std::uint8_t> flags;
+  Log<PortId, std::uint8_t> arrived;
+  Log<PortId, std::uint64_t> triggered;
   std::vector<LoggedCall> calls;
   void clear() {
     values.clear();
@@ -78,6 +97,20 @@ class Step {
     return OpenNode<R>(recorder, rule, program.flag(at), port);
   }
 
+  /// A conclusion without premises that says whether it holds.
+  template <typename Node>
+  void conclude(Rule rule, Node at, PortId port, bool holds) {
+    if constexpr (R::kTree) {
+      DerivationNode& node = recorder.derivation.nodes.emplace_back();
+      node.at = program.flag(at);
+      node.port = port;
+      node.rule = rule;
+      node.value = holds ? NodeValue::yes : NodeValue::no;
+    } else if constexpr (R::kRecords) {
+      recorder.names.push_back(rule);
+    }
+  }
+
   Live& live(StateId s) { return run.live[index(s)]; }
   bool is_active(StateId s) const { return run.flags[program.flag(s)] != 0; }
   bool is_active(BarrierId b) const { return run.flags[program.flag(b)] != 0; }
@@ -85,16 +118,14 @@ class Step {
 
   /// Sets an entry of Φ and tells those who read it. `owner`: the state that a Reader::kOwner is.
   [[gnu::always_inline]] void set_flag(Flag flag, bool on, StateId owner, StateId parent) {
-    const std::pair<Flag, std::uint8_t> before(flag, run.flags[flag]);
-    work.log.flags.push_back(before);
+    work.log.flags.add(flag, run.flags[flag]);
     run.flags[flag] = on ? 1 : 0;
     if (const std::uint8_t readers = program.flag_readers[flag]) tell(readers, owner, parent);
   }
   /// An arrival of `p` at its barrier comes or goes. Requires a change.
   void set_arrived(PortId p, bool on) {
     run.arrivals[program[p].to.number] += on ? 1U : ~0U;
-    const std::pair<PortId, std::uint8_t> before(p, run.arrived[index(p)]);
-    work.log.arrived.push_back(before);
+    work.log.arrived.add(p, run.arrived[index(p)]);
     run.arrived[index(p)] = on ? 1 : 0;
   }
 
