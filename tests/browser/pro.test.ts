@@ -148,6 +148,33 @@ describe("RACE Pro", () => {
     await expect.poll(() => status().innerText()).toContain("Stopped");
   });
 
+  it("says why a port has fired, with the atoms as they were then", async () => {
+    await page.getByRole("button", { name: "Port Pick/GetPose.success", exact: true }).click();
+    const fired = page.getByRole("region", { name: "Why it fired" });
+    await expect.poll(() => fired.innerText()).toMatch(/Fired in macro step \d+, micro step \d+/);
+    await expect.poll(() => fired.getByRole("listitem").allInnerTexts()).toEqual([expect.stringMatching(/available\(res\.pose\)\s+true/)]);
+    await stage.picture("fired");
+  });
+
+  it("writes everything so that it can be read, and shows the whole task on demand", async () => {
+    await page.getByRole("button", { name: "Everything" }).click();
+    const canvas = page.locator(".canvas");
+    const code = page.locator('[data-path="Pick/Release"] .state-text');
+    await expect.poll(() => code.innerText()).toContain("svc.gripper.release()");
+    await expect.poll(() => canvas.getAttribute("data-zoom")).toBe("near");
+    await expect.poll(() => code.isVisible()).toBe(true);
+    await stage.picture("everything");
+    const root = page.getByRole("group", { name: "State Pick", exact: true });
+    await page.keyboard.press("Control+Space");
+    await expect
+      .poll(async () => {
+        const [drawing, frame] = [await root.boundingBox(), await canvas.boundingBox()];
+        return drawing !== null && frame !== null && drawing.y >= frame.y && drawing.y + drawing.height <= frame.y + frame.height;
+      })
+      .toBe(true);
+    await page.getByRole("button", { name: "Names" }).click();
+  });
+
   it("finds a state by its code and jumps to it", async () => {
     await page.getByRole("searchbox", { name: "Search the model" }).fill("gripper.grasp");
     await page.getByRole("list", { name: "Search results" }).getByRole("button").first().click();
@@ -176,5 +203,28 @@ describe("RACE Pro", () => {
     await page.setViewportSize({ width: 412, height: 915 });
     await expect.poll(() => page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(412);
     await stage.picture("narrow");
+    await page.setViewportSize({ width: 1600, height: 1000 });
+  });
+
+  it("watches the newest run from the first moment, however long the server has been up", async () => {
+    await load();
+    const id = await load();
+    const second = await stage.another();
+    await expect.poll(() => second.getByRole("combobox", { name: "Watched run" }).inputValue()).toBe(id);
+    await second.close();
+  });
+
+  it("says that the server is gone, comes back with it, and runs again", async () => {
+    await stage.kill();
+    await expect.poll(() => page.getByText("Connection lost").isVisible()).toBe(true);
+    await stage.picture("gone");
+    await stage.revive();
+    await expect.poll(() => page.getByText("Connected").isVisible(), { timeout: 20_000 }).toBe(true);
+    await expect.poll(() => page.getByRole("combobox", { name: "Watched run" }).inputValue()).toBe("");
+    await load();
+    await page.getByRole("button", { name: "Start" }).click();
+    await expect.poll(() => page.getByRole("treeitem", { name: "Pick/Release", exact: true }).getAttribute("data-active")).toBe("true");
+    await page.keyboard.press("F8");
+    await expect.poll(() => status().innerText()).toContain("Stopped");
   });
 });

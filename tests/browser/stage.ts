@@ -17,6 +17,11 @@ export interface Stage {
   readonly page: Page;
   /** A picture to look at, build/test/browser/NAME.png. */
   readonly picture: (name: string) => Promise<void>;
+  /** A second browser window on the expert page. */
+  readonly another: () => Promise<Page>;
+  /** The server dies without a word, and another one takes its port and its data. */
+  readonly kill: () => Promise<void>;
+  readonly revive: () => Promise<void>;
   readonly close: () => Promise<void>;
 }
 
@@ -56,23 +61,40 @@ export async function openStage(): Promise<Stage> {
   const port = await freePort();
   const data = mkdtempSync(join(tmpdir(), "race-browser-"));
   const options = ["serve", "--port", String(port), "--data", data, "--demo", demo, "--web", join(project, "web/dist")];
-  const server = spawn(binary, options, { stdio: ["ignore", "ignore", "inherit"] });
-  await new Promise((resolve, reject) => server.once("spawn", resolve).once("error", reject));
+  const launch = async (): Promise<ChildProcess> => {
+    const launched = spawn(binary, options, { stdio: ["ignore", "ignore", "inherit"] });
+    await new Promise((resolve, reject) => launched.once("spawn", resolve).once("error", reject));
+    return launched;
+  };
+  let server = await launch();
   let browser: Browser | undefined;
+  const end = async (signal: NodeJS.Signals) => {
+    const ended = new Promise((resolve) => server.once("exit", resolve));
+    if (server.exitCode === null && server.signalCode === null && server.kill(signal)) await ended;
+  };
   const close = async () => {
     await browser?.close();
-    const ended = new Promise((resolve) => server.once("exit", resolve));
-    if (server.exitCode === null && server.kill("SIGTERM")) await ended;
+    await end("SIGTERM");
     rmSync(data, { recursive: true, force: true });
   };
   try {
     const url = `http://127.0.0.1:${port}`;
     await healthy(url, server);
-    browser = await chromium.launch({ executablePath: process.env["CHROMIUM"] ?? "/usr/bin/chromium", args: kFlags });
-    const page = await browser.newPage({ viewport: { width: 1600, height: 1000 } });
+    const opened = await chromium.launch({ executablePath: process.env["CHROMIUM"] ?? "/usr/bin/chromium", args: kFlags });
+    browser = opened;
+    const page = await opened.newPage({ viewport: { width: 1600, height: 1000 } });
     mkdirSync(pictures, { recursive: true });
     const picture = async (name: string) => void (await page.screenshot({ path: join(pictures, `${name}.png`) }));
-    return { url, page, picture, close };
+    const another = async () => {
+      const second = await opened.newPage();
+      await second.goto(`${url}/pro/`);
+      return second;
+    };
+    const revive = async () => {
+      server = await launch();
+      await healthy(url, server);
+    };
+    return { url, page, picture, another, kill: () => end("SIGKILL"), revive, close };
   } catch (error) {
     await close();
     throw error;
