@@ -13,7 +13,7 @@ bool visit(Step<R>& step, StateId s);
 /// REFINEMENT R9: a port whose condition mentions svc fires once in a macro step; where it would fire again, no port
 /// fires. REFINEMENT R21: it does not see the occurrence of the macro step in which its state was activated.
 template <Recorder R>
-PortId first_fulfilled_port(Step<R>& step, StateId s) {
+inline PortId first_fulfilled_port(Step<R>& step, StateId s) {
   const bool sees_occurrence = step.live(s).activated_in != step.run.epoch;
   for (const PortId p : step.program[s].ports) {
     const PortInfo& port = step.program[p];

@@ -134,17 +134,17 @@ class Step {
     environment.enter(s, sees_occurrence);
     if constexpr (R::kTree) recorder.evaluation.clear();
     const language::Truth value = interpreter.condition(condition, environment);
-    if (value == language::Truth::fault) raise(interpreter.fault(), program.flag(s));
+    if (value == language::Truth::fault) raise_fault(s);
     return value;
   }
 
   /// OPTIMIZATION: the same without what record_condition needs: most conditions are not fulfilled and not recorded.
   language::Truth untraced(const Code& condition, StateId s, bool sees_occurrence) {
-    environment.trace = nullptr;
+    if constexpr (R::kTree) environment.trace = nullptr;
     environment.enter(s, sees_occurrence);
     const language::Truth value = interpreter.condition(condition, environment);
     if constexpr (R::kTree) environment.trace = &recorder.evaluation;
-    if (value == language::Truth::fault) raise(interpreter.fault(), program.flag(s));
+    if (value == language::Truth::fault) raise_fault(s);
     return value;
   }
 
@@ -152,6 +152,9 @@ class Step {
   bool execute(const Code& function, StateId s);
 
   [[noreturn]] void raise(language::Fault fault, Flag at) { throw FaultSignal{std::move(fault), at}; }
+
+  /// The fault that the last evaluation, in the scope of `s`, ended with.
+  [[noreturn, gnu::noinline, gnu::cold]] void raise_fault(StateId s) { raise(interpreter.fault(), program.flag(s)); }
 
   /// The condition of a port or action of `s` that was evaluated last becomes a node.
   void record_condition(StateId s, PortId port, std::uint32_t action, language::Truth value) {
@@ -231,7 +234,7 @@ bool Step<R>::execute(const Code& function, StateId s) {
   if constexpr (R::kTree) recorder.evaluation.clear();
   const std::size_t before = work.log.values.size();
   const auto outcome = interpreter.function(function, environment);
-  if (outcome == language::Interpreter::Outcome::fault) raise(interpreter.fault(), program.flag(s));
+  if (outcome == language::Interpreter::Outcome::fault) raise_fault(s);
   if (outcome == language::Interpreter::Outcome::unmet) {
     for (ValueLog& log = work.log.values; log.size() > before; log.pop_back())
       run.values[log.back().first] = std::move(log.back().second);
