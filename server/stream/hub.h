@@ -1,6 +1,7 @@
 // Hub: the channels of the stream and who listens. A channel has numbered deltas, of which the last ones are kept, and
 // the last snapshot; who comes again gets what it missed. Who comes new gets the snapshot if nothing has changed since:
-// else, or when what is kept does not reach, the source of the channel is asked for a new one. Nobody is shown the past.
+// else, or when what is kept does not reach, the source of the channel is asked for a new one. Nobody is shown the
+// past.
 //
 // Everything happens on the hub's strand: sources publish and go on; each message is serialised once.
 //
