@@ -1,5 +1,6 @@
 // Evaluation of conditions: Kleene's three-valued logic (R2) and comparisons.
 #include "core/language/machine_internal.h"
+#include "core/language/shortcuts_internal.h"
 
 namespace race::language {
 
@@ -133,22 +134,7 @@ Truth Machine::compare_node(const Node& n, NodeId id) {
   const Value& r = operand(n.b, right_out);
   if (l.is_unknown() || r.is_unknown()) return stopped_ ? Truth::fault : Truth::unknown;
   // OPTIMIZATION: two numbers of one kind need no look at the others.
-  const auto decide = [&](auto a, auto b) {
-    switch (n.op) {
-      case Op::less:
-        return a < b;
-      case Op::less_equal:
-        return a <= b;
-      case Op::greater:
-        return a > b;
-      case Op::greater_equal:
-        return a >= b;
-      case Op::equal:
-        return a == b;
-      default:
-        return a != b;
-    }
-  };
+  const auto decide = [&](auto a, auto b) { return holds(n.op, a, b); };
   bool result = false;
   if (n.op <= Op::not_equal && l.is_integer() && r.is_integer()) {
     result = decide(l.as_integer(), r.as_integer());

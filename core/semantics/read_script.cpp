@@ -1,77 +1,61 @@
 #include "core/rsm/document.h"
 #include "core/semantics/script.h"
+#include "core/value/fields.h"
 
 namespace race::semantics {
 namespace {
 
-// Reads one JSON object field by field and lists what is wrong with it.
-class Fields {
- public:
-  Fields(const Value& json, std::string path, std::vector<Error>& errors)
-      : json_(json), path_(std::move(path)), errors_(errors) {
-    if (!json.is_dict()) error(ErrorCode::type, "expected an object");
-  }
-  void allow(std::initializer_list<std::string_view> names) {
-    if (!json_.is_dict()) return;
-    for (const auto& [key, value] : json_.as_dict()) {
-      bool known = false;
-      for (const std::string_view name : names) known = known || name == key.as_string();
-      if (!known) error(ErrorCode::unknown_field, "field " + key.as_string() + " is not known");
-    }
-  }
-  const Value* optional(std::string_view name, bool (Value::*is)() const noexcept, std::string_view expected) {
-    const Value* found = json_.find(name);
-    if (!found || (found->*is)()) return found;
-    error(ErrorCode::type, std::string(name) + " is not " + std::string(expected));
-    return nullptr;
-  }
-  std::string text(std::string_view name) {
-    const Value* found = optional(name, &Value::is_string, "a string");
-    if (!json_.find(name)) error(ErrorCode::missing, "field " + std::string(name) + " is missing");
-    return found ? found->as_string() : std::string();
-  }
-  List list(std::string_view name) {
-    const Value* found = optional(name, &Value::is_list, "a list");
-    return found ? found->as_list() : List();
-  }
-  const Value* find(std::string_view name) const { return json_.find(name); }
-  void error(ErrorCode code, std::string message) { errors_.push_back({code, std::move(message), path_}); }
+constexpr auto kRequired = Fields::Need::required;
 
- private:
-  const Value& json_;
-  std::string path_;
-  std::vector<Error>& errors_;
-};
+std::string required_text(Fields& fields, std::string_view key) { return fields.text(key, kRequired).value_or(""); }
+
+// An object; nothing if it is absent or of another type.
+const Dict* object(Fields& fields, std::string_view key) {
+  const Value* found = fields.find(key);
+  if (found && found->is_dict()) return &found->as_dict();
+  if (found) fields.violation(ErrorCode::type, std::string(key) + " is not an object");
+  return nullptr;
+}
+
+ScriptEvent read_event(const Value& json, const std::string& path, std::vector<Error>& errors) {
+  Fields fields(json, path, "event", errors);
+  ScriptEvent event{required_text(fields, "service"), required_text(fields, "event"), {}};
+  if (const Value* data = fields.find("data")) event.data = *data;
+  fields.close();
+  return event;
+}
+
+ScriptResponse read_response(const Value& json, const std::string& path, std::vector<Error>& errors) {
+  Fields fields(json, path, "response", errors);
+  ScriptResponse response{required_text(fields, "service"), required_text(fields, "operation"), 0, false, {}};
+  if (const Value* call = fields.find("call")) {
+    if (call->is_integer())
+      response.call = static_cast<std::uint64_t>(call->as_integer());
+    else
+      fields.violation(ErrorCode::type, "call is not an integer");
+  }
+  const Value* result = fields.find("result");
+  const Value* error = fields.find("error");
+  if ((result == nullptr) == (error == nullptr))
+    fields.violation(ErrorCode::missing, "a response has either a result or an error");
+  response.is_error = error != nullptr;
+  if (result || error) response.data = error ? *error : *result;
+  fields.close();
+  return response;
+}
 
 ScriptStep read_step(const Value& json, const std::string& path, std::vector<Error>& errors) {
   ScriptStep step;
-  Fields fields(json, path, errors);
-  fields.allow({"events", "responses", "transitions", "doc"});
-  for (const Value& item : fields.list("events")) {
-    Fields event(item, path, errors);
-    event.allow({"service", "event", "data"});
-    const Value* data = event.find("data");
-    step.events.push_back({event.text("service"), event.text("event"), data ? *data : Value()});
-  }
-  for (const Value& item : fields.list("responses")) {
-    Fields response(item, path, errors);
-    response.allow({"service", "operation", "call", "result", "error"});
-    ScriptResponse out{response.text("service"), response.text("operation"), 0, false, {}};
-    if (const Value* call = response.optional("call", &Value::is_integer, "an integer"))
-      out.call = static_cast<std::uint64_t>(call->as_integer());
-    const Value* result = response.find("result");
-    const Value* error = response.find("error");
-    if ((result == nullptr) == (error == nullptr))
-      response.error(ErrorCode::missing, "a response has either a result or an error");
-    out.is_error = error != nullptr;
-    if (result || error) out.data = error ? *error : *result;
-    step.responses.push_back(std::move(out));
-  }
+  Fields fields(json, path, "step", errors);
+  fields.find("doc");
+  for (const Value& item : fields.list("events")) step.events.push_back(read_event(item, path, errors));
+  for (const Value& item : fields.list("responses")) step.responses.push_back(read_response(item, path, errors));
   for (const Value& item : fields.list("transitions")) {
-    Fields transition(item, path, errors);
-    transition.allow({"service", "id"});
-    step.transitions.emplace_back(transition.text("service"), transition.text("id"));
+    Fields transition(item, path, "transition", errors);
+    step.transitions.emplace_back(required_text(transition, "service"), required_text(transition, "id"));
+    transition.close();
   }
+  fields.close();
   return step;
 }
 
@@ -80,14 +64,12 @@ ScriptStep read_step(const Value& json, const std::string& path, std::vector<Err
 Checked<Script> read_script(const Value& json) {
   std::vector<Error> errors;
   Script script;
-  Fields fields(json, "", errors);
-  fields.allow({"arguments", "services", "results", "steps", "doc"});
-  if (const Value* arguments = fields.optional("arguments", &Value::is_dict, "an object"))
-    script.arguments = arguments->as_dict();
-  if (const Value* results = fields.optional("results", &Value::is_dict, "an object"))
-    script.results = results->as_dict();
-  if (const Value* services = fields.optional("services", &Value::is_dict, "an object")) {
-    for (const auto& [key, value] : services->as_dict()) {
+  Fields fields(json, "", "script", errors);
+  fields.find("doc");
+  if (const Dict* arguments = object(fields, "arguments")) script.arguments = *arguments;
+  if (const Dict* results = object(fields, "results")) script.results = *results;
+  if (const Dict* services = object(fields, "services")) {
+    for (const auto& [key, value] : *services) {
       auto service = rsm::read_service(value, "services/" + key.as_string());
       if (service)
         script.services.emplace_back(key.as_string(), std::move(*service));
@@ -98,6 +80,7 @@ Checked<Script> read_script(const Value& json) {
   std::size_t number = 0;
   for (const Value& step : fields.list("steps"))
     script.steps.push_back(read_step(step, "steps/" + std::to_string(number++), errors));
+  fields.close();
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   return script;
 }

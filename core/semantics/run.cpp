@@ -100,6 +100,7 @@ bool Run::post_event(std::string_view service, std::string_view event, Value dat
 bool Run::post_event(EventId event, Value data) {
   if (body_->status != Status::running || !body_->program->names_event(event)) return false;
   std::deque<Input>& waiting = body_->state.waiting;
+  // REFINEMENT R5: inputs wait in order of arrival; of a sampled event only the newest, at the end.
   if (body_->program->sampled[event])
     std::erase_if(waiting, [&](const Input& i) { return i.kind == Input::Kind::event && i.number == event; });
   waiting.push_back({Input::Kind::event, event, 0, false, std::move(data)});
@@ -128,6 +129,7 @@ bool Run::post_response(std::uint64_t number, bool is_error, Value data) {
   return false;
 }
 
+// REFINEMENT R7: a lost service answers every unanswered call with `unavailable`, in order of call.
 void Run::post_lost(std::string_view service) {
   std::vector<std::uint64_t> unanswered;
   for (OperationId o = 0; o < body_->state.calls.size(); ++o)
@@ -146,6 +148,7 @@ bool Run::has_input() const {
   });
 }
 
+// REFINEMENT R5, R6: the first waiting input that counts; a response that another call has overtaken does not.
 std::optional<Input> Run::take_input() {
   std::deque<Input>& waiting = body_->state.waiting;
   while (!waiting.empty()) {
@@ -156,7 +159,7 @@ std::optional<Input> Run::take_input() {
   return std::nullopt;
 }
 
-// Macro (4.19): Σ' = Ω if updated(Ω,Σ), else Σ.
+// Macro (4.19): Σ' = Ω if updated(Ω,Σ), else Σ. REFINEMENT R15: missing requirements do not block it.
 void Run::begin(std::optional<Input> input) {
   assert(body_->status == Status::running);
   RunState& run = body_->state;
