@@ -63,29 +63,32 @@ std::string_view kind_name(const Value& value) {
   return "";
 }
 
-Fields::Fields(const Value& json, std::string path, std::string what, std::vector<Error>& errors)
+Fields::Fields(const Value& json, std::string path, std::string what, std::vector<Error>& errors, Paths paths)
     : fields_(json.is_dict() ? &json.as_dict() : &kNoFields),
       is_object_(json.is_dict()),
       path_(std::move(path)),
       what_(std::move(what)),
+      paths_(paths),
       errors_(errors) {
   if (!is_object_) violation(ErrorCode::type, "must be an object, got " + std::string(kind_name(json)));
 }
 
-void Fields::violation(ErrorCode code, std::string message) {
-  errors_.push_back(Error{code, what_ + ": " + std::move(message), path_});
+void Fields::violation(ErrorCode code, std::string message, std::string_view key) {
+  std::string path = path_;
+  if (paths_ == Paths::field && !key.empty()) path += (path.empty() ? "" : "/") + std::string(key);
+  errors_.push_back(Error{code, what_ + ": " + std::move(message), std::move(path)});
 }
 
 void Fields::wrong_type(std::string_view key, std::string_view expected, const Value& value) {
   violation(ErrorCode::type,
-            quoted(key) + " must be " + std::string(expected) + ", got " + std::string(kind_name(value)));
+            quoted(key) + " must be " + std::string(expected) + ", got " + std::string(kind_name(value)), key);
 }
 
 const Value* Fields::find(std::string_view key, Need need) {
   known_.push_back(key);
   const Value* found = fields_->find(key);
   if (!found && need == Need::required && is_object_)
-    violation(ErrorCode::missing, "the field " + quoted(key) + " is missing");
+    violation(ErrorCode::missing, "the field " + quoted(key) + " is missing", key);
   return found;
 }
 
@@ -137,14 +140,14 @@ std::optional<Value> Fields::constant(std::string_view key, Need need) {
   const Value* found = find(key, need);
   if (!found) return std::nullopt;
   if (!has_number_out_of_range(*found)) return *found;
-  violation(ErrorCode::constant, quoted(key) + " has a number out of the range of a 64-bit integer or a double");
+  violation(ErrorCode::constant, quoted(key) + " has a number out of the range of a 64-bit integer or a double", key);
   return std::nullopt;
 }
 
 void Fields::close() {
   for (const auto& [key, value] : *fields_) {
     if (std::find(known_.begin(), known_.end(), key.as_string()) == known_.end())
-      violation(ErrorCode::unknown_field, "there is no field " + quoted(key.as_string()));
+      violation(ErrorCode::unknown_field, "there is no field " + quoted(key.as_string()), key.as_string());
   }
 }
 

@@ -1,6 +1,7 @@
 // Fields: reads a JSON object field by field at a door. What is missing, of the wrong type, out of range or unknown
-// becomes a violation with the path of the element that the object stands for; reading goes on, so that all of them are
-// listed at once. Used for one object, on one thread; borrows the object and the list of violations.
+// becomes a violation with the path of the element that the object stands for, or of the field itself where the object
+// stands for none (Paths); reading goes on, so that all of them are listed at once. Used for one object, on one thread;
+// borrows the object and the list of violations.
 #pragma once
 
 #include <optional>
@@ -23,16 +24,21 @@ bool has_number_out_of_range(const Value& value);
 class Fields {
  public:
   enum class Need { required, optional };
+  /// What the path of a violation names: the element, `Root/A` (documents), or the field that it is about, `when`
+  /// (bodies of requests).
+  enum class Paths { element, field };
 
   /// `what` names the element in messages, such as "port `done`". If `json` is no object, that is a violation (`type`)
   /// and the object counts as empty without missing anything.
-  Fields(const Value& json, std::string path, std::string what, std::vector<Error>& errors);
+  Fields(const Value& json, std::string path, std::string what, std::vector<Error>& errors,
+         Paths paths = Paths::element);
   Fields(const Fields&) = delete;
   Fields& operator=(const Fields&) = delete;
 
   bool is_object() const { return is_object_; }
   const std::string& path() const { return path_; }
-  void violation(ErrorCode code, std::string message);
+  /// Of the object, or of its field `key`.
+  void violation(ErrorCode code, std::string message, std::string_view key = {});
 
   /// The value of `key` (nullptr if absent), which is known from now on. A required one that is absent is a violation.
   const Value* find(std::string_view key, Need need = Need::optional);
@@ -57,6 +63,7 @@ class Fields {
   const Dict* fields_;
   bool is_object_;
   std::string path_, what_;
+  Paths paths_;
   std::vector<Error>& errors_;
   std::vector<std::string_view> known_;
 };

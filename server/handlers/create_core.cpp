@@ -9,10 +9,11 @@ Handled create_core(const Request& request, Application& app) {
   auto body = parse_json(request.body);
   if (!body) return failed(std::move(body).error());
   std::vector<Error> errors;
-  Fields fields(*body, "", "the request", errors);
+  Fields fields(*body, "", "the request", errors, Fields::Paths::field);
   const auto name = fields.text("document", Fields::Need::required);
   const Value* arguments = fields.find("arguments");
-  if (arguments && !arguments->is_dict()) fields.violation(ErrorCode::type, "`arguments` must be an object");
+  if (arguments && !arguments->is_dict())
+    fields.violation(ErrorCode::type, "`arguments` must be an object", "arguments");
   fields.close();
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   const auto stored = app.documents().get(*name);

@@ -11,19 +11,20 @@ Checked<StepGoal> read_goal(const std::string& text) {
   auto body = parse_json(text);
   if (!body) return failed(std::move(body).error());
   std::vector<Error> errors;
-  Fields fields(*body, "", "the step", errors);
+  Fields fields(*body, "", "the step", errors, Fields::Paths::field);
   const std::string kind = fields.text("kind", Fields::Need::required).value_or("");
   StepGoal goal;
   if (kind == "until") {
     goal.path = fields.text("path", Fields::Need::required).value_or("");
     const std::string when = fields.text("when", Fields::Need::required).value_or("");
     goal.kind = when == "left" ? StepGoal::Kind::left : StepGoal::Kind::entered;
-    if (when != "left" && when != "entered") fields.violation(ErrorCode::type, "`when` must be `entered` or `left`");
-    if (goal.path.empty()) fields.violation(ErrorCode::missing, "`path` must name a state");
+    if (when != "left" && when != "entered")
+      fields.violation(ErrorCode::type, "`when` must be `entered` or `left`", "when");
+    if (goal.path.empty()) fields.violation(ErrorCode::missing, "`path` must name a state", "path");
   } else {
     goal.kind = kind == "micro" ? StepGoal::Kind::micro : StepGoal::Kind::macro;
     if (kind != "micro" && kind != "macro")
-      fields.violation(ErrorCode::type, "`kind` must be `micro`, `macro` or `until`");
+      fields.violation(ErrorCode::type, "`kind` must be `micro`, `macro` or `until`", "kind");
   }
   fields.close();
   if (!errors.empty()) return tl::unexpected(std::move(errors));

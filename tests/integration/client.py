@@ -1,4 +1,4 @@
-"""A server under test and its clients: HTTP and WebSocket over real sockets, answers held against api/schemas."""
+"""A server under test and its clients: HTTP and WebSocket over real sockets, answers held against openapi.yaml."""
 import base64
 import http.client
 import json
@@ -13,6 +13,8 @@ import time
 from pathlib import Path
 
 import jsonschema
+
+from interface import check_listed, schema_of
 
 PROJECT = Path(__file__).resolve().parents[2]
 SCHEMAS = PROJECT / "api" / "schemas"
@@ -70,7 +72,7 @@ class Server:
         assert status == 0, f"the server ended with status {status}"
 
     def request(self, method, path, body=None, headers=None):
-        """(status, parsed JSON or text)"""
+        """(status, parsed JSON or text); the status is one of the route."""
         connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=PATIENCE)
         headers = dict(headers or {})
         if body is not None and not isinstance(body, (str, bytes)):
@@ -82,7 +84,9 @@ class Server:
         text = response.read().decode()
         connection.close()
         is_json = response.getheader("Content-Type", "").startswith("application/json")
-        return response.status, json.loads(text) if is_json else text
+        answer = json.loads(text) if is_json else text
+        check_listed(method, path, response.status, answer)
+        return response.status, answer
 
     def get(self, path, schema=None, status=200):
         return self.expect("GET", path, None, schema, status)
@@ -99,6 +103,7 @@ class Server:
         if status >= 400:
             check("errors", answer)
         elif schema:
+            assert schema == schema_of(method, "/api/v1" + path, status), f"openapi.yaml has no {schema} for {method} {path}"
             check(schema, answer)
         return answer
 

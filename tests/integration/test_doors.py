@@ -1,9 +1,11 @@
 """The doors: whatever comes in, the server refuses it in its form and goes on."""
+import json
 import random
 import unittest
 
 import models
 from client import Server, Stream
+from interface import check_listed
 
 
 class Doors(unittest.TestCase):
@@ -19,7 +21,10 @@ class Doors(unittest.TestCase):
 
     def status(self, data):
         answer = self.server.raw(data)
-        return int(answer.split()[1]) if answer else None
+        self.assertTrue(answer)
+        status, (method, target) = int(answer.split()[1]), data.decode("latin-1").split()[:2]
+        check_listed(method, target, status, json.loads(answer.split(b"\r\n\r\n", 1)[1]))
+        return status
 
     def head(self, *lines, first="GET /api/v1/health HTTP/1.1", host=True):
         lines = [first, *([f"Host: {self.host}"] if host else []), *lines]
@@ -109,6 +114,9 @@ class Doors(unittest.TestCase):
                             '{"type": "subscribe", "channel": "log", "since": "x"}', "[" * 1000):
                 stream.send(message)
                 self.assertEqual(stream.message()["kind"], "error")
+            stream.send('{"type": "shout", "channel": 1, "loud": true}')
+            paths = [error["path"] for error in stream.message()["data"]["errors"]]
+            self.assertEqual(paths, ["type", "channel", "loud"])
             stream.send_frame(1, b"x" * 70000)
             with self.assertRaises(ConnectionError):
                 stream.message()

@@ -4,6 +4,7 @@ import unittest
 
 import models
 from client import PROJECT, Server, check
+from interface import check_listed
 
 
 class Routes(unittest.TestCase):
@@ -82,11 +83,16 @@ class Routes(unittest.TestCase):
 
     def test_what_does_not_fit_is_refused_by_name(self):
         self.server.post("/cores", {"document": "nothing"}, status=404)
-        self.server.post("/cores", {}, status=422)
-        self.server.post("/cores", {"document": "pick", "speed": 1}, status=422)
-        self.server.post("/cores", {"document": "pick", "arguments": []}, status=422)
-        errors = self.server.post("/cores", {"document": "pick", "arguments": {"colour": 1}}, status=422)["errors"]
-        self.assertEqual((errors[0]["path"], errors[0]["code"]), ("Pick", "unknown_name"))
+        for body, refused in (
+                ({}, [("document", "missing")]), ([], [("", "type")]), ({"document": 1}, [("document", "type")]),
+                ({"document": "pick", "speed": 1, "when": 2}, [("speed", "unknown_field"), ("when", "unknown_field")]),
+                ({"document": "pick", "arguments": []}, [("arguments", "type")]),
+                ({"document": "pick", "arguments": {"colour": 1, "size": 2}},
+                 [("arguments/colour", "unknown_name"), ("arguments/size", "unknown_name")])):
+            with self.subTest(body=body):
+                errors = self.server.post("/cores", body, status=422)["errors"]
+                self.assertEqual([(error["path"], error["code"]) for error in errors], refused)
+        self.server.post("/cores", "{", status=400)
         self.server.put("/documents/other", models.ticking() | {"services": {"timer": "clock"}}, "document_entry")
         errors = self.server.post("/cores", {"document": "other"}, status=422)["errors"]
         self.assertEqual(errors[0]["path"], "services/timer")
@@ -94,8 +100,13 @@ class Routes(unittest.TestCase):
         self.server.get("/cores/x", status=404)
         core = self.server.core(models.ticking("held"), start=False)
         self.server.post(f"/cores/{core}/step", {"kind": "micro"}, status=409)
-        self.server.post(f"/cores/{core}/step", {"kind": "back"}, status=422)
-        self.server.post(f"/cores/{core}/step", {"kind": "until", "path": "Root/Pong"}, status=422)
+        for body, paths in (({"kind": "back"}, ["kind"]), ({"kind": "until", "path": "Root/Pong"}, ["when", "when"]),
+                            ({"kind": "until", "path": "", "when": "soon"}, ["when", "path"]),
+                            ({"kind": "micro", "path": "Root/Pong"}, ["path"])):
+            with self.subTest(body=body):
+                errors = self.server.post(f"/cores/{core}/step", body, status=422)["errors"]
+                self.assertEqual([error["path"] for error in errors], paths)
+        self.server.post(f"/cores/{core}/step", "{", status=400)
 
     def test_what_is_not_in_the_interface_is_not_there(self):
         self.server.get("/nothing", status=404)
@@ -103,6 +114,14 @@ class Routes(unittest.TestCase):
         self.server.expect("PATCH", "/cores", {}, None, 405)
         status, _ = self.server.request("GET", "/")
         self.assertEqual(status, 404)
+
+    def test_an_answer_that_the_interface_does_not_list_would_be_noticed(self):
+        refused = {"errors": [{"path": "", "code": "conflict", "message": ""}]}
+        for method, target, status in (("GET", "/api/v1/health", 204), ("GET", "/api/v1/cores/1/why?port=R.p", 409),
+                                       ("POST", "/api/v1/cores", 200), ("GET", "/api/v1/health", 400),
+                                       ("GET", "/api/v1/rules", 404), ("PATCH", "/api/v1/cores", 409)):
+            with self.subTest(target=target, status=status), self.assertRaises(AssertionError):
+                check_listed(method, target, status, refused)
 
     def test_every_example_is_of_its_schema(self):
         examples = list((PROJECT / "api/examples").glob("*.json"))

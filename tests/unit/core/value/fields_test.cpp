@@ -50,6 +50,20 @@ TEST_F(FieldsOf, EveryViolationIsListedAtOnce) {
                                                       "unknown_field Root/A"}));
 }
 
+TEST_F(FieldsOf, WhatStandsForNoElementNamesTheFieldItself) {
+  const Value json = parse_json(R"({"kind": 1, "far": ["x", 2], "more": null})").value();
+  Fields fields(json, "", "the step", errors_, Fields::Paths::field);
+  fields.text("kind");
+  fields.texts("far");
+  fields.text("path", Need::required);
+  fields.violation(ErrorCode::type, "too much");
+  fields.close();
+  Fields inner(json, "steps/0", "a step", errors_, Fields::Paths::field);
+  inner.text("path", Need::required);
+  EXPECT_EQ(codes(errors_), (std::vector<std::string>{"type kind", "type far", "missing path", "type ",
+                                                      "unknown_field more", "missing steps/0/path"}));
+}
+
 TEST_F(FieldsOf, WhatIsNoObjectIsOneViolation) {
   Fields fields = open("[1]");
   EXPECT_FALSE(fields.is_object());
