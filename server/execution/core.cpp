@@ -74,7 +74,7 @@ Expected<Value> Core::pause() {
   return on_strand([this]() -> Expected<Value> {
     if (is_over()) return conflict("core " + id_ + " is over");
     while (open_ && goal_.kind == StepGoal::Kind::none && !paused_) micro_step();
-    hold();
+    if (!paused_) hold();
     return info_json();
   });
 }
@@ -108,7 +108,7 @@ Expected<Value> Core::stop() {
 Expected<Value> Core::step(StepGoal goal) {
   return on_strand([this, goal = std::move(goal)]() -> Expected<Value> {
     if (is_over()) return conflict("core " + id_ + " is over");
-    if (!started_ || !paused_) return conflict("core " + id_ + " is not paused");
+    if (!started_ || !(paused_ || awaits_input())) return conflict("core " + id_ + " is not paused");
     if (!goal.path.empty()) {
       const auto state = program().find_state(goal.path);
       if (!state) return unexpected(ErrorCode::not_found, "there is no state of this path", goal.path);
@@ -254,10 +254,7 @@ bool Core::micro_step() {
     return true;
   }
   ++micro_;
-  if (reached_goal()) {
-    publish(false);
-    hold();
-  }
+  if (reached_goal()) hold();
   return true;
 }
 
@@ -283,11 +280,11 @@ void Core::complete() {
   open_ = false;
   micro_ = 0;
   send_calls();
-  if (is_over()) goal_ = {};
+  if (goal_.kind == StepGoal::Kind::macro) paused_ = true;
+  if (paused_ || is_over()) goal_ = {};
   publish(true);
   recorder_.reset();
-  if (goal_.kind == StepGoal::Kind::macro) hold();
-  if (is_over()) publish_info();
+  if (paused_ || is_over()) publish_info();
 }
 
 void Core::send_calls() {
@@ -320,9 +317,11 @@ bool Core::reached_goal() const {
   return false;
 }
 
+// What was done of an open macro step is told now: a snapshot taken while the core is held loses nobody a part of it.
 void Core::hold() {
   paused_ = true;
   goal_ = {};
+  if (open_) publish(false);
   publish_info();
 }
 
@@ -336,8 +335,6 @@ void Core::publish(bool complete) {
     delta.set("calls", std::move(calls));
     Value frozen = std::move(delta);
     watcher_.state_changed(id_, std::move(frozen.freeze()));
-    // The delta said that a core that steps goes on: that it holds again is news then.
-    if (goal_.kind != StepGoal::Kind::none) announced_ = Value::unknown();
   }
   if (recorder_) {
     const semantics::Derivation& derivation = recorder_->derivation;
@@ -374,7 +371,8 @@ Value Core::info_json() const {
   Dict info{{"id", id_},
             {"document", document_},
             {"status", started_ ? Value(semantics::name(run_.status())) : Value("ready")},
-            {"paused", paused_ && !over},
+            {"paused", (paused_ || awaits_input()) && !over},
+            {"stepping", goal_.kind != StepGoal::Kind::none && !over},
             {"step", integer(run_.position())},
             {"micro", micro_},
             {"waiting", integer(run_.state().waiting.size())},

@@ -61,7 +61,8 @@ class Core : public std::enable_shared_from_this<Core> {
   Expected<Value> resume();
   /// Ends the run between macro steps.
   Expected<Value> stop();
-  /// Error `not_found`: no such state.
+  /// A held core goes as far as `goal`. One that waits for an input to get there counts as held, and may be told
+  /// another goal. Error `not_found`: no such state.
   Expected<Value> step(StepGoal goal);
 
   // Questions: wait.
@@ -100,6 +101,8 @@ class Core : public std::enable_shared_from_this<Core> {
 
   // All below: on the strand.
   bool is_over() const { return run_.status() != semantics::Status::running; }
+  /// It is led by a goal, and no macro step can begin.
+  bool awaits_input() const { return goal_.kind != StepGoal::Kind::none && !open_ && !run_.has_input(); }
   void schedule();
   void advance();
   void take_inbox();

@@ -43,7 +43,7 @@ class Cores(unittest.TestCase):
 
     def step(self, core, **how):
         self.server.post(f"/cores/{core}/step", how, "core")
-        return self.server.wait(core, lambda c: c["paused"] or c["status"] != "running")
+        return self.server.wait(core, lambda c: not c["stepping"])
 
     def active(self, core):
         return self.server.get(f"/cores/{core}/state", "core_state")["state"]["active"]
@@ -118,6 +118,27 @@ class Cores(unittest.TestCase):
         self.step(core, kind="until", path="Root/Pong", when="left")
         self.assertEqual(self.server.get(f"/cores/{core}", "core")["paused"], True)
         self.server.post(f"/cores/{core}/step", {"kind": "until", "path": "Root/Nowhere", "when": "left"}, status=404)
+
+    def test_a_step_that_needs_an_input_is_paused_until_one_comes(self):
+        core = self.held(models.chain("waiting"))
+        with self.server.stream() as stream:
+            stream.subscribe("cores")
+            stream.message()
+            self.assertEqual(self.step(core, kind="macro")["step"], 1)
+            told = self.server.post(f"/cores/{core}/step", {"kind": "macro"}, "core")
+            self.assertEqual((told["status"], told["paused"], told["stepping"], told["step"]), ("running", True, True, 1))
+            self.assertEqual(self.server.get(f"/cores/{core}", "core"), told)
+            ours = lambda m: m["data"].get("core", {}).get("id") == core
+            shown = stream.until(lambda m: ours(m) and m["data"]["core"]["stepping"])[-1]["data"]["core"]
+            self.assertEqual(shown["paused"], True)
+        self.assertEqual(self.server.post(f"/cores/{core}/pause", None, "core")["stepping"], False)
+        self.server.post(f"/cores/{core}/step", {"kind": "until", "path": "Root/S0", "when": "entered"}, "core")
+        self.server.post(f"/cores/{core}/step", {"kind": "macro"}, "core")
+        # An event of the timer goes to every core that names it.
+        self.server.core(models.document("alarm", {"state": "Root", "entry": "svc.timer.start(0.0)", "ports": [
+            {"name": "over", "when": "svc.timer.start.result"}]}))
+        ended = self.server.wait(core, lambda c: not c["stepping"])
+        self.assertEqual((ended["outcome"], ended["paused"], ended["step"]), ("done", False, 2))
 
     def test_a_pause_changes_nothing_but_the_time(self):
         core = self.server.core(models.ticking("paused", last=6))

@@ -11,7 +11,10 @@ export interface Core {
   readonly id: string;
   readonly document: string;
   readonly status: "ready" | "running" | "ended" | "faulted" | "aborted";
+  /** Held, or waiting for an input that its step needs. */
   readonly paused: boolean;
+  /** It goes as far as it was told to; with `paused`, once an input arrives. */
+  readonly stepping: boolean;
   /** Macro steps begun so far. */
   readonly step: number;
   /** Micro steps done of an incomplete macro step. */
@@ -90,6 +93,7 @@ export const core: Decoder<Core> = object((f) =>
     document: f.need("document", string),
     status: f.need("status", oneOf("ready", "running", "ended", "faulted", "aborted")),
     paused: f.need("paused", boolean),
+    stepping: f.need("stepping", boolean),
     step: f.need("step", number),
     micro: f.need("micro", number),
     waiting: f.need("waiting", number),

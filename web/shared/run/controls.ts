@@ -12,7 +12,9 @@ export function allowed(core: Core | undefined): ReadonlySet<Command> {
   if (core === undefined) return new Set();
   if (isOver(core)) return new Set<Command>(["again"]);
   if (core.status === "ready") return new Set<Command>(["start", "micro", "macro", "until"]);
-  return new Set<Command>(core.paused ? ["resume", "micro", "macro", "until", "stop"] : ["pause", "stop"]);
+  if (!core.paused) return new Set<Command>(["pause", "stop"]);
+  const commands = new Set<Command>(["resume", "micro", "macro", "until", "stop"]);
+  return core.stepping ? commands.add("pause") : commands;
 }
 
 /** The command of the first button, which F5 presses too. */
@@ -34,7 +36,8 @@ export function statusText(core: Core): string {
     case "ready":
       return core.paused ? "Ready, held before its start" : "Ready";
     case "running":
-      return core.paused ? "Paused" : "Running";
+      if (!core.paused) return "Running";
+      return core.stepping ? "Paused, its step waits for an input" : "Paused";
     case "ended":
       return core.outcome === undefined ? "Ended" : `Ended: ${core.outcome}`;
     case "faulted":

@@ -7,7 +7,7 @@ import { callText, inputText } from "../../shared/run/inputText";
 import { atomAdvice, codePieces, readsText, whyHeadline } from "../../shared/run/whyText";
 import { caseNames, modelOf, runOf } from "../conformance";
 
-const core: Core = { id: "1", document: "pick", status: "running", paused: false, step: 1, micro: 0, waiting: 0, arguments: {} };
+const core: Core = { id: "1", document: "pick", status: "running", paused: false, stepping: false, step: 1, micro: 0, waiting: 0, arguments: {} };
 const empty: RunState = { active: [], ports: [], activated: {}, parameters: {}, results: {}, variables: {} };
 
 function flags(before: readonly string[], after: readonly string[]): Record<string, boolean> {
@@ -73,6 +73,9 @@ describe("controls", () => {
   it("let a paused core go on, step and stop", () => {
     expect([...allowed({ ...core, paused: true })].sort()).toEqual(["macro", "micro", "resume", "stop", "until"]);
   });
+  it("let a step that waits for an input be called off, or another take its place", () => {
+    expect([...allowed({ ...core, paused: true, stepping: true })].sort()).toEqual(["macro", "micro", "pause", "resume", "stop", "until"]);
+  });
   it("offer nothing but another run when a core is over", () => {
     for (const status of ["ended", "faulted", "aborted"] as const) expect([...allowed({ ...core, status })]).toEqual(["again"]);
   });
@@ -92,6 +95,8 @@ describe("controls", () => {
   it("say how a core stands", () => {
     expect(statusText({ ...core, status: "ended", outcome: "success" })).toBe("Ended: success");
     expect(statusText({ ...core, paused: true })).toBe("Paused");
+    expect(statusText({ ...core, paused: true, stepping: true })).toBe("Paused, its step waits for an input");
+    expect(statusText({ ...core, stepping: true })).toBe("Running");
   });
 });
 

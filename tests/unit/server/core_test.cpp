@@ -1,0 +1,191 @@
+// What watchers of a core are told, wherever in a macro step they come.
+#include "server/execution/core.h"
+
+#include <gtest/gtest.h>
+
+#include <deque>
+#include <functional>
+#include <future>
+#include <set>
+#include <thread>
+
+#include "core/rcm/document.h"
+#include "core/rcm/translate.h"
+
+namespace race::server {
+namespace {
+
+// States that follow one another without waiting: one macro step of more micro steps than a turn of the strand has.
+constexpr int kStates = 400;
+
+rcm::NativeModel long_step() {
+  const auto state = [](int i, const std::string& ports) {
+    const std::string number = std::to_string(i);
+    return R"({"state": "S)" + number + R"(", "entry": "var.n = )" + number + R"(\nprint()" + number +
+           R"()\nfor i in range(1000):\n    var.i = i", "ports": [)" + ports + "]}";
+  };
+  std::string text = R"({"rcm": 1, "root": {"state": "R", "first": "S0", "children": [)";
+  for (int i = 0; i < kStates; ++i)
+    text += state(i, R"({"name": "next", "when": "True", "to": "S)" + std::to_string(i + 1) + R"("})") + ", ";
+  return rcm::translate(rcm::read_document_text(text + state(kStates, "") + "]}}").value()).value();
+}
+
+// What a client holds: the last snapshot and what came after it.
+struct View {
+  explicit View(const Value& snapshot) {
+    const Value& state = *snapshot.find("state");
+    for (const char* field : {"active", "ports"})
+      for (const Value& name : state.find(field)->as_list()) set(field).insert(name.as_string());
+    for (const auto& [path, entries] : state.find("variables")->as_dict())
+      for (const auto& [name, value] : entries.as_dict()) variables[path.as_string()][name.as_string()] = value;
+  }
+  void apply(const Value& delta) {
+    for (const char* field : {"active", "ports"})
+      for (const auto& [name, on] : delta.find(field)->as_dict()) {
+        if (on.as_bool()) set(field).insert(name.as_string());
+        if (!on.as_bool()) set(field).erase(name.as_string());
+      }
+    for (const auto& [path, entries] : delta.find("variables")->as_dict())
+      for (const auto& [name, value] : entries.as_dict()) variables[path.as_string()][name.as_string()] = value;
+  }
+  bool operator==(const View&) const = default;
+
+  std::set<std::string>& set(std::string_view field) { return field == "active" ? active : ports; }
+  std::set<std::string> active, ports;
+  std::map<std::string, std::map<std::string, Value>> variables;
+};
+
+struct NoObserver final : services::HostObserver {
+  void delivered(const services::Delivery&) override {}
+  void changed(const services::ServiceStatus&) override {}
+  void logged(services::Time, const std::string&, const std::string&) override {}
+};
+
+struct CoreTest : testing::Test, CoreWatcher {
+  CoreTest() {
+    JournalHeader header{Value(), semantics::Program::build(long_step(), {}).value(), {}, {}};
+    core = Core::create("1", "long", std::move(header), *pool, host, *this).value();
+  }
+  ~CoreTest() override { pool.reset(); }
+
+  // On the core's strand.
+  void core_changed(const std::string&, Value json) override {
+    if (on_status && json.find("status")->as_string() == "running") std::exchange(on_status, nullptr)();
+  }
+  void state_snapshot(const std::string&, Value json) override {
+    views.emplace_back(json);
+    micro.push_back(json.find("core")->find("micro")->as_integer());
+  }
+  void state_changed(const std::string&, Value delta) override {
+    for (View& view : views) view.apply(delta);
+    for (const Value& port : delta.find("fired")->as_list()) fired.push_back(port.as_string());
+    last = *delta.find("core");
+  }
+  void derivation_snapshot(const std::string&, Value) override {}
+  void derived(const std::string&, Value) override {}
+  void printed(const std::string&, const std::string& text) override {
+    if (on_print) on_print(text);
+  }
+
+  // Paused before its first step, and watched.
+  void hold_and_watch() {
+    core->watch_state();
+    ASSERT_TRUE(core->pause());
+    ASSERT_TRUE(core->start());
+  }
+  void expect_that_all_have_the_state() {
+    const Value state = core->state().value();
+    ASSERT_FALSE(views.empty());
+    for (std::size_t i = 0; i < views.size(); ++i) EXPECT_EQ(views[i], View(state)) << "watcher " << i;
+    EXPECT_EQ(last, *state.find("core"));
+  }
+
+  services::WorldClock clock;
+  NoObserver observer;
+  services::Host host{clock, observer};
+  std::unique_ptr<Pool> pool = std::make_unique<Pool>(1);
+  std::deque<View> views;
+  std::vector<std::int64_t> micro;  // of the snapshots
+  std::vector<std::string> fired;   // as all deltas told
+  Value last;                       // the core as the last delta told it
+  std::function<void()> on_status;
+  std::function<void(const std::string&)> on_print;
+  std::shared_ptr<Core> core;
+};
+
+TEST_F(CoreTest, AWatcherWhoComesBetweenMicroStepsCostsNobodyAChange) {
+  hold_and_watch();
+  for (int i = 0; i < 7; ++i) ASSERT_TRUE(core->step({StepGoal::Kind::micro, ""}));
+  core->watch_state();
+  expect_that_all_have_the_state();
+  ASSERT_TRUE(core->step({StepGoal::Kind::micro, ""}));
+  core->watch_state();
+  ASSERT_TRUE(core->step({StepGoal::Kind::macro, ""}));
+  ASSERT_TRUE(core->pause());
+  ASSERT_TRUE(core->step({StepGoal::Kind::macro, ""}));
+  EXPECT_EQ(micro, (std::vector<std::int64_t>{0, 7, 8}));
+  expect_that_all_have_the_state();
+}
+
+TEST_F(CoreTest, AWatcherWhoComesBetweenTheTurnsOfAMacroStepCostsNobodyAChange) {
+  core->watch_state();
+  // Its first turn has been posted when a core is said to run: this comes between that and the next.
+  on_status = [this] { core->watch_state(); };
+  ASSERT_TRUE(core->start());
+  while (core->state()->find("core")->find("micro")->as_integer() > 0) {
+  }
+  ASSERT_EQ(micro.size(), 2U);
+  EXPECT_GT(micro[1], 0) << "not within the macro step";
+  expect_that_all_have_the_state();
+  ASSERT_EQ(fired.size(), static_cast<std::size_t>(kStates)) << "a port was told twice or not at all";
+  EXPECT_EQ(fired.front(), "R/S0.next");
+  EXPECT_EQ(fired.back(), "R/S" + std::to_string(kStates - 1) + ".next");
+}
+
+TEST_F(CoreTest, APauseWithinAMacroStepTellsWhatWasDoneOfIt) {
+  hold_and_watch();
+  std::promise<void> within, pausing;
+  std::promise<Expected<Value>> paused;
+  std::thread other([&] {
+    within.get_future().wait();
+    pausing.set_value();
+    paused.set_value(core->pause());
+  });
+  on_print = [&](const std::string& text) {
+    if (text != "150") return;
+    within.set_value();
+    pausing.get_future().wait();
+  };
+  ASSERT_TRUE(core->step({StepGoal::Kind::left, "R/S" + std::to_string(kStates)}));
+  const Value held = paused.get_future().get().value();
+  other.join();
+  EXPECT_TRUE(held.find("paused")->as_bool());
+  EXPECT_GT(held.find("micro")->as_integer(), 0) << "not within the macro step";
+  expect_that_all_have_the_state();
+  core->watch_state();
+  expect_that_all_have_the_state();
+}
+
+TEST_F(CoreTest, AStepThatWaitsForAnInputIsPausedAndCanBeReplaced) {
+  hold_and_watch();
+  const auto expect = [](const Expected<Value>& json, bool paused, bool stepping) {
+    ASSERT_TRUE(json) << json.error().message;
+    EXPECT_EQ(json->find("paused")->as_bool(), paused);
+    EXPECT_EQ(json->find("stepping")->as_bool(), stepping);
+  };
+  expect(core->step({StepGoal::Kind::micro, ""}), true, false);
+  expect(core->resume(), false, false);
+  while (core->state()->find("core")->find("micro")->as_integer() > 0) {
+  }
+  expect(core->pause(), true, false);
+  expect(core->step({StepGoal::Kind::macro, ""}), true, true);
+  expect(core->step({StepGoal::Kind::left, "R"}), true, true);
+  expect(core->info(), true, true);
+  expect(core->pause(), true, false);
+  expect(core->step({StepGoal::Kind::micro, ""}), true, true);
+  expect(core->resume(), false, false);
+  EXPECT_EQ(core->step({StepGoal::Kind::micro, ""}).error().code, ErrorCode::conflict);
+}
+
+}  // namespace
+}  // namespace race::server
