@@ -28,9 +28,8 @@ using boost::system::error_code;
 using namespace std::chrono_literals;
 
 constexpr auto kUse = asio::as_tuple(asio::use_awaitable);
-constexpr auto kPatience = 30s;  // for a request to arrive whole and an answer to leave
-constexpr auto kLinger = 2s;     // for a client to stop sending what is refused
-constexpr auto kIdle = 120s;     // between requests of one connection
+constexpr auto kDeparture = 30s;  // for an answer to leave
+constexpr auto kLinger = 2s;      // for a client to stop sending what is refused
 constexpr std::string_view kStream = "/api/v1/stream";
 
 struct Context {
@@ -38,6 +37,7 @@ struct Context {
   std::string web;
   Application& app;
   Pool& handlers;
+  HttpServer::Limits limits;
   int connections = 0;
 };
 
@@ -181,7 +181,7 @@ std::optional<Reply> unreadable(error_code error) {
 
 awaitable<bool> send(beast::tcp_stream& stream, Reply reply, Manner manner) {
   const auto response = to_response(std::move(reply), manner);
-  stream.expires_after(kPatience);
+  stream.expires_after(kDeparture);
   const auto [error, bytes] = co_await http::async_write(stream, response, kUse);
   if (error || manner.keep_alive) co_return !error;
   // A client that is still sending would lose the answer if the connection were cut: what it sends is thrown away.
@@ -204,18 +204,19 @@ Reply bad_target(const Error& error) {
   return reply;
 }
 
-// One request of a connection: whether another may follow.
-awaitable<bool> serve_one(beast::tcp_stream& stream, beast::flat_buffer& buffer, Context& context) {
+// One request of a connection, whose header may take `begin` to begin: whether another may follow.
+awaitable<bool> serve_one(beast::tcp_stream& stream, beast::flat_buffer& buffer, Context& context,
+                          std::chrono::milliseconds begin) {
   Parser parser;
   parser.header_limit(Door::kHeaderBytes);
   parser.body_limit(Door::kBodyBytes);
   if (buffer.size() == 0) {
-    stream.expires_after(kIdle);
+    stream.expires_after(begin);
     const auto [error, bytes] = co_await stream.async_read_some(buffer.prepare(Door::kHeaderBytes), kUse);
     if (error) co_return false;
     buffer.commit(bytes);
   }
-  stream.expires_after(kPatience);
+  stream.expires_after(context.limits.arrival);
   if (const auto [error, bytes] = co_await http::async_read_header(stream, buffer, parser, kUse); error) {
     if (auto reply = unreadable(error)) co_await send(stream, std::move(*reply), Manner());
     co_return false;
@@ -230,7 +231,7 @@ awaitable<bool> serve_one(beast::tcp_stream& stream, beast::flat_buffer& buffer,
   if (manner.head) request->method = "GET";
   if (auto refused = context.door.refuse(*request, upgrade))
     co_return co_await send(stream, std::move(*refused), manner);
-  stream.expires_after(kPatience);
+  stream.expires_after(context.limits.arrival);
   if (const auto [error, bytes] = co_await http::async_read(stream, buffer, parser, kUse); error) {
     if (auto reply = unreadable(error)) co_await send(stream, std::move(*reply), Manner());
     co_return false;
@@ -256,8 +257,8 @@ awaitable<void> serve(tcp::socket socket, Context& context) {
   beast::tcp_stream stream(std::move(socket));
   beast::flat_buffer buffer(Door::kHeaderBytes + 64 * 1024);
   try {
-    while (co_await serve_one(stream, buffer, context)) {
-    }
+    bool more = co_await serve_one(stream, buffer, context, context.limits.arrival);
+    while (more) more = co_await serve_one(stream, buffer, context, context.limits.idle);
   } catch (const std::exception& failure) {
     context.app.log("server", std::string("a connection failed: ") + failure.what());
   }
@@ -284,8 +285,10 @@ awaitable<void> accept(tcp::acceptor& acceptor, Context& context) {
 }  // namespace
 
 struct HttpServer::Sockets {
-  explicit Sockets(std::string its_web, Application& app)
-      : acceptor(io), handlers(std::make_unique<Pool>(4)), context{Door(0), std::move(its_web), app, *handlers} {}
+  Sockets(std::string its_web, Application& app, const Limits& limits)
+      : acceptor(io),
+        handlers(std::make_unique<Pool>(4)),
+        context{Door(0), std::move(its_web), app, *handlers, limits} {}
   // Handlers end, and the hub lets go of its listeners, while the sockets are still there.
   ~Sockets() {
     handlers.reset();
@@ -301,8 +304,9 @@ struct HttpServer::Sockets {
 HttpServer::HttpServer(std::unique_ptr<Sockets> sockets) : sockets_(std::move(sockets)) {}
 HttpServer::~HttpServer() = default;
 
-Expected<std::unique_ptr<HttpServer>> HttpServer::listen(std::uint16_t port, std::string web, Application& app) {
-  auto sockets = std::make_unique<Sockets>(std::move(web), app);
+Expected<std::unique_ptr<HttpServer>> HttpServer::listen(std::uint16_t port, std::string web, Application& app,
+                                                         const Limits& limits) {
+  auto sockets = std::make_unique<Sockets>(std::move(web), app, limits);
   const tcp::endpoint endpoint(asio::ip::address_v4::loopback(), port);
   try {
     sockets->acceptor.open(endpoint.protocol());

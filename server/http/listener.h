@@ -4,6 +4,7 @@
 // Threads: run() is the one that owns the sockets; handlers run on a pool of their own and may wait there.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -17,9 +18,19 @@ class HttpServer {
  public:
   static constexpr int kConnections = 512;  // at once; further ones are closed
 
+  /// How long a connection may take; one that takes longer is closed. All greater than 0.
+  struct Limits {
+    std::chrono::milliseconds arrival{30'000};  // of a header whole, the first from the connection on; then of its body
+    std::chrono::milliseconds idle{120'000};    // from an answer to the first byte of the next request
+  };
+
   /// Listens on 127.0.0.1:`port` (0: any free one) and serves the files of `web`, if it is not empty, beside the
   /// routes. The application outlives the server. Error `io`: the port cannot be had.
-  static Expected<std::unique_ptr<HttpServer>> listen(std::uint16_t port, std::string web, Application& app);
+  static Expected<std::unique_ptr<HttpServer>> listen(std::uint16_t port, std::string web, Application& app,
+                                                      const Limits& limits);
+  static Expected<std::unique_ptr<HttpServer>> listen(std::uint16_t port, std::string web, Application& app) {
+    return listen(port, std::move(web), app, Limits());
+  }
   ~HttpServer();
 
   std::uint16_t port() const;
