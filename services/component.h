@@ -4,9 +4,13 @@
 // Threads: all functions of one component are called on one thread, its unit's; it calls its host on that thread.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/rsm/model.h"
 #include "core/value/expected.h"
@@ -28,6 +32,18 @@ struct Call {
 /// Seconds of the clock that all services and the server share: world time where there is a world, else steady time.
 using Time = double;
 
+/// What a service gives to other services on one of its flows (thesis 4.1: data-flow), past all cores: images, clouds.
+/// Immutable once it is published, and shared by all who get it; the header is frozen.
+struct Packet {
+  Time time = 0;  // what it shows was so then
+  Value header;
+  std::vector<std::byte> bytes;
+};
+using PacketPtr = std::shared_ptr<const Packet>;
+
+/// An answer that is due: names a reservation until it is fulfilled. 0: none.
+using ReservationId = std::uint64_t;
+
 /// What a component may do. The host monitors: it holds every announcement against the component's RSM and records what
 /// does not fit, with rule and call id (R18); it delivers nevertheless.
 class ServiceHost {
@@ -42,6 +58,20 @@ class ServiceHost {
   /// Rejects a call that the component's present state accepts in no transition: answers {"code": "not_accepted"} (R7).
   virtual void reject(CallId call) = 0;
   virtual void event(std::string_view name, Value data) = 0;
+
+  // Data flows and answers that are due. A host without other services may do nothing with them.
+
+  /// Hands a packet to all who listen to `flow` of this service.
+  virtual void publish(std::string_view /*flow*/, PacketPtr /*packet*/) {}
+  /// Listens, or listens no longer, to `flow` of the service `key`, which this component's RSM lists in `subscribes`.
+  virtual void subscribe(std::string_view /*key*/, std::string_view /*flow*/, bool /*on*/) {}
+  /// Announces an answer as of world time `at`, which another thread will prepare: where world time can wait, it does
+  /// not pass `at` before fulfil(), so a run does not depend on how fast that thread is. In real time nobody waits.
+  virtual ReservationId reserve(Time /*at*/) { return 0; }
+  /// Ends a reservation: `answer` runs on the component's unit at its time, or at once if that has passed; an empty one
+  /// gives the time back. On any thread, once.
+  virtual void fulfil(ReservationId /*reservation*/, std::function<void()> /*answer*/) {}
+
   /// For people, never for programs.
   virtual void log(std::string text) = 0;
 };
@@ -55,6 +85,10 @@ class Component {
   virtual void call(const Call& call) = 0;
   /// World time has advanced by one step of the unit (1 ms in a cell). Only components that need time override it.
   virtual void step() {}
+  /// A packet came of a flow that the component listens to. One that comes while another still waits replaces it.
+  virtual void packet(std::string_view /*key*/, std::string_view /*flow*/, const PacketPtr& /*packet*/) {}
+  /// From now on somebody, or nobody any more, listens to `flow` of this service. At first, nobody does.
+  virtual void wanted(std::string_view /*flow*/, bool /*on*/) {}
   /// The host is going away; nothing may be called on it afterwards.
   virtual void stop() {}
 };

@@ -53,6 +53,25 @@ struct Host::Slot final : ServiceHost {
     host.observer_.delivered(delivery);
   }
 
+  void publish(std::string_view flow, PacketPtr packet) override {
+    const std::lock_guard lock(host.mutex_);
+    if (status.available) host.publish(*this, flow, packet);
+  }
+
+  void subscribe(std::string_view key, std::string_view flow, bool on) override {
+    const std::lock_guard lock(host.mutex_);
+    if (!status.available) return;
+    const rsm::Uses used{std::string(key), std::string(flow)};
+    if (std::ranges::find(model.subscribes, used) != model.subscribes.end()) return host.listen(*this, key, flow, on);
+    record({{"subscribes", "`" + used.service + "." + used.name + "` is not declared", 0}});
+    changed();
+  }
+
+  ReservationId reserve(Time at) override { return host.reservations_.reserve(number, at); }
+  void fulfil(ReservationId reservation, std::function<void()> answer) override {
+    host.reservations_.fulfil(reservation, std::move(answer));
+  }
+
   void log(std::string text) override {
     const std::lock_guard lock(host.mutex_);
     host.observer_.logged(host.clock_.now(), status.key, text);
@@ -156,6 +175,7 @@ void Host::attach(const std::string& key, std::unique_ptr<Component> component) 
   slot.status.model = &slot.model;
   slot.status.available = true;
   slot.changed();
+  for (const std::string& flow : flows_.wanted_of(key)) want(key, flow, true);
 }
 
 Host::Slot* Host::find(const std::string& key) const {
@@ -206,6 +226,13 @@ CallId Host::call(Caller caller, const std::string& service, std::string operati
   return pending.id;
 }
 
+void Host::advance(bool wait) {
+  for (Reservations::Due& due : reservations_.take(clock_.now(), wait)) {
+    Slot* slot = slots_[due.service].get();
+    slot->unit.post([this, slot, answer = std::move(due.answer)] { guarded(*slot, [&](Component&) { answer(); }); });
+  }
+}
+
 void Host::step(const WorkQueue& unit) {
   for (const auto& slot : slots_)
     if (&slot->unit == &unit && slot->component) guarded(*slot, [](Component& component) { component.step(); });
@@ -239,9 +266,56 @@ void Host::lose(Slot& slot, const std::string& why) {
   slot.status.pending.clear();
   slot.monitor->restarted();
   slot.changed();
+  for (const Flows::Listener& each : flows_.of(slot.number)) listen(slot, each.key, each.flow, false);
+  reservations_.drop(slot.number);
+}
+
+Flows::WatchId Host::watch(const std::string& service, const std::string& flow, Flows::Watcher watcher) {
+  const std::lock_guard lock(mutex_);
+  const bool before = flows_.wanted(service, flow);
+  const Flows::WatchId id = flows_.watch(service, flow, std::move(watcher));
+  if (!before) want(service, flow, true);
+  return id;
+}
+
+void Host::unwatch(Flows::WatchId watch) {
+  const std::lock_guard lock(mutex_);
+  const Flows::Listener gone = flows_.unwatch(watch);
+  if (gone.watch != 0 && !flows_.wanted(gone.key, gone.flow)) want(gone.key, gone.flow, false);
+}
+
+// The functions below need the host's lock.
+
+void Host::listen(Slot& slot, std::string_view key, std::string_view flow, bool on) {
+  const bool before = flows_.wanted(key, flow);
+  flows_.listen(slot.number, key, flow, on);
+  if (flows_.wanted(key, flow) != before) want(key, std::string(flow), on);
+}
+
+// Tells the publisher, if there is one by now, that somebody listens or nobody does.
+void Host::want(std::string_view key, const std::string& flow, bool on) {
+  Slot* publisher = find(std::string(key));
+  if (!publisher || !publisher->status.available) return;
+  publisher->unit.post(
+      [this, publisher, flow, on] { guarded(*publisher, [&](Component& component) { component.wanted(flow, on); }); });
+}
+
+void Host::publish(const Slot& slot, std::string_view flow, const PacketPtr& packet) {
+  for (const std::size_t number : flows_.publish(slot.status.key, flow, packet)) {
+    Slot* to = slots_[number].get();
+    to->unit.post([this, to, key = slot.status.key, flow = std::string(flow)] {
+      PacketPtr newest;
+      {
+        const std::lock_guard lock(mutex_);
+        newest = flows_.take(to->number, key, flow);
+      }
+      if (newest) guarded(*to, [&](Component& component) { component.packet(key, flow, newest); });
+    });
+  }
 }
 
 void Host::stop() {
+  reservations_.close();
   for (const auto& slot : slots_) {
     if (slot->component) slot->component->stop();
     const std::lock_guard lock(mutex_);

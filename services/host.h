@@ -1,10 +1,12 @@
 // Host: hosts components and stands between them and the cores. It gives calls their ids and hands them to the unit of
 // their service; follows what each service announces with a monitor (R18) and records what does not fit; keeps the
 // calls that wait for a response, and answers those that nobody will (`unavailable`, R7). What services say leaves it
-// as Deliveries through the observer: events to everyone, a response to the caller alone.
+// as Deliveries through the observer: events to everyone, a response to the caller alone. Packets of data flows go from
+// service to service, past the cores (flows.h); answers that are due hold world time up (reservations.h).
 //
-// Threads: call() and the queries on any. A component is called on its unit's thread. The observer is called under the
-// host's lock, in the order in which things happened: it must be quick and must not call the host.
+// Threads: call(), watch() and the queries on any. A component is called on its unit's thread. The observer and the
+// watchers of flows are called under the host's lock, in the order in which things happened: they must be quick and
+// must not call the host.
 #pragma once
 
 #include <deque>
@@ -18,6 +20,8 @@
 #include "core/rsm/model.h"
 #include "services/clock.h"
 #include "services/component.h"
+#include "services/flows.h"
+#include "services/reservations.h"
 #include "services/work_queue.h"
 
 namespace race::services {
@@ -98,6 +102,9 @@ class Host {
   /// service or an unknown operation answers {"code": "unavailable"}. `args` and `kwargs` are frozen here.
   CallId call(Caller caller, const std::string& service, std::string operation, List args, Dict kwargs);
 
+  /// Time has passed: the answers that are due now go to their units. With `wait`, those that are due and not there yet
+  /// are waited for. On the thread that sets the clock, after it was set.
+  void advance(bool wait);
   /// step() of each component of `unit`, in order of declaration. On the unit's thread.
   void step(const WorkQueue& unit);
   /// The component is gone (died, hangs, was unplugged): its pending calls are answered `unavailable` in order of call,
@@ -105,6 +112,10 @@ class Host {
   void lose(const std::string& key);
   /// stop() of all components: units have ended, or are those of this thread. Nothing is called afterwards.
   void stop();
+
+  /// Watches a data flow from outside, until unwatch(): nothing is called once that has returned.
+  Flows::WatchId watch(const std::string& service, const std::string& flow, Flows::Watcher watcher);
+  void unwatch(Flows::WatchId watch);
 
   std::vector<ServiceStatus> services() const;
   std::optional<ServiceStatus> service(const std::string& key) const;
@@ -119,10 +130,15 @@ class Host {
   void deliver_response(const Slot& slot, const PendingCall& call, Value value, bool is_error);
   void guarded(Slot& slot, const std::function<void(Component&)>& work);
   void lose(Slot& slot, const std::string& why);
+  void listen(Slot& slot, std::string_view key, std::string_view flow, bool on);
+  void publish(const Slot& slot, std::string_view flow, const PacketPtr& packet);
+  void want(std::string_view key, const std::string& flow, bool on);
 
   const Clock& clock_;
   HostObserver& observer_;
   mutable std::mutex mutex_;
+  Flows flows_;
+  Reservations reservations_;                 // outlives the components: their threads fulfil
   std::vector<std::unique_ptr<Slot>> slots_;  // in order of declaration; fixed after the start
   CallId next_call_ = 1;
   std::uint64_t next_delivery_ = 1;

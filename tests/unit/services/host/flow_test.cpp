@@ -1,0 +1,147 @@
+// Data flows between services: packets pass from one to the other, past the cores, while somebody listens.
+#include <gmock/gmock.h>
+
+#include "core/rsm/document.h"
+#include "tests/unit/services/host/bench.h"
+
+namespace race::services {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+const rsm::Service& tap_model() {
+  static const rsm::Service model =
+      rsm::read_service_text(R"({"rsm": 1, "name": "tap", "states": [{"name": "Open"}], "init": "Open"})", "tap")
+          .value();
+  return model;
+}
+
+const rsm::Service& basin_model() {
+  static const rsm::Service model =
+      rsm::read_service_text(R"({"rsm": 1, "name": "basin", "subscribes": [{"service": "tap", "event": "water"}],
+                                 "states": [{"name": "Open"}], "init": "Open"})",
+                             "basin")
+          .value();
+  return model;
+}
+
+// Publishes and takes what a test tells it.
+class Vessel final : public Component {
+ public:
+  Vessel(const rsm::Service& its_model, ServiceHost& its_host) : host(its_host), model_(its_model) {}
+  const rsm::Service& model() const override { return model_; }
+  void call(const Call&) override {}
+  void packet(std::string_view key, std::string_view flow, const PacketPtr& packet) override {
+    if (broken) throw std::runtime_error("overflow");
+    got.push_back(std::string(key) + "." + std::string(flow) + "@" + std::to_string(static_cast<int>(packet->time)));
+  }
+  void wanted(std::string_view flow, bool on) override { wishes.push_back((on ? "+" : "-") + std::string(flow)); }
+  void pour(Time time) { host.publish("water", std::make_shared<Packet>(Packet{time, {}, {}})); }
+
+  ServiceHost& host;
+  std::vector<std::string> got, wishes;
+  bool broken = false;
+
+ private:
+  const rsm::Service& model_;
+};
+
+struct FlowTest : testing::Test {
+  FlowTest() : tap(bench.add<Vessel>("tap", tap_model())), basin(bench.add<Vessel>("basin", basin_model())) {}
+  void listen(bool on) {
+    basin.host.subscribe("tap", "water", on);
+    bench.unit.run();
+  }
+  Bench bench;
+  Vessel& tap;
+  Vessel& basin;
+};
+
+TEST_F(FlowTest, APacketReachesWhoListensOnItsOwnUnitAndNoCore) {
+  listen(true);
+  tap.pour(1);
+  EXPECT_THAT(basin.got, IsEmpty());
+  bench.unit.run();
+  EXPECT_THAT(basin.got, ElementsAre("tap.water@1"));
+  EXPECT_THAT(bench.deliveries, IsEmpty());
+}
+
+TEST_F(FlowTest, NothingComesBeforeAndAfterListening) {
+  tap.pour(1);
+  listen(true);
+  listen(false);
+  tap.pour(2);
+  bench.unit.run();
+  EXPECT_THAT(basin.got, IsEmpty());
+}
+
+TEST_F(FlowTest, ANewerPacketReplacesOneThatStillWaits) {
+  listen(true);
+  tap.pour(1);
+  tap.pour(2);
+  bench.unit.run();
+  EXPECT_THAT(basin.got, ElementsAre("tap.water@2"));
+}
+
+TEST_F(FlowTest, APacketOnItsWayIsNotHandedToWhoStoppedListening) {
+  listen(true);
+  tap.pour(1);
+  basin.host.subscribe("tap", "water", false);
+  bench.unit.run();
+  EXPECT_THAT(basin.got, IsEmpty());
+}
+
+TEST_F(FlowTest, ThePublisherIsToldOnceWhenSomebodyListensAndWhenNobodyDoes) {
+  listen(true);
+  listen(true);
+  const auto watch = bench.host.watch("tap", "water", [](const PacketPtr&) {});
+  listen(false);
+  bench.unit.run();
+  EXPECT_THAT(tap.wishes, ElementsAre("+water"));
+  bench.host.unwatch(watch);
+  bench.unit.run();
+  EXPECT_THAT(tap.wishes, ElementsAre("+water", "-water"));
+}
+
+TEST_F(FlowTest, APublisherThatComesLaterIsToldToo) {
+  std::vector<Time> seen;
+  bench.host.watch("spring", "water", [&](const PacketPtr& packet) { seen.push_back(packet->time); });
+  auto& spring = bench.add<Vessel>("spring", tap_model());
+  bench.unit.run();
+  EXPECT_THAT(spring.wishes, ElementsAre("+water"));
+  spring.pour(3);
+  EXPECT_THAT(seen, ElementsAre(3.0));
+}
+
+TEST_F(FlowTest, AWatcherOutsideSeesEveryPacketUntilItLeaves) {
+  std::vector<Time> seen;
+  const auto watch = bench.host.watch("tap", "water", [&](const PacketPtr& packet) { seen.push_back(packet->time); });
+  tap.pour(1);
+  tap.pour(2);
+  bench.host.unwatch(watch);
+  bench.host.unwatch(watch);
+  tap.pour(3);
+  EXPECT_THAT(seen, ElementsAre(1.0, 2.0));
+}
+
+TEST_F(FlowTest, AFlowThatTheRsmDoesNotListIsAViolationAndNotHeard) {
+  basin.host.subscribe("tap", "steam", true);
+  ASSERT_EQ(bench.violations("basin").size(), 1U);
+  EXPECT_EQ(bench.violations("basin")[0].rule, "subscribes");
+  bench.unit.run();
+  EXPECT_THAT(tap.wishes, IsEmpty());
+}
+
+TEST_F(FlowTest, AListenerThatIsLostListensNoLonger) {
+  listen(true);
+  basin.broken = true;
+  tap.pour(1);
+  bench.unit.run();
+  EXPECT_FALSE(bench.host.service("basin")->available);
+  bench.unit.run();
+  EXPECT_THAT(tap.wishes, ElementsAre("+water", "-water"));
+}
+
+}  // namespace
+}  // namespace race::services
