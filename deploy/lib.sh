@@ -3,6 +3,8 @@
 
 # Where the headers of Boost are unpacked if the installed Boost is another one (deploy/install).
 readonly BOOST_UNPACKED=build/deps/boost
+# Where the headers of PCL are unpacked (deploy/install; services/recognition/CMakeLists.txt looks there).
+readonly PCL_UNPACKED=build/deps/pcl
 
 # die MESSAGE...: says what is wrong and leaves with status 1.
 die() {
