@@ -1,0 +1,262 @@
+#include "services/display/screens.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace race::display {
+namespace {
+
+std::string quoted(std::string_view text) { return "`" + std::string(text) + "`"; }
+
+/// Why `answer` is none of `question`.
+Expected<void> check_answer(const Question& question, const Value& answer) {
+  if (!question.number) {
+    const bool known = answer.is_string() && std::ranges::count(question.buttons, answer.as_string()) > 0;
+    if (!known) return unexpected(ErrorCode::type, "the answer must be one of the question's buttons", "answer");
+    return {};
+  }
+  if (!answer.is_numeric()) return unexpected(ErrorCode::type, "the answer must be a number", "answer");
+  const double number = answer.to_double();
+  if (!(number >= question.number->min && number <= question.number->max))
+    return unexpected(ErrorCode::out_of_range, "the number is outside of its limits", "answer");
+  return {};
+}
+
+}  // namespace
+
+bool is_display_name(std::string_view name) {
+  constexpr std::size_t kLength = 32;
+  const auto fits = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  };
+  return !name.empty() && name.size() <= kLength && std::ranges::all_of(name, fits) && name != kEvery;
+}
+
+Expected<Screens::ConnectionId> Screens::connect(const std::string& display, bool sound) {
+  if (!is_display_name(display))
+    return unexpected(ErrorCode::name, "a display's name has 1 to 32 letters, digits, `_` or `-`, and is not `all`",
+                      "name");
+  const std::lock_guard lock(mutex_);
+  if (!displays_.contains(display)) {
+    if (!make_room())
+      return unexpected(ErrorCode::conflict, std::to_string(kDisplays) + " displays are connected already", "name");
+    displays_[display].message = everywhere_;
+  }
+  const ConnectionId id = next_id_++;
+  connections_[id] = {display, sound};
+  auto& all = displays_[display].connections;
+  all.insert(id);
+  if (all.size() == 1) (void)note({Happening::Kind::connected, display, {}});
+  return id;
+}
+
+void Screens::disconnect(ConnectionId connection) {
+  const std::lock_guard lock(mutex_);
+  const auto known = connections_.find(connection);
+  if (known == connections_.end()) return;
+  const std::string display = known->second.display;
+  connections_.erase(known);
+  playing_.erase(connection);
+  auto& rest = displays_[display].connections;
+  rest.erase(connection);
+  if (rest.empty()) (void)note({Happening::Kind::disconnected, display, {}});
+}
+
+Expected<void> Screens::answer(const std::string& display, Value answer, std::optional<std::uint64_t> question) {
+  answer.freeze();
+  const std::lock_guard lock(mutex_);
+  ASSIGN_OR_RETURN(const Display* shown, find_connected(display));
+  if (!shows_question(display, *shown) || (question && *question != question_->id))
+    return unexpected(ErrorCode::conflict, "the display does not show this question, or not any more", "question");
+  if (auto fits = check_answer(*question_, answer); !fits) return fits;
+  if (auto noted = note({Happening::Kind::answered, display, std::move(answer)}); !noted) return noted;
+  question_.reset();
+  tell(question_target_);
+  return {};
+}
+
+Expected<void> Screens::press(const std::string& display, const std::string& button) {
+  const std::lock_guard lock(mutex_);
+  ASSIGN_OR_RETURN(const Display* shown, find_connected(display));
+  if (!shown->message || std::ranges::count(shown->message->buttons, button) == 0)
+    return unexpected(ErrorCode::conflict, "the display does not show this button, or not any more", "button");
+  Value value(button);
+  return note({Happening::Kind::pressed, display, std::move(value.freeze())});
+}
+
+Expected<void> Screens::played(ConnectionId connection, std::uint64_t sound) {
+  const std::lock_guard lock(mutex_);
+  const auto known = connections_.find(connection);
+  if (known == connections_.end() || !sound_ || sound_->id != sound || playing_.erase(connection) == 0)
+    return unexpected(ErrorCode::conflict, "the sound is not played here, or not any more", "sound");
+  played_.insert(known->second.display);
+  return {};
+}
+
+std::vector<std::string> Screens::connected() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::string> names;
+  for (const auto& [name, display] : displays_)
+    if (!display.connections.empty()) names.push_back(name);
+  return names;
+}
+
+std::optional<Content> Screens::content(const std::string& display) const {
+  const std::lock_guard lock(mutex_);
+  const auto known = displays_.find(display);
+  if (known == displays_.end()) return std::nullopt;
+  return content_of(known->first, known->second);
+}
+
+void Screens::watch(Watcher* watcher) {
+  const std::lock_guard lock(mutex_);
+  watcher_ = watcher;
+}
+
+void Screens::repeat(const std::string& display) {
+  const std::lock_guard lock(mutex_);
+  const auto known = displays_.find(display);
+  if (known != displays_.end() && watcher_) watcher_->changed(content_of(known->first, known->second));
+}
+
+Expected<void> Screens::show(const std::string& target, Message message) {
+  const std::lock_guard lock(mutex_);
+  if (auto there = require(target); !there) return there;
+  for (auto& [name, display] : displays_)
+    if (reaches(target, name)) display.message = message;
+  if (target == kEvery) everywhere_ = std::move(message);
+  tell(target);
+  return {};
+}
+
+Expected<std::uint64_t> Screens::ask(const std::string& target, Question question) {
+  const std::lock_guard lock(mutex_);
+  if (auto there = require(target); !there) return tl::unexpected(std::move(there).error());
+  if (std::exchange(question_, std::nullopt)) tell(question_target_);
+  question.id = next_id_++;
+  question_ = std::move(question);
+  question_target_ = target;
+  for (auto& [name, display] : displays_) display.without_question = false;
+  tell(target);
+  return question_->id;
+}
+
+Expected<bool> Screens::clear(const std::string& target) {
+  const std::lock_guard lock(mutex_);
+  if (target != kEvery && !displays_.contains(target))
+    if (auto there = require(target); !there) return tl::unexpected(std::move(there).error());
+  if (target == kEvery) everywhere_.reset();
+  for (auto& [name, display] : displays_) {
+    if (!reaches(target, name)) continue;
+    display.message.reset();
+    display.without_question = true;
+  }
+  const bool shown =
+      std::ranges::any_of(displays_, [&](const auto& each) { return shows_question(each.first, each.second); });
+  const bool gone = question_ && !shown;
+  if (gone) question_.reset();
+  tell(target);
+  return gone;
+}
+
+void Screens::withdraw() {
+  const std::lock_guard lock(mutex_);
+  if (std::exchange(question_, std::nullopt)) tell(question_target_);
+}
+
+bool Screens::asking() const {
+  const std::lock_guard lock(mutex_);
+  return std::ranges::any_of(displays_, [&](const auto& each) {
+    return !each.second.connections.empty() && shows_question(each.first, each.second);
+  });
+}
+
+std::vector<Happening> Screens::take() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(happenings_, {});
+}
+
+Expected<std::uint64_t> Screens::play(const std::string& target, Sound sound) {
+  const std::lock_guard lock(mutex_);
+  std::set<ConnectionId> speakers;
+  for (const auto& [id, connection] : connections_)
+    if (connection.sound && reaches(target, connection.display)) speakers.insert(id);
+  if (speakers.empty())
+    return unexpected(ErrorCode::not_found, "no display that may make sounds is connected as " + quoted(target),
+                      "display");
+  if (std::exchange(sound_, std::nullopt)) tell(sound_target_);
+  sound.id = next_id_++;
+  sound_ = std::move(sound);
+  sound_target_ = target;
+  playing_ = std::move(speakers);
+  played_.clear();
+  tell(target);
+  return sound_->id;
+}
+
+void Screens::silence() {
+  const std::lock_guard lock(mutex_);
+  playing_.clear();
+  played_.clear();
+  if (std::exchange(sound_, std::nullopt)) tell(sound_target_);
+}
+
+Playback Screens::playback() const {
+  const std::lock_guard lock(mutex_);
+  return {playing_.size(), {played_.begin(), played_.end()}};
+}
+
+bool Screens::reaches(const std::string& target, const std::string& display) const {
+  return target == kEvery || target == display;
+}
+
+bool Screens::shows_question(const std::string& name, const Display& display) const {
+  return question_ && reaches(question_target_, name) && !display.without_question;
+}
+
+Content Screens::content_of(const std::string& name, const Display& display) const {
+  Content content{name, display.message, std::nullopt, std::nullopt};
+  if (shows_question(name, display)) content.question = question_;
+  if (sound_ && reaches(sound_target_, name)) content.sound = sound_;
+  return content;
+}
+
+void Screens::tell(const std::string& target) const {
+  if (!watcher_) return;
+  for (const auto& [name, display] : displays_)
+    if (reaches(target, name)) watcher_->changed(content_of(name, display));
+}
+
+// One more name: a display that is not connected makes way.
+bool Screens::make_room() {
+  if (displays_.size() < kDisplays) return true;
+  const auto gone = std::ranges::find_if(displays_, [](const auto& each) { return each.second.connections.empty(); });
+  if (gone == displays_.end()) return false;
+  if (watcher_) watcher_->forgotten(gone->first);
+  displays_.erase(gone);
+  return true;
+}
+
+Expected<Screens::Display*> Screens::find_connected(const std::string& display) {
+  const auto known = displays_.find(display);
+  if (known == displays_.end() || known->second.connections.empty())
+    return unexpected(ErrorCode::not_found, "no display named " + quoted(display) + " is connected", "display");
+  return &known->second;
+}
+
+Expected<void> Screens::require(const std::string& target) const {
+  for (const auto& [name, display] : displays_)
+    if (reaches(target, name) && !display.connections.empty()) return {};
+  const std::string what = target == kEvery ? "no display" : "no display named " + quoted(target);
+  return unexpected(ErrorCode::not_found, what + " is connected", "display");
+}
+
+// Comings and goings follow from what is connected, so they may be lost; what people do is refused instead.
+Expected<void> Screens::note(Happening happening) {
+  if (happenings_.size() >= kHappenings)
+    return unexpected(ErrorCode::conflict, "too much waits for the service; try again");
+  happenings_.push_back(std::move(happening));
+  return {};
+}
+
+}  // namespace race::display

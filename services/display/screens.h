@@ -1,0 +1,157 @@
+// Screens: the one door between the services `display` and `audio` and whoever shows what they want shown: browsers
+// behind the server's stream, an operator script, a test. It holds the displays by name, what each shows, and what
+// people did with them until the services take it.
+//
+// A display is there while at least one connection has its name; connections of one name show the same. What a display
+// showed stays when its last connection goes, so that it is there when it comes back. The name "all" (kEvery) means
+// every display, also one that connects later.
+//
+// Who stands before a display (an operator script, say) connects once and then, on any thread:
+//
+//   const auto me = screens.connect("main", true);           // ConnectionId: it also makes sounds
+//   const auto shown = screens.content("main");              // what to react to
+//   if (shown && shown->question) screens.answer("main", "Continue");
+//   if (shown && shown->sound) screens.played(*me, shown->sound->id);
+//
+// Answers reach the service at the next step of its unit, in order: in fast mode the same answers at the same world
+// time give the same run.
+//
+// Threads: any. The watcher is called under the lock, in the order of changes: it must be quick and must not call back.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/value/expected.h"
+#include "core/value/value.h"
+#include "services/display/content.h"
+
+namespace race::display {
+
+inline constexpr std::string_view kEvery = "all";
+
+/// Letters, digits, `_` and `-`, 1 to 32 of them, and not "all".
+bool is_display_name(std::string_view name);
+
+/// Sees what displays show.
+class Watcher {
+ public:
+  virtual ~Watcher() = default;
+  /// The whole of what a display shows now.
+  virtual void changed(const Content& content) = 0;
+  /// The display has no connection and its place was needed.
+  virtual void forgotten(const std::string& display) = 0;
+};
+
+/// What somebody did, for the service `display`.
+struct Happening {
+  enum class Kind : std::uint8_t { answered, pressed, connected, disconnected } kind = Kind::pressed;
+  std::string display;
+  Value value;  // the answer, or the button
+  bool operator==(const Happening&) const = default;
+};
+
+/// How far a sound is, for the service `audio`.
+struct Playback {
+  std::size_t waiting = 0;            // connections that have not reported yet
+  std::vector<std::string> reported;  // displays that have played it, by name
+};
+
+class Screens {
+ public:
+  using ConnectionId = std::uint64_t;
+  static constexpr std::size_t kDisplays = 64;     // names that are remembered
+  static constexpr std::size_t kHappenings = 256;  // that wait for the service
+
+  Screens() = default;
+  Screens(const Screens&) = delete;
+  Screens& operator=(const Screens&) = delete;
+
+  // ---- The side of those who show.
+
+  /// A connection of `display`, which may make sounds. Errors: `name`, `conflict` (kDisplays are connected).
+  Expected<ConnectionId> connect(const std::string& display, bool sound);
+  void disconnect(ConnectionId connection);
+  /// Answers the question that `display` shows: a button's text, or a finite number in its range. With `question` only
+  /// if it is the one of that id. The first answer counts; the question is gone with it. Errors: `not_found` (no such
+  /// connected display), `conflict` (it does not show the question, or not any more), `type`, `out_of_range`.
+  Expected<void> answer(const std::string& display, Value answer, std::optional<std::uint64_t> question = {});
+  /// Presses a button of the message that `display` shows. Errors: `not_found`, `conflict`.
+  Expected<void> press(const std::string& display, const std::string& button);
+  /// The connection has played a sound to its end. Error `conflict`: it is not the sound that is played now.
+  Expected<void> played(ConnectionId connection, std::uint64_t sound);
+
+  /// Names of the displays that are connected, in order.
+  std::vector<std::string> connected() const;
+  /// What a display shows, connected or not; nothing if it is unknown.
+  std::optional<Content> content(const std::string& display) const;
+
+  /// From now on `watcher` (nullptr: nobody) is told; it is told nothing after the call that replaced it.
+  void watch(Watcher* watcher);
+  /// Tells the watcher what `display` shows as if it had changed, in order with real changes.
+  void repeat(const std::string& display);
+
+  // ---- The side of the services. `target`: a display's name, or kEvery. Error `not_found`: it is not connected, or
+  // none is.
+
+  Expected<void> show(const std::string& target, Message message);
+  /// A new question takes the place of the one that waits, everywhere. Gives its id.
+  Expected<std::uint64_t> ask(const std::string& target, Question question);
+  /// Takes the message away, and the question if it is shown there; whether no display is left that shows it, so that
+  /// there is none any more.
+  Expected<bool> clear(const std::string& target);
+  /// Takes the question away everywhere.
+  void withdraw();
+  /// Whether a connected display shows the question.
+  bool asking() const;
+  /// What happened since it was taken last, in order.
+  std::vector<Happening> take();
+
+  /// Starts a sound on all connections of `target` that may make sounds, in place of one that is played. `not_found`:
+  /// there is none.
+  Expected<std::uint64_t> play(const std::string& target, Sound sound);
+  void silence();
+  Playback playback() const;
+
+ private:
+  struct Display {
+    std::set<ConnectionId> connections;
+    std::optional<Message> message;
+    bool without_question = false;  // the question was cleared here
+  };
+  struct Connection {
+    std::string display;
+    bool sound = false;
+  };
+
+  // All need the lock.
+  bool reaches(const std::string& target, const std::string& display) const;
+  Content content_of(const std::string& name, const Display& display) const;
+  void tell(const std::string& target) const;
+  bool make_room();
+  Expected<Display*> find_connected(const std::string& display);
+  Expected<void> require(const std::string& target) const;
+  Expected<void> note(Happening happening);
+  bool shows_question(const std::string& name, const Display& display) const;
+
+  mutable std::mutex mutex_;
+  Watcher* watcher_ = nullptr;
+  std::map<std::string, Display> displays_;
+  std::map<ConnectionId, Connection> connections_;
+  std::vector<Happening> happenings_;
+  std::optional<Message> everywhere_;  // what a display that comes anew shows
+  std::optional<Question> question_;
+  std::string question_target_;
+  std::optional<Sound> sound_;
+  std::string sound_target_;
+  std::set<ConnectionId> playing_;
+  std::set<std::string> played_;
+  std::uint64_t next_id_ = 1;
+};
+
+}  // namespace race::display

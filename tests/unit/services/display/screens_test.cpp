@@ -1,0 +1,211 @@
+#include "services/display/screens.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace race::display {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::Optional;
+
+struct ScreensTest : testing::Test, Watcher {
+  ScreensTest() { screens.watch(this); }
+  void changed(const Content& content) override { seen.push_back(content); }
+  void forgotten(const std::string& display) override { lost.push_back(display); }
+
+  Content content(const std::string& display) { return screens.content(display).value(); }
+  std::string question_on(const std::string& display) {
+    const auto shown = screens.content(display);
+    return shown && shown->question ? shown->question->text : "";
+  }
+  static Question buttons(std::string text) { return {0, std::move(text), {"Yes", "No"}, {}}; }
+  static Question number(double min, double max) { return {0, "How many?", {}, NumberEntry{"", min, max, {}}}; }
+
+  std::vector<Content> seen;
+  std::vector<std::string> lost;
+  Screens screens;
+};
+
+TEST(DisplayName, IsAWordThatIsNotAll) {
+  for (const char* name : {"main", "a", "left-2", "Tool_Phone"}) EXPECT_TRUE(is_display_name(name)) << name;
+  for (const char* name : {"", "all", "a b", "a/b", "ä", "012345678901234567890123456789012"})
+    EXPECT_FALSE(is_display_name(name)) << name;
+}
+
+TEST_F(ScreensTest, NothingIsShownWhereNobodyIsConnected) {
+  EXPECT_EQ(screens.show("all", {"Hello", "", {}}).error().code, ErrorCode::not_found);
+  screens.connect("left", false).value();
+  EXPECT_EQ(screens.show("right", {"Hello", "", {}}).error().code, ErrorCode::not_found);
+  EXPECT_EQ(screens.ask("right", buttons("Go?")).error().code, ErrorCode::not_found);
+  EXPECT_EQ(screens.clear("right").error().code, ErrorCode::not_found);
+  EXPECT_THAT(seen, IsEmpty());
+}
+
+TEST_F(ScreensTest, AMessageReachesTheDisplaysThatItNames) {
+  screens.connect("left", false).value();
+  screens.connect("right", false).value();
+  ASSERT_TRUE(screens.show("left", {"Left", "", {}}));
+  EXPECT_EQ(content("left").message->text, "Left");
+  EXPECT_FALSE(content("right").message);
+  EXPECT_EQ(seen.size(), 1U);
+  ASSERT_TRUE(screens.show("all", {"Both", "", {}}));
+  EXPECT_EQ(content("left").message->text, "Both");
+  EXPECT_EQ(content("right").message->text, "Both");
+}
+
+TEST_F(ScreensTest, ADisplayThatComesLaterShowsWhatAllShow) {
+  screens.connect("left", false).value();
+  ASSERT_TRUE(screens.show("all", {"Both", "", {}}));
+  ASSERT_TRUE(screens.ask("all", buttons("Go?")));
+  screens.connect("late", false).value();
+  EXPECT_EQ(content("late").message->text, "Both");
+  EXPECT_EQ(question_on("late"), "Go?");
+}
+
+TEST_F(ScreensTest, ADisplayThatComesBackShowsWhatItShowed) {
+  const auto id = screens.connect("left", false).value();
+  ASSERT_TRUE(screens.show("left", {"Left", "", {}}));
+  screens.disconnect(id);
+  EXPECT_THAT(screens.connected(), IsEmpty());
+  screens.connect("left", false).value();
+  EXPECT_EQ(content("left").message->text, "Left");
+}
+
+TEST_F(ScreensTest, TheFirstAnswerCountsAndTakesTheQuestionAway) {
+  screens.connect("left", false).value();
+  screens.connect("right", false).value();
+  const auto question = screens.ask("all", buttons("Go?")).value();
+  screens.take();
+  ASSERT_TRUE(screens.answer("right", "No", question));
+  EXPECT_EQ(screens.answer("left", "Yes", question).error().code, ErrorCode::conflict);
+  EXPECT_THAT(screens.take(), ElementsAre(Happening{Happening::Kind::answered, "right", "No"}));
+  EXPECT_EQ(question_on("left"), "");
+  EXPECT_FALSE(screens.asking());
+}
+
+TEST_F(ScreensTest, AnAnswerToAnEarlierQuestionDoesNotAnswerTheNextOne) {
+  screens.connect("left", false).value();
+  const auto earlier = screens.ask("all", buttons("Go?")).value();
+  screens.ask("all", buttons("Really?")).value();
+  EXPECT_EQ(screens.answer("left", "Yes", earlier).error().code, ErrorCode::conflict);
+  EXPECT_EQ(question_on("left"), "Really?");
+}
+
+TEST_F(ScreensTest, AnAnswerIsOneOfTheButtons) {
+  screens.connect("left", false).value();
+  screens.ask("all", buttons("Go?")).value();
+  EXPECT_EQ(screens.answer("left", "Maybe").error().code, ErrorCode::type);
+  EXPECT_EQ(screens.answer("left", 1).error().code, ErrorCode::type);
+  EXPECT_EQ(screens.answer("nobody", "Yes").error().code, ErrorCode::not_found);
+  EXPECT_TRUE(screens.answer("left", "Yes"));
+}
+
+TEST_F(ScreensTest, ANumberIsFiniteAndWithinItsLimits) {
+  screens.connect("left", false).value();
+  screens.ask("all", number(-1, 4)).value();
+  for (const Value& wrong : {Value(4.5), Value(-2), Value(std::nan("")), Value(INFINITY)})
+    EXPECT_EQ(screens.answer("left", wrong).error().code, ErrorCode::out_of_range);
+  EXPECT_EQ(screens.answer("left", "2").error().code, ErrorCode::type);
+  screens.take();
+  ASSERT_TRUE(screens.answer("left", 4));
+  EXPECT_THAT(screens.take(), ElementsAre(Happening{Happening::Kind::answered, "left", 4}));
+}
+
+TEST_F(ScreensTest, OnlyButtonsThatAreShownCanBePressed) {
+  screens.connect("left", false).value();
+  screens.take();
+  ASSERT_TRUE(screens.show("left", {"Moving", "", {"Stop"}}));
+  EXPECT_EQ(screens.press("left", "Go").error().code, ErrorCode::conflict);
+  EXPECT_TRUE(screens.press("left", "Stop"));
+  EXPECT_TRUE(screens.press("left", "Stop"));
+  EXPECT_EQ(screens.take().size(), 2U);
+}
+
+TEST_F(ScreensTest, AQuestionIsThereWhileADisplayThatShowsItIsConnected) {
+  const auto left = screens.connect("left", false).value();
+  const auto right = screens.connect("right", false).value();
+  screens.ask("all", buttons("Go?")).value();
+  screens.disconnect(left);
+  EXPECT_TRUE(screens.asking());
+  screens.disconnect(right);
+  EXPECT_FALSE(screens.asking());
+  screens.connect("right", false).value();
+  EXPECT_TRUE(screens.asking());
+}
+
+TEST_F(ScreensTest, ClearingTheLastDisplayThatShowsAQuestionEndsIt) {
+  screens.connect("left", false).value();
+  screens.connect("right", false).value();
+  screens.ask("all", buttons("Go?")).value();
+  EXPECT_FALSE(screens.clear("left").value());
+  EXPECT_EQ(question_on("left"), "");
+  EXPECT_EQ(question_on("right"), "Go?");
+  EXPECT_TRUE(screens.clear("right").value());
+  EXPECT_FALSE(screens.clear("all").value());
+}
+
+TEST_F(ScreensTest, TwoConnectionsOfOneNameAreOneDisplay) {
+  const auto first = screens.connect("left", false).value();
+  screens.connect("left", false).value();
+  screens.disconnect(first);
+  EXPECT_THAT(screens.connected(), ElementsAre("left"));
+  EXPECT_THAT(screens.take(), ElementsAre(Happening{Happening::Kind::connected, "left", {}}));
+}
+
+TEST_F(ScreensTest, ASoundGoesToThoseWhoMayMakeSounds) {
+  screens.connect("mute", false).value();
+  EXPECT_EQ(screens.play("all", {0, "beep", 1, 1}).error().code, ErrorCode::not_found);
+  const auto loud = screens.connect("loud", true).value();
+  const auto sound = screens.play("all", {0, "beep", 1, 1}).value();
+  EXPECT_EQ(screens.playback().waiting, 1U);
+  EXPECT_EQ(screens.played(loud, sound + 1).error().code, ErrorCode::conflict);
+  EXPECT_TRUE(screens.played(loud, sound));
+  EXPECT_EQ(screens.played(loud, sound).error().code, ErrorCode::conflict);
+  EXPECT_EQ(screens.playback().waiting, 0U);
+  EXPECT_THAT(screens.playback().reported, ElementsAre("loud"));
+  screens.silence();
+  EXPECT_FALSE(content("loud").sound);
+}
+
+TEST_F(ScreensTest, ASpeakerThatGoesIsNotWaitedFor) {
+  const auto loud = screens.connect("loud", true).value();
+  screens.play("loud", {0, "beep", 1, 1}).value();
+  screens.disconnect(loud);
+  EXPECT_EQ(screens.playback().waiting, 0U);
+  EXPECT_THAT(screens.playback().reported, IsEmpty());
+}
+
+TEST_F(ScreensTest, RepeatTellsWhatIsShownNow) {
+  screens.connect("left", false).value();
+  screens.repeat("left");
+  screens.repeat("nobody");
+  EXPECT_THAT(seen, ElementsAre(Content{"left", {}, {}, {}}));
+}
+
+TEST_F(ScreensTest, NamesAreBoundedAndThoseWithoutConnectionMakeWay) {
+  for (std::size_t i = 0; i < Screens::kDisplays; ++i) screens.connect("d" + std::to_string(i), false).value();
+  EXPECT_EQ(screens.connect("one-more", false).error().code, ErrorCode::conflict);
+  EXPECT_TRUE(screens.connect("d0", false));
+  const auto gone = screens.content("d7");
+  ASSERT_TRUE(gone);
+  screens.disconnect(8);  // connections count from 1
+  EXPECT_TRUE(screens.connect("one-more", false));
+  EXPECT_THAT(lost, ElementsAre("d7"));
+  EXPECT_FALSE(screens.content("d7"));
+}
+
+TEST_F(ScreensTest, WhatWaitsForTheServiceIsBounded) {
+  screens.connect("left", false).value();
+  ASSERT_TRUE(screens.show("left", {"", "", {"Stop"}}));
+  screens.take();
+  for (std::size_t i = 0; i < Screens::kHappenings; ++i) ASSERT_TRUE(screens.press("left", "Stop"));
+  EXPECT_EQ(screens.press("left", "Stop").error().code, ErrorCode::conflict);
+  EXPECT_EQ(screens.take().size(), Screens::kHappenings);
+  EXPECT_TRUE(screens.press("left", "Stop"));
+}
+
+}  // namespace
+}  // namespace race::display
