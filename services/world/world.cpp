@@ -30,6 +30,22 @@ struct Part {
   std::string name;
   std::unique_ptr<btCollisionShape> shape;
   std::unique_ptr<btRigidBody> body;
+  bool present = true;
+};
+
+/// Notes what a shape at a trial pose is inside of, deeper than kDeepest.
+struct Intrusion final : btCollisionWorld::ContactResultCallback {
+  explicit Intrusion(const btCollisionObject& its_self) : self(its_self) {}
+  bool needsCollision(btBroadphaseProxy* proxy) const override { return proxy->m_clientObject != &self; }
+  btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper* a, int, int,
+                           const btCollisionObjectWrapper* b, int, int) override {
+    if (point.getDistance() < -World::kDeepest)
+      other = a->getCollisionObject() == trial ? b->getCollisionObject() : a->getCollisionObject();
+    return 0;
+  }
+  const btCollisionObject& self;             // where it is now does not count
+  const btCollisionObject* trial = nullptr;  // the shape as it would be
+  const btCollisionObject* other = nullptr;
 };
 
 }  // namespace
@@ -48,8 +64,11 @@ struct World::Plant {
   Plant(const Scene& scene, const RobotModel& model);
   ~Plant();
   void add_part(const Body& body);
-  const Part* part(std::string_view name) const;
-  const btCollisionObject* collider(std::string_view name, const RobotModel& model) const;
+  Part* part(std::string_view name);
+  /// Bullet's link that a link of the model is, or sits on; -1: the base, which nothing moves.
+  int carrier(std::string_view link, const RobotModel& model);
+  std::string name_of(const btCollisionObject* collider, const RobotModel& model);
+  const btCollisionObject* collider(std::string_view name, const RobotModel& model);
   void drive_jaws(double closing_force);
 };
 
@@ -69,7 +88,8 @@ World::Plant::Plant(const Scene& scene, const RobotModel& model) {
 }
 
 World::Plant::~Plant() {
-  for (Part& part : parts) world.removeRigidBody(part.body.get());
+  for (Part& part : parts)
+    if (part.present) world.removeRigidBody(part.body.get());
   robot.reset();
 }
 
@@ -86,12 +106,26 @@ void World::Plant::add_part(const Body& body) {
   parts.push_back(std::move(part));
 }
 
-const Part* World::Plant::part(std::string_view name) const {
+Part* World::Plant::part(std::string_view name) {
   const auto found = std::find_if(parts.begin(), parts.end(), [&](const Part& part) { return part.name == name; });
   return found == parts.end() ? nullptr : &*found;
 }
 
-const btCollisionObject* World::Plant::collider(std::string_view name, const RobotModel& model) const {
+int World::Plant::carrier(std::string_view name, const RobotModel& model) {
+  int link = model.link(name);
+  while (link > 0 && robot->bullet_index(link) < 0) link = model.links[static_cast<std::size_t>(link)].parent;
+  return link < 0 ? -1 : robot->bullet_index(link);
+}
+
+std::string World::Plant::name_of(const btCollisionObject* object, const RobotModel& model) {
+  for (const Part& part : parts)
+    if (part.body.get() == object) return part.name;
+  for (const Link& link : model.links)
+    if (!link.collisions.empty() && collider(link.name, model) == object) return link.name;
+  return "the robot";
+}
+
+const btCollisionObject* World::Plant::collider(std::string_view name, const RobotModel& model) {
   if (const Part* found = part(name)) return found->body.get();
   const int link = model.link(name);
   assert(link >= 0);
@@ -191,6 +225,16 @@ void World::set_gripper_force(double closing_force) {
 
 bool World::has(std::string_view name) const { return plant_->part(name) || model_.link(name) >= 0; }
 
+bool World::present(std::string_view name) const {
+  const Part* part = plant_->part(name);
+  return part ? part->present : model_.link(name) >= 0;
+}
+
+bool World::movable(std::string_view name) const {
+  if (const Part* part = plant_->part(name)) return part->present && part->body->getInvMass() > 0;
+  return plant_->carrier(name, model_) >= 0;
+}
+
 Pose World::pose(std::string_view name) const {
   assert(has(name));
   if (const Part* part = plant_->part(name)) return from_bullet(part->body->getWorldTransform());
@@ -219,12 +263,65 @@ void World::push(std::string_view name, const Vec3& force, const Vec3& point) {
     part->body->applyForce(f, p - part->body->getCenterOfMassPosition());
     return;
   }
-  const int index = plant_->robot->bullet_index(model_.link(name));
+  const int index = plant_->carrier(name, model_);
   assert(index >= 0);
   btMultiBody& body = plant_->robot->body();
   const btVector3 com = body.getLink(index).m_cachedWorldTransform.getOrigin();
   body.addLinkForce(index, f);
   body.addLinkTorque(index, (p - com).cross(f));
+}
+
+void World::twist(std::string_view body, const Vec3& torque) {
+  const Part* part = plant_->part(body);
+  assert(part);
+  part->body->applyTorque({torque[0], torque[1], torque[2]});
+}
+
+Expected<void> World::check_part(std::string_view name) const {
+  const Part* part = plant_->part(name);
+  const std::string quoted = "`" + std::string(name) + "`";
+  if (!part && model_.link(name) >= 0)
+    return unexpected(ErrorCode::type, quoted + " is a link of the robot, which forces alone move", "part");
+  if (!part) return unexpected(ErrorCode::not_found, "there is no part " + quoted, "part");
+  if (part->body->getInvMass() == 0) return unexpected(ErrorCode::type, quoted + " is fixed", "part");
+  return {};
+}
+
+Expected<void> World::place(std::string_view name, const Pose& o_t_part) {
+  if (auto ok = check_part(name); !ok) return ok;
+  Part& part = *plant_->part(name);
+  btCollisionObject trial;
+  trial.setCollisionShape(part.shape.get());
+  trial.setWorldTransform(to_bullet(o_t_part));
+  Intrusion intrusion(*part.body);
+  intrusion.trial = &trial;
+  plant_->world.updateAabbs();  // all are where the last step brought them
+  plant_->world.contactTest(&trial, intrusion);
+  if (intrusion.other)
+    return unexpected(ErrorCode::conflict, "it would be inside `" + plant_->name_of(intrusion.other, model_) + "`",
+                      "pose");
+  // Out and in again: contacts of the old place are forgotten.
+  if (part.present) plant_->world.removeRigidBody(part.body.get());
+  btRigidBody& body = *part.body;
+  body.setWorldTransform(trial.getWorldTransform());
+  body.setInterpolationWorldTransform(trial.getWorldTransform());
+  body.setLinearVelocity({0, 0, 0});
+  body.setAngularVelocity({0, 0, 0});
+  body.setInterpolationLinearVelocity({0, 0, 0});
+  body.setInterpolationAngularVelocity({0, 0, 0});
+  body.clearForces();
+  plant_->world.addRigidBody(&body);
+  part.present = true;
+  return {};
+}
+
+Expected<void> World::take(std::string_view name) {
+  if (auto ok = check_part(name); !ok) return ok;
+  Part& part = *plant_->part(name);
+  if (!part.present) return unexpected(ErrorCode::conflict, "`" + part.name + "` was taken away already", "part");
+  plant_->world.removeRigidBody(part.body.get());
+  part.present = false;
+  return {};
 }
 
 double World::contact_force(std::string_view a, std::string_view b) const {

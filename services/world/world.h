@@ -1,5 +1,6 @@
 // World: the plant of a cell, a Bullet multibody world with the robot, its gripper, the table and the parts. It is no
-// RACE service: control units read its sensors and set its torques and forces; nothing ever writes a position.
+// RACE service: control units read its sensors and set its torques and forces; nothing ever writes a position of the
+// robot. Parts may be put elsewhere by an experimenter, never into another body.
 //
 // Threads: one thread, its unit's. It has no clock: its time is the number of steps its caller made.
 #pragma once
@@ -60,21 +61,37 @@ class World {
   double gripper_speed() const;                  // m/s of the width, negative while closing
   void set_gripper_force(double closing_force);  // N, on each finger; negative opens
 
-  /// Where a body of the scene or a link of the robot is, seen from o. Requires such a name: see has().
+  /// Where a body of the scene or a link of the robot is, seen from o; of a part that was taken away, where it was.
+  /// Requires such a name: see has().
   Pose pose(std::string_view name) const;
   bool has(std::string_view name) const;
+  /// Whether it is in the cell: has(), and not taken away.
+  bool present(std::string_view name) const;
 
   // What an experimenter in the cell can do; control units do not use it.
 
   /// Changes the coefficient of friction of a body of the scene. Requires such a body and friction >= 0.
   void set_friction(std::string_view body, double friction);
+  /// Whether a force can move it: a part that is present and not fixed, a link on a joint of the robot.
+  bool movable(std::string_view name) const;
   /// Pushes a movable body or a link with `force` [N, in o] at `point` [m, in o] during the next step.
   void push(std::string_view name, const Vec3& force, const Vec3& point);
+  /// Turns a movable body of the scene with `torque` [Nm, in o] during the next step.
+  void twist(std::string_view body, const Vec3& torque);
+
+  /// How deep a part may be put into another body: 1 mm, for poses that are written with few digits.
+  static constexpr double kDeepest = 0.001;
+  /// Puts a part at rest at a pose, back into the cell if it was taken away. Nothing happens on errors: `not_found`,
+  /// `type` (a link, or a body that is fixed), `conflict` (inside another body, which the message names).
+  Expected<void> place(std::string_view part, const Pose& o_t_part);
+  /// Takes a part out of the cell. Errors: `not_found`, `type`, `conflict` (it is not there).
+  Expected<void> take(std::string_view part);
   /// Sum of the normal forces [N] between two bodies or links during the last step.
   double contact_force(std::string_view a, std::string_view b) const;
 
  private:
   struct Plant;
+  Expected<void> check_part(std::string_view name) const;
   World(const Scene& scene, const RobotModel& model);
 
   Scene scene_;
