@@ -46,7 +46,7 @@ Expected<Screens::ConnectionId> Screens::connect(const std::string& display, boo
   connections_[id] = {display, sound};
   auto& all = displays_[display].connections;
   all.insert(id);
-  if (all.size() == 1) (void)note({Happening::Kind::connected, display, {}});
+  if (all.size() == 1) (void)note({Happening::Kind::connected, display});
   return id;
 }
 
@@ -59,7 +59,7 @@ void Screens::disconnect(ConnectionId connection) {
   playing_.erase(connection);
   auto& rest = displays_[display].connections;
   rest.erase(connection);
-  if (rest.empty()) (void)note({Happening::Kind::disconnected, display, {}});
+  if (rest.empty()) (void)note({Happening::Kind::disconnected, display});
 }
 
 Expected<void> Screens::answer(const std::string& display, Value answer, std::optional<std::uint64_t> question) {
@@ -69,7 +69,7 @@ Expected<void> Screens::answer(const std::string& display, Value answer, std::op
   if (!shows_question(display, *shown) || (question && *question != question_->id))
     return unexpected(ErrorCode::conflict, "the display does not show this question, or not any more", "question");
   if (auto fits = check_answer(*question_, answer); !fits) return fits;
-  if (auto noted = note({Happening::Kind::answered, display, std::move(answer)}); !noted) return noted;
+  if (auto noted = note({Happening::Kind::answered, display, std::move(answer), question_->id}); !noted) return noted;
   question_.reset();
   tell(question_target_);
   return {};

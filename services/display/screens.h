@@ -52,7 +52,8 @@ class Watcher {
 struct Happening {
   enum class Kind : std::uint8_t { answered, pressed, connected, disconnected } kind = Kind::pressed;
   std::string display;
-  Value value;  // the answer, or the button
+  Value value = {};            // the answer, or the button
+  std::uint64_t question = 0;  // that was answered
   bool operator==(const Happening&) const = default;
 };
 

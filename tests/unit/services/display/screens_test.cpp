@@ -81,7 +81,7 @@ TEST_F(ScreensTest, TheFirstAnswerCountsAndTakesTheQuestionAway) {
   screens.take();
   ASSERT_TRUE(screens.answer("right", "No", question));
   EXPECT_EQ(screens.answer("left", "Yes", question).error().code, ErrorCode::conflict);
-  EXPECT_THAT(screens.take(), ElementsAre(Happening{Happening::Kind::answered, "right", "No"}));
+  EXPECT_THAT(screens.take(), ElementsAre(Happening{Happening::Kind::answered, "right", "No", question}));
   EXPECT_EQ(question_on("left"), "");
   EXPECT_FALSE(screens.asking());
 }
@@ -105,13 +105,13 @@ TEST_F(ScreensTest, AnAnswerIsOneOfTheButtons) {
 
 TEST_F(ScreensTest, ANumberIsFiniteAndWithinItsLimits) {
   screens.connect("left", false).value();
-  screens.ask("all", number(-1, 4)).value();
+  const auto question = screens.ask("all", number(-1, 4)).value();
   for (const Value& wrong : {Value(4.5), Value(-2), Value(std::nan("")), Value(INFINITY)})
     EXPECT_EQ(screens.answer("left", wrong).error().code, ErrorCode::out_of_range);
   EXPECT_EQ(screens.answer("left", "2").error().code, ErrorCode::type);
   screens.take();
   ASSERT_TRUE(screens.answer("left", 4));
-  EXPECT_THAT(screens.take(), ElementsAre(Happening{Happening::Kind::answered, "left", 4}));
+  EXPECT_THAT(screens.take(), ElementsAre(Happening{Happening::Kind::answered, "left", 4, question}));
 }
 
 TEST_F(ScreensTest, OnlyButtonsThatAreShownCanBePressed) {
@@ -152,7 +152,7 @@ TEST_F(ScreensTest, TwoConnectionsOfOneNameAreOneDisplay) {
   screens.connect("left", false).value();
   screens.disconnect(first);
   EXPECT_THAT(screens.connected(), ElementsAre("left"));
-  EXPECT_THAT(screens.take(), ElementsAre(Happening{Happening::Kind::connected, "left", {}}));
+  EXPECT_THAT(screens.take(), ElementsAre(Happening{Happening::Kind::connected, "left", {}, 0}));
 }
 
 TEST_F(ScreensTest, ASoundGoesToThoseWhoMayMakeSounds) {

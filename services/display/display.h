@@ -1,0 +1,53 @@
+// Display: the service `display`: shows text, images and questions to people and answers what they say. Operations,
+// events, limits: README.md.
+//
+// Threads: its unit's. People act on other threads, through Screens; step() takes what they did.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "services/component.h"
+#include "services/display/screens.h"
+
+namespace race::display {
+
+/// The RSM of every display.
+const rsm::Service& model();
+
+class Display final : public services::Component {
+ public:
+  /// How long a question waits for its last display to come back [s]: a page that is reloaded loses nothing.
+  static constexpr services::Time kPatience = 2.0;
+
+  /// Shows on `screens`, which outlive the component. Images that are no data URLs are files of `folder`.
+  Display(Screens& screens, std::string folder, services::ServiceHost& host);
+
+  const rsm::Service& model() const override { return display::model(); }
+  void call(const services::Call& call) override;
+  void step() override;
+
+ private:
+  /// The question that waits.
+  struct Waiting {
+    services::CallId call = 0;
+    std::uint64_t question = 0;
+    bool answer_alone = false;  // of `choose`
+    std::optional<services::Time> alone_since;
+  };
+
+  void show(const services::Call& call, const Dict& arguments);
+  void ask(const services::Call& call, const Dict& arguments);
+  void clear(const services::Call& call, const Dict& arguments);
+  void refuse(const services::Call& call, const Error& error);
+  void take();
+  void answered(const Happening& happening);
+  void drop(std::string_view transition, std::string_view code, std::string_view message);
+
+  services::ServiceHost& host_;
+  Screens& screens_;
+  std::string folder_;
+  std::optional<Waiting> waiting_;
+};
+
+}  // namespace race::display

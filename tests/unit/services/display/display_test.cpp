@@ -1,0 +1,294 @@
+#include "services/display/display.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+#include "core/value/json.h"
+#include "tests/unit/services/host/bench.h"
+
+namespace race::display {
+namespace {
+
+using services::Bench;
+using services::Delivery;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+struct DisplayTest : testing::Test {
+  DisplayTest() { bench.add<Display>("display", screens, std::string()); }
+
+  void connect(const std::string& display) {
+    connections[display] = screens.connect(display, false).value();
+    bench.pass(0.001);
+  }
+  void disconnect(const std::string& display) {
+    screens.disconnect(connections[display]);
+    bench.pass(0.001);
+  }
+  void call(const std::string& operation, List args = {}, Dict kwargs = {}) {
+    bench.call("display", operation, std::move(args), std::move(kwargs));
+  }
+  void answer(const std::string& display, Value value) {
+    ASSERT_TRUE(screens.answer(display, std::move(value)));
+    bench.pass(0.001);
+  }
+  std::string state() const { return *bench.host.service("display")->state; }
+  /// Events so far as "name data".
+  std::vector<std::string> events() const {
+    std::vector<std::string> all;
+    for (const Delivery& each : bench.deliveries)
+      if (each.kind == Delivery::Kind::event) all.push_back(each.name + " " + to_json(each.data));
+    return all;
+  }
+  /// Of the last response, the argument that it complains of.
+  std::string complaint() const {
+    const Value* argument = bench.deliveries.back().data.find("argument");
+    return argument ? argument->as_string() : "";
+  }
+
+  Screens screens;
+  Bench bench;
+  std::map<std::string, Screens::ConnectionId> connections;
+};
+
+/// Calls without a fault: the monitor has nothing to say.
+struct DisplayInOrder : DisplayTest {
+  ~DisplayInOrder() override {
+    for (const auto& violation : bench.violations("display")) ADD_FAILURE() << violation.rule << violation.message;
+  }
+};
+
+TEST_F(DisplayInOrder, WithoutADisplayEveryOperationIsAnsweredNoDisplay) {
+  call("show_text", {"Hello"});
+  call("show_image", {"data:image/png;base64,AAAA"});
+  call("ask", {"Go?"});
+  call("choose", {"Which?", List{"a", "b"}});
+  call("ask_number", {"How many?", 0, 5});
+  call("ask", {"Go?"}, {{"display", "left"}});
+  EXPECT_THAT(bench.responses(), ElementsAre("display.show_text !> no_display", "display.show_image !> no_display",
+                                             "display.ask !> no_display", "display.choose !> no_display",
+                                             "display.ask_number !> no_display", "display.ask !> no_display"));
+  EXPECT_EQ(complaint(), "display");
+  EXPECT_EQ(state(), "Idle");
+}
+
+TEST_F(DisplayInOrder, ClearingWhatIsNotThereIsNoFault) {
+  call("clear");
+  EXPECT_THAT(bench.responses(), ElementsAre("display.clear -> null"));
+}
+
+TEST_F(DisplayInOrder, ShowsTextAndImagesAndAnswersAtOnce) {
+  connect("main");
+  call("show_text", {"Hello"});
+  EXPECT_EQ(screens.content("main")->message->text, "Hello");
+  call("show_image", {"data:image/png;base64,AAAA", "Look", List{"Seen"}});
+  EXPECT_EQ(screens.content("main")->message, (Message{"Look", "data:image/png;base64,AAAA", {"Seen"}}));
+  EXPECT_THAT(bench.responses(), ElementsAre("display.show_text -> null", "display.show_image -> null"));
+}
+
+TEST_F(DisplayInOrder, AnAskedPersonAnswersWithAButtonLater) {
+  connect("main");
+  call("ask", {"Go?", List{"Yes", "No"}});
+  bench.pass(60);
+  EXPECT_THAT(bench.responses(), IsEmpty());
+  EXPECT_EQ(state(), "Asking");
+  answer("main", "No");
+  EXPECT_THAT(bench.responses(), ElementsAre(R"(display.ask -> {"answer":"No","display":"main"})"));
+  EXPECT_THAT(events(), ElementsAre(R"(connected {"display":"main"})", R"(answer {"answer":"No","display":"main"})"));
+  EXPECT_EQ(state(), "Idle");
+}
+
+TEST_F(DisplayInOrder, AskHasOneButtonIfNoneIsGiven) {
+  connect("main");
+  call("ask", {"Collision. Continue?"});
+  EXPECT_THAT(screens.content("main")->question->buttons, ElementsAre("OK"));
+}
+
+TEST_F(DisplayInOrder, ChooseAnswersTheChoiceAlone) {
+  connect("main");
+  call("choose", {"What now?", List{"Retry", "Skip"}});
+  answer("main", "Skip");
+  EXPECT_THAT(bench.responses(), ElementsAre(R"(display.choose -> "Skip")"));
+}
+
+TEST_F(DisplayInOrder, ANumberIsEnteredWithinItsLimits) {
+  connect("main");
+  call("ask_number", {"How wide?", 0.0, 0.11}, {{"unit", "m"}, {"initial", 0.03}});
+  EXPECT_EQ(screens.content("main")->question->number, (NumberEntry{"m", 0.0, 0.11, 0.03}));
+  answer("main", 0.05);
+  EXPECT_THAT(bench.responses(), ElementsAre(R"(display.ask_number -> {"answer":0.05,"display":"main"})"));
+}
+
+TEST_F(DisplayInOrder, TheFirstDisplayThatAnswersCounts) {
+  connect("left");
+  connect("right");
+  call("ask", {"Go?", List{"Yes", "No"}});
+  answer("right", "Yes");
+  EXPECT_FALSE(screens.answer("left", "No"));
+  bench.pass(0.01);
+  EXPECT_THAT(bench.responses(), ElementsAre(R"(display.ask -> {"answer":"Yes","display":"right"})"));
+}
+
+TEST_F(DisplayInOrder, ANamedDisplayAloneShowsAndAnswers) {
+  connect("left");
+  connect("right");
+  call("ask", {"Go?"}, {{"display", "right"}});
+  EXPECT_FALSE(screens.content("left")->question);
+  EXPECT_FALSE(screens.answer("left", "OK"));
+  answer("right", "OK");
+  EXPECT_THAT(bench.responses(), ElementsAre(R"(display.ask -> {"answer":"OK","display":"right"})"));
+}
+
+TEST_F(DisplayInOrder, ANewQuestionAnswersTheOneBefore) {
+  connect("main");
+  call("ask", {"First?"});
+  call("ask_number", {"Second?", 0, 9});
+  EXPECT_THAT(bench.responses(), ElementsAre("display.ask !> replaced"));
+  answer("main", 7);
+  EXPECT_THAT(bench.responses(),
+              ElementsAre("display.ask !> replaced", R"(display.ask_number -> {"answer":7,"display":"main"})"));
+}
+
+TEST_F(DisplayInOrder, AnAnswerBeforeTheNextQuestionStillCounts) {
+  connect("main");
+  call("ask", {"First?"});
+  ASSERT_TRUE(screens.answer("main", "OK"));
+  call("ask", {"Second?"});
+  EXPECT_THAT(bench.responses(), ElementsAre(R"(display.ask -> {"answer":"OK","display":"main"})"));
+  EXPECT_EQ(state(), "Asking");
+}
+
+TEST_F(DisplayInOrder, AQuestionThatCannotBeShownLeavesTheOneBefore) {
+  connect("main");
+  call("ask", {"First?"});
+  call("ask", {"Second?"}, {{"display", "left"}});
+  EXPECT_THAT(bench.responses(), ElementsAre("display.ask !> no_display"));
+  answer("main", "OK");
+  EXPECT_EQ(bench.responses().back(), R"(display.ask -> {"answer":"OK","display":"main"})");
+}
+
+TEST_F(DisplayInOrder, ClearEndsAQuestionThatNoDisplayShowsThen) {
+  connect("left");
+  connect("right");
+  call("ask", {"Go?"});
+  call("clear", {"left"});
+  EXPECT_THAT(bench.responses(), ElementsAre("display.clear -> null"));
+  EXPECT_EQ(state(), "Asking");
+  call("clear");
+  EXPECT_THAT(bench.responses(),
+              ElementsAre("display.clear -> null", "display.ask !> cleared", "display.clear -> null"));
+  EXPECT_EQ(state(), "Idle");
+  EXPECT_FALSE(screens.content("right")->question);
+}
+
+TEST_F(DisplayInOrder, TextsAndImagesCanChangeWhileAQuestionWaits) {
+  connect("main");
+  call("ask", {"Go?"});
+  call("show_text", {"Still there?"});
+  call("show_image", {"data:image/png;base64,AAAA"});
+  call("show_text", {"Not there"}, {{"display", "left"}});
+  call("clear", {"left"});
+  EXPECT_THAT(bench.responses(), ElementsAre("display.show_text -> null", "display.show_image -> null",
+                                             "display.show_text !> no_display", "display.clear !> no_display"));
+  answer("main", "OK");
+}
+
+TEST_F(DisplayInOrder, AQuestionWhoseLastDisplayStaysAwayIsLost) {
+  connect("left");
+  connect("right");
+  call("ask", {"Go?"});
+  disconnect("left");
+  bench.pass(2 * Display::kPatience);
+  EXPECT_THAT(bench.responses(), IsEmpty());
+  disconnect("right");
+  bench.pass(Display::kPatience - 0.01);
+  EXPECT_THAT(bench.responses(), IsEmpty());
+  bench.pass(0.02);
+  EXPECT_THAT(bench.responses(), ElementsAre("display.ask !> display_lost"));
+  EXPECT_EQ(state(), "Idle");
+  connect("left");
+  EXPECT_FALSE(screens.content("left")->question);
+}
+
+TEST_F(DisplayInOrder, ADisplayThatIsBackInTimeStillShowsItsQuestion) {
+  connect("main");
+  call("ask", {"Go?"});
+  for (int i = 0; i < 3; ++i) {
+    disconnect("main");
+    bench.pass(Display::kPatience * 0.9);
+    connect("main");
+  }
+  answer("main", "OK");
+  EXPECT_THAT(bench.responses(), ElementsAre(R"(display.ask -> {"answer":"OK","display":"main"})"));
+}
+
+TEST_F(DisplayInOrder, EachPressOfAShownButtonIsAnEvent) {
+  connect("main");
+  call("show_text", {"Moving", List{"Stop"}});
+  ASSERT_TRUE(screens.press("main", "Stop"));
+  ASSERT_TRUE(screens.press("main", "Stop"));
+  bench.pass(0.001);
+  const std::string press = R"(button {"button":"Stop","display":"main"})";
+  EXPECT_THAT(events(), ElementsAre(R"(connected {"display":"main"})", press, press));
+}
+
+TEST_F(DisplayInOrder, TellsWhoComesAndGoes) {
+  connect("main");
+  disconnect("main");
+  EXPECT_THAT(events(), ElementsAre(R"(connected {"display":"main"})", R"(disconnected {"display":"main"})"));
+}
+
+struct Wrong {
+  std::string operation;
+  List args;
+  Dict kwargs;
+  std::string code, argument;
+};
+
+/// What a caller does wrong is answered at once and shows nothing; the monitor finds fault with the caller alone.
+struct DisplayArguments : DisplayTest, testing::WithParamInterface<Wrong> {};
+
+TEST_P(DisplayArguments, AreHeldToTheirLimits) {
+  connect("main");
+  for (const bool asking : {false, true}) {
+    if (asking) call("ask", {"Go?"});
+    const auto before = screens.content("main");
+    call(GetParam().operation, GetParam().args, GetParam().kwargs);
+    EXPECT_EQ(bench.responses().back(), "display." + GetParam().operation + " !> " + GetParam().code);
+    EXPECT_EQ(complaint(), GetParam().argument);
+    EXPECT_EQ(screens.content("main"), before);
+    EXPECT_EQ(state(), asking ? "Asking" : "Idle");
+  }
+  for (const auto& violation : bench.violations("display")) EXPECT_EQ(violation.rule, "type") << violation.message;
+}
+
+const double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+INSTANTIATE_TEST_SUITE_P(
+    Wrong, DisplayArguments,
+    testing::Values(Wrong{"show_text", {}, {}, "missing", "text"}, Wrong{"show_text", {1}, {}, "type", "text"},
+                    Wrong{"show_text", {std::string(2001, 'x')}, {}, "too_large", "text"},
+                    Wrong{"show_text", {"x"}, {{"display", "a b"}}, "name", "display"},
+                    Wrong{"show_text", {"x", List{""}}, {}, "out_of_range", "buttons"},
+                    Wrong{"show_text", {"x", List(9, "x")}, {}, "out_of_range", "buttons"},
+                    Wrong{"show_text", {"x", List{1}}, {}, "type", "buttons"},
+                    Wrong{"show_image", {"scene.json"}, {}, "type", "image"},
+                    Wrong{"show_image", {"none.png"}, {}, "not_found", "image"},
+                    Wrong{"ask", {"Go?", List{}}, {}, "out_of_range", "buttons"},
+                    Wrong{"ask", {"Go?", List{"x", "x"}}, {}, "duplicate", "buttons"},
+                    Wrong{"ask", {"Go?", List{std::string(41, 'x')}}, {}, "out_of_range", "buttons"},
+                    Wrong{"choose", {"Which?"}, {}, "missing", "choices"},
+                    Wrong{"choose", {"Which?", List{}}, {}, "out_of_range", "choices"},
+                    Wrong{"ask_number", {"How many?", 0}, {}, "missing", "max"},
+                    Wrong{"ask_number", {"How many?", 2, 1}, {}, "out_of_range", "max"},
+                    Wrong{"ask_number", {"How many?", kNaN, 1}, {}, "out_of_range", "min"},
+                    Wrong{"ask_number", {"How many?", 0, INFINITY}, {}, "out_of_range", "max"},
+                    Wrong{"ask_number", {"How many?", 0, 1}, {{"initial", 2}}, "out_of_range", "initial"},
+                    Wrong{"ask_number", {"How many?", 0, 1}, {{"initial", kNaN}}, "out_of_range", "initial"},
+                    Wrong{"ask_number", {"How many?", 0, 1, std::string(17, 'm')}, {}, "too_large", "unit"},
+                    Wrong{"clear", {"nobody"}, {}, "no_display", "display"},
+                    Wrong{"clear", {"a/b"}, {}, "name", "display"}));
+
+}  // namespace
+}  // namespace race::display
