@@ -1,0 +1,49 @@
+// Audio: the service `audio`: plays named sounds on the displays that may make sounds and answers when they are over.
+// Operations, events, limits: README.md.
+//
+// Threads: its unit's. Displays report on other threads, through Screens; step() looks how far they are.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "services/component.h"
+#include "services/display/screens.h"
+
+namespace race::audio {
+
+/// The RSM of every audio.
+const rsm::Service& model();
+
+class Audio final : public services::Component {
+ public:
+  /// How long after its end a sound is still waited for [s]: the way to the browser and back.
+  static constexpr services::Time kMargin = 2.0;
+
+  /// Plays on `screens`, which outlive the component.
+  Audio(display::Screens& screens, services::ServiceHost& host);
+
+  const rsm::Service& model() const override { return audio::model(); }
+  void call(const services::Call& call) override;
+  void step() override;
+
+ private:
+  struct Playing {
+    services::CallId call = 0;
+    std::string sound;
+    services::Time started = 0;
+    double length = 0;  // [s] with all repetitions
+  };
+
+  void play(const services::Call& call, const Dict& arguments);
+  void stop(const services::Call& call);
+  void refuse(const services::Call& call, Value error, const std::string& argument);
+  void finish(const display::Playback& playback);
+  void drop(std::string_view transition, std::string_view code, std::string_view message);
+
+  services::ServiceHost& host_;
+  display::Screens& screens_;
+  std::optional<Playing> playing_;
+};
+
+}  // namespace race::audio

@@ -1,0 +1,182 @@
+#include "services/audio/audio.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+#include "services/audio/sounds.h"
+#include "tests/unit/services/host/bench.h"
+
+namespace race::audio {
+namespace {
+
+using display::Screens;
+using services::Bench;
+using services::Delivery;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+struct AudioTest : testing::Test {
+  AudioTest() { bench.add<Audio>("audio", screens); }
+  Screens::ConnectionId connect(const std::string& display, bool sound = true) {
+    return screens.connect(display, sound).value();
+  }
+  void call(const std::string& operation, List args = {}, Dict kwargs = {}) {
+    bench.call("audio", operation, std::move(args), std::move(kwargs));
+  }
+  std::optional<display::Sound> sound(const std::string& display) { return screens.content(display)->sound; }
+  void played(Screens::ConnectionId connection, const std::string& display) {
+    ASSERT_TRUE(screens.played(connection, sound(display)->id));
+    bench.pass(0.001);
+  }
+  int finished() const {
+    int count = 0;
+    for (const Delivery& each : bench.deliveries) count += each.kind == Delivery::Kind::event;
+    return count;
+  }
+  Screens screens;
+  Bench bench;
+};
+
+/// Calls without a fault: the monitor has nothing to say.
+struct AudioInOrder : AudioTest {
+  ~AudioInOrder() override {
+    for (const auto& violation : bench.violations("audio")) ADD_FAILURE() << violation.rule << violation.message;
+  }
+};
+
+TEST(Sounds, EndWithTheirLastNote) {
+  EXPECT_EQ(sounds().at("beep"), 0.15);
+  EXPECT_NEAR(sounds().at("success"), 0.7, 1e-12);
+  for (const auto& [name, length] : sounds()) EXPECT_GT(length, 0) << name;
+}
+
+TEST_F(AudioInOrder, WithoutADisplayThatMakesSoundsPlayIsAnsweredNoSpeaker) {
+  call("play", {"beep"});
+  connect("mute", false);
+  call("play", {"beep"});
+  connect("left");
+  call("play", {"beep"}, {{"display", "right"}});
+  EXPECT_THAT(bench.responses(),
+              ElementsAre("audio.play !> no_speaker", "audio.play !> no_speaker", "audio.play !> no_speaker"));
+}
+
+TEST_F(AudioInOrder, AnUnknownSoundIsAnError) {
+  connect("main");
+  call("play", {"trumpet"});
+  EXPECT_THAT(bench.responses(), ElementsAre("audio.play !> unknown_sound"));
+  EXPECT_EQ(bench.deliveries.back().data.find("argument")->as_string(), "sound");
+  EXPECT_FALSE(sound("main"));
+}
+
+TEST_F(AudioInOrder, AnswersWhenTheDisplayReportsTheEnd) {
+  const auto main = connect("main");
+  call("play", {"beep"}, {{"volume", 0.5}, {"repeat", 3}});
+  EXPECT_EQ(sound("main")->name, "beep");
+  EXPECT_EQ(sound("main")->volume, 0.5);
+  EXPECT_EQ(sound("main")->repeat, 3);
+  bench.pass(0.5);
+  EXPECT_THAT(bench.responses(), IsEmpty());
+  played(main, "main");
+  EXPECT_THAT(bench.responses(), ElementsAre(R"(audio.play -> {"sound":"beep","displays":["main"]})"));
+  EXPECT_EQ(finished(), 1);
+  EXPECT_FALSE(sound("main"));
+}
+
+TEST_F(AudioInOrder, WaitsForAllDisplaysThatPlayIt) {
+  const auto left = connect("left"), right = connect("right");
+  connect("mute", false);
+  call("play", {"beep"});
+  played(right, "right");
+  EXPECT_THAT(bench.responses(), IsEmpty());
+  played(left, "left");
+  EXPECT_THAT(bench.responses(), ElementsAre(R"(audio.play -> {"sound":"beep","displays":["left","right"]})"));
+}
+
+TEST_F(AudioInOrder, ADisplayThatNeverReportsIsNotWaitedForLongerThanTheSoundAndAMargin) {
+  connect("main");
+  const double length = 2 * sounds().at("success");
+  call("play", {"success", 1, 2});
+  bench.pass(length + Audio::kMargin - 0.01);
+  EXPECT_THAT(bench.responses(), IsEmpty());
+  bench.pass(0.02);
+  EXPECT_THAT(bench.responses(), ElementsAre("audio.play !> speaker_lost"));
+  EXPECT_FALSE(sound("main"));
+  EXPECT_EQ(finished(), 0);
+}
+
+TEST_F(AudioInOrder, OneDisplayThatReportsIsEnoughInTheEnd) {
+  const auto left = connect("left");
+  connect("right");
+  call("play", {"beep"});
+  played(left, "left");
+  bench.pass(sounds().at("beep") + Audio::kMargin);
+  EXPECT_THAT(bench.responses(), ElementsAre(R"(audio.play -> {"sound":"beep","displays":["left"]})"));
+}
+
+TEST_F(AudioInOrder, WhenAllDisplaysThatPlayItHaveGoneThePlayIsLost) {
+  const auto left = connect("left");
+  call("play", {"beep"});
+  screens.disconnect(left);
+  bench.pass(0.001);
+  EXPECT_THAT(bench.responses(), ElementsAre("audio.play !> speaker_lost"));
+}
+
+TEST_F(AudioInOrder, ANewSoundTakesThePlaceOfTheOneThatPlays) {
+  const auto main = connect("main");
+  call("play", {"beep"});
+  const auto first = sound("main")->id;
+  call("play", {"error"});
+  EXPECT_THAT(bench.responses(), ElementsAre("audio.play !> replaced"));
+  EXPECT_FALSE(screens.played(main, first));
+  played(main, "main");
+  EXPECT_EQ(bench.responses().back(), R"(audio.play -> {"sound":"error","displays":["main"]})");
+}
+
+TEST_F(AudioInOrder, ASoundThatCannotBePlayedLeavesTheOneThatPlays) {
+  connect("main");
+  call("play", {"beep"});
+  call("play", {"trumpet"});
+  EXPECT_THAT(bench.responses(), ElementsAre("audio.play !> unknown_sound"));
+  EXPECT_EQ(sound("main")->name, "beep");
+}
+
+TEST_F(AudioInOrder, StopIsSilence) {
+  connect("main");
+  call("stop");
+  call("play", {"collision"});
+  call("stop");
+  EXPECT_THAT(bench.responses(), ElementsAre("audio.stop -> null", "audio.play !> stopped", "audio.stop -> null"));
+  EXPECT_FALSE(sound("main"));
+  EXPECT_EQ(*bench.host.service("audio")->state, "Idle");
+}
+
+struct Wrong {
+  List args;
+  std::string code, argument;
+};
+struct AudioArguments : AudioTest, testing::WithParamInterface<Wrong> {};
+
+TEST_P(AudioArguments, AreHeldToTheirLimits) {
+  connect("main");
+  for (const bool playing : {false, true}) {
+    if (playing) call("play", {"done"});
+    const auto before = sound("main");
+    call("play", GetParam().args);
+    EXPECT_EQ(bench.responses().back(), "audio.play !> " + GetParam().code);
+    EXPECT_EQ(bench.deliveries.back().data.find("argument")->as_string(), GetParam().argument);
+    EXPECT_EQ(sound("main"), before);
+  }
+  for (const auto& violation : bench.violations("audio")) EXPECT_EQ(violation.rule, "type") << violation.message;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Wrong, AudioArguments,
+    testing::Values(Wrong{{}, "missing", "sound"}, Wrong{{1}, "type", "sound"},
+                    Wrong{{"beep", 1.5}, "out_of_range", "volume"}, Wrong{{"beep", -0.1}, "out_of_range", "volume"},
+                    Wrong{{"beep", std::numeric_limits<double>::quiet_NaN()}, "out_of_range", "volume"},
+                    Wrong{{"beep", "loud"}, "type", "volume"}, Wrong{{"beep", 1, 0}, "out_of_range", "repeat"},
+                    Wrong{{"beep", 1, 21}, "out_of_range", "repeat"}, Wrong{{"beep", 1, 1.5}, "type", "repeat"}));
+
+}  // namespace
+}  // namespace race::audio
