@@ -4,8 +4,7 @@ import { mkdtempSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
-import { subjectText } from "../../web/shared/derivation/proof";
-import { traceSteps, type Derivation, type TraceStep } from "../../web/shared/messages/derivation";
+import { expectedCard, expectedLines, shownCard, shownLines, type RawNode, type RawStep } from "./proofText";
 import { binary, openStage, type Stage } from "./stage";
 
 let stage: Stage;
@@ -55,22 +54,19 @@ const activations = (): Promise<readonly string[]> =>
     return Array.isArray(noted) ? noted.map(String) : [];
   });
 
-const labels = (node: Derivation): readonly string[] => [
-  `${node.rule} (${node.equation}) ${subjectText(node)}`,
-  ...node.premises.flatMap(labels),
-];
-
 /** `race derive` of the run as the server exports it. */
-async function derive(id: string): Promise<readonly TraceStep[]> {
+async function derive(id: string): Promise<readonly RawStep[]> {
   const folder = mkdtempSync(join(tmpdir(), "race-derive-"));
   const get = async (path: string): Promise<unknown> => (await fetch(`${stage.url}/api/v1/cores/${id}/${path}`)).json();
   const native = (await get("native")) as { readonly document: unknown };
   writeFileSync(join(folder, "model.json"), JSON.stringify(native.document));
   writeFileSync(join(folder, "script.json"), JSON.stringify(await get("script")));
   const text = execFileSync(binary, ["derive", join(folder, "model.json"), join(folder, "script.json")], { maxBuffer: 1 << 28 }).toString();
-  const derived = JSON.parse(text) as { readonly steps: readonly object[] };
-  return traceSteps({ steps: derived.steps.map((step, i) => ({ step: i + 1, input: { kind: "script" }, ...step })) }, "");
+  return (JSON.parse(text) as { readonly steps: readonly RawStep[] }).steps;
 }
+
+/** The nodes of a proof in the order of their rows. */
+const preorder = (node: RawNode): readonly RawNode[] => [node, ...node.premises.flatMap(preorder)];
 
 describe("RACE Pro", () => {
   it("leads from the address of the server to the page", async () => {
@@ -104,22 +100,34 @@ describe("RACE Pro", () => {
     await stage.picture("derivation");
   });
 
-  it("shows the derivation of the run, node for node as `race derive` gives it for the exported script", async () => {
+  it("shows every node of the run's derivation whole, as `race derive` gives it for the exported script", async () => {
     const id = await page.getByRole("combobox", { name: "Watched run" }).inputValue();
     const derived = await derive(id);
     const steps = page.getByRole("list", { name: "Macro steps" }).getByRole("button");
     expect(await steps.count()).toBe(derived.length);
+    const carded = new Set<string>();
     for (const [i, step] of derived.entries()) {
       await steps.nth(i).click();
       await expect.poll(() => page.getByRole("article").count()).toBe(step.micro.length);
       for (const [m, micro] of step.micro.entries()) {
+        const where = `step ${i + 1}, micro step ${m}`;
         const proof = page.getByRole("article", { name: `Micro step ${m}`, exact: true });
         await proof.getByRole("button", { name: "Unfold all" }).click();
-        const shown = await proof.getByRole("treeitem").evaluateAll((items) => items.map((item) => item.getAttribute("aria-label")));
-        expect(shown, `step ${i + 1}, micro step ${m}`).toEqual(labels(micro));
+        expect((await shownLines(proof)).join("\n"), where).toBe(expectedLines(micro).join("\n"));
+        // One card for each kind of node: a rule with the fields that it has.
+        for (const [n, node] of preorder(micro).entries()) {
+          const kind = `${node.rule} ${Object.keys(node).join(" ")}`;
+          if (carded.has(kind)) continue;
+          carded.add(kind);
+          await proof.locator(".proof-row").nth(n).dispatchEvent("click");
+          expect(await shownCard(page.getByRole("complementary", { name: "Inference" })), `${where}, node ${n}`).toEqual(expectedCard(node));
+        }
       }
     }
-  });
+    // The run holds what the comparison is about: values, refinements, calls, several premises.
+    const kinds = [...carded].join("\n");
+    for (const expected of [/^Cond .*value/m, /refinement/, /^FuncSC .*args/m, /^PTrans1 /m, /^Resolve .*value/m]) expect(kinds).toMatch(expected);
+  }, 240_000);
 
   it("steps a run that was not started, and says why a port does not fire", async () => {
     await load();

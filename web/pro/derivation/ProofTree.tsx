@@ -1,8 +1,7 @@
-// One derivation as a tree that can be unfolded: rule, equation, what it concludes about, value, refinement.
+// One derivation as a tree that can be unfolded: a row says all that its node holds, its premises stand beneath it in order.
 import { useState, type KeyboardEvent } from "react";
-import { notable, premiseCount, subjectText, type ProofPath } from "../../shared/derivation/proof";
+import { notable, premiseCount, rowParts, subjectText, type ProofPath, type RowPart } from "../../shared/derivation/proof";
 import type { Derivation } from "../../shared/messages/derivation";
-import { clip, valueText } from "../../shared/model/describe";
 
 interface Props {
   readonly root: Derivation;
@@ -59,16 +58,11 @@ function ProofNode({ node, path, picked, onPick, unfolded }: NodeProps) {
           <span className="fold" aria-hidden="true" />
         )}
         <button type="button" className="proof-row" onClick={() => onPick(path)} onDoubleClick={() => setOpen(!open)} onKeyDown={press}>
-          <b className={`rule rule-${layerOf(node.rule)}`}>{node.rule}</b>
-          <span className="equation">({node.equation})</span>
-          <span className="subject">{subjectText(node)}</span>
-          {node.value !== undefined && <span className={`value is-${String(node.value)}`}>{clip(valueText(node.value), 36)}</span>}
-          {node.rule === "FuncSC" && (
-            <code className="call">
-              {node.service}.{node.operation}
-            </code>
-          )}
-          {node.refinement !== undefined && <span className="refinement">{node.refinement}</span>}
+          {rowParts(node).map((part) => (
+            <span key={part.kind} className={partClass(part, node)} title={part.full ?? part.text}>
+              {part.text}
+            </span>
+          ))}
           {folds && !open && <small>{premiseCount(node)}</small>}
         </button>
       </div>
@@ -81,6 +75,12 @@ function ProofNode({ node, path, picked, onPick, unfolded }: NodeProps) {
       )}
     </li>
   );
+}
+
+function partClass(part: RowPart, node: Derivation): string {
+  if (part.kind === "rule") return `rule rule-${layerOf(node.rule)}`;
+  const truth = part.kind === "value" && (node.value === null || typeof node.value === "boolean");
+  return truth ? `value is-${String(node.value)}` : part.kind;
 }
 
 /** Colour group of a rule: moves of the micro layer, activation, deactivation, the rest. */

@@ -2,6 +2,7 @@
 import type { JsonValue } from "../json/decode";
 import type { Derivation, TraceStep } from "../messages/derivation";
 import { clip, valueText } from "../model/describe";
+import { literal } from "../model/literal";
 import { nameOf } from "../model/modelTree";
 
 /** Place of a node in its tree: the premise numbers from the root. */
@@ -19,6 +20,32 @@ export function subjectText(node: Derivation): string {
   if (node.port !== undefined) return `${subject}.${node.port}`;
   if (node.action !== undefined) return `${subject}.actions[${node.action}]`;
   return node.of === undefined ? subject : `${subject}.${node.of}`;
+}
+
+/** A part of a node's row; `full` says it where the text is the short form of it. */
+export interface RowPart {
+  readonly kind: "rule" | "equation" | "subject" | "call" | "value" | "reads" | "refinement";
+  readonly text: string;
+  readonly full?: string;
+}
+
+/** All that a node holds but its premises, uncut: two nodes that differ read differently. */
+export function rowParts(node: Derivation): readonly RowPart[] {
+  const subject = subjectText(node);
+  return [
+    { kind: "rule", text: node.rule },
+    { kind: "equation", text: `(${node.equation})` },
+    { kind: "subject", text: subject, full: `${node.at}${subject.slice(nameOf(node.at).length)}` },
+    ...(node.service === undefined ? [] : [{ kind: "call", text: serviceCall(node) } as const]),
+    ...(node.value === undefined ? [] : [{ kind: "value", text: literal(node.value) } as const]),
+    ...(node.requires === undefined ? [] : [{ kind: "reads", text: `reads ${node.requires.join(", ")}` } as const]),
+    ...(node.refinement === undefined ? [] : [{ kind: "refinement", text: node.refinement } as const]),
+  ];
+}
+
+function serviceCall(node: Derivation): string {
+  const keywords = Object.entries(node.kwargs ?? {}).map(([name, value]) => `${name}=${literal(value)}`);
+  return `${node.service ?? ""}.${node.operation ?? ""}(${[...(node.args ?? []).map(literal), ...keywords].join(", ")})`;
 }
 
 /** The judgement that a node concludes, in the symbols of the thesis. */
@@ -64,20 +91,22 @@ export function judgement(node: Derivation): string {
   }
 }
 
-/** What else a node holds, as name and text. */
+/** All that a node holds but its premises, as name and text, uncut. */
 export function facts(node: Derivation): readonly { readonly name: string; readonly text: string }[] {
-  const fact = (name: string, value: JsonValue | undefined) => (value === undefined ? [] : [{ name, text: valueText(value) }]);
+  const fact = (name: string, value: JsonValue | undefined) => (value === undefined ? [] : [{ name, text: literal(value) }]);
+  const name = (name: string, text: string | undefined) => (text === undefined ? [] : [{ name, text }]);
   return [
     { name: "at", text: node.at },
-    ...fact("port", node.port),
+    ...name("port", node.port),
     ...fact("action", node.action),
-    ...fact("parameter", node.parameter),
-    ...fact("of", node.of),
+    ...name("parameter", node.parameter),
+    ...name("of", node.of),
+    ...name("calls", node.service === undefined ? undefined : `${node.service}.${node.operation ?? ""}`),
     ...fact("value", node.value),
     ...(node.requires === undefined ? [] : [{ name: "reads", text: node.requires.join(", ") }]),
     ...fact("args", node.args),
     ...(node.kwargs === undefined || Object.keys(node.kwargs).length === 0 ? [] : fact("kwargs", node.kwargs)),
-    ...fact("refinement", node.refinement),
+    ...name("refinement", node.refinement),
   ];
 }
 

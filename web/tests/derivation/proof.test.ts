@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { facts, judgement, lastFiring, leading, mergeSteps, nodeAt, notable, size, subjectText, summary } from "../../shared/derivation/proof";
+import { facts, judgement, lastFiring, leading, mergeSteps, nodeAt, notable, rowParts, size, subjectText, summary } from "../../shared/derivation/proof";
 import type { Derivation, TraceStep } from "../../shared/messages/derivation";
 import { caseNames, runOf } from "../conformance";
 
@@ -51,6 +51,48 @@ describe("subjectText", () => {
     expect(subjectText(node("Resolve"))).toBe("Pick.par.pose");
     expect(subjectText(node("PTrigger"))).toBe("Dispatcher.to_Release");
     expect(subjectText(node("Action1"))).toMatch(/\.actions\[\d\]$/);
+  });
+});
+
+describe("rowParts", () => {
+  const row = (entry: Derivation) => rowParts(entry).map((part) => part.text).join(" ");
+  const full = (entry: Derivation) => rowParts(entry).map((part) => part.full ?? part.text).join(" ");
+  it("says the value, what was read and the refinement of a condition", () => {
+    const cond: Derivation = {
+      rule: "Cond", equation: "4.12", at: "Root/Pick", action: 0, value: null, requires: ["db.get.result", "db.get.error"], refinement: "R2", premises: [],
+    };
+    expect(row(cond)).toBe("Cond (4.12) Pick.actions[0] None reads db.get.result, db.get.error R2");
+    expect(full(cond)).toBe("Cond (4.12) Root/Pick.actions[0] None reads db.get.result, db.get.error R2");
+  });
+  it("says a call with all its arguments", () => {
+    const call: Derivation = {
+      rule: "FuncSC", equation: "4.14", at: "Root/Move", service: "robot", operation: "move", args: [{ offset: [0, 0, 0.1500001] }], kwargs: { kind: "lin", speed: 0.25 }, premises: [],
+    };
+    expect(row(call)).toBe("FuncSC (4.14) Move robot.move({'offset': [0, 0, 0.1500001]}, kind='lin', speed=0.25)");
+  });
+  it("cuts nothing", () => {
+    const long = "x".repeat(500);
+    expect(row({ rule: "Resolve", equation: "3.13", at: "A", parameter: "p", value: long, premises: [] })).toContain(`'${long}'`);
+  });
+  it.each(caseNames)("tells every two nodes of %s apart that differ in more than their premises", (name) => {
+    const read = new Map<string, string>();
+    for (const entry of runOf(name).steps.flatMap((s) => s.micro.flatMap(all))) {
+      const own = JSON.stringify({ ...entry, premises: [] });
+      expect(read.get(full(entry)) ?? own, full(entry)).toBe(own);
+      read.set(full(entry), own);
+    }
+  });
+});
+
+describe("facts", () => {
+  it.each(caseNames)("tells every two nodes of %s apart that differ in more than their rule and premises", (name) => {
+    const read = new Map<string, string>();
+    for (const { rule, equation, premises, ...held } of runOf(name).steps.flatMap((s) => s.micro.flatMap(all))) {
+      const text = JSON.stringify(facts({ rule, equation, premises, ...held }));
+      const own = JSON.stringify({ ...held, kwargs: Object.keys(held.kwargs ?? {}).length === 0 ? undefined : held.kwargs });
+      expect(read.get(text) ?? own, text).toBe(own);
+      read.set(text, own);
+    }
   });
 });
 

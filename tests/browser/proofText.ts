@@ -1,0 +1,113 @@
+// Derivations as text, one line for each node, premises indented beneath: once from the JSON of `race derive`, once from what the page shows.
+// The two share one function of the page, `literal` (held to by web/tests/model/literal.test.ts); all else is written here anew.
+import type { Locator } from "playwright-core";
+import type { JsonValue } from "../../web/shared/json/decode";
+import { literal } from "../../web/shared/model/literal";
+
+/** A node as `race derive` prints it: not decoded, so that what the page overlooks is still here. */
+export interface RawNode {
+  readonly rule: string;
+  readonly equation: string;
+  readonly at: string;
+  readonly premises: readonly RawNode[];
+  readonly port?: string;
+  readonly action?: number;
+  readonly parameter?: string;
+  readonly of?: string;
+  readonly value?: JsonValue;
+  readonly requires?: readonly string[];
+  readonly refinement?: string;
+  readonly service?: string;
+  readonly operation?: string;
+  readonly args?: readonly JsonValue[];
+  readonly kwargs?: Readonly<Record<string, JsonValue>>;
+}
+
+export interface RawStep {
+  readonly micro: readonly RawNode[];
+}
+
+/** What stands behind the path of a node: its port, parameter, action or function; for a node that was led to, the port that leads there. */
+function suffix({ port, parameter, action, of }: RawNode): string {
+  if (parameter !== undefined) return `.par.${parameter}`;
+  if (port !== undefined) return port.includes("/") ? ` by ${port}` : `.${port}`;
+  if (action !== undefined) return `.actions[${action}]`;
+  return of === undefined ? "" : `.${of}`;
+}
+
+function callOf({ service, operation, args, kwargs }: RawNode): string | undefined {
+  if (service === undefined) return undefined;
+  const texts = [...(args ?? []).map(literal), ...Object.entries(kwargs ?? {}).map(([name, value]) => `${name}=${literal(value)}`)];
+  return `${service}.${operation ?? "?"}(${texts.join(", ")})`;
+}
+
+/** A line for each node, in pre-order. A field that this function does not know is an error: it would go unseen. */
+export function expectedLines(node: RawNode, depth = 0): readonly string[] {
+  const { rule, equation, at, premises, port: _p, action: _a, parameter: _q, of: _o, service: _s, operation: _n, args: _r, kwargs: _k, ...rest } = node;
+  const { value, requires, refinement, ...unknown } = rest;
+  if (Object.keys(unknown).length > 0) throw new Error(`${rule} at ${at} has fields that nobody shows: ${Object.keys(unknown).join(", ")}`);
+  const subject = `${at.split("/").at(-1) ?? ""}${suffix(node)}`;
+  const parts = [
+    rule,
+    `(${equation})`,
+    `${subject} <${at}${suffix(node)}>`,
+    callOf(node),
+    value === undefined ? undefined : literal(value),
+    requires === undefined ? undefined : `reads ${requires.join(", ")}`,
+    refinement,
+  ];
+  return [`${"  ".repeat(depth)}${parts.filter((part) => part !== undefined).join(" | ")}`, ...premises.flatMap((premise) => expectedLines(premise, depth + 1))];
+}
+
+/** The same lines, read from the rows of an unfolded proof: their visible text, and in <> the title of a subject, which names its whole path. */
+export function shownLines(proof: Locator): Promise<readonly string[]> {
+  return proof.getByRole("tree").evaluate((tree) => {
+    const lines = (list: Element, depth: number): string[] =>
+      [...list.children].flatMap((item) => {
+        const row = item.querySelector(":scope > .proof-line > .proof-row");
+        if (!(row instanceof HTMLElement)) throw new Error("a node without a row");
+        const parts = [...row.children].map((part) => {
+          if (!(part instanceof HTMLElement)) throw new Error("a part that is no text");
+          return part.classList.contains("subject") ? `${part.innerText} <${part.title}>` : part.innerText;
+        });
+        const premises = item.querySelector(":scope > ul");
+        return [`${"  ".repeat(depth)}${parts.join(" | ")}`, ...(premises === null ? [] : lines(premises, depth + 1))];
+      });
+    return lines(tree, 0);
+  });
+}
+
+/** What the card of an inference must say of a node: its rule, the rules of its premises in order, and each fact that it holds. */
+export function expectedCard({ rule, equation, premises, ...node }: RawNode) {
+  const { at, port, action, parameter, of, service, operation, value, requires, args, kwargs, refinement } = node;
+  const facts: readonly (readonly [string, string | undefined])[] = [
+    ["at", at],
+    ["port", port],
+    ["action", action === undefined ? undefined : String(action)],
+    ["parameter", parameter],
+    ["of", of],
+    ["calls", service === undefined ? undefined : `${service}.${operation ?? "?"}`],
+    ["value", value === undefined ? undefined : literal(value)],
+    ["reads", requires?.join(", ")],
+    ["args", args === undefined ? undefined : literal(args)],
+    ["kwargs", kwargs === undefined || Object.keys(kwargs).length === 0 ? undefined : literal(kwargs)],
+    ["refinement", refinement],
+  ];
+  return {
+    title: `${rule} (${equation})`,
+    premises: premises.map((premise) => premise.rule),
+    facts: facts.filter(([, text]) => text !== undefined).map(([name, text]) => `${name}: ${text ?? ""}`),
+  };
+}
+
+/** The card as it is shown. */
+export function shownCard(card: Locator) {
+  return card.evaluate((aside) => {
+    const text = (element: Element | null) => (element instanceof HTMLElement ? element.innerText : "");
+    return {
+      title: text(aside.querySelector("h3")),
+      premises: [...aside.querySelectorAll(".premises small")].map(text),
+      facts: [...aside.querySelectorAll("dl > div")].map((pair) => `${text(pair.querySelector("dt"))}: ${text(pair.querySelector("dd"))}`),
+    };
+  });
+}
