@@ -3,6 +3,7 @@ import { useEffect, useMemo, useState } from "react";
 import { lastFiring, type MicroStep } from "../../shared/derivation/proof";
 import type { Why } from "../../shared/messages/why";
 import { inputText } from "../../shared/run/inputText";
+import { constantText } from "../../shared/run/whyText";
 import { api, useCore, useSession, view } from "../client";
 import { Atoms, WhyView } from "./WhyView";
 
@@ -52,6 +53,7 @@ function WhyFired({ address, firing }: { readonly address: string; readonly firi
   const answer = useWhy(address, undefined, firing);
   const input = useSession((s) => s.steps.find((step) => step.step === firing.step)?.input);
   if (answer === undefined || "failed" in answer) return null;
+  const constant = constantText(answer.why);
   return (
     <section className="why" aria-label="Why it fired">
       <h3>
@@ -62,6 +64,7 @@ function WhyFired({ address, firing }: { readonly address: string; readonly firi
           Upon <code>{inputText(input)}</code>, its condition was true:
         </p>
       )}
+      {constant !== undefined && <p>{constant}</p>}
       <Atoms why={answer.why} />
       <button type="button" className="link" onClick={() => view.dispatch({ type: "step", step: firing.step })}>
         Show the derivation

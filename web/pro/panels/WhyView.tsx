@@ -1,12 +1,14 @@
 // Why a port fired or not: the atoms of its condition with their values, and those whose change would fire it.
 import type { Why } from "../../shared/messages/why";
-import { atomAdvice, codePieces, readsText, truthText, whyHeadline } from "../../shared/run/whyText";
+import { atomAdvice, codePieces, readsText, truthText, whyHeadline, whySentences } from "../../shared/run/whyText";
 
 export function WhyView({ why }: { readonly why: Why }) {
   return (
     <section className="why" aria-label="Why">
       <h3>{whyHeadline(why)}</h3>
-      <p>{codePieces(why.reason).map((piece, i) => (piece.code ? <code key={i}>{piece.text}</code> : piece.text))}</p>
+      {whySentences(why).map((sentence) => (
+        <p key={sentence}>{codePieces(sentence).map((piece, i) => (piece.code ? <code key={i}>{piece.text}</code> : piece.text))}</p>
+      ))}
       <Atoms why={why} />
       <p className="quiet">
         Condition now: <strong>{truthText(why.value)}</strong>

@@ -2,9 +2,9 @@ import { describe, expect, it } from "vitest";
 import type { Core, CoreDelta, RunState, Values } from "../../shared/messages/core";
 import { buildTree } from "../../shared/model/modelTree";
 import { applyDelta, runningNow } from "../../shared/run/applyDelta";
-import { allowed, commandOfKey, primary, statusText } from "../../shared/run/controls";
+import { allowed, primary, statusText } from "../../shared/run/controls";
 import { callText, inputText } from "../../shared/run/inputText";
-import { atomAdvice, codePieces, readsText, whyHeadline } from "../../shared/run/whyText";
+import { atomAdvice, codePieces, constantText, readsText, whyHeadline, whySentences } from "../../shared/run/whyText";
 import { caseNames, modelOf, runOf } from "../conformance";
 
 const core: Core = { id: "1", document: "pick", status: "running", paused: false, stepping: false, step: 1, micro: 0, waiting: 0, arguments: {} };
@@ -79,18 +79,11 @@ describe("controls", () => {
   it("offer nothing but another run when a core is over", () => {
     for (const status of ["ended", "faulted", "aborted"] as const) expect([...allowed({ ...core, status })]).toEqual(["again"]);
   });
-  it("give F5 the meaning of the first button", () => {
-    expect(commandOfKey("F5", false, { ...core, status: "ready" })).toBe("start");
-    expect(commandOfKey("F5", false, { ...core, paused: true })).toBe("resume");
-    expect(commandOfKey("F5", false, core)).toBeUndefined();
+  it("give the first button the command that makes sense", () => {
+    expect(primary({ ...core, status: "ready" })).toBe("start");
+    expect(primary({ ...core, paused: true })).toBe("resume");
     expect(primary({ ...core, status: "ended" })).toBe("again");
-  });
-  it("take F4 as a micro step and Shift+F4 as a macro step, only where they are allowed", () => {
-    expect(commandOfKey("F4", false, { ...core, paused: true })).toBe("micro");
-    expect(commandOfKey("F4", true, { ...core, paused: true })).toBe("macro");
-    expect(commandOfKey("F4", false, core)).toBeUndefined();
-    expect(commandOfKey("F8", false, core)).toBe("stop");
-    expect(commandOfKey("F7", false, core)).toBe("pause");
+    expect(primary(core)).toBeUndefined();
   });
   it("say how a core stands", () => {
     expect(statusText({ ...core, status: "ended", outcome: "success" })).toBe("Ended: success");
@@ -123,6 +116,32 @@ describe("words", () => {
     expect(atomAdvice({ ...why, stateActive: false }, atom)).toBeUndefined();
     expect(atomAdvice({ ...why, active: true }, atom)).toBeUndefined();
     expect(atomAdvice(why, { ...atom, text: "False", reads: [] })).toBeUndefined();
+  });
+  describe("of a constant condition", () => {
+    const atom = { text: "True", value: true, service: false, requires: [], reads: [], blocks: false, together: false };
+    const reading = { ...atom, text: "par.x", reads: [{ text: "par.x", value: true }] };
+    const why = { port: "A.p", condition: "True", value: true, active: false, stateActive: false, reason: "Its state is not active.", atoms: [atom] } as const;
+    const never = { ...why, value: false, stateActive: true, reason: "It fires when `False` becomes true.", atoms: [{ ...atom, text: "False", value: false, blocks: true }] } as const;
+    it("say that it is constant, why, and what follows", () => {
+      expect(constantText(why)).toBe(
+        "The condition is constant: it reads no parameter, result, variable, port or service data, so it is always true. Once its state is active, the port needs nothing more to fire.",
+      );
+      expect(constantText(never)).toMatch(/it reads no .* so it is always false\. The port can never fire\.$/);
+      expect(constantText({ ...never, value: null })).toMatch(/its evaluation fails every time\.$/);
+      expect(readsText(atom)).toBe("a constant: it reads nothing");
+    });
+    it("stand beside what the server says, but never beside the promise of a change", () => {
+      expect(whySentences(why)).toEqual([why.reason, constantText(why)]);
+      expect(whySentences(never)).toEqual([constantText(never)]);
+      expect(whyHeadline(never)).toBe("Never fires");
+    });
+    it("are not said of a condition of which one atom reads something", () => {
+      const mixed = { ...why, condition: "True or par.x", atoms: [atom, reading] };
+      expect(constantText(mixed)).toBeUndefined();
+      expect(whySentences(mixed)).toEqual([why.reason]);
+      expect(constantText({ ...why, atoms: [{ ...atom, service: true }] })).toBeUndefined();
+      expect(constantText({ ...why, atoms: [] })).toBeUndefined();
+    });
   });
   it("tell code from words", () => {
     expect(codePieces("It fires when `a` becomes true.")).toEqual([
