@@ -1,44 +1,46 @@
 // The expert page: task tree to the left, canvas in the middle, properties to the right, run bar and derivation below.
-import { lazy, Suspense, useEffect } from "react";
-import { commandOfKey } from "../shared/run/controls";
+import { lazy, Suspense } from "react";
 import { watchedCore } from "../shared/session/session";
+import { commandOf } from "../shared/session/shortcuts";
 import { ModelCanvas } from "./canvas/ModelCanvas";
 import { useTree } from "./canvas/useDrawing";
 import { CellInset } from "./cell/CellInset";
 import { run, session, useView, view } from "./client";
 import { Drawer } from "./panels/Drawer";
+import { KeyHelp } from "./panels/KeyHelp";
 import { PropertiesPanel } from "./panels/PropertiesPanel";
 import { RunBar } from "./panels/RunBar";
 import { TaskPanel } from "./panels/TaskPanel";
 import { TopBar } from "./panels/TopBar";
 import { ServicesView } from "./services/ServicesView";
+import { useShortcuts } from "./useShortcuts";
 
 const CellView = lazy(() => import("./cell/CellView").then(({ CellView }) => ({ default: CellView })));
 
-function useRunKeys(): void {
-  useEffect(() => {
-    const press = (event: KeyboardEvent) => {
-      if (event.ctrlKey && event.key === "f") {
-        event.preventDefault();
+function usePageKeys(): void {
+  useShortcuts((shortcut) => {
+    switch (shortcut) {
+      case "search":
         document.getElementById("search")?.focus();
-        return;
-      }
-      if (event.key === "Escape") view.dispatch({ type: "select", selection: undefined });
-      if (event.ctrlKey || event.altKey || event.metaKey) return;
-      const command = commandOfKey(event.key, event.shiftKey, watchedCore(session.get()));
-      if (command === undefined) return;
-      event.preventDefault();
-      void run(command);
-    };
-    addEventListener("keydown", press);
-    return () => removeEventListener("keydown", press);
-  }, []);
+        return true;
+      case "help":
+        view.dispatch({ type: "help", shown: true });
+        return true;
+      case "escape":
+        view.dispatch({ type: "escape" });
+        return true;
+    }
+    const command = commandOf(shortcut, watchedCore(session.get()));
+    if (command === undefined) return false;
+    void run(command);
+    return true;
+  });
 }
 
 export function App() {
   const page = useView((v) => v.page);
   const tree = useTree();
-  useRunKeys();
+  usePageKeys();
   return (
     <div className="app">
       <TopBar />
@@ -60,6 +62,7 @@ export function App() {
         <RunBar />
         <Drawer />
       </footer>
+      <KeyHelp />
     </div>
   );
 }

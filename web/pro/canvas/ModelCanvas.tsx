@@ -1,5 +1,5 @@
 // The canvas: the laid out model with zoom, pan, breadcrumb and the light of the run.
-import { Background, BackgroundVariant, ControlButton, Controls, MiniMap, ReactFlow, ReactFlowProvider, useReactFlow, useStore, type NodeTypes, type EdgeTypes } from "@xyflow/react";
+import { Background, BackgroundVariant, MiniMap, ReactFlow, ReactFlowProvider, useReactFlow, useStore, type NodeTypes, type EdgeTypes } from "@xyflow/react";
 import { useEffect, useMemo, useRef, useState, type CSSProperties, type RefObject } from "react";
 import { fit, fitReadable } from "../../shared/drawing/fit";
 import { flowLines, flowNodes } from "../../shared/drawing/flow";
@@ -13,6 +13,7 @@ import { ArrowHeads, ModelLine, type LineFlowEdge } from "./ModelLine";
 import { StateNode, type StateFlowNode } from "./StateNode";
 import { useDrawing, type Laid } from "./useDrawing";
 import { useSize } from "./useSize";
+import { ZoomControls } from "./ZoomControls";
 
 const nodeTypes: NodeTypes = { state: StateNode, barrier: BarrierNode };
 const edgeTypes: EdgeTypes = { line: ModelLine };
@@ -87,9 +88,7 @@ function Flow({ laid, tree }: { readonly laid: Laid; readonly tree: ModelTree })
       onPaneClick={() => view.dispatch({ type: "select", selection: undefined })}
     >
       <Background variant={BackgroundVariant.Dots} gap={22} size={1.2} color="#dde2de" />
-      <Controls showInteractive={false} showFitView={false} position="bottom-left" onZoomIn={move} onZoomOut={move}>
-        <FitButton laid={laid} moved={moved} />
-      </Controls>
+      <ZoomControls laid={laid} moved={moved} />
       {laid.drawing.nodes.length > 30 && <MiniMap pannable zoomable position="bottom-right" nodeColor={(node: StateFlowNode | BarrierFlowNode) => (node.data.drawn.depth === 0 ? "#f1f4f2" : "#c9d6cf")} maskColor="#f5f6f4cc" />}
       <Sight laid={laid} moved={moved} />
     </ReactFlow>
@@ -102,33 +101,6 @@ interface SightProps {
   readonly laid: Laid;
   /** A person has moved or zoomed the drawing: then it stays where it is. */
   readonly moved: RefObject<boolean>;
-}
-
-function FitButton({ laid, moved }: SightProps) {
-  const { setViewport } = useReactFlow();
-  const width = useStore((s) => s.width);
-  const height = useStore((s) => s.height);
-  const fitAll = useRef(() => {});
-  fitAll.current = () => {
-    moved.current = false;
-    void setViewport(fit(laid.drawing, { width, height }), { duration: 250 });
-  };
-  useEffect(() => {
-    const press = (event: KeyboardEvent) => {
-      if (!event.ctrlKey || event.code !== "Space") return;
-      event.preventDefault();
-      fitAll.current();
-    };
-    addEventListener("keydown", press);
-    return () => removeEventListener("keydown", press);
-  }, []);
-  return (
-    <ControlButton aria-label="Fit" aria-keyshortcuts="Control+Space" title="Fit (Ctrl+Space)" onClick={() => fitAll.current()}>
-      <svg viewBox="0 0 16 16" aria-hidden="true">
-        <path d="M2 6V2h4M10 2h4v4M14 10v4h-4M6 14H2v-4" fill="none" stroke="currentColor" strokeWidth="2" />
-      </svg>
-    </ControlButton>
-  );
 }
 
 /** Keeps the drawing in sight: fits it when it is new and, unless it was moved, when the canvas changes; moves to what a jump selected, and writes larger when zoomed far out. */

@@ -1,5 +1,6 @@
-// The run bar: start, pause, step, stop, and how the run stands. Keys as in RAFCON.
+// The run bar: start, pause, step, stop, and how the run stands.
 import { allowed, primary, statusText, type Command } from "../../shared/run/controls";
+import { keysOf, type Shortcut } from "../../shared/session/shortcuts";
 import type { Drawer } from "../../shared/session/view";
 import { run, useCore, useView, view } from "../client";
 import { Icon, type IconName } from "./Icon";
@@ -7,21 +8,21 @@ import { Icon, type IconName } from "./Icon";
 interface ButtonSpec {
   readonly command: Command;
   readonly name: string;
-  readonly keys: string;
+  readonly key: Shortcut;
   readonly icon: IconName;
 }
 
 const firstButton: Readonly<Record<"start" | "resume" | "again", ButtonSpec>> = {
-  start: { command: "start", name: "Start", keys: "F5", icon: "play" },
-  resume: { command: "resume", name: "Resume", keys: "F5", icon: "play" },
-  again: { command: "again", name: "Run again", keys: "F5", icon: "again" },
+  start: { command: "start", name: "Start", key: "lead", icon: "play" },
+  resume: { command: "resume", name: "Resume", key: "lead", icon: "play" },
+  again: { command: "again", name: "Run again", key: "lead", icon: "again" },
 };
 
 const buttons: readonly ButtonSpec[] = [
-  { command: "pause", name: "Pause", keys: "F7", icon: "pause" },
-  { command: "micro", name: "Micro step", keys: "F4", icon: "micro" },
-  { command: "macro", name: "Macro step", keys: "Shift+F4", icon: "macro" },
-  { command: "stop", name: "Stop", keys: "F8", icon: "stop" },
+  { command: "pause", name: "Pause", key: "pause", icon: "pause" },
+  { command: "micro", name: "Micro step", key: "micro", icon: "micro" },
+  { command: "macro", name: "Macro step", key: "macro", icon: "macro" },
+  { command: "stop", name: "Stop", key: "stop", icon: "stop" },
 ];
 
 export function RunBar() {
@@ -37,8 +38,8 @@ export function RunBar() {
           type="button"
           className={`run-button run-${spec.command}`}
           disabled={!commands.has(spec.command)}
-          title={`${spec.name} (${spec.keys})`}
-          aria-keyshortcuts={spec.keys}
+          title={`${spec.name} (${keysOf(spec.key)})`}
+          aria-keyshortcuts={keysOf(spec.key)}
           onClick={() => void run(spec.command)}
         >
           <Icon name={spec.icon} />

@@ -1,6 +1,7 @@
-// Top bar: what is watched, how to start something new, which page is shown, and whether the server listens.
+// Top bar: what is watched, how to start something new, which page is shown, whether the server listens, and the help.
 import { useState } from "react";
 import { statusText } from "../../shared/run/controls";
+import { keysOf } from "../../shared/session/shortcuts";
 import type { Page } from "../../shared/session/view";
 import { dismissProblem, newRun, useSession, useView, view, watch } from "../client";
 
@@ -26,6 +27,7 @@ export function TopBar() {
       <NewRun />
       <PageTabs />
       <ConnectionLight />
+      <HelpButton />
       {problem !== undefined && (
         <div className="problem" role="alert">
           <span>{problem}</span>
@@ -97,6 +99,14 @@ function PageTabs() {
         </button>
       ))}
     </div>
+  );
+}
+
+function HelpButton() {
+  return (
+    <button type="button" className="help-button" aria-label="Keys and mouse" title={`Keys and mouse (${keysOf("help")})`} onClick={() => view.dispatch({ type: "help", shown: true })}>
+      ?
+    </button>
   );
 }
 

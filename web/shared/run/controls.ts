@@ -1,4 +1,4 @@
-// Which commands a core takes now, and which keys mean them (as in RAFCON: F5 start, F7 pause, F8 stop, F4 step).
+// Which commands a core takes now.
 import type { Core } from "../messages/core";
 
 export type Command = "start" | "pause" | "resume" | "again" | "micro" | "macro" | "until" | "stop";
@@ -17,17 +17,10 @@ export function allowed(core: Core | undefined): ReadonlySet<Command> {
   return core.stepping ? commands.add("pause") : commands;
 }
 
-/** The command of the first button, which F5 presses too. */
+/** The command of the first button, which its key presses too. */
 export function primary(core: Core | undefined): Command | undefined {
   const commands = allowed(core);
   return (["start", "resume", "again"] as const).find((command) => commands.has(command));
-}
-
-/** The command that a key press means for this core, if it takes it. */
-export function commandOfKey(key: string, shift: boolean, core: Core | undefined): Command | undefined {
-  const meant: Command | undefined =
-    key === "F5" ? primary(core) : key === "F7" ? "pause" : key === "F8" ? "stop" : key === "F4" ? (shift ? "macro" : "micro") : undefined;
-  return meant !== undefined && allowed(core).has(meant) ? meant : undefined;
 }
 
 /** One line about how a core stands. */

@@ -23,6 +23,8 @@ export interface View {
   readonly step: number | undefined;
   /** Whether the cell is shown beside the task. */
   readonly inset: boolean;
+  /** Whether the keys and mouse actions are shown over the page. */
+  readonly help: boolean;
 }
 
 export type Gesture =
@@ -37,6 +39,8 @@ export type Gesture =
   | { readonly type: "detail"; readonly detail: View["detail"] }
   | { readonly type: "step"; readonly step: number | undefined }
   | { readonly type: "inset"; readonly shown: boolean }
+  | { readonly type: "help"; readonly shown: boolean }
+  | { readonly type: "escape" }
   | { readonly type: "forget" };
 
 export const initialView: View = {
@@ -49,6 +53,7 @@ export const initialView: View = {
   reveal: 0,
   step: undefined,
   inset: true,
+  help: false,
 };
 
 export function pathOf(selection: Selection): string {
@@ -96,8 +101,12 @@ export function applyGesture(view: View, gesture: Gesture): View {
       return { ...view, step: gesture.step, drawer: "derivation" };
     case "inset":
       return { ...view, inset: gesture.shown };
+    case "help":
+      return { ...view, help: gesture.shown };
+    case "escape":
+      return view.help ? { ...view, help: false } : { ...view, selection: undefined };
     case "forget":
-      return { ...initialView, page: view.page, drawer: view.drawer, detail: view.detail, inset: view.inset };
+      return { ...initialView, page: view.page, drawer: view.drawer, detail: view.detail, inset: view.inset, help: view.help };
     default:
       return assertNever(gesture);
   }

@@ -72,6 +72,13 @@ describe("view", () => {
     expect([...applyGesture(folded, { type: "toggle", path: "Root/Pick" }).collapsed]).toEqual([]);
     expect([...applyGesture(folded, { type: "enter", path: "Root/Pick" }).collapsed]).toEqual([]);
   });
+  it("lets Esc close the help first, and only then select nothing", () => {
+    const selection = { kind: "node", path: "Root" } as const;
+    const helped = applyGesture({ ...initialView, selection }, { type: "help", shown: true });
+    const once = applyGesture(helped, { type: "escape" });
+    expect([helped.help, once.help, once.selection]).toEqual([true, false, selection]);
+    expect(applyGesture(once, { type: "escape" }).selection).toBeUndefined();
+  });
   it("keeps the page when another run is watched, but no selection", () => {
     const view = applyGesture({ ...initialView, page: "cell" }, { type: "select", selection: { kind: "node", path: "Root" } });
     expect(applyGesture(view, { type: "forget" })).toMatchObject({ page: "cell", selection: undefined });

@@ -1,0 +1,100 @@
+// What hands are used to: the help that lists every key, and zooming by keys.
+import type { Page } from "playwright-core";
+import { openStage, type Stage } from "./stage";
+
+let stage: Stage;
+let page: Page;
+
+beforeAll(async () => {
+  stage = await openStage();
+  page = stage.page;
+  await page.goto(`${stage.url}/pro/`);
+  await page.getByRole("combobox", { name: "Document" }).selectOption("pick");
+  await page.getByRole("button", { name: "Load" }).click();
+  await page.getByRole("group", { name: "State Pick/Release" }).waitFor();
+});
+afterAll(() => stage?.close());
+
+const help = () => page.getByRole("dialog", { name: "Keys and mouse" });
+
+/** Width of a state on the screen [px], once the drawing stands still. */
+async function shownWidth(): Promise<number> {
+  const width = async () => (await page.getByRole("group", { name: "State Pick/Release" }).boundingBox())?.width ?? 0;
+  let before = -1;
+  await expect
+    .poll(async () => {
+      const [last, now] = [before, await width()];
+      before = now;
+      return now === last;
+    })
+    .toBe(true);
+  return before;
+}
+
+describe("the help", () => {
+  it("opens with ?, lists keys and mouse actions, and closes with Esc", async () => {
+    await page.keyboard.press("?");
+    await help().waitFor();
+    const keys = await help().locator("kbd").allInnerTexts();
+    expect(keys).toEqual(expect.arrayContaining(["F5", "F7", "F8", "F4", "Shift+F4", "Ctrl++", "Ctrl+-", "Ctrl+0", "Ctrl+Space", "Ctrl+F", "?", "Esc"]));
+    for (const gesture of ["Wheel", "Click a port", "Double click a composite state"]) expect(await help().innerText()).toContain(gesture);
+    await stage.picture("help");
+    await page.keyboard.press("Escape");
+    await expect.poll(() => help().count()).toBe(0);
+  });
+
+  it("closes with Esc without losing what is selected", async () => {
+    await page.getByRole("button", { name: "Select Pick/Grasp" }).click();
+    const properties = page.getByRole("complementary", { name: "Properties" });
+    await expect.poll(() => properties.innerText()).toContain("Grasp");
+    await page.keyboard.press("?");
+    await help().waitFor();
+    await page.keyboard.press("Escape");
+    await expect.poll(() => help().count()).toBe(0);
+    expect(await properties.innerText()).toContain("Grasp");
+    await page.keyboard.press("Escape");
+    await expect.poll(() => properties.innerText()).not.toContain("Grasp");
+  });
+
+  it("opens with its button, and closes with its own", async () => {
+    await page.getByRole("button", { name: "Keys and mouse" }).click();
+    await help().waitFor();
+    await help().getByRole("button", { name: "Close" }).click();
+    await expect.poll(() => help().count()).toBe(0);
+  });
+
+  it("leaves the ? to a search in which it is typed", async () => {
+    const search = page.getByRole("searchbox", { name: "Search the model" });
+    await page.keyboard.press("Control+f");
+    await page.keyboard.press("?");
+    expect(await search.inputValue()).toBe("?");
+    expect(await help().count()).toBe(0);
+    await search.fill("");
+    await search.blur();
+  });
+});
+
+describe("zoom", () => {
+  it("goes in and out by key, and shows all with Ctrl+0", async () => {
+    const fitted = await shownWidth();
+    await page.keyboard.press("Control++");
+    await expect.poll(shownWidth).toBeGreaterThan(fitted * 1.1);
+    const larger = await shownWidth();
+    await page.keyboard.press("Control+-");
+    await page.keyboard.press("Control+-");
+    await expect.poll(shownWidth).toBeLessThan(larger / 1.1);
+    expect(await shownWidth()).toBeLessThan(fitted);
+    await page.keyboard.press("Control+0");
+    await expect.poll(shownWidth).toBeCloseTo(fitted, 0);
+  });
+
+  it("takes its keys from the browser, which would zoom the whole page, and leaves it others", async () => {
+    await page.evaluate(() => {
+      const taken: Record<string, boolean> = {};
+      addEventListener("keydown", (event) => Object.assign(taken, { [event.key]: event.defaultPrevented }));
+      Object.assign(window, { taken });
+    });
+    for (const key of ["Control++", "Control+-", "Control+0", "Control+c"]) await page.keyboard.press(key);
+    expect(await page.evaluate(() => Reflect.get(window, "taken"))).toMatchObject({ "+": true, "-": true, "0": true, c: false });
+  });
+});

@@ -1,0 +1,58 @@
+// All keys and mouse actions of the page, over it: opened with `?` or the button of the top bar, closed with Esc.
+import { useEffect, useRef } from "react";
+import { gestures, shortcuts } from "../../shared/session/shortcuts";
+import { useView, view } from "../client";
+
+const close = () => view.dispatch({ type: "help", shown: false });
+
+export function KeyHelp() {
+  const shown = useView((v) => v.help);
+  return shown ? <HelpDialog /> : null;
+}
+
+function HelpDialog() {
+  const dialog = useRef<HTMLDialogElement>(null);
+  useEffect(() => dialog.current?.showModal(), []);
+  return (
+    <dialog ref={dialog} className="help" aria-label="Keys and mouse" onClose={close} onClick={(event) => event.target === event.currentTarget && close()}>
+      <div className="help-body">
+        <header>
+          <h2>Keys and mouse</h2>
+          <button type="button" aria-label="Close" onClick={close}>
+            ✕
+          </button>
+        </header>
+        <div className="help-lists">
+          <section aria-label="Keys">
+            <h3>Keys</h3>
+            <dl>
+              {shortcuts.map(({ shortcut, keys, does }) => (
+                <div key={shortcut}>
+                  <dt>
+                    {keys.map((key) => (
+                      <kbd key={key}>{key}</kbd>
+                    ))}
+                  </dt>
+                  <dd>{does}</dd>
+                </div>
+              ))}
+            </dl>
+          </section>
+          {gestures.map(({ where, list }) => (
+            <section key={where} aria-label={where}>
+              <h3>{where}</h3>
+              <dl>
+                {list.map(({ gesture, does }) => (
+                  <div key={gesture}>
+                    <dt>{gesture}</dt>
+                    <dd>{does}</dd>
+                  </div>
+                ))}
+              </dl>
+            </section>
+          ))}
+        </div>
+      </div>
+    </dialog>
+  );
+}

@@ -1,0 +1,98 @@
+// The keys and mouse actions of the expert page, once: what its handlers act on is what its help lists. As in RAFCON and Node-RED.
+import { allowed, primary, type Command } from "../run/controls";
+import type { Core } from "../messages/core";
+
+export type Shortcut = "lead" | "pause" | "stop" | "micro" | "macro" | "search" | "zoom_in" | "zoom_out" | "fit" | "help" | "escape";
+
+export interface ShortcutEntry {
+  readonly shortcut: Shortcut;
+  /** Each of these means it; Ctrl stands for the command key too. */
+  readonly keys: readonly string[];
+  readonly does: string;
+}
+
+export const shortcuts: readonly ShortcutEntry[] = [
+  { shortcut: "lead", keys: ["F5"], does: "Start the run, resume it, or run again" },
+  { shortcut: "pause", keys: ["F7"], does: "Pause" },
+  { shortcut: "micro", keys: ["F4"], does: "Micro step" },
+  { shortcut: "macro", keys: ["Shift+F4"], does: "Macro step" },
+  { shortcut: "stop", keys: ["F8"], does: "Stop" },
+  { shortcut: "zoom_in", keys: ["Ctrl++", "Ctrl+="], does: "Zoom in" },
+  { shortcut: "zoom_out", keys: ["Ctrl+-"], does: "Zoom out" },
+  { shortcut: "fit", keys: ["Ctrl+0", "Ctrl+Space"], does: "Show the whole drawing" },
+  { shortcut: "search", keys: ["Ctrl+F"], does: "Search states, ports and code" },
+  { shortcut: "help", keys: ["?"], does: "Show these keys" },
+  { shortcut: "escape", keys: ["Esc"], does: "Close this panel, or select nothing" },
+];
+
+/** What the mouse does, and the keys that one part of the page takes while it has the focus. */
+export const gestures: readonly { readonly where: string; readonly list: readonly { readonly gesture: string; readonly does: string }[] }[] = [
+  {
+    where: "Model",
+    list: [
+      { gesture: "Wheel", does: "Zoom" },
+      { gesture: "Drag, left or middle button", does: "Move the drawing" },
+      { gesture: "Click a state or barrier", does: "Show its properties" },
+      { gesture: "Click a port", does: "Why it fires, or does not" },
+      { gesture: "Double click a composite state", does: "Enter it; the path above leads out again" },
+      { gesture: "− or + in a composite state", does: "Collapse or expand it" },
+      { gesture: "Click the background", does: "Select nothing" },
+    ],
+  },
+  {
+    where: "Derivation",
+    list: [
+      { gesture: "Click a macro step", does: "Show its proof trees" },
+      { gesture: "Click an inference", does: "Show it as the thesis prints it" },
+      { gesture: "Double click, → and ←", does: "Unfold and fold its premises" },
+      { gesture: "↑ and ↓", does: "Go from row to row" },
+    ],
+  },
+  { where: "Search", list: [{ gesture: "Enter", does: "Go to the first result" }] },
+  {
+    where: "Cell",
+    list: [
+      { gesture: "Drag", does: "Turn the view" },
+      { gesture: "Drag, right button", does: "Move the view" },
+      { gesture: "Wheel", does: "Zoom" },
+    ],
+  },
+];
+
+/** What of a keyboard event says which keys are down. */
+export type KeyPress = Pick<KeyboardEvent, "key" | "code" | "ctrlKey" | "metaKey" | "shiftKey" | "altKey">;
+
+/** The press as `shortcuts` writes it. Shift counts with letters and named keys; of signs it is only the way to type them. */
+function pressText({ key, code, ctrlKey, metaKey, shiftKey }: KeyPress): string {
+  const name = code === "Space" ? "Space" : key === "Escape" ? "Esc" : key.length === 1 ? key.toUpperCase() : key;
+  const shifts = shiftKey && (name.length > 1 || /\p{L}/u.test(name));
+  return `${ctrlKey || metaKey ? "Ctrl+" : ""}${shifts ? "Shift+" : ""}${name}`;
+}
+
+/** What a press means; while text is typed, a sign is just that sign. */
+export function shortcutOf(press: KeyPress, typing: boolean): Shortcut | undefined {
+  if (press.altKey) return undefined;
+  const text = pressText(press);
+  if (typing && text.length === 1) return undefined;
+  return shortcuts.find((entry) => entry.keys.includes(text))?.shortcut;
+}
+
+/** The command that a shortcut gives this core, if it takes it. */
+export function commandOf(shortcut: Shortcut, core: Core | undefined): Command | undefined {
+  switch (shortcut) {
+    case "lead":
+      return primary(core);
+    case "pause":
+    case "stop":
+    case "micro":
+    case "macro":
+      return allowed(core).has(shortcut) ? shortcut : undefined;
+    default:
+      return undefined;
+  }
+}
+
+/** The keys of a shortcut, for the name of its button. */
+export function keysOf(shortcut: Shortcut): string {
+  return shortcuts.find((entry) => entry.shortcut === shortcut)?.keys.join(" or ") ?? "";
+}
