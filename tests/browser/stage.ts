@@ -5,7 +5,7 @@ import { createServer } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { chromium, type Browser, type Page } from "playwright-core";
+import { chromium, type Browser, type Page, type ViewportSize } from "playwright-core";
 
 export const project = fileURLToPath(new URL("../../", import.meta.url));
 export const binary = process.env["RACE_BINARY"] ?? join(project, "build/release/race");
@@ -16,9 +16,9 @@ export interface Stage {
   readonly url: string;
   readonly page: Page;
   /** A picture to look at, build/test/browser/NAME.png. */
-  readonly picture: (name: string) => Promise<void>;
-  /** A second browser window on the expert page. */
-  readonly another: () => Promise<Page>;
+  readonly picture: (name: string, of?: Page) => Promise<void>;
+  /** A second browser window on the expert page, of this size if it is given [px]. */
+  readonly another: (size?: ViewportSize) => Promise<Page>;
   /** The server dies without a word, and another one takes its port and its data. */
   readonly kill: () => Promise<void>;
   readonly revive: () => Promise<void>;
@@ -84,9 +84,9 @@ export async function openStage(): Promise<Stage> {
     browser = opened;
     const page = await opened.newPage({ viewport: { width: 1600, height: 1000 } });
     mkdirSync(pictures, { recursive: true });
-    const picture = async (name: string) => void (await page.screenshot({ path: join(pictures, `${name}.png`) }));
-    const another = async () => {
-      const second = await opened.newPage();
+    const picture = async (name: string, of = page) => void (await of.screenshot({ path: join(pictures, `${name}.png`) }));
+    const another = async (size?: ViewportSize) => {
+      const second = await opened.newPage(size === undefined ? {} : { viewport: size });
       await second.goto(`${url}/pro/`);
       return second;
     };

@@ -6,14 +6,14 @@ import { foldedAtFirst } from "../shared/model/folding";
 import { buildTree } from "../shared/model/modelTree";
 import { isOver, type Command } from "../shared/run/controls";
 import { applyEvent, emptySession, watchedCore, type Session, type SessionEvent } from "../shared/session/session";
-import { applyGesture, initialView, type Gesture, type View } from "../shared/session/view";
+import { applyGesture, firstView, type Gesture, type View } from "../shared/session/view";
 import { openStream, type Stream } from "../shared/stream";
 import { createStore, useSelected } from "./store";
 
 const kPastSteps = 40;
 
 export const session = createStore<Session, SessionEvent>(emptySession, applyEvent);
-export const view = createStore<View, Gesture>(initialView, applyGesture);
+export const view = createStore<View, Gesture>(firstView({ width: innerWidth, height: innerHeight }), applyGesture);
 export const api = createApi("/api/v1", (input, init) => fetch(input, init));
 
 /** The newest pose of the cell: many per second, so it goes past the session, straight to who draws it. */

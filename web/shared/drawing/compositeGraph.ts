@@ -102,7 +102,7 @@ export function compositeGraph(
   const clockwise = (i: number) => (side === "EAST" ? i : state.ports.length - 1 - i);
   const frame: ElkShape[] = state.ports.map((port, i) => ({
     id: `${path}.${port.name}`,
-    ...portSize(port, side, detail),
+    ...portSize(port, detail),
     layoutOptions: { "elk.port.side": side, "elk.port.index": String(clockwise(i)), "elk.port.borderOffset": String(-portInset) },
   }));
   const first: ElkShape = {

@@ -26,16 +26,14 @@ export function fit(drawing: Size, canvas: Size): Viewport {
   };
 }
 
-/** The first view when code was asked for: all of the drawing if its code can be read then, else its beginning at a readable size. */
+/** The first view when code was asked for: all of the drawing if its code can be read then, else its beginning, as wide as the canvas. */
 export function fitReadable(drawing: Size, canvas: Size): Viewport {
   const whole = fit(drawing, canvas);
   if (whole.zoom >= kReadable) return whole;
-  const start = (length: number, room: number, edge: number) => edge + Math.max(0, (room - length * kReadable) / 2);
-  return {
-    zoom: kReadable,
-    x: start(drawing.width, canvas.width - 2 * kAround, kAround),
-    y: start(drawing.height, canvas.height - kTop - kAround, kTop),
-  };
+  const room = { width: canvas.width - 2 * kAround, height: canvas.height - kTop - kAround };
+  const zoom = Math.min(1, Math.max(kReadable, room.width / drawing.width));
+  const start = (length: number, space: number, edge: number) => edge + Math.max(0, (space - length * zoom) / 2);
+  return { zoom, x: start(drawing.width, room.width, kAround), y: start(drawing.height, room.height, kTop) };
 }
 
 export function readable(drawing: Drawing, canvas: Size): boolean {

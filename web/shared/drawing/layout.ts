@@ -205,7 +205,7 @@ function drawState(
   const ports = state.ports.flatMap((port, i): DrawnPort[] => {
     const box = boxes[i];
     if (box === undefined) return [];
-    const condition = request.detail === "slim" ? "" : conditionText(port, side);
+    const condition = request.detail === "slim" ? "" : conditionText(port);
     return [{ ...box, address: `${path}.${port.name}`, name: port.name, condition, when: port.when, exits: port.to === undefined }];
   });
   const badge = state.link !== undefined ? `link ${state.link}` : state.oracle;

@@ -52,17 +52,15 @@ export function headSize(state: State, detail: Detail): Size {
   };
 }
 
-/** How long a port's condition may be where it stands: ports beside each other get less room. */
-function conditionLimit(side: Side): number {
-  return side === "EAST" ? 26 : 20;
+/** How long a condition may be where its port stands: enough to tell `svc.gripper.release.result` from `.error`. */
+const kConditionLimit = 28;
+
+export function conditionText(port: Port): string {
+  return clip(port.when, kConditionLimit);
 }
 
-export function conditionText(port: Port, side: Side): string {
-  return clip(port.when, conditionLimit(side));
-}
-
-export function portSize(port: Port, side: Side, detail: Detail): Size {
-  const condition = detail === "slim" ? 0 : conditionText(port, side).length * kMonoWidth;
+export function portSize(port: Port, detail: Detail): Size {
+  const condition = detail === "slim" ? 0 : conditionText(port).length * kMonoWidth;
   return {
     width: Math.ceil(Math.max(54, port.name.length * 6.7 + 16, condition + 16)),
     height: detail === "slim" ? kSlimPortHeight : kPortHeight,
@@ -75,7 +73,7 @@ export const portInset = kPortInset;
 /** A state that is drawn without children: its size and the place of each port on its border. */
 export function leafBoxes(state: State, side: Side, detail: Detail): { readonly size: Size; readonly ports: readonly Box[] } {
   const head = headSize(state, detail);
-  const sizes = state.ports.map((port) => portSize(port, side, detail));
+  const sizes = state.ports.map((port) => portSize(port, detail));
   if (side === "EAST") {
     const stack = sizes.reduce((sum, size) => sum + size.height + kPortGap, 0);
     const height = Math.max(head.height + 8, stack + kPortGap + 4, 44);

@@ -56,6 +56,16 @@ export const initialView: View = {
   help: false,
 };
 
+/** A window lower than this has room for a task that can be read, or for what lies below it, not for both [px]. */
+const kLow = 960;
+/** Up to this width the parts of the page stand beneath each other (layout.css) [px]. */
+const kNarrow = 760;
+
+/** The view with which a page opens: the task comes first, and the derivation is open too where there is room for both. */
+export function firstView(window: { readonly width: number; readonly height: number }): View {
+  return window.height < kLow && window.width > kNarrow ? { ...initialView, drawer: "closed" } : initialView;
+}
+
 export function pathOf(selection: Selection): string {
   return selection.kind === "node" ? selection.path : (splitAddress(selection.address)?.path ?? selection.address);
 }

@@ -24,6 +24,15 @@ describe("fitReadable", () => {
     const drawing = { width: 900, height: 500 };
     expect(fitReadable(drawing, canvas)).toEqual(fit(drawing, canvas));
   });
+  it("is as wide as the canvas where that makes code larger, and no larger than written", () => {
+    const wide = fitReadable({ width: 1200, height: 3000 }, canvas);
+    expect(wide.x + 1200 * wide.zoom).toBeCloseTo(canvas.width - wide.x);
+    expect(fitReadable({ width: 300, height: 3000 }, canvas).zoom).toBe(1);
+  });
+  it("does not make code smaller than it can be read to show the whole width", () => {
+    const view = fitReadable({ width: 9000, height: 3000 }, canvas);
+    expect([view.zoom, view.x, view.y]).toEqual([0.68, 14, 50]);
+  });
   it("shows the beginning of a larger one, at a size at which its code can be read", () => {
     const view = fitReadable({ width: 700, height: 9000 }, canvas);
     expect(view.zoom).toBeGreaterThan(0.62);

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import type { Core, CoreDelta } from "../../shared/messages/core";
 import type { News } from "../../shared/messages/stream";
 import { applyEvent, emptySession, watchedCore, type Session } from "../../shared/session/session";
-import { applyGesture, initialView } from "../../shared/session/view";
+import { applyGesture, firstView, initialView } from "../../shared/session/view";
 import { runOf } from "../conformance";
 
 const core: Core = { id: "1", document: "pick", status: "running", paused: false, stepping: false, step: 1, micro: 0, waiting: 0, arguments: {} };
@@ -71,6 +71,14 @@ describe("view", () => {
     expect([...folded.collapsed]).toEqual(["Root/Pick"]);
     expect([...applyGesture(folded, { type: "toggle", path: "Root/Pick" }).collapsed]).toEqual([]);
     expect([...applyGesture(folded, { type: "enter", path: "Root/Pick" }).collapsed]).toEqual([]);
+  });
+  it.each([
+    [1280, 800, "closed"],
+    [1440, 900, "closed"],
+    [1600, 1000, "derivation"],
+    [412, 915, "derivation"],
+  ])("opens in a window of %d by %d with the drawer %s: a low one is for the task", (width, height, drawer) => {
+    expect(firstView({ width, height }).drawer).toBe(drawer);
   });
   it("lets Esc close the help first, and only then select nothing", () => {
     const selection = { kind: "node", path: "Root" } as const;
