@@ -6,35 +6,11 @@
 #include <string_view>
 #include <vector>
 
+#include "core/language/op.h"
 #include "core/language/source.h"
 #include "core/value/value.h"
 
 namespace race::language {
-
-enum class Operator : std::uint8_t {
-  add,
-  subtract,
-  multiply,
-  divide,
-  floor_divide,
-  modulo,
-  power,
-  less,
-  less_equal,
-  greater,
-  greater_equal,
-  equal,
-  not_equal,
-  in,
-  not_in,
-  is_none,
-  is_not_none,
-  negative,
-  positive,
-  logical_and,
-  logical_or,
-  logical_not,
-};
 
 struct Expr;
 using ExprPtr = std::unique_ptr<Expr>;
@@ -68,14 +44,14 @@ struct Clause {
 
 struct Expr {
   ExprKind kind = ExprKind::constant;
-  Operator op = Operator::add;
+  Op op = Op::add;
   char conversion = 0;
   std::uint16_t depth = 1;  // levels of the tree below and with this
   Span at;
   Value value;
   std::string name;
   std::vector<ExprPtr> items;
-  std::vector<Operator> operators;
+  std::vector<Op> operators;
   std::vector<std::string> keywords;
   std::vector<Clause> clauses;
 };
@@ -97,7 +73,7 @@ enum class StmtKind : std::uint8_t {
 
 struct Stmt {
   StmtKind kind = StmtKind::pass;
-  Operator op = Operator::add;
+  Op op = Op::add;
   Span at;
   std::vector<ExprPtr> targets;
   ExprPtr value;

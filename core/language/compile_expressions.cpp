@@ -2,15 +2,6 @@
 #include "core/language/compiler_internal.h"
 
 namespace race::language {
-namespace {
-
-Op op_of(Operator op) {
-  static_assert(static_cast<int>(Op::is_not_none) - static_cast<int>(Op::add) ==
-                static_cast<int>(Operator::is_not_none) - static_cast<int>(Operator::add));
-  return static_cast<Op>(static_cast<int>(Op::add) + static_cast<int>(op) - static_cast<int>(Operator::add));
-}
-
-}  // namespace
 
 // Operands of and, or, not; tests; filters; a whole condition: there a bare svc.S.ev asks for presence.
 NodeId Compiler::boolean(const Expr& e) {
@@ -54,12 +45,9 @@ NodeId Compiler::expression(const Expr& e) {
     case ExprKind::call:
       id = call(e);
       break;
-    case ExprKind::unary: {
-      const bool negation = e.op == Operator::logical_not;
-      const NodeId operand = negation ? boolean(*e.items[0]) : expression(*e.items[0]);
-      id = emit(negation ? Op::logical_not : e.op == Operator::negative ? Op::negative : Op::positive, e.at, operand);
+    case ExprKind::unary:
+      id = emit(e.op, e.at, e.op == Op::logical_not ? boolean(*e.items[0]) : expression(*e.items[0]));
       break;
-    }
     case ExprKind::binary:
       id = binary(e);
       break;
@@ -69,7 +57,7 @@ NodeId Compiler::expression(const Expr& e) {
     case ExprKind::logical: {
       std::vector<NodeId> run;
       for (const ExprPtr& item : e.items) run.push_back(boolean(*item));
-      id = emit_run(e.op == Operator::logical_and ? Op::logical_and : Op::logical_or, e.at, run);
+      id = emit_run(e.op, e.at, run);
       break;
     }
     case ExprKind::conditional: {
@@ -104,15 +92,15 @@ NodeId Compiler::expression(const Expr& e) {
 
 NodeId Compiler::binary(const Expr& e) {
   const std::vector<NodeId> parts = operands(pointers(e.items));
-  return emit(op_of(e.op), e.at, parts[0], parts[1]);
+  return emit(e.op, e.at, parts[0], parts[1]);
 }
 
 NodeId Compiler::comparison(const Expr& e) {
   const std::vector<NodeId> parts = operands(pointers(e.items));
-  if (parts.size() == 2) return emit(op_of(e.operators[0]), e.at, parts[0], parts[1]);
+  if (parts.size() == 2) return emit(e.operators[0], e.at, parts[0], parts[1]);
   std::vector<std::uint32_t> run = {parts[0]};
   for (std::size_t i = 0; i < e.operators.size(); ++i) {
-    run.push_back(static_cast<std::uint32_t>(op_of(e.operators[i])));
+    run.push_back(static_cast<std::uint32_t>(e.operators[i]));
     run.push_back(parts[i + 1]);
   }
   return emit_run(Op::chain, e.at, run);

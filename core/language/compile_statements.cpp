@@ -75,8 +75,7 @@ NodeId Compiler::assignment(const Stmt& s) {
 
 NodeId Compiler::augmentation(const Stmt& s) {
   const Expr& t = *s.targets[0];
-  const auto op = static_cast<std::uint32_t>(Op::add) + static_cast<std::uint32_t>(s.op) -
-                  static_cast<std::uint32_t>(Operator::add);
+  const auto op = static_cast<std::uint32_t>(s.op);
   if (t.kind == ExprKind::index) {
     const std::uint32_t where = place(t, true);
     return emit(Op::augment_place, s.at, where, expression(*s.value), op);

@@ -70,7 +70,7 @@ ExprPtr Parser::disjunction() {
   ExprPtr first = conjunction();
   if (!at("or")) return first;
   ExprPtr e = make(ExprKind::logical, begin);
-  e->op = Operator::logical_or;
+  e->op = Op::logical_or;
   e->items.push_back(std::move(first));
   while (accept("or")) e->items.push_back(conjunction());
   return finish(std::move(e));
@@ -82,7 +82,7 @@ ExprPtr Parser::conjunction() {
   ExprPtr first = inversion();
   if (!at("and")) return first;
   ExprPtr e = make(ExprKind::logical, begin);
-  e->op = Operator::logical_and;
+  e->op = Op::logical_and;
   e->items.push_back(std::move(first));
   while (accept("and")) e->items.push_back(inversion());
   return finish(std::move(e));
@@ -93,7 +93,7 @@ ExprPtr Parser::inversion() {
   if (!at("not")) return comparison();
   const Nested nested(*this);
   ExprPtr e = make(ExprKind::unary, take().at.begin);
-  e->op = Operator::logical_not;
+  e->op = Op::logical_not;
   e->items.push_back(inversion());
   return finish(std::move(e));
 }
@@ -104,7 +104,7 @@ ExprPtr Parser::comparison() {
   ExprPtr first = bitwise();
   ExprPtr e = make(ExprKind::compare, begin);
   while (comparison_operator(*e)) {
-    const bool identity = e->operators.back() == Operator::is_none || e->operators.back() == Operator::is_not_none;
+    const bool identity = e->operators.back() == Op::is_none || e->operators.back() == Op::is_not_none;
     ExprPtr right = bitwise();
     if (identity && (right->kind != ExprKind::constant || !right->value.is_null()))
       forbid("'is' with other than None", right->at);
@@ -117,21 +117,21 @@ ExprPtr Parser::comparison() {
 
 // comparison_operator → '<' | '<=' | '>' | '>=' | '==' | '!=' | 'in' | 'not' 'in' | 'is' | 'is' 'not'
 bool Parser::comparison_operator(Expr& e) {
-  static constexpr std::array<std::pair<std::string_view, Operator>, 7> kSimple = {{{"<", Operator::less},
-                                                                                    {"<=", Operator::less_equal},
-                                                                                    {">", Operator::greater},
-                                                                                    {">=", Operator::greater_equal},
-                                                                                    {"==", Operator::equal},
-                                                                                    {"!=", Operator::not_equal},
-                                                                                    {"in", Operator::in}}};
+  static constexpr std::array<std::pair<std::string_view, Op>, 7> kSimple = {{{"<", Op::less},
+                                                                              {"<=", Op::less_equal},
+                                                                              {">", Op::greater},
+                                                                              {">=", Op::greater_equal},
+                                                                              {"==", Op::equal},
+                                                                              {"!=", Op::not_equal},
+                                                                              {"in", Op::in}}};
   for (const auto& [text, op] : kSimple)
     if (accept(text)) return e.operators.push_back(op), true;
   if (at("not") && peek(1).kind == TokenKind::keyword && peek(1).text == "in") {
     take();
     take();
-    return e.operators.push_back(Operator::not_in), true;
+    return e.operators.push_back(Op::not_in), true;
   }
-  if (accept("is")) return e.operators.push_back(accept("not") ? Operator::is_not_none : Operator::is_none), true;
+  if (accept("is")) return e.operators.push_back(accept("not") ? Op::is_not_none : Op::is_none), true;
   return false;
 }
 
@@ -152,7 +152,7 @@ ExprPtr Parser::sum() {
   ExprPtr left = term();
   while (at("+") || at("-")) {
     ExprPtr e = make(ExprKind::binary, begin);
-    e->op = take().text == "+" ? Operator::add : Operator::subtract;
+    e->op = take().text == "+" ? Op::add : Op::subtract;
     e->items.push_back(std::move(left));
     e->items.push_back(term());
     left = finish(std::move(e));
@@ -168,12 +168,12 @@ ExprPtr Parser::term() {
     const Token op = take();
     if (op.text == "@") forbid("operator '@'", op.at);
     ExprPtr e = make(ExprKind::binary, begin);
-    e->op = op.text == "*"    ? Operator::multiply
-            : op.text == "/"  ? Operator::divide
-            : op.text == "//" ? Operator::floor_divide
-                              : Operator::modulo;
+    e->op = op.text == "*"    ? Op::multiply
+            : op.text == "/"  ? Op::divide
+            : op.text == "//" ? Op::floor_divide
+                              : Op::modulo;
     const bool text = left->kind == ExprKind::fstring || (left->kind == ExprKind::constant && left->value.is_string());
-    if (e->op == Operator::modulo && text) forbid("formatting a string with '%'", op.at);
+    if (e->op == Op::modulo && text) forbid("formatting a string with '%'", op.at);
     e->items.push_back(std::move(left));
     e->items.push_back(factor());
     left = finish(std::move(e));
@@ -201,7 +201,7 @@ ExprPtr Parser::factor() {
     }
   }
   ExprPtr e = make(ExprKind::unary, op.at.begin);
-  e->op = op.text == "-" ? Operator::negative : Operator::positive;
+  e->op = op.text == "-" ? Op::negative : Op::positive;
   e->items.push_back(factor());
   return finish(std::move(e));
 }
@@ -212,7 +212,7 @@ ExprPtr Parser::power() {
   ExprPtr base = primary();
   if (!accept("**")) return base;
   ExprPtr e = make(ExprKind::binary, begin);
-  e->op = Operator::power;
+  e->op = Op::power;
   e->items.push_back(std::move(base));
   e->items.push_back(factor());
   return finish(std::move(e));

@@ -56,13 +56,13 @@ Stmt Parser::simple_statement() {
 
 // expression_statement → expression_list | assignment | augmented_assignment
 Stmt Parser::expression_statement() {
-  static constexpr std::array<std::pair<std::string_view, Operator>, 7> kAugmented = {{{"+=", Operator::add},
-                                                                                       {"-=", Operator::subtract},
-                                                                                       {"*=", Operator::multiply},
-                                                                                       {"/=", Operator::divide},
-                                                                                       {"//=", Operator::floor_divide},
-                                                                                       {"%=", Operator::modulo},
-                                                                                       {"**=", Operator::power}}};
+  static constexpr std::array<std::pair<std::string_view, Op>, 7> kAugmented = {{{"+=", Op::add},
+                                                                                 {"-=", Op::subtract},
+                                                                                 {"*=", Op::multiply},
+                                                                                 {"/=", Op::divide},
+                                                                                 {"//=", Op::floor_divide},
+                                                                                 {"%=", Op::modulo},
+                                                                                 {"**=", Op::power}}};
   const std::size_t begin = peek().at.begin;
   ExprPtr first = expression_list();
   if (at("=")) return assignment(std::move(first), begin);
@@ -106,7 +106,7 @@ Stmt Parser::assignment(ExprPtr first, std::size_t begin) {
 }
 
 // augmented_assignment → target ('+=' | '-=' | '*=' | '/=' | '//=' | '%=' | '**=') expression_list
-Stmt Parser::augmented_assignment(ExprPtr target, Operator op, std::size_t begin) {
+Stmt Parser::augmented_assignment(ExprPtr target, Op op, std::size_t begin) {
   Stmt s;
   s.kind = StmtKind::augment;
   s.op = op;
