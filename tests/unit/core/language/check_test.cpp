@@ -40,15 +40,59 @@ TEST(Check, AcceptsWhatTheScopesHave) {
 }
 
 TEST(Check, SyntaxIsWhatIsNotPython) {
-  for (const char* text :
-       {"",          "while",       "a = 1",  "(1",    "1)",       "[1, 2",  "1 +",          "'open",       "x y",
-        "f(a=1, 2)", "f(a=1, a=2)", "1 if 2", "not",   "a..b",     "012",    "1__0",         "0x",          "1e",
-        "$",         "f'{'",        "f'}'",   "f'{}'", "f'{1!x}'", "'\\x1'", "par.a\nres.x", "a if b else", "print 1",
-        "{1: 2",     "{'a': }",     "1 2",    "'a' 1"})
+  for (const char* text : {"",
+                           "while",
+                           "a = 1",
+                           "(1",
+                           "1)",
+                           "[1, 2",
+                           "1 +",
+                           "'open",
+                           "x y",
+                           "f(a=1, 2)",
+                           "f(a=1, a=2)",
+                           "1 if 2",
+                           "not",
+                           "a..b",
+                           "012",
+                           "1__0",
+                           "0x",
+                           "1e",
+                           "$",
+                           "f'{'",
+                           "f'}'",
+                           "f'{}'",
+                           "f'{1!x}'",
+                           "'\\x1'",
+                           "par.a\nres.x",
+                           "a if b else",
+                           "print 1",
+                           "{1: 2",
+                           "{'a': }",
+                           "1 2",
+                           "'a' 1",
+                           "f'{1:{2:{3}}}'"})
     EXPECT_THAT(in_condition(text), ElementsAre("syntax")) << text;
-  for (const char* text : {"break", "continue", "if 1:\npass", "if 1:", "  x = 1", "if 1:\n  x = 1\n y = 2", "1 = 2",
-                           "f() = 1", "x + 1 = 2", "None = 1", "else: pass", "for x in: pass", "a, b += 1", "x = ",
-                           "if 1: if 2: pass", "if 1:\n\tx = 1\n        y = 2", "pass pass", "if x = 1: pass", "\\"})
+  for (const char* text : {"break",
+                           "continue",
+                           "if 1:\npass",
+                           "if 1:",
+                           "  x = 1",
+                           "if 1:\n  x = 1\n y = 2",
+                           "1 = 2",
+                           "f() = 1",
+                           "x + 1 = 2",
+                           "None = 1",
+                           "else: pass",
+                           "for x in: pass",
+                           "a, b += 1",
+                           "x = ",
+                           "if 1: if 2: pass",
+                           "if 1:\n\tx = 1\n        y = 2",
+                           "if 1:\n \tif 2:\n  \tpass",
+                           "pass pass",
+                           "if x = 1: pass",
+                           "\\"})
     EXPECT_THAT(in_function(text), ElementsAre("syntax")) << text;
 }
 
@@ -115,6 +159,8 @@ TEST(Check, ForbiddenIsPythonOutsideOfTheLanguage) {
                            "yield 1",
                            "x = 1\nx &= 1",
                            "__x = 1",
+                           "svc.t.__op()",
+                           "svc.t.op(__a=1)",
                            "for x in 1, 2: pass",
                            "x = 1\nx()",
                            "[var.x for var.x in []]"})
@@ -135,6 +181,7 @@ TEST(Check, ScopeIsAPlaceThatCannotBeUsedLikeThis) {
     EXPECT_THAT(in_function(text), ::testing::Contains("scope")) << text;
   EXPECT_THAT(in_expression("svc.t.data"), ElementsAre("scope"));
   EXPECT_THAT(in_expression("port.p"), ElementsAre("scope"));
+  EXPECT_THAT(in_expression("svc.t.op()"), ElementsAre("scope"));
 }
 
 TEST(Check, EffectIsAChangeOutsideOfAFunction) {
@@ -153,7 +200,7 @@ TEST(Check, AServiceCallIsAStatementOfItsOwn) {
 TEST(Check, UnknownNamesAreWhatTheScopeDoesNotHave) {
   for (const char* text : {"par.nope", "res.nope", "port.nope", "chi.Nobody", "chi.C.res.nope", "chi.C.par.nope",
                            "chi.C.var.x", "chi.b.port.p", "chi.C.port.nope", "y", "open('x')", "math.nope",
-                           "math.nope(1)", "geo.nope(1)", "[x for y in []]"})
+                           "math.nope(1)", "geo.nope(1)", "[x for y in []]", "svc[y].data"})
     EXPECT_THAT(in_condition(text), ElementsAre("unknown_name")) << text;
   EXPECT_THAT(in_function("x = y"), ElementsAre("unknown_name"));
   EXPECT_THAT(in_function("res.nope = 1"), ElementsAre("unknown_name"));

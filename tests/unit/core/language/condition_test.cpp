@@ -1,6 +1,7 @@
 // Conditions: Kleene's three values (R2), faults (R4), and what a trace hears.
 #include <gtest/gtest.h>
 
+#include "core/language/explain.h"
 #include "tests/unit/core/language/environment.h"
 
 namespace race::language::test {
@@ -79,8 +80,12 @@ TEST(Condition, ABareEventAsksForItsOccurrence) {
   EXPECT_EQ(r.condition("svc.t.data.x"), "False") << "a deeper path is data";
   EXPECT_EQ(r.condition("svc.t.data == {'x': 0}"), "True");
   EXPECT_EQ(r.condition("svc.t.data.y"), "fault missing");
+  EXPECT_EQ(r.condition("svc.t.data.y > 3"), "fault missing");
+  EXPECT_EQ(r.condition("svc.t.data.x in 3"), "fault type");
   r.state.deliver(0, Value(0));
   EXPECT_EQ(r.condition("svc.t.data and not svc.t.data == 1"), "True") << "present, whatever its data";
+  EXPECT_EQ(r.condition("1 if svc.t.data else 0"), "True") << "wherever a truth is asked for";
+  EXPECT_EQ(r.condition("[x for x in [1] if svc.t.data]"), "True");
   r.state.occurrence = kNone;
   EXPECT_EQ(r.condition("svc.t.data"), "unknown") << "the occurrence is of one macro step";
   EXPECT_EQ(r.condition("svc.t.data == 0"), "unknown");
@@ -168,6 +173,17 @@ TEST(Trace, HearsAtomsInOrderWithWhatTheyRequire) {
   listener.heard.clear();
   EXPECT_EQ(r.condition("svc.t.op.error or svc.t.data"), "True");
   EXPECT_EQ(listener.heard, "error0 BD2@1 event0 BD1@19 ");
+}
+
+TEST(Trace, HearsNothingOfAnExplanation) {
+  Runner r;
+  Listener listener;
+  r.state.trace = &listener;
+  const Code code = r.code("chi.C", CodeKind::condition);
+  EXPECT_EQ(explain(code, r.state).value, Truth::no);
+  EXPECT_EQ(listener.heard, "");
+  r.interpreter.condition(code, r.state);
+  EXPECT_EQ(listener.heard, "BE0@1 ") << "but what comes after it";
 }
 
 TEST(Trace, HearsStatementsButNotCalls) {

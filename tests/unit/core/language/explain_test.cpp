@@ -71,6 +71,7 @@ TEST(Explain, ShowsFaultsOfAtoms) {
   EXPECT_EQ(e.value, Truth::fault);
   EXPECT_EQ(e.atoms[1].value, Truth::fault);
   EXPECT_THAT(e.decisive, ElementsAre(0U, 1U));
+  EXPECT_THAT(of(r, "1 // 0 or chi.C").decisive, ElementsAre(0U)) << "a fault comes before what would decide";
 }
 
 }  // namespace

@@ -31,6 +31,8 @@ TEST(Function, ChangesPlaces) {
   EXPECT_EQ(r.out("x = [1]\nx += x\nx *= 2\nres.out = x"), "[1,1,1,1]");
   EXPECT_EQ(r.out("(a, b), c = 'xy', 1\n[d, e] = [a, b]\nres.out = [e, d, c]"), R"(["y","x",1])");
   EXPECT_EQ(r.out("res.out = sorted([2, 1]).pop()"), "2") << "a temporary value may be changed";
+  EXPECT_EQ(r.out("d = {'a': 1, 'b': 2}\nres.out = [d.pop('a'), d]"), R"([1,{"b":2}])");
+  EXPECT_EQ(r.out("d = {}\nd['a'] += 1 // 0"), "fault missing") << "what is changed is looked up before the value";
 }
 
 TEST(Function, ControlsItsFlow) {
@@ -42,6 +44,7 @@ TEST(Function, ControlsItsFlow) {
   EXPECT_EQ(r.out("res.out = []\nfor k, v in {'a': 1, 'b': 2}.items():\n    res.out.append(k * v)"), R"(["a","bb"])");
   EXPECT_EQ(r.out("x = 5\ny = [x for x in range(3)]\nres.out = [x, y]"), "[5,[0,1,2]]")
       << "a comprehension has names of its own";
+  EXPECT_EQ(r.out("x = [1, 2]\nres.out = [x for x in x]"), "[1,2]") << "what it runs over is named outside of it";
   EXPECT_EQ(r.out("for i in range(3): pass\nres.out = i"), "2");
   EXPECT_EQ(r.out("if 0: a = 1\nelif 1: a = 2\nelse: a = 3\nres.out = a"), "2");
 }
@@ -106,6 +109,10 @@ TEST(Function, FaultsSayWhatAndWhere) {
   r.function("x = 1\nres.x = x +\\\n  'a'");
   EXPECT_EQ(r.interpreter.fault().where, (SourceRange{2, 9, 3, 6}));
   EXPECT_EQ(r.interpreter.fault().message, "unsupported operand type(s) for +: 'int' and 'str'");
+  r.function("x = [1, 2]\nres.x = 1 + x[2]");
+  EXPECT_EQ(r.interpreter.fault().where, (SourceRange{2, 13, 2, 17})) << "an index and what it is taken of";
+  r.function("res.x = {'a': 1, 2: 3}");
+  EXPECT_EQ(r.interpreter.fault().where, (SourceRange{1, 18, 1, 19})) << "the key";
 }
 
 TEST(Budget, CountsEvaluatedNodes) {
@@ -123,18 +130,37 @@ TEST(Budget, CountsEvaluatedNodes) {
   r.state.deliver(0, Value(Dict{{"x", Value(4)}}));
   EXPECT_EQ(r.condition("svc.t.data.x > 3"), "True");
   EXPECT_EQ(r.condition("svc.t.data.x > 3 + 1"), "fault budget");
+  Runner less(Interpreter::Limits{.steps = 3});
+  less.state.deliver(0, Value(Dict{{"x", Value(4)}}));
+  EXPECT_EQ(less.condition("svc.t.data.x > 3"), "fault budget") << "however fast it is decided";
+  EXPECT_EQ(less.condition("chi.C or port.p"), "False");
+  EXPECT_EQ(less.condition("not (chi.C or port.p)"), "fault budget") << "and, or, not count";
+  EXPECT_EQ(less.condition("not (True and True)"), "fault budget");
 }
 
 TEST(Budget, BoundsTheSizeOfValues) {
   Runner r;
-  for (const char* text :
-       {"x = 'a' * 1000000", "x = 'a' * 999999 * 999999999", "x = [0] * 1000001", "x = list(range(1000000))",
-        "for i in range(1000001): pass", "x = 'a'\nwhile True: x += x", "x = [1]\nwhile True: x = [x, x]",
-        "x = [1]\nwhile True: x.append(x)", "x = {'a': 1}\nwhile True: x['a'] = [x, x]", "x = [1]\nwhile True: x = [x]",
-        "x = {}\nwhile True: x = {'k': x}", "x = 'abcdefgh' * 100000\ny = x.replace('', x)",
-        "x = 'a'.center(1000000000)", "x = f'{1:1000000000}'", "x = f'{1.5:.1000000000f}'",
-        "x = ','.join(['a' * 900000] * 2)", "x = [0] * 600000\nx += x", "x = 'ß' * 400000\ny = x + x",
-        "x = [0] * 400000\ny = enumerate(x)"})
+  for (const char* text : {"x = 'a' * 1000000",
+                           "x = 'a' * 999999 * 999999999",
+                           "x = 'abcd' * 4611686018427387904",
+                           "x = [0] * 1000001",
+                           "x = list(range(1000000))",
+                           "for i in range(1000001): pass",
+                           "x = 'a'\nwhile True: x += x",
+                           "x = [1]\nwhile True: x = [x, x]",
+                           "x = [1]\nwhile True: x.append(x)",
+                           "x = [1]\nwhile True: x.insert(0, x)",
+                           "x = {'a': 1}\nwhile True: x['a'] = [x, x]",
+                           "x = [1]\nwhile True: x = [x]",
+                           "x = {}\nwhile True: x = {'k': x}",
+                           "x = 'abcdefgh' * 100000\ny = x.replace('', x)",
+                           "x = 'a'.center(1000000000)",
+                           "x = f'{1:1000000000}'",
+                           "x = f'{1.5:.1000000000f}'",
+                           "x = ','.join(['a' * 900000] * 2)",
+                           "x = [0] * 600000\nx += x",
+                           "x = 'ß' * 400000\ny = x + x",
+                           "x = [0] * 400000\ny = enumerate(x)"})
     EXPECT_EQ(r.function(text), "fault budget") << text;
   EXPECT_EQ(r.function("x = [0] * 999999\nres.x = x"), "");
   EXPECT_EQ(r.function("x = 'a' * 999998\nres.x = x"), "");

@@ -5,6 +5,8 @@
 #include <random>
 
 #include "core/language/explain.h"
+#include "core/language/printing.h"
+#include "core/language/values.h"
 #include "tests/unit/core/language/environment.h"
 #include "tests/unit/core/language/program_generator.h"
 
@@ -134,8 +136,24 @@ std::string damaged(std::mt19937& random) {
   return text;
 }
 
+constexpr Interpreter::Limits kLimits = {.steps = 2000, .value_units = 10'000};
+
+// What has been stored keeps the bounds of values, and reads back as it is printed.
+void stored_well(const Value& v, const std::string& text) {
+  if (v.is_unknown()) return;
+  const Measure size = measure(v, kLimits.value_units);
+  ASSERT_LE(size.units, kLimits.value_units) << text;
+  ASSERT_LE(size.depth, kMaxValueDepth) << text;
+  ASSERT_TRUE(size.finite) << text;
+  const std::string printed = repr(v);
+  Runner r;
+  const auto again = r.interpreter.expression(r.code(printed, CodeKind::expression), r.state);
+  ASSERT_TRUE(again) << printed;
+  ASSERT_EQ(repr(*again), printed) << text;
+}
+
 void run(const std::string& text, CodeKind kind) {
-  Runner r(Interpreter::Limits{.steps = 2000, .value_units = 10'000});
+  Runner r(kLimits);
   r.state.set(State::par_a, Value(List{1, "a"}));
   r.state.set(State::res_x, Value(1));
   r.state.set(State::var_n, Value(Dict{{"k", Value(2)}}));
@@ -145,7 +163,11 @@ void run(const std::string& text, CodeKind kind) {
   const auto code = compile(text, kind, r.state.symbols, r.state.table);
   ASSERT_EQ(errors.empty(), code.has_value()) << text;
   if (!code) return;
-  if (kind == CodeKind::function) r.interpreter.function(*code, r.state);
+  if (kind == CodeKind::function) {
+    r.interpreter.function(*code, r.state);
+    for (const Slot slot : std::initializer_list<Slot>{State::res_out, State::res_x, State::var_n, State::var_log})
+      stored_well(r.state.at(slot), text);
+  }
   if (kind == CodeKind::expression) r.interpreter.expression(*code, r.state);
   if (kind != CodeKind::condition) return;
   r.interpreter.condition(*code, r.state);

@@ -66,6 +66,9 @@ TEST(Geo, MeansAreBetween) {
             "[[1.0,0.0,0.0],true]");
   EXPECT_EQ(with_poses("n = geo.pose([0, 0, 0], [0, 0, 0, -1])\nres.out = geo.mean([i, n]).orientation[3]"), "1.0")
       << "q and -q are one";
+  EXPECT_EQ(with_poses("n = geo.pose([4, 0, 0], [0, 0, -0.6, -0.8])\nm = geo.mean([i, n, n])\n"
+                       "res.out = [m.orientation[3] > 0, geo.angle(m, n) < geo.angle(m, i)]"),
+            "[true,true]");
 }
 
 TEST(Geo, OffsetMovesAlongOwnAxes) {
