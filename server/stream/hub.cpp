@@ -77,6 +77,7 @@ void Hub::publish_delta(std::string name, Value data) {
 void Hub::subscribe(std::shared_ptr<Listener> listener, std::string name, std::optional<std::int64_t> since) {
   strand_.post([this, listener = std::move(listener), name = std::move(name), since] {
     if (released_) return;
+    listener->outbox().drop(name);
     if (name.empty()) return;  // refusals that were dropped are not repeated
     Channel* channel = find(name);
     if (!channel) {
@@ -84,7 +85,6 @@ void Hub::subscribe(std::shared_ptr<Listener> listener, std::string name, std::o
       return send(*listener, kRefusals, serialise(name, first_, "error", data), false);
     }
     const bool first = channel->listeners.empty() && channel->waiting.empty();
-    listener->outbox().drop(name);
     channel->listeners.erase(listener);
     if (since && catch_up(name, *channel, *listener, *since)) {
       channel->listeners.insert(listener);

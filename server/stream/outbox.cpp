@@ -1,6 +1,7 @@
 #include "server/stream/outbox.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace race::server {
 
@@ -22,7 +23,7 @@ void Outbox::push(const std::string& channel, Text text, bool sampled) {
     const auto victim = std::ranges::find(items_, false, &Item::sampled);
     const std::string slow = victim == items_.end() ? items_.front().channel : victim->channel;
     erase(slow);
-    owed_.insert(slow);
+    owed_.emplace(slow, false);
   }
 }
 
@@ -44,8 +45,9 @@ void Outbox::drop(const std::string& channel) {
 std::vector<std::string> Outbox::take_owed() {
   const std::lock_guard lock(mutex_);
   if (!items_.empty()) return {};
-  std::vector<std::string> owed(owed_.begin(), owed_.end());
-  owed_.clear();
+  std::vector<std::string> owed;
+  for (auto& [channel, taken] : owed_)
+    if (!std::exchange(taken, true)) owed.push_back(channel);
   return owed;
 }
 

@@ -121,6 +121,40 @@ TEST_F(HubTest, ANumberOfAnotherServerGetsASnapshot) {
   EXPECT_THAT(received(other), ElementsAre("snapshot 0 0"));
 }
 
+TEST_F(HubTest, WhoHasMissedMoreThanIsKeptGetsASnapshot) {
+  hub.subscribe(client, "n", {});
+  settle();
+  for (std::size_t i = 0; i < Hub::kKept + 1; ++i) delta();
+  hub.subscribe(other, "n", Client::HubFirst + 1);
+  const auto all = received(other);
+  ASSERT_EQ(all.size(), Hub::kKept);
+  EXPECT_EQ(all.front(), "delta 2 2");
+  hub.subscribe(other, "n", Client::HubFirst);
+  EXPECT_THAT(received(other), ElementsAre("snapshot 257 257"));
+}
+
+TEST_F(HubTest, ASlowListenerGetsNothingBeforeTheSnapshotThatItIsOwed) {
+  hub.subscribe(client, "n", {});
+  settle();
+  for (std::size_t i = 0; i < Outbox::kMessages + 1; ++i) delta();
+  EXPECT_THAT(received(client), IsEmpty());
+  EXPECT_THAT(client->box.take_owed(), ElementsAre("n"));
+  delta();  // on its way when the snapshot is asked for
+  EXPECT_THAT(received(client), IsEmpty());
+  hub.subscribe(client, "n", {});
+  settle();
+  delta();
+  EXPECT_THAT(received(client), ElementsAre("snapshot 258 258", "delta 259 259"));
+}
+
+TEST_F(HubTest, RefusalsComeAgainAfterTooMany) {
+  for (std::size_t i = 0; i < Outbox::kMessages + 1; ++i) hub.subscribe(client, "nothing", {});
+  EXPECT_THAT(received(client), IsEmpty());
+  for (const std::string& owed : client->box.take_owed()) hub.subscribe(client, owed, {});
+  hub.subscribe(client, "nothing", {});
+  EXPECT_THAT(received(client), ElementsAre("error 0 -"));
+}
+
 TEST_F(HubTest, ASampledChannelIsWholeInEveryMessage) {
   hub.subscribe(client, "pose", {});
   settle();

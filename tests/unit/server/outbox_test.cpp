@@ -42,6 +42,9 @@ TEST(Outbox, AStateChannelThatIsTooMuchIsDroppedAndOwedASnapshot) {
   EXPECT_THAT(all(outbox), ElementsAre("p"));
   EXPECT_THAT(outbox.take_owed(), ElementsAre("a"));
   EXPECT_THAT(outbox.take_owed(), IsEmpty());
+  outbox.push("a", text("a delta that was on its way"), false);
+  EXPECT_THAT(all(outbox), IsEmpty());
+  outbox.drop("a");
   outbox.push("a", text("snapshot"), false);
   EXPECT_THAT(all(outbox), ElementsAre("snapshot"));
 }
