@@ -274,7 +274,7 @@ awaitable<void> accept(tcp::acceptor& acceptor, Context& context) {
       co_await pause.async_wait(kUse);
       continue;
     }
-    if (context.connections >= HttpServer::kConnections) continue;
+    if (context.connections >= context.limits.connections) continue;
     ++context.connections;
     error_code ignored;
     socket.set_option(tcp::no_delay(true), ignored);

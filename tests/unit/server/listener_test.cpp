@@ -1,4 +1,4 @@
-// How long a connection may take, over real sockets.
+// How long a connection may take, and how many there may be, over real sockets.
 #include "server/http/listener.h"
 
 #include <arpa/inet.h>
@@ -34,12 +34,12 @@ class Connection {
 
   const std::string& host() const { return host_; }
   bool connected() const { return connected_; }
-  void send(const std::string& text) {
-    ASSERT_EQ(::send(socket_, text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
+  bool send(const std::string& text) {
+    return ::send(socket_, text.data(), text.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(text.size());
   }
   // The status of a request that is answered; 0: the connection has ended.
   int get(const std::string& path) {
-    send("GET " + path + " HTTP/1.1\r\n" + host_ + "\r\n");
+    if (!send("GET " + path + " HTTP/1.1\r\n" + host_ + "\r\n")) return 0;
     std::string answer;
     while (answer.find("\r\n\r\n") == std::string::npos || !is_whole(answer))
       if (!receive(answer)) return 0;
@@ -94,7 +94,7 @@ struct ListenerTest : testing::Test {
   std::unique_ptr<Connection> connection(const std::string& text = "") {
     auto made = std::make_unique<Connection>(server->port());
     EXPECT_TRUE(made->connected());
-    if (!text.empty()) made->send(text);
+    EXPECT_TRUE(made->send(text));
     return made;
   }
   const fs::path data = fs::path(testing::TempDir()) / "race_listener_test";
@@ -116,7 +116,7 @@ TEST_F(ListenerTest, ClosesWhatDoesNotArriveWhileOthersAreServed) {
   stalled.push_back(connection(post + "Content-Type: application/json\r\nContent-Length: 100\r\n\r\n{"));
   stalled.push_back(connection());
   EXPECT_EQ(stalled.back()->get("/api/v1/health"), 200);
-  stalled.back()->send(post);  // after a request that was well
+  EXPECT_TRUE(stalled.back()->send(post));  // after a request that was well
   for (const auto& each : stalled) {
     EXPECT_EQ(other->get("/api/v1/health"), 200);
     EXPECT_TRUE(each->is_closed());
@@ -131,6 +131,21 @@ TEST_F(ListenerTest, ClosesAConnectionThatIsIdleForTooLong) {
   EXPECT_EQ(idle->get("/api/v1/health"), 200);
   EXPECT_TRUE(idle->is_closed());
   EXPECT_TRUE(half->is_open());
+}
+
+TEST_F(ListenerTest, ClosesOneConnectionTooManyUntilAnotherHasEnded) {
+  serve({60s, 60s, 2});
+  auto first = connection(), second = connection();
+  EXPECT_EQ(first->get("/api/v1/health"), 200);
+  EXPECT_EQ(second->get("/api/v1/health"), 200);
+  EXPECT_TRUE(connection()->is_closed());
+  first.reset();
+  // The server hears of the end on its own time.
+  const auto end = std::chrono::steady_clock::now() + 20s;
+  int status = 0;
+  while (status == 0 && std::chrono::steady_clock::now() < end) status = connection()->get("/api/v1/health");
+  EXPECT_EQ(status, 200);
+  EXPECT_EQ(second->get("/api/v1/health"), 200);
 }
 
 TEST(Limits, AreHalfAMinuteToArriveAndTwoBetweenRequests) {
