@@ -77,6 +77,20 @@ class Cores(unittest.TestCase):
         for step in reversed(whole):
             self.assertEqual(self.server.get(f"/cores/{core}/derivations?from={step['step']}", "derivations")["steps"], [step])
 
+    def test_the_journal_has_every_input_in_order(self):
+        core = self.server.core(models.storing("noted"), {"key": "noted", "value": [1, {"two": None}]})
+        self.assertEqual(self.server.ended(core)["outcome"], "success")
+        journal = self.server.get(f"/cores/{core}/journal", "journal")
+        self.assertEqual(journal["header"]["arguments"], {"key": "noted", "value": [1, {"two": None}]})
+        answer = lambda operation, call, result: {"kind": "response", "service": "db", "operation": operation, "call": call, "result": result}
+        self.assertEqual(journal["entries"], [
+            {"position": 1, "input": {"kind": "start"}}, {"position": 2, "input": answer("add", 1, "noted")},
+            {"position": 3, "input": answer("get", 2, [1, {"two": None}])}])
+        core = self.server.core(models.reading("unread"), {"key": "nobody has stored this"})
+        self.assertEqual(self.server.ended(core)["outcome"], "missing")
+        told = self.server.get(f"/cores/{core}/journal", "journal")["entries"][-1]["input"]
+        self.assertEqual((told["kind"], "result" in told, told["error"]["code"]), ("response", False, "not_found"))
+
     def test_a_fault_is_shown_and_replayed(self):
         core = self.server.core(models.faulty())
         ended = self.server.ended(core)
@@ -115,8 +129,10 @@ class Cores(unittest.TestCase):
         self.assertEqual(self.active(core), ["Root", "Root/Pong"])
         self.step(core, kind="until", path="Root/Pong", when="left")
         self.assertEqual(self.active(core), ["Root"])
-        self.step(core, kind="until", path="Root/Pong", when="left")
-        self.assertEqual(self.server.get(f"/cores/{core}", "core")["paused"], True)
+        before = self.server.get(f"/cores/{core}", "core")["step"]
+        after = self.step(core, kind="until", path="Root/Pong", when="left")  # entered first, as it is not active
+        self.assertEqual((after["paused"], self.active(core)), (True, ["Root"]))
+        self.assertGreater(after["step"], before + 1)
         self.server.post(f"/cores/{core}/step", {"kind": "until", "path": "Root/Nowhere", "when": "left"}, status=404)
 
     def test_a_step_that_needs_an_input_is_paused_until_one_comes(self):
@@ -215,6 +231,12 @@ class Cores(unittest.TestCase):
             lines = [(line["source"], line["text"]) for line in stream.message()["data"]["entries"]]
         self.assertEqual([text for source, text in lines if source == f"core/{core}"],
                          ["calling: ready", "calling: running", "calling: ended at sad"])
+        held = self.held(models.chain("quiet"))
+        self.step(held, kind="macro")
+        with self.server.stream() as stream:
+            stream.subscribe("log")
+            lines += [(line["source"], line["text"]) for line in stream.message()["data"]["entries"]]
+        self.assertEqual([text for source, text in lines if source == f"core/{held}"], ["quiet: ready", "quiet: running"])
         self.assertIn(("nobody", f"cannot answer `help` of core {core}: there is no such service"), lines)
 
     def test_there_is_a_most_of_cores(self):
@@ -227,6 +249,7 @@ class Cores(unittest.TestCase):
             ids.append(answer["id"])
             self.assertLessEqual(len(ids), 64)
         self.assertEqual((status, answer["errors"][0]["code"]), (409, "conflict"))
+        self.assertEqual(len(self.server.get("/cores", "cores")["cores"]), 64)
         for core in ids:
             self.server.expect("DELETE", f"/cores/{core}", None, "core", 200)
 

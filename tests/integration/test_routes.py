@@ -50,6 +50,7 @@ class Routes(unittest.TestCase):
                                           "entry": "res.x = "})
         errors = self.server.put("/documents/wrong", wrong, status=422)["errors"]
         self.assertLessEqual({"duplicate", "first"}, {error["code"] for error in errors})
+        self.assertEqual([(error["path"], error["line"]) for error in errors if error["code"] == "syntax"], [("Root", 1)])
         self.server.get("/documents/wrong", status=404)
         self.server.put("/documents/no%20name", models.ticking(), status=422)
 

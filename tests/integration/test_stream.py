@@ -169,6 +169,15 @@ class Streaming(unittest.TestCase):
                       if m["channel"] == "cores" and m["data"].get("core", {}).get("id") == core]
             self.assertEqual((states[0], states[-1]), ("ready", "ended"))
 
+    def test_the_list_of_cores_is_not_told_of_every_input(self):
+        with self.server.stream() as stream:
+            stream.subscribe("cores")
+            stream.message()
+            core = self.server.core(models.ticking("counted", last=6))
+            ours = lambda m: m["data"].get("core", {}).get("id") == core
+            told = [m for m in stream.until(lambda m: ours(m) and m["data"]["core"]["status"] == "ended") if ours(m)]
+            self.assertEqual([m["data"]["core"]["status"] for m in told], ["ready", "running", "ended"])
+
     def test_a_channel_ends_with_its_core(self):
         core = self.server.core(models.ticking("removed", last=100000))
         with self.server.stream() as stream:
@@ -177,6 +186,20 @@ class Streaming(unittest.TestCase):
             self.server.expect("DELETE", f"/cores/{core}", None, "core", 200)
             ended = stream.until(lambda m: m["kind"] == "error")[-1]
             self.assertEqual(ended["data"]["errors"][0]["code"], "not_found")
+
+    def test_a_run_that_is_stopped_or_deleted_calls_the_safe_operations_of_what_it_called(self):
+        gripping = models.document("gripping", {"state": "Root", "entry": "svc.gripper.release(width=par.width, speed=0.005)",
+                                                "parameters": [{"name": "width", "value": 0.0}]})
+        gripper = lambda m: next((s for s in m["data"]["services"] if s["key"] == "gripper"), {})
+        for method, command in (("POST", "/stop"), ("DELETE", "")):
+            with self.subTest(method=method), self.server.stream() as stream:
+                stream.subscribe("services")
+                stream.message()
+                core = self.server.core(gripping, {"width": 0.0 if command else 0.11})
+                stream.until(lambda m: gripper(m).get("last") == "release")
+                self.server.expect(method, f"/cores/{core}{command}", None, "core", 200)
+                stopped = gripper(stream.until(lambda m: gripper(m).get("last") not in (None, "release"))[-1])
+                self.assertEqual(stopped["last"], "stop")
 
     def test_the_cell_moves_in_world_time(self):
         with self.server.stream() as stream:
@@ -189,7 +212,14 @@ class Streaming(unittest.TestCase):
             self.assertEqual(set(first["data"]["bodies"]), movable)
             stream.send({"type": "unsubscribe", "channel": "cell/pose"})
             stream.subscribe("cores")
-            stream.until(lambda m: m["channel"] == "cores")
+            poses = [first, second, *stream.until(lambda m: m["channel"] == "cores")[:-1]]
+            # Nobody looks, so nothing is made: the numbers go on where they were, half a second later.
+            later = self.server.get("/health", "health")["time"] + 0.5
+            while self.server.get("/health", "health")["time"] < later:
+                pass
+            stream.subscribe("cell/pose")
+            again = stream.until(lambda m: m["channel"] == "cell/pose")[-1]
+            self.assertLess(again["sequence"], poses[-1]["sequence"] + 8)
 
     def test_a_client_that_does_not_read_falls_back_to_a_snapshot(self):
         # Each macro step moves a long text, so that what waits soon exceeds what a client may leave unread.

@@ -70,6 +70,7 @@ struct CoreTest : testing::Test, CoreWatcher {
 
   // On the core's strand.
   void core_changed(const std::string&, Value json) override {
+    last = json;
     if (on_status && json.find("status")->as_string() == "running") std::exchange(on_status, nullptr)();
   }
   void state_snapshot(const std::string&, Value json) override {
@@ -93,6 +94,24 @@ struct CoreTest : testing::Test, CoreWatcher {
     ASSERT_TRUE(core->pause());
     ASSERT_TRUE(core->start());
   }
+  // The core after a pause that was asked for in the second turn of the macro step that `begin` lets begin.
+  Value paused_within(const std::function<void()>& begin) {
+    std::promise<void> within, pausing;
+    std::promise<Expected<Value>> paused;
+    std::thread other([&] {
+      within.get_future().wait();
+      pausing.set_value();
+      paused.set_value(core->pause());
+    });
+    on_print = [&](const std::string& text) {
+      if (text != "150") return;
+      within.set_value();
+      pausing.get_future().wait();
+    };
+    begin();
+    other.join();
+    return paused.get_future().get().value();
+  }
   void expect_that_all_have_the_state() {
     const Value state = core->state().value();
     ASSERT_FALSE(views.empty());
@@ -107,7 +126,7 @@ struct CoreTest : testing::Test, CoreWatcher {
   std::deque<View> views;
   std::vector<std::int64_t> micro;  // of the snapshots
   std::vector<std::string> fired;   // as all deltas told
-  Value last;                       // the core as the last delta told it
+  Value last;                       // the core as it was told last
   std::function<void()> on_status;
   std::function<void(const std::string&)> on_print;
   std::shared_ptr<Core> core;
@@ -144,25 +163,22 @@ TEST_F(CoreTest, AWatcherWhoComesBetweenTheTurnsOfAMacroStepCostsNobodyAChange) 
 
 TEST_F(CoreTest, APauseWithinAMacroStepTellsWhatWasDoneOfIt) {
   hold_and_watch();
-  std::promise<void> within, pausing;
-  std::promise<Expected<Value>> paused;
-  std::thread other([&] {
-    within.get_future().wait();
-    pausing.set_value();
-    paused.set_value(core->pause());
+  const Value held = paused_within([this] {
+    ASSERT_TRUE(core->step({StepGoal::Kind::left, "R/S" + std::to_string(kStates)}));
   });
-  on_print = [&](const std::string& text) {
-    if (text != "150") return;
-    within.set_value();
-    pausing.get_future().wait();
-  };
-  ASSERT_TRUE(core->step({StepGoal::Kind::left, "R/S" + std::to_string(kStates)}));
-  const Value held = paused.get_future().get().value();
-  other.join();
   EXPECT_TRUE(held.find("paused")->as_bool());
   EXPECT_GT(held.find("micro")->as_integer(), 0) << "not within the macro step";
   expect_that_all_have_the_state();
   core->watch_state();
+  expect_that_all_have_the_state();
+}
+
+TEST_F(CoreTest, APauseOfARunWaitsForTheEndOfTheMacroStep) {
+  core->watch_state();
+  const Value held = paused_within([this] { ASSERT_TRUE(core->start()); });
+  EXPECT_TRUE(held.find("paused")->as_bool());
+  EXPECT_EQ(held.find("micro")->as_integer(), 0);
+  EXPECT_EQ(held.find("step")->as_integer(), 1);
   expect_that_all_have_the_state();
 }
 

@@ -68,7 +68,10 @@ TEST_F(DoorTest, BoundsBodiesByTheirLength) {
   EXPECT_EQ(with("-1", "application/json"), 400);
   EXPECT_EQ(with("10", "application/json; charset=utf-8"), 0);
   EXPECT_EQ(with("10", "text/plain"), 415);
+  EXPECT_EQ(with("10", "application/jsonx"), 415);
+  EXPECT_EQ(with("10", ""), 415);
   EXPECT_EQ(with("0", "text/plain"), 0);
+  EXPECT_EQ(status(request("POST", {{"content-length", "0"}, {"content-length", "0"}})), 400);
 }
 
 }  // namespace

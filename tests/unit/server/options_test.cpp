@@ -26,6 +26,8 @@ TEST(Options, AreRefusedByName) {
 TEST(Options, NumbersHaveLimits) {
   for (const char* text : {"x", "", "-1", "101", "1x", "nan"})
     EXPECT_FALSE(read({"--port", text})->number("--port", 1, 0, 100)) << text;
+  EXPECT_EQ(read({"--port", "0"})->number("--port", 7, 0, 100), 0);
+  EXPECT_EQ(read({"--port", "100"})->number("--port", 7, 0, 100), 100);
   EXPECT_EQ(read({})->number("--port", 7, 0, 100), 7);
 }
 

@@ -31,6 +31,7 @@ TEST_F(StaticFiles, AreServedWithTheirTypes) {
   EXPECT_EQ(get("/")->type, "text/html; charset=utf-8");
   EXPECT_EQ(get("/")->headers[0].second, "no-cache");
   EXPECT_EQ(get("/assets/a-1f.js")->type, "text/javascript; charset=utf-8");
+  EXPECT_EQ(get("/assets/a-1f.js")->headers[0].second, "public, max-age=31536000, immutable");
 }
 
 TEST_F(StaticFiles, EndAtTheirFolder) {
