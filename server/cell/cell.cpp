@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <future>
 
 #include "core/value/json.h"
 #include "server/cell/scene_json.h"
@@ -31,6 +32,7 @@ Expected<std::unique_ptr<Cell>> Cell::create(const CellSetup& setup, services::H
 
 Expected<void> Cell::add_world(const std::string& scene_path) {
   ASSIGN_OR_RETURN(world_, world::World::load(scene_path));
+  person_ = std::make_unique<world::Person>(*world_);
   scene_ = scene_json(*world_);
   const std::string& urdf = world_->scene().robot.urdf;
   urdf_name_ = fs::path(urdf).filename();
@@ -65,11 +67,20 @@ Cell::~Cell() { stop(); }
 
 void Cell::step() {
   unit_.run();
+  if (before_step_) before_step_();
+  if (person_) person_->step();
   if (world_) world_->step();
   clock_.set(static_cast<double>(++steps_) * kStep);
   host_.step(unit_);
   constexpr std::int64_t kStepsPerPose = 33;
   if (pose_watched_ && steps_ % kStepsPerPose == 0) publish_pose();
+}
+
+bool Cell::on_unit(std::function<void()> work) {
+  auto task = std::make_shared<std::packaged_task<void()>>(std::move(work));
+  auto done = task->get_future();
+  unit_.post([task] { (*task)(); });
+  return done.wait_for(std::chrono::seconds(5)) == std::future_status::ready;
 }
 
 void Cell::start_real_time() {
@@ -94,7 +105,7 @@ void Cell::stop() {
 
 void Cell::publish_pose() {
   if (!world_ || !publish_pose_) return;
-  Value pose = pose_json(*world_, clock_.now());
+  Value pose = pose_json(*world_, *person_, clock_.now());
   publish_pose_(std::move(pose.freeze()));
 }
 

@@ -13,6 +13,7 @@
 #include "core/value/expected.h"
 #include "core/value/value.h"
 #include "services/host.h"
+#include "services/world/person.h"
 #include "services/world/world.h"
 
 namespace race::server {
@@ -46,6 +47,16 @@ class Cell {
   const services::Clock& clock() const { return clock_; }
   bool has_world() const { return world_ != nullptr; }
 
+  /// Whoever stands at the cell; none without a world. On the unit's thread.
+  world::Person* person() { return person_.get(); }
+  /// Requires has_world(). On the unit's thread.
+  const world::World& world() const { return *world_; }
+  /// Does `work` on the unit's thread and waits for it, five seconds at most; whether it was done. Else it may still be
+  /// done later, so it holds what it needs. Not to be called on that thread; only after start_real_time().
+  bool on_unit(std::function<void()> work);
+  /// Called at the beginning of each step(), on the unit's thread. To be set before the first step.
+  void before_step(std::function<void()> work) { before_step_ = std::move(work); }
+
   /// Does what was called since; no time passes. Whether there was anything.
   bool work() { return unit_.run(); }
   /// One step of the world and its services, 1 ms.
@@ -75,10 +86,12 @@ class Cell {
   services::WorkQueue unit_;
   std::unique_ptr<services::WorkThread> database_unit_;
   std::unique_ptr<world::World> world_;
+  std::unique_ptr<world::Person> person_;
   services::Host host_;
   std::int64_t steps_ = 0;
   Value scene_;
   std::string urdf_name_, urdf_;
+  std::function<void()> before_step_;
   std::function<void(Value)> publish_pose_;
   std::atomic<bool> pose_watched_{false}, stop_{false};
   std::thread thread_;

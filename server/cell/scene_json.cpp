@@ -36,6 +36,16 @@ Value to_value(const world::Body& body) {
   return json;
 }
 
+List touches_json(const world::Person& person) {
+  List hands;
+  for (const auto& [hand, touch] : person.touches()) {
+    Dict json{{"hand", hand}, {"body", touch.body}, {"at", numbers(touch.at)}, {"force", numbers(touch.force)}};
+    if (touch.target) json.set("target", numbers(*touch.target));
+    hands.push_back(std::move(json));
+  }
+  return hands;
+}
+
 }  // namespace
 
 Value scene_json(const world::World& world) {
@@ -49,7 +59,7 @@ Value scene_json(const world::World& world) {
   return std::move(json.freeze());
 }
 
-Value pose_json(const world::World& world, services::Time time) {
+Value pose_json(const world::World& world, const world::Person& person, services::Time time) {
   using world::Joint;
   Dict joints, bodies;
   const auto name = [&](int link) { return world.model().links[static_cast<std::size_t>(link)].joint.name; };
@@ -60,8 +70,17 @@ Value pose_json(const world::World& world, services::Time time) {
   for (const int link : world.model().moved_by(Joint::Kind::prismatic))
     joints.set(name(link), world.gripper_width() / 2);
   for (const world::Body& body : world.scene().bodies)
-    if (body.mass > 0) bodies.set(body.name, to_value(world.pose(body.name)));
-  return Dict{{"time", time}, {"joints", std::move(joints)}, {"bodies", std::move(bodies)}};
+    if (body.mass > 0 && world.present(body.name)) bodies.set(body.name, to_value(world.pose(body.name)));
+  Dict json{{"time", time}, {"joints", std::move(joints)}, {"bodies", std::move(bodies)}};
+  if (List hands = touches_json(person); !hands.empty()) json.set("hands", std::move(hands));
+  return json;
+}
+
+Value person_json(const world::World& world, const world::Person& person) {
+  List absent;
+  for (const world::Body& body : world.scene().bodies)
+    if (!world.present(body.name)) absent.push_back(body.name);
+  return Dict{{"hands", touches_json(person)}, {"absent", std::move(absent)}};
 }
 
 }  // namespace race::server

@@ -31,6 +31,8 @@ constexpr std::array kRoutes = {
     Route{"GET", "/api/v1/cores/{id}/journal", get_core_journal},
     Route{"GET", "/api/v1/cores/{id}/why", get_why},
     Route{"GET", "/api/v1/cell", get_cell},
+    Route{"GET", "/api/v1/cell/person", get_person},
+    Route{"POST", "/api/v1/cell/person", act_as_person},
     Route{"GET", "/api/v1/cell/{file}", get_cell_file},
 };
 

@@ -21,7 +21,8 @@ import {
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import URDFLoader, { type URDFRobot } from "urdf-loader";
-import type { Body, CellPose, Pose, Shape } from "../../shared/messages/cell";
+import type { Body, CellPose, Shape } from "../../shared/messages/cell";
+import type { Pose } from "../../shared/messages/pose";
 
 export interface RobotModel {
   readonly name: string;

@@ -1,13 +1,7 @@
 // The cell as the server tells it (api/schemas: scene, cell_pose, pose). Metres, radians; quaternions are [qx, qy, qz, qw].
 import { array, boolean, DecodeError, number, object, present, record, string, type Decoder } from "../json/decode";
-
-export type Triple = readonly [number, number, number];
-export type Quadruple = readonly [number, number, number, number];
-
-export interface Pose {
-  readonly position: Triple;
-  readonly orientation: Quadruple;
-}
+import { touches, type Touch } from "./person";
+import { pose, triple, type Pose, type Triple } from "./pose";
 
 export type Shape =
   | { readonly kind: "box"; readonly size: Triple }
@@ -28,31 +22,13 @@ export interface Scene {
   readonly bodies: readonly Body[];
 }
 
-/** Where everything is at `time` [s]: joints of the URDF by name, bodies by name. */
+/** Where everything is at `time` [s]: joints of the URDF by name, bodies by name (none: taken away), hands. */
 export interface CellPose {
   readonly time: number;
   readonly joints: Readonly<Record<string, number>>;
   readonly bodies: Readonly<Record<string, Pose>>;
+  readonly hands: readonly Touch[];
 }
-
-const triple: Decoder<Triple> = (value, path) => {
-  const [x, y, z, ...rest] = array(number)(value, path);
-  if (x === undefined || y === undefined || z === undefined || rest.length > 0) throw new DecodeError(path, "three numbers", value);
-  return [x, y, z];
-};
-
-const quadruple: Decoder<Quadruple> = (value, path) => {
-  const [x, y, z, w, ...rest] = array(number)(value, path);
-  if (x === undefined || y === undefined || z === undefined || w === undefined || rest.length > 0) {
-    throw new DecodeError(path, "four numbers", value);
-  }
-  return [x, y, z, w];
-};
-
-export const pose: Decoder<Pose> = object((f) => ({
-  position: f.need("position", triple),
-  orientation: f.need("orientation", quadruple),
-}));
 
 const cylinder = object((f) => ({ radius: f.need("radius", number), length: f.need("length", number) }));
 
@@ -89,4 +65,5 @@ export const cellPose: Decoder<CellPose> = object((f) => ({
   time: f.need("time", number),
   joints: f.need("joints", record(number)),
   bodies: f.need("bodies", record(pose)),
+  hands: f.or("hands", touches, []),
 }));

@@ -5,6 +5,7 @@ import { describe, expect, it } from "vitest";
 import { number, object, oneOf, string, type Decoder } from "../../shared/json/decode";
 import { cellPose, scene } from "../../shared/messages/cell";
 import { core, coreState, cores } from "../../shared/messages/core";
+import { person } from "../../shared/messages/person";
 import { rules, traceSteps } from "../../shared/messages/derivation";
 import { services } from "../../shared/messages/service";
 import { serverErrors, streamMessage, type StreamRequest } from "../../shared/messages/stream";
@@ -31,6 +32,8 @@ const decoders: Readonly<Record<string, Decoder<unknown>>> = {
   derivations: traceSteps,
   document: rcmDocument,
   errors: serverErrors,
+  person,
+  person_act: object((f) => f.need("act", oneOf("grab", "drag", "release", "push", "place", "take"))),
   rules,
   scene,
   services,

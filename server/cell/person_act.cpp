@@ -1,0 +1,165 @@
+#include "server/cell/person_act.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "services/world/frames.h"
+
+namespace race::server {
+namespace {
+
+constexpr double kLongestKeep = 3600;  // s
+constexpr std::size_t kHandName = 64;  // characters
+
+using Need = Fields::Need;
+using world::operator+;
+
+/// `N` numbers of a list; a violation if it is none.
+template <std::size_t N>
+std::optional<std::array<double, N>> numbers(const Value& value, const std::string& name, Fields& fields) {
+  std::array<double, N> out;
+  bool fits = value.is_list() && value.as_list().size() == N;
+  for (std::size_t i = 0; fits && i < N; ++i) {
+    const Value& item = value.as_list()[i];
+    fits = item.is_numeric() && item.is_finite();
+    if (fits) out[i] = item.to_double();
+  }
+  if (fits) return out;
+  fields.violation(ErrorCode::type, "`" + name + "` must be " + std::to_string(N) + " numbers");
+  return std::nullopt;
+}
+
+world::Vec3 vector(Fields& fields, std::string_view name, Need need = Need::optional) {
+  const Value* value = fields.find(name, need);
+  if (!value) return {};
+  return numbers<3>(*value, std::string(name), fields).value_or(world::Vec3());
+}
+
+std::string hand_name(Fields& fields) {
+  std::string hand = fields.text("hand").value_or("hand");
+  if (hand.empty() || hand.size() > kHandName)
+    fields.violation(ErrorCode::name, "`hand` must have 1 to " + std::to_string(kHandName) + " characters");
+  return hand;
+}
+
+GrabAct read_grab(Fields& fields) {
+  GrabAct act{hand_name(fields), {}};
+  world::Hold& hold = act.hold;
+  hold.body = fields.text("body", Need::required).value_or("");
+  hold.point = vector(fields, "point");
+  hold.stiffness = fields.number("stiffness").value_or(hold.stiffness);
+  hold.damping = fields.number("damping").value_or(hold.damping);
+  hold.force = fields.number("limit").value_or(hold.force);
+  return act;
+}
+
+DragAct read_drag(Fields& fields) {
+  DragAct act{hand_name(fields), {}};
+  const Value* to = fields.find("to");
+  const Value* by = fields.find("by");
+  const Value* path = fields.find("path");
+  if ((to != nullptr) + (by != nullptr) + (path != nullptr) != 1)
+    fields.violation(ErrorCode::missing, "must have one of `to`, `by` and `path`");
+  const auto add = [&](const Value& value, const char* name) {
+    if (auto point = numbers<3>(value, name, fields)) act.drag.path.push_back(*point);
+  };
+  if (to) add(*to, "to");
+  if (by) add(*by, "by");
+  act.relative = by != nullptr;
+  if (path && !path->is_list()) fields.violation(ErrorCode::type, "`path` must be a list of points");
+  if (path && path->is_list())
+    for (const Value& point : path->as_list()) add(point, "path");
+  act.drag.speed = fields.number("speed").value_or(act.drag.speed);
+  return act;
+}
+
+world::Push read_push(Fields& fields) {
+  world::Push push;
+  push.body = fields.text("body", Need::required).value_or("");
+  push.force = vector(fields, "force", Need::required);
+  push.point = vector(fields, "point");
+  if (!fields.find("duration")) fields.violation(ErrorCode::missing, "the field `duration` is missing");
+  push.duration = fields.number("duration").value_or(0);
+  push.rise = fields.number("rise").value_or(0);
+  return push;
+}
+
+std::optional<world::Pose> read_pose(Fields& fields) {
+  const Value* value = fields.find("pose");
+  if (!value) return std::nullopt;
+  const Value* position = value->is_dict() ? value->find("position") : nullptr;
+  const Value* orientation = value->is_dict() ? value->find("orientation") : nullptr;
+  world::Pose pose;
+  if (!position || !orientation || value->as_dict().size() != 2) {
+    fields.violation(ErrorCode::type, "`pose` must have `position` and `orientation`, nothing else");
+    return pose;
+  }
+  pose.position = numbers<3>(*position, "pose.position", fields).value_or(pose.position);
+  pose.orientation = numbers<4>(*orientation, "pose.orientation", fields).value_or(pose.orientation);
+  double square = 0;
+  for (const double component : pose.orientation) square += component * component;
+  if (std::abs(square - 1) > 1e-3)
+    fields.violation(ErrorCode::out_of_range, "`pose.orientation` must be a unit quaternion");
+  for (double& component : pose.orientation) component /= std::sqrt(square);
+  if (std::ranges::any_of(pose.position, [](double each) { return std::abs(each) > 10; }))
+    fields.violation(ErrorCode::out_of_range, "`pose.position` must be within 10 m of o");
+  return pose;
+}
+
+struct Performer {
+  world::Person& person;
+  double keep;
+
+  Expected<void> operator()(const GrabAct& act) const {
+    auto done = person.grab(act.hand, act.hold);
+    return done ? person.keep(act.hand, keep) : done;
+  }
+  Expected<void> operator()(const DragAct& act) const {
+    world::Drag drag = act.drag;
+    if (act.relative)
+      for (const auto& [hand, touch] : person.touches())
+        if (hand == act.hand && touch.target) drag.path.front() = drag.path.front() + *touch.target;
+    auto done = person.drag(act.hand, drag);
+    return done ? person.keep(act.hand, keep) : done;
+  }
+  Expected<void> operator()(const ReleaseAct& act) const {
+    person.release(act.hand);
+    return {};
+  }
+  Expected<void> operator()(const world::Push& push) const { return person.push(push); }
+  Expected<void> operator()(const PlaceAct& act) const { return person.place(act.part, act.o_t_part); }
+  Expected<void> operator()(const TakeAct& act) const { return person.take(act.part); }
+};
+
+}  // namespace
+
+PersonAct read_person_act(Fields& fields, double keep) {
+  const std::string kind = fields.text("act", Need::required).value_or("");
+  PersonAct act{ReleaseAct{}, keep};
+  if (kind == "grab" || kind == "drag") {
+    if (kind == "grab") act.what = read_grab(fields);
+    if (kind == "drag") act.what = read_drag(fields);
+    act.keep = fields.number("keep").value_or(keep);
+    if (act.keep != keep && !(act.keep >= 0 && act.keep <= kLongestKeep))
+      fields.violation(ErrorCode::out_of_range, "`keep` must be a number from 0 to 3600 s");
+  } else if (kind == "release") {
+    act.what = ReleaseAct{hand_name(fields)};
+  } else if (kind == "push") {
+    act.what = read_push(fields);
+  } else if (kind == "place") {
+    PlaceAct place{fields.text("part", Need::required).value_or(""), std::nullopt};
+    place.o_t_part = read_pose(fields);
+    act.what = std::move(place);
+  } else if (kind == "take") {
+    act.what = TakeAct{fields.text("part", Need::required).value_or("")};
+  } else {
+    fields.violation(ErrorCode::type, "`act` must be `grab`, `drag`, `release`, `push`, `place` or `take`");
+  }
+  return act;
+}
+
+Expected<void> perform(const PersonAct& act, world::Person& person) {
+  return std::visit(Performer{person, act.keep}, act.what);
+}
+
+}  // namespace race::server

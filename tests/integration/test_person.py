@@ -1,0 +1,127 @@
+"""A person at the cell of the real server: hands that the robot feels, parts that are moved, and what is refused."""
+import time
+import unittest
+
+import models
+from client import PATIENCE, PROJECT, Server, check
+
+
+def feeling(name="feeling", force=15):
+    """Ends at `felt` when the robot feels `force` [N] along y at its tool; the result is the force."""
+    return models.document(name, {
+        "state": "Root", "results": [{"name": "force"}],
+        "actions": [{"when": "svc.robot.robot_state", "do": "res.force = svc.robot.robot_state.f_ext_hat"}],
+        "ports": [{"name": "felt", "when": f"svc.robot.robot_state and svc.robot.robot_state.f_ext_hat[1] > {force}"}]})
+
+
+class Person(unittest.TestCase):
+    def setUp(self):
+        self.server = Server("--demo", str(PROJECT / "deploy/demo"))
+        self.addCleanup(self.server.stop)
+        scene = self.server.get("/cell", "scene")
+        self.part = next(body["name"] for body in scene["bodies"] if not body["fixed"])
+
+    def act(self, status=200, **act):
+        if status == 200:
+            check("person_act", act)
+        return self.server.post("/cell/person", act, "person" if status == 200 else None, status)
+
+    def hands(self):
+        return self.server.get("/cell/person", "person")["hands"]
+
+    def pose(self, stream, what):
+        """The first pose of the cell for which what(pose) holds."""
+        return stream.until(lambda m: what(m["data"]))[-1]["data"]
+
+    def test_the_robot_feels_a_hand_that_drags_it(self):
+        core = self.server.core(feeling())
+        self.act(act="grab", body="gripper", point=[0, 0, 0.15], keep=60)
+        self.act(act="drag", by=[0, 0.06, 0], speed=0.5, keep=60)
+        felt = self.server.ended(core)
+        self.assertEqual(felt["outcome"], "felt")
+        self.assertGreater(felt["results"]["force"][1], 12)  # the sample before the one that ended it
+        with self.server.stream() as stream:
+            stream.subscribe("cell/pose")
+            pose = self.pose(stream, lambda p: p["hands"][0]["force"][1] > 20)
+        hand = pose["hands"][0]
+        self.assertEqual((hand["hand"], hand["body"]), ("hand", "gripper"))
+        self.assertAlmostEqual(hand["target"][1] - hand["at"][1], hand["force"][1] / 500, delta=0.02)
+        self.assertEqual(self.act(act="release")["hands"], [])
+
+    def test_the_robot_feels_a_push(self):
+        core = self.server.core(feeling(force=25))
+        self.act(act="push", body="gripper", point=[0, 0, 0.15], force=[0, 40, 0], duration=1, rise=0.2)
+        self.assertEqual(self.server.ended(core)["outcome"], "felt")
+
+    def test_a_hand_carries_a_part_and_lets_it_go(self):
+        self.act(act="grab", hand="left", body=self.part, keep=60)
+        self.act(act="drag", hand="left", path=[[0.7, -0.3, 0.3], [0.75, -0.35, 0.3]], speed=1, keep=60)
+        with self.server.stream() as stream:
+            stream.subscribe("cell/pose")
+            self.pose(stream, lambda p: abs(p["bodies"][self.part]["position"][0] - 0.75) < 0.01)
+            self.act(act="release", hand="left")
+            pose = self.pose(stream, lambda p: p["bodies"][self.part]["position"][2] < 0.1)
+        self.assertNotIn("hands", pose)
+
+    def test_a_hand_of_somebody_who_is_gone_lets_go(self):
+        self.assertEqual(len(self.act(act="grab", body="link_5")["hands"]), 1)
+        end = time.monotonic() + PATIENCE
+        while self.hands() and time.monotonic() < end:
+            pass
+        self.assertEqual(self.hands(), [])
+
+    def test_a_part_is_placed_taken_and_put_back(self):
+        somewhere = {"position": [0.8, -0.4, 0.2], "orientation": [0, 0, 0, 1]}
+        with self.server.stream() as stream:
+            stream.subscribe("cell/pose")
+            self.act(act="place", part=self.part, pose=somewhere)
+            self.pose(stream, lambda p: abs(p["bodies"][self.part]["position"][0] - 0.8) < 0.01)
+            self.assertEqual(self.act(act="take", part=self.part)["absent"], [self.part])
+            self.pose(stream, lambda p: self.part not in p["bodies"])
+            self.act(409, act="take", part=self.part)
+            self.act(409, act="grab", body=self.part)
+            self.assertEqual(self.act(act="place", part=self.part)["absent"], [])
+            self.pose(stream, lambda p: self.part in p["bodies"])
+
+    def test_what_does_not_fit_is_refused_by_name_and_moves_nothing(self):
+        in_the_table = {"position": [0.7, -0.2, 0], "orientation": [0, 0, 0, 1]}
+        crooked = {"position": [0.7, -0.2, 0.1], "orientation": [0, 0, 1, 1]}
+        for status, path, act in (
+                (404, "body", {"act": "grab", "body": "link_9"}),
+                (422, "body", {"act": "grab", "body": "table"}),
+                (422, "body", {"act": "push", "body": "base_link", "force": [0, 1, 0], "duration": 1}),
+                (400, "limit", {"act": "grab", "body": "link_5", "limit": 251}),
+                (400, "stiffness", {"act": "grab", "body": "link_5", "stiffness": -1}),
+                (400, "point", {"act": "grab", "body": "link_5", "point": [0, 0, 2]}),
+                (400, "force", {"act": "push", "body": "link_5", "force": [0, 300, 0], "duration": 1}),
+                (400, "duration", {"act": "push", "body": "link_5", "force": [0, 30, 0], "duration": -1}),
+                (400, "rise", {"act": "push", "body": "link_5", "force": [0, 30, 0], "duration": 1, "rise": 0.6}),
+                (409, "hand", {"act": "drag", "to": [0, 0, 1]}),
+                (409, "pose", {"act": "place", "part": self.part, "pose": in_the_table}),
+                (422, "part", {"act": "place", "part": "link_5", "pose": in_the_table}),
+                (422, "part", {"act": "take", "part": "table"}),
+                (404, "part", {"act": "take", "part": "nothing"})):
+            answer = self.act(status, **act)
+            self.assertEqual(answer["errors"][0]["path"], path, act)
+        for act in ({}, {"act": "kick"}, {"act": "grab"}, {"act": "grab", "body": "link_5", "strength": 1},
+                    {"act": "drag"}, {"act": "drag", "to": [0, 0, 1], "by": [0, 0, 1]}, {"act": "drag", "to": [0, 1]},
+                    {"act": "grab", "body": "link_5", "hand": ""}, {"act": "push", "body": "link_5", "duration": 1},
+                    {"act": "push", "body": "link_5", "force": ["1", 0, 0], "duration": 1}):
+            self.act(422, **act)
+        self.act(400, act="place", part=self.part, pose=crooked)
+        self.act(400, act="grab", body="link_5", keep=-1)
+        for number in ("1e999", "NaN"):
+            status, _ = self.server.request(
+                "POST", "/api/v1/cell/person",
+                '{"act": "push", "body": "link_5", "force": [0, %s, 0], "duration": 1}' % number)
+            self.assertIn(status, (400, 422))
+        self.assertEqual(self.hands(), [])
+
+    def test_a_server_without_a_cell_has_no_person(self):
+        with Server() as bare:
+            bare.get("/cell/person", status=404)
+            bare.post("/cell/person", {"act": "release"}, status=404)
+
+
+if __name__ == "__main__":
+    unittest.main()
