@@ -149,7 +149,7 @@ TEST(Budget, BoundsTheSizeOfValues) {
                            "x = 'a'\nwhile True: x += x",
                            "x = [1]\nwhile True: x = [x, x]",
                            "x = [1]\nwhile True: x.append(x)",
-                           "x = [1]\nwhile True: x.insert(0, x)",
+                           "x = [1]\nfor i in range(60): x.insert(0, x)",
                            "x = {'a': 1}\nwhile True: x['a'] = [x, x]",
                            "x = [1]\nwhile True: x = [x]",
                            "x = {}\nwhile True: x = {'k': x}",

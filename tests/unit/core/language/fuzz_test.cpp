@@ -147,7 +147,9 @@ void stored_well(const Value& v, const std::string& text) {
   ASSERT_TRUE(size.finite) << text;
   const std::string printed = repr(v);
   Runner r;
-  const auto again = r.interpreter.expression(r.code(printed, CodeKind::expression), r.state);
+  const Code code = r.code(printed, CodeKind::expression);
+  ASSERT_TRUE(code) << printed;
+  const auto again = r.interpreter.expression(code, r.state);
   ASSERT_TRUE(again) << printed;
   ASSERT_EQ(repr(*again), printed) << text;
 }
