@@ -52,10 +52,15 @@ OperationId ServiceTable::find_operation(std::string_view service, std::string_v
   return found == operation_ids_.end() ? kNone : found->second;
 }
 
+OperationId ServiceTable::dynamic_operation(std::string_view service, std::string_view name) const {
+  const OperationId found = find_operation(service, name);
+  return found == kNone ? find_operation({}, name) : found;
+}
+
 std::vector<std::string> ServiceTable::services() const {
   std::vector<std::string> names;
   const auto add = [&](const std::string& name) {
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   };
   for (const Event& event : events_) add(event.service);
   for (const Operation& operation : operations_) add(operation.service);

@@ -50,6 +50,9 @@ struct Symbols {
 
 /// Every service event and operation that a program can name, by number. Built from the services that are known (their
 /// declarations), extended by `event()` and `operation()` with names that no declaration has.
+///
+/// `svc[expr].op` may name an operation that the table does not have. For these there is one entry per name, the *open*
+/// operation `op`: its service is empty and stands for all services without an entry of that name.
 class ServiceTable {
  public:
   struct Event {
@@ -69,9 +72,14 @@ class ServiceTable {
   /// kNone if the table does not have it.
   EventId find_event(std::string_view service, std::string_view name) const;
   OperationId find_operation(std::string_view service, std::string_view name) const;
+  /// The number of the open operation of this name, added if it is new.
+  OperationId open_operation(std::string_view name) { return operation({}, name); }
+  bool is_open(OperationId operation) const { return operations_[operation].service.empty(); }
+  /// What svc[service].name is: the entry if there is one, else the open operation. kNone if there is neither.
+  OperationId dynamic_operation(std::string_view service, std::string_view name) const;
   const std::vector<Event>& events() const { return events_; }
   const std::vector<Operation>& operations() const { return operations_; }
-  /// Services with at least one event or operation, in order of appearance.
+  /// Services with at least one event or operation, in order of appearance; none for the open operations.
   std::vector<std::string> services() const;
 
  private:
@@ -132,7 +140,8 @@ class EvaluationTrace {
   virtual void statement(bool service, SourceRange where) = 0;
   /// Service data was read, found or not.
   virtual void required_event(EventId event) = 0;
-  virtual void required_response(OperationId operation, bool error) = 0;
+  /// `service`: whose, if the operation is an open one.
+  virtual void required_response(OperationId operation, std::string_view service, bool error) = 0;
 };
 
 /// What code sees and does when it is evaluated: Δ and Σ for reading, writes and calls through functions. Writes and
@@ -149,10 +158,11 @@ class Environment {
   EvaluationTrace* trace = nullptr;
 
   /// The response to an operation that counts in the state whose code runs (R6, R20); unknown if there is none.
-  virtual const Value& response(OperationId operation, bool error) = 0;
+  /// `service`: whose, if the operation is an open one.
+  virtual const Value& response(OperationId operation, std::string_view service, bool error) = 0;
   /// A write to res or var. `values[slot]` reads the new value afterwards. Finite (checked by the interpreter).
   virtual void write(Slot slot, Value value) = 0;
-  /// A call, in order of evaluation. `operation` is kNone if the dynamic name is not in the table.
+  /// A call, in order of evaluation.
   virtual void call(OperationId operation, std::string_view service, std::string_view name, List args, Dict kwargs) = 0;
   /// The table for svc[expr].
   virtual const ServiceTable& services() const = 0;

@@ -68,6 +68,7 @@ NodeId Compiler::dynamic_read(const Expr& e, const Reference& r, bool boolean_po
     const NodeId data = emit(Op::dynamic_event, e.at, service, name, static_cast<std::uint32_t>(how));
     return field ? emit(Op::field, e.at, data, name_constant(e.name)) : data;
   }
+  services_.open_operation(r.name);
   for (OperationId id = 0; id < services_.operations().size(); ++id)
     if (services_.operations()[id].name == r.name) responses_.insert(id);
   const std::uint32_t bits = (r.meaning == Meaning::error ? 1U : 0U) | (boolean_position ? 2U : 0U);

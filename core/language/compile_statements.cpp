@@ -104,6 +104,7 @@ NodeId Compiler::service_call(const Expr& e) {
   site.name = name_constant(path.names[2]);
   if (path.service != nullptr) {
     site.service = expression(*path.service);
+    services_.open_operation(path.names[2]);
     for (OperationId id = 0; id < services_.operations().size(); ++id)
       if (services_.operations()[id].name == path.names[2]) calls_.insert(id);
   } else {

@@ -117,9 +117,9 @@ const Value& Machine::evaluate(NodeId id, Value& out) {
     case Op::event_latest:
       return latest(n.a, id);
     case Op::response:
-      return response(n.a, n.b != 0, false, id);
+      return response(n.a, {}, n.b != 0, false, id);
     case Op::response_present:
-      return response(n.a, n.b != 0, true, id);
+      return response(n.a, {}, n.b != 0, true, id);
     case Op::dynamic_event:
       return dynamic_event(n, id);
     case Op::dynamic_response:

@@ -28,9 +28,9 @@ const Value& Machine::latest(EventId event, NodeId id) {
   return data.is_unknown() ? unknown(id) : data;
 }
 
-const Value& Machine::response(OperationId operation, bool error, bool presence, NodeId id) {
-  if (environment_->trace != nullptr) environment_->trace->required_response(operation, error);
-  const Value& data = environment_->response(operation, error);
+const Value& Machine::response(OperationId operation, std::string_view service, bool error, bool presence, NodeId id) {
+  if (environment_->trace != nullptr) environment_->trace->required_response(operation, service, error);
+  const Value& data = environment_->response(operation, service, error);
   if (data.is_unknown()) return unknown(id);
   return presence ? kTrue : data;
 }
@@ -58,9 +58,10 @@ const Value& Machine::dynamic_response(const Node& n, NodeId id) {
   const Value& service = evaluate(n.a, out);
   if (service.is_unknown()) return kUnknown;
   if (!service.is_string()) return fail(FaultKind::type, "the name of a service must be str", id);
-  const OperationId found = environment_->services().find_operation(service.as_string(), constants_[n.b].as_string());
-  if (found == kNone) return unknown(id);
-  return response(found, (n.c & 1) != 0, (n.c & 2) != 0, id);
+  const OperationId found =
+      environment_->services().dynamic_operation(service.as_string(), constants_[n.b].as_string());
+  const std::string_view whose = environment_->services().is_open(found) ? service.as_string() : std::string_view();
+  return response(found, whose, (n.c & 1) != 0, (n.c & 2) != 0, id);
 }
 
 // available(x): whether x is known; the one place where a function may meet something unknown.

@@ -166,7 +166,7 @@ Machine::Flow Machine::call_service(const Node& n, NodeId id) {
     if (stopped_) return Flow::halt;
   }
   const OperationId operation =
-      site.service == kNone ? site.operation : environment_->services().find_operation(service.as_string(), name);
+      site.service == kNone ? site.operation : environment_->services().dynamic_operation(service.as_string(), name);
   environment_->call(operation, service.as_string(), name, std::move(args), std::move(kwargs));
   return Flow::next;
 }

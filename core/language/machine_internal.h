@@ -65,7 +65,7 @@ class Machine {
   const Value& event(EventId event, NodeId id);
   const Value& event_present(EventId event, NodeId id);
   const Value& latest(EventId event, NodeId id);
-  const Value& response(OperationId operation, bool error, bool presence, NodeId id);
+  const Value& response(OperationId operation, std::string_view service, bool error, bool presence, NodeId id);
   const Value& dynamic_event(const Node& n, NodeId id);
   const Value& dynamic_response(const Node& n, NodeId id);
   const Value& available(const Node& n, Value& out);

@@ -42,6 +42,7 @@ struct Live {
 /// The response of one caller's latest call of one operation (R6, R20).
 struct CallRecord {
   StateId caller = kNoState;
+  std::string service;  // whose, if the operation is an open one (language::ServiceTable); else empty
   std::uint64_t number = 0;
   bool answered = false, is_error = false;
   Value response = Value::unknown();
@@ -63,6 +64,7 @@ struct OutgoingCall {
 struct Input {
   enum class Kind : std::uint8_t { event, response } kind = Kind::event;
   std::uint32_t number = kNone;  // EventId or OperationId
+  std::string service;           // of a response to an open operation: whose
   std::uint64_t call = 0;        // of a response
   bool is_error = false;
   Value data;

@@ -85,7 +85,8 @@ class Writer {
         out.emplace_back(event.service + "." + event.name);
       } else {
         const auto& operation = p_.services.operations()[datum.number];
-        out.emplace_back(operation.service + "." + operation.name +
+        const std::string& service = p_.services.is_open(datum.number) ? datum.service : operation.service;
+        out.emplace_back(service + "." + operation.name +
                          (datum.kind == RequiredDatum::Kind::error ? ".error" : ".result"));
       }
     }

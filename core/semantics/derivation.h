@@ -42,6 +42,7 @@ struct Resolved {
 struct RequiredDatum {
   enum class Kind : std::uint8_t { event, result, error } kind;
   std::uint32_t number;
+  std::string service;  // whose, if it is an open operation; else empty
   bool operator==(const RequiredDatum&) const = default;
 };
 
@@ -74,9 +75,9 @@ class EvaluationRecord final : public language::EvaluationTrace {
   }
   void atom(bool service, language::Truth value, SourceRange) override;
   void statement(bool service, SourceRange) override;
-  void required_event(EventId event) override { require({RequiredDatum::Kind::event, event}); }
-  void required_response(OperationId operation, bool error) override {
-    require({error ? RequiredDatum::Kind::error : RequiredDatum::Kind::result, operation});
+  void required_event(EventId event) override { require({RequiredDatum::Kind::event, event, {}}); }
+  void required_response(OperationId operation, std::string_view service, bool error) override {
+    require({error ? RequiredDatum::Kind::error : RequiredDatum::Kind::result, operation, std::string(service)});
   }
   std::vector<Part> parts;
   std::vector<RequiredDatum> required;

@@ -1,6 +1,7 @@
 #include "core/semantics/environment.h"
 
 #include <algorithm>
+#include <ranges>
 
 namespace race::semantics {
 namespace {
@@ -15,16 +16,19 @@ const Value& shown(const CallRecord& record, bool error) {
 
 // REFINEMENT R6, R20: if code of the state or of a descendant calls the operation, the response to the latest such call
 // since the state was activated counts; otherwise the one to the latest call of anyone.
-const Value& StepEnvironment::response(OperationId operation, bool error) {
-  const auto made_here = [&](const BufferedCall& call) { return call.operation == operation; };
+const Value& StepEnvironment::response(OperationId operation, std::string_view service, bool error) {
+  const auto made_here = [&](const BufferedCall& call) {
+    return call.operation == operation && (service.empty() || call.service == service);
+  };
   if (std::ranges::any_of(calls, made_here)) return kUnknown;
   const StateInfo& info = program_[state_];
-  const std::vector<CallRecord>& records = run_.calls[operation];
-  if (!std::ranges::binary_search(info.calls, operation))
-    return records.empty() ? kUnknown : shown(records.back(), error);
-  const std::uint64_t before = run_.live[index(state_)].calls_before;
-  for (auto record = records.rbegin(); record != records.rend() && record->number > before; ++record)
-    if (index(record->caller) >= index(state_) && index(record->caller) < info.end) return shown(*record, error);
+  const bool own = std::ranges::binary_search(info.calls, operation);
+  const std::uint64_t before = own ? run_.live[index(state_)].calls_before : 0;
+  for (const CallRecord& record : std::views::reverse(run_.calls[operation])) {
+    if (record.number <= before) break;
+    if (own && (index(record.caller) < index(state_) || index(record.caller) >= info.end)) continue;
+    if (record.service == service) return shown(record, error);
+  }
   return kUnknown;
 }
 

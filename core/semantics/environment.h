@@ -38,7 +38,7 @@ class StepEnvironment final : public language::Environment {
     occurrence = sees_occurrence ? run_.occurrence : kNone;
   }
 
-  const Value& response(OperationId operation, bool error) override;
+  const Value& response(OperationId operation, std::string_view service, bool error) override;
   void write(Slot slot, Value value) override;
   void call(OperationId operation, std::string_view service, std::string_view name, List args, Dict kwargs) override;
   const language::ServiceTable& services() const override { return program_.services; }

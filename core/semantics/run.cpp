@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <ranges>
+#include <set>
 
 #include "core/semantics/micro.h"
 
@@ -20,7 +21,6 @@ void StepLog::undo(RunState& run) {
   for (const auto& [port, value] : std::views::reverse(triggered)) run.triggered[index(port)] = value;
   for (LoggedCall& call : std::views::reverse(calls)) {
     --run.call_count;
-    if (call.operation == kNone) continue;
     std::vector<CallRecord>& records = run.calls[call.operation];
     records.pop_back();
     if (call.before) records.insert(records.begin() + static_cast<std::ptrdiff_t>(call.place), std::move(*call.before));
@@ -103,7 +103,7 @@ bool Run::post_event(EventId event, Value data) {
   // REFINEMENT R5: inputs wait in order of arrival; of a sampled event only the newest, at the end.
   if (body_->program->sampled[event])
     std::erase_if(waiting, [&](const Input& i) { return i.kind == Input::Kind::event && i.number == event; });
-  waiting.push_back({Input::Kind::event, event, 0, false, std::move(data)});
+  waiting.push_back({Input::Kind::event, event, {}, 0, false, std::move(data)});
   return true;
 }
 
@@ -116,14 +116,38 @@ CallRecord* answerable(RunState& run, OperationId operation, std::uint64_t numbe
   return nullptr;
 }
 
+const std::string& callee(const Program& program, OperationId operation, const CallRecord& record) {
+  return program.services.is_open(operation) ? record.service : program.services.operations()[operation].service;
+}
+
 }  // namespace
+
+std::uint64_t Run::latest_call(std::string_view service, std::string_view operation) const {
+  const OperationId id = body_->program->services.dynamic_operation(service, operation);
+  if (id == kNone) return 0;
+  for (const CallRecord& record : std::views::reverse(body_->state.calls[id]))
+    if (callee(*body_->program, id, record) == service) return record.number;
+  return 0;
+}
+
+std::vector<language::ServiceTable::Operation> Run::unknown_operations() const {
+  const language::ServiceTable& table = body_->program->services;
+  std::set<std::pair<std::string, std::string>> names;
+  for (OperationId o = 0; o < body_->state.calls.size(); ++o)
+    if (table.is_open(o))
+      for (const CallRecord& record : body_->state.calls[o]) names.emplace(record.service, table.operations()[o].name);
+  std::vector<language::ServiceTable::Operation> out;
+  for (const auto& [service, name] : names) out.push_back({service, name, false});
+  return out;
+}
 
 bool Run::post_response(std::uint64_t number, bool is_error, Value data) {
   if (body_->status != Status::running) return false;
   for (OperationId o = 0; o < body_->state.calls.size(); ++o) {
-    if (!answerable(body_->state, o, number)) continue;
+    const CallRecord* record = answerable(body_->state, o, number);
+    if (!record) continue;
     if (!body_->program->names_response(o)) return false;
-    body_->state.waiting.push_back({Input::Kind::response, o, number, is_error, std::move(data)});
+    body_->state.waiting.push_back({Input::Kind::response, o, record->service, number, is_error, std::move(data)});
     return true;
   }
   return false;
@@ -133,9 +157,8 @@ bool Run::post_response(std::uint64_t number, bool is_error, Value data) {
 void Run::post_lost(std::string_view service) {
   std::vector<std::uint64_t> unanswered;
   for (OperationId o = 0; o < body_->state.calls.size(); ++o)
-    if (body_->program->services.operations()[o].service == service)
-      for (const CallRecord& record : body_->state.calls[o])
-        if (!record.answered) unanswered.push_back(record.number);
+    for (const CallRecord& record : body_->state.calls[o])
+      if (!record.answered && callee(*body_->program, o, record) == service) unanswered.push_back(record.number);
   std::ranges::sort(unanswered);
   for (const std::uint64_t number : unanswered) post_response(number, true, Dict{{"code", "unavailable"}});
 }

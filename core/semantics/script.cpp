@@ -80,10 +80,8 @@ class ScriptedEnvironment {
 void post(Run& run, const ScriptStep& step) {
   for (const ScriptEvent& event : step.events) run.post_event(event.service, event.event, event.data);
   for (const ScriptResponse& response : step.responses) {
-    std::uint64_t call = response.call;
-    const OperationId operation = run.program().services.find_operation(response.service, response.operation);
-    if (operation == kNone) continue;
-    if (call == 0 && !run.state().calls[operation].empty()) call = run.state().calls[operation].back().number;
+    const std::uint64_t call =
+        response.call != 0 ? response.call : run.latest_call(response.service, response.operation);
     run.post_response(call, response.is_error, response.data);
   }
 }

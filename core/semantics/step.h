@@ -23,7 +23,7 @@ struct FaultSignal {
 
 /// A call that was made, and the record of its caller's call before it, with its place among the others.
 struct LoggedCall {
-  OperationId operation = kNone;  // kNone: nobody can name it, so there is no record
+  OperationId operation = kNone;
   std::size_t place = 0;
   std::optional<CallRecord> before;
 };
@@ -252,16 +252,17 @@ void Step<R>::commit_calls(StateId s) {
   for (BufferedCall& call : environment.calls) {
     const std::uint64_t number = ++run.call_count;
     LoggedCall logged{call.operation, 0, std::nullopt};
-    if (call.operation != kNone) {
-      std::vector<CallRecord>& records = run.calls[call.operation];
-      if (const auto old = std::ranges::find(records, s, &CallRecord::caller); old != records.end()) {
-        logged.place = static_cast<std::size_t>(old - records.begin());
-        logged.before = std::move(*old);
-        records.erase(old);
-      }
-      records.push_back({s, number});
-      wake_response_readers(run, program, call.operation);
+    std::vector<CallRecord>& records = run.calls[call.operation];
+    const std::string whose = program.services.is_open(call.operation) ? call.service : std::string();
+    const auto old = std::ranges::find_if(
+        records, [&](const CallRecord& record) { return record.caller == s && record.service == whose; });
+    if (old != records.end()) {
+      logged.place = static_cast<std::size_t>(old - records.begin());
+      logged.before = std::move(*old);
+      records.erase(old);
     }
+    records.push_back({s, whose, number});
+    wake_response_readers(run, program, call.operation);
     work.log.calls.push_back(std::move(logged));
     work.outgoing.push_back({number, call.operation, std::move(call.service), std::move(call.name),
                              std::move(call.args), std::move(call.kwargs), s});

@@ -3,18 +3,20 @@
 namespace race::server {
 namespace {
 
-// What a run names of services: all that its program knows.
-Value services_json(const semantics::Program& program) {
+// What a run names of services: all that its program knows, and what else it has called.
+Value services_json(const Journal& journal) {
+  language::ServiceTable table = journal.header.program->services;
+  for (const auto& operation : journal.unknown_operations) table.operation(operation.service, operation.name);
   Dict services;
-  for (const std::string& key : program.services.services()) {
+  for (const std::string& key : table.services()) {
     List operations, events;
-    for (const auto& operation : program.services.operations())
+    for (const auto& operation : table.operations())
       if (operation.service == key) {
         Dict each{{"name", operation.name}};
         if (operation.safe) each.set("safe", true);
         operations.emplace_back(std::move(each));
       }
-    for (const auto& event : program.services.events())
+    for (const auto& event : table.events())
       if (event.service == key) {
         Dict each{{"name", event.name}};
         if (event.sampled) each.set("sampled", true);
@@ -28,7 +30,7 @@ Value services_json(const semantics::Program& program) {
 // Of a response: whose, and its result or error.
 Dict response_json(const semantics::Program& program, const semantics::Input& input) {
   const auto& operation = program.services.operations()[input.number];
-  return Dict{{"service", operation.service},
+  return Dict{{"service", program.services.is_open(input.number) ? input.service : operation.service},
               {"operation", operation.name},
               {"call", static_cast<std::int64_t>(input.call)},
               {input.is_error ? "error" : "result", input.data}};
@@ -56,7 +58,7 @@ Value journal_json(const Journal& journal) {
   const auto number = [](auto n) { return Value(static_cast<std::int64_t>(n)); };
   Dict json_header{{"native", header.native},
                    {"arguments", header.arguments},
-                   {"services", services_json(*header.program)},
+                   {"services", services_json(journal)},
                    {"semantics", "1"},
                    {"budgets", Dict{{"steps", number(header.budgets.evaluation.steps)},
                                     {"value_units", number(header.budgets.evaluation.value_units)},
@@ -83,7 +85,7 @@ Value script_json(const Journal& journal) {
     steps.emplace_back(std::move(step));
   }
   return Dict{
-      {"arguments", journal.header.arguments}, {"services", services_json(program)}, {"steps", std::move(steps)}};
+      {"arguments", journal.header.arguments}, {"services", services_json(journal)}, {"steps", std::move(steps)}};
 }
 
 }  // namespace race::server

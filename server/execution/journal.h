@@ -27,6 +27,8 @@ struct JournalEntry {
 struct Journal {
   JournalHeader header;
   std::vector<JournalEntry> entries;  // entry i is macro step i + 1
+  // Operations that the run has called under computed names and the program does not know.
+  std::vector<language::ServiceTable::Operation> unknown_operations;
 };
 
 /// schemas/input.json

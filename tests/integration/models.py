@@ -58,9 +58,9 @@ def faulty(name="faulty"):
                            "actions": [{"when": "svc.timer.tick", "do": "var.x = 1 / var.zero"}]})
 
 
-def calling(service, operation, name="calling"):
-    """Calls once: `result` or `error`."""
-    answer = f"svc.{service}.{operation}"
+def calling(service, operation, name="calling", computed=False):
+    """Calls once: `result` or `error`. `computed`: the name of the service is an expression."""
+    answer = f"svc['{service}'].{operation}" if computed else f"svc.{service}.{operation}"
     return document(name, {"state": "Root", "entry": f"{answer}()", "results": [{"name": "code"}],
                            "actions": [{"when": f"{answer}.error", "do": f"res.code = {answer}.error.code"}],
                            "ports": [{"name": "result", "when": f"{answer}.result"},

@@ -157,7 +157,7 @@ class Listener final : public EvaluationTrace {
     heard += (service ? "SD@" : "ST@") + std::to_string(where.line) + " ";
   }
   void required_event(EventId event) override { heard += "event" + std::to_string(event) + " "; }
-  void required_response(OperationId operation, bool error) override {
+  void required_response(OperationId operation, std::string_view, bool error) override {
     heard += (error ? "error" : "result") + std::to_string(operation) + " ";
   }
   std::string heard;

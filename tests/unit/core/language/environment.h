@@ -50,7 +50,7 @@ class State final : public Environment {
     responses_[operation * 2 + (error ? 1U : 0U)] = std::move(data);
   }
 
-  const Value& response(OperationId operation, bool error) override {
+  const Value& response(OperationId operation, std::string_view, bool error) override {
     return responses_[operation * 2 + (error ? 1U : 0U)];
   }
   void write(Slot slot, Value value) override { slots_[slot] = std::move(value); }

@@ -48,8 +48,11 @@ TEST(Mentions, OfADynamicServiceAreThoseOfAllServices) {
   state.table.declare_event("u", "data", false);
   state.table.declare_operation("u", "op", true);
   EXPECT_THAT(of(state, "svc[par.a].data", CodeKind::condition).events, ElementsAre(0U, 2U));
-  EXPECT_THAT(of(state, "svc[par.a].op.result", CodeKind::condition).responses, ElementsAre(0U, 1U));
-  EXPECT_THAT(of(state, "svc[par.a].op()", CodeKind::function).calls, ElementsAre(0U, 1U));
+  EXPECT_THAT(of(state, "svc[par.a].op.result", CodeKind::condition).responses, ElementsAre(0U, 1U, 2U));
+  EXPECT_THAT(of(state, "svc[par.a].op()", CodeKind::function).calls, ElementsAre(0U, 1U, 2U));
+  EXPECT_TRUE(state.table.is_open(2));  // of the services that the table does not know
+  EXPECT_EQ(state.table.dynamic_operation("u", "op"), 1U);
+  EXPECT_EQ(state.table.dynamic_operation("nobody", "op"), 2U);
 }
 
 // What the semantics then does not evaluate must not be true, nor a fault, while nothing occurs.

@@ -135,6 +135,47 @@ TEST(CondBD, ReadsTheResponseToTheCallOfItsOwnState) {
   EXPECT_EQ(run.get("results", "R/B", "r"), Value(20));
 }
 
+// R7: what nobody has declared or named answers `unavailable`, which the caller can read.
+TEST(CondBD, ReadsTheErrorOfAServiceThatOnlyAComputedNameNames) {
+  SmallRun run(R"({'state': 'R', 'parameters': [{'name': 's', 'value': 'ghost'}], 'entry': 'svc[par.s].haunt(1)',
+    'ports': [{'name': 'gone', 'when': 'svc[par.s].haunt.error.code == \'unavailable\''}]})");
+  run.step();
+  EXPECT_THAT(run.calls(), ElementsAre("ghost.haunt(1)#1"));
+  EXPECT_TRUE(run->post_response(1, true, Dict{{"code", "unavailable"}}));
+  EXPECT_THAT(run.step(), ElementsAre("PTrigger R.gone, SDeact2 R"));
+}
+
+// Two unknown services and one operation: the answer of one is not the answer of the other (R6, R20).
+constexpr const char* kGhosts = R"({'state': 'R', 'variables': [{'name': 'other'}], 'first': 'b', 'children': [
+    {'barrier': 'b', 'to': ['A', 'B']},
+    {'state': 'A', 'results': [{'name': 'r'}], 'entry': 'var.s = \'x\'\nsvc[var.s].f(1)',
+     'actions': [{'when': 'svc.t.a', 'do': 'svc[var.s].f(2)'},
+                 {'when': 'svc[var.s].f.result', 'do': 'res.r = svc[var.s].f.result'}]},
+    {'state': 'B', 'results': [{'name': 'r'}], 'entry': 'var.s = \'y\'\nsvc[var.s].f(3)',
+     'actions': [{'when': 'svc[var.s].f.result', 'do': 'res.r = svc[var.s].f.result'}]}],
+    'actions': [{'when': 'True', 'do': 'var.other = [available(svc[s].f.result) for s in [\'x\', \'y\', \'z\']]'}]})";
+
+TEST(CondBD, KeepsTheAnswersOfUnknownServicesApart) {
+  SmallRun run(kGhosts);
+  run.step();
+  EXPECT_THAT(run.calls(), ElementsAre("x.f(1)#1", "y.f(3)#2"));
+  run.result(2, 20);
+  EXPECT_TRUE(run.get("results", "R/A", "r").is_unknown());
+  EXPECT_EQ(run.get("results", "R/B", "r"), Value(20));
+  EXPECT_EQ(run.get("variables", "R", "other"), Value(List{false, true, false}));
+  run.result(1, 10);
+  EXPECT_EQ(run.get("results", "R/A", "r"), Value(10));
+  EXPECT_EQ(run.get("variables", "R", "other"), Value(List{true, true, false}));
+  run.event("a");  // x is called again: its old answer is gone, y's stays
+  EXPECT_THAT(run.calls(), ElementsAre("x.f(2)#3"));
+  run->post_lost("x");
+  run.step();
+  EXPECT_EQ(run.get("variables", "R", "other"), Value(List{false, true, false}));
+  EXPECT_EQ(run->latest_call("x", "f"), 3U);
+  EXPECT_EQ(run->latest_call("y", "f"), 2U);
+  EXPECT_EQ(run->latest_call("z", "f"), 0U);
+}
+
 TEST(CondBD, ReadsTheResponseToTheLatestCallOfAnyoneWhereNobodyCalls) {
   SmallRun run(callers());
   run.step();

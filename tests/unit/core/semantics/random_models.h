@@ -47,7 +47,7 @@ class RandomModels {
   /// or the loss of a service.
   void post(const std::vector<Run*>& runs, std::uint64_t calls) {
     if (chance(0.02)) {
-      const std::string lost = service();
+      const std::string lost = chance(0.2) ? "v" : service();
       for (Run* run : runs) run->post_lost(lost);
       return;
     }
@@ -78,6 +78,7 @@ class RandomModels {
   std::string svc() {
     if (chance(0.8)) return "svc." + service();
     if (chance(0.5)) return "svc['" + service() + "']";
+    if (chance(0.3)) return "svc['v' if var.v > 1 else 'w']";  // services that nobody declares
     return chance(0.5) ? "svc['t' if par.p > 1 else 'u']" : "svc['u' if var.v > 1 else 't']";
   }
 
