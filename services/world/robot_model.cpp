@@ -4,7 +4,9 @@
 #include <urdf_model/model.h>
 #include <urdf_parser/urdf_parser.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <sstream>
 
@@ -26,14 +28,24 @@ Expected<Shape> read_shape(const urdf::Geometry& geometry, const std::string& pa
   } else if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(&geometry)) {
     shape = {Shape::Kind::sphere, {sphere->radius, 0, 0}};
   } else {
-    return unexpected(ErrorCode::type, "collision shape must be box, cylinder or sphere", path);
+    return unexpected(ErrorCode::type, "shape must be box, cylinder or sphere", path);
   }
   const int lengths = shape.kind == Shape::Kind::box ? 3 : shape.kind == Shape::Kind::cylinder ? 2 : 1;
   for (int i = 0; i < lengths; ++i) {
     if (!positive(shape.size[static_cast<std::size_t>(i)]))
-      return unexpected(ErrorCode::out_of_range, "collision shape: lengths must be greater than 0", path);
+      return unexpected(ErrorCode::out_of_range, "shape: lengths must be greater than 0", path);
   }
   return shape;
+}
+
+/// As in scene files; a visual without a material is grey.
+std::string colour(const urdf::Visual& visual) {
+  if (!visual.material) return "#808080";
+  const urdf::Color& c = visual.material->color;
+  const auto byte = [](float share) { return static_cast<unsigned>(std::lround(std::clamp(share, 0.0F, 1.0F) * 255)); };
+  char text[8];
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", byte(c.r) & 0xFFU, byte(c.g) & 0xFFU, byte(c.b) & 0xFFU);
+  return text;
 }
 
 Expected<Joint> read_joint(const urdf::Joint& source, const std::string& path) {
@@ -92,6 +104,10 @@ Expected<void> add_link(const urdf::Link& source, int parent, RobotModel& model)
   for (const auto& collision : source.collision_array) {
     ASSIGN_OR_RETURN(const Shape shape, read_shape(*collision->geometry, path + "/collision"));
     link.collisions.push_back({shape, pose(collision->origin)});
+  }
+  for (const auto& visual : source.visual_array) {
+    ASSIGN_OR_RETURN(const Shape shape, read_shape(*visual->geometry, path + "/visual"));
+    link.visuals.push_back({shape, pose(visual->origin), colour(*visual)});
   }
   const int index = static_cast<int>(model.links.size());
   model.links.push_back(std::move(link));

@@ -1,5 +1,5 @@
-// RobotModel: what a URDF file says about a robot, as values: links, joints, inertias, collision shapes. The plant and
-// the robot's control unit are both built from it, each with its own library; neither sees urdfdom.
+// RobotModel: what a URDF file says about a robot, as values: links, joints, inertias, shapes that touch and shapes
+// that are seen. The plant, the robot's control unit and the camera are built from it; none of them sees urdfdom.
 #pragma once
 
 #include <string>
@@ -24,6 +24,13 @@ struct Collision {
   Pose link_t_shape;
 };
 
+/// What is seen of a link.
+struct Visual {
+  Shape shape;
+  Pose link_t_shape;
+  std::string colour;  // "#rrggbb"
+};
+
 struct Joint {
   enum class Kind { fixed, revolute, prismatic };
   std::string name;
@@ -44,6 +51,7 @@ struct Link {
   Vec3 com{};       // centre of mass in the link's frame
   Vec3 inertia{};   // kg m2, principal, about the centre of mass, axes parallel to the link's frame
   std::vector<Collision> collisions;
+  std::vector<Visual> visuals;
 };
 
 struct RobotModel {

@@ -144,10 +144,18 @@ Expected<Mounting> read_mounting(const Fields& parent) {
   return robot;
 }
 
+Expected<CameraMount> read_camera(const Fields& parent, const Value& value) {
+  ASSIGN_OR_RETURN(const Fields fields, Fields::of(value, parent.path("camera"), {"pose", "rate_hz"}));
+  CameraMount camera;
+  ASSIGN_OR_RETURN(camera.o_t_c, read_pose(fields, "pose"));
+  ASSIGN_OR_RETURN(camera.rate_hz, fields.number("rate_hz", 0.1, 30.0, camera.rate_hz));
+  return camera;
+}
+
 }  // namespace
 
 Expected<Scene> read_scene(const Value& document) {
-  ASSIGN_OR_RETURN(const Fields fields, Fields::of(document, "", {"scene", "name", "robot", "bodies"}));
+  ASSIGN_OR_RETURN(const Fields fields, Fields::of(document, "", {"scene", "name", "robot", "bodies", "camera"}));
   if (const Value* version = document.find("scene"); !version || *version != Value(1))
     return unexpected(ErrorCode::version, "expected scene version 1", "scene");
   Scene scene;
@@ -162,6 +170,9 @@ Expected<Scene> read_scene(const Value& document) {
     if (!names.insert(body.name).second)
       return unexpected(ErrorCode::duplicate, "another body has the name '" + body.name + "'", path + ".name");
     scene.bodies.push_back(std::move(body));
+  }
+  if (const Value* camera = document.find("camera")) {
+    ASSIGN_OR_RETURN(scene.camera, read_camera(fields, *camera));
   }
   return scene;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,10 +32,17 @@ struct Mounting {
   double surface_friction = 0.5;  // of all other links
 };
 
+/// Where a depth camera stands. Its frame c: z along the view, x to the right and y down in the picture.
+struct CameraMount {
+  Pose o_t_c;
+  double rate_hz = 30;  // pictures in a second of world time
+};
+
 struct Scene {
   std::string name;
   Mounting robot;
   std::vector<Body> bodies;
+  std::optional<CameraMount> camera;
 };
 
 /// Reads a scene document. Errors name the field (path such as `bodies[2].mass`): `missing`, `type`, `unknown_field`,

@@ -33,6 +33,23 @@ TEST(RobotModel, ReadsLinksJointsAndInertias) {
   EXPECT_EQ(model->link("c"), -1);
 }
 
+TEST(RobotModel, ReadsWhatIsSeenOfALink) {
+  const std::string text =
+      R"(<robot name="r"><material name="orange"><color rgba="1 0.5 0 1"/></material><link name="a">
+    <visual><origin xyz="0 0 1"/><geometry><box size="1 2 3"/></geometry><material name="orange"/></visual>
+    <visual><geometry><sphere radius="0.1"/></geometry><material name="own"><color rgba="0 0 1 1"/></material></visual>
+    <visual><geometry><cylinder radius="0.1" length="0.2"/></geometry></visual></link></robot>)";
+  const auto model = read_urdf(text);
+  ASSERT_TRUE(model) << to_string(model.error());
+  const auto& visuals = model->links[0].visuals;
+  ASSERT_EQ(visuals.size(), 3U);
+  EXPECT_EQ(visuals[0].shape, (Shape{Shape::Kind::box, {1, 2, 3}}));
+  EXPECT_EQ(visuals[0].link_t_shape.position, (Vec3{0, 0, 1}));
+  EXPECT_EQ(visuals[0].colour, "#ff8000") << "by the name of the robot's material";
+  EXPECT_EQ(visuals[1].colour, "#0000ff");
+  EXPECT_EQ(visuals[2].colour, "#808080") << "without a material";
+}
+
 TEST(RobotModel, NamesWhatItRefuses) {
   struct Broken {
     std::string text;

@@ -13,6 +13,7 @@ Value demo() {
     "scene": 1, "name": "test",
     "robot": {"urdf": "arm.urdf", "base": {"position": [0, 0, 0], "orientation": [0, 0, 0, 1]},
               "q": [0, 0, 0, 0, 0, 0, 0], "width": 0.1},
+    "camera": {"pose": {"position": [1, 0, 1], "orientation": [1, 0, 0, 0]}, "rate_hz": 10},
     "bodies": [{"name": "ball", "shape": {"sphere": [0.02]}, "mass": 0.1, "friction": 0.5, "colour": "#12Ab34",
                 "pose": {"position": [0.5, 0, 0.02], "orientation": [0, 0, 0, 1]}}]})")
       .value();
@@ -43,6 +44,15 @@ TEST(Scene, IsReadWithItsBodies) {
   EXPECT_EQ(scene->bodies[0].shape, (Shape{Shape::Kind::sphere, {0.02, 0, 0}}));
   EXPECT_EQ(scene->bodies[0].o_t_body.position, (Vec3{0.5, 0, 0.02}));
   EXPECT_EQ(scene->robot.finger_friction, 1.0);
+  ASSERT_TRUE(scene->camera);
+  EXPECT_EQ(scene->camera->o_t_c.position, (Vec3{1, 0, 1}));
+  EXPECT_EQ(scene->camera->rate_hz, 10.0);
+}
+
+TEST(Scene, NeedsNoCamera) {
+  const auto scene = read_scene(changed(demo(), {"camera"}, Value::unknown()));
+  ASSERT_TRUE(scene) << to_string(scene.error());
+  EXPECT_FALSE(scene->camera);
 }
 
 struct Broken {
@@ -64,6 +74,9 @@ TEST(Scene, NamesWhatItRefuses) {
       {{"robot", "q", "3"}, 9.0, ErrorCode::out_of_range, "robot.q[3]"},
       {{"robot", "width"}, -0.1, ErrorCode::out_of_range, "robot.width"},
       {{"robot", "base", "orientation", "3"}, 0.5, ErrorCode::out_of_range, "robot.base.orientation"},
+      {{"camera", "rate_hz"}, 31, ErrorCode::out_of_range, "camera.rate_hz"},
+      {{"camera", "pose"}, Value::unknown(), ErrorCode::missing, "camera.pose"},
+      {{"camera", "fov"}, 1, ErrorCode::unknown_field, "camera.fov"},
       {{"bodies"}, Value(), ErrorCode::type, "bodies"},
       {{"bodies", "0", "name"}, 3, ErrorCode::type, "bodies[0].name"},
       {{"bodies", "0", "mass"}, -1, ErrorCode::out_of_range, "bodies[0].mass"},

@@ -1,0 +1,100 @@
+#include "services/camera/camera.h"
+
+#include <cstring>
+
+#include "core/rsm/document.h"
+#include "services/camera/noise.h"
+#include "services/camera/view.h"
+
+namespace race::camera {
+namespace {
+
+constexpr std::string_view kFlow = "frame";
+// From exposure to delivery: one period of the sensor.
+constexpr services::Time kLatency = 1.0 / 30;
+// In real time pictures are left out rather than piled up.
+constexpr int kMostUnderWay = 2;
+
+constexpr std::string_view kModel = R"json({
+  "rsm": 1, "name": "KinectDriver",
+  "operations": [
+    {"name": "info",
+     "result": {"record": {"width": "number", "height": "number", "fx": "number", "fy": "number", "cx": "number",
+                           "cy": "number", "nearest": "number", "farthest": "number", "rate_hz": "number"}},
+     "doc": "The pinhole [pixels], the range [m] and the rate [1/s]."}
+  ],
+  "states": [{"name": "Ready"}], "init": "Ready",
+  "transitions": [{"id": "info", "src": "Ready", "dst": "Ready", "operation": "info"}],
+  "meta": {"flows": {"frame": "depth and colour of 640x480 pixels (services/camera/README.md)"}}
+})json";
+
+Dict intrinsics_value(const Intrinsics& k) {
+  return {{"width", k.width}, {"height", k.height}, {"fx", k.fx}, {"fy", k.fy}, {"cx", k.cx}, {"cy", k.cy}};
+}
+
+services::PacketPtr to_packet(const Measurement& picture, const Intrinsics& intrinsics, services::Time time) {
+  auto packet = std::make_shared<services::Packet>();
+  packet->time = time;
+  Dict header = intrinsics_value(intrinsics);
+  header.set("encoding", "depth16_mm+rgb8");
+  header.set("time", time);
+  packet->header = std::move(header);
+  packet->header.freeze();
+  static_assert(sizeof(Rgb) == 3);
+  const std::size_t depth_bytes = picture.depth_mm.size() * 2, colour_bytes = picture.colour.size() * 3;
+  packet->bytes.resize(depth_bytes + colour_bytes);
+  std::memcpy(packet->bytes.data(), picture.depth_mm.data(), depth_bytes);
+  std::memcpy(packet->bytes.data() + depth_bytes, picture.colour.data(), colour_bytes);
+  return packet;
+}
+
+}  // namespace
+
+const rsm::Service& model() {
+  static const rsm::Service service = rsm::read_service_text(kModel, "services/camera").value();
+  return service;
+}
+
+Camera::Camera(services::ServiceHost& host, const world::World& world, std::uint64_t seed)
+    : host_(host), world_(world), mount_(world.scene().camera.value()), seed_(seed) {}
+
+void Camera::call(const services::Call& call) {
+  host_.transition("info", call.id);
+  Dict info = intrinsics_value(intrinsics_);
+  info.set("nearest", kKinectNearest);
+  info.set("farthest", kKinectFarthest);
+  info.set("rate_hz", mount_.rate_hz);
+  host_.result(call.id, std::move(info));
+}
+
+void Camera::wanted(std::string_view flow, bool on) {
+  if (flow != kFlow) return;
+  wanted_ = on;
+  next_ = host_.now();
+  if (on && !worker_) worker_ = std::make_unique<services::Worker>(host_);
+}
+
+void Camera::step() {
+  constexpr services::Time kTolerance = 5e-7;
+  const services::Time now = host_.now();
+  if (!wanted_ || now < next_ - kTolerance) return;
+  next_ += 1 / mount_.rate_hz;
+  if (next_ < now) next_ = now;
+  if (under_way_ < kMostUnderWay) take_picture();
+}
+
+void Camera::take_picture() {
+  ++under_way_;
+  const services::Time time = host_.now();
+  // Each picture has noise of its own; seeds of neighbouring runs must not give each other's pictures.
+  const std::uint64_t seed = seed_ * 0xD1342543DE82EF95U + ++pictures_;
+  worker_->begin(time + kLatency, [this, time, seed, items = view(world_, mount_.o_t_c)] {
+    services::PacketPtr packet = to_packet(measure(rasterize(items, intrinsics_), seed), intrinsics_, time);
+    return [this, packet = std::move(packet)] {
+      --under_way_;
+      if (wanted_) host_.publish(kFlow, packet);
+    };
+  });
+}
+
+}  // namespace race::camera

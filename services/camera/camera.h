@@ -1,0 +1,48 @@
+// Camera: the service `camera` (thesis, appendix A: KinectDriver): colour and depth pictures of the world as a data
+// flow. Operations, the flow's format and limits: README.md.
+//
+// Threads: its unit's, which is the world's: step() follows the world's step and notes what is to be seen. Pictures are
+// drawn on a thread of its own.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "services/camera/intrinsics.h"
+#include "services/component.h"
+#include "services/worker.h"
+#include "services/world/world.h"
+
+namespace race::camera {
+
+/// The RSM of every camera.
+const rsm::Service& model();
+
+class Camera final : public services::Component {
+ public:
+  /// Looks at `world` from where its scene has a camera, which it requires. All outlive the component. `seed` is that
+  /// of the noise.
+  Camera(services::ServiceHost& host, const world::World& world, std::uint64_t seed);
+
+  const rsm::Service& model() const override { return camera::model(); }
+  void call(const services::Call& call) override;
+  void step() override;
+  void wanted(std::string_view flow, bool on) override;
+  void stop() override { worker_.reset(); }
+
+ private:
+  void take_picture();
+
+  services::ServiceHost& host_;
+  const world::World& world_;
+  const world::CameraMount mount_;
+  const Intrinsics intrinsics_ = kinect();
+  std::uint64_t seed_;
+  std::uint64_t pictures_ = 0;  // taken so far
+  int under_way_ = 0;
+  bool wanted_ = false;
+  services::Time next_ = 0;  // picture
+  std::unique_ptr<services::Worker> worker_;
+};
+
+}  // namespace race::camera

@@ -1,0 +1,113 @@
+// The camera of the demonstrator's cell: what it shows, when, and to whom.
+#include "services/camera/camera.h"
+
+#include <gmock/gmock.h>
+
+#include <cstring>
+
+#include "tests/unit/services/host/bench.h"
+
+namespace race::camera {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// A cell with a camera alone; its world stands still, so that only the camera makes a difference.
+struct Studio {
+  explicit Studio(std::uint64_t seed = 1)
+      : world(world::World::load(RACE_SOURCE_DIR "/deploy/demo/scene.json").value()) {
+    auto& slot = bench.host.declare("camera", "KinectDriver", bench.unit);
+    bench.host.attach("camera", std::make_unique<Camera>(slot, *world, seed));
+  }
+  ~Studio() { bench.host.stop(); }
+  services::Flows::WatchId watch() {
+    return bench.host.watch("camera", "frame", [this](const services::PacketPtr& packet) {
+      packets.push_back(packet);
+      arrivals.push_back(bench.milliseconds);
+    });
+  }
+  services::Bench bench;
+  std::unique_ptr<world::World> world;
+  std::vector<services::PacketPtr> packets;
+  std::vector<int> arrivals;
+};
+
+std::uint16_t depth_mm(const services::Packet& packet, int u, int v) {
+  std::uint16_t mm = 0;
+  std::memcpy(&mm, packet.bytes.data() + 2 * (v * 640 + u), 2);
+  return mm;
+}
+
+TEST(Camera, TakesNoPictureWhileNobodyListens) {
+  Studio studio;
+  studio.bench.pass(1);
+  const auto watch = studio.watch();
+  studio.bench.pass(0.25);
+  const auto seen = studio.packets.size();
+  EXPECT_GE(seen, 2U);
+  studio.bench.host.unwatch(watch);
+  studio.bench.pass(0.5);
+  studio.watch();
+  studio.bench.pass(0.001);  // the first picture is on its way, and none of the time before
+  EXPECT_EQ(studio.packets.size(), seen);
+}
+
+TEST(Camera, TakesPicturesAtTheRateOfTheSceneAndDeliversThemAPeriodLater) {
+  Studio studio;
+  studio.watch();
+  studio.bench.pass(0.3);
+  ASSERT_THAT(studio.arrivals, ElementsAre(35, 135, 235));
+  EXPECT_NEAR(studio.packets[1]->time - studio.packets[0]->time, 0.1, 0.0015);
+  EXPECT_EQ(studio.packets[1]->header.find("time")->as_number(), studio.packets[1]->time);
+}
+
+TEST(Camera, ShowsTheWorldAsItIs) {
+  Studio studio;
+  studio.watch();
+  studio.bench.pass(0.05);
+  ASSERT_EQ(studio.packets.size(), 1U);
+  const services::Packet& packet = *studio.packets[0];
+  EXPECT_EQ(packet.header.find("encoding")->as_string(), "depth16_mm+rgb8");
+  ASSERT_EQ(packet.bytes.size(), 640U * 480U * 5U);
+  // The scene's camera looks from 0.75 m above at 45 degrees: at the table, here free of parts.
+  const double z = 0.75 * std::numbers::sqrt2;
+  double sum = 0;
+  for (int u = 310; u < 330; ++u) sum += depth_mm(packet, u, 350) / 20.0;
+  const double row = (350 - packet.header.find("cy")->to_double()) / packet.header.find("fy")->to_double();
+  EXPECT_NEAR(sum / 1000, z / (1 + row), 0.002);
+}
+
+TEST(Camera, GivesTheSamePicturesForTheSameSeedOnly) {
+  const auto pictures = [](std::uint64_t seed) {
+    Studio studio(seed);
+    studio.watch();
+    studio.bench.pass(0.15);
+    std::vector<std::vector<std::byte>> all;
+    for (const auto& packet : studio.packets) all.push_back(packet->bytes);
+    return all;
+  };
+  const auto first = pictures(7);
+  ASSERT_EQ(first.size(), 2U);
+  EXPECT_NE(first[0], first[1]) << "noise of its own in each picture";
+  EXPECT_EQ(first, pictures(7));
+  EXPECT_NE(first, pictures(8));
+}
+
+TEST(Camera, TellsItsPinholeAndRange) {
+  Studio studio;
+  studio.bench.call("camera", "info");
+  ASSERT_EQ(studio.bench.deliveries.size(), 1U);
+  const Value& info = studio.bench.deliveries[0].data;
+  EXPECT_EQ(info.find("width")->to_double(), 640);
+  // 57 degrees across 640 pixels
+  EXPECT_NEAR(2 * std::atan(320 / info.find("fx")->to_double()) * 180 / M_PI, 57, 1e-9);
+  EXPECT_NEAR(2 * std::atan(240 / info.find("fy")->to_double()) * 180 / M_PI, 43, 1e-9);
+  EXPECT_EQ(info.find("nearest")->to_double(), 0.8);
+  EXPECT_THAT(studio.bench.violations("camera"), IsEmpty());
+  studio.bench.call("camera", "info", {Value(1)});
+  EXPECT_EQ(studio.bench.violations("camera").size(), 1U) << "an argument too many";
+}
+
+}  // namespace
+}  // namespace race::camera
