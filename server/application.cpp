@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "server/cell/screen_services.h"
 #include "server/service_json.h"
 
 namespace race::server {
@@ -18,7 +19,10 @@ Checked<std::unique_ptr<Application>> Application::create(const Setup& setup) {
   app->stream_pool_ = std::make_unique<Pool>(1);
   app->hub_ = std::make_unique<Hub>(*app->stream_pool_, setup.first_sequence,
                                     [self = app.get()](const std::string& name) { return self->find_channel(name); });
-  auto cell = Cell::create({setup.demo, data / "database.sqlite", true, setup.further}, *app);
+  app->displays_ = std::make_unique<Displays>(app->screens_, *app->hub_);
+  std::vector<FurtherService> further = screen_services(app->screens_, setup.demo);
+  further.insert(further.end(), setup.further.begin(), setup.further.end());
+  auto cell = Cell::create({setup.demo, data / "database.sqlite", true, std::move(further)}, *app);
   if (!cell) return fail(std::move(cell).error());
   app->cell_ = std::move(*cell);
   app->pool_ = std::make_unique<Pool>(2);
@@ -40,6 +44,7 @@ std::optional<Source> Application::find_channel(const std::string& name) {
   if (name == "services") return Source{false, [this] { hub_->publish_snapshot("services", services_json()); }, {}};
   if (name == "log") return Source{false, [this] { publish_log(); }, {}};
   if (name == "cell/pose" && cell_->has_world()) return Source{true, {}, [this](bool on) { cell_->watch_pose(on); }};
+  if (auto display = displays_->find_channel(name)) return display;
   constexpr std::string_view kCore = "core/";
   const auto slash = name.rfind('/');
   if (!name.starts_with(kCore) || slash <= kCore.size()) return std::nullopt;

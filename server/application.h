@@ -13,7 +13,9 @@
 #include "server/cell/cell.h"
 #include "server/execution/cores.h"
 #include "server/store/documents.h"
+#include "server/stream/displays.h"
 #include "server/stream/hub.h"
+#include "services/display/screens.h"
 
 namespace race::server {
 
@@ -35,6 +37,9 @@ class Application final : public CoreWatcher, public services::HostObserver {
   Cell& cell() { return *cell_; }
   Cores& cores() { return *cores_; }
   Hub& hub() { return *hub_; }
+  /// The stream's displays, and what they show.
+  Displays& displays() { return *displays_; }
+  display::Screens& screens() { return screens_; }
   void log(const std::string& source, const std::string& text);
 
   /// schemas/services.json and schemas/cores.json
@@ -69,8 +74,10 @@ class Application final : public CoreWatcher, public services::HostObserver {
   std::map<std::string, std::string> statuses_;  // of cores, as logged last
 
   // In the order in which they come to life; a core's strand may still call the host while its pool ends.
+  display::Screens screens_;
   std::unique_ptr<Pool> stream_pool_;
   std::unique_ptr<Hub> hub_;
+  std::unique_ptr<Displays> displays_;
   std::unique_ptr<Documents> documents_;
   std::unique_ptr<Pool> pool_;  // of the cores
   std::unique_ptr<Cell> cell_;

@@ -5,6 +5,7 @@
 
 #include "core/rcm/document.h"
 #include "core/value/json.h"
+#include "server/cell/screen_services.h"
 #include "server/commands/command.h"
 #include "server/commands/options.h"
 #include "server/execution/headless.h"
@@ -60,10 +61,12 @@ int run_command(const std::vector<std::string>& words) {
   const auto document = rcm::read_document_text(*text);
   if (!document) return refuse(document.error(), json);
 
+  display::Screens screens;  // nobody stands before them
   HeadlessSetup setup;
   setup.cell.folder = options->text("--cell", std::filesystem::path(model).parent_path());
   if (setup.cell.folder.empty()) setup.cell.folder = ".";
   setup.cell.database = options->text("--database", ":memory:");
+  setup.cell.further = screen_services(screens, setup.cell.folder);
   setup.fast = options->has("--fast");
   setup.limit_s = *limit;
   const auto status = Headless::run(*document, std::move(*arguments), setup, [&](const Dict& report) {

@@ -111,8 +111,12 @@ awaitable<Reply> on_pool(Pool& pool, std::function<Reply()> work) {
 // One client of the stream. Held by its two coroutines, and by the hub until it leaves.
 class StreamSession final : public Listener, public std::enable_shared_from_this<StreamSession> {
  public:
-  StreamSession(beast::tcp_stream stream, Hub& hub)
-      : socket_(std::move(stream)), waker_(socket_.get_executor()), executor_(socket_.get_executor()), hub_(hub) {}
+  StreamSession(beast::tcp_stream stream, Application& app)
+      : socket_(std::move(stream)),
+        waker_(socket_.get_executor()),
+        executor_(socket_.get_executor()),
+        hub_(app.hub()),
+        displays_(app.displays()) {}
 
   Outbox& outbox() override { return outbox_; }
   void wake() override {
@@ -134,10 +138,11 @@ class StreamSession final : public Listener, public std::enable_shared_from_this
       if (error) break;
       if (!socket_.got_text()) break;
       const auto data = buffer.cdata();
-      handle_stream_request({static_cast<const char*>(data.data()), data.size()}, shared_from_this(), hub_);
+      handle_stream_request({static_cast<const char*>(data.data()), data.size()}, shared_from_this(), hub_, displays_);
       buffer.consume(buffer.size());
     }
     over_ = true;
+    displays_.leave(*this);
     hub_.leave(shared_from_this());
     waker_.cancel();
     beast::get_lowest_layer(socket_).close();
@@ -163,6 +168,7 @@ class StreamSession final : public Listener, public std::enable_shared_from_this
   asio::steady_timer waker_;
   asio::any_io_executor executor_;
   Hub& hub_;
+  Displays& displays_;
   Outbox outbox_;
   bool over_ = false;
 };
@@ -237,7 +243,7 @@ awaitable<bool> serve_one(beast::tcp_stream& stream, beast::flat_buffer& buffer,
     co_return false;
   }
   if (upgrade && request->path == kStream && request->method == "GET") {
-    auto session = std::make_shared<StreamSession>(std::move(stream), context.app.hub());
+    auto session = std::make_shared<StreamSession>(std::move(stream), context.app);
     co_await session->run(parser.release());
     co_return false;
   }

@@ -1,46 +1,110 @@
 #include "server/stream/requests.h"
 
+#include <algorithm>
+#include <array>
+
 #include "core/value/fields.h"
 #include "core/value/json.h"
 
 namespace race::server {
 namespace {
 
-struct StreamRequest {
-  bool subscribe = true;
-  std::string channel;
-  std::optional<std::int64_t> since;
+struct Client {
+  const std::shared_ptr<Listener>& listener;
+  Hub& hub;
+  Displays& displays;
 };
 
-Checked<StreamRequest> read(std::string_view message) {
-  auto json = parse_json(message);
-  if (!json) return tl::unexpected(std::vector<Error>{std::move(json).error()});
-  std::vector<Error> errors;
-  Fields fields(*json, "", "the message", errors, Fields::Paths::field);
-  StreamRequest request;
-  const std::string type = fields.text("type", Fields::Need::required).value_or("");
-  request.subscribe = type == "subscribe";
-  if (!request.subscribe && type != "unsubscribe")
-    fields.violation(ErrorCode::type, "`type` must be `subscribe` or `unsubscribe`", "type");
-  request.channel = fields.text("channel", Fields::Need::required).value_or("");
-  const Value* since = request.subscribe ? fields.find("since") : nullptr;
-  if (since && !since->is_integer()) fields.violation(ErrorCode::type, "`since` must be a sequence number", "since");
-  if (since && since->is_integer()) request.since = since->as_integer();
+using Errors = std::vector<Error>;
+
+/// A sequence number or an id; nothing if it is absent or something else.
+std::optional<std::int64_t> read_number(Fields& fields, const char* name, Fields::Need need) {
+  const Value* value = fields.find(name, need);
+  if (!value) return std::nullopt;
+  if (value->is_integer()) return value->as_integer();
+  fields.violation(ErrorCode::type, "`" + std::string(name) + "` must be a whole number", name);
+  return std::nullopt;
+}
+
+void report(const Expected<void>& done, Errors& errors) {
+  if (!done) errors.push_back(done.error());
+}
+
+// One function for each type: reads the rest of the message and, if nothing is wrong with it, does it.
+
+void subscribe(Fields& fields, const Client& client, Errors& errors) {
+  const std::string channel = fields.text("channel", Fields::Need::required).value_or("");
+  const auto since = read_number(fields, "since", Fields::Need::optional);
   fields.close();
-  if (!errors.empty()) return tl::unexpected(std::move(errors));
-  return request;
+  if (errors.empty()) client.hub.subscribe(client.listener, channel, since);
+}
+
+void unsubscribe(Fields& fields, const Client& client, Errors& errors) {
+  const std::string channel = fields.text("channel", Fields::Need::required).value_or("");
+  fields.close();
+  if (errors.empty()) client.hub.unsubscribe(client.listener, channel);
+}
+
+void announce(Fields& fields, const Client& client, Errors& errors) {
+  const std::string name = fields.text("name", Fields::Need::required).value_or("");
+  const bool sound = fields.boolean("sound").value_or(false);
+  fields.close();
+  if (errors.empty()) report(client.displays.announce(client.listener, name, sound), errors);
+}
+
+void answer(Fields& fields, const Client& client, Errors& errors) {
+  const auto question = read_number(fields, "question", Fields::Need::required);
+  const Value* answer = fields.find("answer", Fields::Need::required);
+  fields.close();
+  if (!errors.empty()) return;
+  report(client.displays.answer(*client.listener, static_cast<std::uint64_t>(*question), *answer), errors);
+}
+
+void press(Fields& fields, const Client& client, Errors& errors) {
+  const std::string button = fields.text("button", Fields::Need::required).value_or("");
+  fields.close();
+  if (errors.empty()) report(client.displays.press(*client.listener, button), errors);
+}
+
+void played(Fields& fields, const Client& client, Errors& errors) {
+  const auto sound = read_number(fields, "sound", Fields::Need::required);
+  fields.close();
+  if (errors.empty()) report(client.displays.played(*client.listener, static_cast<std::uint64_t>(*sound)), errors);
+}
+
+struct Type {
+  std::string_view name;
+  void (*handle)(Fields& fields, const Client& client, Errors& errors);
+};
+
+constexpr std::array<Type, 6> kTypes = {{
+    {"subscribe", subscribe},
+    {"unsubscribe", unsubscribe},
+    {"display", announce},
+    {"answer", answer},
+    {"press", press},
+    {"played", played},
+}};
+
+void handle(const Value& json, const Client& client, Errors& errors) {
+  Fields fields(json, "", "the message", errors, Fields::Paths::field);
+  const std::string name = fields.text("type", Fields::Need::required).value_or("");
+  const auto type = std::ranges::find(kTypes, name, &Type::name);
+  if (type != kTypes.end()) return type->handle(fields, client, errors);
+  std::string known;
+  for (const Type& each : kTypes) known += (known.empty() ? "`" : ", `") + std::string(each.name) + "`";
+  if (errors.empty()) fields.violation(ErrorCode::type, "`type` must be one of " + known, "type");
 }
 
 }  // namespace
 
-void handle_stream_request(std::string_view message, const std::shared_ptr<Listener>& listener, Hub& hub) {
-  auto request = read(message);
-  if (!request) return hub.refuse(listener, "", std::move(request).error());
-  if (request->subscribe) {
-    hub.subscribe(listener, std::move(request->channel), request->since);
-  } else {
-    hub.unsubscribe(listener, std::move(request->channel));
-  }
+void handle_stream_request(std::string_view message, const std::shared_ptr<Listener>& listener, Hub& hub,
+                           Displays& displays) {
+  const auto json = parse_json(message);
+  if (!json) return hub.refuse(listener, "", {json.error()});
+  Errors errors;
+  handle(*json, {listener, hub, displays}, errors);
+  if (!errors.empty()) hub.refuse(listener, "", std::move(errors));
 }
 
 }  // namespace race::server

@@ -4,11 +4,13 @@
 #include <memory>
 #include <string_view>
 
+#include "server/stream/displays.h"
 #include "server/stream/hub.h"
 
 namespace race::server {
 
 /// Does what the message asks for, or tells the client why not.
-void handle_stream_request(std::string_view message, const std::shared_ptr<Listener>& listener, Hub& hub);
+void handle_stream_request(std::string_view message, const std::shared_ptr<Listener>& listener, Hub& hub,
+                           Displays& displays);
 
 }  // namespace race::server

@@ -18,7 +18,7 @@ const rsm::Service& model();
 class Display final : public services::Component {
  public:
   /// How long a question waits for its last display to come back [s]: a page that is reloaded loses nothing.
-  static constexpr services::Time kPatience = 2.0;
+  static constexpr services::Time kPatience = 5.0;
 
   /// Shows on `screens`, which outlive the component. Images that are no data URLs are files of `folder`.
   Display(Screens& screens, std::string folder, services::ServiceHost& host);

@@ -23,7 +23,8 @@ class Routes(unittest.TestCase):
         self.assertIn("PTrans1", names)
         services = self.server.get("/services", "services")["services"]
         self.assertEqual({s["key"]: s["type"] for s in services},
-                         {"robot": "robot", "gripper": "gripper", "db": "database", "timer": "timer"})
+                         {"robot": "robot", "gripper": "gripper", "db": "database", "timer": "timer", "display": "display",
+                          "audio": "audio"})
         scene = self.server.get("/cell", "scene")
         urdf = self.server.get("/cell/" + scene["robots"][0]["urdf"])
         self.assertIn("<robot", urdf)

@@ -1,5 +1,6 @@
 // The stream's client: keeps one WebSocket open, tells the server which channels are wanted and what was seen of them last.
 import { DecodeError } from "./json/decode";
+import type { DisplayRequest } from "./messages/display";
 import { streamMessage, type News, type StreamRequest } from "./messages/stream";
 
 export type Connection = "connecting" | "open" | "lost";
@@ -14,6 +15,10 @@ export interface StreamHandlers {
 export interface Stream {
   subscribe(channel: string): void;
   unsubscribe(channel: string): void;
+  /** From now on, and whenever the connection is back, this page is a display; its channel comes with that. */
+  announce(name: string, sound: boolean): void;
+  /** Says what a person did on this display; false if the connection is lost. */
+  say(request: Exclude<DisplayRequest, { readonly type: "display" }>): boolean;
   close(): void;
 }
 
@@ -36,15 +41,24 @@ export function openStream(url: string, handlers: StreamHandlers): Stream {
   let socket: WebSocket | undefined;
   let attempt = 0;
   let closed = false;
+  let display: Extract<DisplayRequest, { readonly type: "display" }> | undefined;
 
-  const send = (request: StreamRequest) => {
-    if (socket?.readyState === WebSocket.OPEN) socket.send(JSON.stringify(request));
+  const send = (request: StreamRequest): boolean => {
+    if (socket?.readyState !== WebSocket.OPEN) return false;
+    socket.send(JSON.stringify(request));
+    return true;
+  };
+
+  /** A display also hears why a request of its own was refused, which is of no channel. */
+  const concerns = (channel: string): boolean => {
+    if (wanted.has(channel)) return true;
+    return display !== undefined && (channel === `display/${display.name}` || channel === "");
   };
 
   const receive = (text: string) => {
     try {
       const message = streamMessage(JSON.parse(text), "");
-      if (!wanted.has(message.channel)) return;
+      if (!concerns(message.channel)) return;
       seen.set(message.channel, message.sequence);
       handlers.onNews(message.news);
     } catch (error) {
@@ -60,6 +74,7 @@ export function openStream(url: string, handlers: StreamHandlers): Stream {
     opened.onopen = () => {
       attempt = 0;
       handlers.onConnection("open");
+      if (display !== undefined) send(display);
       resubscriptions(wanted, seen).forEach(send);
     };
     opened.onmessage = (event: MessageEvent<unknown>) => receive(String(event.data));
@@ -81,6 +96,11 @@ export function openStream(url: string, handlers: StreamHandlers): Stream {
       seen.delete(channel);
       send({ type: "unsubscribe", channel });
     },
+    announce(name, sound) {
+      display = { type: "display", name, sound };
+      send(display);
+    },
+    say: send,
     close() {
       closed = true;
       socket?.close();

@@ -3,6 +3,7 @@ import { array, number, object, oneOf, string, type Decoder } from "../json/deco
 import { cellPose, type CellPose } from "./cell";
 import { core, cores, coreDelta, coreState, type Core, type CoreDelta, type CoreState } from "./core";
 import { traceSteps, type TraceStep } from "./derivation";
+import { content, type Content, type DisplayRequest } from "./display";
 import { services, serviceStates, type Service, type ServiceState } from "./service";
 
 export interface LogEntry {
@@ -30,6 +31,7 @@ export type News =
   | { readonly type: "services"; readonly services: readonly Service[] }
   | { readonly type: "services_changed"; readonly services: readonly ServiceState[] }
   | { readonly type: "cell"; readonly pose: CellPose }
+  | { readonly type: "display"; readonly content: Content }
   | { readonly type: "log"; readonly entries: readonly LogEntry[]; readonly whole: boolean }
   | { readonly type: "refused"; readonly channel: string; readonly errors: readonly ServerError[] };
 
@@ -41,7 +43,8 @@ export interface StreamMessage {
 
 export type StreamRequest =
   | { readonly type: "subscribe"; readonly channel: string; readonly since?: number }
-  | { readonly type: "unsubscribe"; readonly channel: string };
+  | { readonly type: "unsubscribe"; readonly channel: string }
+  | DisplayRequest;
 
 const logEntry: Decoder<LogEntry> = object((f) => ({
   time: f.need("time", number),
@@ -77,6 +80,7 @@ function newsOf(channel: string, kind: Kind): Decoder<News> {
     if (snapshot) return object((f) => ({ type: "derivation_position" as const, id, next: f.need("next", number) }));
     return (v, p) => ({ type: "derivations", id, steps: traceSteps(v, p) });
   }
+  if (channel.startsWith("display/")) return (v, p) => ({ type: "display", content: content(v, p) });
   const whole: Decoder<string> = oneOf("cores", "services", "cell/pose", "log");
   switch (whole(channel, "/channel")) {
     case "cores":

@@ -133,6 +133,7 @@ function applyNews(session: Session, news: News): Session {
       return { ...session, problem: news.errors.map((error) => error.message).join("; ") };
     case "derivation_position":
     case "cell":
+    case "display":
       return session;
     default:
       return assertNever(news);

@@ -2,7 +2,7 @@
 import { readdirSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { describe, expect, it } from "vitest";
-import { number, object, oneOf, string, type Decoder } from "../../shared/json/decode";
+import { boolean, number, object, oneOf, string, type Decoder } from "../../shared/json/decode";
 import { cellPose, scene } from "../../shared/messages/cell";
 import { core, coreState, cores } from "../../shared/messages/core";
 import { person } from "../../shared/messages/person";
@@ -16,11 +16,24 @@ import { readJson } from "../conformance";
 const folder = new URL("../../../api/examples/", import.meta.url);
 const files = readdirSync(fileURLToPath(folder)).filter((name) => name.endsWith(".json"));
 
+const stringOrNumber: Decoder<string | number> = (value, path) => (typeof value === "number" ? value : string(value, path));
+
 /** What the pages send is written, not read: these examples only have to name what the pages write. */
-const request: Decoder<StreamRequest["type"]> = object((f) => {
-  f.need("channel", string);
-  f.maybe("since", number);
-  return f.need("type", oneOf("subscribe", "unsubscribe"));
+const request: Decoder<StreamRequest> = object((f): StreamRequest => {
+  const type = f.need("type", oneOf("subscribe", "unsubscribe", "display", "answer", "press", "played"));
+  switch (type) {
+    case "display":
+      return { type, name: f.need("name", string), sound: f.need("sound", boolean) };
+    case "answer":
+      return { type, question: f.need("question", number), answer: f.need("answer", stringOrNumber) };
+    case "press":
+      return { type, button: f.need("button", string) };
+    case "played":
+      return { type, sound: f.need("sound", number) };
+    default:
+      f.maybe("since", number);
+      return { type, channel: f.need("channel", string) };
+  }
 });
 
 const decoders: Readonly<Record<string, Decoder<unknown>>> = {

@@ -15,6 +15,16 @@ describe("streamMessage", () => {
     const data = { errors: [{ path: "", code: "not_found", message: "no core 9" }] };
     expect(message("core/9/state", "error", data).news).toMatchObject({ type: "refused", channel: "core/9/state" });
   });
+  it("reads what a display shows, whole in every message", () => {
+    const number = { unit: "m", min: 0, max: 1 };
+    const data = { display: "left", question: { id: 3, text: "How wide?", number } };
+    for (const kind of ["snapshot", "delta"])
+      expect(message("display/left", kind, data).news).toEqual({
+        type: "display",
+        content: { display: "left", question: { kind: "number", id: 3, text: "How wide?", number } },
+      });
+    expect(() => message("display/left", "delta", { display: "left", question: { id: 3, text: "Go?" } })).toThrow("/data/question/buttons");
+  });
   it("refuses a channel that the contract does not have", () => {
     expect(() => message("weather", "snapshot", {})).toThrow("/channel");
   });

@@ -1,0 +1,63 @@
+// Displays: the connections of the stream that are displays (schemas/display.json). A connection that announces itself
+// is told on the channel display/NAME what that display shows, the whole each time (the channel is sampled), and says
+// what people do with it. The content itself lives in display::Screens.
+//
+// Threads: any.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "core/value/expected.h"
+#include "server/stream/hub.h"
+#include "services/display/screens.h"
+
+namespace race::server {
+
+class Displays final : public display::Watcher {
+ public:
+  /// Both outlive this.
+  Displays(display::Screens& screens, Hub& hub);
+  ~Displays() override;
+  Displays(const Displays&) = delete;
+  Displays& operator=(const Displays&) = delete;
+
+  /// The channel of a display that has been connected; nothing for another name.
+  std::optional<Source> find_channel(const std::string& name);
+
+  /// From now on `listener` is a connection of the display `name`, which may make sounds (`sound`), and gets its
+  /// channel; it is none of another one any more. Errors: those of Screens::connect.
+  Expected<void> announce(const std::shared_ptr<Listener>& listener, const std::string& name, bool sound);
+
+  // What a person did on the display that `listener` is. Errors: those of Screens; `conflict`: it is none.
+
+  Expected<void> answer(const Listener& listener, std::uint64_t question, Value answer);
+  Expected<void> press(const Listener& listener, const std::string& button);
+  Expected<void> played(const Listener& listener, std::uint64_t sound);
+
+  /// The listener is gone.
+  void leave(const Listener& listener);
+
+  void changed(const display::Content& content) override;
+  void forgotten(const std::string& display) override;
+
+ private:
+  struct Connection {
+    display::Screens::ConnectionId id = 0;
+    std::string name;
+  };
+  Expected<Connection> find(const Listener& listener) const;
+
+  display::Screens& screens_;
+  Hub& hub_;
+  mutable std::mutex mutex_;  // taken before that of Screens, and not by what Screens calls
+  std::map<const Listener*, Connection> connections_;
+};
+
+/// schemas/display.json
+Value display_json(const display::Content& content);
+
+}  // namespace race::server

@@ -1,0 +1,146 @@
+"""Displays on the stream: who announces itself is one, its answers reach the task, and what it says wrong is refused."""
+import unittest
+
+import models
+from client import PROJECT, Server, check
+
+
+def asking(operation, name="asking"):
+    """Calls an operation of the display: `answered` with its result, or `failed` with the code of its error."""
+    call = f"svc.{operation.split('(')[0]}"
+    return models.document(name, {
+        "state": "Root", "entry": f"svc.{operation}", "results": [{"name": "answer"}, {"name": "code"}],
+        "actions": [{"when": f"{call}.result", "do": f"res.answer = {call}.result"},
+                    {"when": f"{call}.error", "do": f"res.code = {call}.error.code"}],
+        "ports": [{"name": "answered", "when": "available(res.answer)"},
+                  {"name": "failed", "when": "available(res.code)"}]})
+
+
+class Displays(unittest.TestCase):
+    def setUp(self):
+        self.server = Server()
+        self.streams = []
+
+    def tearDown(self):
+        for stream in self.streams:
+            stream.socket.close()
+        self.server.stop()
+
+    def say(self, stream, message):
+        stream.send(check("stream_request", message))
+
+    def display(self, name="main", sound=False):
+        """A connected display, which has got what it shows at first."""
+        stream = self.server.stream()
+        self.streams.append(stream)
+        self.say(stream, {"type": "display", "name": name, "sound": sound})
+        first = stream.message()
+        self.assertEqual((first["channel"], first["kind"]), (f"display/{name}", "snapshot"))
+        return stream
+
+    def shown(self, stream, part):
+        """The part of what the display shows, once it shows one."""
+        return stream.until(lambda m: part in m["data"])[-1]["data"][part]
+
+    def code(self, core):
+        ended = self.server.ended(core)
+        self.assertEqual(ended["outcome"], "failed", ended)
+        return ended["results"]["code"]
+
+    def test_without_a_display_a_question_is_an_error(self):
+        self.assertEqual(self.code(self.server.core(asking("display.ask('Go?')"))), "no_display")
+        self.assertEqual(self.code(self.server.core(asking("audio.play('beep')"))), "no_speaker")
+
+    def test_a_question_is_answered_once_by_the_first(self):
+        left, right = self.display("left"), self.display("right")
+        core = self.server.core(asking("display.ask('Go?', ['Yes', 'No'])"))
+        question = self.shown(left, "question")
+        self.assertEqual(question, self.shown(right, "question"))
+        self.say(right, {"type": "answer", "question": question["id"], "answer": "No"})
+        self.assertEqual(self.server.ended(core)["results"]["answer"], {"answer": "No", "display": "right"})
+        self.say(left, {"type": "answer", "question": question["id"], "answer": "Yes"})
+        late = left.until(lambda m: m["kind"] == "error")
+        self.assertEqual(late[-1]["data"]["errors"][0]["code"], "conflict")
+        self.assertNotIn("question", late[-2]["data"])
+
+    def test_who_connects_again_is_shown_what_is_there(self):
+        core = self.server.core(asking("display.ask('Go?')"), start=False)
+        display = self.display()
+        self.server.post(f"/cores/{core}/start", None, "core")
+        question = self.shown(display, "question")
+        display.socket.close()
+        again = self.server.stream()
+        self.streams.append(again)
+        self.say(again, {"type": "display", "name": "main"})
+        snapshot = again.message()
+        self.assertEqual((snapshot["kind"], snapshot["data"]["question"]), ("snapshot", question))
+        self.say(again, {"type": "answer", "question": question["id"], "answer": "OK"})
+        self.assertEqual(self.server.ended(core)["outcome"], "answered")
+
+    def test_a_display_that_goes_for_good_answers_the_question(self):
+        display = self.display()
+        core = self.server.core(asking("display.ask('Go?')"))
+        self.shown(display, "question")
+        display.socket.close()
+        self.assertEqual(self.code(core), "display_lost")
+
+    def test_a_display_is_one_name_at_a_time(self):
+        display = self.display("left")
+        self.say(display, {"type": "display", "name": "right"})
+        self.assertEqual(display.message()["data"], {"display": "right"})
+        self.assertEqual(self.code(self.server.core(asking("display.show_text('Hello', display='left')"))), "no_display")
+        self.server.core(asking("display.show_text('Hello', display='right')", "shown"))
+        self.assertEqual(self.shown(display, "message"), {"text": "Hello", "buttons": []})
+
+    def test_a_sound_is_over_when_the_display_says_so(self):
+        display = self.display(sound=True)
+        core = self.server.core(asking("audio.play('beep', 0.5, 2)"))
+        sound = self.shown(display, "sound")
+        self.assertEqual((sound["name"], sound["volume"], sound["repeat"]), ("beep", 0.5, 2))
+        self.say(display, {"type": "played", "sound": sound["id"]})
+        self.assertEqual(self.server.ended(core)["results"]["answer"], {"sound": "beep", "displays": ["main"]})
+
+    def test_a_display_that_never_reports_does_not_hold_up_the_task(self):
+        self.display(sound=True)
+        self.assertEqual(self.code(self.server.core(asking("audio.play('beep')"))), "speaker_lost")
+
+    def test_a_watcher_sees_what_a_display_shows_without_being_one(self):
+        self.display("left")
+        with self.server.stream() as watcher:
+            watcher.subscribe("display/left")
+            self.assertEqual(watcher.message()["data"], {"display": "left"})
+            self.server.core(asking("display.show_text('Hello')"))
+            self.assertEqual(self.shown(watcher, "message")["text"], "Hello")
+            self.say(watcher, {"type": "press", "button": "Stop"})
+            refused = watcher.until(lambda m: m["kind"] == "error")[-1]
+            self.assertEqual(refused["data"]["errors"][0]["code"], "conflict")
+
+    def test_what_a_display_says_wrong_is_refused(self):
+        wrong = [({"type": "display"}, "missing"), ({"type": "display", "name": "all"}, "name"),
+                 ({"type": "display", "name": "a/b"}, "name"), ({"type": "display", "name": "a", "sound": 1}, "type"),
+                 ({"type": "display", "name": "a", "loud": True}, "unknown_field"), ({"type": "answer"}, "missing"),
+                 ({"type": "answer", "question": "1", "answer": "x"}, "type"),
+                 ({"type": "answer", "question": 1, "answer": "x"}, "conflict"),
+                 ({"type": "press", "button": "x"}, "conflict"), ({"type": "press", "button": 1}, "type"),
+                 ({"type": "played", "sound": 1.5}, "type"), ({"type": "played", "sound": 1}, "conflict"),
+                 ({"type": "dance"}, "type"), ({"type": "subscribe", "channel": "display/nobody"}, "not_found")]
+        with self.server.stream() as stream:
+            for message, code in wrong:
+                stream.send(message)
+                answer = stream.message()
+                self.assertEqual((answer["kind"], answer["data"]["errors"][0]["code"]), ("error", code), message)
+
+    def test_services_keep_to_their_models(self):
+        display = self.display(sound=True)
+        asked = self.server.core(asking("display.ask('Go?')"))
+        self.shown(display, "question")
+        for number, operation in enumerate(["display.show_text('Hello')", "display.ask('?', [])", "display.clear()"]):
+            self.server.ended(self.server.core(asking(operation, f"task{number}")))
+        self.assertEqual(self.code(asked), "cleared")
+        services = {s["key"]: s for s in self.server.get("/services", "services")["services"]}
+        for key in ("display", "audio"):
+            self.assertEqual((services[key]["state"], services[key]["violations"]), ("Idle", []))
+
+
+if __name__ == "__main__":
+    unittest.main()
