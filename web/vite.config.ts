@@ -21,9 +21,11 @@ export default defineConfig({
       input: {
         index: here("index.html"),
         pro: here("pro/index.html"),
+        display: here("display/index.html"),
       },
     },
   },
   test: { include: ["tests/**/*.test.ts"] },
-  server: { proxy: { "/api": { target: server, ws: true, changeOrigin: true } } },
+  // The list of sounds lives in api/.
+  server: { fs: { allow: [here("."), here("../api")] }, proxy: { "/api": { target: server, ws: true, changeOrigin: true } } },
 });

@@ -1,0 +1,48 @@
+// A question that asks for a number: a keypad for fingers, and what is still wrong with what was entered.
+import { canAnswer, type DisplayPage } from "../shared/display/page";
+import { limits, read, type Key } from "../shared/display/numberText";
+import type { Question } from "../shared/messages/display";
+import type { Actions } from "./client";
+
+interface Props {
+  readonly question: Extract<Question, { readonly kind: "number" }>;
+  readonly page: DisplayPage;
+  readonly actions: Actions;
+}
+
+const kKeys: readonly Key[] = ["1", "2", "3", "4", "5", "6", "7", "8", "9"];
+
+export function NumberQuestion({ question, page, actions }: Props) {
+  const entry = question.number;
+  const outcome = read(page.entry, entry);
+  const key = (which: Key, text: string, name = text) => (
+    <button key={which} className="key" aria-label={name} onClick={() => actions.key(which)}>
+      {text}
+    </button>
+  );
+  return (
+    <>
+      <output aria-label="Number" className="entry">
+        {page.entry === "" ? <span className="soft">{limits(entry)}</span> : page.entry}
+        {page.entry !== "" && entry.unit !== "" && <span className="unit">{entry.unit}</span>}
+      </output>
+      <p className="hint" aria-live="polite">
+        {page.entry !== "" && ("problem" in outcome ? outcome.problem : limits(entry))}
+      </p>
+      <div className="keypad">
+        {kKeys.map((each) => key(each, each))}
+        {key(".", ".", "Point")}
+        {key("0", "0")}
+        {key("back", "⌫", "Delete")}
+        {entry.min < 0 && key("sign", "±", "Sign")}
+        <button
+          className="choice"
+          disabled={!canAnswer(page) || "problem" in outcome}
+          onClick={() => "value" in outcome && actions.answer(question.id, outcome.value)}
+        >
+          OK
+        </button>
+      </div>
+    </>
+  );
+}

@@ -1,0 +1,19 @@
+// Entry of the display page: a display of the name in the address, `?name=`.
+import "@fontsource-variable/inter";
+import "./display.css";
+import { createRoot } from "react-dom/client";
+import { nameOf } from "../shared/display/page";
+import { App } from "./App";
+import { connect } from "./client";
+
+const element = document.getElementById("root");
+if (element === null) throw new Error("the page has no #root");
+const root = createRoot(element);
+
+const name = nameOf(location.search);
+if (name === undefined) {
+  root.render(<p className="notice is-bad">The name of a display has 1 to 32 letters, digits, “_” or “-”, and is not “all”.</p>);
+} else {
+  document.title = `${name} · RACE Display`;
+  connect(name, (page, actions) => root.render(<App page={page} actions={actions} />));
+}

@@ -1,0 +1,75 @@
+// What a display page knows: a value, and what each thing that happens makes of it.
+import { assertNever } from "../assertNever";
+import type { Content } from "../messages/display";
+import type { Connection } from "../stream";
+import { press, proposed, type Key } from "./numberText";
+
+export interface DisplayPage {
+  readonly name: string;
+  readonly connection: Connection;
+  readonly content: Content | undefined;
+  /** What has been entered for the question that asks for a number. */
+  readonly entry: string;
+  /** An answer is on its way: the question does not take a second one. */
+  readonly sent: boolean;
+  /** A person has touched the page, so that the browser lets it make sounds. */
+  readonly sound: boolean;
+  /** Why the server does not take this page as a display. */
+  readonly problem: string | undefined;
+}
+
+export type DisplayEvent =
+  | { readonly type: "connection"; readonly connection: Connection }
+  | { readonly type: "content"; readonly content: Content }
+  | { readonly type: "key"; readonly key: Key }
+  | { readonly type: "sent" }
+  | { readonly type: "sound" }
+  | { readonly type: "problem"; readonly text: string };
+
+export const kDefaultName = "main";
+
+/** The display's name in the address, `?name=`; undefined if it is none (see api/schemas/display.json). */
+export function nameOf(search: string): string | undefined {
+  const name = new URLSearchParams(search).get("name") ?? kDefaultName;
+  return /^[A-Za-z0-9_-]{1,32}$/.test(name) && name !== "all" ? name : undefined;
+}
+
+export const firstPage = (name: string): DisplayPage => ({
+  name,
+  connection: "connecting",
+  content: undefined,
+  entry: "",
+  sent: false,
+  sound: false,
+  problem: undefined,
+});
+
+export function applyDisplayEvent(page: DisplayPage, event: DisplayEvent): DisplayPage {
+  switch (event.type) {
+    case "connection":
+      return { ...page, connection: event.connection, sent: false };
+    case "content":
+      return withContent(page, event.content);
+    case "key":
+      return { ...page, entry: press(page.entry, event.key) };
+    case "sent":
+      return { ...page, sent: true };
+    case "sound":
+      return { ...page, sound: true };
+    case "problem":
+      return { ...page, problem: event.text };
+    default:
+      return assertNever(event);
+  }
+}
+
+/** A question that stays keeps what was entered for it. */
+function withContent(page: DisplayPage, content: Content): DisplayPage {
+  const question = content.question;
+  const shown = { ...page, content, problem: undefined };
+  if (question !== undefined && question.id === page.content?.question?.id) return shown;
+  return { ...shown, sent: false, entry: question?.kind === "number" ? proposed(question.number) : "" };
+}
+
+/** Whether the person can answer now. */
+export const canAnswer = (page: DisplayPage): boolean => page.connection === "open" && !page.sent;

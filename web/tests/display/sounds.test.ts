@@ -1,0 +1,27 @@
+import { describe, expect, it } from "vitest";
+import { lengthOf, schedule, soundList } from "../../shared/display/sounds";
+import { readJson } from "../conformance";
+
+const sounds = soundList(readJson(new URL("../../../api/sounds.json", import.meta.url)), "");
+const sound = (name: string, repeat = 1) => schedule({ id: 1, name, volume: 1, repeat });
+
+describe("api/sounds.json", () => {
+  it("holds sounds that end", () => {
+    expect(sounds.size).toBeGreaterThan(3);
+    for (const notes of sounds.values()) expect(lengthOf(notes)).toBeGreaterThan(0);
+  });
+});
+
+describe("schedule", () => {
+  it("repeats all notes, one turn after the other", () => {
+    const once = sound("success");
+    const twice = sound("success", 2);
+    expect(twice.length).toBe(2 * once.length);
+    expect(lengthOf(twice)).toBeCloseTo(2 * lengthOf(once));
+    expect(twice[once.length]?.at).toBeCloseTo(lengthOf(once));
+  });
+  it("has nothing to play of a sound that this page does not know", () => {
+    expect(sound("trumpet")).toEqual([]);
+    expect(lengthOf([])).toBe(0);
+  });
+});
