@@ -8,7 +8,7 @@ std::vector<Item> view(const world::World& world, const world::Pose& o_t_c) {
   const world::Pose c_t_o = inverse(o_t_c);
   std::vector<Item> items;
   for (const world::Body& body : world.scene().bodies) {
-    if (world.has(body.name))
+    if (world.present(body.name))
       items.push_back({body.shape, compose(c_t_o, world.pose(body.name)), parse_colour(body.colour)});
   }
   for (const world::Link& link : world.model().links) {

@@ -70,8 +70,8 @@ TEST(Camera, ShowsTheWorldAsItIs) {
   const services::Packet& packet = *studio.packets[0];
   EXPECT_EQ(packet.header.find("encoding")->as_string(), "depth16_mm+rgb8");
   ASSERT_EQ(packet.bytes.size(), 640U * 480U * 5U);
-  // The scene's camera looks from 0.75 m above at 45 degrees: at the table, here free of parts.
-  const double z = 0.75 * std::numbers::sqrt2;
+  // The scene's camera looks from 0.9 m above at 45 degrees: at the table, here free of parts.
+  const double z = 0.9 * std::numbers::sqrt2;
   double sum = 0;
   for (int u = 310; u < 330; ++u) sum += depth_mm(packet, u, 350) / 20.0;
   const double row = (350 - packet.header.find("cy")->to_double()) / packet.header.find("fy")->to_double();

@@ -1,0 +1,30 @@
+# race_must_not_link(TARGET FORBIDDEN...): configuring fails if TARGET links one of the targets, be it through others.
+# Checked when all folders have said what they link.
+function(race_must_not_link target)
+  cmake_language(EVAL CODE
+    "cmake_language(DEFER DIRECTORY \"${CMAKE_SOURCE_DIR}\" CALL race_check_links ${target} ${target} \"${ARGN}\")")
+endfunction()
+
+# race_check_links(TARGET FROM FORBIDDEN): looks at what FROM links, for TARGET; each target once.
+function(race_check_links target from forbidden)
+  get_property(seen GLOBAL PROPERTY race_links_of_${target})
+  if(from IN_LIST seen)
+    return()
+  endif()
+  set_property(GLOBAL APPEND PROPERTY race_links_of_${target} ${from})
+  get_target_property(links ${from} INTERFACE_LINK_LIBRARIES)
+  get_target_property(type ${from} TYPE)
+  if(NOT type STREQUAL "INTERFACE_LIBRARY")
+    get_target_property(own ${from} LINK_LIBRARIES)
+    list(APPEND links ${own})
+  endif()
+  foreach(link ${links})
+    string(REGEX REPLACE "^\\$<LINK_ONLY:(.*)>$" "\\1" link "${link}")
+    if(link IN_LIST forbidden)
+      message(FATAL_ERROR "${target} must not link ${link}, but ${from} does")
+    endif()
+    if(TARGET ${link})
+      race_check_links(${target} ${link} "${forbidden}")
+    endif()
+  endforeach()
+endfunction()

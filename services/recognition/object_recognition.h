@@ -1,0 +1,42 @@
+// ObjectRecognition: the service `obj_rec` (thesis, appendix A): while it is started, it tells where parts are, from
+// the pictures of the service `camera` alone. Operations, events and limits: README.md.
+//
+// Threads: its unit's; pictures are looked at on a thread of its own.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "services/component.h"
+#include "services/recognition/recognize.h"
+#include "services/worker.h"
+
+namespace race::recognition {
+
+/// The RSM of every recognition.
+const rsm::Service& model();
+
+class ObjectRecognition final : public services::Component {
+ public:
+  ObjectRecognition(services::ServiceHost& host, std::vector<Part> parts);
+
+  const rsm::Service& model() const override { return recognition::model(); }
+  void call(const services::Call& call) override;
+  void packet(std::string_view key, std::string_view flow, const services::PacketPtr& packet) override;
+  void stop() override { worker_.reset(); }
+
+ private:
+  void start(const services::Call& call);
+  void listen(bool on);
+  void report(services::Time time, const std::vector<Detection>& detections);
+
+  services::ServiceHost& host_;
+  const Recognizer recognizer_;
+  std::vector<std::string> labels_;  // looked for now; none: idle
+  std::uint64_t session_ = 0;        // counts starts and stops: an answer of an earlier one is dropped
+  bool busy_ = false;
+  std::unique_ptr<services::Worker> worker_;
+};
+
+}  // namespace race::recognition
