@@ -28,8 +28,19 @@ Checked<std::unique_ptr<Application>> Application::create(const Setup& setup) {
   app->pool_ = std::make_unique<Pool>(2);
   app->cores_ = std::make_unique<Cores>(*app->pool_, app->cell_->host(), *app);
   app->cell_->on_pose([self = app.get()](Value pose) { self->hub_->publish_delta("cell/pose", std::move(pose)); });
+  if (setup.script)
+    if (auto added = app->add_operator(*setup.script); !added) return tl::unexpected(std::move(added).error());
   app->cell_->start_real_time();
   return app;
+}
+
+Checked<void> Application::add_operator(const OperatorScript& script) {
+  if (!cell_->has_world())
+    return tl::unexpected(std::vector<Error>{{ErrorCode::not_found, "an operator script needs a cell with a world"}});
+  if (auto errors = check_bodies(script, cell_->world()); !errors.empty()) return tl::unexpected(std::move(errors));
+  operator_ = std::make_unique<Operator>(script, screens_, [this](const std::string& text) { log("operator", text); });
+  cell_->before_step([this] { operator_->step(cell_->clock().now(), *cell_->person()); });
+  return {};
 }
 
 Application::~Application() {
@@ -95,9 +106,11 @@ void Application::core_removed(const std::string& id) {
   hub_->close("core/" + id + "/derivation");
 }
 void Application::state_snapshot(const std::string& id, Value state) {
+  if (operator_) operator_->state(id, state.find("state")->find("active")->as_list());
   hub_->publish_snapshot("core/" + id + "/state", std::move(state));
 }
 void Application::state_changed(const std::string& id, Value delta) {
+  if (operator_) operator_->changed(id, delta.find("active")->as_dict(), delta.find("fired")->as_list());
   hub_->publish_delta("core/" + id + "/state", std::move(delta));
 }
 void Application::derivation_snapshot(const std::string& id, Value next) {
@@ -120,6 +133,10 @@ void Application::log_status(const std::string& id, const Value& core) {
     std::string& last = statuses_[id];
     if (std::exchange(last, status) == status) return;
   }
+  if (operator_ && status == "running") {
+    operator_->begin();
+    if (const auto core = cores_->find(id)) (*core)->watch_state();
+  }
   std::string line = text(core, "document") + ": " + status;
   if (const std::string outcome = text(core, "outcome"); !outcome.empty()) line += " at " + outcome;
   if (const Value* fault = core.find("fault"))
@@ -129,6 +146,7 @@ void Application::log_status(const std::string& id, const Value& core) {
 
 void Application::delivered(const services::Delivery& delivery) {
   if (cores_) cores_->deliver(delivery);
+  if (operator_) operator_->happened(delivery);
 }
 
 void Application::changed(const services::ServiceStatus& status) {

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "server/cell/cell.h"
+#include "server/cell/operator.h"
 #include "server/execution/cores.h"
 #include "server/store/documents.h"
 #include "server/stream/displays.h"
@@ -29,6 +30,7 @@ class Application final : public CoreWatcher, public services::HostObserver {
     std::string demo;  // folder with scene.json, database.json and *.rcm.json; may be empty
     std::int64_t first_sequence = 1;
     std::vector<FurtherService> further = {};
+    std::optional<OperatorScript> script = {};  // begins anew with each run that is started
   };
   static Checked<std::unique_ptr<Application>> create(const Setup& setup);
   ~Application() override;
@@ -67,6 +69,7 @@ class Application final : public CoreWatcher, public services::HostObserver {
   Application() = default;
   std::optional<Source> find_channel(const std::string& name);
   void publish_log();
+  Checked<void> add_operator(const OperatorScript& script);
   void log_status(const std::string& id, const Value& core);
 
   std::mutex log_mutex_;
@@ -82,6 +85,7 @@ class Application final : public CoreWatcher, public services::HostObserver {
   std::unique_ptr<Pool> pool_;  // of the cores
   std::unique_ptr<Cell> cell_;
   std::unique_ptr<Cores> cores_;
+  std::unique_ptr<Operator> operator_;  // fixed after the start; what tells it is still there when the cell has stopped
 };
 
 }  // namespace race::server

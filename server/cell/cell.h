@@ -29,6 +29,7 @@ struct CellSetup {
   std::string database;     // file of the database, or ":memory:"
   bool own_threads = true;  // the database lives on a thread of its own; else all services are one unit
   std::vector<FurtherService> further = {};
+  std::uint64_t seed = 0;  // of everything that is random; the same seed gives the same run
 };
 
 class Cell {

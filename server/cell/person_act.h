@@ -31,7 +31,7 @@ struct TakeAct {
 
 struct PersonAct {
   std::variant<GrabAct, DragAct, ReleaseAct, world::Push, PlaceAct, TakeAct> what;
-  double keep;  // s, of a hand: Person::keep()
+  double keep = 0;  // s, of a hand: Person::keep()
 };
 
 /// Seconds that a client's hand stays without a word when the act does not say it.

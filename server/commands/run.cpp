@@ -14,7 +14,8 @@ namespace race::server {
 namespace {
 
 constexpr std::string_view kUsage =
-    "MODEL [--fast] [--seed N] [--arguments JSON] [--cell DIR] [--database FILE] [--limit SECONDS] [--json]";
+    "MODEL [--fast] [--seed N] [--arguments JSON] [--cell DIR] [--database FILE] [--limit SECONDS] "
+    "[--operator FILE] [--json]";
 
 // What happened in a macro step, for people: which states were entered and left, what was called.
 void print(const Dict& report) {
@@ -44,8 +45,8 @@ Expected<Dict> read_arguments(const std::string& text) {
 }  // namespace
 
 int run_command(const std::vector<std::string>& words) {
-  const auto options =
-      read_options(words, {"--seed", "--arguments", "--cell", "--database", "--limit"}, {"--fast", "--json"});
+  const auto options = read_options(words, {"--seed", "--arguments", "--cell", "--database", "--limit", "--operator"},
+                                    {"--fast", "--json"});
   if (!options) return refuse(options.error());
   if (options->rest.size() != 1) return usage("run", kUsage);
   const bool json = options->has("--json");
@@ -61,7 +62,7 @@ int run_command(const std::vector<std::string>& words) {
   const auto document = rcm::read_document_text(*text);
   if (!document) return refuse(document.error(), json);
 
-  display::Screens screens;  // nobody stands before them
+  display::Screens screens;  // the operator stands before them, or nobody
   HeadlessSetup setup;
   setup.cell.folder = options->text("--cell", std::filesystem::path(model).parent_path());
   if (setup.cell.folder.empty()) setup.cell.folder = ".";
@@ -69,6 +70,13 @@ int run_command(const std::vector<std::string>& words) {
   setup.cell.further = screen_services(screens, setup.cell.folder);
   setup.fast = options->has("--fast");
   setup.limit_s = *limit;
+  setup.cell.seed = static_cast<std::uint64_t>(*seed);
+  if (options->has("--operator")) {
+    auto script = read_operator_file(options->text("--operator"));
+    if (!script) return refuse(script.error(), json);
+    setup.script = std::move(*script);
+    setup.screens = &screens;
+  }
   const auto status = Headless::run(*document, std::move(*arguments), setup, [&](const Dict& report) {
     if (!json) return print(report);
     std::cout << to_json(Value(report)) << '\n';

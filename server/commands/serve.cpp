@@ -11,7 +11,7 @@
 namespace race::server {
 namespace {
 
-constexpr std::string_view kUsage = "--port N --data DIR [--headless] [--demo DIR] [--web DIR]";
+constexpr std::string_view kUsage = "--port N --data DIR [--headless] [--demo DIR] [--web DIR] [--operator FILE]";
 
 // Numbers of messages go on where an earlier server can not have been: 1000 a millisecond since 1970.
 std::int64_t first_sequence() {
@@ -22,7 +22,7 @@ std::int64_t first_sequence() {
 }  // namespace
 
 int serve_command(const std::vector<std::string>& words) {
-  const auto options = read_options(words, {"--port", "--data", "--demo", "--web"}, {"--headless"});
+  const auto options = read_options(words, {"--port", "--data", "--demo", "--web", "--operator"}, {"--headless"});
   if (!options) return refuse(options.error());
   if (!options->rest.empty()) return usage("serve", kUsage);
   const auto port = options->number("--port", 8080, 0, 65535);
@@ -32,7 +32,13 @@ int serve_command(const std::vector<std::string>& words) {
   std::filesystem::create_directories(data, error);
   if (error) return refuse(Error{ErrorCode::io, error.message(), data});
 
-  auto app = Application::create({data, options->text("--demo"), first_sequence()});
+  Application::Setup setup{data, options->text("--demo"), first_sequence()};
+  if (options->has("--operator")) {
+    auto script = read_operator_file(options->text("--operator"));
+    if (!script) return refuse(script.error());
+    setup.script = std::move(*script);
+  }
+  auto app = Application::create(setup);
   if (!app) return refuse(app.error());
   // Without clients, no pages; the interface is there all the same.
   const std::string web = options->has("--headless") ? "" : options->text("--web");

@@ -37,6 +37,17 @@ Checked<Status> Headless::run(const rcm::Document& document, Dict arguments, con
   of_cell.own_threads = false;
   auto cell = Cell::create(of_cell, observer);
   if (!cell) return fail(std::move(cell).error());
+  if (setup.script) {
+    if (!(*cell)->has_world())
+      return fail({ErrorCode::not_found, "an operator script needs a cell with a world", "--operator"});
+    if (auto errors = check_bodies(*setup.script, (*cell)->world()); !errors.empty())
+      return tl::unexpected(std::move(errors));
+    observer.operator_ = std::make_unique<Operator>(*setup.script, *setup.screens, [&](const std::string& text) {
+      observer.logged((*cell)->clock().now(), "operator", text);
+    });
+    observer.operator_->begin();
+    (*cell)->before_step([&] { observer.operator_->step((*cell)->clock().now(), *(*cell)->person()); });
+  }
   auto native = rcm::translate(document);
   if (!native) return tl::unexpected(std::move(native).error());
   auto program = semantics::Program::build(*native, (*cell)->host().models());
@@ -46,6 +57,7 @@ Checked<Status> Headless::run(const rcm::Document& document, Dict arguments, con
   observer.execute(*run, **cell, setup);
   report(summary(*run, (*cell)->clock().now()));
   (*cell)->stop();
+  observer.operator_.reset();
   return run->status();
 }
 
@@ -58,6 +70,11 @@ void Headless::execute(Run& run, Cell& cell, const HeadlessSetup& setup) {
     cell.step();
     settle(run, cell);
   }
+}
+
+void Headless::delivered(const services::Delivery& delivery) {
+  deliveries_.push_back(delivery);
+  if (operator_) operator_->happened(delivery);
 }
 
 // Everything that can happen before time passes.
@@ -110,6 +127,8 @@ void Headless::macro_step(Run& run, Cell& cell) {
   for (auto& [key, value] : view_.delta(run)) out.set(key, value);
   out.set("calls", std::move(calls));
   report_(out);
+  const Dict& report = out;
+  if (operator_) operator_->changed("1", report.find("active")->as_dict(), report.find("fired")->as_list());
 }
 
 void Headless::logged(services::Time time, const std::string& key, const std::string& text) {

@@ -7,15 +7,18 @@
 #include <vector>
 
 #include "server/cell/cell.h"
+#include "server/cell/operator.h"
 #include "server/execution/journal.h"
 #include "server/execution/state_view.h"
 
 namespace race::server {
 
 struct HeadlessSetup {
-  CellSetup cell;         // on one thread, whatever it says
-  bool fast = false;      // as fast as possible; else paced by real time
-  double limit_s = 3600;  // of world time; a run that goes on then is left as it is
+  CellSetup cell;                             // on one thread, whatever it says
+  bool fast = false;                          // as fast as possible; else paced by real time
+  double limit_s = 3600;                      // of world time; a run that goes on then is left as it is
+  std::optional<OperatorScript> script = {};  // who stands at the cell; begins with the run
+  display::Screens* screens = nullptr;        // that the script answers; there if it is, and outlives the run
 };
 
 class Headless final : public services::HostObserver {
@@ -28,7 +31,7 @@ class Headless final : public services::HostObserver {
   static Checked<semantics::Status> run(const rcm::Document& document, Dict arguments, const HeadlessSetup& setup,
                                         const Report& report);
 
-  void delivered(const services::Delivery& delivery) override { deliveries_.push_back(delivery); }
+  void delivered(const services::Delivery& delivery) override;
   void changed(const services::ServiceStatus&) override {}
   void logged(services::Time time, const std::string& key, const std::string& text) override;
 
@@ -41,6 +44,7 @@ class Headless final : public services::HostObserver {
 
   const Report& report_;
   std::vector<services::Delivery> deliveries_;
+  std::unique_ptr<Operator> operator_;
   StateView view_;
 };
 

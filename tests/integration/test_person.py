@@ -1,9 +1,15 @@
 """A person at the cell of the real server: hands that the robot feels, parts that are moved, and what is refused."""
+import json
+import subprocess
+import tempfile
 import time
 import unittest
+from pathlib import Path
 
 import models
-from client import PATIENCE, PROJECT, Server, check
+from client import PATIENCE, PROGRAM, PROJECT, Server, check
+
+DEMO = PROJECT / "deploy/demo"
 
 
 def feeling(name="feeling", force=15):
@@ -16,7 +22,7 @@ def feeling(name="feeling", force=15):
 
 class Person(unittest.TestCase):
     def setUp(self):
-        self.server = Server("--demo", str(PROJECT / "deploy/demo"))
+        self.server = Server("--demo", str(DEMO))
         self.addCleanup(self.server.stop)
         scene = self.server.get("/cell", "scene")
         self.part = next(body["name"] for body in scene["bodies"] if not body["fixed"])
@@ -121,6 +127,89 @@ class Person(unittest.TestCase):
         with Server() as bare:
             bare.get("/cell/person", status=404)
             bare.post("/cell/person", {"act": "release"}, status=404)
+
+
+def waiting(name="waiting"):
+    """Waits for two pushes of 15 N along y with rest in between, then ends at `done`."""
+    y = "svc.robot.robot_state.f_ext_hat[1]"
+    return models.document(name, {
+        "state": "Root", "children": [
+            {"state": "First", "ports": [{"name": "felt", "when": f"svc.robot.robot_state and {y} > 15", "to": "Rest"}]},
+            {"state": "Rest", "ports": [{"name": "calm", "when": f"svc.robot.robot_state and {y} < 3", "to": "Second"}]},
+            {"state": "Second", "ports": [{"name": "felt", "when": f"svc.robot.robot_state and {y} > 15"}]}],
+        "first": "First", "ports": [{"name": "done", "when": "chi.Second.port.felt"}]})
+
+
+PUSH = {"act": "push", "body": "gripper", "point": [0, 0, 0.15], "force": [0, 30, 0], "duration": 0.4, "rise": 0.05}
+PUSHES = {"operator": 1, "acts": [
+    {"doc": "bump", "when": {"time": 0.5}, "do": PUSH},
+    {"when": {"active": "Root/Rest"}, "do": []},
+    {"doc": "again", "when": {"inactive": "Root/Rest", "after": 0.25}, "do": [PUSH]},
+    {"doc": "too late", "when": {"event": {"service": "timer", "event": "tick"}, "count": 1000}, "do": PUSH}]}
+
+
+class Script(unittest.TestCase):
+    def run_with(self, script, *options):
+        """(status, reports, stderr) of `race run` of waiting() with this operator."""
+        with tempfile.TemporaryDirectory() as folder:
+            model, operator = Path(folder, "model.rcm.json"), Path(folder, "operator.json")
+            model.write_text(json.dumps(waiting()))
+            operator.write_text(json.dumps(script))
+            out = subprocess.run([PROGRAM, "run", model, "--cell", DEMO, "--fast", "--json", "--operator", operator, *options],
+                                 capture_output=True, text=True, timeout=120)
+        return out.returncode, out.stdout.splitlines(), out.stderr
+
+    def test_acts_in_turn_when_what_it_waits_for_has_come(self):
+        check("operator", PUSHES)
+        status, lines, errors = self.run_with(PUSHES, "--limit", "10", "--seed", "7")
+        self.assertEqual((status, errors), (0, ""))
+        reports = [json.loads(line) for line in lines]
+        said = [(r["text"], r["time"]) for r in reports if r.get("source") == "operator"]
+        self.assertEqual([text for text, _ in said], ["acts/0: bump", "acts/1", "acts/2: again"])
+        self.assertAlmostEqual(said[0][1], 0.5, delta=0.0015)
+        entered = [r["time"] for r in reports if r.get("active", {}).get("Root/Second")]
+        self.assertAlmostEqual(said[2][1], entered[0] + 0.25, delta=0.0025)
+        self.assertEqual((reports[-1]["outcome"], reports[-1]["status"]), ("done", "ended"))
+
+    def test_the_same_seed_and_script_give_the_same_run(self):
+        runs = [self.run_with(PUSHES, "--limit", "10", "--seed", "7") for _ in range(2)]
+        self.assertEqual(runs[0], runs[1])
+
+    def test_without_its_acts_nothing_happens(self):
+        status, lines, _ = self.run_with({"operator": 1, "acts": []}, "--limit", "2")
+        self.assertEqual((status, json.loads(lines[-1])["status"]), (1, "running"))
+
+    def test_an_act_that_is_refused_is_told_and_the_script_goes_on(self):
+        inside = {"act": "place", "part": "PART", "pose": {"position": [0.7, -0.2, 0], "orientation": [0, 0, 0, 1]}}
+        part = next(b["name"] for b in json.loads((DEMO / "scene.json").read_text())["bodies"] if b["mass"] > 0)
+        script = {"operator": 1, "acts": [{"do": inside | {"part": part}}, *PUSHES["acts"]]}
+        status, lines, _ = self.run_with(script, "--limit", "10")
+        self.assertEqual(status, 0)
+        self.assertTrue(any("refused" in line and "inside `table`" in line for line in lines))
+
+    def test_what_is_no_script_is_refused_with_path_and_code(self):
+        for script, path in (
+                ({"acts": []}, "missing"), ({"operator": 2, "acts": []}, "version"), ({"operator": 1}, "missing"),
+                ({"operator": 1, "acts": [{"do": {"act": "kick"}}]}, "acts/0/do"),
+                ({"operator": 1, "acts": [{"do": PUSH, "when": {"time": -1}}]}, "acts/0/when"),
+                ({"operator": 1, "acts": [{"do": PUSH, "when": {"time": 1, "active": "Root"}}]}, "acts/0/when"),
+                ({"operator": 1, "acts": [{"do": PUSH, "when": {"active": "Root", "count": 0}}]}, "acts/0/when"),
+                ({"operator": 1, "acts": [{"do": PUSH, "always": True}]}, "acts/0"),
+                ({"operator": 1, "acts": [{"do": {"act": "answer"}}]}, "acts/0/do"),
+                ({"operator": 1, "acts": [{"do": PUSH | {"body": "link_9"}}]}, "acts/0"),
+                ({"operator": 1, "displays": ["all"], "acts": []}, "name")):
+            status, lines, _ = self.run_with(script)
+            self.assertEqual(status, 2, script)
+            self.assertIn(path, "\n".join(lines), script)
+
+    def test_the_server_does_it_with_each_run_that_is_started(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "operator.json")
+            path.write_text(json.dumps(PUSHES))
+            with Server("--demo", str(DEMO), "--operator", str(path)) as server:
+                for name in ("once", "twice"):
+                    ended = server.ended(server.core(waiting(name)))
+                    self.assertEqual((ended["status"], ended["outcome"]), ("ended", "done"))
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 import { readdirSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { describe, expect, it } from "vitest";
-import { boolean, number, object, oneOf, string, type Decoder } from "../../shared/json/decode";
+import { array, boolean, number, object, oneOf, string, type Decoder } from "../../shared/json/decode";
 import { cellPose, scene } from "../../shared/messages/cell";
 import { core, coreState, cores } from "../../shared/messages/core";
 import { person } from "../../shared/messages/person";
@@ -45,6 +45,7 @@ const decoders: Readonly<Record<string, Decoder<unknown>>> = {
   derivations: traceSteps,
   document: rcmDocument,
   errors: serverErrors,
+  operator: object((f) => f.need("acts", array(object((act) => act.has("do"))))),
   person,
   person_act: object((f) => f.need("act", oneOf("grab", "drag", "release", "push", "place", "take"))),
   rules,

@@ -1,0 +1,88 @@
+// Operator: goes through an operator script on world time. It sees what anybody at the cell sees: states that become
+// active, ports that fire, events, displays; and acts by hands and answers alone.
+//
+// Threads: what happens is told on any; step() on the unit's. With everything on one thread, the same run is the same.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <set>
+#include <string>
+
+#include "server/cell/operator_script.h"
+#include "services/clock.h"
+#include "services/display/screens.h"
+#include "services/host.h"
+
+namespace race::server {
+
+class Operator {
+ public:
+  static constexpr double kLook = 0.02;   // s between two looks at the displays
+  static constexpr double kListen = 0.5;  // s until a sound counts as heard
+
+  /// A line for people: what was done, or why not.
+  using Log = std::function<void(const std::string& text)>;
+
+  /// `screens` outlives the operator.
+  Operator(OperatorScript script, display::Screens& screens, Log log);
+  ~Operator();
+  Operator(const Operator&) = delete;
+  Operator& operator=(const Operator&) = delete;
+
+  /// The script begins (anew) with the next step.
+  void begin();
+
+  /// Of a core's state: nodes that became active or inactive, ports that fired (as schemas/core_delta.json).
+  void changed(const std::string& core, const Dict& active, const List& fired);
+  /// The nodes that are active now.
+  void state(const std::string& core, const List& active);
+  void happened(const services::Delivery& event);
+
+  /// Acts as of `now`. Before each step of the world.
+  void step(services::Time now, world::Person& person);
+
+ private:
+  /// An act of the script whose turn it is.
+  struct Waiting {
+    std::size_t act = 0;
+    services::Time since = 0;
+    int seen = 0;
+    std::optional<services::Time> met = {};
+    std::string display = {}, shown = {};  // where it was seen last, and what
+  };
+
+  // All below: with the lock, or on the unit's thread of what belongs to it alone.
+  void note(const std::function<bool(const When&)>& fits);
+  void set_active(const std::string& core, const std::string& path, bool on);
+  Waiting wait_for(std::size_t act, services::Time now, bool anew) const;
+  void next(services::Time now);
+  void look();
+  void look(Waiting& waiting, const display::Content& content);
+  void hear(services::Time now);
+  bool due(Waiting& waiting, services::Time now) const;
+  void act(const Waiting& waiting, world::Person& person);
+  void answer(const AnswerAct& act, const Waiting& waiting);
+
+  const OperatorScript script_;
+  display::Screens& screens_;
+  const Log log_;
+  std::map<std::string, display::Screens::ConnectionId> displays_;
+
+  std::mutex mutex_;
+  bool begins_ = false, running_ = false;
+  services::Time start_ = 0;
+  std::vector<Waiting> waiting_;  // those that act always, then the one of the sequence, if one is left
+  std::map<std::string, std::set<std::string>> active_;  // by core
+  std::set<std::string> left_;                           // nodes that were active once
+  services::Time looked_ = 0;
+  struct Heard {
+    services::Time since;
+    std::uint64_t sound;
+  };
+  std::map<std::string, Heard> sounds_;  // by display: the one that is played
+};
+
+}  // namespace race::server

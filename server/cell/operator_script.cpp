@@ -1,0 +1,173 @@
+#include "server/cell/operator_script.h"
+
+#include <limits>
+
+#include "core/value/json.h"
+#include "server/store/read_file.h"
+#include "services/display/screens.h"
+
+namespace race::server {
+namespace {
+
+using Need = Fields::Need;
+constexpr double kLongest = 86400;  // s
+
+std::string at(const std::string& path, std::size_t i) { return path + "/" + std::to_string(i); }
+
+double seconds(Fields& fields, const char* name) {
+  const double value = fields.number(name).value_or(0);
+  if (!(value >= 0 && value <= kLongest))
+    fields.violation(ErrorCode::out_of_range, std::string("`") + name + "` must be a number from 0 to 86400 s");
+  return value;
+}
+
+OnEvent read_event(const Value& value, const std::string& path, std::vector<Error>& errors) {
+  Fields fields(value, path, "the event", errors);
+  OnEvent on{
+      fields.text("service", Need::required).value_or(""), fields.text("event", Need::required).value_or(""), {}};
+  if (const Value* data = fields.find("data")) {
+    if (data->is_dict()) on.data = data->as_dict();
+    if (!data->is_dict()) fields.violation(ErrorCode::type, "`data` must be an object");
+  }
+  fields.close();
+  return on;
+}
+
+OnDisplay read_display(const Value& value, const std::string& path, std::vector<Error>& errors) {
+  Fields fields(value, path, "the display", errors);
+  OnDisplay on{fields.text("name").value_or(""), fields.text("text").value_or(""), fields.text("button").value_or("")};
+  fields.close();
+  return on;
+}
+
+When read_when(const Value& value, const std::string& path, std::vector<Error>& errors) {
+  Fields fields(value, path, "`when`", errors);
+  When when;
+  when.after = seconds(fields, "after");
+  int conditions = 0;
+  if (fields.find("time")) {
+    ++conditions;
+    when.after += seconds(fields, "time");
+    when.what = OnTime{true};
+  }
+  for (const bool active : {true, false}) {
+    const char* name = active ? "active" : "inactive";
+    if (!fields.find(name)) continue;
+    ++conditions;
+    when.what = OnState{fields.text(name).value_or(""), active};
+  }
+  if (fields.find("fires")) {
+    ++conditions;
+    when.what = OnPort{fields.text("fires").value_or("")};
+  }
+  if (const Value* event = fields.find("event")) {
+    ++conditions;
+    when.what = read_event(*event, path + "/event", errors);
+  }
+  if (const Value* display = fields.find("display")) {
+    ++conditions;
+    when.what = read_display(*display, path + "/display", errors);
+  }
+  if (conditions > 1)
+    fields.violation(ErrorCode::duplicate,
+                     "must have one of `time`, `active`, `inactive`, `fires`, `event`, `display`");
+  if (const Value* count = fields.find("count")) {
+    const bool fits = count->is_integer() && count->as_integer() >= 1 && count->as_integer() <= 1000000;
+    if (fits) when.count = static_cast<int>(count->as_integer());
+    if (!fits) fields.violation(ErrorCode::out_of_range, "`count` must be an integer from 1");
+  }
+  fields.close();
+  return when;
+}
+
+std::variant<PersonAct, AnswerAct> read_act(const Value& value, const std::string& path, std::vector<Error>& errors) {
+  Fields fields(value, path, "the act", errors);
+  const Value* kind = value.find("act");
+  std::variant<PersonAct, AnswerAct> act;
+  if (kind && *kind == Value("answer")) {
+    fields.find("act");
+    AnswerAct answer{fields.text("display").value_or(""), {}};
+    const auto button = fields.text("button");
+    const auto number = fields.number("number");
+    if (button.has_value() == number.has_value())
+      fields.violation(ErrorCode::missing, "must have one of `button` and `number`");
+    if (button) answer.answer = *button;
+    if (number) answer.answer = *number;
+    act = std::move(answer);
+  } else {
+    act = read_person_act(fields, std::numeric_limits<double>::infinity());
+  }
+  fields.close();
+  return act;
+}
+
+ScriptedAct read_scripted(const Value& value, const std::string& path, std::vector<Error>& errors) {
+  Fields fields(value, path, "the entry", errors);
+  ScriptedAct scripted;
+  scripted.doc = fields.text("doc").value_or("");
+  scripted.always = fields.boolean("always").value_or(false);
+  if (const Value* when = fields.find("when")) scripted.when = read_when(*when, path + "/when", errors);
+  if (scripted.always && std::holds_alternative<OnTime>(scripted.when.what))
+    fields.violation(ErrorCode::missing, "what happens always needs something that happens to wait for");
+  if (const Value* acts = fields.find("do", Need::required)) {
+    const List alone{*acts};
+    const List& all = acts->is_list() ? acts->as_list() : alone;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      scripted.acts.push_back(read_act(all[i], acts->is_list() ? at(path + "/do", i) : path + "/do", errors));
+  }
+  fields.close();
+  return scripted;
+}
+
+const std::string* body_of(const PersonAct& act) {
+  struct Body {
+    const std::string* operator()(const GrabAct& act) const { return &act.hold.body; }
+    const std::string* operator()(const world::Push& push) const { return &push.body; }
+    const std::string* operator()(const PlaceAct& act) const { return &act.part; }
+    const std::string* operator()(const TakeAct& act) const { return &act.part; }
+    const std::string* operator()(const DragAct&) const { return nullptr; }
+    const std::string* operator()(const ReleaseAct&) const { return nullptr; }
+  };
+  return std::visit(Body(), act.what);
+}
+
+}  // namespace
+
+Checked<OperatorScript> read_operator_script(const Value& document) {
+  std::vector<Error> errors;
+  Fields fields(document, "", "the script", errors);
+  const Value* version = fields.find("operator", Need::required);
+  if (version && !(*version == Value(1))) fields.violation(ErrorCode::version, "`operator` must be 1");
+  fields.text("doc");
+  OperatorScript script;
+  script.displays = fields.texts("displays");
+  for (const std::string& name : script.displays)
+    if (!display::is_display_name(name)) fields.violation(ErrorCode::name, "`" + name + "` cannot name a display");
+  const List& acts = fields.list("acts", Need::required);
+  for (std::size_t i = 0; i < acts.size(); ++i) script.acts.push_back(read_scripted(acts[i], at("acts", i), errors));
+  fields.close();
+  if (!errors.empty()) return tl::unexpected(std::move(errors));
+  return script;
+}
+
+Checked<OperatorScript> read_operator_file(const std::string& path) {
+  const auto text = read_file(path);
+  if (!text) return tl::unexpected(std::vector<Error>{text.error()});
+  auto document = parse_json(*text);
+  if (!document) return tl::unexpected(std::vector<Error>{std::move(document).error()});
+  return read_operator_script(*document);
+}
+
+std::vector<Error> check_bodies(const OperatorScript& script, const world::World& world) {
+  std::vector<Error> errors;
+  for (std::size_t i = 0; i < script.acts.size(); ++i)
+    for (const auto& act : script.acts[i].acts) {
+      const auto* person = std::get_if<PersonAct>(&act);
+      const std::string* body = person ? body_of(*person) : nullptr;
+      if (body && !world.has(*body))
+        errors.push_back({ErrorCode::not_found, "there is no link or part `" + *body + "`", at("acts", i)});
+    }
+  return errors;
+}
+
+}  // namespace race::server

@@ -1,0 +1,64 @@
+// An operator script: what a person at the cell does by itself, and when (schemas/operator.json; format in README.md).
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "server/cell/person_act.h"
+
+namespace race::server {
+
+/// Waits for nothing but time: since the act before, or, `absolute`, since the script began.
+struct OnTime {
+  bool absolute = false;
+};
+/// A state or barrier becomes active, or inactive. One that is so already counts as the first time.
+struct OnState {
+  std::string path;
+  bool active = true;
+};
+struct OnPort {
+  std::string port;  // fires: Root/A.success
+};
+struct OnEvent {
+  std::string service, event;
+  Dict data;  // fields that the event's data must have
+};
+/// A display shows a question or a message. Texts are parts of what is shown; empty ones fit all.
+struct OnDisplay {
+  std::string display, text, button;
+};
+
+struct When {
+  std::variant<OnTime, OnState, OnPort, OnEvent, OnDisplay> what;
+  double after = 0;  // s later, of world time
+  int count = 1;     // only the n-th time, counted from the act before
+};
+
+/// A button of what a display shows, or a number for its question.
+struct AnswerAct {
+  std::string display;  // empty: the one that the act waited for
+  Value answer;
+};
+
+struct ScriptedAct {
+  When when;
+  std::vector<std::variant<PersonAct, AnswerAct>> acts;  // at once
+  bool always = false;                                   // every time from the beginning on, beside the sequence
+  std::string doc;
+};
+
+struct OperatorScript {
+  std::vector<std::string> displays;  // that the person stands before: they are connected and hear
+  std::vector<ScriptedAct> acts;
+};
+
+/// Reads a script; lists all violations, `acts/2/do/0` is a path.
+Checked<OperatorScript> read_operator_script(const Value& document);
+Checked<OperatorScript> read_operator_file(const std::string& path);
+
+/// What the script names that the world does not have.
+std::vector<Error> check_bodies(const OperatorScript& script, const world::World& world);
+
+}  // namespace race::server
