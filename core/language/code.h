@@ -52,16 +52,19 @@ struct Symbols {
 /// declarations), extended by `event()` and `operation()` with names that no declaration has.
 ///
 /// `svc[expr].op` may name an operation that the table does not have. For these there is one entry per name, the *open*
-/// operation `op`: its service is empty and stands for all services without an entry of that name.
+/// operation `op`: it stands for all services without an entry of that name.
 class ServiceTable {
  public:
   struct Event {
     std::string service, name;
     bool sampled = false;
+    bool declared = false;  // by its service; else only named by code
   };
   struct Operation {
-    std::string service, name;
+    std::string service, name;  // no service: an open one
     bool safe = false;
+    bool declared = false;
+    bool open = false;
   };
   /// Adds a declared event or operation; returns its number (the old one, updated, if it is there).
   EventId declare_event(std::string_view service, std::string_view name, bool sampled);
@@ -73,25 +76,26 @@ class ServiceTable {
   EventId find_event(std::string_view service, std::string_view name) const;
   OperationId find_operation(std::string_view service, std::string_view name) const;
   /// The number of the open operation of this name, added if it is new.
-  OperationId open_operation(std::string_view name) { return operation({}, name); }
-  bool is_open(OperationId operation) const { return operations_[operation].service.empty(); }
+  OperationId open_operation(std::string_view name);
+  bool is_open(OperationId operation) const { return operations_[operation].open; }
   /// What svc[service].name is: the entry if there is one, else the open operation. kNone if there is neither.
   OperationId dynamic_operation(std::string_view service, std::string_view name) const;
   const std::vector<Event>& events() const { return events_; }
   const std::vector<Operation>& operations() const { return operations_; }
-  /// Services with at least one event or operation, in order of appearance; none for the open operations.
-  std::vector<std::string> services() const;
+  /// Services that have declared an event or operation, in order of appearance.
+  std::vector<std::string> declared_services() const;
 
  private:
   using Key = std::pair<std::string, std::string>;
   std::vector<Event> events_;
   std::vector<Operation> operations_;
   std::map<Key, std::uint32_t> event_ids_, operation_ids_;
+  std::map<std::string, OperationId, std::less<>> open_ids_;
 };
 
 /// What a Code can read and do, found at compile time: the ground for R9, R19, R21, for skipping conditions whose
 /// inputs did not change, and for verification. Sorted, without repetition. `svc[expr].x` counts as x of every service
-/// of the table.
+/// of the table and as the open operation x.
 struct Mentions {
   bool svc = false;                    // `svc` occurs, calls included
   std::vector<EventId> events;         // occurrence or data, but not `.latest`

@@ -1,6 +1,7 @@
 #include "core/language/explain.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "core/language/machine_internal.h"
@@ -98,23 +99,25 @@ class Explainer {
       if (made_.atoms[i].text == made_.atoms[atom].text) values[i] = to ? Truth::yes : Truth::no;
   }
 
-  // The fewest changes of atoms that make a part `wanted`; right because every atom stands in one place.
-  std::vector<std::pair<std::size_t, bool>> changes(NodeId id, bool wanted) const {
+  // The fewest changes of atoms that make a part `wanted`, nothing if none do; right because every atom stands in one
+  // place.
+  using Changes = std::vector<std::pair<std::size_t, bool>>;
+  std::optional<Changes> changes(NodeId id, bool wanted) const {
     const Op op = program_.nodes[id].op;
     if (op == Op::logical_not) return changes(program_.nodes[id].a, !wanted);
     if (!is_junction(op)) {
       const std::size_t atom = number(id);
-      if (made_.atoms[atom].value == (wanted ? Truth::yes : Truth::no)) return {};
-      return {{atom, wanted}};
+      if (made_.atoms[atom].value == (wanted ? Truth::yes : Truth::no)) return Changes();
+      if (made_.atoms[atom].reads.empty()) return std::nullopt;
+      return Changes{{atom, wanted}};
     }
-    std::vector<std::pair<std::size_t, bool>> all;
-    std::vector<std::pair<std::size_t, bool>> fewest;
-    bool first = true;
+    std::optional<Changes> all = Changes();
+    std::optional<Changes> fewest;
     for (const NodeId part : parts(id)) {
       const auto some = changes(part, wanted);
-      all.insert(all.end(), some.begin(), some.end());
-      if (first || some.size() < fewest.size()) fewest = some;
-      first = false;
+      if (all && some) all->insert(all->end(), some->begin(), some->end());
+      if (!some) all.reset();
+      if (some && (!fewest || some->size() < fewest->size())) fewest = some;
     }
     return (op == Op::logical_and) == wanted ? all : fewest;
   }
@@ -122,6 +125,7 @@ class Explainer {
   void decide() {
     for (std::size_t i = 0; i < made_.atoms.size(); ++i)
       for (const bool to : {true, false}) {
+        if (made_.atoms[i].reads.empty()) continue;
         std::vector<Truth> changed = values();
         set(changed, i, to);
         if (changed[i] == made_.atoms[i].value || with(program_.root, changed) != Truth::yes) continue;
@@ -132,10 +136,11 @@ class Explainer {
     if (!made_.decisive.empty()) return;
     std::vector<Truth> changed = values();
     const auto needed = changes(program_.root, true);
-    for (const auto& [atom, to] : needed) set(changed, atom, to);
+    if (!needed) return;
+    for (const auto& [atom, to] : *needed) set(changed, atom, to);
     if (with(program_.root, changed) != Truth::yes) return;
     made_.together = true;
-    for (const auto& [atom, to] : needed) {
+    for (const auto& [atom, to] : *needed) {
       made_.atoms[atom].wanted = to;
       made_.decisive.push_back(atom);
     }

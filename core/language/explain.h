@@ -27,7 +27,8 @@ struct Explanation {
   Truth value = Truth::unknown;  // of the whole condition
   std::vector<Atom> atoms;       // in the order of the text, also those that evaluation passes over
   /// Numbers of atoms. Of a condition that is not True: each one whose change alone would make it True; if none would,
-  /// the smallest set that would by changing `together`. Empty if nothing would (`a and not a`), or if it is True.
+  /// the smallest set that would by changing `together`. Atoms that read nothing cannot change. Empty if nothing would
+  /// (`a and not a`, `1 > 2`), or if it is True.
   std::vector<std::size_t> decisive;
   bool together = false;
 };

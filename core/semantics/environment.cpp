@@ -18,7 +18,7 @@ const Value& shown(const CallRecord& record, bool error) {
 // since the state was activated counts; otherwise the one to the latest call of anyone.
 const Value& StepEnvironment::response(OperationId operation, std::string_view service, bool error) {
   const auto made_here = [&](const BufferedCall& call) {
-    return call.operation == operation && (service.empty() || call.service == service);
+    return call.operation == operation && (call.service == service || !program_.services.is_open(operation));
   };
   if (std::ranges::any_of(calls, made_here)) return kUnknown;
   const StateInfo& info = program_[state_];

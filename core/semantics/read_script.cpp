@@ -77,6 +77,10 @@ Checked<Script> read_script(const Value& json) {
         errors.insert(errors.end(), service.error().begin(), service.error().end());
     }
   }
+  if (const Value* closed = fields.find("closed")) {
+    if (!closed->is_bool()) fields.violation(ErrorCode::type, "closed is not a bool");
+    script.closed = closed->is_bool() && closed->as_bool();
+  }
   std::size_t number = 0;
   for (const Value& step : fields.list("steps"))
     script.steps.push_back(read_step(step, "steps/" + std::to_string(number++), errors));

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <ranges>
-#include <set>
 
 #include "core/semantics/micro.h"
 
@@ -122,23 +121,13 @@ const std::string& callee(const Program& program, OperationId operation, const C
 
 }  // namespace
 
-std::uint64_t Run::latest_call(std::string_view service, std::string_view operation) const {
+std::uint64_t Run::find_call(std::string_view service, std::string_view operation, std::uint64_t number) const {
   const OperationId id = body_->program->services.dynamic_operation(service, operation);
   if (id == kNone) return 0;
   for (const CallRecord& record : std::views::reverse(body_->state.calls[id]))
-    if (callee(*body_->program, id, record) == service) return record.number;
+    if (callee(*body_->program, id, record) == service && (number == 0 || record.number == number))
+      return record.number;
   return 0;
-}
-
-std::vector<language::ServiceTable::Operation> Run::unknown_operations() const {
-  const language::ServiceTable& table = body_->program->services;
-  std::set<std::pair<std::string, std::string>> names;
-  for (OperationId o = 0; o < body_->state.calls.size(); ++o)
-    if (table.is_open(o))
-      for (const CallRecord& record : body_->state.calls[o]) names.emplace(record.service, table.operations()[o].name);
-  std::vector<language::ServiceTable::Operation> out;
-  for (const auto& [service, name] : names) out.push_back({service, name, false});
-  return out;
 }
 
 bool Run::post_response(std::uint64_t number, bool is_error, Value data) {

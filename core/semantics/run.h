@@ -53,10 +53,8 @@ class Run {
   bool post_event(EventId event, Value data);
   /// The response to call `number` arrives: a result or an error. Returns whether it waits.
   bool post_response(std::uint64_t number, bool is_error, Value data);
-  /// The latest call of the operation that can be answered or has been; 0 if there is none.
-  std::uint64_t latest_call(std::string_view service, std::string_view operation) const;
-  /// Operations that the program does not know and code has called through svc[expr].
-  std::vector<language::ServiceTable::Operation> unknown_operations() const;
+  /// The call `number` of the operation, or its latest one for 0, if it can be answered or has been; else 0.
+  std::uint64_t find_call(std::string_view service, std::string_view operation, std::uint64_t number = 0) const;
   /// `service` is lost: every unanswered call to it gets the error `unavailable`, in order of call.
   void post_lost(std::string_view service);
   /// Whether a macro step would have an input: something waits, or the root has not been activated.

@@ -18,7 +18,10 @@ class ScriptedEnvironment {
   /// The handshake of FuncSC (4.14) with Trans1 (4.4).
   void call(const OutgoingCall& call) {
     const auto found = std::ranges::find(script_.services, call.service, [](const auto& entry) { return entry.first; });
-    if (found == script_.services.end() || !declares(found->second, call.name)) return reject(call, "unavailable");
+    if (found == script_.services.end() || !declares(found->second, call.name)) {
+      if (!script_.closed) reject(call, "unavailable");
+      return;
+    }
     const rsm::Service& service = found->second;
     if (service.is_interface()) return;  // the script answers
     rsm::Instance& instance = instances_[static_cast<std::size_t>(found - script_.services.begin())];
@@ -80,9 +83,8 @@ class ScriptedEnvironment {
 void post(Run& run, const ScriptStep& step) {
   for (const ScriptEvent& event : step.events) run.post_event(event.service, event.event, event.data);
   for (const ScriptResponse& response : step.responses) {
-    const std::uint64_t call =
-        response.call != 0 ? response.call : run.latest_call(response.service, response.operation);
-    run.post_response(call, response.is_error, response.data);
+    const std::uint64_t call = run.find_call(response.service, response.operation, response.call);
+    if (call != 0) run.post_response(call, response.is_error, response.data);
   }
 }
 

@@ -40,6 +40,7 @@ struct Script {
   std::vector<std::pair<std::string, rsm::Service>> services;  // as declared
   Dict results;                                                // "S1.op" -> result of a service with an RSM
   std::vector<ScriptStep> steps;
+  bool closed = false;  // a call to what `services` does not have waits for the script, and is not answered
 };
 
 /// Reads script.json. Violations: as the RSM codec for `services/NAME`; `type`, `missing`, `unknown_field` with paths

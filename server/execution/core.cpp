@@ -160,11 +160,7 @@ Expected<Value> Core::why_before(const std::string& port, std::size_t step, int 
 
 Expected<Core::JournalView> Core::journal() {
   return on_strand([this]() -> Expected<JournalView> {
-    return JournalView{{header_, journal_, run_.unknown_operations()},
-                       open_ ? micro_ : -1,
-                       run_.status(),
-                       run_.outcome(),
-                       run_.fault()};
+    return JournalView{{header_, journal_}, open_ ? micro_ : -1, run_.status(), run_.outcome(), run_.fault()};
   });
 }
 

@@ -3,21 +3,20 @@
 namespace race::server {
 namespace {
 
-// What a run names of services: all that its program knows, and what else it has called.
-Value services_json(const Journal& journal) {
-  language::ServiceTable table = journal.header.program->services;
-  for (const auto& operation : journal.unknown_operations) table.operation(operation.service, operation.name);
+// The services as they have described themselves to the program.
+Value services_json(const semantics::Program& program) {
+  const language::ServiceTable& table = program.services;
   Dict services;
-  for (const std::string& key : table.services()) {
+  for (const std::string& key : table.declared_services()) {
     List operations, events;
     for (const auto& operation : table.operations())
-      if (operation.service == key) {
+      if (operation.declared && operation.service == key) {
         Dict each{{"name", operation.name}};
         if (operation.safe) each.set("safe", true);
         operations.emplace_back(std::move(each));
       }
     for (const auto& event : table.events())
-      if (event.service == key) {
+      if (event.declared && event.service == key) {
         Dict each{{"name", event.name}};
         if (event.sampled) each.set("sampled", true);
         events.emplace_back(std::move(each));
@@ -58,7 +57,7 @@ Value journal_json(const Journal& journal) {
   const auto number = [](auto n) { return Value(static_cast<std::int64_t>(n)); };
   Dict json_header{{"native", header.native},
                    {"arguments", header.arguments},
-                   {"services", services_json(journal)},
+                   {"services", services_json(*header.program)},
                    {"semantics", "1"},
                    {"budgets", Dict{{"steps", number(header.budgets.evaluation.steps)},
                                     {"value_units", number(header.budgets.evaluation.value_units)},
@@ -84,8 +83,10 @@ Value script_json(const Journal& journal) {
     }
     steps.emplace_back(std::move(step));
   }
-  return Dict{
-      {"arguments", journal.header.arguments}, {"services", services_json(journal)}, {"steps", std::move(steps)}};
+  return Dict{{"arguments", journal.header.arguments},
+              {"services", services_json(program)},
+              {"closed", true},
+              {"steps", std::move(steps)}};
 }
 
 }  // namespace race::server

@@ -27,16 +27,14 @@ struct JournalEntry {
 struct Journal {
   JournalHeader header;
   std::vector<JournalEntry> entries;  // entry i is macro step i + 1
-  // Operations that the run has called under computed names and the program does not know.
-  std::vector<language::ServiceTable::Operation> unknown_operations;
 };
 
 /// schemas/input.json
 Value input_json(const semantics::Program& program, const JournalEntry& entry);
 /// schemas/journal.json
 Value journal_json(const Journal& journal);
-/// script.json: with the native model, `race derive` gives this run's derivations. Services are mere interfaces: every
-/// answer stands in the script.
+/// script.json: with the native model, `race derive` gives this run's derivations. It is closed and its services are
+/// mere interfaces: every answer stands in the script.
 Value script_json(const Journal& journal);
 
 }  // namespace race::server

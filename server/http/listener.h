@@ -18,9 +18,10 @@ class HttpServer {
  public:
   /// How long a connection may take, and how many there may be: others are closed. All greater than 0.
   struct Limits {
-    std::chrono::milliseconds arrival{30'000};  // of a header whole, the first from the connection on; then of its body
-    std::chrono::milliseconds idle{120'000};    // from an answer to the first byte of the next request
-    int connections = 512;                      // at once
+    // Of the first byte of a connection; then of the header whole; then of its body.
+    std::chrono::milliseconds arrival{30'000};
+    std::chrono::milliseconds idle{120'000};  // from an answer to the first byte of the next request
+    int connections = 512;                    // at once
   };
 
   /// Listens on 127.0.0.1:`port` (0: any free one) and serves the files of `web`, if it is not empty, beside the

@@ -104,12 +104,14 @@ class Cores(unittest.TestCase):
         self.assertEqual((ended["outcome"], ended["results"]), ("error", {"code": "unavailable"}))
         theirs = self.derive(core)
         self.assertEqual(theirs["outcome"], "error")
-        core = self.server.core(models.calling("oven", "heat", computed=True))
-        ended = self.server.ended(core)
-        self.assertEqual((ended["outcome"], ended["results"]), ("error", {"code": "unavailable"}))
-        theirs = self.derive(core)
-        ours = self.server.get(f"/cores/{core}/derivations?from=1&to={ended['step']}", "derivations")["steps"]
-        self.assertEqual((theirs["outcome"], theirs["steps"]), ("error", [strip(step) for step in ours]))
+        # Nobody of that name, a name that is empty, an operation that is called as an event is.
+        for service, operation in (("oven", "heat"), ("", "heat"), ("timer", "tick")):
+            core = self.server.core(models.calling(service, operation, computed=True))
+            ended = self.server.ended(core)
+            self.assertEqual((ended["outcome"], ended["results"]), ("error", {"code": "unavailable"}))
+            theirs = self.derive(core)
+            ours = self.server.get(f"/cores/{core}/derivations?from=1&to={ended['step']}", "derivations")["steps"]
+            self.assertEqual((theirs["outcome"], theirs["steps"]), ("error", [strip(step) for step in ours]))
         core = self.server.core(models.calling("timer", "cancel"))
         self.assertEqual(self.server.ended(core)["results"], {"code": "not_accepted"})
 

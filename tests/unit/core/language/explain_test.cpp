@@ -63,6 +63,10 @@ TEST(Explain, TreatsAtomsOfOneTextAsOne) {
   Runner r;
   EXPECT_THAT(of(r, "chi.C and (port.p or chi.C)").decisive, ElementsAre(0U, 2U));
   EXPECT_THAT(of(r, "chi.C and not chi.C").decisive, IsEmpty()) << "nothing would do";
+  EXPECT_THAT(of(r, "1 > 2").decisive, IsEmpty()) << "a constant cannot change";
+  EXPECT_THAT(of(r, "1 > 2 or chi.C").decisive, ElementsAre(1U));
+  EXPECT_THAT(of(r, "1 > 2 or chi.C and res.unset > 1").decisive, ElementsAre(1U, 2U));
+  EXPECT_THAT(of(r, "False and chi.C").decisive, IsEmpty());
 }
 
 TEST(Explain, ShowsFaultsOfAtoms) {
@@ -70,8 +74,9 @@ TEST(Explain, ShowsFaultsOfAtoms) {
   const Explanation e = of(r, "chi.C or 1 // 0");
   EXPECT_EQ(e.value, Truth::fault);
   EXPECT_EQ(e.atoms[1].value, Truth::fault);
-  EXPECT_THAT(e.decisive, ElementsAre(0U, 1U));
-  EXPECT_THAT(of(r, "1 // 0 or chi.C").decisive, ElementsAre(0U)) << "a fault comes before what would decide";
+  EXPECT_THAT(e.decisive, ElementsAre(0U));
+  EXPECT_THAT(of(r, "1 // int(chi.b) or chi.C").decisive, ElementsAre(0U)) << "a fault comes before what would decide";
+  EXPECT_THAT(of(r, "1 // 0 or chi.C").decisive, IsEmpty()) << "and this one stays";
 }
 
 }  // namespace

@@ -171,9 +171,9 @@ TEST(CondBD, KeepsTheAnswersOfUnknownServicesApart) {
   run->post_lost("x");
   run.step();
   EXPECT_EQ(run.get("variables", "R", "other"), Value(List{false, true, false}));
-  EXPECT_EQ(run->latest_call("x", "f"), 3U);
-  EXPECT_EQ(run->latest_call("y", "f"), 2U);
-  EXPECT_EQ(run->latest_call("z", "f"), 0U);
+  EXPECT_EQ(run->find_call("x", "f"), 3U);
+  EXPECT_EQ(run->find_call("y", "f"), 2U);
+  EXPECT_EQ(run->find_call("z", "f"), 0U);
 }
 
 TEST(CondBD, ReadsTheResponseToTheLatestCallOfAnyoneWhereNobodyCalls) {
