@@ -1,6 +1,7 @@
 #include "services/host.h"
 
 #include <algorithm>
+#include <atomic>
 #include <tuple>
 
 #include "core/rsm/monitor.h"
@@ -131,6 +132,7 @@ struct Host::Slot final : ServiceHost {
   std::unique_ptr<Component> component;
   std::unique_ptr<rsm::Monitor> monitor;
   ServiceStatus status;
+  std::atomic<std::uint64_t> life = 0;  // how often it was lost
 };
 
 namespace {
@@ -165,7 +167,7 @@ ServiceHost& Host::declare(std::string key, std::string type, WorkQueue& unit) {
   return *slots_.back();
 }
 
-void Host::attach(const std::string& key, std::unique_ptr<Component> component) {
+void Host::attach(const std::string& key, std::unique_ptr<Component> component, Presence presence) {
   const std::lock_guard lock(mutex_);
   Slot& slot = *find(key);
   slot.model = component->model();
@@ -173,9 +175,16 @@ void Host::attach(const std::string& key, std::unique_ptr<Component> component) 
   slot.monitor = std::make_unique<rsm::Monitor>(slot.model);
   slot.component = std::move(component);
   slot.status.model = &slot.model;
-  slot.status.available = true;
+  if (presence == Presence::here) return begin(slot);
   slot.changed();
-  for (const std::string& flow : flows_.wanted_of(key)) want(key, flow, true);
+}
+
+void Host::regain(const std::string& key) {
+  const std::lock_guard lock(mutex_);
+  Slot* slot = find(key);
+  if (!slot || slot->status.available) return;
+  observer_.logged(clock_.now(), key, "available");
+  begin(*slot);
 }
 
 Host::Slot* Host::find(const std::string& key) const {
@@ -220,29 +229,29 @@ CallId Host::call(Caller caller, const std::string& service, std::string operati
   slot->status.pending.push_back(pending);
   slot->record(slot->monitor->called(pending.id, operation, args, kwargs));
   slot->changed();
-  slot->unit.post([this, slot, call = Call{pending.id, std::move(operation), std::move(args), std::move(kwargs)}] {
-    guarded(*slot, [&](Component& component) { component.call(call); });
-  });
+  post(*slot, [call = Call{pending.id, std::move(operation), std::move(args), std::move(kwargs)}](
+                  Component& component) { component.call(call); });
   return pending.id;
 }
 
 void Host::advance(bool wait) {
   for (Reservations::Due& due : reservations_.take(clock_.now(), wait)) {
-    Slot* slot = slots_[due.service].get();
-    slot->unit.post([this, slot, answer = std::move(due.answer)] { guarded(*slot, [&](Component&) { answer(); }); });
+    const std::lock_guard lock(mutex_);
+    post(*slots_[due.service], [answer = std::move(due.answer)](Component&) { answer(); });
   }
 }
 
 void Host::step(const WorkQueue& unit) {
   for (const auto& slot : slots_)
-    if (&slot->unit == &unit && slot->component) guarded(*slot, [](Component& component) { component.step(); });
+    if (&slot->unit == &unit && slot->component)
+      guarded(*slot, slot->life, [](Component& component) { component.step(); });
 }
 
-// A component that throws is as good as dead.
-void Host::guarded(Slot& slot, const std::function<void(Component&)>& work) {
+// A component that throws is as good as dead. What was meant for one that is gone does not reach its successor.
+void Host::guarded(Slot& slot, std::uint64_t life, const std::function<void(Component&)>& work) {
   {
     const std::lock_guard lock(mutex_);
-    if (!slot.status.available) return;
+    if (!slot.status.available || slot.life != life) return;
   }
   try {
     work(*slot.component);
@@ -251,14 +260,15 @@ void Host::guarded(Slot& slot, const std::function<void(Component&)>& work) {
   }
 }
 
-void Host::lose(const std::string& key) {
-  if (Slot* slot = find(key)) lose(*slot, "unplugged");
+void Host::lose(const std::string& key, const std::string& why) {
+  if (Slot* slot = find(key)) lose(*slot, why);
 }
 
 void Host::lose(Slot& slot, const std::string& why) {
   const std::lock_guard lock(mutex_);
   if (!slot.status.available) return;
   slot.status.available = false;
+  ++slot.life;
   observer_.logged(clock_.now(), slot.status.key, "lost: " + why);
   Value unavailable = Dict{{"code", Value(name(ErrorCode::unavailable))}};
   unavailable.freeze();
@@ -286,6 +296,17 @@ void Host::unwatch(Flows::WatchId watch) {
 
 // The functions below need the host's lock.
 
+void Host::begin(Slot& slot) {
+  slot.status.available = true;
+  slot.status.last.clear();
+  slot.changed();
+  for (const std::string& flow : flows_.wanted_of(slot.status.key)) want(slot.status.key, flow, true);
+}
+
+void Host::post(Slot& slot, std::function<void(Component&)> work) {
+  slot.unit.post([this, &slot, life = slot.life.load(), work = std::move(work)] { guarded(slot, life, work); });
+}
+
 void Host::listen(Slot& slot, std::string_view key, std::string_view flow, bool on) {
   const bool before = flows_.wanted(key, flow);
   flows_.listen(slot.number, key, flow, on);
@@ -296,20 +317,19 @@ void Host::listen(Slot& slot, std::string_view key, std::string_view flow, bool 
 void Host::want(std::string_view key, const std::string& flow, bool on) {
   Slot* publisher = find(std::string(key));
   if (!publisher || !publisher->status.available) return;
-  publisher->unit.post(
-      [this, publisher, flow, on] { guarded(*publisher, [&](Component& component) { component.wanted(flow, on); }); });
+  post(*publisher, [flow, on](Component& component) { component.wanted(flow, on); });
 }
 
 void Host::publish(const Slot& slot, std::string_view flow, const PacketPtr& packet) {
   for (const std::size_t number : flows_.publish(slot.status.key, flow, packet)) {
     Slot* to = slots_[number].get();
-    to->unit.post([this, to, key = slot.status.key, flow = std::string(flow)] {
+    post(*to, [this, to, key = slot.status.key, flow = std::string(flow)](Component& component) {
       PacketPtr newest;
       {
         const std::lock_guard lock(mutex_);
         newest = flows_.take(to->number, key, flow);
       }
-      if (newest) guarded(*to, [&](Component& component) { component.packet(key, flow, newest); });
+      if (newest) component.packet(key, flow, newest);
     });
   }
 }

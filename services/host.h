@@ -96,7 +96,9 @@ class Host {
   /// Declares a service before anything is called: its key (after `svc.`), its type and the unit it lives in, which
   /// outlives the calls. The component is made with what this returns and handed to attach().
   ServiceHost& declare(std::string key, std::string type, WorkQueue& unit);
-  void attach(const std::string& key, std::unique_ptr<Component> component);
+  /// `awaited`: what does the component's work is not there yet; its service is lost until regain().
+  enum class Presence { here, awaited };
+  void attach(const std::string& key, std::unique_ptr<Component> component, Presence presence = Presence::here);
 
   /// Calls an operation. Its response reaches the observer once, now or later, with `caller`; an unknown or lost
   /// service or an unknown operation answers {"code": "unavailable"}. `args` and `kwargs` are frozen here.
@@ -108,8 +110,11 @@ class Host {
   /// step() of each component of `unit`, in order of declaration. On the unit's thread.
   void step(const WorkQueue& unit);
   /// The component is gone (died, hangs, was unplugged): its pending calls are answered `unavailable` in order of call,
-  /// and it says nothing any more.
-  void lose(const std::string& key);
+  /// and it says nothing any more. Nothing that was on its way to it reaches it, also after regain(). `why`: for the
+  /// log.
+  void lose(const std::string& key, const std::string& why = "unplugged");
+  /// What was lost is there again, in the initial state of its RSM.
+  void regain(const std::string& key);
   /// stop() of all components: units have ended, or are those of this thread. Nothing is called afterwards.
   void stop();
 
@@ -128,8 +133,10 @@ class Host {
 
   Slot* find(const std::string& key) const;
   void deliver_response(const Slot& slot, const PendingCall& call, Value value, bool is_error);
-  void guarded(Slot& slot, const std::function<void(Component&)>& work);
+  void post(Slot& slot, std::function<void(Component&)> work);
+  void guarded(Slot& slot, std::uint64_t life, const std::function<void(Component&)>& work);
   void lose(Slot& slot, const std::string& why);
+  void begin(Slot& slot);
   void listen(Slot& slot, std::string_view key, std::string_view flow, bool on);
   void publish(const Slot& slot, std::string_view flow, const PacketPtr& packet);
   void want(std::string_view key, const std::string& flow, bool on);

@@ -136,6 +136,31 @@ TEST_F(HostTest, OfACallThatALaterOneSupersedesNothingWaits) {
   EXPECT_EQ(bench.host.service("lamp")->pending[0].id, second);
 }
 
+TEST_F(HostTest, WhatIsLostCanComeBackInItsInitialState) {
+  obey();
+  bench.call("lamp", "on");
+  bench.host.lose("lamp", "burnt out");
+  bench.call("lamp", "blink");
+  EXPECT_THAT(bench.responses(), ElementsAre("lamp.on -> null", "lamp.blink !> unavailable"));
+  bench.host.regain("lamp");
+  EXPECT_TRUE(bench.host.service("lamp")->available);
+  EXPECT_EQ(bench.host.service("lamp")->state, "Dark");
+  EXPECT_EQ(bench.host.service("lamp")->last, "");
+  bench.call("lamp", "on");
+  EXPECT_EQ(bench.responses().back(), "lamp.on -> null");
+  EXPECT_THAT(bench.violations("lamp"), IsEmpty());
+  EXPECT_THAT(bench.log, testing::IsSupersetOf({"lost: burnt out", "available"}));
+}
+
+TEST_F(HostTest, WhatWasMeantForTheLostDoesNotReachItsSuccessor) {
+  bench.host.call({"1", 1}, "lamp", "on", {}, {});
+  bench.host.lose("lamp");
+  bench.host.regain("lamp");
+  bench.unit.run();
+  EXPECT_THAT(lamp.calls, IsEmpty());
+  EXPECT_THAT(bench.responses(), ElementsAre("lamp.on !> unavailable"));
+}
+
 TEST_F(HostTest, OnlySoManyViolationsAreKept) {
   for (int i = 0; i < 150; ++i) lamp.host.event("unheard_of", i);
   EXPECT_EQ(bench.violations("lamp").size(), Host::kViolationsKept);

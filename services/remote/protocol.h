@@ -1,0 +1,81 @@
+// The protocol between the server and a process of components (api/schemas/component_request.json and
+// component_message.json): what a component and its ServiceHost say to each other, as WebSocket messages. One codec for
+// both ends; what does not fit is refused at the door. Pure functions.
+//
+// A message is a JSON object with its `type`. A packet of a data flow is a binary message: the length of its JSON as
+// four bytes, the highest first, the JSON, and the packet's bytes.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/value/expected.h"
+#include "services/component.h"
+#include "services/remote/frame.h"
+
+namespace race::remote {
+
+/// Of the messages below; an end that speaks another is refused.
+inline constexpr std::int64_t kProtocol = 1;
+/// Of one message: a value of the database in its message, or a packet.
+inline constexpr std::size_t kFrameBytes = 32 * 1024 * 1024;
+/// Of keys and names.
+inline constexpr std::size_t kNameBytes = 1000;
+
+enum class Kind : std::uint8_t {
+  // to the server
+  hello,       // first: what the process brings
+  transition,  // the functions of ServiceHost
+  result,
+  error,
+  reject,
+  event,
+  log,
+  subscribe,
+  publish,  // a packet
+  pong,     // the unit's thread has got as far as the ping
+  // to the process; each says the server's time
+  welcome,  // the components are there from now on
+  refused,  // they are not, and why; the connection ends
+  call,     // the functions of Component
+  wanted,
+  packet,
+  ping,
+};
+
+/// Who reads a message.
+enum class Reader : std::uint8_t { server, process };
+
+/// Its `type`.
+std::string_view name(Kind kind);
+Reader reader_of(Kind kind);
+
+/// Any message; what its kind does not have is empty. Values are unfrozen: they belong to the thread that decoded.
+struct Message {
+  Kind kind = Kind::pong;
+  std::string key;            // of the component that speaks or is spoken to
+  std::string name;           // of the transition, operation, event or flow; the text of a log
+  std::string service;        // whose flow it is
+  services::CallId call = 0;  // 0: no call
+  std::int64_t number = 0;    // of the protocol, of a ping
+  bool on = false;            // listens, is listened to
+  services::Time time = 0;    // the server's; of a packet, its own
+  Value value;                // result, error, data of an event, header of a packet, components, errors
+  List args;
+  Dict kwargs;
+  std::vector<std::byte> bytes;  // of a packet
+};
+
+/// Errors: `too_large` (more than kFrameBytes), `constant` (NaN or an infinity).
+Expected<Frame> encode(const Message& message);
+
+/// Errors, with the field as path: `json`, `too_deep`, `too_large`, `constant` (no JSON within its limits), `type`
+/// (also: no type of a message for this reader, text where bytes are due or the other way round), `missing`,
+/// `unknown_field`, `out_of_range`.
+Expected<Message> decode(const Frame& frame, Reader reader);
+
+/// The service's packet of a message, frozen.
+services::PacketPtr packet_of(Message message);
+
+}  // namespace race::remote

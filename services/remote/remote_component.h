@@ -1,0 +1,40 @@
+// RemoteComponent: what the Host takes for a component that lives in another process. It hands calls and packets to
+// that process and says to its ServiceHost what the process announces; it knows nothing of the service itself.
+//
+// Threads: its unit's.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "services/component.h"
+#include "services/remote/frame.h"
+#include "services/remote/protocol.h"
+
+namespace race::remote {
+
+class RemoteComponent final : public services::Component {
+ public:
+  /// `model`: the RSM that the process must bring; it and the host outlive the component.
+  RemoteComponent(std::string key, const rsm::Service& model, services::ServiceHost& host);
+
+  /// What is sent goes to `process` from now on; nullptr: to nobody.
+  void connect(std::shared_ptr<FrameQueue> process) { process_ = std::move(process); }
+  /// The process has announced something. Requires a message of one of its functions of ServiceHost.
+  void announce(Message message);
+
+  const rsm::Service& model() const override { return model_; }
+  void call(const services::Call& call) override;
+  void packet(std::string_view key, std::string_view flow, const services::PacketPtr& packet) override;
+  void wanted(std::string_view flow, bool on) override;
+
+ private:
+  Expected<void> send(const Message& message, const std::string& flow = {});
+
+  const std::string key_;
+  const rsm::Service& model_;
+  services::ServiceHost& host_;
+  std::shared_ptr<FrameQueue> process_;  // held by its connection too
+};
+
+}  // namespace race::remote

@@ -1,0 +1,70 @@
+// RemoteUnit: the components of a process, and the ServiceHosts that they talk to: what they announce goes to the
+// server. The components are those of the server, and cannot tell the difference.
+//
+// Threads: one, the unit's; its queue takes work from any. A component may log and fulfil reservations on its own.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "services/clock.h"
+#include "services/component.h"
+#include "services/remote/frame.h"
+#include "services/remote/protocol.h"
+#include "services/reservations.h"
+#include "services/work_queue.h"
+
+namespace race::remote {
+
+class RemoteUnit {
+ public:
+  static constexpr services::Time kStep = 1e-3;    // [s]
+  static constexpr services::Time kApart = 50e-3;  // [s] that its clock and the server's may be apart
+
+  RemoteUnit();
+  ~RemoteUnit();
+  RemoteUnit(const RemoteUnit&) = delete;
+  RemoteUnit& operator=(const RemoteUnit&) = delete;
+
+  /// As of a Host: the component is made with what this returns.
+  services::ServiceHost& declare(std::string key, std::string type);
+  void attach(const std::string& key, std::unique_ptr<services::Component> component);
+  /// Called at the beginning of each step; what the components act in is kept with it until they are gone.
+  void before_step(std::function<void()> work) { before_step_ = std::move(work); }
+
+  /// The first message, for all that is attached.
+  Message hello() const;
+  /// What the components announce goes here from now on, and is lost before that. It outlives the unit or disconnect().
+  void connect(FrameQueue& server);
+  void disconnect();
+  /// Does what the server says. Error `not_found`: the message is for no component of this process. What a component
+  /// throws, comes through: the unit is as good as dead.
+  Expected<void> handle(Message message);
+  /// 1 ms: what was posted, what is due, then step() of all.
+  void step();
+
+  services::WorkQueue& queue() { return queue_; }
+  /// Runs by the steps, and is set forward or waits where it is more than kApart from what the server said last.
+  const services::Clock& clock() const { return clock_; }
+
+ private:
+  struct Slot;
+  friend struct Slot;
+
+  Slot* find(const std::string& key) const;
+  void set_clock(services::Time server);
+  void send(const Message& message, const std::string& flow = {});
+
+  services::WorkQueue queue_;
+  services::WorldClock clock_;
+  services::Reservations reservations_;  // outlives the components: their threads fulfil
+  std::function<void()> before_step_;
+  std::vector<std::unique_ptr<Slot>> slots_;  // in order of declaration
+  std::atomic<FrameQueue*> server_{nullptr};
+  services::Time ahead_ = 0;  // [s] of the server's clock, which this one waits for
+};
+
+}  // namespace race::remote

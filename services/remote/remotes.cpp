@@ -1,0 +1,188 @@
+#include "services/remote/remotes.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "core/rsm/document.h"
+#include "core/value/fields.h"
+
+namespace race::remote {
+
+// What the unit's thread has of a link, which may be gone by then. All but `heard` is the unit's once it is greeted.
+struct ProcessLink::Process {
+  std::atomic<bool> heard{false};                                    // a pong came since the last beat
+  std::shared_ptr<FrameQueue> out = std::make_shared<FrameQueue>();  // with the components too
+  std::map<std::string, RemoteComponent*> components;
+  std::vector<std::string> keys;  // in the order of its hello
+  std::size_t unit = 0;
+  std::string fault;  // in what it said; nothing that it says counts any more
+
+  void send(const Message& message) { out->push(encode(message).value()); }
+
+  void refuse(const Error& error) {
+    Message message;
+    message.kind = Kind::refused;
+    message.value = List{Dict{{"path", error.path}, {"code", race::name(error.code)}, {"message", error.message}}};
+    send(message);
+    out->close();
+    fault = "refused: " + to_string(error);
+  }
+
+  Expected<void> handle(const Frame& frame) {
+    ASSIGN_OR_RETURN(Message message, decode(frame, Reader::server));
+    if (message.kind == Kind::pong) {
+      heard = true;
+      return {};
+    }
+    if (message.kind == Kind::hello) return unexpected(ErrorCode::conflict, "has been said already", "hello");
+    const auto component = components.find(message.key);
+    if (component == components.end())
+      return unexpected(ErrorCode::not_found, "this process did not bring it", message.key);
+    component->second->announce(std::move(message));
+    return {};
+  }
+};
+
+ProcessLink::ProcessLink(Remotes& remotes) : remotes_(remotes), process_(std::make_shared<Process>()) {}
+
+ProcessLink::~ProcessLink() { lose("its connection has ended"); }
+
+FrameQueue& ProcessLink::out() { return *process_->out; }
+
+void ProcessLink::received(Frame frame) {
+  if (lost_) return;
+  if (!greeted_) {
+    if (auto good = greet(frame); !good) {
+      process_->refuse(good.error());
+      lost_ = true;
+    }
+    return;
+  }
+  remotes_.post(process_->unit, [process = process_, frame = std::move(frame)] {
+    if (!process->fault.empty()) return;
+    if (auto good = process->handle(frame); !good) process->refuse(good.error());
+  });
+}
+
+Expected<void> ProcessLink::greet(const Frame& frame) {
+  constexpr std::size_t kHelloBytes = 4 * 1024 * 1024;
+  if (frame.bytes.size() > kHelloBytes) return unexpected(ErrorCode::too_large, "is too long", "hello");
+  ASSIGN_OR_RETURN(const Message hello, decode(frame, Reader::server));
+  if (hello.kind != Kind::hello) return unexpected(ErrorCode::type, "the first message is `hello`", "type");
+  if (hello.number != kProtocol)
+    return unexpected(ErrorCode::version, "this server speaks protocol " + std::to_string(kProtocol), "protocol");
+  ASSIGN_OR_RETURN(const auto places, remotes_.take(hello.value));
+  process_->unit = places.front()->unit;
+  for (const Remotes::Place* place : places) {
+    process_->keys.push_back(place->service.key);
+    process_->components.emplace(place->service.key, place->component);
+  }
+  greeted_ = true;
+  process_->heard = true;
+  remotes_.post(process_->unit, [process = process_, &remotes = remotes_] {
+    Message welcome;
+    welcome.kind = Kind::welcome;
+    welcome.time = remotes.clock_.now();
+    process->send(welcome);
+    for (const auto& [key, component] : process->components) component->connect(process->out);
+    for (const std::string& key : process->keys) remotes.host_.regain(key);
+  });
+  return {};
+}
+
+void ProcessLink::beat() {
+  if (lost_) return;
+  silent_ = process_->heard.exchange(false) ? 0 : silent_ + 1;
+  if (silent_ > kBeats) return lose(greeted_ ? "it answers no more" : "it says no hello");
+  if (!greeted_) return;
+  remotes_.post(process_->unit, [process = process_, &remotes = remotes_, number = ++pings_] {
+    Message ping;
+    ping.kind = Kind::ping;
+    ping.number = number;
+    ping.time = remotes.clock_.now();
+    process->send(ping);
+  });
+}
+
+void ProcessLink::lose(const std::string& why) {
+  if (std::exchange(lost_, true)) return;
+  process_->out->close();
+  if (!greeted_) return;
+  // Who comes now is greeted after this one has gone.
+  remotes_.post(process_->unit, [process = process_, &remotes = remotes_, why] {
+    if (process->fault.empty()) process->fault = why;
+    for (const std::string& key : process->keys) {
+      remotes.host_.lose(key, process->fault);
+      process->components.at(key)->connect(nullptr);
+    }
+  });
+  remotes_.give_back(process_->keys);
+}
+
+Remotes::Remotes(services::Host& host, const services::Clock& clock, std::chrono::milliseconds heartbeat)
+    : host_(host), clock_(clock), heartbeat_(heartbeat) {}
+
+Remotes::~Remotes() { stop(); }
+
+void Remotes::add(const std::vector<RemoteService>& services) {
+  const std::lock_guard lock(mutex_);
+  units_.push_back(std::make_unique<services::WorkThread>());
+  for (const RemoteService& service : services) {
+    services::ServiceHost& host = host_.declare(service.key, service.type, *units_.back());
+    auto component = std::make_unique<RemoteComponent>(service.key, *service.model, host);
+    places_.emplace(service.key, Place{service, units_.size() - 1, component.get()});
+    host_.attach(service.key, std::move(component), services::Host::Presence::awaited);
+  }
+}
+
+void Remotes::stop() {
+  std::vector<std::unique_ptr<services::WorkThread>> ending;
+  {
+    const std::lock_guard lock(mutex_);
+    ending.swap(units_);
+  }
+}
+
+// The places of what a process brings, which are its own from now on.
+Expected<std::vector<Remotes::Place*>> Remotes::take(const Value& components) {
+  if (components.as_list().empty()) return unexpected(ErrorCode::missing, "there is no component", "components");
+  const std::lock_guard lock(mutex_);
+  std::vector<Place*> places;
+  for (const Value& json : components.as_list()) {
+    std::vector<Error> errors;
+    Fields fields(json, "components", "a component", errors, Fields::Paths::field);
+    const auto key = fields.text("key", Fields::Need::required), type = fields.text("type", Fields::Need::required);
+    const Value* model = fields.find("rsm", Fields::Need::required);
+    fields.close();
+    if (!errors.empty()) return tl::unexpected(errors.front());
+    const auto found = places_.find(*key);
+    if (found == places_.end())
+      return unexpected(ErrorCode::not_found, "no service of this key waits for a process", *key);
+    Place& place = found->second;
+    if (*type != place.service.type)
+      return unexpected(ErrorCode::type, "is of type `" + place.service.type + "` here, not `" + *type + "`", *key);
+    auto service = rsm::read_service(*model, *key);
+    if (!service) return tl::unexpected(service.error().front());
+    if (rsm::write_service(*service) != rsm::write_service(*place.service.model))
+      return unexpected(ErrorCode::conflict, "has another RSM here: another version of the program?", *key);
+    if (place.taken || std::ranges::find(places, &place) != places.end())
+      return unexpected(ErrorCode::conflict, "has a process already", *key);
+    if (!places.empty() && place.unit != places.front()->unit)
+      return unexpected(ErrorCode::conflict, "belongs into another process", *key);
+    places.push_back(&place);
+  }
+  for (Place* place : places) place->taken = true;
+  return places;
+}
+
+void Remotes::give_back(const std::vector<std::string>& keys) {
+  const std::lock_guard lock(mutex_);
+  for (const std::string& key : keys) places_.at(key).taken = false;
+}
+
+void Remotes::post(std::size_t unit, services::WorkQueue::Work work) {
+  const std::lock_guard lock(mutex_);
+  if (unit < units_.size()) units_[unit]->post(std::move(work));
+}
+
+}  // namespace race::remote

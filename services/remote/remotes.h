@@ -1,0 +1,101 @@
+// Remotes: the services of a server whose components live in other processes, and who has come for them. A service of
+// these is `unavailable` until its process is there, and again when that is lost: its connection ends, or it answers no
+// ping for the time of the heartbeat. What comes back starts in the initial state of its RSM.
+//
+// Threads: ProcessLink's functions on the sockets' thread. Each unit has a thread of its own, on which everything that
+// a process says reaches the host, in order, and what the host says leaves for the process.
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "services/host.h"
+#include "services/remote/frame.h"
+#include "services/remote/protocol.h"
+#include "services/remote/remote_component.h"
+#include "services/work_queue.h"
+
+namespace race::remote {
+
+/// A service as the server expects it of a process.
+struct RemoteService {
+  std::string key, type;
+  const rsm::Service* model = nullptr;  // outlives all
+};
+
+class Remotes;
+
+/// The server's end of one connection: what a process says, and how long it has been silent. Held by its socket.
+class ProcessLink {
+ public:
+  static constexpr int kBeats = 4;  // pings in the time of the heartbeat
+
+  explicit ProcessLink(Remotes& remotes);
+  ~ProcessLink();
+  ProcessLink(const ProcessLink&) = delete;
+  ProcessLink& operator=(const ProcessLink&) = delete;
+
+  /// What waits to be sent; the connection is to end once that is drained.
+  FrameQueue& out();
+  /// A message came. What does not fit is answered `refused`, and the process is lost.
+  void received(Frame frame);
+  /// To be called kBeats times in the time of the heartbeat: sends a ping; loses a process that has answered none of
+  /// the last kBeats.
+  void beat();
+  /// The connection has ended: the process is lost, because of `why`.
+  void lose(const std::string& why);
+  /// Whether it is lost or was refused.
+  bool lost() const { return lost_; }
+
+ private:
+  struct Process;
+
+  Expected<void> greet(const Frame& frame);
+
+  Remotes& remotes_;
+  std::shared_ptr<Process> process_;  // with work on its way to the unit
+  bool greeted_ = false, lost_ = false;
+  int silent_ = 0;  // beats since the last pong
+  std::int64_t pings_ = 0;
+};
+
+class Remotes {
+ public:
+  /// `heartbeat` > 0. Both outlive it.
+  Remotes(services::Host& host, const services::Clock& clock, std::chrono::milliseconds heartbeat);
+  ~Remotes();
+
+  /// Declares services that one process brings together. Before anything is called.
+  void add(const std::vector<RemoteService>& services);
+  /// The units end: what was said so far is still done. Links may remain and do nothing any more.
+  void stop();
+
+  std::chrono::milliseconds heartbeat() const { return heartbeat_; }
+
+ private:
+  friend class ProcessLink;
+
+  struct Place {
+    RemoteService service;
+    std::size_t unit = 0;
+    RemoteComponent* component = nullptr;  // the host's
+    bool taken = false;                    // by a process
+  };
+
+  Expected<std::vector<Place*>> take(const Value& components);
+  void give_back(const std::vector<std::string>& keys);
+  void post(std::size_t unit, services::WorkQueue::Work work);
+
+  services::Host& host_;
+  const services::Clock& clock_;
+  const std::chrono::milliseconds heartbeat_;
+  std::mutex mutex_;
+  std::map<std::string, Place> places_;                       // by key; fixed after the start but for `taken`
+  std::vector<std::unique_ptr<services::WorkThread>> units_;  // empty after stop()
+};
+
+}  // namespace race::remote

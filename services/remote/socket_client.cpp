@@ -1,0 +1,144 @@
+#include "services/remote/socket_client.h"
+
+#include <boost/asio.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/websocket.hpp>
+#include <charconv>
+#include <chrono>
+#include <thread>
+
+#include "services/remote/protocol.h"
+
+namespace race::remote {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace websocket = beast::websocket;
+using asio::ip::tcp;
+using boost::system::error_code;
+
+constexpr auto kUse = asio::as_tuple(asio::use_awaitable);
+constexpr std::chrono::seconds kHandshake(3);
+constexpr const char* kTarget = "/api/v1/components";
+
+}  // namespace
+
+Expected<Address> read_address(std::string_view url) {
+  const auto refuse = [&] {
+    return unexpected(ErrorCode::syntax, "must be of the form http://HOST:PORT, got `" + std::string(url) + "`");
+  };
+  constexpr std::string_view kScheme = "http://";
+  if (!url.starts_with(kScheme)) return refuse();
+  std::string_view rest = url.substr(kScheme.size());
+  if (rest.ends_with('/')) rest.remove_suffix(1);
+  Address address;
+  const auto colon = rest.find(':');
+  address.host = std::string(rest.substr(0, colon));
+  if (address.host.empty() || address.host.find_first_of("/?#@[] ") != std::string::npos) return refuse();
+  if (colon == std::string_view::npos) return address;
+  const std::string_view port = rest.substr(colon + 1);
+  const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), address.port);
+  if (error != std::errc() || end != port.data() + port.size() || address.port == 0) return refuse();
+  return address;
+}
+
+// Everything on the one thread of `io`, but for what wakes it.
+struct SocketClient::Socket {
+  Socket(FrameQueue& its_out, Handlers its_handlers) : out(its_out), handlers(std::move(its_handlers)) {}
+
+  // Errors of the network; of what is there if it is no server of ours.
+  asio::awaitable<Expected<void>> open(const Address& address) {
+    const std::string port = std::to_string(address.port), name = address.host + ":" + port;
+    tcp::resolver resolver(io);
+    const auto [unknown, endpoints] = co_await resolver.async_resolve(address.host, port, kUse);
+    if (unknown) co_return failure(unknown);
+    auto& lowest = beast::get_lowest_layer(stream);
+    lowest.expires_after(kHandshake);
+    const auto [absent, endpoint] = co_await lowest.async_connect(endpoints, kUse);
+    if (absent) co_return failure(absent);
+    error_code ignored;
+    lowest.socket().set_option(tcp::no_delay(true), ignored);
+    stream.read_message_max(kFrameBytes);
+    stream.auto_fragment(false);
+    websocket::response_type answer;
+    const auto [refused] = co_await stream.async_handshake(answer, name, kTarget, kUse);
+    if (refused == websocket::error::upgrade_declined)
+      co_return unexpected(ErrorCode::conflict,
+                           "answers " + std::to_string(answer.result_int()) + " where components are let in");
+    if (refused) co_return failure(refused);
+    lowest.expires_never();
+    co_return Expected<void>();
+  }
+
+  static tl::unexpected<Error> failure(error_code error) { return unexpected(ErrorCode::unavailable, error.message()); }
+
+  asio::awaitable<void> read() {
+    beast::flat_buffer buffer(kFrameBytes + 1024);
+    std::string why;
+    for (;;) {
+      const auto [error, bytes] = co_await stream.async_read(buffer, kUse);
+      if (error) {
+        why = error.message();
+        break;
+      }
+      handlers.received({beast::buffers_to_string(buffer.cdata()), stream.got_binary()});
+      buffer.consume(buffer.size());
+    }
+    over = true;
+    out.on_change({});
+    waker.cancel();
+    handlers.closed(why);
+  }
+
+  asio::awaitable<void> write() {
+    out.on_change([this] { asio::post(io, [this] { waker.cancel(); }); });
+    while (!over) {
+      while (auto frame = out.pop()) {
+        stream.binary(frame->binary);
+        const auto [error, bytes] = co_await stream.async_write(asio::buffer(frame->bytes), kUse);
+        if (error || over) co_return beast::get_lowest_layer(stream).close();
+      }
+      if (out.drained()) co_return beast::get_lowest_layer(stream).close();
+      waker.expires_at(std::chrono::steady_clock::time_point::max());
+      co_await waker.async_wait(kUse);
+    }
+  }
+
+  FrameQueue& out;
+  Handlers handlers;
+  asio::io_context io{1};
+  websocket::stream<beast::tcp_stream> stream{io};
+  asio::steady_timer waker{io};
+  bool over = false;
+  std::thread thread;
+};
+
+SocketClient::SocketClient(std::unique_ptr<Socket> socket) : socket_(std::move(socket)) {}
+
+Expected<std::unique_ptr<SocketClient>> SocketClient::connect(const Address& address, FrameQueue& out,
+                                                              Handlers handlers) {
+  auto socket = std::make_unique<Socket>(out, std::move(handlers));
+  Expected<void> opened;
+  asio::co_spawn(socket->io, socket->open(address), [&](std::exception_ptr failure, Expected<void> result) {
+    if (!failure)
+      opened = std::move(result);
+    else
+      opened = unexpected(ErrorCode::unavailable, "the connection failed");
+  });
+  socket->io.run();
+  if (!opened) return tl::unexpected(std::move(opened).error());
+  socket->io.restart();
+  asio::co_spawn(socket->io, socket->read(), asio::detached);
+  asio::co_spawn(socket->io, socket->write(), asio::detached);
+  socket->thread = std::thread([raw = socket.get()] { raw->io.run(); });
+  return std::unique_ptr<SocketClient>(new SocketClient(std::move(socket)));
+}
+
+SocketClient::~SocketClient() {
+  socket_->out.on_change({});
+  socket_->io.stop();
+  socket_->thread.join();
+}
+
+}  // namespace race::remote

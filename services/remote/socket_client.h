@@ -1,0 +1,46 @@
+// SocketClient: the process' end of the connection: one WebSocket to the server's /api/v1/components. Boost stays in
+// socket_client.cpp.
+//
+// Threads: made and destroyed on one; `received` and `closed` are called on a thread of its own.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "core/value/expected.h"
+#include "services/remote/frame.h"
+
+namespace race::remote {
+
+/// Where a server is.
+struct Address {
+  std::string host;
+  std::uint16_t port = 80;
+};
+
+/// Reads `http://HOST[:PORT]`, with or without a `/` at its end. Error `syntax`.
+Expected<Address> read_address(std::string_view url);
+
+class SocketClient {
+ public:
+  struct Handlers {
+    std::function<void(Frame)> received;
+    std::function<void(std::string why)> closed;  // once, unless the client is destroyed before
+  };
+
+  /// Connects within three seconds. Sends what `out` has until that is drained, or the connection ends; it outlives the
+  /// client. Errors: `unavailable` (nobody is there), `conflict` (who is there does not let components in).
+  static Expected<std::unique_ptr<SocketClient>> connect(const Address& address, FrameQueue& out, Handlers handlers);
+  /// Ends the connection.
+  ~SocketClient();
+
+ private:
+  struct Socket;
+  explicit SocketClient(std::unique_ptr<Socket> socket);
+  std::unique_ptr<Socket> socket_;
+};
+
+}  // namespace race::remote

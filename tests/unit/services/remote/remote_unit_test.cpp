@@ -1,0 +1,129 @@
+#include "services/remote/remote_unit.h"
+
+#include <gmock/gmock.h>
+
+#include "core/value/json.h"
+#include "tests/unit/services/remote/lamp.h"
+
+namespace race::remote {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+struct RemoteUnitTest : testing::Test {
+  RemoteUnitTest() {
+    auto made = std::make_unique<Lamp>(unit.declare("lamp", "lamp"));
+    lamp = made.get();
+    unit.attach("lamp", std::move(made));
+    unit.connect(server);
+  }
+  Message message(Kind kind, double time = 0) {
+    Message made;
+    made.kind = kind;
+    made.key = "lamp";
+    made.time = time;
+    return made;
+  }
+  void call(std::string operation, services::CallId id) {
+    Message made = message(Kind::call);
+    made.name = std::move(operation);
+    made.call = id;
+    ASSERT_TRUE(unit.handle(std::move(made)));
+  }
+  std::vector<std::string> said() {
+    std::vector<std::string> all;
+    while (auto frame = server.pop()) all.push_back(frame->bytes);
+    return all;
+  }
+  FrameQueue server;
+  RemoteUnit unit;
+  Lamp* lamp = nullptr;
+};
+
+TEST_F(RemoteUnitTest, SaysWhatItBrings) {
+  const Message hello = unit.hello();
+  EXPECT_EQ(hello.number, kProtocol);
+  const Value& lamp = hello.value.as_list().at(0);
+  EXPECT_EQ(lamp.find("key")->as_string(), "lamp");
+  EXPECT_EQ(lamp.find("rsm")->find("init")->as_string(), "Dark");
+}
+
+TEST_F(RemoteUnitTest, TellsTheServerWhatAComponentAnnounces) {
+  call("on", 5);
+  EXPECT_THAT(said(), ElementsAre(R"({"type":"transition","key":"lamp","id":"t1","call":5})",
+                                  R"({"type":"result","key":"lamp","call":5,"value":null})",
+                                  R"({"type":"event","key":"lamp","name":"lit","data":1})"));
+}
+
+TEST_F(RemoteUnitTest, SaysNothingWhileItIsNotConnected) {
+  unit.disconnect();
+  call("on", 5);
+  EXPECT_THAT(said(), IsEmpty());
+}
+
+TEST_F(RemoteUnitTest, AResultThatCannotBeSentBecomesAnError) {
+  lamp->answer = std::numeric_limits<double>::infinity();
+  call("on", 5);
+  EXPECT_THAT(said()[1], HasSubstr(R"("type":"error","key":"lamp","call":5,"error":{"code":"constant")"));
+}
+
+TEST_F(RemoteUnitTest, AnswersAPingWithItsNumber) {
+  Message ping = message(Kind::ping, 2.0);
+  ping.number = 9;
+  ASSERT_TRUE(unit.handle(ping));
+  EXPECT_THAT(said(), ElementsAre(R"({"type":"pong","number":9})"));
+}
+
+TEST_F(RemoteUnitTest, RefusesAMessageForNobody) {
+  Message made = message(Kind::wanted);
+  made.key = "heater";
+  EXPECT_EQ(unit.handle(made).error().code, ErrorCode::not_found);
+}
+
+TEST_F(RemoteUnitTest, KeepsToTheServersTime) {
+  ASSERT_TRUE(unit.handle(message(Kind::welcome, 10.0)));
+  EXPECT_DOUBLE_EQ(unit.clock().now(), 10.0);
+  unit.step();
+  EXPECT_DOUBLE_EQ(unit.clock().now(), 10.001);
+  ASSERT_TRUE(unit.handle(message(Kind::ping, 10.02)));
+  EXPECT_DOUBLE_EQ(unit.clock().now(), 10.001) << "that is near enough";
+  ASSERT_TRUE(unit.handle(message(Kind::ping, 11.0)));
+  EXPECT_DOUBLE_EQ(unit.clock().now(), 11.0);
+  ASSERT_TRUE(unit.handle(message(Kind::ping, 10.9)));
+  for (int i = 0; i < 100; ++i) unit.step();
+  EXPECT_NEAR(unit.clock().now(), 11.0, 0.0015) << "time never goes back: it waits";
+  unit.step();
+  unit.step();
+  EXPECT_GT(unit.clock().now(), 11.0015);
+}
+
+TEST_F(RemoteUnitTest, GivesAnswersThatAreDueInTheirTime) {
+  int answered = 0;
+  const auto reservation = lamp->host.reserve(0.003);
+  lamp->host.fulfil(reservation, [&] { ++answered; });
+  unit.step();
+  unit.step();
+  EXPECT_EQ(answered, 0);
+  unit.step();
+  EXPECT_EQ(answered, 1);
+}
+
+TEST_F(RemoteUnitTest, HandsPacketsOver) {
+  Message made = message(Kind::packet, 4.0);
+  made.service = "camera";
+  made.name = "images";
+  made.bytes.resize(3);
+  ASSERT_TRUE(unit.handle(std::move(made)));
+  EXPECT_THAT(lamp->packets, ElementsAre("camera.images at 4.0: 3 bytes"));
+}
+
+TEST_F(RemoteUnitTest, CutsALongLogBetweenCharacters) {
+  std::string text(kNameBytes - 1, 'x');
+  lamp->host.log(text + "é");
+  EXPECT_EQ(said().at(0), R"({"type":"log","key":"lamp","text":")" + text + "\"}");
+}
+
+}  // namespace
+}  // namespace race::remote
