@@ -4,18 +4,34 @@
 #include <cassert>
 #include <cmath>
 
+#include "services/robot/impedance.h"
+
 namespace race::robot {
 namespace {
 
 constexpr double kFollowingError = 0.03;  // rad; more means that something pushes the arm off its path
 constexpr double kArrived = 0.005;        // rad; the weight of a carried part costs up to 0.003
+constexpr double kArrivedSoftly = 0.1;    // rad, with an impedance: it may be pushed
 constexpr double kStanding = 0.02;        // rad/s
 constexpr double kPatience = 1.0;         // s that an arrival may take longer than planned
+constexpr double kSlowLasts = 0.5;        // s that a reflex slows down after its signal has ended
+constexpr double kPassOver = 0.2;         // s from one control law to the next
 
 double largest_difference(const Joints& a, const Joints& b) {
   double largest = 0;
   for (std::size_t i = 0; i < kJoints; ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
   return largest;
+}
+
+void add(Joints& sum, const Joints& more, double share = 1) {
+  for (std::size_t i = 0; i < kJoints; ++i) sum[i] += share * more[i];
+}
+
+Refusal interruption(const Incident& incident) {
+  std::string signal(name(incident.signal));
+  std::string reaction(name(incident.reflex->reaction));
+  std::string message = "interrupted by the reflex on " + signal + ": " + reaction;
+  return {std::move(signal), "", std::move(message), std::move(reaction)};
 }
 
 }  // namespace
@@ -34,102 +50,233 @@ ControlSettings lwr_settings() {
   return settings;
 }
 
-ControlUnit::ControlUnit(ArmModel arm, const ControlSettings& settings, const Joints& q)
+ControlUnit::ControlUnit(ArmModel arm, const ControlSettings& settings, const Joints& q, KeepsClear keeps_clear)
     : arm_(std::move(arm)),
       settings_(settings),
+      keeps_clear_(std::move(keeps_clear)),
       q_(q),
       torques_(arm_.gravity(q)),
       brake_(q, Joints{}, settings.braking),
       observer_(arm_, settings.observer_gain),
-      detector_(settings.contact_thresholds) {}
+      reflexes_(arm_, settings.contact_thresholds, settings.braking) {
+  reflexes_.set(behavior_.reflexes);
+}
 
-tl::expected<void, Refusal> ControlUnit::move(const MoveCommand& command) {
-  if (behavior_ != Behavior::position)
-    return tl::unexpected(Refusal{"behavior", "", "the robot moves only with the behavior 'position'"});
-  if (motion_) return tl::unexpected(Refusal{"busy", "", "the robot is moving"});
-  auto planned = plan(arm_, settings_.planner, brake_.goal(), command);
+tl::expected<void, Refusal> ControlUnit::move(const MoveCommand& command, const std::optional<Behavior>& behavior) {
+  const Operational& wanted = behavior ? behavior->operational : behavior_.operational;
+  if (wanted.mode == Mode::gravity_compensation)
+    return tl::unexpected(Refusal{"behavior", "", "the robot does not move by itself in gravity compensation"});
+  if (moving()) return tl::unexpected(Refusal{"busy", "", "the robot is moving"});
+  const bool brakes = wanted.mode != behavior_.operational.mode || activity_ == Activity::retreat;
+  const Joints start = brakes ? Braking(q_, dq_, settings_.braking).goal() : brake_.goal();
+
+  if (command.kind == MotionKind::free) {
+    auto search = begin_search(arm_, settings_.planner, keeps_clear_, start, command, settings_.seed + searches_);
+    if (!search) return tl::unexpected(search.error());
+    if (brakes) brake_and_hold();
+    if (behavior) set_behavior(*behavior);
+    ++searches_;
+    search_ = std::move(*search);
+    activity_ = Activity::plan;
+    return {};
+  }
+  auto planned = plan(arm_, settings_.planner, start, command);
   if (!planned) return tl::unexpected(planned.error());
-  motion_ = std::move(*planned);
-  motion_time_ = 0;
+  if (brakes) brake_and_hold();
+  if (behavior) set_behavior(*behavior);
+  follow(std::move(*planned));
   return {};
 }
 
+void ControlUnit::follow(Trajectory trajectory) {
+  if (behavior_.operational.speed) keep_tool_speed(arm_, *behavior_.operational.speed, trajectory);
+  path_.emplace(std::move(trajectory), settings_.braking, rate());
+  overtime_ = 0;
+  activity_ = Activity::follow;
+}
+
 void ControlUnit::stop() {
-  motion_.reset();
+  brake_and_hold();
   outcome_.reset();
-  behavior_ = Behavior::position;
+  behavior_.operational.mode = Mode::position;
+}
+
+void ControlUnit::brake_and_hold() {
+  activity_ = Activity::hold;
+  search_.reset();
+  path_.reset();
+  returning_.reset();
+  offset_.reset();
+  offset_left_ = 0;
   brake_ = Braking(q_, dq_, settings_.braking);
   brake_time_ = 0;
 }
 
-void ControlUnit::set_behavior(Behavior behavior) {
-  assert(!motion_);
-  if (behavior == behavior_) return;
+void ControlUnit::set_behavior(const Behavior& behavior) {
+  assert(!moving());
+  if (behavior.operational.mode != behavior_.operational.mode) brake_and_hold();
   behavior_ = behavior;
-  brake_ = Braking(q_, dq_, settings_.braking);
-  brake_time_ = 0;
+  reflexes_.set(behavior.reflexes);
+  offset_.reset();
+  offset_left_ = kPassOver;
 }
 
 const Joints& ControlUnit::control(const Joints& q, const Joints& dq) {
   q_ = q;
   dq_ = dq;
   observer_.update(q, dq, torques_, kPeriod);
-  if (auto contact = detector_.update(observer_.torques())) contact_ = contact;
-
-  if (behavior_ == Behavior::gravity_compensation) {
-    torques_ = arm_.gravity(q);
-    for (std::size_t i = 0; i < kJoints; ++i) torques_[i] -= settings_.damping[i] * dq[i];
-  } else {
-    const Reference reference = next_reference(q, dq);
-    Joints command;
-    const double stiffness = settings_.bandwidth * settings_.bandwidth;
-    const double damping = 2 * settings_.bandwidth;
-    for (std::size_t i = 0; i < kJoints; ++i) {
-      command[i] = reference.ddq[i] + stiffness * (reference.q[i] - q[i]) + damping * (reference.dq[i] - dq[i]);
-    }
-    torques_ = arm_.inverse_dynamics(q, dq, command);
+  for (const Incident& incident : reflexes_.update(q, dq, observer_.torques(), kPeriod)) {
+    react(incident);
+    incidents_.push_back(incident);
   }
+  if (const double slowest = reflexes_.slowest(); slowest < 1) {
+    slow_ = slowest;
+    slow_left_ = kSlowLasts;
+  } else if (slow_left_ > 0 && (slow_left_ -= kPeriod) <= 0) {
+    slow_ = 1;
+  }
+  Joints torques = law(q, dq);
+  pass_over(torques);
   for (std::size_t i = 0; i < kJoints; ++i)
-    torques_[i] = std::clamp(torques_[i], -arm_.limits().effort[i], arm_.limits().effort[i]);
+    torques_[i] = std::clamp(torques[i], -arm_.limits().effort[i], arm_.limits().effort[i]);
   return torques_;
 }
 
-Reference ControlUnit::next_reference(const Joints& q, const Joints& dq) {
-  if (!motion_ || brake_time_ < brake_.duration()) {
-    const Reference reference = brake_.at(brake_time_);
-    brake_time_ += kPeriod;
-    return reference;
+void ControlUnit::react(const Incident& incident) {
+  if (!incident.reflex || incident.reflex->reaction == Reaction::slow_down) return;
+  const Reaction reaction = incident.reflex->reaction;
+  const bool gives_way = behavior_.operational.mode == Mode::gravity_compensation;
+  if (reaction == Reaction::gravity_compensation) {
+    interrupt(interruption(incident));
+    behavior_.operational.mode = Mode::gravity_compensation;
+  } else if (reaction == Reaction::retreat && can_retreat()) {
+    if (activity_ == Activity::follow) returning_ = interruption(incident);
+    activity_ = Activity::retreat;
+    back_left_ = incident.reflex->distance;
+  } else if (activity_ != Activity::hold || gives_way) {
+    if (reaction == Reaction::retreat && activity_ == Activity::retreat) return;
+    interrupt(interruption(incident));
+    if (gives_way) behavior_.operational.mode = Mode::position;
   }
-  const Reference reference = motion_->at(motion_time_);
-  const double overtime = motion_time_ - motion_->duration();
-  motion_time_ += kPeriod;
-  if (largest_difference(reference.q, q) > kFollowingError) {
-    fail({"following_error", "", "something pushes the arm off its path"});
-  } else if (overtime >= 0) {
-    judge_arrival(overtime, q, dq);
+}
+
+void ControlUnit::interrupt(const Refusal& why) {
+  const bool told = moving();
+  const std::optional<Refusal> earlier = returning_;
+  brake_and_hold();
+  if (told) outcome_.emplace(earlier ? *earlier : why);
+}
+
+bool ControlUnit::can_retreat() const { return path_ && !path_->at_start() && activity_ != Activity::retreat; }
+
+double ControlUnit::rate() const { return override_ * slow_; }
+
+Joints ControlUnit::law(const Joints& q, const Joints& dq) {
+  const Operational& behavior = behavior_.operational;
+  Joints torques;
+  if (behavior.mode == Mode::gravity_compensation) {
+    torques = arm_.gravity(q);
+    for (std::size_t i = 0; i < kJoints; ++i) torques[i] -= settings_.damping[i] * dq[i];
+    add(torques, limit_cushions(arm_, q, dq, brake_.goal()));
+    return torques;
+  }
+  const Reference reference = next_reference(q, dq);
+  if (behavior.mode == Mode::position) return position_law(q, dq, reference);
+  torques = behavior.mode == Mode::joint_impedance ? joint_impedance(arm_, behavior, q, dq, reference)
+                                                   : cartesian_impedance(arm_, behavior, q, dq, reference);
+  add(torques, limit_cushions(arm_, q, dq, reference.q));
+  return torques;
+}
+
+Joints ControlUnit::position_law(const Joints& q, const Joints& dq, const Reference& reference) const {
+  const double stiffness = settings_.bandwidth * settings_.bandwidth;
+  const double damping = 2 * settings_.bandwidth;
+  Joints command;
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    const double goal = std::clamp(reference.q[i], arm_.limits().lower[i], arm_.limits().upper[i]);
+    command[i] = reference.ddq[i] + stiffness * (goal - q[i]) + damping * (reference.dq[i] - dq[i]);
+  }
+  return arm_.inverse_dynamics(q, dq, command);
+}
+
+void ControlUnit::pass_over(Joints& torques) {
+  if (offset_left_ <= 0) return;
+  if (!offset_) {
+    offset_ = torques_;
+    add(*offset_, torques, -1);
+  }
+  const double left = offset_left_ / kPassOver;
+  add(torques, *offset_, left * left * (3 - 2 * left));
+  offset_left_ -= kPeriod;
+}
+
+Reference ControlUnit::next_reference(const Joints& q, const Joints& dq) {
+  if (activity_ == Activity::plan) search();
+  const bool braking = brake_time_ < brake_.duration();
+  if (activity_ == Activity::follow && !braking) return follow_path(q, dq);
+  if (activity_ == Activity::retreat) return go_back(q);
+  const Reference reference = brake_.at(brake_time_);
+  brake_time_ += kPeriod;
+  return reference;
+}
+
+void ControlUnit::search() {
+  const FreePath::State state = search_->path.work(settings_.checks_per_cycle);
+  if (state == FreePath::State::searching) return;
+  if (state == FreePath::State::found) {
+    follow(search_->trajectory());
+  } else {
+    activity_ = Activity::hold;
+    outcome_.emplace(Refusal{"path", "target", "no way was found around what stands in between"});
+  }
+  search_.reset();
+}
+
+Reference ControlUnit::follow_path(const Joints& q, const Joints& dq) {
+  const Reference reference = path_->advance(rate(), kPeriod);
+  const bool stiff = behavior_.operational.mode == Mode::position;
+  if (stiff && largest_difference(reference.q, q) > kFollowingError) {
+    interrupt({"following_error", "", "something pushes the arm off its path"});
+  } else if (path_->at_end()) {
+    judge_arrival(q, dq);
   }
   return reference;
 }
 
-void ControlUnit::judge_arrival(double overtime, const Joints& q, const Joints& dq) {
-  const bool arrived = largest_difference(motion_->goal(), q) < kArrived;
+void ControlUnit::judge_arrival(const Joints& q, const Joints& dq) {
+  const bool stiff = behavior_.operational.mode == Mode::position;
+  const Joints& goal = path_->trajectory().goal();
+  const bool arrived = largest_difference(goal, q) < (stiff ? kArrived : kArrivedSoftly);
+  overtime_ += kPeriod;
   if (arrived && largest_difference(dq, Joints{}) < kStanding) {
-    brake_ = Braking(motion_->goal(), Joints{}, settings_.braking);
-    motion_.reset();
+    brake_ = Braking(goal, Joints{}, settings_.braking);
+    activity_ = Activity::hold;
     outcome_.emplace(std::nullopt);
-  } else if (overtime > kPatience) {
-    fail({"not_reached", "", "something keeps the arm from its goal"});
+  } else if (overtime_ > kPatience) {
+    interrupt({"not_reached", "", "something keeps the arm from its goal"});
   }
 }
 
-void ControlUnit::fail(Refusal refusal) {
-  stop();
-  outcome_.emplace(std::move(refusal));
+Reference ControlUnit::go_back(const Joints& q) {
+  const Joints braking_way = path_->stopping_way();
+  const double stopping = tool_way(arm_, q, braking_way);
+  const Reference reference = path_->advance(back_left_ > stopping ? -1 : 0, kPeriod);
+  Joints step = reference.dq;
+  for (double& part : step) part *= kPeriod;
+  back_left_ -= path_->backwards() ? tool_way(arm_, q, step) : 0;
+  if (largest_difference(reference.q, q) > 2 * kFollowingError) {  // pushed from behind, too
+    interrupt({"following_error", "", "something pushes the arm off its path"});
+  } else if (path_->at_start() || (path_->standing() && back_left_ <= stopping)) {
+    brake_ = Braking(reference.q, Joints{}, settings_.braking);
+    activity_ = Activity::hold;
+    if (auto why = std::exchange(returning_, std::nullopt)) outcome_.emplace(std::move(*why));
+  }
+  return reference;
 }
 
 std::optional<std::optional<Refusal>> ControlUnit::take_outcome() { return std::exchange(outcome_, std::nullopt); }
 
-std::optional<Contact> ControlUnit::take_contact() { return std::exchange(contact_, std::nullopt); }
+std::vector<Incident> ControlUnit::take_incidents() { return std::exchange(incidents_, {}); }
 
 RobotState ControlUnit::state() const {
   const Joints& tau_ext = observer_.torques();

@@ -1,22 +1,24 @@
-// ControlUnit: what runs in the robot's controller at 1 kHz: follows trajectories by computed torque, brakes,
-// compensates gravity, observes external forces. It knows torques, positions and speeds of joints; no world, no RACE.
+// ControlUnit: what runs in the robot's controller at 1 kHz (thesis 2.5): follows paths by one of four control laws,
+// observes external forces, and reacts by reflex before anybody is asked. It knows torques, positions and speeds of
+// joints and where the arm keeps clear; no world, no RACE.
 //
 // Threads: one, its unit's.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <vector>
 
 #include "services/robot/arm_model.h"
+#include "services/robot/behavior.h"
+#include "services/robot/free_path.h"
 #include "services/robot/observer.h"
+#include "services/robot/path_follower.h"
 #include "services/robot/planner.h"
+#include "services/robot/reflexes.h"
 #include "services/robot/trajectory.h"
 
 namespace race::robot {
-
-enum class Behavior {
-  position,              // follows its reference stiffly
-  gravity_compensation,  // carries its own weight and can be led by hand
-};
 
 struct ControlSettings {
   PlannerSettings planner;
@@ -25,6 +27,8 @@ struct ControlSettings {
   Joints damping{};             // Nms/rad, in gravity compensation
   double bandwidth = 60;        // rad/s, of the position controller (critically damped)
   double observer_gain = 50;    // 1/s
+  int checks_per_cycle = 10;    // of clearance, about, while a free path is searched
+  unsigned seed = 1;            // of the search for free paths
 };
 
 /// The settings of the demonstrator's LWR; their reasons stand in README.md.
@@ -44,52 +48,84 @@ class ControlUnit {
   /// Seconds between two calls of control().
   static constexpr double kPeriod = 0.001;
 
-  /// Starts holding position at `q`.
-  ControlUnit(ArmModel arm, const ControlSettings& settings, const Joints& q);
+  /// Starts holding position at `q` with the usual behavior. Without `keeps_clear` no free path is planned.
+  ControlUnit(ArmModel arm, const ControlSettings& settings, const Joints& q, KeepsClear keeps_clear = {});
   ControlUnit(const ControlUnit&) = delete;
   ControlUnit& operator=(const ControlUnit&) = delete;
 
-  /// Begins a motion from where the arm holds, or will hold when it has braked. Refusals: those of plan(), and
-  /// `behavior` if it is not in position control, `busy` if it is moving. Nothing moves after a refusal.
-  tl::expected<void, Refusal> move(const MoveCommand& command);
+  /// Begins a motion from where the arm holds, or will hold when it has braked; `behavior` acts from then on, else the
+  /// present one. Refusals: those of plan(), `behavior` in gravity compensation, `busy` if it is moving. Nothing
+  /// changes after a refusal. A free path is searched during the next cycles; its failure is an outcome.
+  tl::expected<void, Refusal> move(const MoveCommand& command, const std::optional<Behavior>& behavior = {});
 
-  /// Brakes with the largest deceleration and holds, whatever it did. A motion is forgotten, without an outcome.
+  /// Brakes with the largest deceleration and holds position, whatever it did. A motion is forgotten, without an
+  /// outcome. Reflexes stay.
   void stop();
 
-  /// Changes the behavior; from gravity compensation it first brakes, then holds. Requires that it is not moving.
-  void set_behavior(Behavior behavior);
-  Behavior behavior() const { return behavior_; }
+  /// Changes the behavior: brakes if it moves by hand, then holds where it is, or gives way. Torques pass over
+  /// gradually. Requires that it is not moving.
+  void set_behavior(const Behavior& behavior);
+  const Behavior& behavior() const { return behavior_; }
 
-  /// One control cycle: takes the measured state, gives the torques for the next kPeriod.
+  /// Scales the speed of all motions, the present one too: 1 as planned, 0 pauses on the path. Requires 0..1.
+  void set_override(double share) { override_ = share; }
+
+  /// One control cycle: takes the measured state, reacts, gives the torques for the next kPeriod.
   const Joints& control(const Joints& q, const Joints& dq);
 
   /// How a motion ended, once: no value in it means reached. Codes: `following_error` (pushed off its path; it then
-  /// brakes and holds), `not_reached` (something keeps it from its goal).
+  /// brakes and holds), `not_reached` (something keeps it from its goal), `path` (no free path), or the signal of the
+  /// reflex that interrupted it.
   std::optional<std::optional<Refusal>> take_outcome();
-  /// A contact that began, once.
-  std::optional<Contact> take_contact();
+  /// What began since they were taken last, in order.
+  std::vector<Incident> take_incidents();
 
-  bool moving() const { return motion_.has_value(); }
+  /// Whether a motion has no outcome yet.
+  bool moving() const { return activity_ == Activity::plan || activity_ == Activity::follow || returning_; }
   RobotState state() const;
   const ArmModel& arm() const { return arm_; }
 
  private:
+  /// hold: brakes, then stands (or, in gravity compensation, gives way); plan: holds, and searches a free path.
+  enum class Activity { hold, plan, follow, retreat };
+
+  void react(const Incident& incident);
+  void interrupt(const Refusal& why);
+  void brake_and_hold();
+  bool can_retreat() const;
+  void search();
+  void follow(Trajectory trajectory);
   Reference next_reference(const Joints& q, const Joints& dq);
-  void judge_arrival(double overtime, const Joints& q, const Joints& dq);
-  void fail(Refusal refusal);
+  Reference follow_path(const Joints& q, const Joints& dq);
+  Reference go_back(const Joints& q);
+  void judge_arrival(const Joints& q, const Joints& dq);
+  double rate() const;
+  Joints law(const Joints& q, const Joints& dq);
+  Joints position_law(const Joints& q, const Joints& dq, const Reference& reference) const;
+  void pass_over(Joints& torques);
 
   ArmModel arm_;
   ControlSettings settings_;
-  Behavior behavior_ = Behavior::position;
+  KeepsClear keeps_clear_;
+  Behavior behavior_ = usual_behavior(Mode::position);
   Joints q_{}, dq_{}, torques_{};
+  Activity activity_ = Activity::hold;
   Braking brake_;                     // also the hold: a brake that has come to its end
   double brake_time_ = 0;             // s since braking began
-  std::optional<Trajectory> motion_;  // starts when the brake has come to its end
-  double motion_time_ = 0;
+  std::optional<FreeSearch> search_;  // plan
+  std::optional<PathFollower> path_;  // follow, retreat; in hold: the path at whose end it stands, if it does
+  double overtime_ = 0;               // s since the path's end
+  double override_ = 1;
+  double slow_ = 1, slow_left_ = 0;   // of the reflexes: share of the speed, s that it still lasts
+  double back_left_ = 0;              // m of the tool still to go back
+  std::optional<Refusal> returning_;  // why the motion that goes back was interrupted
   std::optional<std::optional<Refusal>> outcome_;
   MomentumObserver observer_;
-  ContactDetector detector_;
-  std::optional<Contact> contact_;
+  Reflexes reflexes_;
+  std::vector<Incident> incidents_;
+  std::optional<Joints> offset_;  // torques at a change of behavior, less those of the new law
+  double offset_left_ = 0;        // s
+  unsigned searches_ = 0;
 };
 
 }  // namespace race::robot

@@ -90,14 +90,19 @@ std::optional<Joints> solve_ik_from(const ArmModel& arm, const Pose& target, con
   return std::nullopt;
 }
 
-std::optional<Joints> solve_ik(const ArmModel& arm, const Pose& target, const Joints& current,
-                               const IkOptions& options) {
-  if (auto found = solve_ik_from(arm, target, current, options)) return found;
+std::optional<Joints> solve_ik(const ArmModel& arm, const Pose& target, const Joints& current, const IkOptions& options,
+                               const std::function<bool(const Joints&)>& accept) {
+  const auto from = [&](const Joints& seed) {
+    auto found = solve_ik_from(arm, target, seed, options);
+    if (found && accept && !accept(*found)) found.reset();
+    return found;
+  };
+  if (auto found = from(current)) return found;
   Joints turned = options.preferred;
   turned[0] = std::atan2(target.position[1] - arm.shoulder()[1], target.position[0] - arm.shoulder()[0]);
-  if (auto found = solve_ik_from(arm, target, turned, options)) return found;
+  if (auto found = from(turned)) return found;
   for (int n = 1; n <= kSpreadSeeds; ++n) {
-    if (auto found = solve_ik_from(arm, target, spread_seed(arm.limits(), n), options)) return found;
+    if (auto found = from(spread_seed(arm.limits(), n))) return found;
   }
   return std::nullopt;
 }

@@ -1,6 +1,7 @@
 // Inverse kinematics: joint positions for a pose of the tool centre point, within the joint limits.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "services/robot/arm_model.h"
@@ -22,8 +23,8 @@ std::optional<Joints> solve_ik_from(const ArmModel& arm, const Pose& target, con
 
 /// From `current` first, so that near targets are reached in the present configuration, then from the preferred posture
 /// turned towards the target, then from a fixed sequence of seeds spread over the joint ranges. The same arguments give
-/// the same answer.
-std::optional<Joints> solve_ik(const ArmModel& arm, const Pose& target, const Joints& current,
-                               const IkOptions& options);
+/// the same answer: the first that `accept`, if given, takes.
+std::optional<Joints> solve_ik(const ArmModel& arm, const Pose& target, const Joints& current, const IkOptions& options,
+                               const std::function<bool(const Joints&)>& accept = {});
 
 }  // namespace race::robot

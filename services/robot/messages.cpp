@@ -3,6 +3,8 @@
 #include <cmath>
 #include <span>
 
+#include "services/robot/behavior_value.h"
+
 namespace race::robot {
 namespace {
 
@@ -54,17 +56,27 @@ Value list(std::span<const double> numbers) {
 
 }  // namespace
 
-tl::expected<MoveCommand, Refusal> read_move(const Dict& arguments) {
+tl::expected<Action, Refusal> read_move(const Dict& arguments) {
   const auto target = read_target(*arguments.find("target"));
   if (!target) return tl::unexpected(target.error());
-  MoveCommand command{.target = *target};
-  const bool relative = std::holds_alternative<Offset>(*target);
+  Action action{{.target = *target}, std::nullopt};
+  MoveCommand& command = action.command;
   const Value* kind = arguments.find("kind");
-  const bool linear = kind && kind->is_string() ? kind->as_string() == "lin" : relative;
-  command.kind = linear ? MotionKind::linear : MotionKind::point_to_point;
+  if (kind && kind->is_string()) {
+    command.kind = kind->as_string() == "lin"    ? MotionKind::linear
+                   : kind->as_string() == "free" ? MotionKind::free
+                                                 : MotionKind::point_to_point;
+  } else if (std::holds_alternative<Offset>(*target)) {
+    command.kind = MotionKind::linear;
+  }
   command.speed = arguments.find("speed")->to_double();
   command.acceleration = arguments.find("acceleration")->to_double();
-  return command;
+  if (const Value* value = arguments.find("behavior"); value && !value->is_null()) {
+    auto behavior = read_behavior(*value);
+    if (!behavior) return tl::unexpected(behavior.error());
+    action.behavior = std::move(*behavior);
+  }
+  return action;
 }
 
 Value to_value(const Pose& pose) {
@@ -83,17 +95,33 @@ Value to_value(const RobotState& state) {
               {"tau_ext_hat", list(state.tau_ext)}};
 }
 
-Value contact_value(const Contact& contact, const ControlUnit& unit) {
-  const Wrench wrench = wrench_at_tool(unit.arm(), unit.state().q, contact.torques);
-  return Dict{{"link", Value(unit.arm().links()[contact.joint])},
-              {"f_ext_hat", list(wrench.force)},
-              {"m_ext_hat", list(wrench.torque)},
-              {"tau_ext_hat", list(contact.torques)}};
+Value to_value(const Incident& incident, const ControlUnit& unit) {
+  const RobotState state = unit.state();
+  Dict data{{"reaction", Value(incident.reflex ? name(incident.reflex->reaction) : "none")}};
+  const bool touch = incident.signal == Signal::contact || incident.signal == Signal::collision;
+  if (touch) {
+    const Contact& contact = incident.contact;
+    data.set("link", Value(unit.arm().links()[contact.joint]));
+    data.set("severity", Value(name(contact.severity)));
+    data.set("classification", Value(contact.accidental ? "accidental" : "intended"));
+  }
+  if (touch || incident.signal == Signal::force_limit) {
+    data.set("f_ext_hat", list(state.external.force));
+    data.set("m_ext_hat", list(state.external.torque));
+    data.set("tau_ext_hat", list(state.tau_ext));
+  } else if (incident.signal == Signal::virtual_wall) {
+    data.set("pose", to_value(state.pose));
+  } else {
+    data.set("joint", Value(static_cast<int>(incident.joint) + 1));
+    data.set("q", list(state.q));
+  }
+  return data;
 }
 
 Value to_value(const Refusal& refusal) {
   Dict error{{"code", Value(refusal.code)}, {"message", Value(refusal.message)}};
   if (!refusal.argument.empty()) error.set("argument", Value(refusal.argument));
+  if (!refusal.reaction.empty()) error.set("reaction", Value(refusal.reaction));
   return error;
 }
 

@@ -6,17 +6,23 @@
 
 namespace race::robot {
 
-/// A command from the bound arguments of `move`. Refusals: `type` (no target of any kind, or of several),
-/// `out_of_range` (a number that is not finite).
-tl::expected<MoveCommand, Refusal> read_move(const Dict& arguments);
+struct Action {
+  MoveCommand command;
+  std::optional<Behavior> behavior;
+};
+
+/// Command and behavior from the bound arguments of `move`. Refusals: `type` (no target of any kind, or of several),
+/// `out_of_range` (a number that is not finite), those of read_behavior().
+tl::expected<Action, Refusal> read_move(const Dict& arguments);
 
 Value to_value(const Pose& pose);
 Value to_value(const Joints& joints);
 /// Data of the event `robot_state`.
 Value to_value(const RobotState& state);
-/// Data of the event `contact`.
-Value contact_value(const Contact& contact, const ControlUnit& unit);
-/// An error response: `code`, `message` and, if one is to blame, `argument`.
+/// Data of the event of an incident, which has its signal's name.
+Value to_value(const Incident& incident, const ControlUnit& unit);
+/// An error response: `code`, `message` and, where there is one, `argument`
+/// and `reaction`.
 Value to_value(const Refusal& refusal);
 
 }  // namespace race::robot

@@ -7,7 +7,6 @@ namespace race::robot {
 namespace {
 
 constexpr double kDamping = 1e-3;  // of the least squares; biases by less than 1 % away from singular postures
-constexpr double kFelt = 0.25;     // share of its threshold from which on a joint counts as feeling the contact
 
 Joints times(const MassMatrix& matrix, const Joints& vector) {
   Joints product{};
@@ -46,23 +45,6 @@ Wrench wrench_at_tool(const ArmModel& arm, const Joints& q, const Joints& torque
       jacobian * jacobian.transpose() + kDamping * kDamping * Eigen::Matrix<double, 6, 6>::Identity();
   const Eigen::Matrix<double, 6, 1> wrench = gram.ldlt().solve(jacobian * tau);
   return {{wrench(0), wrench(1), wrench(2)}, {wrench(3), wrench(4), wrench(5)}};
-}
-
-std::optional<Contact> ContactDetector::update(const Joints& external_torques) {
-  double worst = 0;
-  Contact contact{0, external_torques};
-  for (std::size_t i = 0; i < kJoints; ++i) {
-    const double share = std::abs(external_torques[i]) / thresholds_[i];
-    worst = std::max(worst, share);
-    if (share > kFelt) contact.joint = i;
-  }
-  if (touching_) {
-    touching_ = worst >= kRearm;
-    return std::nullopt;
-  }
-  touching_ = worst > 1;
-  if (!touching_) return std::nullopt;
-  return contact;
 }
 
 }  // namespace race::robot

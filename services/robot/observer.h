@@ -1,4 +1,4 @@
-// External torques and forces from the generalised momentum, and the detection of contacts from them.
+// External torques and forces from the generalised momentum.
 // After A. De Luca, R. Mattone, "Actuator failure detection and isolation using generalized momenta", ICRA 2003, and
 // S. Haddadin, A. De Luca, A. Albu-Schäffer, "Robot collisions: a survey on detection, isolation, and identification",
 // IEEE T-RO 33(6), 2017.
@@ -42,25 +42,5 @@ struct Wrench {
 
 /// The wrench at the tool that explains `torques` best, least squares, damped near singular postures.
 Wrench wrench_at_tool(const ArmModel& arm, const Joints& q, const Joints& torques);
-
-struct Contact {
-  std::size_t joint = 0;  // the outermost joint that feels it: the contact is on its link or farther out
-  Joints torques{};       // Nm
-};
-
-/// Says once that a contact begins: when an external torque passes its joint's threshold. It is armed again when all
-/// of them have fallen below kRearm of it.
-class ContactDetector {
- public:
-  explicit ContactDetector(const Joints& thresholds) : thresholds_(thresholds) {}
-  std::optional<Contact> update(const Joints& external_torques);
-  bool touching() const { return touching_; }
-  const Joints& thresholds() const { return thresholds_; }
-
- private:
-  static constexpr double kRearm = 0.6;
-  Joints thresholds_;
-  bool touching_ = false;
-};
 
 }  // namespace race::robot

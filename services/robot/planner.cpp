@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdio>
 
@@ -91,15 +92,22 @@ Refusal unreachable(const ArmModel& arm, const Pose& target) {
   return {"unreachable", "target", "no joint positions within the limits reach this pose"};
 }
 
+using Accept = std::function<bool(const Joints&)>;
+
+/// `accept` is shown every posture that is found for the target.
 tl::expected<Joints, Refusal> goal_of(const ArmModel& arm, const PlannerSettings& settings, const Joints& start,
-                                      const Target& target) {
-  if (const auto* joints = std::get_if<Joints>(&target)) return checked_joints(arm, *joints);
+                                      const Target& target, const Accept& accept = {}) {
+  if (const auto* joints = std::get_if<Joints>(&target)) {
+    auto checked = checked_joints(arm, *joints);
+    if (checked && accept) accept(*checked);
+    return checked;
+  }
   const auto pose = target_pose(arm, start, target);
   if (!pose) return tl::unexpected(pose.error());
   IkOptions options;
   options.preferred = settings.preferred;
   const bool near = beyond_reach(arm, *pose) <= 0;
-  if (const auto goal = near ? solve_ik(arm, *pose, start, options) : std::nullopt) return *goal;
+  if (const auto goal = near ? solve_ik(arm, *pose, start, options, accept) : std::nullopt) return *goal;
   return tl::unexpected(unreachable(arm, *pose));
 }
 
@@ -145,9 +153,8 @@ Planned plan_linear(const ArmModel& arm, const PlannerSettings& settings, const 
   return Trajectory(std::move(waypoints), limits, tool);
 }
 
-}  // namespace
-
-Planned plan(const ArmModel& arm, const PlannerSettings& settings, const Joints& start, const MoveCommand& command) {
+tl::expected<MotionLimits, Refusal> limits_of(const ArmModel& arm, const PlannerSettings& settings,
+                                              const MoveCommand& command) {
   if (auto checked = check_share(command.speed, "speed"); !checked) return tl::unexpected(checked.error());
   if (auto checked = check_share(command.acceleration, "acceleration"); !checked)
     return tl::unexpected(checked.error());
@@ -156,10 +163,76 @@ Planned plan(const ArmModel& arm, const PlannerSettings& settings, const Joints&
     limits.velocity[i] = command.speed * arm.limits().velocity[i];
     limits.acceleration[i] = command.acceleration * settings.acceleration[i];
   }
-  if (command.kind == MotionKind::linear) return plan_linear(arm, settings, start, command, limits);
+  return limits;
+}
+
+/// The largest of a few distances, at most FreeSearch::kMargin, that the arm keeps at `q`; nothing if it touches.
+double kept_margin(const KeepsClear& keeps_clear, const Joints& q) {
+  for (const double share : {1.0, 0.5, 0.25, 0.1}) {
+    if (keeps_clear(q, share * FreeSearch::kMargin)) return share * FreeSearch::kMargin;
+  }
+  return 0;
+}
+
+}  // namespace
+
+Planned plan(const ArmModel& arm, const PlannerSettings& settings, const Joints& start, const MoveCommand& command) {
+  assert(command.kind != MotionKind::free);
+  const auto limits = limits_of(arm, settings, command);
+  if (!limits) return tl::unexpected(limits.error());
+  if (command.kind == MotionKind::linear) return plan_linear(arm, settings, start, command, *limits);
   const auto goal = goal_of(arm, settings, start, command.target);
   if (!goal) return tl::unexpected(goal.error());
-  return Trajectory({start, *goal}, limits);
+  return Trajectory({start, *goal}, *limits);
+}
+
+tl::expected<FreeSearch, Refusal> begin_search(const ArmModel& arm, const PlannerSettings& settings,
+                                               const KeepsClear& keeps_clear, const Joints& start,
+                                               const MoveCommand& command, unsigned seed) {
+  const auto limits = limits_of(arm, settings, command);
+  if (!limits) return tl::unexpected(limits.error());
+  if (!keeps_clear) return refuse("path", "kind", "nothing is known of what stands around the arm");
+  const double at_start = kept_margin(keeps_clear, start);
+  if (at_start == 0) return refuse("path", "", "the arm touches something where it stands");
+
+  // Of the postures for the target the first that keeps the whole distance, else the one that keeps most.
+  double at_goal = 0;
+  Joints best{};
+  bool reachable = false;
+  const auto keeps_all = [&](const Joints& q) {
+    reachable = true;
+    const double kept = kept_margin(keeps_clear, q);
+    if (kept > at_goal) {
+      at_goal = kept;
+      best = q;
+    }
+    return kept == FreeSearch::kMargin;
+  };
+  const auto goal = goal_of(arm, settings, start, command.target, keeps_all);
+  if (!goal && !reachable) return tl::unexpected(goal.error());
+  const double margin = std::min(at_start, at_goal);
+  if (margin == 0) return refuse("path", "target", "the arm would touch something at the target");
+  const Allowed allowed = [keeps_clear, margin](const Joints& q) { return keeps_clear(q, margin); };
+  return FreeSearch{FreePath(arm.limits(), allowed, start, best, seed), *limits};
+}
+
+double tool_way(const ArmModel& arm, const Joints& q, const Joints& way) {
+  const Jacobian jacobian = arm.jacobian(q);
+  Vec3 moved{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < kJoints; ++i) moved[axis] += jacobian[axis][i] * way[i];
+  }
+  return std::hypot(moved[0], moved[1], moved[2]);
+}
+
+void keep_tool_speed(const ArmModel& arm, double speed, Trajectory& trajectory) {
+  constexpr int kPlaces = 200;
+  double fastest = 0;
+  for (int place = 0; place <= kPlaces; ++place) {
+    const Reference reference = trajectory.at(trajectory.duration() * place / kPlaces);
+    fastest = std::max(fastest, tool_way(arm, reference.q, reference.dq));
+  }
+  if (fastest > speed) trajectory.stretch(fastest / speed);
 }
 
 }  // namespace race::robot

@@ -6,6 +6,7 @@
 
 #include "services/component.h"
 #include "services/robot/control_unit.h"
+#include "services/world/clearance.h"
 #include "services/world/world.h"
 
 namespace race::robot {
@@ -15,23 +16,28 @@ const rsm::Service& model();
 
 class Robot final : public services::Component {
  public:
-  /// Drives the arm of `world`. Both outlive the component. Error `type`: the world's robot is no such arm.
-  static Expected<std::unique_ptr<Robot>> create(services::ServiceHost& host, world::World& world);
+  /// Drives the arm of `world`. Both outlive the component. `seed` is that of the search for free paths. Error `type`:
+  /// the world's robot is no such arm.
+  static Expected<std::unique_ptr<Robot>> create(services::ServiceHost& host, world::World& world, unsigned seed = 1);
 
   const rsm::Service& model() const override { return robot::model(); }
   void call(const services::Call& call) override;
   void step() override;
 
  private:
-  Robot(services::ServiceHost& host, world::World& world, ArmModel arm);
+  Robot(services::ServiceHost& host, world::World& world, ArmModel arm, unsigned seed);
 
   void move(const services::Call& call);
   void stop(const services::Call& call);
   void change_behavior(const services::Call& call);
+  void speed_override(const services::Call& call);
+  void record_pose(const services::Call& call);
+  Value place() const;
   void finish_move(const std::optional<Refusal>& failure);
 
   services::ServiceHost& host_;
   world::World& world_;
+  world::Clearance clearance_;
   ControlUnit unit_;
   services::CallId moving_ = 0;  // the move that waits for its end; 0: none
 };

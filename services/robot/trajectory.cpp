@@ -8,7 +8,9 @@ namespace race::robot {
 namespace {
 
 constexpr double kShortest = 0.02;  // s; also a motion to where the arm already stands
-constexpr int kChecks = 400;        // places of the time law where the limits are checked
+// s; less than a control cycle is a stand: its deceleration would be commanded for longer than it takes.
+constexpr double kShortestBraking = 0.001;
+constexpr int kChecks = 400;  // places of the time law where the limits are checked
 // Peaks of the quintic's first and second derivative with respect to u.
 constexpr double kPeakVelocity = 1.875;
 const double kPeakAcceleration = 10.0 / std::sqrt(3.0);
@@ -98,6 +100,9 @@ Reference Trajectory::at(double t) const {
 
 Braking::Braking(const Joints& q, const Joints& dq, const Joints& acceleration) : q_(q), dq_(dq) {
   for (std::size_t i = 0; i < kJoints; ++i) duration_ = std::max(duration_, std::abs(dq[i]) / acceleration[i]);
+  if (duration_ >= kShortestBraking) return;
+  duration_ = 0;
+  dq_ = {};
 }
 
 Reference Braking::at(double t) const {

@@ -36,6 +36,8 @@ class Trajectory {
   Trajectory(std::vector<Joints> waypoints, const MotionLimits& limits, const std::vector<ToolLimits>& tool = {});
 
   double duration() const { return duration_; }
+  /// Takes `factor` times as long. Requires at least 1.
+  void stretch(double factor) { duration_ *= factor; }
   /// Before 0 it stands at the first waypoint, after duration() at the last.
   Reference at(double t) const;
   const Joints& goal() const { return waypoints_.back(); }

@@ -104,6 +104,9 @@ TEST_F(RobotService, RefusesWrongArgumentsWithTheirNameAndNeverMoves) {
       {R"({"target": {"offset": [0, 0, 0.1]}, "speed": 0})", "out_of_range", "speed"},
       {R"({"target": {"offset": [0, 0, 0.1]}, "speed": 1.5})", "out_of_range", "speed"},
       {R"({"target": {"offset": [0, 0, 0.1]}, "acceleration": "fast"})", "type", "acceleration"},
+      {R"([{"offset": [0, 0, 0.1]}, {"operational": {"mode": "dance"}}])", "type", "behavior"},
+      {R"([{"offset": [0, 0, 0.1]}, {"operational": {"mode": "joint_impedance", "damping": -1}}])", "out_of_range",
+       "behavior"},
   };
   const Joints before = world->q();
   for (const Wrong& wrong : cases) {
@@ -180,6 +183,63 @@ TEST_F(RobotService, TellsAContactWithForceAndLink) {
   ASSERT_EQ(host.counts["contact"], 1);
   EXPECT_GT(host.events["contact"].find("f_ext_hat")->as_list()[1].to_double(), 5);
   EXPECT_EQ(host.events["contact"].find("link")->as_string().substr(0, 5), "link_");
+}
+
+TEST_F(RobotService, TellsACollisionAfterItReactedAndAnswersTheMoveWithIt) {
+  const CallId id = call("move", R"([{"offset": [0, 0.3, 0]}, {"operational": {"mode": "position"},
+      "reflexes": [{"signal": "collision", "reaction": "gravity_compensation"}]}])");
+  run(0.5);
+  ASSERT_FALSE(host.answered(id));
+  for (int i = 0; i < 100 && !host.answered(id); ++i) {
+    world->push("gripper", {0, -60, 0}, world->pose("tcp").position);
+    run(0.001);
+  }
+  EXPECT_EQ(host.code(id), "collision") << to_json(host.errors[id]);
+  EXPECT_EQ(host.errors[id].find("reaction")->as_string(), "gravity_compensation");
+  ASSERT_EQ(host.counts["collision"], 1);
+  const Value& event = host.events["collision"];
+  EXPECT_EQ(event.find("reaction")->as_string(), "gravity_compensation");
+  EXPECT_EQ(event.find("classification")->as_string(), "accidental");
+  EXPECT_EQ(event.find("tau_ext_hat")->as_list().size(), 7U);
+  EXPECT_EQ(host.state(), "Idle");
+}
+
+TEST_F(RobotService, RecordsPosesWhileItIsLedByHand) {
+  EXPECT_EQ(host.code(call("record_pose")), "behavior");
+  call("change_behavior", R"([{"operational": {"mode": "gravity_compensation"}}])");
+  for (int i = 0; i < 500; ++i) {
+    world->push("gripper", {0, 15, 0}, world->pose("tcp").position);
+    run(0.001);
+  }
+  const CallId id = call("record_pose");
+  ASSERT_TRUE(host.results.contains(id));
+  const Value* position = host.results[id].find("pose")->find("position");
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_NEAR(position->as_list()[i].to_double(), world->pose("tcp").position[i], 1e-6);
+  EXPECT_EQ(host.results[id].find("q")->as_list()[0].to_double(), world->q()[0]);
+}
+
+TEST_F(RobotService, ScalesItsSpeedAlsoWhileItMoves) {
+  EXPECT_EQ(host.code(call("speed_override", "[1.2]")), "out_of_range");
+  const CallId move = call("move", kDownPose);
+  run(0.3);
+  EXPECT_TRUE(host.results.contains(call("speed_override", "[0]")));
+  run(0.3);
+  const Joints paused = world->q();
+  run(1);
+  for (std::size_t i = 0; i < kJoints; ++i) EXPECT_NEAR(world->q()[i], paused[i], 1e-3);
+  EXPECT_EQ(host.state(), "Moving");
+  EXPECT_FALSE(host.answered(move));
+  call("speed_override", "[1]");
+  finish(move);
+  EXPECT_EQ(host.code(move), "");
+}
+
+TEST_F(RobotService, FindsItsWayAroundTheCell) {
+  const CallId id = call("move", R"({"target": {"joints": [1.2, -0.6, 0, 1.4, 0, -1.1, 0]}, "kind": "free"})");
+  EXPECT_EQ(host.state(), "Moving");
+  finish(id);
+  EXPECT_EQ(host.code(id), "") << to_json(host.errors[id]);
 }
 
 TEST_F(RobotService, CanBeLedByHandAndHoldsAgainAfterwards) {

@@ -78,7 +78,7 @@ TEST(ArmModel, PredictsThePlantsAcceleration) {
 
 TEST(GravityCompensation, LetsTheArmFloatWithoutDrift) {
   Rig rig(empty_scene());
-  rig.unit.set_behavior(Behavior::gravity_compensation);
+  rig.unit.set_behavior(usual_behavior(Mode::gravity_compensation));
   const Joints before = rig.world->q();
   rig.run(10);
   for (std::size_t i = 0; i < kJoints; ++i) EXPECT_NEAR(rig.world->q()[i], before[i], 1e-6);
@@ -86,7 +86,7 @@ TEST(GravityCompensation, LetsTheArmFloatWithoutDrift) {
 
 TEST(GravityCompensation, YieldsToAHand) {
   Rig rig(empty_scene());
-  rig.unit.set_behavior(Behavior::gravity_compensation);
+  rig.unit.set_behavior(usual_behavior(Mode::gravity_compensation));
   const double before = rig.world->pose("tcp").position[1];
   rig.each_step = [&] { rig.world->push("gripper", {0, 15, 0}, rig.world->pose("tcp").position); };
   rig.run(1);

@@ -159,7 +159,7 @@ TEST(Refusals, AMotionWhileMovingOrLedByHand) {
   EXPECT_EQ(rig.unit.move({.target = down_at(0.5, 0, 0.2)}).error().code, "busy");
   rig.unit.stop();
   rig.run(0.5);
-  rig.unit.set_behavior(Behavior::gravity_compensation);
+  rig.unit.set_behavior(usual_behavior(Mode::gravity_compensation));
   EXPECT_EQ(rig.unit.move({.target = down_at(0.5, 0, 0.2)}).error().code, "behavior");
 }
 
@@ -198,7 +198,8 @@ TEST(Motion, FailsWhenSomethingIsInItsWay) {
   ASSERT_FALSE(rig.move({.target = down_at(0.6, -0.32, 0.05)}));
   const auto failure = rig.move({.target = Offset{{0, 0, -0.12}}, .kind = MotionKind::linear, .speed = 0.3});
   ASSERT_TRUE(failure);
-  EXPECT_TRUE(failure->code == "following_error" || failure->code == "not_reached") << failure->code;
+  EXPECT_EQ(failure->code, "collision");
+  EXPECT_EQ(failure->reaction, "stop");
   rig.run(1);
   EXPECT_LT(std::abs(rig.world->dq()[1]), 0.01);
 }

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "services/robot/control_unit.h"
+#include "services/world/clearance.h"
 #include "services/world/world.h"
 
 namespace race::robot {
@@ -25,6 +26,15 @@ inline world::Scene empty_scene() {
   return scene;
 }
 
+/// An immovable box along the axes of o, edges and middle in metres.
+inline world::Body fixed_box(const std::string& name, const Vec3& edges, const Vec3& middle) {
+  world::Body body;
+  body.name = name;
+  body.shape = {world::Shape::Kind::box, edges};
+  body.o_t_body.position = middle;
+  return body;
+}
+
 inline ArmModel make_arm(const world::World& world) {
   auto arm = ArmModel::create(world.model(), world.scene().robot.o_t_base);
   if (!arm) throw std::runtime_error(to_string(arm.error()));
@@ -33,7 +43,10 @@ inline ArmModel make_arm(const world::World& world) {
 
 struct Rig {
   explicit Rig(const world::Scene& scene)
-      : world(make_world(scene)), unit(make_arm(*world), lwr_settings(), world->q()) {
+      : world(make_world(scene)),
+        clearance(world->model(), scene),
+        unit(make_arm(*world), lwr_settings(), world->q(),
+             [this](const Joints& q, double margin) { return clearance.keeps(q, margin); }) {
     world->set_torques(make_arm(*world).gravity(world->q()));
   }
 
@@ -57,8 +70,8 @@ struct Rig {
   }
 
   /// Starts a motion that must be accepted and steps until it ends; none: reached.
-  std::optional<Refusal> move(const MoveCommand& command) {
-    const auto accepted = unit.move(command);
+  std::optional<Refusal> move(const MoveCommand& command, const std::optional<Behavior>& behavior = {}) {
+    const auto accepted = unit.move(command, behavior);
     if (!accepted) return accepted.error();
     for (int i = 0; i < 30000; ++i) {
       step();
@@ -68,6 +81,7 @@ struct Rig {
   }
 
   std::unique_ptr<world::World> world;
+  world::Clearance clearance;
   ControlUnit unit;
   std::function<void()> each_step;
 };

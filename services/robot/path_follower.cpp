@@ -1,0 +1,43 @@
+#include "services/robot/path_follower.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace race::robot {
+namespace {
+
+constexpr double kFastest = 20;  // 1/s, change of the rate where the path is slow
+
+}  // namespace
+
+/// Of the rate, 1/s: so that no joint brakes harder than it may.
+double PathFollower::steepest(const Reference& now) const {
+  double slope = kFastest;
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    if (std::abs(now.dq[i]) > 1e-9) slope = std::min(slope, braking_[i] / std::abs(now.dq[i]));
+  }
+  return slope;
+}
+
+Reference PathFollower::advance(double rate, double dt) {
+  Reference reference = trajectory_.at(time_);
+  const double most = steepest(reference) * dt;
+  const double change = std::clamp(rate - rate_, -most, most);
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    reference.ddq[i] = rate_ * rate_ * reference.ddq[i] + change / dt * reference.dq[i];
+    reference.dq[i] *= rate_;
+  }
+  rate_ += change;
+  time_ = std::clamp(time_ + rate_ * dt, 0.0, trajectory_.duration());
+  return reference;
+}
+
+Joints PathFollower::stopping_way() const {
+  const Reference now = trajectory_.at(time_);
+  const double time = std::abs(rate_) / steepest(now);
+  Joints way = now.dq;
+  for (double& part : way) part *= rate_ * time / 2;
+  return way;
+}
+
+}  // namespace race::robot
