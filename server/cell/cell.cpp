@@ -7,8 +7,10 @@
 #include "core/value/json.h"
 #include "server/cell/scene_json.h"
 #include "server/store/read_file.h"
+#include "services/camera/camera.h"
 #include "services/database/database.h"
 #include "services/gripper/gripper.h"
+#include "services/recognition/object_recognition.h"
 #include "services/robot/robot.h"
 #include "services/timer/timer.h"
 
@@ -18,9 +20,11 @@ namespace fs = std::filesystem;
 
 Expected<std::unique_ptr<Cell>> Cell::create(const CellSetup& setup, services::HostObserver& observer) {
   std::unique_ptr<Cell> cell(new Cell(observer));
+  cell->waits_ = !setup.own_threads;
   const fs::path scene = fs::path(setup.folder) / "scene.json";
   if (!setup.folder.empty() && fs::exists(scene)) {
     if (auto added = cell->add_world(scene); !added) return tl::unexpected(std::move(added).error());
+    if (auto added = cell->add_sight(setup); !added) return tl::unexpected(std::move(added).error());
   }
   if (auto added = cell->add_database(setup); !added) return tl::unexpected(std::move(added).error());
   auto& host = cell->host_.declare("timer", "timer", cell->unit_);
@@ -42,6 +46,18 @@ Expected<void> Cell::add_world(const std::string& scene_path) {
   host_.attach("robot", std::move(robot));
   auto& gripper_host = host_.declare("gripper", "gripper", unit_);
   host_.attach("gripper", std::make_unique<gripper::Gripper>(gripper_host, *world_));
+  return {};
+}
+
+Expected<void> Cell::add_sight(const CellSetup& setup) {
+  if (!world_->scene().camera) return {};
+  auto& camera_host = host_.declare("camera", "KinectDriver", unit_);
+  host_.attach("camera", std::make_unique<camera::Camera>(camera_host, *world_, setup.seed));
+  const fs::path parts_path = fs::path(setup.folder) / "parts.json";
+  if (!fs::exists(parts_path)) return {};
+  ASSIGN_OR_RETURN(auto parts, recognition::load_parts(parts_path));
+  auto& host = host_.declare("obj_rec", "ObjectRecognition", unit_);
+  host_.attach("obj_rec", std::make_unique<recognition::ObjectRecognition>(host, std::move(parts)));
   return {};
 }
 
@@ -71,6 +87,8 @@ void Cell::step() {
   if (person_) person_->step();
   if (world_) world_->step();
   clock_.set(static_cast<double>(++steps_) * kStep);
+  host_.advance(waits_);
+  unit_.run();
   host_.step(unit_);
   constexpr std::int64_t kStepsPerPose = 33;
   if (pose_watched_ && steps_ % kStepsPerPose == 0) publish_pose();

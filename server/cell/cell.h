@@ -25,9 +25,11 @@ struct FurtherService {
 };
 
 struct CellSetup {
-  std::string folder;       // with scene.json and database.json; what is absent is not there
-  std::string database;     // file of the database, or ":memory:"
-  bool own_threads = true;  // the database lives on a thread of its own; else all services are one unit
+  std::string folder;    // with scene.json and database.json; what is absent is not there
+  std::string database;  // file of the database, or ":memory:"
+  // The database has a thread of its own, and world time waits for nobody. Else all services are one unit, and world
+  // time waits for answers that are due, so that a seed gives one run.
+  bool own_threads = true;
   std::vector<FurtherService> further = {};
   std::uint64_t seed = 0;  // of everything that is random; the same seed gives the same run
 };
@@ -36,7 +38,8 @@ class Cell {
  public:
   static constexpr double kStep = world::World::kStep;
 
-  /// Builds the world of `folder`/scene.json with the services `robot` and `gripper`, and `db` and `timer`. Values of
+  /// Builds the world of `folder`/scene.json with the services `robot` and `gripper`, `camera` if the scene has one
+  /// and `obj_rec` if there is also `folder`/parts.json, and `db` and `timer`. Values of
   /// `folder`/database.json whose keys the database does not have are added to it. Errors: `io`, and those of the
   /// files.
   static Expected<std::unique_ptr<Cell>> create(const CellSetup& setup, services::HostObserver& observer);
@@ -80,6 +83,7 @@ class Cell {
  private:
   explicit Cell(services::HostObserver& observer) : host_(clock_, observer) {}
   Expected<void> add_world(const std::string& scene_path);
+  Expected<void> add_sight(const CellSetup& setup);
   Expected<void> add_database(const CellSetup& setup);
   void publish_pose();
 
@@ -90,6 +94,7 @@ class Cell {
   std::unique_ptr<world::Person> person_;
   services::Host host_;
   std::int64_t steps_ = 0;
+  bool waits_ = false;  // for answers that are due
   Value scene_;
   std::string urdf_name_, urdf_;
   std::function<void()> before_step_;
