@@ -22,7 +22,10 @@ Checked<std::unique_ptr<Application>> Application::create(const Setup& setup) {
   app->displays_ = std::make_unique<Displays>(app->screens_, *app->hub_);
   std::vector<FurtherService> further = screen_services(app->screens_, setup.demo);
   further.insert(further.end(), setup.further.begin(), setup.further.end());
-  auto cell = Cell::create({setup.demo, data / "database.sqlite", true, std::move(further)}, *app);
+  CellSetup cell_setup{setup.demo, data / "database.sqlite", true, std::move(further)};
+  cell_setup.remote = setup.remote;
+  cell_setup.heartbeat = setup.heartbeat;
+  auto cell = Cell::create(cell_setup, *app);
   if (!cell) return fail(std::move(cell).error());
   app->cell_ = std::move(*cell);
   app->pool_ = std::make_unique<Pool>(2);

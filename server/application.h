@@ -4,6 +4,7 @@
 // Threads: any.
 #pragma once
 
+#include <chrono>
 #include <deque>
 #include <map>
 #include <memory>
@@ -31,6 +32,8 @@ class Application final : public CoreWatcher, public services::HostObserver {
     std::int64_t first_sequence = 1;
     std::vector<FurtherService> further = {};
     std::optional<OperatorScript> script = {};  // begins anew with each run that is started
+    std::vector<std::string> remote = {};       // as of CellSetup
+    std::chrono::milliseconds heartbeat{1000};  // of their processes
   };
   static Checked<std::unique_ptr<Application>> create(const Setup& setup);
   ~Application() override;

@@ -11,8 +11,10 @@ using race::server::Command;
 
 constexpr Command kCommands[] = {
 #ifndef RACE_CORE_ONLY
-    {"serve", "--port N --data DIR [--headless]", "serves cores, services and the browser clients",
+    {"serve", "--port N --data DIR [--headless] [--remote NAME,...]", "serves cores, services and the browser clients",
      race::server::serve_command},
+    {"service", "NAME --server URL [--folder DIR] [--database FILE]", "runs services of a server as a process",
+     race::server::service_command},
     {"run", "MODEL [--fast] [--seed N] [--arguments JSON] [--json]",
      "runs a task with its own services, without clients", race::server::run_command},
 #endif

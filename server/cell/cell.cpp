@@ -1,11 +1,13 @@
 #include "server/cell/cell.h"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <future>
 
 #include "core/value/json.h"
 #include "server/cell/scene_json.h"
+#include "server/cell/units.h"
 #include "server/store/read_file.h"
 #include "services/camera/camera.h"
 #include "services/database/database.h"
@@ -22,16 +24,28 @@ Expected<std::unique_ptr<Cell>> Cell::create(const CellSetup& setup, services::H
   std::unique_ptr<Cell> cell(new Cell(observer));
   cell->waits_ = !setup.own_threads;
   const fs::path scene = fs::path(setup.folder) / "scene.json";
-  if (!setup.folder.empty() && fs::exists(scene)) {
+  const auto here = [&](const char* unit) { return std::ranges::find(setup.remote, unit) == setup.remote.end(); };
+  if (auto added = cell->add_remotes(setup); !added) return tl::unexpected(std::move(added).error());
+  if (here("cell") && !setup.folder.empty() && fs::exists(scene)) {
     if (auto added = cell->add_world(scene); !added) return tl::unexpected(std::move(added).error());
     if (auto added = cell->add_sight(setup); !added) return tl::unexpected(std::move(added).error());
   }
-  if (auto added = cell->add_database(setup); !added) return tl::unexpected(std::move(added).error());
+  if (here("database"))
+    if (auto added = cell->add_database(setup); !added) return tl::unexpected(std::move(added).error());
   auto& host = cell->host_.declare("timer", "timer", cell->unit_);
   cell->host_.attach("timer", std::make_unique<timer::Timer>(host));
   for (const FurtherService& service : setup.further)
     cell->host_.attach(service.key, service.make(cell->host_.declare(service.key, service.type, cell->unit_)));
   return cell;
+}
+
+Expected<void> Cell::add_remotes(const CellSetup& setup) {
+  remotes_ = std::make_unique<remote::Remotes>(host_, clock_, setup.heartbeat);
+  for (const std::string& name : setup.remote) {
+    ASSIGN_OR_RETURN(const Unit* unit, find_unit(name));
+    remotes_->add(unit->services);
+  }
+  return {};
 }
 
 Expected<void> Cell::add_world(const std::string& scene_path) {
@@ -54,7 +68,8 @@ Expected<void> Cell::add_sight(const CellSetup& setup) {
   auto& camera_host = host_.declare("camera", "KinectDriver", unit_);
   host_.attach("camera", std::make_unique<camera::Camera>(camera_host, *world_, setup.seed));
   const fs::path parts_path = fs::path(setup.folder) / "parts.json";
-  if (!fs::exists(parts_path)) return {};
+  const bool elsewhere = std::ranges::find(setup.remote, "recognition") != setup.remote.end();
+  if (elsewhere || !fs::exists(parts_path)) return {};
   ASSIGN_OR_RETURN(auto parts, recognition::load_parts(parts_path));
   auto& host = host_.declare("obj_rec", "ObjectRecognition", unit_);
   host_.attach("obj_rec", std::make_unique<recognition::ObjectRecognition>(host, std::move(parts)));
@@ -62,17 +77,7 @@ Expected<void> Cell::add_sight(const CellSetup& setup) {
 }
 
 Expected<void> Cell::add_database(const CellSetup& setup) {
-  ASSIGN_OR_RETURN(auto store, database::Store::open(setup.database));
-  const fs::path seeds = fs::path(setup.folder) / "database.json";
-  if (!setup.folder.empty() && fs::exists(seeds)) {
-    ASSIGN_OR_RETURN(const std::string text, read_file(seeds));
-    ASSIGN_OR_RETURN(const Value values, parse_json(text));
-    if (!values.is_dict()) return unexpected(ErrorCode::type, "expected an object of key: value", seeds);
-    for (const auto& [key, value] : values.as_dict()) {
-      if (store.get(key.as_string())) continue;
-      if (auto put = store.put(key.as_string(), value); !put) return tl::unexpected(std::move(put).error());
-    }
-  }
+  ASSIGN_OR_RETURN(auto store, open_store(setup.folder, setup.database));
   if (setup.own_threads) database_unit_ = std::make_unique<services::WorkThread>();
   auto& host = host_.declare("db", "database", database_unit_ ? *database_unit_ : unit_);
   host_.attach("db", std::make_unique<database::Database>(std::move(store), host));
@@ -118,6 +123,7 @@ void Cell::stop() {
   if (stop_.exchange(true)) return;
   if (thread_.joinable()) thread_.join();
   database_unit_.reset();
+  remotes_->stop();
   host_.stop();
 }
 

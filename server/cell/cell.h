@@ -5,6 +5,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <string>
@@ -13,6 +14,7 @@
 #include "core/value/expected.h"
 #include "core/value/value.h"
 #include "services/host.h"
+#include "services/remote/remotes.h"
 #include "services/world/person.h"
 #include "services/world/world.h"
 
@@ -31,7 +33,9 @@ struct CellSetup {
   // time waits for answers that are due, so that a seed gives one run.
   bool own_threads = true;
   std::vector<FurtherService> further = {};
-  std::uint64_t seed = 0;  // of everything that is random; the same seed gives the same run
+  std::vector<std::string> remote = {};       // names of the units (units.h) that wait for a process of their own
+  std::chrono::milliseconds heartbeat{1000};  // how long such a process may be silent
+  std::uint64_t seed = 0;                     // of everything that is random; the same seed gives the same run
 };
 
 class Cell {
@@ -48,6 +52,8 @@ class Cell {
   Cell& operator=(const Cell&) = delete;
 
   services::Host& host() { return host_; }
+  /// The services whose components live in other processes.
+  remote::Remotes& remotes() { return *remotes_; }
   const services::Clock& clock() const { return clock_; }
   bool has_world() const { return world_ != nullptr; }
 
@@ -82,6 +88,7 @@ class Cell {
 
  private:
   explicit Cell(services::HostObserver& observer) : host_(clock_, observer) {}
+  Expected<void> add_remotes(const CellSetup& setup);
   Expected<void> add_world(const std::string& scene_path);
   Expected<void> add_sight(const CellSetup& setup);
   Expected<void> add_database(const CellSetup& setup);
@@ -93,6 +100,7 @@ class Cell {
   std::unique_ptr<world::World> world_;
   std::unique_ptr<world::Person> person_;
   services::Host host_;
+  std::unique_ptr<remote::Remotes> remotes_;
   std::int64_t steps_ = 0;
   bool waits_ = false;  // for answers that are due
   Value scene_;

@@ -22,6 +22,7 @@ struct Command {
 };
 
 int serve_command(const std::vector<std::string>& arguments);
+int service_command(const std::vector<std::string>& arguments);
 int run_command(const std::vector<std::string>& arguments);
 int derive_command(const std::vector<std::string>& arguments);
 int check_command(const std::vector<std::string>& arguments);

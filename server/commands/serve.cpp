@@ -1,9 +1,12 @@
 // race serve: cores, services and the browser clients, on loopback.
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 
 #include "server/application.h"
+#include "server/cell/units.h"
 #include "server/commands/command.h"
 #include "server/commands/options.h"
 #include "server/http/listener.h"
@@ -11,7 +14,9 @@
 namespace race::server {
 namespace {
 
-constexpr std::string_view kUsage = "--port N --data DIR [--headless] [--demo DIR] [--web DIR] [--operator FILE]";
+constexpr std::string_view kUsage =
+    "--port N --data DIR [--headless] [--demo DIR] [--web DIR] [--operator FILE] [--remote NAME,...] "
+    "[--heartbeat SECONDS]";
 
 // Numbers of messages go on where an earlier server can not have been: 1000 a millisecond since 1970.
 std::int64_t first_sequence() {
@@ -19,14 +24,33 @@ std::int64_t first_sequence() {
   return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count() * 1000;
 }
 
+// The units that run as processes: "cell,database".
+Expected<std::vector<std::string>> read_units(std::string_view text) {
+  std::vector<std::string> names;
+  while (!text.empty()) {
+    const std::string_view name = text.substr(0, text.find(','));
+    text.remove_prefix(std::min(text.size(), name.size() + 1));
+    ASSIGN_OR_RETURN(const Unit* unit, find_unit(name));
+    if (std::ranges::find(names, unit->name) != names.end())
+      return unexpected(ErrorCode::duplicate, "stands twice", std::string(name));
+    names.emplace_back(unit->name);
+  }
+  return names;
+}
+
 }  // namespace
 
 int serve_command(const std::vector<std::string>& words) {
-  const auto options = read_options(words, {"--port", "--data", "--demo", "--web", "--operator"}, {"--headless"});
+  const auto options = read_options(
+      words, {"--port", "--data", "--demo", "--web", "--operator", "--remote", "--heartbeat"}, {"--headless"});
   if (!options) return refuse(options.error());
   if (!options->rest.empty()) return usage("serve", kUsage);
   const auto port = options->number("--port", 8080, 0, 65535);
   if (!port) return refuse(port.error());
+  auto remote = read_units(options->text("--remote"));
+  if (!remote) return refuse(remote.error());
+  const auto heartbeat = options->number("--heartbeat", 1, 0.1, 3600);
+  if (!heartbeat) return refuse(heartbeat.error());
   const std::string data = options->text("--data", "data");
   std::error_code error;
   std::filesystem::create_directories(data, error);
@@ -38,6 +62,8 @@ int serve_command(const std::vector<std::string>& words) {
     if (!script) return refuse(script.error());
     setup.script = std::move(*script);
   }
+  setup.remote = std::move(*remote);
+  setup.heartbeat = std::chrono::milliseconds(std::llround(*heartbeat * 1000));
   auto app = Application::create(setup);
   if (!app) return refuse(app.error());
   // Without clients, no pages; the interface is there all the same.

@@ -31,6 +31,7 @@ constexpr auto kUse = asio::as_tuple(asio::use_awaitable);
 constexpr auto kDeparture = 30s;  // for an answer to leave
 constexpr auto kLinger = 2s;      // for a client to stop sending what is refused
 constexpr std::string_view kStream = "/api/v1/stream";
+constexpr std::string_view kComponents = "/api/v1/components";
 
 struct Context {
   Door door;
@@ -173,6 +174,79 @@ class StreamSession final : public Listener, public std::enable_shared_from_this
   bool over_ = false;
 };
 
+// One process of components. Held by its coroutines.
+class ComponentSession final : public std::enable_shared_from_this<ComponentSession> {
+ public:
+  ComponentSession(beast::tcp_stream stream, remote::Remotes& remotes)
+      : socket_(std::move(stream)),
+        waker_(socket_.get_executor()),
+        heart_(socket_.get_executor()),
+        beat_(remotes.heartbeat() / remote::ProcessLink::kBeats),
+        link_(remotes) {}
+
+  awaitable<void> run(Parser::value_type request) {
+    beast::get_lowest_layer(socket_).expires_never();
+    socket_.read_message_max(remote::kFrameBytes);
+    socket_.auto_fragment(false);
+    const auto [failed] = co_await socket_.async_accept(request, kUse);
+    if (failed) co_return;
+    const auto executor = socket_.get_executor();
+    asio::co_spawn(
+        executor, [self = shared_from_this()] { return self->write(); }, asio::detached);
+    asio::co_spawn(
+        executor, [self = shared_from_this()] { return self->beat(); }, asio::detached);
+    beast::flat_buffer buffer(remote::kFrameBytes + 1024);
+    for (;;) {
+      const auto [error, bytes] = co_await socket_.async_read(buffer, kUse);
+      if (error) break;
+      link_.received({beast::buffers_to_string(buffer.cdata()), socket_.got_binary()});
+      buffer.consume(buffer.size());
+    }
+    over_ = true;
+    link_.out().on_change({});
+    link_.lose("its connection has ended");
+    waker_.cancel();
+    heart_.cancel();
+  }
+
+ private:
+  awaitable<void> write() {
+    link_.out().on_change([this, weak = weak_from_this(), executor = socket_.get_executor()] {
+      asio::post(executor, [this, weak] {
+        if (const auto self = weak.lock()) waker_.cancel();
+      });
+    });
+    while (!over_) {
+      while (auto frame = link_.out().pop()) {
+        socket_.binary(frame->binary);
+        const auto [error, bytes] = co_await socket_.async_write(asio::buffer(frame->bytes), kUse);
+        if (error || over_) co_return close();
+      }
+      if (link_.out().drained()) co_return close();
+      waker_.expires_at(std::chrono::steady_clock::time_point::max());
+      co_await waker_.async_wait(kUse);
+    }
+  }
+
+  awaitable<void> beat() {
+    while (!over_) {
+      heart_.expires_after(beat_);
+      co_await heart_.async_wait(kUse);
+      if (over_) co_return;
+      link_.beat();
+      if (link_.lost()) co_return close();
+    }
+  }
+
+  void close() { beast::get_lowest_layer(socket_).close(); }
+
+  websocket::stream<beast::tcp_stream> socket_;
+  asio::steady_timer waker_, heart_;
+  std::chrono::milliseconds beat_;
+  remote::ProcessLink link_;
+  bool over_ = false;
+};
+
 // Why a header could not be read.
 std::optional<Reply> unreadable(error_code error) {
   if (error == http::error::header_limit || error == http::error::buffer_overflow)
@@ -247,7 +321,12 @@ awaitable<bool> serve_one(beast::tcp_stream& stream, beast::flat_buffer& buffer,
     co_await session->run(parser.release());
     co_return false;
   }
-  if (request->path == kStream) {
+  if (upgrade && request->path == kComponents && request->method == "GET") {
+    auto session = std::make_shared<ComponentSession>(std::move(stream), context.app.cell().remotes());
+    co_await session->run(parser.release());
+    co_return false;
+  }
+  if (request->path == kStream || request->path == kComponents) {
     Reply reply = refusal(426, "upgrade", "a WebSocket is served here");
     co_return co_await send(stream, std::move(reply), Manner());
   }

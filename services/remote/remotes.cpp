@@ -45,7 +45,10 @@ struct ProcessLink::Process {
 
 ProcessLink::ProcessLink(Remotes& remotes) : remotes_(remotes), process_(std::make_shared<Process>()) {}
 
-ProcessLink::~ProcessLink() { lose("its connection has ended"); }
+ProcessLink::~ProcessLink() {
+  process_->out->on_change({});
+  lose("its connection has ended");
+}
 
 FrameQueue& ProcessLink::out() { return *process_->out; }
 

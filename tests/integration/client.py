@@ -145,9 +145,11 @@ class Server:
 class Stream:
     """A client of /api/v1/stream; every message is held against stream_message.json."""
 
+    PATH = "/api/v1/stream"
+
     def __init__(self, port, headers=()):
         self.socket = socket.create_connection(("127.0.0.1", port), timeout=PATIENCE)
-        lines = ["GET /api/v1/stream HTTP/1.1", f"Host: 127.0.0.1:{port}", "Upgrade: websocket", "Connection: Upgrade",
+        lines = [f"GET {self.PATH} HTTP/1.1", f"Host: 127.0.0.1:{port}", "Upgrade: websocket", "Connection: Upgrade",
                  "Sec-WebSocket-Key: " + base64.b64encode(os.urandom(16)).decode(), "Sec-WebSocket-Version: 13", *headers]
         self.socket.sendall(("\r\n".join(lines) + "\r\n\r\n").encode())
         self.buffer = b""

@@ -14,7 +14,8 @@ import { rcmDocument } from "../../shared/model/decodeModel";
 import { readJson } from "../conformance";
 
 const folder = new URL("../../../api/examples/", import.meta.url);
-const files = readdirSync(fileURLToPath(folder)).filter((name) => name.endsWith(".json"));
+/** All but what processes of components and the server say to each other. */
+const files = readdirSync(fileURLToPath(folder)).filter((name) => name.endsWith(".json") && !name.startsWith("component_"));
 
 const stringOrNumber: Decoder<string | number> = (value, path) => (typeof value === "number" ? value : string(value, path));
 

@@ -1,0 +1,82 @@
+#include "server/cell/units.h"
+
+#include <array>
+#include <filesystem>
+
+#include "core/value/json.h"
+#include "server/store/read_file.h"
+#include "services/camera/camera.h"
+#include "services/database/database.h"
+#include "services/gripper/gripper.h"
+#include "services/recognition/object_recognition.h"
+#include "services/robot/robot.h"
+#include "services/world/world.h"
+
+namespace race::server {
+namespace {
+
+namespace fs = std::filesystem;
+
+Expected<void> make_cell(const UnitSetup& setup, remote::RemoteUnit& unit) {
+  ASSIGN_OR_RETURN(std::shared_ptr<world::World> world, world::World::load(fs::path(setup.folder) / "scene.json"));
+  ASSIGN_OR_RETURN(auto robot, robot::Robot::create(unit.declare("robot", "robot"), *world));
+  unit.attach("robot", std::move(robot));
+  unit.attach("gripper", std::make_unique<gripper::Gripper>(unit.declare("gripper", "gripper"), *world));
+  if (world->scene().camera)
+    unit.attach("camera", std::make_unique<camera::Camera>(unit.declare("camera", "KinectDriver"), *world, 0));
+  unit.before_step([world] { world->step(); });
+  return {};
+}
+
+Expected<void> make_recognition(const UnitSetup& setup, remote::RemoteUnit& unit) {
+  ASSIGN_OR_RETURN(auto parts, recognition::load_parts(fs::path(setup.folder) / "parts.json"));
+  services::ServiceHost& host = unit.declare("obj_rec", "ObjectRecognition");
+  unit.attach("obj_rec", std::make_unique<recognition::ObjectRecognition>(host, std::move(parts)));
+  return {};
+}
+
+Expected<void> make_database(const UnitSetup& setup, remote::RemoteUnit& unit) {
+  ASSIGN_OR_RETURN(auto store, open_store(setup.folder, setup.database));
+  unit.attach("db", std::make_unique<database::Database>(std::move(store), unit.declare("db", "database")));
+  return {};
+}
+
+}  // namespace
+
+std::span<const Unit> units() {
+  static const std::array kUnits = {
+      Unit{"cell",
+           {{"robot", "robot", &robot::model()},
+            {"gripper", "gripper", &gripper::model()},
+            {"camera", "KinectDriver", &camera::model()}},
+           make_cell},
+      Unit{"recognition", {{"obj_rec", "ObjectRecognition", &recognition::model()}}, make_recognition},
+      Unit{"database", {{"db", "database", &database::model()}}, make_database},
+  };
+  return kUnits;
+}
+
+Expected<const Unit*> find_unit(std::string_view name) {
+  std::string names;
+  for (const Unit& unit : units()) {
+    if (unit.name == name) return &unit;
+    names += (names.empty() ? "" : ", ") + std::string(unit.name);
+  }
+  return unexpected(ErrorCode::not_found, "there is no such unit; there are " + names, std::string(name));
+}
+
+Expected<database::Store> open_store(const std::string& folder, const std::string& database) {
+  ASSIGN_OR_RETURN(auto store, database::Store::open(database));
+  const fs::path seeds = fs::path(folder) / "database.json";
+  if (folder.empty() || !fs::exists(seeds)) return store;
+  ASSIGN_OR_RETURN(const std::string text, read_file(seeds));
+  ASSIGN_OR_RETURN(const Value values, parse_json(text));
+  if (!values.is_dict()) return unexpected(ErrorCode::type, "expected an object of key: value", seeds);
+  for (const auto& [key, value] : values.as_dict()) {
+    if (store.get(key.as_string())) continue;
+    if (auto put = store.put(key.as_string(), value); !put) return tl::unexpected(std::move(put).error());
+  }
+  return store;
+}
+
+}  // namespace race::server

@@ -1,0 +1,38 @@
+// Units: what of a cell can run, and die, as a process of its own (`race serve --remote NAME`, `race service NAME`).
+// The one table of them: adding a unit is adding a row.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/value/expected.h"
+#include "services/database/store.h"
+#include "services/remote/remote_unit.h"
+#include "services/remote/remotes.h"
+
+namespace race::server {
+
+/// What units are made from, as of a cell (CellSetup).
+struct UnitSetup {
+  std::string folder;    // with scene.json and database.json; what is absent is not there
+  std::string database;  // file of the database
+};
+
+struct Unit {
+  std::string_view name;
+  std::vector<remote::RemoteService> services;
+  /// Makes the components in a process. Errors: those of the files.
+  Expected<void> (*make)(const UnitSetup& setup, remote::RemoteUnit& unit);
+};
+
+std::span<const Unit> units();
+/// The unit of this name; error `not_found` names those that there are.
+Expected<const Unit*> find_unit(std::string_view name);
+
+/// Opens the database of a cell: values of `folder`/database.json whose keys it does not have are added to it. Errors:
+/// `io`, and those of the file.
+Expected<database::Store> open_store(const std::string& folder, const std::string& database);
+
+}  // namespace race::server

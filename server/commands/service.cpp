@@ -1,0 +1,130 @@
+// race service NAME: one unit of a cell as a process; its services are those of the server.
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <mutex>
+#include <thread>
+
+#include "server/cell/units.h"
+#include "server/commands/command.h"
+#include "server/commands/options.h"
+#include "services/remote/socket_client.h"
+
+namespace race::server {
+namespace {
+
+using namespace std::chrono_literals;
+using std::chrono::steady_clock;
+
+constexpr std::string_view kUsage = "NAME --server URL [--folder DIR] [--database FILE]";
+constexpr auto kAgain = 500ms;  // from one try to reach the server to the next
+
+std::atomic<bool> ended{false};  // by SIGINT or SIGTERM
+
+void say(const std::string& text) {
+  std::printf("%s\n", text.c_str());
+  std::fflush(stdout);
+}
+
+// How a connection went, as the socket's thread and the unit's see it.
+struct Session {
+  std::atomic<bool> over{false};
+  std::mutex mutex;
+  std::string why;               // it ended
+  std::optional<Error> refused;  // by the server, for good
+
+  void end(std::string reason) {
+    const std::lock_guard lock(mutex);
+    if (why.empty()) why = std::move(reason);
+    over = true;
+  }
+};
+
+// What the server says, on the unit's thread.
+void take(const remote::Frame& frame, remote::RemoteUnit& unit, Session& session, const std::string& name) {
+  auto message = remote::decode(frame, remote::Reader::process);
+  if (message && message->kind == remote::Kind::refused) {
+    const Value reason = message->value.as_list().empty() ? Value() : message->value.as_list().front();
+    const auto text = [&](const char* field) {
+      const Value* value = reason.find(field);
+      return value && value->is_string() ? value->as_string() : std::string();
+    };
+    session.refused = Error{ErrorCode::conflict, "the server refuses: " + text("message"), text("path")};
+    return session.end("refused");
+  }
+  if (message && message->kind == remote::Kind::welcome) say(name + " is there");
+  const auto handled = message ? unit.handle(std::move(*message)) : tl::unexpected(message.error());
+  if (!handled) session.end("the server says what does not fit: " + to_string(handled.error()));
+}
+
+// Steps the unit in real time while it is connected.
+Expected<void> serve(remote::RemoteUnit& unit, Session& session) {
+  auto next = steady_clock::now();
+  while (!ended && !session.over) {
+    next += 1ms;
+    std::this_thread::sleep_until(next);
+    if (const auto now = steady_clock::now(); now - next > 100ms) next = now;
+    unit.step();
+  }
+  const std::lock_guard lock(session.mutex);
+  if (session.refused) return tl::unexpected(*session.refused);
+  return {};
+}
+
+}  // namespace
+
+int service_command(const std::vector<std::string>& words) {
+  const auto options = read_options(words, {"--server", "--folder", "--database"}, {});
+  if (!options) return refuse(options.error());
+  if (options->rest.size() != 1 || !options->has("--server")) return usage("service", kUsage);
+  const std::string& name = options->rest.front();
+  const auto row = find_unit(name);
+  if (!row) return refuse(row.error());
+  const std::string url = options->text("--server");
+  const auto address = remote::read_address(url);
+  if (!address) return refuse(address.error());
+  const UnitSetup setup{options->text("--folder"), options->text("--database", ":memory:")};
+  std::signal(SIGINT, [](int) { ended = true; });
+  std::signal(SIGTERM, [](int) { ended = true; });
+
+  bool waits = false;  // and has said so
+  while (!ended) {
+    // What was connected once is as good as dead afterwards: its services begin anew.
+    remote::FrameQueue out;
+    remote::RemoteUnit unit;
+    if (auto made = (*row)->make(setup, unit); !made) return refuse(made.error());
+    Session session;
+    std::unique_ptr<remote::SocketClient> socket;
+    while (!ended && !socket) {
+      auto connected = remote::SocketClient::connect(
+          *address, out,
+          {[&](remote::Frame frame) {
+             unit.queue().post([&, frame = std::move(frame)] { take(frame, unit, session, name); });
+           },
+           [&](std::string why) { session.end(std::move(why)); }});
+      if (connected) {
+        socket = std::move(*connected);
+      } else if (connected.error().code != ErrorCode::unavailable) {
+        return refuse(Error{connected.error().code, connected.error().message, url});
+      } else {
+        if (!std::exchange(waits, true))
+          say(name + " waits for the server at " + url + ": " + connected.error().message);
+        std::this_thread::sleep_for(kAgain);
+      }
+    }
+    if (ended) break;
+    waits = false;
+    out.push(remote::encode(unit.hello()).value());
+    unit.connect(out);
+    try {
+      if (auto served = serve(unit, session); !served) return refuse(served.error());
+    } catch (const std::exception& failure) {
+      std::fprintf(stderr, "%s: died: %s\n", name.c_str(), failure.what());
+      return kFound;
+    }
+    if (!ended) say(name + " has lost the server: " + session.why);
+  }
+  return kFine;
+}
+
+}  // namespace race::server
