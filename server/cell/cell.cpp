@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <future>
 
-#include "core/value/json.h"
 #include "server/cell/scene_json.h"
 #include "server/cell/units.h"
 #include "server/store/read_file.h"

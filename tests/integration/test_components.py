@@ -217,6 +217,18 @@ class Processes(unittest.TestCase):
                 there(server, "robot", False)
                 there(server, "gripper", False)
 
+    def test_pictures_pass_from_process_to_process(self):
+        seeing = models.document("seeing", {
+            "state": "Root", "entry": "svc.obj_rec.start()",
+            "ports": [{"name": "seen", "when": "svc.obj_rec.recognized_objects"},
+                      {"name": "error", "when": "svc.obj_rec.start.error"}]})
+        with Server("--remote", "cell,recognition", "--demo", DEMO, *CALM) as server:
+            with Process(server, "cell", "--folder", DEMO), Process(server, "recognition", "--folder", DEMO):
+                there(server, "camera")
+                there(server, "obj_rec")
+                self.assertEqual(run(server, seeing)["outcome"], "seen")
+                self.assertEqual(service(server, "obj_rec")["violations"] + service(server, "camera")["violations"], [])
+
     def test_a_process_waits_for_its_server_and_ends_when_it_is_told(self):
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))
