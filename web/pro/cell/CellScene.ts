@@ -21,8 +21,11 @@ import {
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import URDFLoader, { type URDFRobot } from "urdf-loader";
+import type { Hand } from "../../shared/cell/hand";
 import type { Body, CellPose, Shape } from "../../shared/messages/cell";
 import type { Pose } from "../../shared/messages/pose";
+import { Grabbing } from "./Grabbing";
+import { HandLines } from "./HandLines";
 
 export interface RobotModel {
   readonly name: string;
@@ -58,11 +61,18 @@ export class CellScene {
   private readonly contents = new Group();
   private readonly floor = new GridHelper(6, 60, 0xc3cbc6, 0xdde2de).rotateX(Math.PI / 2);
   private readonly bodies = new Map<string, Object3D>();
+  private readonly movable = new Set<string>();
+  private readonly hands: HandLines;
+  /** Mouse and finger. */
+  readonly grabbing: Grabbing;
   private robots: URDFRobot[] = [];
   private readonly observer: ResizeObserver;
   private pending = 0;
 
-  constructor(private readonly host: HTMLElement) {
+  constructor(
+    private readonly host: HTMLElement,
+    hand: Hand,
+  ) {
     this.scene.background = new Color(kBackground);
     this.camera.up.set(0, 0, 1);
     this.camera.position.set(2.3, -2.0, 1.6);
@@ -70,7 +80,11 @@ export class CellScene {
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
     host.append(this.renderer.domElement);
-    this.renderer.domElement.setAttribute("aria-label", "3D view of the cell; drag to turn, wheel to zoom");
+    this.renderer.domElement.setAttribute("aria-label", "3D view of the cell; drag to turn, wheel to zoom, Shift and drag to pull a link or a part");
+    this.hands = new HandLines(host);
+    this.grabbing = new Grabbing(this.renderer.domElement, this.camera, this.contents, hand, (holding) => {
+      this.controls.enabled = !holding;
+    });
     this.controls = new OrbitControls(this.camera, this.renderer.domElement);
     this.controls.target.set(0.25, 0, 0.3);
     this.controls.addEventListener("change", () => this.redraw());
@@ -98,12 +112,16 @@ export class CellScene {
       const object = this.bodies.get(name);
       if (object !== undefined) place(object, body);
     }
+    for (const name of this.movable) this.bodies.get(name)?.traverse((each) => (each.visible = name in pose.bodies));
+    this.hands.show(pose.hands);
     this.redraw();
   }
 
   dispose(): void {
     cancelAnimationFrame(this.pending);
     this.observer.disconnect();
+    this.grabbing.dispose();
+    this.hands.dispose();
     this.controls.dispose();
     this.renderer.dispose();
     this.renderer.domElement.remove();
@@ -114,7 +132,10 @@ export class CellScene {
     mesh.castShadow = !body.fixed;
     mesh.receiveShadow = true;
     place(mesh, body.pose);
+    mesh.name = body.name;
+    mesh.userData["movable"] = !body.fixed;
     this.bodies.set(body.name, mesh);
+    if (!body.fixed) this.movable.add(body.name);
     this.contents.add(mesh);
   }
 
@@ -136,7 +157,7 @@ export class CellScene {
     sun.shadow.mapSize.set(2048, 2048);
     sun.shadow.camera.left = sun.shadow.camera.bottom = -1.8;
     sun.shadow.camera.right = sun.shadow.camera.top = 1.8;
-    this.scene.add(sun, new AmbientLight(0xffffff, 0.55), new HemisphereLight(0xffffff, 0xd8ded9, 0.9), this.floor, this.contents);
+    this.scene.add(sun, new AmbientLight(0xffffff, 0.55), new HemisphereLight(0xffffff, 0xd8ded9, 0.9), this.floor, this.contents, this.hands.group);
   }
 
   private resize(): void {
@@ -151,6 +172,9 @@ export class CellScene {
   /** Draws once in the next frame, however much changes until then. */
   private redraw(): void {
     cancelAnimationFrame(this.pending);
-    this.pending = requestAnimationFrame(() => this.renderer.render(this.scene, this.camera));
+    this.pending = requestAnimationFrame(() => {
+      this.renderer.render(this.scene, this.camera);
+      this.hands.placeLabels(this.camera);
+    });
   }
 }

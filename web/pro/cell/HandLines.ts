@@ -1,0 +1,65 @@
+// Draws hands and pushes: a line to where they draw, a dot where they touch, the force beside it.
+import { BufferAttribute, BufferGeometry, Group, Line, LineBasicMaterial, Mesh, MeshBasicMaterial, SphereGeometry, Vector3, type Camera } from "three";
+import { forceText, lineEnd } from "../../shared/cell/touch";
+import type { Touch } from "../../shared/messages/person";
+
+const kColour = 0xc2410c;
+
+export class HandLines {
+  readonly group = new Group();
+  private readonly material = new LineBasicMaterial({ color: kColour, depthTest: false });
+  private readonly dotMaterial = new MeshBasicMaterial({ color: kColour, depthTest: false });
+  private readonly dot = new SphereGeometry(0.008, 12, 8);
+  private readonly drawn: { readonly line: Line; readonly dot: Mesh; readonly label: HTMLElement }[] = [];
+  private touches: readonly Touch[] = [];
+
+  constructor(private readonly host: HTMLElement) {}
+
+  show(touches: readonly Touch[]): void {
+    this.touches = touches;
+    while (this.drawn.length < touches.length) this.add();
+    this.drawn.forEach(({ line, dot, label }, i) => {
+      const touch = touches[i];
+      line.visible = dot.visible = touch !== undefined;
+      label.hidden = touch === undefined;
+      if (touch === undefined) return;
+      line.geometry.setAttribute("position", new BufferAttribute(new Float32Array([...touch.at, ...lineEnd(touch)]), 3));
+      dot.position.set(...touch.at);
+      label.textContent = forceText(touch);
+      label.title = `${touch.hand}: ${touch.body}`;
+    });
+  }
+
+  /** Puts the labels where the lines end on the screen. */
+  placeLabels(camera: Camera): void {
+    this.touches.forEach((touch, i) => {
+      const end = new Vector3(...lineEnd(touch)).project(camera);
+      const label = this.drawn[i]?.label;
+      if (label === undefined) return;
+      label.style.left = `${((end.x + 1) / 2) * this.host.clientWidth}px`;
+      label.style.top = `${((1 - end.y) / 2) * this.host.clientHeight}px`;
+    });
+  }
+
+  dispose(): void {
+    for (const { line, label } of this.drawn) {
+      line.geometry.dispose();
+      label.remove();
+    }
+    this.material.dispose();
+    this.dotMaterial.dispose();
+    this.dot.dispose();
+  }
+
+  private add(): void {
+    const line = new Line(new BufferGeometry(), this.material);
+    const dot = new Mesh(this.dot, this.dotMaterial);
+    line.renderOrder = dot.renderOrder = 1;
+    line.frustumCulled = false;
+    const label = document.createElement("span");
+    label.className = "cell-force";
+    this.host.append(label);
+    this.group.add(line, dot);
+    this.drawn.push({ line, dot, label });
+  }
+}

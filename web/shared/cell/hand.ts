@@ -1,0 +1,64 @@
+// A hand of this page: grabs, draws towards the newest target about 30 times a second, lets go. One request at a time, so
+// that they arrive in order; each tells the server that the hand is still there.
+import type { PersonAct } from "../messages/person";
+import type { Triple } from "../messages/pose";
+
+export interface HandOptions {
+  /** Its name at the cell; no other page has it. */
+  readonly name: string;
+  readonly act: (act: PersonAct) => Promise<unknown>;
+  readonly wait: (milliseconds: number) => Promise<void>;
+  /** The server said no; the hand holds nothing. */
+  readonly onRefused: (error: unknown) => void;
+}
+
+const kPeriod = 33; // ms
+
+export interface Hand {
+  /** Takes hold of a point [m, in the body's frame]; what it held before it lets go. */
+  readonly grab: (body: string, point: Triple) => Promise<void>;
+  /** Where it draws that point [m, in o]. */
+  readonly drag: (to: Triple) => void;
+  readonly release: () => void;
+}
+
+export function createHand({ name, act, wait, onRefused }: HandOptions): Hand {
+  let grip = 0; // counts; 0 and those that are over hold nothing
+  let held = 0;
+  let target: Triple | undefined;
+  let last: Promise<unknown> = Promise.resolve();
+  const inTurn = <T>(work: () => Promise<T>): Promise<T> => {
+    const next = last.then(work);
+    last = next.catch(() => undefined);
+    return next;
+  };
+  return {
+    async grab(body, point) {
+      const mine = ++grip;
+      held = mine;
+      target = undefined;
+      try {
+        const take = () => act({ act: "grab", hand: name, body, point });
+        const draw = (to: Triple) => act({ act: "drag", hand: name, to });
+        await inTurn(take);
+        while (held === mine) {
+          const to = target;
+          // A page that was too slow for a moment was taken for gone: it takes hold again, once.
+          if (to !== undefined) await inTurn(() => draw(to).catch(() => take().then(() => draw(to))));
+          await wait(kPeriod);
+        }
+      } catch (error) {
+        if (held === mine) held = 0;
+        onRefused(error);
+      }
+    },
+    drag(to) {
+      target = to;
+    },
+    release() {
+      if (held === 0) return;
+      held = 0;
+      inTurn(() => act({ act: "release", hand: name })).catch(onRefused);
+    },
+  };
+}

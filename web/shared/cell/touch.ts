@@ -1,0 +1,18 @@
+// What a viewer shows of hands and of parts that were taken away.
+import type { Body, CellPose } from "../messages/cell";
+import type { Touch } from "../messages/person";
+import type { Triple } from "../messages/pose";
+
+const kPushLength = 0.002; // m of the drawn line for each newton of a push
+
+/** How strong a force is, as "25 N". */
+export const forceText = ({ force }: Touch): string => `${Math.hypot(...force).toFixed(0)} N`;
+
+/** The far end of the line that stands for a touch: where a hand draws, or along a push [m, in o]. */
+export function lineEnd({ at, force, target }: Touch): Triple {
+  return target ?? [at[0] + kPushLength * force[0], at[1] + kPushLength * force[1], at[2] + kPushLength * force[2]];
+}
+
+/** Names of the movable bodies that are not in the cell. */
+export const absentParts = (bodies: readonly Body[], pose: CellPose): readonly string[] =>
+  bodies.filter((body) => !body.fixed && !(body.name in pose.bodies)).map((body) => body.name);
