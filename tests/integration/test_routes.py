@@ -24,7 +24,8 @@ class Routes(unittest.TestCase):
         services = self.server.get("/services", "services")["services"]
         self.assertEqual({s["key"]: s["type"] for s in services},
                          {"robot": "robot", "gripper": "gripper", "db": "database", "timer": "timer", "display": "display",
-                          "audio": "audio"})
+                          "audio": "audio", "camera": "KinectDriver",
+                          "obj_rec": "ObjectRecognition"})
         scene = self.server.get("/cell", "scene")
         urdf = self.server.get("/cell/" + scene["robots"][0]["urdf"])
         self.assertIn("<robot", urdf)

@@ -51,7 +51,7 @@ TEST(HandOnRobot, IsFeltByTheObserverOfARobotThatHoldsItsPosition) {
 
 TEST(HandOnRobot, LeadsARobotInGravityCompensation) {
   Led led;
-  led.unit.set_behavior(Behavior::gravity_compensation);
+  led.unit.set_behavior(usual_behavior(Mode::gravity_compensation));
   led.run(0.2);
   const Vec3 goal = led.tool() + Vec3{0.05, 0.15, 0.05};
   ASSERT_TRUE(led.person.grab("right", kTool));
