@@ -19,7 +19,7 @@ class ScriptedEnvironment {
   void call(const OutgoingCall& call) {
     const auto found = std::ranges::find(script_.services, call.service, [](const auto& entry) { return entry.first; });
     if (found == script_.services.end() || !declares(found->second, call.name)) {
-      if (!script_.closed) reject(call, "unavailable");
+      if (!script_.closed) reject(call, "unavailable");  // R7
       return;
     }
     const rsm::Service& service = found->second;
