@@ -1,11 +1,11 @@
 # race_test(NAME SOURCES file... [LIBS target...] [LABELS label...] [TIMEOUT seconds]): a GoogleTest program NAME,
 # registered with CTest as one test. Its cases see RACE_SOURCE_DIR (the project's folder) as a string literal.
 #
-# Labels: the room under test (`core`, `services`, `server`; by default that of the folder tests/unit/ROOM) and `slow` for
-# what takes more than some seconds. A room's test programs are built together by the target tests_ROOM.
+# Labels: the room under test (`core`, `services`, `server`, `application`; by default that of the folder tests/unit/ROOM)
+# and `slow` for what takes more than some seconds. A room's test programs are built together by the target tests_ROOM.
 find_package(GTest REQUIRED)
 
-set(RACE_TEST_ROOMS core services server)
+set(RACE_TEST_ROOMS core services server application)
 set(RACE_TEST_LABELS ${RACE_TEST_ROOMS} slow)
 foreach(room ${RACE_TEST_ROOMS})
   add_custom_target(tests_${room})

@@ -9,7 +9,7 @@
 #include "server/cell/units.h"
 #include "server/commands/command.h"
 #include "server/commands/options.h"
-#include "server/http/listener.h"
+#include "server/http/routes.h"
 
 namespace race::server {
 namespace {
@@ -68,7 +68,7 @@ int serve_command(const std::vector<std::string>& words) {
   if (!app) return refuse(app.error());
   // Without clients, no pages; the interface is there all the same.
   const std::string web = options->has("--headless") ? "" : options->text("--web");
-  auto server = HttpServer::listen(static_cast<std::uint16_t>(*port), web, **app);
+  auto server = HttpServer::listen(static_cast<std::uint16_t>(*port), web, behind_the_door(**app));
   if (!server) return refuse(server.error());
   std::printf("race listens on http://127.0.0.1:%u\n", static_cast<unsigned>((*server)->port()));
   std::fflush(stdout);

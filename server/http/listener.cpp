@@ -1,33 +1,22 @@
-// The one file that knows Boost.Beast. Coroutines of one thread; the strands of the rest never block it.
+// The sockets. Coroutines of one thread; the strands of the rest never block it.
 #include "server/http/listener.h"
 
 #include <array>
-#include <boost/asio.hpp>
-#include <boost/beast/core.hpp>
-#include <boost/beast/http.hpp>
-#include <boost/beast/websocket.hpp>
 #include <chrono>
 
 #include "core/value/json.h"
 #include "server/http/door.h"
 #include "server/http/errors.h"
-#include "server/http/routes.h"
+#include "server/http/sessions.h"
 #include "server/http/static_files.h"
-#include "server/stream/requests.h"
 
 namespace race::server {
 namespace {
 
-namespace asio = boost::asio;
-namespace beast = boost::beast;
-namespace http = beast::http;
-namespace websocket = beast::websocket;
-using asio::awaitable;
 using asio::ip::tcp;
 using boost::system::error_code;
 using namespace std::chrono_literals;
 
-constexpr auto kUse = asio::as_tuple(asio::use_awaitable);
 constexpr auto kDeparture = 30s;  // for an answer to leave
 constexpr auto kLinger = 2s;      // for a client to stop sending what is refused
 constexpr std::string_view kStream = "/api/v1/stream";
@@ -36,7 +25,7 @@ constexpr std::string_view kComponents = "/api/v1/components";
 struct Context {
   Door door;
   std::string web;
-  Application& app;
+  Backend behind;
   Pool& handlers;
   HttpServer::Limits limits;
   int connections = 0;
@@ -86,7 +75,7 @@ http::response<http::string_body> to_response(Reply reply, Manner manner) {
 }
 
 Reply answer(Request request, Context& context) {
-  if (request.path.starts_with("/api/")) return handle(std::move(request), context.app);
+  if (request.path.starts_with("/api/")) return context.behind.handle(std::move(request));
   if (request.method == "GET")
     if (auto file = static_file(context.web, request.path)) return std::move(*file);
   return refusal(404, "not_found", "there is no such page");
@@ -108,144 +97,6 @@ awaitable<Reply> on_pool(Pool& pool, std::function<Reply()> work) {
       co_await asio::async_initiate<const asio::use_awaitable_t<>, void(Reply)>(initiate, asio::use_awaitable);
   co_return reply;
 }
-
-// One client of the stream. Held by its two coroutines, and by the hub until it leaves.
-class StreamSession final : public Listener, public std::enable_shared_from_this<StreamSession> {
- public:
-  StreamSession(beast::tcp_stream stream, Application& app)
-      : socket_(std::move(stream)),
-        waker_(socket_.get_executor()),
-        executor_(socket_.get_executor()),
-        hub_(app.hub()),
-        displays_(app.displays()) {}
-
-  Outbox& outbox() override { return outbox_; }
-  void wake() override {
-    asio::post(executor_, [self = shared_from_this()] { self->waker_.cancel(); });
-  }
-
-  awaitable<void> run(Parser::value_type request) {
-    beast::get_lowest_layer(socket_).expires_never();
-    socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
-    socket_.read_message_max(Door::kMessageBytes);
-    socket_.auto_fragment(false);  // a message is one frame
-    const auto [failed] = co_await socket_.async_accept(request, kUse);
-    if (failed) co_return;
-    asio::co_spawn(
-        executor_, [self = shared_from_this()] { return self->write(); }, asio::detached);
-    beast::flat_buffer buffer(Door::kMessageBytes + 1024);
-    for (;;) {
-      const auto [error, bytes] = co_await socket_.async_read(buffer, kUse);
-      if (error) break;
-      if (!socket_.got_text()) break;
-      const auto data = buffer.cdata();
-      handle_stream_request({static_cast<const char*>(data.data()), data.size()}, shared_from_this(), hub_, displays_);
-      buffer.consume(buffer.size());
-    }
-    over_ = true;
-    displays_.leave(*this);
-    hub_.leave(shared_from_this());
-    waker_.cancel();
-    beast::get_lowest_layer(socket_).close();
-  }
-
- private:
-  awaitable<void> write() {
-    while (!over_) {
-      while (auto text = outbox_.pop()) {
-        const auto [error, bytes] = co_await socket_.async_write(asio::buffer(**text), kUse);
-        if (error || over_) {
-          beast::get_lowest_layer(socket_).close();
-          co_return;
-        }
-      }
-      for (const std::string& channel : outbox_.take_owed()) hub_.subscribe(shared_from_this(), channel, std::nullopt);
-      waker_.expires_at(std::chrono::steady_clock::time_point::max());
-      co_await waker_.async_wait(kUse);
-    }
-  }
-
-  websocket::stream<beast::tcp_stream> socket_;
-  asio::steady_timer waker_;
-  asio::any_io_executor executor_;
-  Hub& hub_;
-  Displays& displays_;
-  Outbox outbox_;
-  bool over_ = false;
-};
-
-// One process of components. Held by its coroutines.
-class ComponentSession final : public std::enable_shared_from_this<ComponentSession> {
- public:
-  ComponentSession(beast::tcp_stream stream, remote::Remotes& remotes)
-      : socket_(std::move(stream)),
-        waker_(socket_.get_executor()),
-        heart_(socket_.get_executor()),
-        beat_(remotes.heartbeat() / remote::ProcessLink::kBeats),
-        link_(remotes) {}
-
-  awaitable<void> run(Parser::value_type request) {
-    beast::get_lowest_layer(socket_).expires_never();
-    socket_.read_message_max(remote::kFrameBytes);
-    socket_.auto_fragment(false);
-    const auto [failed] = co_await socket_.async_accept(request, kUse);
-    if (failed) co_return;
-    const auto executor = socket_.get_executor();
-    asio::co_spawn(
-        executor, [self = shared_from_this()] { return self->write(); }, asio::detached);
-    asio::co_spawn(
-        executor, [self = shared_from_this()] { return self->beat(); }, asio::detached);
-    beast::flat_buffer buffer(remote::kFrameBytes + 1024);
-    for (;;) {
-      const auto [error, bytes] = co_await socket_.async_read(buffer, kUse);
-      if (error) break;
-      link_.received({beast::buffers_to_string(buffer.cdata()), socket_.got_binary()});
-      buffer.consume(buffer.size());
-    }
-    over_ = true;
-    link_.out().on_change({});
-    link_.lose("its connection has ended");
-    waker_.cancel();
-    heart_.cancel();
-  }
-
- private:
-  awaitable<void> write() {
-    link_.out().on_change([this, weak = weak_from_this(), executor = socket_.get_executor()] {
-      asio::post(executor, [this, weak] {
-        if (const auto self = weak.lock()) waker_.cancel();
-      });
-    });
-    while (!over_) {
-      while (auto frame = link_.out().pop()) {
-        socket_.binary(frame->binary);
-        const auto [error, bytes] = co_await socket_.async_write(asio::buffer(frame->bytes), kUse);
-        if (error || over_) co_return close();
-      }
-      if (link_.out().drained()) co_return close();
-      waker_.expires_at(std::chrono::steady_clock::time_point::max());
-      co_await waker_.async_wait(kUse);
-    }
-  }
-
-  awaitable<void> beat() {
-    while (!over_) {
-      heart_.expires_after(beat_);
-      co_await heart_.async_wait(kUse);
-      if (over_) co_return;
-      link_.beat();
-      if (link_.lost()) co_return close();
-    }
-  }
-
-  void close() { beast::get_lowest_layer(socket_).close(); }
-
-  websocket::stream<beast::tcp_stream> socket_;
-  asio::steady_timer waker_, heart_;
-  std::chrono::milliseconds beat_;
-  remote::ProcessLink link_;
-  bool over_ = false;
-};
 
 // Why a header could not be read.
 std::optional<Reply> unreadable(error_code error) {
@@ -317,13 +168,11 @@ awaitable<bool> serve_one(beast::tcp_stream& stream, beast::flat_buffer& buffer,
     co_return false;
   }
   if (upgrade && request->path == kStream && request->method == "GET") {
-    auto session = std::make_shared<StreamSession>(std::move(stream), context.app);
-    co_await session->run(parser.release());
+    co_await serve_stream(std::move(stream), parser.release(), context.behind.hub, context.behind.displays);
     co_return false;
   }
   if (upgrade && request->path == kComponents && request->method == "GET") {
-    auto session = std::make_shared<ComponentSession>(std::move(stream), context.app.cell().remotes());
-    co_await session->run(parser.release());
+    co_await serve_components(std::move(stream), parser.release(), context.behind.remotes);
     co_return false;
   }
   if (request->path == kStream || request->path == kComponents) {
@@ -345,7 +194,7 @@ awaitable<void> serve(tcp::socket socket, Context& context) {
     bool more = co_await serve_one(stream, buffer, context, context.limits.arrival);
     while (more) more = co_await serve_one(stream, buffer, context, context.limits.idle);
   } catch (const std::exception& failure) {
-    context.app.log("server", std::string("a connection failed: ") + failure.what());
+    context.behind.log(std::string("a connection failed: ") + failure.what());
   }
   --context.connections;
 }
@@ -370,14 +219,14 @@ awaitable<void> accept(tcp::acceptor& acceptor, Context& context) {
 }  // namespace
 
 struct HttpServer::Sockets {
-  Sockets(std::string its_web, Application& app, const Limits& limits)
+  Sockets(std::string its_web, Backend behind, const Limits& limits)
       : acceptor(io),
         handlers(std::make_unique<Pool>(4)),
-        context{Door(0), std::move(its_web), app, *handlers, limits} {}
+        context{Door(0), std::move(its_web), std::move(behind), *handlers, limits} {}
   // Handlers end, and the hub lets go of its listeners, while the sockets are still there.
   ~Sockets() {
     handlers.reset();
-    context.app.hub().release();
+    context.behind.hub.release();
   }
 
   asio::io_context io{1};
@@ -389,9 +238,9 @@ struct HttpServer::Sockets {
 HttpServer::HttpServer(std::unique_ptr<Sockets> sockets) : sockets_(std::move(sockets)) {}
 HttpServer::~HttpServer() = default;
 
-Expected<std::unique_ptr<HttpServer>> HttpServer::listen(std::uint16_t port, std::string web, Application& app,
+Expected<std::unique_ptr<HttpServer>> HttpServer::listen(std::uint16_t port, std::string web, Backend behind,
                                                          const Limits& limits) {
-  auto sockets = std::make_unique<Sockets>(std::move(web), app, limits);
+  auto sockets = std::make_unique<Sockets>(std::move(web), std::move(behind), limits);
   const tcp::endpoint endpoint(asio::ip::address_v4::loopback(), port);
   try {
     sockets->acceptor.open(endpoint.protocol());

@@ -1,18 +1,32 @@
-// HttpServer: the sockets of `race serve`: HTTP and the stream on one loopback port. All of Beast is in listener.cpp;
-// what it does with a request is in door.h, routes.h, static_files.h and stream/.
+// HttpServer: the sockets of `race serve`: HTTP and the stream on one loopback port. All of Beast is in listener.cpp
+// and sessions.cpp; what is done with a request is in door.h, static_files.h, stream/ and behind `Backend`.
 //
 // Threads: run() is the one that owns the sockets; handlers run on a pool of their own and may wait there.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 
 #include "core/value/expected.h"
-#include "server/application.h"
+#include "server/http/message.h"
+#include "server/stream/displays.h"
+#include "server/stream/hub.h"
+#include "services/remote/remotes.h"
 
 namespace race::server {
+
+/// What stands behind the sockets, and outlives them. Threads: `handle` on any of the handlers' (it may wait), `log` on
+/// the sockets'.
+struct Backend {
+  std::function<Reply(Request)> handle;  // requests to /api/
+  Hub& hub;
+  Displays& displays;
+  remote::Remotes& remotes;
+  std::function<void(const std::string&)> log;
+};
 
 class HttpServer {
  public:
@@ -25,11 +39,11 @@ class HttpServer {
   };
 
   /// Listens on 127.0.0.1:`port` (0: any free one) and serves the files of `web`, if it is not empty, beside the
-  /// routes. The application outlives the server. Error `io`: the port cannot be had.
-  static Expected<std::unique_ptr<HttpServer>> listen(std::uint16_t port, std::string web, Application& app,
+  /// routes. Error `io`: the port cannot be had.
+  static Expected<std::unique_ptr<HttpServer>> listen(std::uint16_t port, std::string web, Backend behind,
                                                       const Limits& limits);
-  static Expected<std::unique_ptr<HttpServer>> listen(std::uint16_t port, std::string web, Application& app) {
-    return listen(port, std::move(web), app, Limits());
+  static Expected<std::unique_ptr<HttpServer>> listen(std::uint16_t port, std::string web, Backend behind) {
+    return listen(port, std::move(web), std::move(behind), Limits());
   }
   ~HttpServer();
 

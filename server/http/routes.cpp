@@ -87,4 +87,9 @@ Reply handle(Request request, Application& app) {
   return reply;
 }
 
+Backend behind_the_door(Application& app) {
+  return {[&app](Request request) { return handle(std::move(request), app); }, app.hub(), app.displays(),
+          app.cell().remotes(), [&app](const std::string& text) { app.log("server", text); }};
+}
+
 }  // namespace race::server

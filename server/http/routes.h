@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "server/handlers/handlers.h"
+#include "server/http/listener.h"
 
 namespace race::server {
 
@@ -23,5 +24,7 @@ std::optional<std::map<std::string, std::string, std::less<>>> match(std::string
 /// Answers a request: by its route; 405 for a path with other methods, 404 for none. What a handler throws (memory, a
 /// mistake of ours) is answered 500; the server goes on.
 Reply handle(Request request, Application& app);
+/// The application as the sockets see it.
+Backend behind_the_door(Application& app);
 
 }  // namespace race::server

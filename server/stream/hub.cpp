@@ -76,27 +76,37 @@ void Hub::publish_delta(std::string name, Value data) {
 
 void Hub::subscribe(std::shared_ptr<Listener> listener, std::string name, std::optional<std::int64_t> since) {
   strand_.post([this, listener = std::move(listener), name = std::move(name), since] {
-    if (released_) return;
-    listener->outbox().drop(name);
-    if (name.empty()) return;  // refusals that were dropped are not repeated
-    Channel* channel = find(name);
-    if (!channel) {
-      const Value data = errors_json({{ErrorCode::not_found, "there is no channel of this name", name}});
-      return send(*listener, kRefusals, serialise(name, first_, "error", data), false);
-    }
-    const bool first = channel->listeners.empty() && channel->waiting.empty();
-    channel->listeners.erase(listener);
-    if (since && catch_up(name, *channel, *listener, *since)) {
-      channel->listeners.insert(listener);
-    } else if (channel->snapshot && !channel->source.sampled && channel->snapshot->sequence == channel->sequence) {
-      send(*listener, name, channel->snapshot->text, false);
-      channel->listeners.insert(listener);
-    } else {
-      channel->waiting.insert(listener);
-    }
-    if (first && channel->source.watched) channel->source.watched(true);
-    if (channel->waiting.contains(listener) && channel->source.refresh) channel->source.refresh();
+    if (!released_) join(listener, name, since);
   });
+}
+
+void Hub::repay(std::shared_ptr<Listener> listener, std::string name) {
+  strand_.post([this, listener = std::move(listener), name = std::move(name)] {
+    if (name == kRefusals) return listener->outbox().drop(name);  // those that were dropped are not repeated
+    const auto known = channels_.find(name);
+    if (known != channels_.end() && known->second.listeners.contains(listener)) join(listener, name, std::nullopt);
+  });
+}
+
+void Hub::join(const std::shared_ptr<Listener>& listener, const std::string& name, std::optional<std::int64_t> since) {
+  listener->outbox().drop(name);
+  Channel* channel = find(name);
+  if (!channel) {
+    const Value data = errors_json({{ErrorCode::not_found, "there is no channel of this name", name}});
+    return send(*listener, kRefusals, serialise(name, first_, "error", data), false);
+  }
+  const bool first = channel->listeners.empty() && channel->waiting.empty();
+  channel->listeners.erase(listener);
+  if (since && catch_up(name, *channel, *listener, *since)) {
+    channel->listeners.insert(listener);
+  } else if (channel->snapshot && !channel->source.sampled && channel->snapshot->sequence == channel->sequence) {
+    send(*listener, name, channel->snapshot->text, false);
+    channel->listeners.insert(listener);
+  } else {
+    channel->waiting.insert(listener);
+  }
+  if (first && channel->source.watched) channel->source.watched(true);
+  if (channel->waiting.contains(listener) && channel->source.refresh) channel->source.refresh();
 }
 
 // What a listener that has everything up to `since` lacks; false if that is not kept any more. One that starts from the

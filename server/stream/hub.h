@@ -56,6 +56,8 @@ class Hub {
   void close(std::string channel);
 
   void subscribe(std::shared_ptr<Listener> listener, std::string channel, std::optional<std::int64_t> since);
+  /// A snapshot for a listener that its outbox owed one, if it still listens.
+  void repay(std::shared_ptr<Listener> listener, std::string channel);
   void unsubscribe(std::shared_ptr<Listener> listener, std::string channel);
   /// The listener is gone.
   void leave(std::shared_ptr<Listener> listener);
@@ -80,6 +82,7 @@ class Hub {
   };
 
   Channel* find(const std::string& name);
+  void join(const std::shared_ptr<Listener>& listener, const std::string& name, std::optional<std::int64_t> since);
   void forget(Channel& channel, const std::shared_ptr<Listener>& listener);
   bool catch_up(const std::string& name, Channel& channel, Listener& listener, std::int64_t since);
   static void send(Listener& listener, const std::string& channel, Text text, bool sampled);

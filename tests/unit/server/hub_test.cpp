@@ -141,16 +141,28 @@ TEST_F(HubTest, ASlowListenerGetsNothingBeforeTheSnapshotThatItIsOwed) {
   EXPECT_THAT(client->box.take_owed(), ElementsAre("n"));
   delta();  // on its way when the snapshot is asked for
   EXPECT_THAT(received(client), IsEmpty());
-  hub.subscribe(client, "n", {});
+  hub.repay(client, "n");
   settle();
   delta();
   EXPECT_THAT(received(client), ElementsAre("snapshot 258 258", "delta 259 259"));
 }
 
+TEST_F(HubTest, WhoListensNoLongerIsOwedNothing) {
+  hub.subscribe(client, "n", {});
+  settle();
+  for (std::size_t i = 0; i < Outbox::kMessages + 1; ++i) delta();
+  settle();
+  EXPECT_THAT(client->box.take_owed(), ElementsAre("n"));
+  hub.unsubscribe(client, "n");
+  hub.repay(client, "n");
+  delta();
+  EXPECT_THAT(received(client), IsEmpty());
+}
+
 TEST_F(HubTest, RefusalsComeAgainAfterTooMany) {
   for (std::size_t i = 0; i < Outbox::kMessages + 1; ++i) hub.subscribe(client, "nothing", {});
   EXPECT_THAT(received(client), IsEmpty());
-  for (const std::string& owed : client->box.take_owed()) hub.subscribe(client, owed, {});
+  for (const std::string& owed : client->box.take_owed()) hub.repay(client, owed);
   hub.subscribe(client, "nothing", {});
   EXPECT_THAT(received(client), ElementsAre("error 0 -"));
 }

@@ -6,13 +6,11 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include <filesystem>
 #include <thread>
 
 namespace race::server {
 namespace {
 
-namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
 // A client's connection; gives up after some seconds, which no test needs.
@@ -76,19 +74,19 @@ class Connection {
   std::string host_;
 };
 
+struct Nobody final : services::HostObserver {
+  void delivered(const services::Delivery&) override {}
+  void changed(const services::ServiceStatus&) override {}
+  void logged(services::Time, const std::string&, const std::string&) override {}
+};
+
 struct ListenerTest : testing::Test {
   ~ListenerTest() override {
     if (server) server->stop();
     if (thread.joinable()) thread.join();
-    server.reset();
-    app.reset();
-    fs::remove_all(data);
   }
   void serve(const HttpServer::Limits& limits) {
-    fs::remove_all(data);
-    fs::create_directories(data);
-    app = Application::create({data, "", 1, {}}).value();
-    server = HttpServer::listen(0, "", *app, limits).value();
+    server = HttpServer::listen(0, "", {answer, hub, displays, remotes, [](const std::string&) {}}, limits).value();
     thread = std::thread([this] { server->run(); });
   }
   std::unique_ptr<Connection> connection(const std::string& text = "") {
@@ -97,8 +95,16 @@ struct ListenerTest : testing::Test {
     EXPECT_TRUE(made->send(text));
     return made;
   }
-  const fs::path data = fs::path(testing::TempDir()) / "race_listener_test";
-  std::unique_ptr<Application> app;
+  static Reply answer(const Request& request) { return {request.path == "/api/v1/health" ? 200 : 404, {}, {}, {}, {}}; }
+
+  Pool pool{1};
+  Hub hub{pool, 1, [](const std::string&) { return std::nullopt; }};
+  display::Screens screens;
+  Displays displays{screens, hub};
+  services::WorldClock clock;
+  Nobody nobody;
+  services::Host host{clock, nobody};
+  remote::Remotes remotes{host, clock, 1s};
   std::unique_ptr<HttpServer> server;
   std::thread thread;
 };

@@ -1,0 +1,162 @@
+// The WebSockets: clients of the stream, and processes of components. Coroutines of the listener's thread.
+#include "server/http/sessions.h"
+
+#include <chrono>
+
+#include "server/http/door.h"
+#include "server/stream/requests.h"
+
+namespace race::server {
+namespace {
+
+// One client of the stream. Held by its two coroutines, and by the hub until it leaves.
+class StreamSession final : public Listener, public std::enable_shared_from_this<StreamSession> {
+ public:
+  StreamSession(beast::tcp_stream stream, Hub& hub, Displays& displays)
+      : socket_(std::move(stream)),
+        waker_(socket_.get_executor()),
+        executor_(socket_.get_executor()),
+        hub_(hub),
+        displays_(displays) {}
+
+  Outbox& outbox() override { return outbox_; }
+  void wake() override {
+    asio::post(executor_, [self = shared_from_this()] { self->waker_.cancel(); });
+  }
+
+  awaitable<void> run(Upgrade request) {
+    beast::get_lowest_layer(socket_).expires_never();
+    socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
+    socket_.read_message_max(Door::kMessageBytes);
+    socket_.auto_fragment(false);  // a message is one frame
+    const auto [failed] = co_await socket_.async_accept(request, kUse);
+    if (failed) co_return;
+    asio::co_spawn(
+        executor_, [self = shared_from_this()] { return self->write(); }, asio::detached);
+    beast::flat_buffer buffer(Door::kMessageBytes + 1024);
+    for (;;) {
+      const auto [error, bytes] = co_await socket_.async_read(buffer, kUse);
+      if (error) break;
+      if (!socket_.got_text()) break;
+      const auto data = buffer.cdata();
+      handle_stream_request({static_cast<const char*>(data.data()), data.size()}, shared_from_this(), hub_, displays_);
+      buffer.consume(buffer.size());
+    }
+    over_ = true;
+    displays_.leave(*this);
+    hub_.leave(shared_from_this());
+    waker_.cancel();
+    beast::get_lowest_layer(socket_).close();
+  }
+
+ private:
+  awaitable<void> write() {
+    while (!over_) {
+      while (auto text = outbox_.pop()) {
+        const auto [error, bytes] = co_await socket_.async_write(asio::buffer(**text), kUse);
+        if (error || over_) {
+          beast::get_lowest_layer(socket_).close();
+          co_return;
+        }
+      }
+      for (const std::string& channel : outbox_.take_owed()) hub_.repay(shared_from_this(), channel);
+      waker_.expires_at(std::chrono::steady_clock::time_point::max());
+      co_await waker_.async_wait(kUse);
+    }
+  }
+
+  websocket::stream<beast::tcp_stream> socket_;
+  asio::steady_timer waker_;
+  asio::any_io_executor executor_;
+  Hub& hub_;
+  Displays& displays_;
+  Outbox outbox_;
+  bool over_ = false;
+};
+
+// One process of components. Held by its coroutines.
+class ComponentSession final : public std::enable_shared_from_this<ComponentSession> {
+ public:
+  ComponentSession(beast::tcp_stream stream, remote::Remotes& remotes)
+      : socket_(std::move(stream)),
+        waker_(socket_.get_executor()),
+        heart_(socket_.get_executor()),
+        beat_(remotes.heartbeat() / remote::ProcessLink::kBeats),
+        link_(remotes) {}
+
+  awaitable<void> run(Upgrade request) {
+    beast::get_lowest_layer(socket_).expires_never();
+    socket_.read_message_max(remote::kFrameBytes);
+    socket_.auto_fragment(false);
+    const auto [failed] = co_await socket_.async_accept(request, kUse);
+    if (failed) co_return;
+    const auto executor = socket_.get_executor();
+    asio::co_spawn(
+        executor, [self = shared_from_this()] { return self->write(); }, asio::detached);
+    asio::co_spawn(
+        executor, [self = shared_from_this()] { return self->beat(); }, asio::detached);
+    beast::flat_buffer buffer(remote::kFrameBytes + 1024);
+    for (;;) {
+      const auto [error, bytes] = co_await socket_.async_read(buffer, kUse);
+      if (error) break;
+      link_.received({beast::buffers_to_string(buffer.cdata()), socket_.got_binary()});
+      buffer.consume(buffer.size());
+    }
+    over_ = true;
+    link_.out().on_change({});
+    link_.lose("its connection has ended");
+    waker_.cancel();
+    heart_.cancel();
+  }
+
+ private:
+  awaitable<void> write() {
+    link_.out().on_change([this, weak = weak_from_this(), executor = socket_.get_executor()] {
+      asio::post(executor, [this, weak] {
+        if (const auto self = weak.lock()) waker_.cancel();
+      });
+    });
+    while (!over_) {
+      while (auto frame = link_.out().pop()) {
+        socket_.binary(frame->binary);
+        const auto [error, bytes] = co_await socket_.async_write(asio::buffer(frame->bytes), kUse);
+        if (error || over_) co_return close();
+      }
+      if (link_.out().drained()) co_return close();
+      waker_.expires_at(std::chrono::steady_clock::time_point::max());
+      co_await waker_.async_wait(kUse);
+    }
+  }
+
+  awaitable<void> beat() {
+    while (!over_) {
+      heart_.expires_after(beat_);
+      co_await heart_.async_wait(kUse);
+      if (over_) co_return;
+      link_.beat();
+      if (link_.lost()) co_return close();
+    }
+  }
+
+  void close() { beast::get_lowest_layer(socket_).close(); }
+
+  websocket::stream<beast::tcp_stream> socket_;
+  asio::steady_timer waker_, heart_;
+  std::chrono::milliseconds beat_;
+  remote::ProcessLink link_;
+  bool over_ = false;
+};
+
+}  // namespace
+
+awaitable<void> serve_stream(beast::tcp_stream stream, Upgrade request, Hub& hub, Displays& displays) {
+  auto session = std::make_shared<StreamSession>(std::move(stream), hub, displays);
+  co_await session->run(std::move(request));
+}
+
+awaitable<void> serve_components(beast::tcp_stream stream, Upgrade request, remote::Remotes& remotes) {
+  auto session = std::make_shared<ComponentSession>(std::move(stream), remotes);
+  co_await session->run(std::move(request));
+}
+
+}  // namespace race::server
