@@ -13,8 +13,21 @@ bool is_service(const Flows::Listener& each, std::size_t service) { return each.
 
 }  // namespace
 
+std::vector<std::string> offered(const rsm::Service& model) {
+  std::vector<std::string> names;
+  const Value* flows = model.meta.find("flows");
+  if (!flows || !flows->is_dict()) return names;
+  for (const auto& [name, text] : flows->as_dict()) names.push_back(name.as_string());
+  return names;
+}
+
 bool Flows::wanted(std::string_view key, std::string_view flow) const {
   return std::ranges::any_of(listeners_, [&](const Listener& each) { return hears(each, key, flow); });
+}
+
+bool Flows::listens(std::size_t service, std::string_view key, std::string_view flow) const {
+  return std::ranges::any_of(listeners_,
+                             [&](const Listener& each) { return is_service(each, service) && hears(each, key, flow); });
 }
 
 std::vector<std::string> Flows::wanted_of(std::string_view key) const {
@@ -28,6 +41,7 @@ void Flows::listen(std::size_t service, std::string_view key, std::string_view f
   const auto same = [&](const Listener& each) { return is_service(each, service) && hears(each, key, flow); };
   if (!on) {
     std::erase_if(listeners_, same);
+    forget_unwanted();
   } else if (std::ranges::none_of(listeners_, same)) {
     listeners_.push_back({std::string(key), std::string(flow), service, {}, 0, {}});
   }
@@ -43,6 +57,7 @@ Flows::Listener Flows::unwatch(WatchId id) {
   if (id == 0 || found == listeners_.end()) return {};
   Listener gone = std::move(*found);
   listeners_.erase(found);
+  forget_unwanted();
   return gone;
 }
 
@@ -63,6 +78,44 @@ PacketPtr Flows::take(std::size_t service, std::string_view key, std::string_vie
   for (Listener& each : listeners_)
     if (is_service(each, service) && hears(each, key, flow)) return std::exchange(each.waiting, nullptr);
   return nullptr;
+}
+
+bool Flows::count(std::string_view key, std::string_view flow, const Packet& packet, Time now) {
+  constexpr Time kTold = 1;
+  auto passed = std::ranges::find_if(passed_, [&](const Passed& each) { return each.key == key && each.flow == flow; });
+  if (passed == passed_.end())
+    passed = passed_.insert(passed_.end(), {std::string(key), std::string(flow), {}, {}, now});
+  passed->last = {packet.time, packet.header};
+  passed->times.push_back(now);
+  if (passed->times.size() > kCounted) passed->times.pop_front();
+  if (passed->times.size() > 2 && now - passed->told < kTold) return false;
+  passed->told = now;
+  return true;
+}
+
+Published Flows::traffic(std::string_view key, std::string_view flow, Time now) const {
+  constexpr Time kPatience = 1;  // beside three periods
+  Published traffic{std::string(flow), 0, 0, {}};
+  for (const Listener& each : listeners_)
+    if (each.watch != 0 && hears(each, key, flow)) ++traffic.watchers;
+  const auto passed =
+      std::ranges::find_if(passed_, [&](const Passed& each) { return each.key == key && each.flow == flow; });
+  if (passed == passed_.end()) return traffic;
+  traffic.last = passed->last;
+  const auto& times = passed->times;
+  const Time since_first = times.back() - times.front();
+  if (since_first <= 0) return traffic;
+  const Time period = since_first / static_cast<double>(times.size() - 1);
+  if (now - times.back() <= 3 * period + kPatience) traffic.rate_hz = 1 / period;
+  return traffic;
+}
+
+void Flows::fall_silent(std::string_view key) {
+  std::erase_if(passed_, [&](const Passed& each) { return each.key == key; });
+}
+
+void Flows::forget_unwanted() {
+  std::erase_if(passed_, [&](const Passed& each) { return !wanted(each.key, each.flow); });
 }
 
 std::vector<Flows::Listener> Flows::of(std::size_t service) const {

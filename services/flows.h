@@ -1,10 +1,12 @@
-// Flows: who listens to which data flow of which service, and the newest packet that waits for each. Mere bookkeeping:
-// the Host does what follows from it.
+// Flows: who listens to which data flow of which service, the newest packet that waits for each, and what has passed
+// lately. Mere bookkeeping: the Host does what follows from it.
 //
 // Threads: one at a time, under the host's lock.
 #pragma once
 
+#include <deque>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +14,27 @@
 #include "services/component.h"
 
 namespace race::services {
+
+/// A data flow that a service offers, and what passes on it.
+struct Published {
+  struct Last {
+    Time time = 0;
+    Value header;
+  };
+  std::string flow;
+  std::size_t watchers = 0;  // from outside; services that listen say so themselves
+  double rate_hz = 0;        // packets in a second of the host's clock; 0: none pass
+  std::optional<Last> last;  // since somebody listens
+};
+
+/// A data flow that a service reads, and whether it listens now.
+struct Subscribed {
+  std::string service, flow;
+  bool listening = false;
+};
+
+/// The flows that a service says it offers: the names in `flows` of its RSM's meta.
+std::vector<std::string> offered(const rsm::Service& model);
 
 class Flows {
  public:
@@ -29,6 +52,8 @@ class Flows {
 
   /// Whether anybody listens to `flow` of the service `key`.
   bool wanted(std::string_view key, std::string_view flow) const;
+  /// Whether the service number `service` listens to it.
+  bool listens(std::size_t service, std::string_view key, std::string_view flow) const;
   /// The flows of the service `key` that somebody listens to, each once.
   std::vector<std::string> wanted_of(std::string_view key) const;
 
@@ -43,11 +68,31 @@ class Flows {
   std::vector<std::size_t> publish(std::string_view key, std::string_view flow, const PacketPtr& packet);
   /// The packet on its way to `service`; none if it has stopped listening.
   PacketPtr take(std::size_t service, std::string_view key, std::string_view flow);
+
+  /// Counts a packet of a flow that is wanted. Whether what traffic() says now is worth telling: at first, then once a
+  /// second.
+  bool count(std::string_view key, std::string_view flow, const Packet& packet, Time now);
+  /// What passes on a flow; one that has been silent for much longer than its period has stopped.
+  Published traffic(std::string_view key, std::string_view flow, Time now) const;
+  /// The service `key` is gone: nothing passes on its flows.
+  void fall_silent(std::string_view key);
   /// What `service` listens to.
   std::vector<Listener> of(std::size_t service) const;
 
  private:
+  static constexpr std::size_t kCounted = 10;
+
+  /// Packets of a flow since it is wanted.
+  struct Passed {
+    std::string key, flow;
+    std::deque<Time> times;  // of the last kCounted, as of the host's clock
+    Published::Last last;
+    Time told = 0;
+  };
+  void forget_unwanted();
+
   std::vector<Listener> listeners_;  // in order of their coming
+  std::vector<Passed> passed_;
   WatchId next_watch_ = 1;
 };
 

@@ -122,7 +122,13 @@ struct Host::Slot final : ServiceHost {
 
   void changed() {
     if (!model.is_interface()) status.state = monitor->current();
+    look_at_flows();
     host.observer_.changed(status);
+  }
+
+  void look_at_flows() {
+    for (Published& each : status.publishes) each = host.flows_.traffic(status.key, each.flow, host.clock_.now());
+    for (Subscribed& each : status.subscribes) each.listening = host.flows_.listens(number, each.service, each.flow);
   }
 
   Host& host;
@@ -175,6 +181,9 @@ void Host::attach(const std::string& key, std::unique_ptr<Component> component, 
   slot.monitor = std::make_unique<rsm::Monitor>(slot.model);
   slot.component = std::move(component);
   slot.status.model = &slot.model;
+  for (std::string& flow : offered(slot.model)) slot.status.publishes.push_back({std::move(flow), 0, 0, {}});
+  for (const rsm::Uses& used : slot.model.subscribes)
+    slot.status.subscribes.push_back({used.service, used.name, false});
   if (presence == Presence::here) return begin(slot);
   slot.changed();
 }
@@ -275,6 +284,7 @@ void Host::lose(Slot& slot, const std::string& why) {
   for (const PendingCall& pending : slot.status.pending) deliver_response(slot, pending, unavailable, true);
   slot.status.pending.clear();
   slot.monitor->restarted();
+  flows_.fall_silent(slot.status.key);
   slot.changed();
   for (const Flows::Listener& each : flows_.of(slot.number)) listen(slot, each.key, each.flow, false);
   reservations_.drop(slot.number);
@@ -285,13 +295,16 @@ Flows::WatchId Host::watch(const std::string& service, const std::string& flow, 
   const bool before = flows_.wanted(service, flow);
   const Flows::WatchId id = flows_.watch(service, flow, std::move(watcher));
   if (!before) want(service, flow, true);
+  tell(service);
   return id;
 }
 
 void Host::unwatch(Flows::WatchId watch) {
   const std::lock_guard lock(mutex_);
   const Flows::Listener gone = flows_.unwatch(watch);
-  if (gone.watch != 0 && !flows_.wanted(gone.key, gone.flow)) want(gone.key, gone.flow, false);
+  if (gone.watch == 0) return;
+  if (!flows_.wanted(gone.key, gone.flow)) want(gone.key, gone.flow, false);
+  tell(gone.key);
 }
 
 // The functions below need the host's lock.
@@ -311,6 +324,14 @@ void Host::listen(Slot& slot, std::string_view key, std::string_view flow, bool 
   const bool before = flows_.wanted(key, flow);
   flows_.listen(slot.number, key, flow, on);
   if (flows_.wanted(key, flow) != before) want(key, std::string(flow), on);
+  tell(key);
+  slot.changed();
+}
+
+// What passes on the flows of a service, if there is one of this key by now, has changed.
+void Host::tell(std::string_view key) {
+  Slot* slot = find(std::string(key));
+  if (slot && slot->component) slot->changed();
 }
 
 // Tells the publisher, if there is one by now, that somebody listens or nobody does.
@@ -320,7 +341,9 @@ void Host::want(std::string_view key, const std::string& flow, bool on) {
   post(*publisher, [flow, on](Component& component) { component.wanted(flow, on); });
 }
 
-void Host::publish(const Slot& slot, std::string_view flow, const PacketPtr& packet) {
+void Host::publish(Slot& slot, std::string_view flow, const PacketPtr& packet) {
+  if (!flows_.wanted(slot.status.key, flow)) return;
+  if (flows_.count(slot.status.key, flow, *packet, clock_.now())) slot.changed();
   for (const std::size_t number : flows_.publish(slot.status.key, flow, packet)) {
     Slot* to = slots_[number].get();
     post(*to, [this, to, key = slot.status.key, flow = std::string(flow)](Component& component) {
@@ -346,14 +369,18 @@ void Host::stop() {
 std::vector<ServiceStatus> Host::services() const {
   const std::lock_guard lock(mutex_);
   std::vector<ServiceStatus> all;
-  for (const auto& slot : slots_) all.push_back(slot->status);
+  for (const auto& slot : slots_) {
+    slot->look_at_flows();
+    all.push_back(slot->status);
+  }
   return all;
 }
 
 std::optional<ServiceStatus> Host::service(const std::string& key) const {
   const std::lock_guard lock(mutex_);
-  const Slot* slot = find(key);
+  Slot* slot = find(key);
   if (!slot) return std::nullopt;
+  slot->look_at_flows();
   return slot->status;
 }
 

@@ -72,13 +72,15 @@ struct ServiceStatus {
   std::vector<PendingCall> pending;   // in order of call
   std::vector<Violation> violations;  // the last kViolationsKept
   std::string last;                   // id of the transition taken last; empty: none yet
+  std::vector<Published> publishes;   // as of now
+  std::vector<Subscribed> subscribes;
 };
 
 class HostObserver {
  public:
   virtual ~HostObserver() = default;
   virtual void delivered(const Delivery& delivery) = 0;
-  /// State, pending calls or violations of a service have changed.
+  /// State, pending calls, violations or flows of a service have changed; of a flow that passes, once a second.
   virtual void changed(const ServiceStatus& status) = 0;
   virtual void logged(Time time, const std::string& key, const std::string& text) = 0;
 };
@@ -138,7 +140,8 @@ class Host {
   void lose(Slot& slot, const std::string& why);
   void begin(Slot& slot);
   void listen(Slot& slot, std::string_view key, std::string_view flow, bool on);
-  void publish(const Slot& slot, std::string_view flow, const PacketPtr& packet);
+  void tell(std::string_view key);
+  void publish(Slot& slot, std::string_view flow, const PacketPtr& packet);
   void want(std::string_view key, const std::string& flow, bool on);
 
   const Clock& clock_;

@@ -12,7 +12,9 @@ using testing::IsEmpty;
 
 const rsm::Service& tap_model() {
   static const rsm::Service model =
-      rsm::read_service_text(R"({"rsm": 1, "name": "tap", "states": [{"name": "Open"}], "init": "Open"})", "tap")
+      rsm::read_service_text(R"({"rsm": 1, "name": "tap", "states": [{"name": "Open"}], "init": "Open",
+                                 "meta": {"flows": {"water": "drops"}}})",
+                             "tap")
           .value();
   return model;
 }
@@ -53,6 +55,16 @@ struct FlowTest : testing::Test {
     basin.host.subscribe("tap", "water", on);
     bench.unit.run();
   }
+  // The tap pours now and then every 100 ms, `times` in all.
+  void pour_evenly(int times) {
+    for (int i = 0; i < times; ++i) {
+      if (i > 0) bench.pass(0.1);
+      tap.pour(i);
+    }
+    bench.unit.run();
+  }
+  Published water() const { return bench.host.service("tap")->publishes.at(0); }
+  bool basin_listens() const { return bench.host.service("basin")->subscribes.at(0).listening; }
   Bench bench;
   Vessel& tap;
   Vessel& basin;
@@ -141,6 +153,81 @@ TEST_F(FlowTest, AListenerThatIsLostListensNoLonger) {
   EXPECT_FALSE(bench.host.service("basin")->available);
   bench.unit.run();
   EXPECT_THAT(tap.wishes, ElementsAre("+water", "-water"));
+}
+
+TEST_F(FlowTest, AServiceTellsWhatItOffersWhatItReadsAndWhetherItListens) {
+  EXPECT_EQ(water().flow, "water");
+  EXPECT_EQ(bench.host.service("basin")->subscribes.at(0).service, "tap");
+  EXPECT_FALSE(basin_listens());
+  listen(true);
+  EXPECT_TRUE(basin_listens());
+  listen(false);
+  EXPECT_FALSE(basin_listens());
+}
+
+TEST_F(FlowTest, WatchersAreCountedAndListeningServicesAreNone) {
+  listen(true);
+  const auto first = bench.host.watch("tap", "water", [](const PacketPtr&) {});
+  const auto second = bench.host.watch("tap", "water", [](const PacketPtr&) {});
+  EXPECT_EQ(water().watchers, 2U);
+  bench.host.unwatch(first);
+  EXPECT_EQ(water().watchers, 1U);
+  bench.host.unwatch(second);
+  EXPECT_EQ(water().watchers, 0U);
+}
+
+TEST_F(FlowTest, TheRateIsThatOfTheHostsClock) {
+  listen(true);
+  pour_evenly(1);
+  EXPECT_EQ(water().rate_hz, 0);
+  pour_evenly(25);
+  bench.pass(0.1);
+  EXPECT_NEAR(water().rate_hz, 10, 1e-6);
+  EXPECT_EQ(water().last->time, 24);
+}
+
+TEST_F(FlowTest, APublisherThatFallsSilentHasNoRate) {
+  listen(true);
+  pour_evenly(5);
+  bench.pass(2);
+  EXPECT_EQ(water().rate_hz, 0);
+  EXPECT_TRUE(water().last.has_value());
+}
+
+TEST_F(FlowTest, NothingPassesOnceNobodyListensOrThePublisherIsGone) {
+  for (const bool lost : {false, true}) {
+    listen(true);
+    pour_evenly(5);
+    EXPECT_GT(water().rate_hz, 0);
+    lost ? bench.host.lose("tap") : listen(false);
+    EXPECT_EQ(water().rate_hz, 0);
+    EXPECT_FALSE(water().last.has_value());
+  }
+}
+
+TEST_F(FlowTest, APacketThatNobodyWantsIsNotCounted) {
+  pour_evenly(5);
+  EXPECT_FALSE(water().last.has_value());
+}
+
+TEST_F(FlowTest, ObserversAreToldAtFirstAndThenOnceASecond) {
+  listen(true);
+  bench.changes = 0;
+  pour_evenly(2);
+  EXPECT_EQ(bench.changes, 2);
+  bench.pass(0.1);
+  pour_evenly(25);
+  EXPECT_EQ(bench.changes, 4);
+}
+
+TEST_F(FlowTest, ObserversAreToldWhoListensAndWhoWatches) {
+  bench.changes = 0;
+  const auto watch = bench.host.watch("tap", "water", [](const PacketPtr&) {});
+  EXPECT_EQ(bench.changes, 1);
+  bench.host.unwatch(watch);
+  EXPECT_EQ(bench.changes, 2);
+  listen(true);  // publisher and listener
+  EXPECT_EQ(bench.changes, 4);
 }
 
 }  // namespace
