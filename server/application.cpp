@@ -28,6 +28,7 @@ Checked<std::unique_ptr<Application>> Application::create(const Setup& setup) {
   auto cell = Cell::create(cell_setup, *app);
   if (!cell) return fail(std::move(cell).error());
   app->cell_ = std::move(*cell);
+  app->flows_ = std::make_unique<FlowChannels>(app->cell_->host(), *app->hub_, *app->stream_pool_);
   app->pool_ = std::make_unique<Pool>(2);
   app->cores_ = std::make_unique<Cores>(*app->pool_, app->cell_->host(), *app);
   app->cell_->on_pose([self = app.get()](Value pose) { self->hub_->publish_delta("cell/pose", std::move(pose)); });
@@ -59,6 +60,7 @@ std::optional<Source> Application::find_channel(const std::string& name) {
   if (name == "log") return Source{false, [this] { publish_log(); }, {}};
   if (name == "cell/pose" && cell_->has_world()) return Source{true, {}, [this](bool on) { cell_->watch_pose(on); }};
   if (auto display = displays_->find_channel(name)) return display;
+  if (auto flow = flows_->find_channel(name)) return flow;
   constexpr std::string_view kCore = "core/";
   const auto slash = name.rfind('/');
   if (!name.starts_with(kCore) || slash <= kCore.size()) return std::nullopt;

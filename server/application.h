@@ -16,6 +16,7 @@
 #include "server/execution/cores.h"
 #include "server/store/documents.h"
 #include "server/stream/displays.h"
+#include "server/stream/flow_channels.h"
 #include "server/stream/hub.h"
 #include "services/display/screens.h"
 
@@ -87,6 +88,7 @@ class Application final : public CoreWatcher, public services::HostObserver {
   std::unique_ptr<Documents> documents_;
   std::unique_ptr<Pool> pool_;  // of the cores
   std::unique_ptr<Cell> cell_;
+  std::unique_ptr<FlowChannels> flows_;
   std::unique_ptr<Cores> cores_;
   std::unique_ptr<Operator> operator_;  // fixed after the start; what tells it is still there when the cell has stopped
 };

@@ -23,17 +23,28 @@ Value violation_json(const services::Violation& violation) {
   return json;
 }
 
+Value published_json(const services::Published& flow) {
+  Dict json{{"flow", flow.flow}, {"watchers", number(flow.watchers)}, {"rate_hz", flow.rate_hz}};
+  if (flow.last) json.set("last", Dict{{"time", flow.last->time}, {"header", flow.last->header}});
+  return json;
+}
+
 }  // namespace
 
 Value service_state_json(const services::ServiceStatus& status) {
-  List pending, violations;
+  List pending, violations, publishes, subscribes;
   for (const auto& each : status.pending) pending.push_back(pending_json(each));
   for (const auto& each : status.violations) violations.push_back(violation_json(each));
+  for (const auto& each : status.publishes) publishes.push_back(published_json(each));
+  for (const auto& each : status.subscribes)
+    subscribes.push_back(Dict{{"service", each.service}, {"flow", each.flow}, {"listening", each.listening}});
   Dict json{{"key", status.key},
             {"state", status.state ? Value(*status.state) : Value()},
             {"available", status.available},
             {"pending", std::move(pending)},
-            {"violations", std::move(violations)}};
+            {"violations", std::move(violations)},
+            {"publishes", std::move(publishes)},
+            {"subscribes", std::move(subscribes)}};
   if (!status.last.empty()) json.set("last", status.last);
   return json;
 }

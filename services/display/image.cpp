@@ -37,6 +37,17 @@ bool is_base64(std::string_view text) {
   return text.find_first_not_of(kDigits) == std::string_view::npos;
 }
 
+Expected<std::string> check_url(const std::string& url) {
+  if (url.size() > kImageCharacters) return too_large();
+  for (const auto& [extension, type] : kTypes) {
+    const std::string head = "data:" + std::string(type) + ";base64,";
+    if (url.starts_with(head) && is_base64(std::string_view(url).substr(head.size()))) return url;
+  }
+  return refuse(ErrorCode::type, "expected data:image/...;base64,... of a PNG, JPEG, WebP, GIF or SVG");
+}
+
+}  // namespace
+
 std::string base64(std::string_view bytes) {
   std::string text;
   text.reserve((bytes.size() + 2) / 3 * 4);
@@ -48,17 +59,6 @@ std::string base64(std::string_view bytes) {
   }
   return text;
 }
-
-Expected<std::string> check_url(const std::string& url) {
-  if (url.size() > kImageCharacters) return too_large();
-  for (const auto& [extension, type] : kTypes) {
-    const std::string head = "data:" + std::string(type) + ";base64,";
-    if (url.starts_with(head) && is_base64(std::string_view(url).substr(head.size()))) return url;
-  }
-  return refuse(ErrorCode::type, "expected data:image/...;base64,... of a PNG, JPEG, WebP, GIF or SVG");
-}
-
-}  // namespace
 
 Expected<std::string> image_url(const std::string& image, const std::string& folder) {
   if (image.starts_with("data:")) return check_url(image);

@@ -42,6 +42,22 @@ export interface Violation {
   readonly operation?: string;
 }
 
+/** A data flow that a service offers (thesis 4.1), and what passes on it. */
+export interface Published {
+  readonly flow: string;
+  /** From outside: pages such as this one. */
+  readonly watchers: number;
+  /** [1/s] of world time; 0: no packets pass. */
+  readonly rate_hz: number;
+}
+
+/** A data flow of another service that a service reads. */
+export interface Subscribed {
+  readonly service: string;
+  readonly flow: string;
+  readonly listening: boolean;
+}
+
 /** What changes of a service. */
 export interface ServiceState {
   readonly key: string;
@@ -51,6 +67,8 @@ export interface ServiceState {
   readonly violations: readonly Violation[];
   /** Id of the transition it took last. */
   readonly last?: string;
+  readonly publishes: readonly Published[];
+  readonly subscribes: readonly Subscribed[];
 }
 
 export interface Service extends ServiceState {
@@ -112,6 +130,18 @@ const violation: Decoder<Violation> = object((f) =>
   }),
 );
 
+const published: Decoder<Published> = object((f) => ({
+  flow: f.need("flow", string),
+  watchers: f.need("watchers", number),
+  rate_hz: f.need("rate_hz", number),
+}));
+
+const subscribed: Decoder<Subscribed> = object((f) => ({
+  service: f.need("service", string),
+  flow: f.need("flow", string),
+  listening: f.need("listening", boolean),
+}));
+
 const nullableString: Decoder<string | null> = (value, path) => (value === null ? null : string(value, path));
 
 export const serviceState: Decoder<ServiceState> = object((f) =>
@@ -122,6 +152,8 @@ export const serviceState: Decoder<ServiceState> = object((f) =>
     pending: f.need("pending", array(pendingCall)),
     violations: f.need("violations", array(violation)),
     last: f.maybe("last", string),
+    publishes: f.need("publishes", array(published)),
+    subscribes: f.need("subscribes", array(subscribed)),
   }),
 );
 

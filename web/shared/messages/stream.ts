@@ -4,6 +4,7 @@ import { cellPose, type CellPose } from "./cell";
 import { core, cores, coreDelta, coreState, type Core, type CoreDelta, type CoreState } from "./core";
 import { traceSteps, type TraceStep } from "./derivation";
 import { content, type Content, type DisplayRequest } from "./display";
+import { packet, type Packet } from "./packet";
 import { services, serviceStates, type Service, type ServiceState } from "./service";
 
 export interface LogEntry {
@@ -32,6 +33,7 @@ export type News =
   | { readonly type: "services_changed"; readonly services: readonly ServiceState[] }
   | { readonly type: "cell"; readonly pose: CellPose }
   | { readonly type: "display"; readonly content: Content }
+  | { readonly type: "packet"; readonly channel: string; readonly packet: Packet }
   | { readonly type: "log"; readonly entries: readonly LogEntry[]; readonly whole: boolean }
   | { readonly type: "refused"; readonly channel: string; readonly errors: readonly ServerError[] };
 
@@ -80,6 +82,7 @@ function newsOf(channel: string, kind: Kind): Decoder<News> {
     if (snapshot) return object((f) => ({ type: "derivation_position" as const, id, next: f.need("next", number) }));
     return (v, p) => ({ type: "derivations", id, steps: traceSteps(v, p) });
   }
+  if (channel.startsWith("flow/")) return (v, p) => ({ type: "packet", channel, packet: packet(v, p) });
   if (channel.startsWith("display/")) return (v, p) => ({ type: "display", content: content(v, p) });
   const whole: Decoder<string> = oneOf("cores", "services", "cell/pose", "log");
   switch (whole(channel, "/channel")) {

@@ -134,6 +134,7 @@ function applyNews(session: Session, news: News): Session {
     case "derivation_position":
     case "cell":
     case "display":
+    case "packet":
       return session;
     default:
       return assertNever(news);

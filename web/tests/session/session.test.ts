@@ -41,9 +41,9 @@ describe("session", () => {
   });
   it("merges what changed of a service and keeps its model", () => {
     const rsm = { name: "robot", operations: [], events: [], states: [], transitions: [] };
-    const idle = { key: "robot", type: "robot", state: "Idle", available: true, pending: [], violations: [], rsm };
+    const idle = { key: "robot", type: "robot", state: "Idle", available: true, pending: [], violations: [], publishes: [], subscribes: [], rsm };
     const known = hear(running, { type: "services", services: [idle] });
-    const moved = hear(known, { type: "services_changed", services: [{ key: "robot", state: "Moving", available: true, pending: [], violations: [] }] });
+    const moved = hear(known, { type: "services_changed", services: [{ key: "robot", state: "Moving", available: true, pending: [], violations: [], publishes: [], subscribes: [] }] });
     expect(moved.services[0]).toMatchObject({ state: "Moving", rsm });
   });
   it("starts the log anew with a snapshot and goes on with a delta", () => {

@@ -1,0 +1,68 @@
+#include "server/stream/flow_channels.h"
+
+#include <algorithm>
+#include <mutex>
+#include <utility>
+
+#include "server/stream/packet_json.h"
+
+namespace race::server {
+
+// What one channel watches. Held by its source and, while it is watched, by the host; by the strand while a packet is
+// on its way.
+struct FlowChannels::Watch : std::enable_shared_from_this<Watch> {
+  Watch(FlowChannels& its_channels, std::string its_name, std::string its_key, std::string its_flow)
+      : channels(its_channels), name(std::move(its_name)), key(std::move(its_key)), flow(std::move(its_flow)) {}
+
+  /// Under the host's lock: what is not left out waits for the strand, in the place of an older one.
+  void came(const services::PacketPtr& packet) {
+    {
+      const std::lock_guard lock(mutex);
+      if (last && packet->time >= *last && packet->time < *last + kPeriod - kTolerance) return;
+      last = packet->time;
+      if (std::exchange(waiting, packet)) return;
+    }
+    channels.strand_.post([self = shared_from_this()] { self->publish(); });
+  }
+
+  void publish() {
+    services::PacketPtr packet;
+    {
+      const std::lock_guard lock(mutex);
+      packet = std::exchange(waiting, nullptr);
+    }
+    if (packet) channels.hub_.publish_delta(name, packet_json(*packet));
+  }
+
+  void end() {
+    channels.host_.unwatch(std::exchange(id, 0));
+    const std::lock_guard lock(mutex);
+    waiting = nullptr;
+    last.reset();
+  }
+
+  FlowChannels& channels;
+  const std::string name, key, flow;
+  services::Flows::WatchId id = 0;  // on the hub's strand
+  std::mutex mutex;
+  std::optional<services::Time> last;  // of the packets that were not left out
+  services::PacketPtr waiting;
+};
+
+std::optional<Source> FlowChannels::find_channel(const std::string& name) {
+  constexpr std::string_view kFlow = "flow/";
+  const auto slash = name.rfind('/');
+  if (!name.starts_with(kFlow) || slash <= kFlow.size()) return std::nullopt;
+  std::string key = name.substr(kFlow.size(), slash - kFlow.size()), flow = name.substr(slash + 1);
+  const auto service = host_.service(key);
+  if (!service || std::ranges::find(service->publishes, flow, &services::Published::flow) == service->publishes.end())
+    return std::nullopt;
+  auto watch = std::make_shared<Watch>(*this, name, std::move(key), std::move(flow));
+  return Source{true, {}, [watch](bool on) {
+                  if (!on) return watch->end();
+                  auto came = [watch](const services::PacketPtr& packet) { watch->came(packet); };
+                  watch->id = watch->channels.host_.watch(watch->key, watch->flow, std::move(came));
+                }};
+}
+
+}  // namespace race::server

@@ -1,0 +1,146 @@
+#include "server/stream/flow_channels.h"
+
+#include <gmock/gmock.h>
+
+#include "core/rsm/document.h"
+#include "core/value/json.h"
+#include "services/work_queue.h"
+
+namespace race::server {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+struct NoObserver final : services::HostObserver {
+  void delivered(const services::Delivery&) override {}
+  void changed(const services::ServiceStatus&) override {}
+  void logged(services::Time, const std::string&, const std::string&) override {}
+};
+
+/// Publishes what a test tells it, and notes who wants it.
+class Tap final : public services::Component {
+ public:
+  explicit Tap(services::ServiceHost& its_host) : host(its_host) {}
+  const rsm::Service& model() const override {
+    static const rsm::Service model =
+        rsm::read_service_text(R"({"rsm": 1, "name": "tap", "states": [{"name": "Open"}], "init": "Open",
+                                   "meta": {"flows": {"water": "drops"}}})",
+                               "tap")
+            .value();
+    return model;
+  }
+  void call(const services::Call&) override {}
+  void wanted(std::string_view, bool on) override { is_wanted = on; }
+  void pour(services::Time time) {
+    host.publish("water", std::make_shared<services::Packet>(services::Packet{time, {}, {}}));
+  }
+
+  services::ServiceHost& host;
+  bool is_wanted = false;
+};
+
+class Client final : public Listener {
+ public:
+  Outbox& outbox() override { return box; }
+  void wake() override {}
+  /// The times of the packets that came since.
+  std::vector<double> times() {
+    std::vector<double> times;
+    while (const auto text = box.pop())
+      if (const Value* time = parse_json(**text).value().find("data")->find("time")) times.push_back(time->to_double());
+    return times;
+  }
+  Outbox box;
+};
+
+struct FlowChannelsTest : testing::Test {
+  FlowChannelsTest() {
+    services::ServiceHost& slot = host.declare("tap", "tap", unit);
+    auto made = std::make_unique<Tap>(slot);
+    tap = made.get();
+    host.attach("tap", std::move(made));
+  }
+  // Until the stream has done what it was asked for: its strands take turns on the one thread.
+  void settle() {
+    for (int i = 0; i < 20; ++i) Strand(pool).ask([] { return 0; });
+    unit.run();
+  }
+  void watch(bool on) {
+    on ? hub.subscribe(client, "flow/tap/water", {}) : hub.unsubscribe(client, "flow/tap/water");
+    settle();
+  }
+  // What the client gets of packets at these times, each taken before the next comes.
+  std::vector<double> pour(std::vector<double> poured) {
+    std::vector<double> got;
+    for (const double time : poured) {
+      tap->pour(time);
+      settle();
+      for (const double each : client->times()) got.push_back(each);
+    }
+    return got;
+  }
+
+  NoObserver observer;
+  services::WorldClock clock;
+  services::WorkQueue unit;
+  services::Host host{clock, observer};
+  Pool pool{1};
+  Hub hub{pool, 1, [this](const std::string& name) { return channels->find_channel(name); }};
+  std::unique_ptr<FlowChannels> channels = std::make_unique<FlowChannels>(host, hub, pool);
+  std::shared_ptr<Client> client = std::make_shared<Client>();
+  Tap* tap = nullptr;
+};
+
+TEST_F(FlowChannelsTest, AreThoseOfTheFlowsThatServicesOffer) {
+  EXPECT_TRUE(channels->find_channel("flow/tap/water"));
+  for (const char* name :
+       {"flow/tap/steam", "flow/spring/water", "flow/tap", "flow//water", "flow/tap/", "flow/", "tap/water"})
+    EXPECT_FALSE(channels->find_channel(name)) << name;
+}
+
+TEST_F(FlowChannelsTest, AServiceWorksOnlyWhileSomebodyListens) {
+  EXPECT_FALSE(tap->is_wanted);
+  watch(true);
+  EXPECT_TRUE(tap->is_wanted);
+  watch(false);
+  EXPECT_FALSE(tap->is_wanted);
+}
+
+TEST_F(FlowChannelsTest, WhoGoesWithoutAWordListensNoLonger) {
+  watch(true);
+  hub.leave(client);
+  settle();
+  EXPECT_FALSE(tap->is_wanted);
+}
+
+TEST_F(FlowChannelsTest, ATakerOfEachMessageGetsFivePacketsInASecond) {
+  watch(true);
+  EXPECT_THAT(pour({1.0, 1.1, 1.2, 1.3, 1.399}), ElementsAre(1.0, 1.2, 1.399));
+}
+
+TEST_F(FlowChannelsTest, APublisherWhoseTimeBeginsAnewIsNotSilent) {
+  watch(true);
+  EXPECT_THAT(pour({100, 0.0, 0.1}), ElementsAre(100, 0.0));
+}
+
+TEST_F(FlowChannelsTest, ASlowTakerGetsTheNewestAlone) {
+  watch(true);
+  for (int i = 0; i < 5; ++i) {
+    tap->pour(i);
+    settle();
+  }
+  EXPECT_THAT(client->times(), ElementsAre(4));
+}
+
+TEST_F(FlowChannelsTest, WhoComesAgainIsNotShownThePast) {
+  watch(true);
+  pour({1});
+  watch(false);
+  watch(true);
+  EXPECT_THAT(client->times(), IsEmpty());
+  EXPECT_THAT(pour({1.01}), ElementsAre(1.01));
+}
+
+}  // namespace
+}  // namespace race::server
