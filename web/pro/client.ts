@@ -2,6 +2,7 @@
 import { createApi, RefusedError, type Step } from "../shared/api";
 import type { CellPose } from "../shared/messages/cell";
 import type { Core } from "../shared/messages/core";
+import type { Packet } from "../shared/messages/packet";
 import { foldedAtFirst } from "../shared/model/folding";
 import { buildTree } from "../shared/model/modelTree";
 import { isOver, type Command } from "../shared/run/controls";
@@ -24,6 +25,7 @@ export const useView = <T>(select: (state: View) => T): T => useSelected(view, s
 export const useCore = (): Core | undefined => useSession(watchedCore);
 
 let stream: Stream | undefined;
+const flowWatchers = new Map<string, (packet: Packet) => void>();
 
 function problem(error: unknown): void {
   const text = error instanceof RefusedError || error instanceof Error ? error.message : String(error);
@@ -41,6 +43,7 @@ export function connect(): void {
     onMalformed: problem,
     onNews: (news) => {
       if (news.type === "cell") cellPose.dispatch(news.pose);
+      else if (news.type === "packet") flowWatchers.get(news.channel)?.(news.packet);
       else session.dispatch({ type: "news", news });
       if (news.type === "derivation_position") void loadPast(news.id, news.next);
       if (news.type === "cores" || news.type === "core") watchSomething();
@@ -93,6 +96,17 @@ export function watch(id: string | undefined): void {
     view.dispatch({ type: "collapse_all", paths: foldedAtFirst(buildTree(model.root)) });
     session.dispatch({ type: "model", id, model });
   }, problem);
+}
+
+/** Watches a data flow until the answer is called: its service works for it meanwhile. One watch of a flow at a time. */
+export function watchFlow(service: string, flow: string, came: (packet: Packet) => void): () => void {
+  const channel = `flow/${service}/${flow}`;
+  flowWatchers.set(channel, came);
+  stream?.subscribe(channel);
+  return () => {
+    flowWatchers.delete(channel);
+    stream?.unsubscribe(channel);
+  };
 }
 
 /** Makes a core of a document, watches it, and starts it if asked. */

@@ -1,5 +1,6 @@
-// All services: each with its RSM, the present state lit, what is pending and what the monitor found.
+// All services: the data flows between them, and each with its RSM, the present state lit, what is pending and what the monitor found.
 import { useSession } from "../client";
+import { DataFlows } from "./DataFlows";
 import { ServiceCard } from "./ServiceCard";
 
 export function ServicesView() {
@@ -7,6 +8,7 @@ export function ServicesView() {
   return (
     <section className="services" aria-label="Services">
       {services.length === 0 && <p className="quiet pad">The server has no services.</p>}
+      <DataFlows services={services} />
       {services.map((service) => (
         <ServiceCard key={service.key} service={service} />
       ))}

@@ -1,0 +1,54 @@
+// The data flows between services (thesis 4.1), past the cores: drawn, listed, and one of them watched.
+import { useRef, useState } from "react";
+import type { Service } from "../../shared/messages/service";
+import { FlowFigure } from "./FlowFigure";
+import { FlowPicture } from "./FlowPicture";
+
+export function DataFlows({ services }: { readonly services: readonly Service[] }) {
+  const [watched, setWatched] = useState<string>();
+  const opener = useRef<HTMLButtonElement | null>(null);
+  const offered = services.flatMap((service) => service.publishes.map((published) => ({ service, published, name: `${service.key}.${published.flow}` })));
+  if (offered.length === 0) return null;
+  const shown = offered.find(({ name }) => name === watched);
+  const close = () => {
+    setWatched(undefined);
+    opener.current?.focus();
+  };
+  return (
+    <section
+      className="data-flows"
+      aria-label="Data flows"
+      onKeyDown={(event) => {
+        if (event.key !== "Escape" || watched === undefined) return;
+        event.stopPropagation();
+        close();
+      }}
+    >
+      <div>
+        <h2>Data flows</h2>
+        <p className="quiet">Solid arrows: packets from service to service, past the cores; thick while they pass.</p>
+        <FlowFigure services={services} />
+        <ul>
+          {offered.map(({ service, published, name }) => (
+            <li key={name}>
+              <code>{name}</code>
+              <span className="quiet">{published.rate_hz > 0 ? `${published.rate_hz.toFixed(1)} packets/s` : service.available ? "idle" : "unavailable"}</span>
+              <button
+                className="flow-open"
+                aria-pressed={watched === name}
+                aria-label={`Show the picture of ${name}`}
+                onClick={(event) => {
+                  opener.current = event.currentTarget;
+                  setWatched(watched === name ? undefined : name);
+                }}
+              >
+                Show the picture
+              </button>
+            </li>
+          ))}
+        </ul>
+      </div>
+      {shown !== undefined && <FlowPicture key={shown.name} service={shown.service.key} published={shown.published} onClose={close} />}
+    </section>
+  );
+}
