@@ -74,16 +74,27 @@ Run::Run(Run&&) noexcept = default;
 Run& Run::operator=(Run&&) noexcept = default;
 Run::~Run() = default;
 
-Expected<Run> Run::create(std::shared_ptr<const Program> program, const Dict& arguments, Budgets budgets) {
-  const StateInfo& root = (*program)[Program::root];
-  std::vector<Value> values(root.parameters.size(), Value::unknown());
+std::vector<Error> check_arguments(const Program& program, const Dict& arguments) {
+  const auto& parameters = program[Program::root].parameters;
+  std::vector<Error> errors;
   for (const auto& [key, value] : arguments) {
-    const auto parameter = std::ranges::find(root.parameters, key.as_string(), &ParameterInfo::name);
-    if (parameter == root.parameters.end())
-      return unexpected(ErrorCode::unknown_name, "argument " + key.as_string() + " names no parameter", root.path);
-    if (!value.is_finite())
-      return unexpected(ErrorCode::constant, "argument " + key.as_string() + " is not finite", root.path);
-    values[static_cast<std::size_t>(parameter - root.parameters.begin())] = value;
+    const std::string& name = key.as_string();
+    if (std::ranges::find(parameters, name, &ParameterInfo::name) == parameters.end())
+      errors.push_back({ErrorCode::unknown_name, "the task has no parameter `" + name + "`", "arguments/" + name});
+    else if (!value.is_finite())
+      errors.push_back({ErrorCode::constant, "the argument is not finite", "arguments/" + name});
+  }
+  return errors;
+}
+
+Expected<Run> Run::create(std::shared_ptr<const Program> program, const Dict& arguments, Budgets budgets) {
+  if (auto errors = check_arguments(*program, arguments); !errors.empty())
+    return tl::unexpected(std::move(errors.front()));
+  const auto& parameters = (*program)[Program::root].parameters;
+  std::vector<Value> values(parameters.size(), Value::unknown());
+  for (const auto& [key, value] : arguments) {
+    const auto parameter = std::ranges::find(parameters, key.as_string(), &ParameterInfo::name);
+    values[static_cast<std::size_t>(parameter - parameters.begin())] = value;
   }
   auto body = std::make_unique<Body>(std::move(program), budgets);
   body->arguments = std::move(values);

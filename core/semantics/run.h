@@ -35,10 +35,14 @@ struct Budgets {
   std::uint32_t micro_steps = 10'000;  // of one macro step; one more is a divergence
 };
 
+/// What is wrong with `arguments` for the parameters of the root, by name, each at `arguments/NAME`: `unknown_name` for
+/// one that names no parameter, `constant` for one that is not finite.
+std::vector<Error> check_arguments(const Program& program, const Dict& arguments);
+
 class Run {
  public:
-  /// A run of `program` that has not begun. `arguments` override the parameters of the root by name. Errors:
-  /// `unknown_name` (path of the root) for an argument that names no parameter, `constant` for one that is not finite.
+  /// A run of `program` that has not begun. `arguments` override the parameters of the root by name. Error: the first
+  /// of check_arguments().
   static Expected<Run> create(std::shared_ptr<const Program> program, const Dict& arguments, Budgets budgets = {});
   Run(const Run& other);
   Run& operator=(const Run& other);

@@ -26,7 +26,7 @@ Expected<std::unique_ptr<Cell>> Cell::create(const CellSetup& setup, services::H
   const auto here = [&](const char* unit) { return std::ranges::find(setup.remote, unit) == setup.remote.end(); };
   if (auto added = cell->add_remotes(setup); !added) return tl::unexpected(std::move(added).error());
   if (here("cell") && !setup.folder.empty() && fs::exists(scene)) {
-    if (auto added = cell->add_world(scene); !added) return tl::unexpected(std::move(added).error());
+    if (auto added = cell->add_world(scene, setup.seed); !added) return tl::unexpected(std::move(added).error());
     if (auto added = cell->add_sight(setup); !added) return tl::unexpected(std::move(added).error());
   }
   if (here("database"))
@@ -47,7 +47,7 @@ Expected<void> Cell::add_remotes(const CellSetup& setup) {
   return {};
 }
 
-Expected<void> Cell::add_world(const std::string& scene_path) {
+Expected<void> Cell::add_world(const std::string& scene_path, std::uint64_t seed) {
   ASSIGN_OR_RETURN(world_, world::World::load(scene_path));
   person_ = std::make_unique<world::Person>(*world_);
   scene_ = scene_json(*world_);
@@ -55,7 +55,7 @@ Expected<void> Cell::add_world(const std::string& scene_path) {
   urdf_name_ = fs::path(urdf).filename();
   ASSIGN_OR_RETURN(urdf_, read_file(urdf));
   auto& robot_host = host_.declare("robot", "robot", unit_);
-  ASSIGN_OR_RETURN(auto robot, robot::Robot::create(robot_host, *world_));
+  ASSIGN_OR_RETURN(auto robot, robot::Robot::create(robot_host, *world_, static_cast<unsigned>(seed)));
   host_.attach("robot", std::move(robot));
   auto& gripper_host = host_.declare("gripper", "gripper", unit_);
   host_.attach("gripper", std::make_unique<gripper::Gripper>(gripper_host, *world_));

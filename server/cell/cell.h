@@ -89,7 +89,7 @@ class Cell {
  private:
   explicit Cell(services::HostObserver& observer) : host_(clock_, observer) {}
   Expected<void> add_remotes(const CellSetup& setup);
-  Expected<void> add_world(const std::string& scene_path);
+  Expected<void> add_world(const std::string& scene_path, std::uint64_t seed);
   Expected<void> add_sight(const CellSetup& setup);
   Expected<void> add_database(const CellSetup& setup);
   void publish_pose();

@@ -99,7 +99,6 @@ Expected<Value> Core::stop() {
     if (is_over()) return info_json();
     journal_.push_back({JournalEntry::Kind::abort, {}});
     run_.abort();
-    recorder_.reset();
     complete();
     return info_json();
   });

@@ -1,6 +1,5 @@
 #include "server/execution/cores.h"
 
-#include <algorithm>
 #include <charconv>
 
 #include "core/rcm/document.h"
@@ -33,18 +32,6 @@ std::vector<Error> wrong_types(const rcm::Document& document, const std::vector<
   return errors;
 }
 
-// Arguments that name no parameter of the root.
-std::vector<Error> wrong_arguments(const semantics::Program& program, const Dict& arguments) {
-  const auto& parameters = program[semantics::Program::root].parameters;
-  std::vector<Error> errors;
-  for (const auto& [key, value] : arguments) {
-    const std::string& name = key.as_string();
-    if (std::ranges::find(parameters, name, &semantics::ParameterInfo::name) == parameters.end())
-      errors.push_back({ErrorCode::unknown_name, "the task has no parameter `" + name + "`", "arguments/" + name});
-  }
-  return errors;
-}
-
 std::uint64_t number_of(const std::string& id) {
   std::uint64_t number = 0;
   const auto [end, error] = std::from_chars(id.data(), id.data() + id.size(), number);
@@ -69,7 +56,8 @@ Checked<std::shared_ptr<Core>> Cores::create(const std::string& name, const rcm:
   if (!native) return tl::unexpected(std::move(native).error());
   auto program = semantics::Program::build(*native, host_.models());
   if (!program) return tl::unexpected(std::move(program).error());
-  if (auto errors = wrong_arguments(**program, arguments); !errors.empty()) return tl::unexpected(std::move(errors));
+  if (auto errors = semantics::check_arguments(**program, arguments); !errors.empty())
+    return tl::unexpected(std::move(errors));
   arguments.freeze();
   JournalHeader header{native_json(document, *native), std::move(*program), std::move(arguments), {}};
   std::uint64_t number = 0;
