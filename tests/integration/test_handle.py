@@ -176,9 +176,12 @@ class Interrupted(unittest.TestCase):
     def test_a_meant_touch_goes_on_without_a_display_and_an_accident_does_not(self):
         haptic = "Root/Work/Collision/Haptic"
         out = run(task(work()), bump(APPROACH), bump(f"{haptic}/Touch"), touch(f"{haptic}/Touch", 1.0), displays=())
-        contacts = [c["classification"] for c in out.events("contact")]
-        self.assertEqual((out.name, contacts), ("success", ["accidental", "accidental", "intended"]))
-        self.assertEqual(out.fired.count(f"{haptic}.success"), 1)
+        self.assertEqual((out.name, [c["classification"] for c in out.events("contact")]),
+                         ("success", ["accidental", "accidental", "intended"]))
+        felt, left = (next(r["input"]["data"] for r in out.reports if port in r.get("fired", []))
+                      for port in (f"{haptic}/Touch.success", f"{haptic}.success"))
+        self.assertEqual(felt["classification"], "intended")
+        self.assertLess(max(abs(force) for force in left["f_ext_hat"]), 12)
 
     def test_nobody_is_waited_for_longer_than_told(self):
         out = run(task(work(patience=3.0)), bump(APPROACH), displays=())
@@ -232,6 +235,11 @@ class Taught(unittest.TestCase):
         self.assertEqual(out.name, "success")
         self.assertAlmostEqual(out.results["Pick_actual_width"], 0.04, delta=0.002)
         self.assertLess(math.dist(out.results["Stored_pose"]["position"], (0, 0, 0)), 0.01)
+
+    def test_a_bump_into_an_arm_that_gives_way_ends_no_teaching(self):
+        out = run(task(work(TAUGHT)), bump(f"{self.TEACH}/Lead"), answer("Cancel", {"after": 0.5}))
+        self.assertEqual([c["reaction"] for c in out.events("collision")], ["none"])
+        self.assertEqual((out.name, out.fired.count("Root/Work/Task.collision")), ("error", 0))
 
     def test_cancel_and_silence_are_errors_that_store_nothing_and_hold_the_arm(self):
         teach = link("TeachPose", key="new", patience=2.0)
