@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "core/rcm/translate.h"
+#include "server/cell/scene_json.h"
 #include "server/execution/replay.h"
 #include "server/execution/why.h"
 
@@ -17,13 +18,14 @@ namespace {
 
 Value integer(std::uint64_t n) { return static_cast<std::int64_t>(n); }
 
-Dict summary(const Run& run, double time) {
+Dict summary(const Run& run, Cell& cell) {
   Dict out{{"status", semantics::name(run.status())}};
   if (run.status() == Status::ended) out.set("outcome", run.outcome());
   if (run.fault()) out.set("fault", fault_json(*run.fault()));
   out.set("results", root_results(run));
-  out.set("time", time);
+  out.set("time", cell.clock().now());
   out.set("steps", integer(run.position()));
+  if (cell.has_world()) out.set("cell", pose_json(cell.world(), *cell.person(), cell.clock().now()));
   return out;
 }
 
@@ -55,7 +57,7 @@ Checked<Status> Headless::run(const rcm::Document& document, Dict arguments, con
   auto run = Run::create(std::move(*program), arguments);
   if (!run) return fail(std::move(run).error());
   observer.execute(*run, **cell, setup);
-  report(summary(*run, (*cell)->clock().now()));
+  report(summary(*run, **cell));
   (*cell)->stop();
   observer.operator_.reset();
   return run->status();

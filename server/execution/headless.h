@@ -26,7 +26,8 @@ class Headless final : public services::HostObserver {
   /// Of a macro step or a service: schemas/core_delta.json without `core` and with `time`, or a line of the log.
   using Report = std::function<void(const Dict&)>;
 
-  /// Runs `document` to its end. The last report has `status`, `outcome` or `fault`, `results`, `time` [s] and `steps`.
+  /// Runs `document` to its end. The last report has `status`, `outcome` or `fault`, `results`, `time` [s], `steps`
+  /// and, if there is a world, `cell`: where everything is then (schemas/cell_pose.json).
   /// Errors: those of the document, the arguments and the cell.
   static Checked<semantics::Status> run(const rcm::Document& document, Dict arguments, const HeadlessSetup& setup,
                                         const Report& report);

@@ -115,9 +115,9 @@ class Server:
             self.post(f"/cores/{core['id']}/start", None, "core")
         return core["id"]
 
-    def wait(self, core, what):
+    def wait(self, core, what, patience=PATIENCE):
         """The core (core.json), once what(core) holds."""
-        end = time.monotonic() + PATIENCE
+        end = time.monotonic() + patience
         while time.monotonic() < end:
             state = self.get(f"/cores/{core}", "core")
             if what(state):
@@ -125,8 +125,8 @@ class Server:
             time.sleep(0.01)
         raise AssertionError(f"core {core} stays {state}")
 
-    def ended(self, core):
-        return self.wait(core, lambda c: c["status"] not in ("ready", "running"))
+    def ended(self, core, patience=PATIENCE):
+        return self.wait(core, lambda c: c["status"] not in ("ready", "running"), patience)
 
     def stream(self):
         return Stream(self.port)
