@@ -2,6 +2,7 @@
 import { createApi, RefusedError, type Step } from "../shared/api";
 import type { CellPose } from "../shared/messages/cell";
 import type { Core } from "../shared/messages/core";
+import type { TraceStep } from "../shared/messages/derivation";
 import type { Packet } from "../shared/messages/packet";
 import { foldedAtFirst } from "../shared/model/folding";
 import { buildTree } from "../shared/model/modelTree";
@@ -32,6 +33,22 @@ function problem(error: unknown): void {
   session.dispatch({ type: "problem", text });
 }
 
+/** Derivations wait this long for others, so that a run of a hundred steps in a second does not draw the list as often [ms]. */
+const kGather = 100;
+let gathered: { readonly id: string; readonly steps: TraceStep[] } | undefined;
+
+function gather(id: string, steps: readonly TraceStep[]): void {
+  if (gathered?.id === id) {
+    gathered.steps.push(...steps);
+    return;
+  }
+  const begun = (gathered = { id, steps: [...steps] });
+  setTimeout(() => {
+    if (gathered === begun) gathered = undefined;
+    session.dispatch({ type: "news", news: { type: "derivations", ...begun } });
+  }, kGather);
+}
+
 /** Opens the stream and asks for what never changes; the page lives as long as the document. */
 export function connect(): void {
   const scheme = location.protocol === "https:" ? "wss" : "ws";
@@ -44,6 +61,7 @@ export function connect(): void {
     onNews: (news) => {
       if (news.type === "cell") cellPose.dispatch(news.pose);
       else if (news.type === "packet") flowWatchers.get(news.channel)?.(news.packet);
+      else if (news.type === "derivations") gather(news.id, news.steps);
       else session.dispatch({ type: "news", news });
       if (news.type === "derivation_position") void loadPast(news.id, news.next);
       if (news.type === "cores" || news.type === "core") watchSomething();
