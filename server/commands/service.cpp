@@ -38,23 +38,31 @@ struct Session {
     if (why.empty()) why = std::move(reason);
     over = true;
   }
-};
-
-// What the server says, on the unit's thread.
-void take(const remote::Frame& frame, remote::RemoteUnit& unit, Session& session, const std::string& name) {
-  auto message = remote::decode(frame, remote::Reader::process);
-  if (message && message->kind == remote::Kind::refused) {
-    const Value reason = message->value.as_list().empty() ? Value() : message->value.as_list().front();
+  void refuse(const remote::Message& message) {
+    const Value reason = message.value.as_list().empty() ? Value() : message.value.as_list().front();
     const auto text = [&](const char* field) {
       const Value* value = reason.find(field);
       return value && value->is_string() ? value->as_string() : std::string();
     };
-    session.refused = Error{ErrorCode::conflict, "the server refuses: " + text("message"), text("path")};
-    return session.end("refused");
+    const std::lock_guard lock(mutex);
+    refused = Error{ErrorCode::conflict, "the server refuses: " + text("message"), text("path")};
+    over = true;
   }
-  if (message && message->kind == remote::Kind::welcome) say(name + " is there");
-  const auto handled = message ? unit.handle(std::move(*message)) : tl::unexpected(message.error());
-  if (!handled) session.end("the server says what does not fit: " + to_string(handled.error()));
+};
+
+// What the server says, on the socket's thread. The unit may wait for a reply; all else waits for the unit.
+void take(const remote::Frame& frame, remote::RemoteUnit& unit, Session& session, const std::string& name) {
+  auto message = remote::decode(frame, remote::Reader::process);
+  const auto unfit = [&session](const Error& error) {
+    session.end("the server says what does not fit: " + to_string(error));
+  };
+  if (!message) return unfit(message.error());
+  if (message->kind == remote::Kind::refused) return session.refuse(*message);
+  if (message->kind == remote::Kind::reply) return unit.replied(std::move(*message));
+  if (message->kind == remote::Kind::welcome) say(name + " is there");
+  unit.queue().post([&unit, unfit, message = std::move(*message)]() mutable {
+    if (auto handled = unit.handle(std::move(message)); !handled) unfit(handled.error());
+  });
 }
 
 // Steps the unit in real time while it is connected.
@@ -76,7 +84,8 @@ Expected<void> serve(remote::RemoteUnit& unit, Session& session) {
 int service_command(const std::vector<std::string>& words) {
   const auto options = read_options(words, {"--server", "--folder", "--database"}, {});
   if (!options) return refuse(options.error());
-  if (options->rest.size() != 1 || !options->has("--server")) return usage("service", kUsage);
+  if (options->rest.size() != 1 || !options->has("--server"))
+    return usage("service", kUsage);
   const std::string& name = options->rest.front();
   const auto row = find_unit(name);
   if (!row) return refuse(row.error());
@@ -96,12 +105,10 @@ int service_command(const std::vector<std::string>& words) {
     Session session;
     std::unique_ptr<remote::SocketClient> socket;
     while (!ended && !socket) {
-      auto connected = remote::SocketClient::connect(
-          *address, out,
-          {[&](remote::Frame frame) {
-             unit.queue().post([&, frame = std::move(frame)] { take(frame, unit, session, name); });
-           },
-           [&](std::string why) { session.end(std::move(why)); }});
+      auto connected =
+          remote::SocketClient::connect(*address, out,
+                                        {[&](const remote::Frame& frame) { take(frame, unit, session, name); },
+                                         [&](std::string why) { session.end(std::move(why)); }});
       if (connected) {
         socket = std::move(*connected);
       } else if (connected.error().code != ErrorCode::unavailable) {
@@ -115,7 +122,7 @@ int service_command(const std::vector<std::string>& words) {
     if (ended) break;
     waits = false;
     out.push(remote::encode(unit.hello()).value());
-    unit.connect(out);
+    unit.connect(out, [&] { return ended || session.over; });
     try {
       if (auto served = serve(unit, session); !served) return refuse(served.error());
     } catch (const std::exception& failure) {

@@ -38,6 +38,8 @@ constexpr std::array kEvent = {kKey, Field{"name", &Message::name}, Field{"data"
 constexpr std::array kLog = {kKey, Field{"text", &Message::name}};
 constexpr std::array kSubscribe = {kKey, kService, kFlow, kOn};
 constexpr std::array kPublish = {kKey, kFlow, kTime, kHeader};
+constexpr std::array kRequest = {kKey, Field{"number", &Message::number}, Field{"function", &Message::name},
+                                 Field{"arguments", &Message::kwargs}};
 constexpr std::array kPong = {Field{"number", &Message::number}};
 constexpr std::array kWelcome = {kTime};
 constexpr std::array kRefused = {Field{"errors", &Message::value}};
@@ -46,6 +48,8 @@ constexpr std::array kCalled = {
     kTime};
 constexpr std::array kWanted = {kKey, kFlow, kOn, kTime};
 constexpr std::array kPacket = {kKey, kService, kFlow, kTime, kHeader};
+constexpr std::array kReply = {Field{"number", &Message::number}, Field{"value", &Message::value}};
+constexpr std::array kNews = {kKey, kTime};
 constexpr std::array kPing = {Field{"number", &Message::number}, kTime};
 
 struct Row {
@@ -66,12 +70,15 @@ constexpr std::array kRows = {
     Row{Kind::log, "log", Reader::server, kLog},
     Row{Kind::subscribe, "subscribe", Reader::server, kSubscribe},
     Row{Kind::publish, "publish", Reader::server, kPublish, true},
+    Row{Kind::request, "request", Reader::server, kRequest},
     Row{Kind::pong, "pong", Reader::server, kPong},
     Row{Kind::welcome, "welcome", Reader::process, kWelcome},
     Row{Kind::refused, "refused", Reader::process, kRefused},
     Row{Kind::call, "call", Reader::process, kCalled},
     Row{Kind::wanted, "wanted", Reader::process, kWanted},
     Row{Kind::packet, "packet", Reader::process, kPacket, true},
+    Row{Kind::reply, "reply", Reader::process, kReply},
+    Row{Kind::news, "news", Reader::process, kNews},
     Row{Kind::ping, "ping", Reader::process, kPing},
 };
 

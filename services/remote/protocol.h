@@ -34,13 +34,16 @@ enum class Kind : std::uint8_t {
   log,
   subscribe,
   publish,  // a packet
+  request,  // a question to the desk of the component (desk.h)
   pong,     // the unit's thread has got as far as the ping
-  // to the process; each says the server's time
+  // to the process; what it is to do says the server's time
   welcome,  // the components are there from now on
   refused,  // they are not, and why; the connection ends
   call,     // the functions of Component
   wanted,
   packet,
+  reply,  // to a request
+  news,   // what was asked before may be different now
   ping,
 };
 
@@ -51,17 +54,18 @@ enum class Reader : std::uint8_t { server, process };
 std::string_view name(Kind kind);
 Reader reader_of(Kind kind);
 
-/// Any message; what its kind does not have is empty. Values are unfrozen: they belong to the thread that decoded.
+/// Any message; what its kind does not have is empty. Values are unfrozen: they belong to the thread that decoded, or
+/// to the one that the whole message is moved to.
 struct Message {
   Kind kind = Kind::pong;
   std::string key;            // of the component that speaks or is spoken to
-  std::string name;           // of the transition, operation, event or flow; the text of a log
+  std::string name;           // of the transition, operation, event, flow or function; the text of a log
   std::string service;        // whose flow it is
   services::CallId call = 0;  // 0: no call
-  std::int64_t number = 0;    // of the protocol, of a ping
+  std::int64_t number = 0;    // of the protocol, of a ping, of a request
   bool on = false;            // listens, is listened to
   services::Time time = 0;    // the server's; of a packet, its own
-  Value value;                // result, error, data of an event, header of a packet, components, errors
+  Value value;                // result, error, reply, data of an event, header of a packet, components, errors
   List args;
   Dict kwargs;
   std::vector<std::byte> bytes;  // of a packet

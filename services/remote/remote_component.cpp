@@ -1,9 +1,16 @@
 #include "services/remote/remote_component.h"
 
+#include <utility>
+
 namespace race::remote {
 
-RemoteComponent::RemoteComponent(std::string key, const rsm::Service& model, services::ServiceHost& host)
-    : key_(std::move(key)), model_(model), host_(host) {}
+RemoteComponent::RemoteComponent(std::string key, const rsm::Service& model, services::ServiceHost& host, Desk desk)
+    : key_(std::move(key)), model_(model), host_(host), desk_(std::move(desk)) {}
+
+void RemoteComponent::connect(std::shared_ptr<FrameQueue> process) {
+  process_ = std::move(process);
+  if (desk_.clean) desk_.clean();
+}
 
 // A process that reads nothing loses what is sent; it answers no ping either, and is lost itself.
 Expected<void> RemoteComponent::send(const Message& message, const std::string& flow) {
@@ -13,7 +20,9 @@ Expected<void> RemoteComponent::send(const Message& message, const std::string& 
   return {};
 }
 
+// What happened before the call, the process knows before it.
 void RemoteComponent::call(const services::Call& call) {
+  look();
   Message message;
   message.kind = Kind::call;
   message.key = key_;
@@ -49,29 +58,60 @@ void RemoteComponent::wanted(std::string_view flow, bool on) {
   if (auto sent = send(message); !sent) host_.log(sent.error().message);
 }
 
-void RemoteComponent::announce(Message message) {
+void RemoteComponent::look() {
+  if (!desk_.version) return;
+  const std::uint64_t version = desk_.version();
+  if (std::exchange(told_, version) == version) return;
+  Message message;
+  message.kind = Kind::news;
+  message.key = key_;
+  message.time = host_.now();
+  (void)send(message, key_ + " news");
+}
+
+Expected<void> RemoteComponent::answer(const Message& request) {
+  if (!desk_.request) return unexpected(ErrorCode::not_found, "there is nothing here that it could ask", key_);
+  Message reply;
+  reply.kind = Kind::reply;
+  reply.number = request.number;
+  ASSIGN_OR_RETURN(reply.value, desk_.request(request.name, request.kwargs));
+  return send(reply);
+}
+
+Expected<void> RemoteComponent::announce(Message message) {
   switch (message.kind) {
     case Kind::transition:
-      return host_.transition(message.name, message.call);
+      host_.transition(message.name, message.call);
+      break;
     case Kind::result:
-      return host_.result(message.call, std::move(message.value));
+      host_.result(message.call, std::move(message.value));
+      break;
     case Kind::error:
-      return host_.error(message.call, std::move(message.value));
+      host_.error(message.call, std::move(message.value));
+      break;
     case Kind::reject:
-      return host_.reject(message.call);
+      host_.reject(message.call);
+      break;
     case Kind::event:
-      return host_.event(message.name, std::move(message.value));
+      host_.event(message.name, std::move(message.value));
+      break;
     case Kind::log:
-      return host_.log(std::move(message.name));
+      host_.log(std::move(message.name));
+      break;
     case Kind::subscribe:
-      return host_.subscribe(message.service, message.name, message.on);
+      host_.subscribe(message.service, message.name, message.on);
+      break;
     case Kind::publish: {
       const std::string flow = message.name;
-      return host_.publish(flow, packet_of(std::move(message)));
+      host_.publish(flow, packet_of(std::move(message)));
+      break;
     }
+    case Kind::request:
+      return answer(message);
     default:
-      return;
+      break;
   }
+  return {};
 }
 
 }  // namespace race::remote

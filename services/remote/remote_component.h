@@ -8,6 +8,7 @@
 #include <string>
 
 #include "services/component.h"
+#include "services/remote/desk.h"
 #include "services/remote/frame.h"
 #include "services/remote/protocol.h"
 
@@ -16,12 +17,14 @@ namespace race::remote {
 class RemoteComponent final : public services::Component {
  public:
   /// `model`: the RSM that the process must bring; it and the host outlive the component.
-  RemoteComponent(std::string key, const rsm::Service& model, services::ServiceHost& host);
+  RemoteComponent(std::string key, const rsm::Service& model, services::ServiceHost& host, Desk desk = {});
 
   /// What is sent goes to `process` from now on; nullptr: to nobody.
-  void connect(std::shared_ptr<FrameQueue> process) { process_ = std::move(process); }
-  /// The process has announced something. Requires a message of one of its functions of ServiceHost.
-  void announce(Message message);
+  void connect(std::shared_ptr<FrameQueue> process);
+  /// The process has announced something or asks its desk. Requires a message of such a kind. Errors: the desk's.
+  Expected<void> announce(Message message);
+  /// Tells the process when there is news for it.
+  void look();
 
   const rsm::Service& model() const override { return model_; }
   void call(const services::Call& call) override;
@@ -30,10 +33,13 @@ class RemoteComponent final : public services::Component {
 
  private:
   Expected<void> send(const Message& message, const std::string& flow = {});
+  Expected<void> answer(const Message& request);
 
   const std::string key_;
   const rsm::Service& model_;
   services::ServiceHost& host_;
+  const Desk desk_;
+  std::uint64_t told_ = 0;               // the version of the desk that the process knows of
   std::shared_ptr<FrameQueue> process_;  // held by its connection too
 };
 

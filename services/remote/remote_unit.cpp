@@ -1,6 +1,7 @@
 #include "services/remote/remote_unit.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "core/rsm/document.h"
 
@@ -78,6 +79,7 @@ struct RemoteUnit::Slot final : services::ServiceHost {
   RemoteUnit& unit;
   std::size_t number;
   std::string key, type;
+  std::function<void()> news;
   std::unique_ptr<services::Component> component;
 };
 
@@ -99,6 +101,32 @@ void RemoteUnit::attach(const std::string& key, std::unique_ptr<services::Compon
   find(key)->component = std::move(component);
 }
 
+void RemoteUnit::on_news(const std::string& key, std::function<void()> work) { find(key)->news = std::move(work); }
+
+Expected<Value> RemoteUnit::request(const std::string& key, std::string_view function, Dict arguments) {
+  constexpr auto kLook = std::chrono::milliseconds(10);  // whether the connection is still there
+  FrameQueue* server = server_;
+  if (!server || !welcome_) return unexpected(ErrorCode::unavailable, "the server is not there");
+  Message message = message_of(Kind::request, key, function);
+  message.number = ++requests_;
+  message.kwargs = std::move(arguments);
+  ASSIGN_OR_RETURN(Frame frame, encode(message));
+  server->push(std::move(frame));
+  std::unique_lock lock(mutex_);
+  const auto answered = [&] { return reply_ && reply_->number == message.number; };
+  while (!came_.wait_for(lock, kLook, answered))
+    if (over_ && over_()) return unexpected(ErrorCode::unavailable, "the connection has ended");
+  return std::move(reply_->value);
+}
+
+void RemoteUnit::replied(Message reply) {
+  {
+    const std::lock_guard lock(mutex_);
+    reply_ = std::move(reply);
+  }
+  came_.notify_one();
+}
+
 RemoteUnit::Slot* RemoteUnit::find(const std::string& key) const {
   for (const auto& slot : slots_)
     if (slot->key == key) return slot.get();
@@ -117,7 +145,10 @@ Message RemoteUnit::hello() const {
   return message;
 }
 
-void RemoteUnit::connect(FrameQueue& server) { server_ = &server; }
+void RemoteUnit::connect(FrameQueue& server, std::function<bool()> over) {
+  over_ = std::move(over);
+  server_ = &server;
+}
 void RemoteUnit::disconnect() { server_ = nullptr; }
 
 // A response that cannot be sent becomes an error response, so that nobody waits for it.
@@ -145,6 +176,7 @@ Expected<void> RemoteUnit::handle(Message message) {
     return {};
   }
   if (message.kind == Kind::welcome) {
+    welcome_ = true;
     clock_.set(std::max(clock_.now(), message.time));
     return {};
   }
@@ -156,6 +188,7 @@ Expected<void> RemoteUnit::handle(Message message) {
     return {};
   }
   set_clock(message.time);
+  if (message.kind == Kind::news && slot->news) slot->news();
   if (message.kind == Kind::wanted) slot->component->wanted(message.name, message.on);
   if (message.kind == Kind::call)
     slot->component->call({message.call, message.name, std::move(message.args), std::move(message.kwargs)});

@@ -1,12 +1,16 @@
 // RemoteUnit: the components of a process, and the ServiceHosts that they talk to: what they announce goes to the
 // server. The components are those of the server, and cannot tell the difference.
 //
-// Threads: one, the unit's; its queue takes work from any. A component may log and fulfil reservations on its own.
+// Threads: one, the unit's; its queue takes work from any, and replied() is for another. A component may log and fulfil
+// reservations on its own.
 #pragma once
 
 #include <atomic>
+#include <condition_variable>
 #include <functional>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,14 +39,23 @@ class RemoteUnit {
   /// Called at the beginning of each step; what the components act in is kept with it until they are gone.
   void before_step(std::function<void()> work) { before_step_ = std::move(work); }
 
+  /// Called when there is news at the desk (desk.h) of the component `key`; what it needs is kept with it.
+  void on_news(const std::string& key, std::function<void()> work);
+  /// Asks the desk of the component `key` in the server and waits for the answer. Errors: `unavailable` (the connection
+  /// has ended, or is not welcome yet), `constant`, `too_large`.
+  Expected<Value> request(const std::string& key, std::string_view function, Dict arguments);
+
   /// The first message, for all that is attached.
   Message hello() const;
   /// What the components announce goes here from now on, and is lost before that. It outlives the unit or disconnect().
-  void connect(FrameQueue& server);
+  /// `over`: whether the connection has ended; an empty one: never.
+  void connect(FrameQueue& server, std::function<bool()> over = {});
   void disconnect();
   /// Does what the server says. Error `not_found`: the message is for no component of this process. What a component
   /// throws, comes through: the unit is as good as dead.
   Expected<void> handle(Message message);
+  /// The reply to a request came, which may be waited for. On another thread than the unit's.
+  void replied(Message reply);
   /// 1 ms: what was posted, what is due, then step() of all.
   void step();
 
@@ -64,6 +77,12 @@ class RemoteUnit {
   std::function<void()> before_step_;
   std::vector<std::unique_ptr<Slot>> slots_;  // in order of declaration
   std::atomic<FrameQueue*> server_{nullptr};
+  std::function<bool()> over_;
+  bool welcome_ = false;  // by the server
+  std::mutex mutex_;      // of the reply
+  std::condition_variable came_;
+  std::optional<Message> reply_;
+  std::int64_t requests_ = 0;
   services::Time ahead_ = 0;  // [s] of the server's clock, which this one waits for
 };
 

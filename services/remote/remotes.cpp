@@ -38,8 +38,7 @@ struct ProcessLink::Process {
     const auto component = components.find(message.key);
     if (component == components.end())
       return unexpected(ErrorCode::not_found, "this process did not bring it", message.key);
-    component->second->announce(std::move(message));
-    return {};
+    return component->second->announce(std::move(message));
   }
 };
 
@@ -132,9 +131,18 @@ void Remotes::add(const std::vector<RemoteService>& services) {
   units_.push_back(std::make_unique<services::WorkThread>());
   for (const RemoteService& service : services) {
     services::ServiceHost& host = host_.declare(service.key, service.type, *units_.back());
-    auto component = std::make_unique<RemoteComponent>(service.key, *service.model, host);
+    auto component = std::make_unique<RemoteComponent>(service.key, *service.model, host, service.desk);
     places_.emplace(service.key, Place{service, units_.size() - 1, component.get()});
     host_.attach(service.key, std::move(component), services::Host::Presence::awaited);
+  }
+}
+
+void Remotes::step() {
+  for (auto& [key, place] : places_) {
+    if (!place.service.desk.version) continue;
+    const std::uint64_t version = place.service.desk.version();
+    if (std::exchange(place.seen, version) != version)
+      post(place.unit, [component = place.component] { component->look(); });
   }
 }
 

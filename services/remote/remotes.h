@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "services/host.h"
+#include "services/remote/desk.h"
 #include "services/remote/frame.h"
 #include "services/remote/protocol.h"
 #include "services/remote/remote_component.h"
@@ -25,6 +26,7 @@ namespace race::remote {
 struct RemoteService {
   std::string key, type;
   const rsm::Service* model = nullptr;  // outlives all
+  Desk desk = {};
 };
 
 class Remotes;
@@ -71,6 +73,8 @@ class Remotes {
 
   /// Declares services that one process brings together. Before anything is called.
   void add(const std::vector<RemoteService>& services);
+  /// Tells processes what is new at their desks. By one thread.
+  void step();
   /// The units end: what was said so far is still done. Links may remain and do nothing any more.
   void stop();
 
@@ -84,6 +88,7 @@ class Remotes {
     std::size_t unit = 0;
     RemoteComponent* component = nullptr;  // the host's
     bool taken = false;                    // by a process
+    std::uint64_t seen = 0;                // the version of its desk in the last step()
   };
 
   Expected<std::vector<Place*>> take(const Value& components);
@@ -94,7 +99,7 @@ class Remotes {
   const services::Clock& clock_;
   const std::chrono::milliseconds heartbeat_;
   std::mutex mutex_;
-  std::map<std::string, Place> places_;                       // by key; fixed after the start but for `taken`
+  std::map<std::string, Place> places_;  // by key; fixed after the start but for `taken` and `seen`
   std::vector<std::unique_ptr<services::WorkThread>> units_;  // empty after stop()
 };
 

@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <atomic>
+#include <thread>
+
 #include "core/value/json.h"
 #include "tests/unit/services/remote/lamp.h"
 
@@ -117,6 +120,48 @@ TEST_F(RemoteUnitTest, HandsPacketsOver) {
   made.bytes.resize(3);
   ASSERT_TRUE(unit.handle(std::move(made)));
   EXPECT_THAT(lamp->packets, ElementsAre("camera.images at 4.0: 3 bytes"));
+}
+
+TEST_F(RemoteUnitTest, AsksTheServerAndWaitsForItsReply) {
+  EXPECT_EQ(unit.request("lamp", "colour", {}).error().code, ErrorCode::unavailable) << "it is not welcome yet";
+  ASSERT_TRUE(unit.handle(message(Kind::welcome)));
+  std::string asked;
+  std::thread there([&] {
+    std::optional<Frame> frame;
+    while (!(frame = server.pop())) std::this_thread::yield();
+    asked = frame->bytes;
+    for (const int number : {7, 1}) {
+      Message reply;
+      reply.kind = Kind::reply;
+      reply.number = number;
+      reply.value = number;
+      unit.replied(reply);
+    }
+  });
+  const auto answer = unit.request("lamp", "colour", {{"of", "glass"}});
+  there.join();
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(*answer, Value(1)) << "the reply of that number, no other";
+  EXPECT_EQ(asked, R"({"type":"request","key":"lamp","number":1,"function":"colour","arguments":{"of":"glass"}})");
+}
+
+TEST_F(RemoteUnitTest, WaitsForNoReplyWhenTheConnectionHasEnded) {
+  std::atomic<bool> over = false;
+  unit.connect(server, [&] { return over.load(); });
+  ASSERT_TRUE(unit.handle(message(Kind::welcome)));
+  std::thread there([&] {
+    while (!server.pop()) std::this_thread::yield();
+    over = true;
+  });
+  EXPECT_EQ(unit.request("lamp", "colour", {}).error().code, ErrorCode::unavailable);
+  there.join();
+}
+
+TEST_F(RemoteUnitTest, TellsAComponentThatThereIsNews) {
+  int news = 0;
+  unit.on_news("lamp", [&] { ++news; });
+  ASSERT_TRUE(unit.handle(message(Kind::news)));
+  EXPECT_EQ(news, 1);
 }
 
 TEST_F(RemoteUnitTest, CutsALongLogBetweenCharacters) {

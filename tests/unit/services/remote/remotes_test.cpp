@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <atomic>
 #include <condition_variable>
 #include <random>
 
@@ -96,6 +97,14 @@ struct RemotesTest : testing::Test {
   RemotesTest() : remotes(host, clock, 1s) {
     remotes.add({{"lamp", "lamp", &lamp_model()}});
     remotes.add({{"torch", "lamp", &lamp_model()}, {"candle", "lamp", &lamp_model()}});
+    remotes.add({{"lantern",
+                  "lamp",
+                  &lamp_model(),
+                  {[this](const std::string& function, const Dict&) -> Expected<Value> {
+                     if (function != "colour") return unexpected(ErrorCode::not_found, "no such function", function);
+                     return Value(colour);
+                   },
+                   [this] { return repainted.load(); }, [this] { ++cleaned; }}}});
   }
   ~RemotesTest() override {
     remotes.stop();
@@ -125,6 +134,10 @@ struct RemotesTest : testing::Test {
   services::WorldClock clock;
   services::Host host{clock, seen};
   std::uint64_t calls = 0;
+  // The desk of the lantern.
+  const std::string colour = "red";
+  std::atomic<std::uint64_t> repainted{0};
+  std::atomic<int> cleaned{0};
   Remotes remotes;
 };
 
@@ -334,6 +347,83 @@ TEST_F(RemotesTest, PacketsPassBothWays) {
   host.unwatch(watch);
   process.link.lose("gone");
   EXPECT_TRUE(until({&process}, [&] { return unit.run(), !component.listened; })) << "nobody listens any more";
+}
+
+// A process that asks its desk; what the server says to it, as text.
+struct Asking : Process {
+  explicit Asking(Remotes& remotes) : Process(remotes, {"lantern"}) {}
+  void ask(const std::string& key, const std::string& function) {
+    Message request;
+    request.kind = Kind::request;
+    request.key = key;
+    request.number = 5;
+    request.name = function;
+    link.received(encode(request).value());
+  }
+  std::string said() {
+    const auto frame = link.out().pop();
+    return frame ? frame->bytes : "";
+  }
+};
+
+TEST_F(RemotesTest, AProcessIsAnsweredAtItsDesk) {
+  Asking process(remotes);
+  greet(process, "lantern");
+  process.ask("lantern", "colour");
+  std::string said;
+  ASSERT_TRUE(until({}, [&] { return !(said = process.said()).empty(); }));
+  EXPECT_EQ(said, R"({"type":"reply","number":5,"value":"red"})");
+}
+
+TEST_F(RemotesTest, WhoAsksWhatNoComponentAsksIsLost) {
+  {
+    Asking process(remotes);
+    greet(process, "lantern");
+    process.ask("lantern", "weight");
+    EXPECT_TRUE(until({&process}, [&] { return process.link.out().drained(); }));
+    EXPECT_THAT(process.refused, HasSubstr("weight"));
+  }
+  Asking process(remotes);
+  greet(process, "lantern");
+  process.ask("lamp", "colour");
+  EXPECT_TRUE(until({&process}, [&] { return process.link.out().drained(); }));
+  EXPECT_THAT(process.refused, HasSubstr("did not bring it"));
+  Process lamp(remotes);
+  greet(lamp);
+  Message request;
+  request.kind = Kind::request;
+  request.key = "lamp";
+  request.name = "colour";
+  lamp.link.received(encode(request).value());
+  EXPECT_TRUE(until({&lamp}, [&] { return lamp.link.out().drained(); }));
+  EXPECT_THAT(lamp.refused, HasSubstr("nothing here that it could ask"));
+}
+
+TEST_F(RemotesTest, NewsReachTheProcessOnceAndBeforeACall) {
+  Asking process(remotes);
+  greet(process, "lantern");
+  ++repainted;
+  remotes.step();
+  remotes.step();
+  std::string said;
+  ASSERT_TRUE(until({}, [&] { return !(said = process.said()).empty(); }));
+  EXPECT_THAT(said, HasSubstr(R"({"type":"news","key":"lantern")"));
+  ++repainted;
+  call("on", "lantern");
+  ASSERT_TRUE(until({}, [&] { return !(said = process.said()).empty(); }));
+  EXPECT_THAT(said, HasSubstr("news"));
+  ASSERT_TRUE(until({}, [&] { return !(said = process.said()).empty(); }));
+  EXPECT_THAT(said, HasSubstr("call"));
+}
+
+TEST_F(RemotesTest, TheDeskIsCleanedWhenAProcessComesAndWhenItIsLost) {
+  {
+    Asking process(remotes);
+    greet(process, "lantern");
+    EXPECT_EQ(cleaned, 1);
+  }
+  EXPECT_TRUE(until({}, [&] { return cleaned == 2; }));
+  EXPECT_FALSE(available("lantern")) << "who waits has been answered before";
 }
 
 // Whatever a process says after its hello, the server goes on, and what does not fit loses that process alone.
