@@ -47,7 +47,7 @@ const rsm::Service& model() {
   return service;
 }
 
-Audio::Audio(display::Screens& screens, services::ServiceHost& host) : host_(host), screens_(screens) {}
+Audio::Audio(display::Speakers& speakers, services::ServiceHost& host) : host_(host), speakers_(speakers) {}
 
 void Audio::call(const services::Call& call) {
   if (call.operation == "stop") return stop(call);
@@ -64,7 +64,7 @@ void Audio::play(const services::Call& call, const Dict& arguments) {
   if (known == sounds().end())
     return refuse(call, services::error_value("unknown_sound", "there is no sound `" + sound + "`"), "sound");
   const auto started =
-      screens_.play(target, {0, sound, arguments.find("volume")->to_double(), static_cast<int>(repeat)});
+      speakers_.play(target, {0, sound, arguments.find("volume")->to_double(), static_cast<int>(repeat)});
   if (!started) return refuse(call, services::error_value("no_speaker", started.error().message), "display");
   drop("replaced", "replaced", "another sound took its place");
   host_.transition("play", call.id);
@@ -79,7 +79,7 @@ void Audio::refuse(const services::Call& call, Value error, const std::string& a
 }
 
 void Audio::stop(const services::Call& call) {
-  screens_.silence();
+  speakers_.silence();
   host_.transition(playing_ ? "stop" : "stop_idle", call.id);
   if (const auto playing = std::exchange(playing_, std::nullopt))
     host_.error(playing->call, services::error_value("stopped", "the sound was stopped"));
@@ -88,14 +88,14 @@ void Audio::stop(const services::Call& call) {
 
 void Audio::step() {
   if (!playing_) return;
-  const display::Playback playback = screens_.playback();
+  const display::Playback playback = speakers_.playback();
   const bool over = host_.now() - playing_->started >= playing_->length + kMargin;
   if (playback.waiting == 0 || over) finish(playback);
 }
 
 // A display that does not report in time counts as one that has gone.
 void Audio::finish(const display::Playback& playback) {
-  screens_.silence();
+  speakers_.silence();
   if (playback.reported.empty())
     return drop("fail", "speaker_lost", "no display has reported that it played the sound");
   List displays(playback.reported.begin(), playback.reported.end());

@@ -1,14 +1,14 @@
 // Audio: the service `audio`: plays named sounds on the displays that may make sounds and answers when they are over.
 // Operations, events, limits: README.md.
 //
-// Threads: its unit's. Displays report on other threads, through Screens; step() looks how far they are.
+// Threads: its unit's. Displays report elsewhere, through Screens; step() looks how far they are.
 #pragma once
 
 #include <optional>
 #include <string>
 
 #include "services/component.h"
-#include "services/display/screens.h"
+#include "services/display/stage.h"
 
 namespace race::audio {
 
@@ -20,8 +20,8 @@ class Audio final : public services::Component {
   /// How long after its end a sound is still waited for [s]: the way to the browser and back.
   static constexpr services::Time kMargin = 2.0;
 
-  /// Plays on `screens`, which outlive the component.
-  Audio(display::Screens& screens, services::ServiceHost& host);
+  /// Plays on `speakers`, which outlive the component.
+  Audio(display::Speakers& speakers, services::ServiceHost& host);
 
   const rsm::Service& model() const override { return audio::model(); }
   void call(const services::Call& call) override;
@@ -42,7 +42,7 @@ class Audio final : public services::Component {
   void drop(std::string_view transition, std::string_view code, std::string_view message);
 
   services::ServiceHost& host_;
-  display::Screens& screens_;
+  display::Speakers& speakers_;
   std::optional<Playing> playing_;
 };
 

@@ -7,8 +7,8 @@
 
 namespace race::display {
 
-Display::Display(Screens& screens, std::string folder, services::ServiceHost& host)
-    : host_(host), screens_(screens), folder_(std::move(folder)) {}
+Display::Display(Stage& stage, std::string folder, services::ServiceHost& host)
+    : host_(host), stage_(stage), folder_(std::move(folder)) {}
 
 void Display::call(const services::Call& call) {
   take();  // what people did before this call comes before it
@@ -24,7 +24,7 @@ void Display::show(const services::Call& call, const Dict& arguments) {
   if (!target) return refuse(call, target.error());
   auto message = read_message(arguments, folder_);
   if (!message) return refuse(call, message.error());
-  if (auto shown = screens_.show(*target, std::move(*message)); !shown) return refuse(call, shown.error());
+  if (auto shown = stage_.show(*target, std::move(*message)); !shown) return refuse(call, shown.error());
   host_.transition(call.operation + (waiting_ ? "_asking" : ""), call.id);
   host_.result(call.id, nullptr);
 }
@@ -34,7 +34,7 @@ void Display::ask(const services::Call& call, const Dict& arguments) {
   if (!target) return refuse(call, target.error());
   auto question = read_question(arguments);
   if (!question) return refuse(call, question.error());
-  const auto id = screens_.ask(*target, std::move(*question));
+  const auto id = stage_.ask(*target, std::move(*question));
   if (!id) return refuse(call, id.error());
   drop("replaced", "replaced", "another question took its place");
   host_.transition(call.operation, call.id);
@@ -44,7 +44,7 @@ void Display::ask(const services::Call& call, const Dict& arguments) {
 void Display::clear(const services::Call& call, const Dict& arguments) {
   const auto target = read_target(arguments);
   if (!target) return refuse(call, target.error());
-  const auto gone = screens_.clear(*target);
+  const auto gone = stage_.clear(*target);
   if (!gone) return refuse(call, gone.error());
   if (*gone) drop("cleared", "cleared", "the display was cleared");
   host_.transition(waiting_ ? "clear_asking" : "clear", call.id);
@@ -68,19 +68,19 @@ void Display::refuse(const services::Call& call, const Error& error) {
 void Display::step() {
   take();
   if (!waiting_) return;
-  if (screens_.asking()) {
+  if (stage_.asking()) {
     waiting_->alone_since.reset();
   } else if (!waiting_->alone_since) {
     waiting_->alone_since = host_.now();
   } else if (host_.now() - *waiting_->alone_since >= kPatience) {
-    screens_.withdraw();
+    stage_.withdraw();
     take();  // an answer may have come at the last moment
     drop("lost", "display_lost", "no display that shows the question is connected any more");
   }
 }
 
 void Display::take() {
-  for (const Happening& happening : screens_.take()) {
+  for (const Happening& happening : stage_.take()) {
     const Value display(happening.display);
     switch (happening.kind) {
       case Happening::Kind::answered:

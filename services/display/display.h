@@ -1,14 +1,14 @@
 // Display: the service `display`: shows text, images and questions to people and answers what they say. Operations,
 // events, limits: README.md.
 //
-// Threads: its unit's. People act on other threads, through Screens; step() takes what they did.
+// Threads: its unit's. People act elsewhere, through Screens; step() takes what they did.
 #pragma once
 
 #include <optional>
 #include <string>
 
 #include "services/component.h"
-#include "services/display/screens.h"
+#include "services/display/stage.h"
 
 namespace race::display {
 
@@ -20,8 +20,8 @@ class Display final : public services::Component {
   /// How long a question waits for its last display to come back [s]: a page that is reloaded loses nothing.
   static constexpr services::Time kPatience = 5.0;
 
-  /// Shows on `screens`, which outlive the component. Images that are no data URLs are files of `folder`.
-  Display(Screens& screens, std::string folder, services::ServiceHost& host);
+  /// Shows on `stage`, which outlives the component. Images that are no data URLs are files of `folder`.
+  Display(Stage& stage, std::string folder, services::ServiceHost& host);
 
   const rsm::Service& model() const override { return display::model(); }
   void call(const services::Call& call) override;
@@ -45,7 +45,7 @@ class Display final : public services::Component {
   void drop(std::string_view transition, std::string_view code, std::string_view message);
 
   services::ServiceHost& host_;
-  Screens& screens_;
+  Stage& stage_;
   std::string folder_;
   std::optional<Waiting> waiting_;
 };

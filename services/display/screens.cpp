@@ -43,6 +43,7 @@ Expected<Screens::ConnectionId> Screens::connect(const std::string& display, boo
     displays_[display].message = everywhere_;
   }
   const ConnectionId id = next_id_++;
+  ++doings_;
   connections_[id] = {display, sound};
   auto& all = displays_[display].connections;
   all.insert(id);
@@ -56,6 +57,7 @@ void Screens::disconnect(ConnectionId connection) {
   if (known == connections_.end()) return;
   const std::string display = known->second.display;
   connections_.erase(known);
+  ++doings_;
   playing_.erase(connection);
   auto& rest = displays_[display].connections;
   rest.erase(connection);
@@ -90,6 +92,7 @@ Expected<void> Screens::played(ConnectionId connection, std::uint64_t sound) {
   if (known == connections_.end() || !sound_ || sound_->id != sound || playing_.erase(connection) == 0)
     return unexpected(ErrorCode::conflict, "the sound is not played here, or not any more", "sound");
   played_.insert(known->second.display);
+  ++doings_;
   return {};
 }
 
@@ -164,7 +167,7 @@ void Screens::withdraw() {
   if (std::exchange(question_, std::nullopt)) tell(question_target_);
 }
 
-bool Screens::asking() const {
+bool Screens::asking() {
   const std::lock_guard lock(mutex_);
   return std::ranges::any_of(displays_, [&](const auto& each) {
     return !each.second.connections.empty() && shows_question(each.first, each.second);
@@ -201,7 +204,7 @@ void Screens::silence() {
   if (std::exchange(sound_, std::nullopt)) tell(sound_target_);
 }
 
-Playback Screens::playback() const {
+Playback Screens::playback() {
   const std::lock_guard lock(mutex_);
   return {playing_.size(), {played_.begin(), played_.end()}};
 }
@@ -256,6 +259,7 @@ Expected<void> Screens::note(Happening happening) {
   if (happenings_.size() >= kHappenings)
     return unexpected(ErrorCode::conflict, "too much waits for the service; try again");
   happenings_.push_back(std::move(happening));
+  ++doings_;
   return {};
 }
 

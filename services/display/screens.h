@@ -19,6 +19,7 @@
 // Threads: any. The watcher is called under the lock, in the order of changes: it must be quick and must not call back.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <mutex>
@@ -30,6 +31,7 @@
 #include "core/value/expected.h"
 #include "core/value/value.h"
 #include "services/display/content.h"
+#include "services/display/stage.h"
 
 namespace race::display {
 
@@ -48,22 +50,7 @@ class Watcher {
   virtual void forgotten(const std::string& display) = 0;
 };
 
-/// What somebody did, for the service `display`.
-struct Happening {
-  enum class Kind : std::uint8_t { answered, pressed, connected, disconnected } kind = Kind::pressed;
-  std::string display;
-  Value value = {};            // the answer, or the button
-  std::uint64_t question = 0;  // that was answered
-  bool operator==(const Happening&) const = default;
-};
-
-/// How far a sound is, for the service `audio`.
-struct Playback {
-  std::size_t waiting = 0;            // connections that have not reported yet
-  std::vector<std::string> reported;  // displays that have played it, by name
-};
-
-class Screens {
+class Screens final : public Stage, public Speakers {
  public:
   using ConnectionId = std::uint64_t;
   static constexpr std::size_t kDisplays = 64;     // names that are remembered
@@ -97,27 +84,20 @@ class Screens {
   /// Tells the watcher what `display` shows as if it had changed, in order with real changes.
   void repeat(const std::string& display);
 
-  // ---- The side of the services. `target`: a display's name, or kEvery. Error `not_found`: it is not connected, or
-  // none is.
+  // ---- The side of the services (stage.h).
 
-  Expected<void> show(const std::string& target, Message message);
-  /// A new question takes the place of the one that waits, everywhere. Gives its id.
-  Expected<std::uint64_t> ask(const std::string& target, Question question);
-  /// Takes the message away, and the question if it is shown there; whether no display is left that shows it, so that
-  /// there is none any more.
-  Expected<bool> clear(const std::string& target);
-  /// Takes the question away everywhere.
-  void withdraw();
-  /// Whether a connected display shows the question.
-  bool asking() const;
-  /// What happened since it was taken last, in order.
-  std::vector<Happening> take();
+  Expected<void> show(const std::string& target, Message message) override;
+  Expected<std::uint64_t> ask(const std::string& target, Question question) override;
+  Expected<bool> clear(const std::string& target) override;
+  void withdraw() override;
+  bool asking() override;
+  std::vector<Happening> take() override;
+  Expected<std::uint64_t> play(const std::string& target, Sound sound) override;
+  void silence() override;
+  Playback playback() override;
 
-  /// Starts a sound on all connections of `target` that may make sounds, in place of one that is played. `not_found`:
-  /// there is none.
-  Expected<std::uint64_t> play(const std::string& target, Sound sound);
-  void silence();
-  Playback playback() const;
+  /// Counts what those who show have done: as long as it stays, the services learn nothing new by asking.
+  std::uint64_t doings() const { return doings_; }
 
  private:
   struct Display {
@@ -153,6 +133,7 @@ class Screens {
   std::set<ConnectionId> playing_;
   std::set<std::string> played_;
   std::uint64_t next_id_ = 1;
+  std::atomic<std::uint64_t> doings_{0};
 };
 
 }  // namespace race::display

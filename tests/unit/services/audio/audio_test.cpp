@@ -3,8 +3,13 @@
 #include <gmock/gmock.h>
 
 #include <limits>
+#include <tuple>
+#include <utility>
 
+#include "core/value/json.h"
+#include "services/audio/remote_speakers.h"
 #include "services/audio/sounds.h"
+#include "services/display/screens.h"
 #include "tests/unit/services/host/bench.h"
 
 namespace race::audio {
@@ -16,18 +21,31 @@ using services::Delivery;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
+/// An audio whose speakers are here, or elsewhere: then all that it asks and is answered passes as JSON, and it is told
+/// when there is news.
 struct AudioTest : testing::Test {
-  AudioTest() { bench.add<Audio>("audio", screens); }
+  explicit AudioTest(bool elsewhere) {
+    bench.add<Audio>("audio", elsewhere ? static_cast<display::Speakers&>(remote) : screens);
+  }
   Screens::ConnectionId connect(const std::string& display, bool sound = true) {
     return screens.connect(display, sound).value();
   }
   void call(const std::string& operation, List args = {}, Dict kwargs = {}) {
+    look();
     bench.call("audio", operation, std::move(args), std::move(kwargs));
   }
   std::optional<display::Sound> sound(const std::string& display) { return screens.content(display)->sound; }
   void played(Screens::ConnectionId connection, const std::string& display) {
     ASSERT_TRUE(screens.played(connection, sound(display)->id));
-    bench.pass(0.001);
+    pass(0.001);
+  }
+  void pass(double seconds) {
+    look();
+    bench.pass(seconds);
+  }
+  void look() {
+    const auto doings = screens.doings();
+    if (std::exchange(seen, doings) != doings) remote.news();
   }
   int finished() const {
     int count = 0;
@@ -35,11 +53,18 @@ struct AudioTest : testing::Test {
     return count;
   }
   Screens screens;
+  RemoteSpeakers remote{[this](std::string_view function, const Dict& arguments) -> Expected<Value> {
+    ASSIGN_OR_RETURN(const Value asked, parse_json(to_json(arguments)));
+    ASSIGN_OR_RETURN(const Value answer, answer_speakers(screens, function, asked.as_dict()));
+    return parse_json(to_json(answer));
+  }};
+  std::uint64_t seen = 0;
   Bench bench;
 };
 
 /// Calls without a fault: the monitor has nothing to say.
-struct AudioInOrder : AudioTest {
+struct AudioInOrder : AudioTest, testing::WithParamInterface<bool> {
+  AudioInOrder() : AudioTest(GetParam()) {}
   ~AudioInOrder() override {
     for (const auto& violation : bench.violations("audio")) ADD_FAILURE() << violation.rule << violation.message;
   }
@@ -51,7 +76,7 @@ TEST(Sounds, EndWithTheirLastNote) {
   for (const auto& [name, length] : sounds()) EXPECT_GT(length, 0) << name;
 }
 
-TEST_F(AudioInOrder, WithoutADisplayThatMakesSoundsPlayIsAnsweredNoSpeaker) {
+TEST_P(AudioInOrder, WithoutADisplayThatMakesSoundsPlayIsAnsweredNoSpeaker) {
   call("play", {"beep"});
   connect("mute", false);
   call("play", {"beep"});
@@ -61,7 +86,7 @@ TEST_F(AudioInOrder, WithoutADisplayThatMakesSoundsPlayIsAnsweredNoSpeaker) {
               ElementsAre("audio.play !> no_speaker", "audio.play !> no_speaker", "audio.play !> no_speaker"));
 }
 
-TEST_F(AudioInOrder, AnUnknownSoundIsAnError) {
+TEST_P(AudioInOrder, AnUnknownSoundIsAnError) {
   connect("main");
   call("play", {"trumpet"});
   EXPECT_THAT(bench.responses(), ElementsAre("audio.play !> unknown_sound"));
@@ -69,13 +94,13 @@ TEST_F(AudioInOrder, AnUnknownSoundIsAnError) {
   EXPECT_FALSE(sound("main"));
 }
 
-TEST_F(AudioInOrder, AnswersWhenTheDisplayReportsTheEnd) {
+TEST_P(AudioInOrder, AnswersWhenTheDisplayReportsTheEnd) {
   const auto main = connect("main");
   call("play", {"beep"}, {{"volume", 0.5}, {"repeat", 3}});
   EXPECT_EQ(sound("main")->name, "beep");
   EXPECT_EQ(sound("main")->volume, 0.5);
   EXPECT_EQ(sound("main")->repeat, 3);
-  bench.pass(0.5);
+  pass(0.5);
   EXPECT_THAT(bench.responses(), IsEmpty());
   played(main, "main");
   EXPECT_THAT(bench.responses(), ElementsAre(R"(audio.play -> {"sound":"beep","displays":["main"]})"));
@@ -83,7 +108,7 @@ TEST_F(AudioInOrder, AnswersWhenTheDisplayReportsTheEnd) {
   EXPECT_FALSE(sound("main"));
 }
 
-TEST_F(AudioInOrder, WaitsForAllDisplaysThatPlayIt) {
+TEST_P(AudioInOrder, WaitsForAllDisplaysThatPlayIt) {
   const auto left = connect("left"), right = connect("right");
   connect("mute", false);
   call("play", {"beep"});
@@ -93,36 +118,36 @@ TEST_F(AudioInOrder, WaitsForAllDisplaysThatPlayIt) {
   EXPECT_THAT(bench.responses(), ElementsAre(R"(audio.play -> {"sound":"beep","displays":["left","right"]})"));
 }
 
-TEST_F(AudioInOrder, ADisplayThatNeverReportsIsNotWaitedForLongerThanTheSoundAndAMargin) {
+TEST_P(AudioInOrder, ADisplayThatNeverReportsIsNotWaitedForLongerThanTheSoundAndAMargin) {
   connect("main");
   const double length = 2 * sounds().at("success");
   call("play", {"success", 1, 2});
-  bench.pass(length + Audio::kMargin - 0.01);
+  pass(length + Audio::kMargin - 0.01);
   EXPECT_THAT(bench.responses(), IsEmpty());
-  bench.pass(0.02);
+  pass(0.02);
   EXPECT_THAT(bench.responses(), ElementsAre("audio.play !> speaker_lost"));
   EXPECT_FALSE(sound("main"));
   EXPECT_EQ(finished(), 0);
 }
 
-TEST_F(AudioInOrder, OneDisplayThatReportsIsEnoughInTheEnd) {
+TEST_P(AudioInOrder, OneDisplayThatReportsIsEnoughInTheEnd) {
   const auto left = connect("left");
   connect("right");
   call("play", {"beep"});
   played(left, "left");
-  bench.pass(sounds().at("beep") + Audio::kMargin);
+  pass(sounds().at("beep") + Audio::kMargin);
   EXPECT_THAT(bench.responses(), ElementsAre(R"(audio.play -> {"sound":"beep","displays":["left"]})"));
 }
 
-TEST_F(AudioInOrder, WhenAllDisplaysThatPlayItHaveGoneThePlayIsLost) {
+TEST_P(AudioInOrder, WhenAllDisplaysThatPlayItHaveGoneThePlayIsLost) {
   const auto left = connect("left");
   call("play", {"beep"});
   screens.disconnect(left);
-  bench.pass(0.001);
+  pass(0.001);
   EXPECT_THAT(bench.responses(), ElementsAre("audio.play !> speaker_lost"));
 }
 
-TEST_F(AudioInOrder, ANewSoundTakesThePlaceOfTheOneThatPlays) {
+TEST_P(AudioInOrder, ANewSoundTakesThePlaceOfTheOneThatPlays) {
   const auto main = connect("main");
   call("play", {"beep"});
   const auto first = sound("main")->id;
@@ -133,7 +158,7 @@ TEST_F(AudioInOrder, ANewSoundTakesThePlaceOfTheOneThatPlays) {
   EXPECT_EQ(bench.responses().back(), R"(audio.play -> {"sound":"error","displays":["main"]})");
 }
 
-TEST_F(AudioInOrder, ASoundThatCannotBePlayedLeavesTheOneThatPlays) {
+TEST_P(AudioInOrder, ASoundThatCannotBePlayedLeavesTheOneThatPlays) {
   connect("main");
   call("play", {"beep"});
   call("play", {"trumpet"});
@@ -141,7 +166,7 @@ TEST_F(AudioInOrder, ASoundThatCannotBePlayedLeavesTheOneThatPlays) {
   EXPECT_EQ(sound("main")->name, "beep");
 }
 
-TEST_F(AudioInOrder, StopIsSilence) {
+TEST_P(AudioInOrder, StopIsSilence) {
   connect("main");
   call("stop");
   call("play", {"collision"});
@@ -155,16 +180,21 @@ struct Wrong {
   List args;
   std::string code, argument;
 };
-struct AudioArguments : AudioTest, testing::WithParamInterface<Wrong> {};
+struct AudioArguments : AudioTest, testing::WithParamInterface<std::tuple<bool, Wrong>> {
+  AudioArguments() : AudioTest(std::get<bool>(GetParam())) {}
+};
+
+INSTANTIATE_TEST_SUITE_P(HereAndElsewhere, AudioInOrder, testing::Bool());
 
 TEST_P(AudioArguments, AreHeldToTheirLimits) {
+  const Wrong& wrong = std::get<Wrong>(GetParam());
   connect("main");
   for (const bool playing : {false, true}) {
     if (playing) call("play", {"done"});
     const auto before = sound("main");
-    call("play", GetParam().args);
-    EXPECT_EQ(bench.responses().back(), "audio.play !> " + GetParam().code);
-    EXPECT_EQ(bench.deliveries.back().data.find("argument")->as_string(), GetParam().argument);
+    call("play", wrong.args);
+    EXPECT_EQ(bench.responses().back(), "audio.play !> " + wrong.code);
+    EXPECT_EQ(bench.deliveries.back().data.find("argument")->as_string(), wrong.argument);
     EXPECT_EQ(sound("main"), before);
   }
   for (const auto& violation : bench.violations("audio")) EXPECT_EQ(violation.rule, "type") << violation.message;
@@ -172,11 +202,32 @@ TEST_P(AudioArguments, AreHeldToTheirLimits) {
 
 INSTANTIATE_TEST_SUITE_P(
     Wrong, AudioArguments,
-    testing::Values(Wrong{{}, "missing", "sound"}, Wrong{{1}, "type", "sound"},
-                    Wrong{{"beep", 1.5}, "out_of_range", "volume"}, Wrong{{"beep", -0.1}, "out_of_range", "volume"},
-                    Wrong{{"beep", std::numeric_limits<double>::quiet_NaN()}, "out_of_range", "volume"},
-                    Wrong{{"beep", "loud"}, "type", "volume"}, Wrong{{"beep", 1, 0}, "out_of_range", "repeat"},
-                    Wrong{{"beep", 1, 21}, "out_of_range", "repeat"}, Wrong{{"beep", 1, 1.5}, "type", "repeat"}));
+    testing::Combine(
+        testing::Bool(),
+        testing::Values(Wrong{{}, "missing", "sound"}, Wrong{{1}, "type", "sound"},
+                        Wrong{{"beep", 1.5}, "out_of_range", "volume"}, Wrong{{"beep", -0.1}, "out_of_range", "volume"},
+                        Wrong{{"beep", std::numeric_limits<double>::quiet_NaN()}, "out_of_range", "volume"},
+                        Wrong{{"beep", "loud"}, "type", "volume"}, Wrong{{"beep", 1, 0}, "out_of_range", "repeat"},
+                        Wrong{{"beep", 1, 21}, "out_of_range", "repeat"}, Wrong{{"beep", 1, 1.5}, "type", "repeat"})));
+
+// What no audio asks is refused at the door, and plays nothing.
+TEST(AnswerSpeakers, RefusesWhatNoAudioAsks) {
+  Screens screens;
+  ASSERT_TRUE(screens.connect("main", true));
+  const auto error = [&](const char* function, const char* arguments) {
+    const Value json = parse_json(arguments).value();
+    const auto answer = answer_speakers(screens, function, json.as_dict());
+    return answer ? "none" : answer.error().path + ": " + std::string(name(answer.error().code));
+  };
+  EXPECT_EQ(error("ask", "{}"), "ask: not_found");
+  EXPECT_EQ(error("play", "{}"), "sound: missing");
+  EXPECT_EQ(error("play", R"({"sound": "trumpet"})"), "sound: not_found");
+  EXPECT_EQ(error("play", R"({"sound": "beep", "volume": 2})"), "volume: out_of_range");
+  EXPECT_EQ(error("silence", R"({"all": true})"), "arguments: unknown_field");
+  EXPECT_FALSE(screens.content("main")->sound);
+  EXPECT_EQ(error("play", R"({"sound": "beep"})"), "none");
+  EXPECT_TRUE(screens.content("main")->sound);
+}
 
 }  // namespace
 }  // namespace race::audio

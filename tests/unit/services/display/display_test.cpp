@@ -3,8 +3,12 @@
 #include <gmock/gmock.h>
 
 #include <limits>
+#include <tuple>
+#include <utility>
 
 #include "core/value/json.h"
+#include "services/display/remote_stage.h"
+#include "services/display/screens.h"
 #include "tests/unit/services/host/bench.h"
 
 namespace race::display {
@@ -15,23 +19,36 @@ using services::Delivery;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
+/// A display whose screens are here, or elsewhere: then all that it asks and is answered passes as JSON, and it is told
+/// when there is news.
 struct DisplayTest : testing::Test {
-  DisplayTest() { bench.add<Display>("display", screens, std::string()); }
+  explicit DisplayTest(bool elsewhere) {
+    bench.add<Display>("display", elsewhere ? static_cast<Stage&>(remote) : screens, std::string());
+  }
 
   void connect(const std::string& display) {
     connections[display] = screens.connect(display, false).value();
-    bench.pass(0.001);
+    pass(0.001);
   }
   void disconnect(const std::string& display) {
     screens.disconnect(connections[display]);
-    bench.pass(0.001);
+    pass(0.001);
   }
   void call(const std::string& operation, List args = {}, Dict kwargs = {}) {
+    look();
     bench.call("display", operation, std::move(args), std::move(kwargs));
   }
   void answer(const std::string& display, Value value) {
     ASSERT_TRUE(screens.answer(display, std::move(value)));
-    bench.pass(0.001);
+    pass(0.001);
+  }
+  void pass(double seconds) {
+    look();
+    bench.pass(seconds);
+  }
+  void look() {
+    const auto doings = screens.doings();
+    if (std::exchange(seen, doings) != doings) remote.news();
   }
   std::string state() const { return *bench.host.service("display")->state; }
   /// Events so far as "name data".
@@ -48,18 +65,25 @@ struct DisplayTest : testing::Test {
   }
 
   Screens screens;
+  RemoteStage remote{[this](std::string_view function, const Dict& arguments) -> Expected<Value> {
+    ASSIGN_OR_RETURN(const Value asked, parse_json(to_json(arguments)));
+    ASSIGN_OR_RETURN(const Value answer, answer_stage(screens, function, asked.as_dict()));
+    return parse_json(to_json(answer));
+  }};
+  std::uint64_t seen = 0;
   Bench bench;
   std::map<std::string, Screens::ConnectionId> connections;
 };
 
 /// Calls without a fault: the monitor has nothing to say.
-struct DisplayInOrder : DisplayTest {
+struct DisplayInOrder : DisplayTest, testing::WithParamInterface<bool> {
+  DisplayInOrder() : DisplayTest(GetParam()) {}
   ~DisplayInOrder() override {
     for (const auto& violation : bench.violations("display")) ADD_FAILURE() << violation.rule << violation.message;
   }
 };
 
-TEST_F(DisplayInOrder, WithoutADisplayEveryOperationIsAnsweredNoDisplay) {
+TEST_P(DisplayInOrder, WithoutADisplayEveryOperationIsAnsweredNoDisplay) {
   call("show_text", {"Hello"});
   call("show_image", {"data:image/png;base64,AAAA"});
   call("ask", {"Go?"});
@@ -73,12 +97,12 @@ TEST_F(DisplayInOrder, WithoutADisplayEveryOperationIsAnsweredNoDisplay) {
   EXPECT_EQ(state(), "Idle");
 }
 
-TEST_F(DisplayInOrder, ClearingWhatIsNotThereIsNoFault) {
+TEST_P(DisplayInOrder, ClearingWhatIsNotThereIsNoFault) {
   call("clear");
   EXPECT_THAT(bench.responses(), ElementsAre("display.clear -> null"));
 }
 
-TEST_F(DisplayInOrder, ShowsTextAndImagesAndAnswersAtOnce) {
+TEST_P(DisplayInOrder, ShowsTextAndImagesAndAnswersAtOnce) {
   connect("main");
   call("show_text", {"Hello"});
   EXPECT_EQ(screens.content("main")->message->text, "Hello");
@@ -87,10 +111,10 @@ TEST_F(DisplayInOrder, ShowsTextAndImagesAndAnswersAtOnce) {
   EXPECT_THAT(bench.responses(), ElementsAre("display.show_text -> null", "display.show_image -> null"));
 }
 
-TEST_F(DisplayInOrder, AnAskedPersonAnswersWithAButtonLater) {
+TEST_P(DisplayInOrder, AnAskedPersonAnswersWithAButtonLater) {
   connect("main");
   call("ask", {"Go?", List{"Yes", "No"}});
-  bench.pass(60);
+  pass(60);
   EXPECT_THAT(bench.responses(), IsEmpty());
   EXPECT_EQ(state(), "Asking");
   answer("main", "No");
@@ -99,20 +123,20 @@ TEST_F(DisplayInOrder, AnAskedPersonAnswersWithAButtonLater) {
   EXPECT_EQ(state(), "Idle");
 }
 
-TEST_F(DisplayInOrder, AskHasOneButtonIfNoneIsGiven) {
+TEST_P(DisplayInOrder, AskHasOneButtonIfNoneIsGiven) {
   connect("main");
   call("ask", {"Collision. Continue?"});
   EXPECT_THAT(screens.content("main")->question->buttons, ElementsAre("OK"));
 }
 
-TEST_F(DisplayInOrder, ChooseAnswersTheChoiceAlone) {
+TEST_P(DisplayInOrder, ChooseAnswersTheChoiceAlone) {
   connect("main");
   call("choose", {"What now?", List{"Retry", "Skip"}});
   answer("main", "Skip");
   EXPECT_THAT(bench.responses(), ElementsAre(R"(display.choose -> "Skip")"));
 }
 
-TEST_F(DisplayInOrder, ANumberIsEnteredWithinItsLimits) {
+TEST_P(DisplayInOrder, ANumberIsEnteredWithinItsLimits) {
   connect("main");
   call("ask_number", {"How wide?", 0.0, 0.11}, {{"unit", "m"}, {"initial", 0.03}});
   EXPECT_EQ(screens.content("main")->question->number, (NumberEntry{"m", 0.0, 0.11, 0.03}));
@@ -120,17 +144,17 @@ TEST_F(DisplayInOrder, ANumberIsEnteredWithinItsLimits) {
   EXPECT_THAT(bench.responses(), ElementsAre(R"(display.ask_number -> {"answer":0.05,"display":"main"})"));
 }
 
-TEST_F(DisplayInOrder, TheFirstDisplayThatAnswersCounts) {
+TEST_P(DisplayInOrder, TheFirstDisplayThatAnswersCounts) {
   connect("left");
   connect("right");
   call("ask", {"Go?", List{"Yes", "No"}});
   answer("right", "Yes");
   EXPECT_FALSE(screens.answer("left", "No"));
-  bench.pass(0.01);
+  pass(0.01);
   EXPECT_THAT(bench.responses(), ElementsAre(R"(display.ask -> {"answer":"Yes","display":"right"})"));
 }
 
-TEST_F(DisplayInOrder, ANamedDisplayAloneShowsAndAnswers) {
+TEST_P(DisplayInOrder, ANamedDisplayAloneShowsAndAnswers) {
   connect("left");
   connect("right");
   call("ask", {"Go?"}, {{"display", "right"}});
@@ -140,7 +164,7 @@ TEST_F(DisplayInOrder, ANamedDisplayAloneShowsAndAnswers) {
   EXPECT_THAT(bench.responses(), ElementsAre(R"(display.ask -> {"answer":"OK","display":"right"})"));
 }
 
-TEST_F(DisplayInOrder, ANewQuestionAnswersTheOneBefore) {
+TEST_P(DisplayInOrder, ANewQuestionAnswersTheOneBefore) {
   connect("main");
   call("ask", {"First?"});
   call("ask_number", {"Second?", 0, 9});
@@ -150,7 +174,7 @@ TEST_F(DisplayInOrder, ANewQuestionAnswersTheOneBefore) {
               ElementsAre("display.ask !> replaced", R"(display.ask_number -> {"answer":7,"display":"main"})"));
 }
 
-TEST_F(DisplayInOrder, AnAnswerBeforeTheNextQuestionStillCounts) {
+TEST_P(DisplayInOrder, AnAnswerBeforeTheNextQuestionStillCounts) {
   connect("main");
   call("ask", {"First?"});
   ASSERT_TRUE(screens.answer("main", "OK"));
@@ -159,7 +183,7 @@ TEST_F(DisplayInOrder, AnAnswerBeforeTheNextQuestionStillCounts) {
   EXPECT_EQ(state(), "Asking");
 }
 
-TEST_F(DisplayInOrder, AQuestionThatCannotBeShownLeavesTheOneBefore) {
+TEST_P(DisplayInOrder, AQuestionThatCannotBeShownLeavesTheOneBefore) {
   connect("main");
   call("ask", {"First?"});
   call("ask", {"Second?"}, {{"display", "left"}});
@@ -168,7 +192,7 @@ TEST_F(DisplayInOrder, AQuestionThatCannotBeShownLeavesTheOneBefore) {
   EXPECT_EQ(bench.responses().back(), R"(display.ask -> {"answer":"OK","display":"main"})");
 }
 
-TEST_F(DisplayInOrder, ClearEndsAQuestionThatNoDisplayShowsThen) {
+TEST_P(DisplayInOrder, ClearEndsAQuestionThatNoDisplayShowsThen) {
   connect("left");
   connect("right");
   call("ask", {"Go?"});
@@ -182,7 +206,7 @@ TEST_F(DisplayInOrder, ClearEndsAQuestionThatNoDisplayShowsThen) {
   EXPECT_FALSE(screens.content("right")->question);
 }
 
-TEST_F(DisplayInOrder, TextsAndImagesCanChangeWhileAQuestionWaits) {
+TEST_P(DisplayInOrder, TextsAndImagesCanChangeWhileAQuestionWaits) {
   connect("main");
   call("ask", {"Go?"});
   call("show_text", {"Still there?"});
@@ -194,50 +218,52 @@ TEST_F(DisplayInOrder, TextsAndImagesCanChangeWhileAQuestionWaits) {
   answer("main", "OK");
 }
 
-TEST_F(DisplayInOrder, AQuestionWhoseLastDisplayStaysAwayIsLost) {
+TEST_P(DisplayInOrder, AQuestionWhoseLastDisplayStaysAwayIsLost) {
   connect("left");
   connect("right");
   call("ask", {"Go?"});
   disconnect("left");
-  bench.pass(2 * Display::kPatience);
+  pass(2 * Display::kPatience);
   EXPECT_THAT(bench.responses(), IsEmpty());
   disconnect("right");
-  bench.pass(Display::kPatience - 0.01);
+  pass(Display::kPatience - 0.01);
   EXPECT_THAT(bench.responses(), IsEmpty());
-  bench.pass(0.02);
+  pass(0.02);
   EXPECT_THAT(bench.responses(), ElementsAre("display.ask !> display_lost"));
   EXPECT_EQ(state(), "Idle");
   connect("left");
   EXPECT_FALSE(screens.content("left")->question);
 }
 
-TEST_F(DisplayInOrder, ADisplayThatIsBackInTimeStillShowsItsQuestion) {
+TEST_P(DisplayInOrder, ADisplayThatIsBackInTimeStillShowsItsQuestion) {
   connect("main");
   call("ask", {"Go?"});
   for (int i = 0; i < 3; ++i) {
     disconnect("main");
-    bench.pass(Display::kPatience * 0.9);
+    pass(Display::kPatience * 0.9);
     connect("main");
   }
   answer("main", "OK");
   EXPECT_THAT(bench.responses(), ElementsAre(R"(display.ask -> {"answer":"OK","display":"main"})"));
 }
 
-TEST_F(DisplayInOrder, EachPressOfAShownButtonIsAnEvent) {
+TEST_P(DisplayInOrder, EachPressOfAShownButtonIsAnEvent) {
   connect("main");
   call("show_text", {"Moving", List{"Stop"}});
   ASSERT_TRUE(screens.press("main", "Stop"));
   ASSERT_TRUE(screens.press("main", "Stop"));
-  bench.pass(0.001);
+  pass(0.001);
   const std::string press = R"(button {"button":"Stop","display":"main"})";
   EXPECT_THAT(events(), ElementsAre(R"(connected {"display":"main"})", press, press));
 }
 
-TEST_F(DisplayInOrder, TellsWhoComesAndGoes) {
+TEST_P(DisplayInOrder, TellsWhoComesAndGoes) {
   connect("main");
   disconnect("main");
   EXPECT_THAT(events(), ElementsAre(R"(connected {"display":"main"})", R"(disconnected {"display":"main"})"));
 }
+
+INSTANTIATE_TEST_SUITE_P(HereAndElsewhere, DisplayInOrder, testing::Bool());
 
 struct Wrong {
   std::string operation;
@@ -247,16 +273,19 @@ struct Wrong {
 };
 
 /// What a caller does wrong is answered at once and shows nothing; the monitor finds fault with the caller alone.
-struct DisplayArguments : DisplayTest, testing::WithParamInterface<Wrong> {};
+struct DisplayArguments : DisplayTest, testing::WithParamInterface<std::tuple<bool, Wrong>> {
+  DisplayArguments() : DisplayTest(std::get<bool>(GetParam())) {}
+};
 
 TEST_P(DisplayArguments, AreHeldToTheirLimits) {
+  const Wrong& wrong = std::get<Wrong>(GetParam());
   connect("main");
   for (const bool asking : {false, true}) {
     if (asking) call("ask", {"Go?"});
     const auto before = screens.content("main");
-    call(GetParam().operation, GetParam().args, GetParam().kwargs);
-    EXPECT_EQ(bench.responses().back(), "display." + GetParam().operation + " !> " + GetParam().code);
-    EXPECT_EQ(complaint(), GetParam().argument);
+    call(wrong.operation, wrong.args, wrong.kwargs);
+    EXPECT_EQ(bench.responses().back(), "display." + wrong.operation + " !> " + wrong.code);
+    EXPECT_EQ(complaint(), wrong.argument);
     EXPECT_EQ(screens.content("main"), before);
     EXPECT_EQ(state(), asking ? "Asking" : "Idle");
   }
@@ -267,28 +296,30 @@ const double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 INSTANTIATE_TEST_SUITE_P(
     Wrong, DisplayArguments,
-    testing::Values(Wrong{"show_text", {}, {}, "missing", "text"}, Wrong{"show_text", {1}, {}, "type", "text"},
-                    Wrong{"show_text", {std::string(2001, 'x')}, {}, "too_large", "text"},
-                    Wrong{"show_text", {"x"}, {{"display", "a b"}}, "name", "display"},
-                    Wrong{"show_text", {"x", List{""}}, {}, "out_of_range", "buttons"},
-                    Wrong{"show_text", {"x", List(9, "x")}, {}, "out_of_range", "buttons"},
-                    Wrong{"show_text", {"x", List{1}}, {}, "type", "buttons"},
-                    Wrong{"show_image", {"scene.json"}, {}, "type", "image"},
-                    Wrong{"show_image", {"none.png"}, {}, "not_found", "image"},
-                    Wrong{"ask", {"Go?", List{}}, {}, "out_of_range", "buttons"},
-                    Wrong{"ask", {"Go?", List{"x", "x"}}, {}, "duplicate", "buttons"},
-                    Wrong{"ask", {"Go?", List{std::string(41, 'x')}}, {}, "out_of_range", "buttons"},
-                    Wrong{"choose", {"Which?"}, {}, "missing", "choices"},
-                    Wrong{"choose", {"Which?", List{}}, {}, "out_of_range", "choices"},
-                    Wrong{"ask_number", {"How many?", 0}, {}, "missing", "max"},
-                    Wrong{"ask_number", {"How many?", 2, 1}, {}, "out_of_range", "max"},
-                    Wrong{"ask_number", {"How many?", kNaN, 1}, {}, "out_of_range", "min"},
-                    Wrong{"ask_number", {"How many?", 0, INFINITY}, {}, "out_of_range", "max"},
-                    Wrong{"ask_number", {"How many?", 0, 1}, {{"initial", 2}}, "out_of_range", "initial"},
-                    Wrong{"ask_number", {"How many?", 0, 1}, {{"initial", kNaN}}, "out_of_range", "initial"},
-                    Wrong{"ask_number", {"How many?", 0, 1, std::string(17, 'm')}, {}, "too_large", "unit"},
-                    Wrong{"clear", {"nobody"}, {}, "no_display", "display"},
-                    Wrong{"clear", {"a/b"}, {}, "name", "display"}));
+    testing::Combine(
+        testing::Bool(),
+        testing::Values(Wrong{"show_text", {}, {}, "missing", "text"}, Wrong{"show_text", {1}, {}, "type", "text"},
+                        Wrong{"show_text", {std::string(2001, 'x')}, {}, "too_large", "text"},
+                        Wrong{"show_text", {"x"}, {{"display", "a b"}}, "name", "display"},
+                        Wrong{"show_text", {"x", List{""}}, {}, "out_of_range", "buttons"},
+                        Wrong{"show_text", {"x", List(9, "x")}, {}, "out_of_range", "buttons"},
+                        Wrong{"show_text", {"x", List{1}}, {}, "type", "buttons"},
+                        Wrong{"show_image", {"scene.json"}, {}, "type", "image"},
+                        Wrong{"show_image", {"none.png"}, {}, "not_found", "image"},
+                        Wrong{"ask", {"Go?", List{}}, {}, "out_of_range", "buttons"},
+                        Wrong{"ask", {"Go?", List{"x", "x"}}, {}, "duplicate", "buttons"},
+                        Wrong{"ask", {"Go?", List{std::string(41, 'x')}}, {}, "out_of_range", "buttons"},
+                        Wrong{"choose", {"Which?"}, {}, "missing", "choices"},
+                        Wrong{"choose", {"Which?", List{}}, {}, "out_of_range", "choices"},
+                        Wrong{"ask_number", {"How many?", 0}, {}, "missing", "max"},
+                        Wrong{"ask_number", {"How many?", 2, 1}, {}, "out_of_range", "max"},
+                        Wrong{"ask_number", {"How many?", kNaN, 1}, {}, "out_of_range", "min"},
+                        Wrong{"ask_number", {"How many?", 0, INFINITY}, {}, "out_of_range", "max"},
+                        Wrong{"ask_number", {"How many?", 0, 1}, {{"initial", 2}}, "out_of_range", "initial"},
+                        Wrong{"ask_number", {"How many?", 0, 1}, {{"initial", kNaN}}, "out_of_range", "initial"},
+                        Wrong{"ask_number", {"How many?", 0, 1, std::string(17, 'm')}, {}, "too_large", "unit"},
+                        Wrong{"clear", {"nobody"}, {}, "no_display", "display"},
+                        Wrong{"clear", {"a/b"}, {}, "name", "display"})));
 
 }  // namespace
 }  // namespace race::display

@@ -1,0 +1,178 @@
+#include "services/display/remote_stage.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "services/arguments.h"
+#include "services/display/arguments.h"
+#include "services/display/display.h"
+
+namespace race::display {
+namespace {
+
+constexpr std::array<std::string_view, 4> kHappenings = {"answered", "pressed", "connected", "disconnected"};
+
+List texts(const std::vector<std::string>& from) { return {from.begin(), from.end()}; }
+
+Value happening_json(const Happening& happening) {
+  return Dict{{"kind", kHappenings[static_cast<std::size_t>(happening.kind)]},
+              {"display", happening.display},
+              {"value", happening.value},
+              {"question", static_cast<std::int64_t>(happening.question)}};
+}
+
+std::optional<Happening> read_happening(const Value& json) {
+  const Value *kind = json.find("kind"), *display = json.find("display"), *value = json.find("value"),
+              *question = json.find("question");
+  if (!kind || !kind->is_string() || !display || !display->is_string() || !value || !question ||
+      !question->is_integer())
+    return std::nullopt;
+  const auto known = std::ranges::find(kHappenings, kind->as_string());
+  if (known == kHappenings.end()) return std::nullopt;
+  return Happening{static_cast<Happening::Kind>(known - kHappenings.begin()), display->as_string(), *value,
+                   static_cast<std::uint64_t>(question->as_integer())};
+}
+
+// ---- The functions, at the server. What a process asks is held to what its component lets through.
+
+Value id_json(std::uint64_t id) { return static_cast<std::int64_t>(id); }
+
+Expected<Value> show(Stage& stage, const Dict& arguments) {
+  ASSIGN_OR_RETURN(const std::string target, read_target(arguments));
+  ASSIGN_OR_RETURN(Message message, read_message(arguments, ""));
+  const auto shown = stage.show(target, std::move(message));
+  return shown ? Value() : refusal(shown.error());
+}
+
+Expected<Value> ask(Stage& stage, const Dict& arguments) {
+  ASSIGN_OR_RETURN(const std::string target, read_target(arguments));
+  ASSIGN_OR_RETURN(Question question, read_question(arguments));
+  const auto id = stage.ask(target, std::move(question));
+  return id ? id_json(*id) : refusal(id.error());
+}
+
+Expected<Value> clear(Stage& stage, const Dict& arguments) {
+  ASSIGN_OR_RETURN(const std::string target, read_target(arguments));
+  const auto gone = stage.clear(target);
+  return gone ? Value(*gone) : refusal(gone.error());
+}
+
+Expected<Value> withdraw(Stage& stage, const Dict&) {
+  stage.withdraw();
+  return Value();
+}
+
+Expected<Value> asking(Stage& stage, const Dict&) { return Value(stage.asking()); }
+
+Expected<Value> take(Stage& stage, const Dict&) {
+  List all;
+  for (const Happening& happening : stage.take()) all.push_back(happening_json(happening));
+  return Value(std::move(all));
+}
+
+struct Function {
+  std::string_view name;
+  Expected<Value> (*answer)(Stage& stage, const Dict& arguments);
+  bool operation = true;  // of the RSM, with its parameters; else without any
+};
+
+constexpr std::array kFunctions = {
+    Function{"show_text", show},       Function{"show_image", show},  Function{"ask", ask},
+    Function{"ask_number", ask},       Function{"clear", clear},      Function{"withdraw", withdraw, false},
+    Function{"asking", asking, false}, Function{"take", take, false},
+};
+
+}  // namespace
+
+Value refusal(const Error& error) { return Dict{{"not_found", error.message}}; }
+
+Expected<Value> read_answer(Expected<Value> answer) {
+  const Value* absent = answer ? answer->find("not_found") : nullptr;
+  if (absent && absent->is_string()) return unexpected(ErrorCode::not_found, absent->as_string(), "display");
+  return answer;
+}
+
+Expected<std::uint64_t> read_id(Expected<Value> answer) {
+  ASSIGN_OR_RETURN(const Value id, read_answer(std::move(answer)));
+  if (!id.is_integer()) return unexpected(ErrorCode::type, "the server gives no id");
+  return static_cast<std::uint64_t>(id.as_integer());
+}
+
+Expected<void> need_none(std::string_view function, const Dict& arguments) {
+  if (arguments.empty()) return {};
+  return unexpected(ErrorCode::unknown_field, "`" + std::string(function) + "` has no arguments", "arguments");
+}
+
+void RemoteStage::news() {
+  taken_ = false;
+  asking_.reset();
+}
+
+// What it changes, changes what is known, too.
+Expected<Value> RemoteStage::command(std::string_view function, Dict arguments) {
+  auto answer = read_answer(server_(function, std::move(arguments)));
+  news();
+  return answer;
+}
+
+Expected<void> RemoteStage::show(const std::string& target, Message message) {
+  Dict arguments{{"text", message.text}, {"buttons", texts(message.buttons)}, {"display", target}};
+  if (!message.image.empty()) arguments.set("image", message.image);
+  auto shown = command(message.image.empty() ? "show_text" : "show_image", std::move(arguments));
+  if (!shown) return tl::unexpected(std::move(shown).error());
+  return {};
+}
+
+Expected<std::uint64_t> RemoteStage::ask(const std::string& target, Question question) {
+  Dict arguments{{"question", question.text}, {"display", target}};
+  if (!question.number) {
+    arguments.set("buttons", texts(question.buttons));
+    return read_id(command("ask", std::move(arguments)));
+  }
+  arguments.set("unit", question.number->unit);
+  arguments.set("min", question.number->min);
+  arguments.set("max", question.number->max);
+  if (question.number->value) arguments.set("initial", *question.number->value);
+  return read_id(command("ask_number", std::move(arguments)));
+}
+
+Expected<bool> RemoteStage::clear(const std::string& target) {
+  ASSIGN_OR_RETURN(const Value gone, command("clear", {{"display", target}}));
+  return gone.is_bool() && gone.as_bool();
+}
+
+void RemoteStage::withdraw() { (void)command("withdraw", {}); }
+
+bool RemoteStage::asking() {
+  if (asking_) return *asking_;
+  const auto answer = server_("asking", {});
+  if (answer && answer->is_bool()) asking_ = answer->as_bool();
+  return asking_.value_or(false);
+}
+
+std::vector<Happening> RemoteStage::take() {
+  std::vector<Happening> all;
+  if (taken_) return all;
+  const auto answer = server_("take", {});
+  if (!answer || !answer->is_list()) return all;
+  taken_ = true;
+  for (const Value& json : answer->as_list())
+    if (auto happening = read_happening(json)) all.push_back(std::move(*happening));
+  return all;
+}
+
+Expected<Value> answer_stage(Stage& stage, std::string_view function, const Dict& arguments) {
+  const auto known = std::ranges::find(kFunctions, function, &Function::name);
+  if (known == kFunctions.end())
+    return unexpected(ErrorCode::not_found, "a display's screens have no such function", std::string(function));
+  if (!known->operation) {
+    if (auto none = need_none(function, arguments); !none) return tl::unexpected(std::move(none).error());
+    return known->answer(stage, arguments);
+  }
+  const services::Call call{0, std::string(function), {}, arguments};
+  ASSIGN_OR_RETURN(const Dict bound, services::bind_arguments(*services::find_operation(model(), function), call));
+  return known->answer(stage, bound);
+}
+
+}  // namespace race::display
