@@ -33,8 +33,10 @@ Expected<std::unique_ptr<Cell>> Cell::create(const CellSetup& setup, services::H
     if (auto added = cell->add_database(setup); !added) return tl::unexpected(std::move(added).error());
   auto& host = cell->host_.declare("timer", "timer", cell->unit_);
   cell->host_.attach("timer", std::make_unique<timer::Timer>(host));
-  for (const FurtherService& service : setup.further)
+  for (const FurtherService& service : setup.further) {
+    if (cell->host_.service(service.key)) continue;  // its process brings it
     cell->host_.attach(service.key, service.make(cell->host_.declare(service.key, service.type, cell->unit_)));
+  }
   return cell;
 }
 
@@ -42,7 +44,11 @@ Expected<void> Cell::add_remotes(const CellSetup& setup) {
   remotes_ = std::make_unique<remote::Remotes>(host_, clock_, setup.heartbeat);
   for (const std::string& name : setup.remote) {
     ASSIGN_OR_RETURN(const Unit* unit, find_unit(name));
-    remotes_->add(unit->services);
+    std::vector<remote::RemoteService> services = unit->services;
+    for (remote::RemoteService& service : services)
+      for (const FurtherService& further : setup.further)
+        if (further.key == service.key) service.desk = further.desk;
+    remotes_->add(services);
   }
   return {};
 }
@@ -94,6 +100,7 @@ void Cell::step() {
   host_.advance(waits_);
   unit_.run();
   host_.step(unit_);
+  remotes_->step();
   constexpr std::int64_t kStepsPerPose = 33;
   if (pose_watched_ && steps_ % kStepsPerPose == 0) publish_pose();
 }

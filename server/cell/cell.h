@@ -20,10 +20,11 @@
 
 namespace race::server {
 
-/// One more service of a cell, in its unit.
+/// One more service of a cell, in its unit, or in a process of its own if that is a unit of CellSetup::remote.
 struct FurtherService {
   std::string key, type;
   std::function<std::unique_ptr<services::Component>(services::ServiceHost&)> make;
+  remote::Desk desk = {};  // what the process asks
 };
 
 struct CellSetup {

@@ -9,7 +9,8 @@
 
 namespace race::server {
 
-/// Both on `screens`, which outlive the cell. `folder`: where `display` finds images (CellSetup::folder).
+/// Both on `screens`, which outlive the cell, also where they are processes. `folder`: where `display` finds images
+/// here (CellSetup::folder).
 std::vector<FurtherService> screen_services(display::Screens& screens, const std::string& folder);
 
 }  // namespace race::server

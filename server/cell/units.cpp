@@ -5,8 +5,12 @@
 
 #include "core/value/json.h"
 #include "server/store/read_file.h"
+#include "services/audio/audio.h"
+#include "services/audio/remote_speakers.h"
 #include "services/camera/camera.h"
 #include "services/database/database.h"
+#include "services/display/display.h"
+#include "services/display/remote_stage.h"
 #include "services/gripper/gripper.h"
 #include "services/recognition/object_recognition.h"
 #include "services/robot/robot.h"
@@ -41,6 +45,29 @@ Expected<void> make_database(const UnitSetup& setup, remote::RemoteUnit& unit) {
   return {};
 }
 
+// How a component asks its desk in the server.
+display::AskServer asking(remote::RemoteUnit& unit, const char* key) {
+  return [&unit, key](std::string_view function, Dict arguments) {
+    return unit.request(key, function, std::move(arguments));
+  };
+}
+
+Expected<void> make_display(const UnitSetup& setup, remote::RemoteUnit& unit) {
+  services::ServiceHost& host = unit.declare("display", "display");
+  auto stage = std::make_shared<display::RemoteStage>(asking(unit, "display"));
+  unit.attach("display", std::make_unique<display::Display>(*stage, setup.folder, host));
+  unit.on_news("display", [stage] { stage->news(); });
+  return {};
+}
+
+Expected<void> make_audio(const UnitSetup&, remote::RemoteUnit& unit) {
+  services::ServiceHost& host = unit.declare("audio", "audio");
+  auto speakers = std::make_shared<audio::RemoteSpeakers>(asking(unit, "audio"));
+  unit.attach("audio", std::make_unique<audio::Audio>(*speakers, host));
+  unit.on_news("audio", [speakers] { speakers->news(); });
+  return {};
+}
+
 }  // namespace
 
 std::span<const Unit> units() {
@@ -52,17 +79,22 @@ std::span<const Unit> units() {
            make_cell},
       Unit{"recognition", {{"obj_rec", "ObjectRecognition", &recognition::model()}}, make_recognition},
       Unit{"database", {{"db", "database", &database::model()}}, make_database},
+      Unit{"display", {{"display", "display", &display::model()}}, make_display},
+      Unit{"audio", {{"audio", "audio", &audio::model()}}, make_audio},
   };
   return kUnits;
 }
 
-Expected<const Unit*> find_unit(std::string_view name) {
+std::string unit_names() {
   std::string names;
-  for (const Unit& unit : units()) {
+  for (const Unit& unit : units()) names += (names.empty() ? "" : ", ") + std::string(unit.name);
+  return names;
+}
+
+Expected<const Unit*> find_unit(std::string_view name) {
+  for (const Unit& unit : units())
     if (unit.name == name) return &unit;
-    names += (names.empty() ? "" : ", ") + std::string(unit.name);
-  }
-  return unexpected(ErrorCode::not_found, "there is no such unit; there are " + names, std::string(name));
+  return unexpected(ErrorCode::not_found, "there is no such unit; there are " + unit_names(), std::string(name));
 }
 
 Expected<database::Store> open_store(const std::string& folder, const std::string& database) {

@@ -16,7 +16,7 @@ namespace race::server {
 
 /// What units are made from, as of a cell (CellSetup).
 struct UnitSetup {
-  std::string folder;    // with scene.json and database.json; what is absent is not there
+  std::string folder;    // with scene.json, parts.json, database.json, images; what is absent is not there
   std::string database;  // file of the database
 };
 
@@ -28,6 +28,8 @@ struct Unit {
 };
 
 std::span<const Unit> units();
+/// "cell, recognition, ..."
+std::string unit_names();
 /// The unit of this name; error `not_found` names those that there are.
 Expected<const Unit*> find_unit(std::string_view name);
 

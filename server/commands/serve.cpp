@@ -44,7 +44,7 @@ int serve_command(const std::vector<std::string>& words) {
   const auto options = read_options(
       words, {"--port", "--data", "--demo", "--web", "--operator", "--remote", "--heartbeat"}, {"--headless"});
   if (!options) return refuse(options.error());
-  if (!options->rest.empty()) return usage("serve", kUsage);
+  if (!options->rest.empty()) return usage("serve", std::string(kUsage) + "\n  NAME: " + unit_names());
   const auto port = options->number("--port", 8080, 0, 65535);
   if (!port) return refuse(port.error());
   auto remote = read_units(options->text("--remote"));

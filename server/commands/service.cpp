@@ -85,7 +85,7 @@ int service_command(const std::vector<std::string>& words) {
   const auto options = read_options(words, {"--server", "--folder", "--database"}, {});
   if (!options) return refuse(options.error());
   if (options->rest.size() != 1 || !options->has("--server"))
-    return usage("service", kUsage);
+    return usage("service", std::string(kUsage) + "\n  NAME: " + unit_names());
   const std::string& name = options->rest.front();
   const auto row = find_unit(name);
   if (!row) return refuse(row.error());

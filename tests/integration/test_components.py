@@ -10,6 +10,7 @@ import time
 import unittest
 
 import models
+import test_displays
 from client import PATIENCE, PROGRAM, PROJECT, Server, Stream, check
 
 DEMO = str(PROJECT / "deploy/demo")
@@ -59,10 +60,11 @@ class Wire(Stream):
         return check("component_message", json.loads(payload))
 
     def next(self, kind):
-        """The next message of this type; pings between are answered."""
+        """The next message of this type; pings between are answered, news ignored."""
         while (message := self.message())["type"] != kind:
-            assert message["type"] == "ping", message
-            self.say({"type": "pong", "number": message["number"]})
+            assert message["type"] in ("ping", "news"), message
+            if message["type"] == "ping":
+                self.say({"type": "pong", "number": message["number"]})
         return message
 
 
@@ -171,11 +173,158 @@ class Wired(unittest.TestCase):
                 wire.next("refused")
                 there(server, "db", False)
 
+    def test_who_asks_the_screens_for_what_no_display_shows_is_lost_with_its_question(self):
+        def ask(wire, function, arguments):
+            wire.send(json.dumps({"type": "request", "key": "display", "number": 3, "function": function,
+                                  "arguments": arguments}))
+
+        question = {"question": "Go?", "buttons": ["OK"]}
+        with Server("--remote", "display", *CALM) as server, server.stream() as shown:
+            for function, arguments, path in (("show_image", {"image": "/etc/passwd"}, "image"),
+                                              ("ask", {"question": "x" * 2001, "buttons": ["OK"]}, "question"),
+                                              ("ask", {**question, "display": "a/b"}, "display"),
+                                              ("play", {"sound": "beep"}, "play"), ("take", {"all": True}, "arguments")):
+                shown.send(check("stream_request", {"type": "display", "name": "main"}))
+                wire = self.wire(server)
+                wire.say({"type": "hello", "protocol": 1, "components": [
+                    {"key": "display", "type": "display", "rsm": service(server, "display")["rsm"]}]})
+                wire.next("welcome")
+                ask(wire, "ask", question)
+                reply = wire.next("reply")
+                self.assertEqual((reply["number"], type(reply["value"])), (3, int), reply)
+                shown.until(lambda m: m["data"].get("question", {}).get("id") == reply["value"])
+                ask(wire, function, arguments)
+                self.assertEqual(wire.next("refused")["errors"][0]["path"], path)
+                there(server, "display", False)
+                shown.until(lambda m: "question" not in m["data"])
+
     def test_the_door_lets_no_page_of_another_server_in(self):
         with Server("--remote", "database", *CALM) as server:
             with Wire(server.port, ["Origin: http://elsewhere.example"]) as elsewhere:
                 self.assertEqual(elsewhere.status, 403)
             self.assertEqual(server.request("GET", "/api/v1/components")[0], 426)
+
+
+class Screens:
+    """A server whose displays and sounds are the work of two processes."""
+
+    def setUp(self):
+        self.server = Server("--remote", "display,audio", *self.HEARTBEAT)
+        self.streams = []
+        self.processes = {}
+        for name in ("display", "audio"):
+            self.start(name)
+
+    def tearDown(self):
+        for process in self.processes.values():
+            process.__exit__()
+        super().tearDown()
+
+    def start(self, name):
+        if name in self.processes:
+            self.processes[name].__exit__()
+        self.processes[name] = Process(self.server, name)
+        there(self.server, name)
+
+    def gone(self, display, part):
+        """The display shows no such part any more."""
+        display.until(lambda m: m["kind"] != "error" and part not in m["data"])
+
+
+class ScreensElsewhere(Screens, test_displays.Displays):
+    """All that displays and sounds do, as if their services were in the server."""
+
+    HEARTBEAT = CALM
+
+
+class ScreensLost(Screens, test_displays.DisplayCase):
+    """What becomes of what is shown when the process behind it dies or hangs."""
+
+    HEARTBEAT = ("--heartbeat", "1")
+
+    def asked(self, display):
+        """A core that waits for an answer, and its question."""
+        core = self.server.core(test_displays.asking("display.ask('Go?')"))
+        return core, self.shown(display, "question")
+
+    def answers(self, display):
+        """A question is asked and answered."""
+        core, question = self.asked(display)
+        self.say(display, {"type": "answer", "question": question["id"], "answer": "OK"})
+        self.assertEqual(self.server.ended(core)["results"]["answer"], {"answer": "OK", "display": "main"})
+
+    def playing(self, display):
+        core = self.server.core(test_displays.asking("audio.play('collision', 1, 20)"))
+        return core, self.shown(display, "sound")
+
+    def plays(self, display):
+        """A sound is played to its end."""
+        core, sound = self.playing(display)
+        self.say(display, {"type": "played", "sound": sound["id"]})
+        self.assertEqual(self.server.ended(core)["outcome"], "answered")
+
+    def test_the_question_of_a_killed_display_is_taken_away_and_cannot_be_answered(self):
+        display = self.display()
+        core, question = self.asked(display)
+        self.processes["display"].kill()
+        self.assertEqual(self.code(core), "unavailable")
+        self.gone(display, "question")
+        self.say(display, {"type": "answer", "question": question["id"], "answer": "OK"})
+        self.assertEqual(display.until(lambda m: m["kind"] == "error")[-1]["data"]["errors"][0]["code"], "conflict")
+        self.start("display")
+        self.answers(display)
+        self.assertEqual(service(self.server, "display")["violations"], [])
+
+    def test_what_was_pressed_while_no_display_was_there_is_not_told_afterwards(self):
+        display = self.display()
+        self.server.core(test_displays.asking("display.show_text('Insert the part', ['Done', 'Stop'])"))
+        self.shown(display, "message")
+        self.processes["display"].kill()
+        there(self.server, "display", False)
+        self.say(display, {"type": "press", "button": "Stop"})
+        self.say(display, {"type": "press", "button": "none"})
+        display.until(lambda m: m["kind"] == "error")  # the server has got both
+        pressed = models.document("pressed", {
+            "state": "Root", "results": [{"name": "button"}],
+            "actions": [{"when": "svc.display.button", "do": "res.button = svc.display.button.button"}],
+            "ports": [{"name": "done", "when": "available(res.button)"}]})
+        core = self.server.core(pressed)
+        self.start("display")
+        self.answers(display)
+        self.say(display, {"type": "press", "button": "Done"})
+        self.assertEqual(self.server.ended(core)["results"]["button"], "Done")
+
+    def test_a_display_that_hangs_is_lost_with_its_question_and_comes_back(self):
+        display = self.display()
+        core, _ = self.asked(display)
+        self.processes["display"].signal(signal.SIGSTOP)
+        begin = time.monotonic()
+        self.assertEqual(self.code(core), "unavailable")
+        self.assertLess(time.monotonic() - begin, 5)
+        self.gone(display, "question")
+        self.processes["display"].signal(signal.SIGCONT)
+        there(self.server, "display")
+        self.answers(display)
+
+    def test_the_sound_of_a_killed_audio_is_silenced(self):
+        display = self.display(sound=True)
+        core, _ = self.playing(display)
+        self.processes["audio"].kill()
+        self.assertEqual(self.code(core), "unavailable")
+        self.gone(display, "sound")
+        self.start("audio")
+        self.plays(display)
+        self.assertEqual(service(self.server, "audio")["violations"], [])
+
+    def test_an_audio_that_hangs_is_lost_with_its_sound_and_comes_back(self):
+        display = self.display(sound=True)
+        core, _ = self.playing(display)
+        self.processes["audio"].signal(signal.SIGSTOP)
+        self.assertEqual(self.code(core), "unavailable")
+        self.gone(display, "sound")
+        self.processes["audio"].signal(signal.SIGCONT)
+        there(self.server, "audio")
+        self.plays(display)
 
 
 class Processes(unittest.TestCase):
@@ -246,7 +395,7 @@ class Processes(unittest.TestCase):
             for words, reason in ((["database", "--server", url], "no service of this key waits"),
                                   (["oven", "--server", url], "there is no such unit"),
                                   (["database", "--server", "ftp://x"], "http://HOST:PORT"),
-                                  (["database"], "usage"),
+                                  (["database"], "NAME: cell, recognition, database, display, audio"),
                                   (["cell", "--server", url, "--folder", "/nowhere"], "/nowhere")):
                 ended = subprocess.run([PROGRAM, "service", *words], capture_output=True, text=True, timeout=PATIENCE)
                 self.assertEqual(ended.returncode, 2, words)

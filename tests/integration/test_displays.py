@@ -16,7 +16,7 @@ def asking(operation, name="asking"):
                   {"name": "failed", "when": "available(res.code)"}]})
 
 
-class Displays(unittest.TestCase):
+class DisplayCase(unittest.TestCase):
     def setUp(self):
         self.server = Server()
         self.streams = []
@@ -47,6 +47,8 @@ class Displays(unittest.TestCase):
         self.assertEqual(ended["outcome"], "failed", ended)
         return ended["results"]["code"]
 
+
+class Displays(DisplayCase):
     def test_without_a_display_a_question_is_an_error(self):
         self.assertEqual(self.code(self.server.core(asking("display.ask('Go?')"))), "no_display")
         self.assertEqual(self.code(self.server.core(asking("audio.play('beep')"))), "no_speaker")
