@@ -23,8 +23,12 @@ Expected<std::shared_ptr<Core>> Core::create(std::string id, std::string documen
   // Held by the registry, and by work on its way through the strand.
   std::shared_ptr<Core> core(
       new Core(std::move(id), std::move(document), std::move(header), std::move(run), pool, host, watcher));
-  core->publish_info();
+  core->info_ = core->info_json();
   return core;
+}
+
+void Core::announce() {
+  strand_.post([self = shared_from_this()] { self->publish_info(); });
 }
 
 Core::Core(std::string id, std::string document, JournalHeader header, Run run, Pool& pool, services::Host& host,

@@ -46,6 +46,9 @@ class Core : public std::enable_shared_from_this<Core> {
   static Expected<std::shared_ptr<Core>> create(std::string id, std::string document, JournalHeader header, Pool& pool,
                                                 services::Host& host, CoreWatcher& watcher);
 
+  /// Tells the watcher that there is this core: once it can be found, as whoever hears of it may ask for it at once.
+  void announce();
+
   const std::string& id() const { return id_; }
   const semantics::Program& program() const { return *header_.program; }
   const JournalHeader& header() const { return header_; }

@@ -70,8 +70,11 @@ Checked<std::shared_ptr<Core>> Cores::create(const std::string& name, const rcm:
   }
   auto core = Core::create(std::to_string(number), name, std::move(header), pool_, host_, watcher_);
   if (!core) return tl::unexpected(std::vector<Error>{std::move(core).error()});
-  const std::lock_guard lock(mutex_);
-  cores_.emplace(number, *core);
+  {
+    const std::lock_guard lock(mutex_);
+    cores_.emplace(number, *core);
+  }
+  (*core)->announce();
   return *core;
 }
 

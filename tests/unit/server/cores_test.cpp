@@ -1,0 +1,43 @@
+#include "server/execution/cores.h"
+
+#include <gtest/gtest.h>
+
+#include <future>
+
+#include "core/rcm/document.h"
+
+namespace race::server {
+namespace {
+
+struct NoObserver final : services::HostObserver {
+  void delivered(const services::Delivery&) override {}
+  void changed(const services::ServiceStatus&) override {}
+  void logged(services::Time, const std::string&, const std::string&) override {}
+};
+
+struct CoresTest : testing::Test, CoreWatcher {
+  ~CoresTest() override { pool.reset(); }
+
+  void core_changed(const std::string& id, Value) override { found.set_value(cores.find(id).has_value()); }
+  void state_snapshot(const std::string&, Value) override {}
+  void state_changed(const std::string&, Value) override {}
+  void derivation_snapshot(const std::string&, Value) override {}
+  void derived(const std::string&, Value) override {}
+  void printed(const std::string&, const std::string&) override {}
+
+  std::promise<bool> found;
+  services::WorldClock clock;
+  NoObserver observer;
+  services::Host host{clock, observer};
+  std::unique_ptr<Pool> pool = std::make_unique<Pool>(1);
+  Cores cores{*pool, host, *this};
+};
+
+TEST_F(CoresTest, WhoHearsOfACoreCanFindIt) {
+  const auto document = rcm::read_document_text(R"({"rcm": 1, "root": {"state": "R"}})").value();
+  ASSERT_TRUE(cores.create("r", document, {}));
+  EXPECT_TRUE(found.get_future().get());
+}
+
+}  // namespace
+}  // namespace race::server
