@@ -47,8 +47,10 @@ class Client final : public Listener {
   /// The times of the packets that came since.
   std::vector<double> times() {
     std::vector<double> times;
-    while (const auto text = box.pop())
-      if (const Value* time = parse_json(**text).value().find("data")->find("time")) times.push_back(time->to_double());
+    while (const auto text = box.pop()) {
+      const Value message = parse_json(**text).value();
+      if (const Value* time = message.find("data")->find("time")) times.push_back(time->to_double());
+    }
     return times;
   }
   Outbox box;
