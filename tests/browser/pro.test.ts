@@ -79,7 +79,7 @@ describe("RACE Pro", () => {
     await load();
     await noteActivations();
     await page.getByRole("button", { name: "Start" }).click();
-    await page.waitForTimeout(2500);
+    await expect.poll(activations, { timeout: 20_000 }).toContain("Pick/Approach");
     await stage.picture("running");
     await ended();
     await expect.poll(() => status().innerText()).toContain("Ended: success");
