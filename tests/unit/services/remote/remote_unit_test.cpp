@@ -126,6 +126,9 @@ TEST_F(RemoteUnitTest, AsksTheServerAndWaitsForItsReply) {
   EXPECT_EQ(unit.request("lamp", "colour", {}).error().code, ErrorCode::unavailable) << "it is not welcome yet";
   ASSERT_TRUE(unit.handle(message(Kind::welcome)));
   std::string asked;
+  std::atomic<int> looks = 0;  // of who waits
+  std::atomic<bool> answered = false;
+  unit.connect(server, [&] { return ++looks < 0; });
   std::thread there([&] {
     std::optional<Frame> frame;
     while (!(frame = server.pop())) std::this_thread::yield();
@@ -136,9 +139,11 @@ TEST_F(RemoteUnitTest, AsksTheServerAndWaitsForItsReply) {
       reply.number = number;
       reply.value = number;
       unit.replied(reply);
+      for (const int before = looks; looks < before + 2 && !answered;) std::this_thread::yield();
     }
   });
   const auto answer = unit.request("lamp", "colour", {{"of", "glass"}});
+  answered = true;
   there.join();
   ASSERT_TRUE(answer);
   EXPECT_EQ(*answer, Value(1)) << "the reply of that number, no other";
