@@ -3,13 +3,14 @@
 #include <cstring>
 
 #include "core/rsm/document.h"
+#include "services/camera/cloud.h"
 #include "services/camera/noise.h"
 #include "services/camera/view.h"
 
 namespace race::camera {
 namespace {
 
-constexpr std::string_view kFlow = "frame";
+constexpr std::string_view kFrame = "frame", kCloud = "cloud";
 // From exposure to delivery: one period of the sensor.
 constexpr services::Time kLatency = 1.0 / 30;
 // In real time pictures are left out rather than piled up.
@@ -25,14 +26,15 @@ constexpr std::string_view kModel = R"json({
   ],
   "states": [{"name": "Ready"}], "init": "Ready",
   "transitions": [{"id": "info", "src": "Ready", "dst": "Ready", "operation": "info"}],
-  "meta": {"flows": {"frame": "depth and colour of 640x480 pixels (services/camera/README.md)"}}
+  "meta": {"flows": {"frame": "depth and colour of 640x480 pixels (services/camera/README.md)",
+                     "cloud": "the points that were measured, with their colours (services/camera/README.md)"}}
 })json";
 
 Dict intrinsics_value(const Intrinsics& k) {
   return {{"width", k.width}, {"height", k.height}, {"fx", k.fx}, {"fy", k.fy}, {"cx", k.cx}, {"cy", k.cy}};
 }
 
-services::PacketPtr to_packet(const Measurement& picture, const Intrinsics& intrinsics, services::Time time) {
+services::PacketPtr to_frame(const Measurement& picture, const Intrinsics& intrinsics, services::Time time) {
   auto packet = std::make_shared<services::Packet>();
   packet->time = time;
   Dict header = intrinsics_value(intrinsics);
@@ -68,16 +70,17 @@ void Camera::call(const services::Call& call) {
 }
 
 void Camera::wanted(std::string_view flow, bool on) {
-  if (flow != kFlow) return;
-  wanted_ = on;
-  next_ = host_.now();
+  if (flow != kFrame && flow != kCloud) return;
+  const bool rested = !frame_wanted_ && !cloud_wanted_;
+  (flow == kFrame ? frame_wanted_ : cloud_wanted_) = on;
+  if (rested) next_ = host_.now();
   if (on && !worker_) worker_ = std::make_unique<services::Worker>(host_);
 }
 
 void Camera::step() {
   constexpr services::Time kTolerance = 5e-7;
   const services::Time now = host_.now();
-  if (!wanted_ || now < next_ - kTolerance) return;
+  if ((!frame_wanted_ && !cloud_wanted_) || now < next_ - kTolerance) return;
   next_ += 1 / mount_.rate_hz;
   if (next_ < now) next_ = now;
   if (under_way_ < kMostUnderWay) take_picture();
@@ -88,11 +91,16 @@ void Camera::take_picture() {
   const services::Time time = host_.now();
   // Each picture has noise of its own; seeds of neighbouring runs must not give each other's pictures.
   const std::uint64_t seed = seed_ * 0xD1342543DE82EF95U + ++pictures_;
-  worker_->begin(time + kLatency, [this, time, seed, items = view(world_, mount_.o_t_c)] {
-    services::PacketPtr packet = to_packet(measure(rasterize(items, intrinsics_), seed), intrinsics_, time);
-    return [this, packet = std::move(packet)] {
+  worker_->begin(time + kLatency, [this, time, seed, with_frame = frame_wanted_, with_cloud = cloud_wanted_,
+                                   items = view(world_, mount_.o_t_c)] {
+    const Measurement picture = measure(rasterize(items, intrinsics_), seed);
+    services::PacketPtr frame, cloud;
+    if (with_frame) frame = to_frame(picture, intrinsics_, time);
+    if (with_cloud) cloud = to_cloud(picture, intrinsics_, time);
+    return [this, frame = std::move(frame), cloud = std::move(cloud)] {
       --under_way_;
-      if (wanted_) host_.publish(kFlow, packet);
+      if (frame && frame_wanted_) host_.publish(kFrame, frame);
+      if (cloud && cloud_wanted_) host_.publish(kCloud, cloud);
     };
   });
 }

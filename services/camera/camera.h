@@ -40,7 +40,7 @@ class Camera final : public services::Component {
   std::uint64_t seed_;
   std::uint64_t pictures_ = 0;  // taken so far
   int under_way_ = 0;
-  bool wanted_ = false;
+  bool frame_wanted_ = false, cloud_wanted_ = false;
   services::Time next_ = 0;  // picture
   std::unique_ptr<services::Worker> worker_;
 };

@@ -21,8 +21,8 @@ struct Studio {
     bench.host.attach("camera", std::make_unique<Camera>(slot, *world, seed));
   }
   ~Studio() { bench.host.stop(); }
-  services::Flows::WatchId watch() {
-    return bench.host.watch("camera", "frame", [this](const services::PacketPtr& packet) {
+  services::Flows::WatchId watch(const char* flow = "frame") {
+    return bench.host.watch("camera", flow, [this](const services::PacketPtr& packet) {
       packets.push_back(packet);
       arrivals.push_back(bench.milliseconds);
     });
@@ -76,6 +76,46 @@ TEST(Camera, ShowsTheWorldAsItIs) {
   for (int u = 310; u < 330; ++u) sum += depth_mm(packet, u, 350) / 20.0;
   const double row = (350 - packet.header.find("cy")->to_double()) / packet.header.find("fy")->to_double();
   EXPECT_NEAR(sum / 1000, z / (1 + row), 0.002);
+}
+
+TEST(Camera, ACloudHasThePointsOfThePictureAndNoOthers) {
+  Studio studio;
+  studio.watch("frame");
+  studio.watch("cloud");
+  studio.bench.pass(0.05);
+  ASSERT_EQ(studio.packets.size(), 2U);
+  const services::Packet &frame = *studio.packets[0], &cloud = *studio.packets[1];
+  EXPECT_EQ(cloud.time, frame.time);
+  const auto number = [&](const char* name) { return frame.header.find(name)->to_double(); };
+  std::size_t point = 0;
+  const auto points = static_cast<std::size_t>(cloud.header.find("points")->as_integer());
+  ASSERT_EQ(cloud.bytes.size(), points * 15);
+  for (int v = 0; v < 480; ++v) {
+    for (int u = 0; u < 640; ++u) {
+      const double z = depth_mm(frame, u, v) / 1000.0;
+      if (z == 0) continue;
+      ASSERT_LT(point, points);
+      float xyz[3];
+      std::memcpy(xyz, cloud.bytes.data() + 12 * point, 12);
+      ASSERT_NEAR(xyz[0], (u - number("cx")) / number("fx") * z, 1e-6);
+      ASSERT_NEAR(xyz[1], (v - number("cy")) / number("fy") * z, 1e-6);
+      ASSERT_NEAR(xyz[2], z, 1e-6);
+      const std::byte* pixel = frame.bytes.data() + 640 * 480 * 2 + 3 * (640 * v + u);
+      ASSERT_EQ(std::memcmp(cloud.bytes.data() + 12 * points + 3 * point, pixel, 3), 0);
+      ++point;
+    }
+  }
+  EXPECT_EQ(point, points);
+}
+
+TEST(Camera, MakesNoCloudForWhoWantsAPictureNorTheOtherWayRound) {
+  for (const char* flow : {"frame", "cloud"}) {
+    Studio studio;
+    studio.watch(flow);
+    studio.bench.pass(0.05);
+    ASSERT_EQ(studio.packets.size(), 1U);
+    EXPECT_EQ(studio.packets[0]->header.find("points") != nullptr, flow == std::string("cloud"));
+  }
 }
 
 TEST(Camera, GivesTheSamePicturesForTheSameSeedOnly) {
