@@ -22,10 +22,12 @@ import {
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import URDFLoader, { type URDFRobot } from "urdf-loader";
 import type { Hand } from "../../shared/cell/hand";
+import { looksDifferent } from "../../shared/cell/pace";
 import type { Body, CellPose, Shape } from "../../shared/messages/cell";
 import type { Pose } from "../../shared/messages/pose";
 import { Grabbing } from "./Grabbing";
 import { HandLines } from "./HandLines";
+import { Pace } from "./Pace";
 
 export interface RobotModel {
   readonly name: string;
@@ -67,7 +69,11 @@ export class CellScene {
   readonly grabbing: Grabbing;
   private robots: URDFRobot[] = [];
   private readonly observer: ResizeObserver;
-  private pending = 0;
+  private shown: CellPose | undefined;
+  private readonly pace = new Pace(() => {
+    this.renderer.render(this.scene, this.camera);
+    this.hands.placeLabels(this.camera);
+  });
 
   constructor(
     private readonly host: HTMLElement,
@@ -87,7 +93,7 @@ export class CellScene {
     });
     this.controls = new OrbitControls(this.camera, this.renderer.domElement);
     this.controls.target.set(0.25, 0, 0.3);
-    this.controls.addEventListener("change", () => this.redraw());
+    this.controls.addEventListener("change", () => this.pace.ask());
     this.light();
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(host);
@@ -100,11 +106,13 @@ export class CellScene {
     this.robots = robots.map((model) => this.addRobot(model));
     const lowest = new Box3().setFromObject(this.contents).min.z;
     this.floor.position.z = Number.isFinite(lowest) ? Math.min(0, lowest) - 0.002 : 0;
-    this.redraw();
+    this.pace.ask();
   }
 
   /** Joints and bodies as the cell says; names that the scene does not have are left alone. */
   move(pose: CellPose): void {
+    if (this.shown !== undefined && !looksDifferent(this.shown, pose)) return;
+    this.shown = pose;
     for (const robot of this.robots) {
       for (const [joint, value] of Object.entries(pose.joints)) if (joint in robot.joints) robot.setJointValue(joint, value);
     }
@@ -114,11 +122,11 @@ export class CellScene {
     }
     for (const name of this.movable) this.bodies.get(name)?.traverse((each) => (each.visible = name in pose.bodies));
     this.hands.show(pose.hands);
-    this.redraw();
+    this.pace.ask();
   }
 
   dispose(): void {
-    cancelAnimationFrame(this.pending);
+    this.pace.stop();
     this.observer.disconnect();
     this.grabbing.dispose();
     this.hands.dispose();
@@ -166,15 +174,6 @@ export class CellScene {
     this.camera.aspect = clientWidth / clientHeight;
     this.camera.updateProjectionMatrix();
     this.renderer.setSize(clientWidth, clientHeight);
-    this.redraw();
-  }
-
-  /** Draws once in the next frame, however much changes until then. */
-  private redraw(): void {
-    cancelAnimationFrame(this.pending);
-    this.pending = requestAnimationFrame(() => {
-      this.renderer.render(this.scene, this.camera);
-      this.hands.placeLabels(this.camera);
-    });
+    this.pace.ask();
   }
 }
