@@ -21,7 +21,9 @@ export function RunningNow({ tree }: { readonly tree: ModelTree | undefined }) {
               <button type="button" onClick={() => view.dispatch({ type: "jump", selection: { kind: "node", path } })}>
                 <i className="dot" aria-hidden="true" />
                 <span title={path}>{nameOf(path)}</span>
-                <small>{path.slice(0, -nameOf(path).length - 1)}</small>
+                <small>
+                  <bdi>{path.slice(0, -nameOf(path).length - 1)}</bdi>
+                </small>
               </button>
             </li>
           ))}
