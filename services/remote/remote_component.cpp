@@ -66,7 +66,7 @@ void RemoteComponent::look() {
   message.kind = Kind::news;
   message.key = key_;
   message.time = host_.now();
-  (void)send(message, key_ + " news");
+  (void)send(message);  // each in its place: a later one that took it would come after a call between them
 }
 
 Expected<void> RemoteComponent::answer(const Message& request) {

@@ -419,6 +419,24 @@ TEST_F(RemotesTest, NewsReachTheProcessOnceAndBeforeACall) {
   EXPECT_THAT(next(), HasSubstr(R"("type":"call")"));
 }
 
+// A process that has read nothing yet: later news do not take the place of those that a call came after.
+TEST_F(RemotesTest, NewsStayBeforeTheCallThatFollowedThem) {
+  Asking process(remotes);
+  greet(process, "lantern");
+  std::atomic<int> waiting = 0;
+  process.link.out().on_change([&] { ++waiting; });
+  ++repainted;
+  call("on", "lantern");
+  ASSERT_TRUE(until({}, [&] { return waiting == 2; }));
+  ++repainted;
+  remotes.step();
+  ASSERT_TRUE(until({}, [&] { return waiting == 3; }));
+  process.link.out().on_change({});
+  EXPECT_THAT(process.said(), HasSubstr(R"("type":"news")"));
+  EXPECT_THAT(process.said(), HasSubstr(R"("type":"call")"));
+  EXPECT_THAT(process.said(), HasSubstr(R"("type":"news")"));
+}
+
 TEST_F(RemotesTest, TheDeskIsCleanedWhenAProcessComesAndWhenItIsLost) {
   {
     Asking process(remotes);
