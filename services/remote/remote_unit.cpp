@@ -111,7 +111,7 @@ Expected<Value> RemoteUnit::request(const std::string& key, std::string_view fun
   message.number = ++requests_;
   message.kwargs = std::move(arguments);
   ASSIGN_OR_RETURN(Frame frame, encode(message));
-  server->push(std::move(frame));
+  if (!server->push(std::move(frame))) return unexpected(ErrorCode::unavailable, "the server takes nothing more");
   std::unique_lock lock(mutex_);
   const auto answered = [&] { return reply_ && reply_->number == message.number; };
   while (!came_.wait_for(lock, kLook, answered))

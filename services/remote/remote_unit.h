@@ -42,7 +42,7 @@ class RemoteUnit {
   /// Called when there is news at the desk (desk.h) of the component `key`; what it needs is kept with it.
   void on_news(const std::string& key, std::function<void()> work);
   /// Asks the desk of the component `key` in the server and waits for the answer. Errors: `unavailable` (the connection
-  /// has ended, or is not welcome yet), `constant`, `too_large`.
+  /// has ended or takes nothing more, or is not welcome yet), `constant`, `too_large`.
   Expected<Value> request(const std::string& key, std::string_view function, Dict arguments);
 
   /// The first message, for all that is attached.

@@ -162,6 +162,12 @@ TEST_F(RemoteUnitTest, WaitsForNoReplyWhenTheConnectionHasEnded) {
   there.join();
 }
 
+TEST_F(RemoteUnitTest, WaitsForNoReplyToWhatCannotBeSent) {
+  ASSERT_TRUE(unit.handle(message(Kind::welcome)));
+  server.close();
+  EXPECT_EQ(unit.request("lamp", "colour", {}).error().code, ErrorCode::unavailable);
+}
+
 TEST_F(RemoteUnitTest, TellsAComponentThatThereIsNews) {
   int news = 0;
   unit.on_news("lamp", [&] { ++news; });
