@@ -10,7 +10,9 @@ namespace {
 /// Does `work` where the world lives and answers with schemas/person.json as it is then.
 Handled at_cell(Application& app, std::function<Expected<void>(world::Person&)> work) {
   Cell& cell = app.cell();
-  if (!cell.has_world()) return failed({ErrorCode::not_found, "there is no world here: the server has no cell, or the cell is in a process of its own"});
+  if (!cell.has_world())
+    return failed({ErrorCode::not_found,
+                   "there is no world here: the server has no cell, or the cell is in a process of its own"});
   // Held by the work, which may come later than anybody waits.
   auto answer = std::make_shared<Expected<Value>>(Value());
   const bool done = cell.on_unit([&cell, answer, work = std::move(work)] {
