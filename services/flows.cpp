@@ -93,8 +93,16 @@ bool Flows::count(std::string_view key, std::string_view flow, const Packet& pac
   return true;
 }
 
-Published Flows::traffic(std::string_view key, std::string_view flow, Time now) const {
+Time Flows::Passed::period() const {
+  return times.size() < 2 ? 0 : (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+}
+
+bool Flows::Passed::has_stopped(Time now) const {
   constexpr Time kPatience = 1;  // beside three periods
+  return period() > 0 && now - times.back() > 3 * period() + kPatience;
+}
+
+Published Flows::traffic(std::string_view key, std::string_view flow, Time now) const {
   Published traffic{std::string(flow), 0, 0, {}};
   for (const Listener& each : listeners_)
     if (each.watch != 0 && hears(each, key, flow)) ++traffic.watchers;
@@ -102,12 +110,18 @@ Published Flows::traffic(std::string_view key, std::string_view flow, Time now) 
       std::ranges::find_if(passed_, [&](const Passed& each) { return each.key == key && each.flow == flow; });
   if (passed == passed_.end()) return traffic;
   traffic.last = passed->last;
-  const auto& times = passed->times;
-  const Time since_first = times.back() - times.front();
-  if (since_first <= 0) return traffic;
-  const Time period = since_first / static_cast<double>(times.size() - 1);
-  if (now - times.back() <= 3 * period + kPatience) traffic.rate_hz = 1 / period;
+  if (const Time period = passed->period(); period > 0 && !passed->has_stopped(now)) traffic.rate_hz = 1 / period;
   return traffic;
+}
+
+std::vector<std::string> Flows::stopped(Time now) {
+  std::vector<std::string> keys;
+  for (Passed& each : passed_) {
+    if (!each.has_stopped(now)) continue;
+    each.times.clear();
+    keys.push_back(each.key);
+  }
+  return keys;
 }
 
 void Flows::fall_silent(std::string_view key) {

@@ -74,6 +74,8 @@ class Flows {
   bool count(std::string_view key, std::string_view flow, const Packet& packet, Time now);
   /// What passes on a flow; one that has been silent for much longer than its period has stopped.
   Published traffic(std::string_view key, std::string_view flow, Time now) const;
+  /// The services of flows that have stopped since it was asked last: what was told of these is not so any more.
+  std::vector<std::string> stopped(Time now);
   /// The service `key` is gone: nothing passes on its flows.
   void fall_silent(std::string_view key);
   /// What `service` listens to.
@@ -84,8 +86,10 @@ class Flows {
 
   /// Packets of a flow since it is wanted.
   struct Passed {
+    Time period() const;  // 0: of too few
+    bool has_stopped(Time now) const;
     std::string key, flow;
-    std::deque<Time> times;  // of the last kCounted, as of the host's clock
+    std::deque<Time> times;  // of the last kCounted since it stopped, as of the host's clock
     Published::Last last;
     Time told = 0;
   };

@@ -248,6 +248,8 @@ void Host::advance(bool wait) {
     const std::lock_guard lock(mutex_);
     post(*slots_[due.service], [answer = std::move(due.answer)](Component&) { answer(); });
   }
+  const std::lock_guard lock(mutex_);
+  for (const std::string& key : flows_.stopped(clock_.now())) tell(key);
 }
 
 void Host::step(const WorkQueue& unit) {

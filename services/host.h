@@ -107,7 +107,7 @@ class Host {
   CallId call(Caller caller, const std::string& service, std::string operation, List args, Dict kwargs);
 
   /// Time has passed: the answers that are due now go to their units. With `wait`, those that are due and not there yet
-  /// are waited for. On the thread that sets the clock, after it was set.
+  /// are waited for. Observers hear of flows that have stopped. On the thread that sets the clock, after it was set.
   void advance(bool wait);
   /// step() of each component of `unit`, in order of declaration. On the unit's thread.
   void step(const WorkQueue& unit);

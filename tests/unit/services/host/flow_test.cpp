@@ -194,6 +194,14 @@ TEST_F(FlowTest, APublisherThatFallsSilentHasNoRate) {
   EXPECT_TRUE(water().last.has_value());
 }
 
+TEST_F(FlowTest, ASlowFlowHasARateToo) {
+  listen(true);
+  tap.pour(0);
+  bench.pass(5);
+  tap.pour(1);
+  EXPECT_NEAR(water().rate_hz, 0.2, 1e-6);
+}
+
 TEST_F(FlowTest, NothingPassesOnceNobodyListensOrThePublisherIsGone) {
   for (const bool lost : {false, true}) {
     listen(true);
@@ -218,6 +226,21 @@ TEST_F(FlowTest, ObserversAreToldAtFirstAndThenOnceASecond) {
   bench.pass(0.1);
   pour_evenly(25);
   EXPECT_EQ(bench.changes, 4);
+}
+
+TEST_F(FlowTest, ObserversAreToldOnceWhenNothingPassesAnyMore) {
+  listen(true);
+  pour_evenly(5);
+  bench.changes = 0;
+  bench.pass(1.2);
+  EXPECT_EQ(bench.changes, 0) << "three periods and a second have not passed";
+  EXPECT_NEAR(water().rate_hz, 10, 1e-6);
+  bench.pass(5);
+  EXPECT_EQ(bench.changes, 1);
+  EXPECT_EQ(water().rate_hz, 0);
+  pour_evenly(2);
+  EXPECT_EQ(bench.changes, 3);
+  EXPECT_NEAR(water().rate_hz, 10, 1e-6) << "the pause does not count";
 }
 
 TEST_F(FlowTest, ObserversAreToldWhoListensAndWhoWatches) {
