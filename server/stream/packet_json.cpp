@@ -13,6 +13,7 @@ constexpr std::int64_t kMostPixels = 4096;  // along a side
 
 struct Picture {
   std::size_t width, height;
+  std::size_t shrink;       // side of the squares that become one pixel
   const std::byte* depth;   // 2 bytes for each pixel
   const std::byte* colour;  // 3
 };
@@ -29,7 +30,9 @@ std::optional<Picture> picture_of(const services::Packet& packet) {
   if (!encoding || *encoding != Value("depth16_mm+rgb8")) return std::nullopt;
   const auto width = side(packet.header, "width"), height = side(packet.header, "height");
   if (!width || !height || packet.bytes.size() != *width * *height * 5) return std::nullopt;
-  return Picture{*width, *height, packet.bytes.data(), packet.bytes.data() + *width * *height * 2};
+  const std::size_t shrink = (*width + kWidth - 1) / kWidth;
+  if (*height < shrink) return std::nullopt;
+  return Picture{*width, *height, shrink, packet.bytes.data(), packet.bytes.data() + *width * *height * 2};
 }
 
 /// The square of `side` x `side` pixels whose top left is (u, v).
@@ -59,8 +62,7 @@ void add_colour(const Picture& picture, const Square& square, std::string& to) {
 }
 
 Dict picture_json(const Picture& picture) {
-  const std::size_t shrink = (picture.width + kWidth - 1) / kWidth;
-  const std::size_t width = picture.width / shrink, height = picture.height / shrink;
+  const std::size_t shrink = picture.shrink, width = picture.width / shrink, height = picture.height / shrink;
   std::string depth, colour;
   depth.reserve(width * height * 2);
   colour.reserve(width * height * 3);

@@ -54,5 +54,10 @@ TEST(PacketJson, HasNoPictureWhereTheBytesAreNotAsTheHeaderSays) {
     EXPECT_EQ(packet_json(packet).find("picture"), nullptr) << to_json(packet.header);
 }
 
+TEST(PacketJson, HasNoPictureThatWouldHaveNoHeight) {
+  EXPECT_EQ(packet_json(picture(641, 2)).find("picture"), nullptr);
+  EXPECT_EQ(packet_json(picture(641, 3)).find("picture")->find("height")->as_integer(), 1);
+}
+
 }  // namespace
 }  // namespace race::server
