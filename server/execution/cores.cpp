@@ -70,10 +70,9 @@ Checked<std::shared_ptr<Core>> Cores::create(const std::string& name, const rcm:
   }
   auto core = Core::create(std::to_string(number), name, std::move(header), pool_, host_, watcher_);
   if (!core) return tl::unexpected(std::vector<Error>{std::move(core).error()});
-  {
-    const std::lock_guard lock(mutex_);
-    cores_.emplace(number, *core);
-  }
+  // Under the lock: who finds the core and removes it is heard after this.
+  const std::lock_guard lock(mutex_);
+  cores_.emplace(number, *core);
   (*core)->announce();
   return *core;
 }
