@@ -1,6 +1,7 @@
 // The drawing of what the view shows, laid out anew when the model, the focus, what is collapsed or the detail changes.
 import { useEffect, useMemo, useState } from "react";
 import type { Drawing } from "../../shared/drawing/drawing";
+import type { LayoutEngine } from "../../shared/drawing/elk";
 import { readable } from "../../shared/drawing/fit";
 import { layoutModel } from "../../shared/drawing/layout";
 import { details, type Detail, type Size } from "../../shared/drawing/measure";
@@ -41,7 +42,9 @@ export function useDrawing(tree: ModelTree | undefined, canvas: Size | undefined
     }
     let current = true;
     const aspect = Math.min(2.4, Math.max(0.6, frame.width / frame.height));
-    const draw = (detail: Detail) => layoutModel(layoutInWorker, { state, path, collapsed, detail, aspect });
+    // The rest of a drawing that nobody waits for any more would hold up the next one.
+    const engine: LayoutEngine = (graph) => (current ? layoutInWorker(graph) : Promise.reject(new Error("another drawing is wanted")));
+    const draw = (detail: Detail) => layoutModel(engine, { state, path, collapsed, detail, aspect });
     const keyOf = (detail: Detail) => `${root ?? ""} ${path} ${wanted} ${detail} ${collapsed.size}`;
     // The least detail is there first; more follows as long as it can be read.
     const show = async () => {
@@ -51,7 +54,9 @@ export function useDrawing(tree: ModelTree | undefined, canvas: Size | undefined
         setLaid({ drawing, detail, asked: wanted !== "auto", key: keyOf(detail) });
       }
     };
-    void show();
+    show().catch((error: unknown) => {
+      if (current) throw error;
+    });
     return () => {
       current = false;
     };

@@ -25,12 +25,18 @@ interface Block {
   readonly lines: readonly DrawnLine[];
 }
 
+/** The request with what was laid out for it: a state is needed in each arrangement of all that it lies in, so without this
+ *  the work would double with every level. */
+interface Job extends LayoutRequest {
+  readonly known: Map<string, Promise<Block>>;
+}
+
 const kMargin = 24;
 /** From so many children on, one direction is enough to try. */
 const kMany = 40;
 
 export async function layoutModel(engine: LayoutEngine, request: LayoutRequest): Promise<Drawing> {
-  const block = await layoutNode(engine, request, request.state, request.path, "EAST", 0);
+  const block = await layoutNode(engine, { ...request, known: new Map() }, request.state, request.path, "EAST", 0);
   const reach = Math.max(0, ...block.ports.map((port) => port.x + port.width - block.size.width));
   const shifted = shift(block, { x: kMargin, y: kMargin });
   const stub = 40;
@@ -42,14 +48,14 @@ export async function layoutModel(engine: LayoutEngine, request: LayoutRequest):
   };
 }
 
-async function layoutNode(
-  engine: LayoutEngine,
-  request: LayoutRequest,
-  node: Node,
-  path: string,
-  side: Side,
-  depth: number,
-): Promise<Block> {
+function layoutNode(engine: LayoutEngine, job: Job, node: Node, path: string, side: Side, depth: number): Promise<Block> {
+  const key = `${side} ${path}`;
+  const block = job.known.get(key) ?? layoutOnce(engine, job, node, path, side, depth);
+  job.known.set(key, block);
+  return block;
+}
+
+async function layoutOnce(engine: LayoutEngine, request: Job, node: Node, path: string, side: Side, depth: number): Promise<Block> {
   if (node.kind === "barrier") return leaf(request, node, path, side, depth);
   const open = node.children.length > 0 && !request.collapsed.has(path);
   if (!open) return leaf(request, node, path, side, depth);

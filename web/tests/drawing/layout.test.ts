@@ -7,6 +7,7 @@ import type { ElkGraph, LayoutEngine } from "../../shared/drawing/elk";
 import { flowLines } from "../../shared/drawing/flow";
 import { layoutModel } from "../../shared/drawing/layout";
 import { stubs } from "../../shared/drawing/stubs";
+import type { State } from "../../shared/model/model";
 import { buildTree } from "../../shared/model/modelTree";
 import { caseNames, modelOf } from "../conformance";
 
@@ -88,6 +89,13 @@ describe("layoutModel", () => {
   it("needs less room with less detail", async () => {
     const [full, slim] = [await draw("thesis-collision-history"), await draw("thesis-collision-history", "slim")];
     expect(slim.width * slim.height).toBeLessThan(0.6 * full.width * full.height);
+  });
+  it("takes a time that grows with the model, not twofold with each level", async () => {
+    const nested = (levels: number): State => ({ ...modelOf("hierarchy-first").root, children: levels === 0 ? [] : [nested(levels - 1)], name: `L${levels}`, ports: [] });
+    let layouts = 0;
+    const counted: LayoutEngine = (graph) => (++layouts, engine(graph));
+    await layoutModel(counted, { state: nested(9), path: "L9", collapsed: new Set(), detail: "slim", aspect: 1.6 });
+    expect(layouts).toBeLessThanOrEqual(4 * 9);
   });
   it("gives a stub to exactly the ports that lead nowhere and that no parent names", async () => {
     const drawing = await draw("thesis-search-object-found");
