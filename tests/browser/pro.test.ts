@@ -4,6 +4,7 @@ import { mkdtempSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
+import { activations, noteActivations } from "./activations";
 import { expectedCard, expectedLines, shownCard, shownLines, type RawNode, type RawStep } from "./proofText";
 import { binary, openStage, type Stage } from "./stage";
 
@@ -30,30 +31,6 @@ async function load(): Promise<string> {
 const status = () => page.getByRole("status", { name: "Run status" });
 const ended = () => expect.poll(() => status().innerText(), { timeout: 90_000 }).toMatch(/Ended|Faulted|Stopped/);
 
-/** Notes each state of the drawing in the order in which it turns active. */
-async function noteActivations(): Promise<void> {
-  await page.evaluate(() => {
-    const order: string[] = [];
-    const note = (element: Element) => {
-      const path = element.getAttribute("data-path");
-      if (path !== null && element.getAttribute("data-active") === "true" && !order.includes(path)) order.push(path);
-    };
-    const canvas = document.querySelector(".canvas");
-    if (canvas === null) throw new Error("nothing is drawn");
-    new MutationObserver((changes) => changes.forEach((change) => change.target instanceof Element && note(change.target))).observe(canvas, {
-      subtree: true,
-      attributeFilter: ["data-active"],
-    });
-    Object.assign(window, { activations: order });
-  });
-}
-
-const activations = (): Promise<readonly string[]> =>
-  page.evaluate(() => {
-    const noted: unknown = Reflect.get(window, "activations");
-    return Array.isArray(noted) ? noted.map(String) : [];
-  });
-
 /** `race derive` of the run as the server exports it. */
 async function derive(id: string): Promise<readonly RawStep[]> {
   const folder = mkdtempSync(join(tmpdir(), "race-derive-"));
@@ -77,13 +54,13 @@ describe("RACE Pro", () => {
 
   it("shows the states of Pick turn green in order, until it ends at success", async () => {
     await load();
-    await noteActivations();
+    await noteActivations(page);
     await page.getByRole("button", { name: "Start" }).click();
-    await expect.poll(activations, { timeout: 20_000 }).toContain("Pick/Approach");
+    await expect.poll(() => activations(page), { timeout: 20_000 }).toContain("Pick/Approach");
     await stage.picture("running");
     await ended();
     await expect.poll(() => status().innerText()).toContain("Ended: success");
-    const leaves = (await activations()).filter((path) => /^Pick\/[A-Za-z]+$/.test(path));
+    const leaves = (await activations(page)).filter((path) => /^Pick\/[A-Za-z]+$/.test(path));
     expect(leaves).toEqual(["Release", "GetPose", "Approach", "Grasp", "Retreat", "CheckPart"].map((name) => `Pick/${name}`));
     await stage.picture("ended");
   });

@@ -9,7 +9,7 @@ import { chromium, type Browser, type Page, type ViewportSize } from "playwright
 
 export const project = fileURLToPath(new URL("../../", import.meta.url));
 export const binary = process.env["RACE_BINARY"] ?? join(project, "build/release/race");
-const demo = process.env["RACE_DEMO"] ?? join(project, "deploy/demo");
+export const demo = process.env["RACE_DEMO"] ?? join(project, "deploy/demo");
 const web = process.env["RACE_WEB"] ?? join(project, "web/dist");
 const pictures = join(project, "build/test/browser");
 
@@ -58,10 +58,11 @@ async function healthy(url: string, server: ChildProcess): Promise<void> {
   }
 }
 
-export async function openStage(): Promise<Stage> {
+/** With a file of acts, an operator by script stands at the cell. */
+export async function openStage(operator?: string): Promise<Stage> {
   const port = await freePort();
   const data = mkdtempSync(join(tmpdir(), "race-browser-"));
-  const options = ["serve", "--port", String(port), "--data", data, "--demo", demo, "--web", web];
+  const options = ["serve", "--port", String(port), "--data", data, "--demo", demo, "--web", web, ...(operator === undefined ? [] : ["--operator", operator])];
   const launch = async (): Promise<ChildProcess> => {
     const launched = spawn(binary, options, { stdio: ["ignore", "ignore", "inherit"] });
     await new Promise((resolve, reject) => launched.once("spawn", resolve).once("error", reject));

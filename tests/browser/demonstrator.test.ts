@@ -1,0 +1,106 @@
+// The demonstrator (thesis, appendix A) with its operator by script: what a person sees of it until it has survived a collision.
+import { join } from "node:path";
+import { devices, type Page } from "playwright-core";
+import { activations, noteActivations } from "./activations";
+import { demo, openStage, type Stage } from "./stage";
+
+let stage: Stage;
+let task: Page;
+let services: Page;
+let phone: Page;
+let core: string;
+/** What the pages' consoles complain of. */
+const complaints: string[] = [];
+
+beforeAll(async () => {
+  stage = await openStage(join(demo, "operator.json"));
+  const browser = stage.page.context().browser();
+  if (browser === null) throw new Error("there is no browser");
+  phone = await (await browser.newContext({ ...devices["Pixel 7"] })).newPage();
+  await phone.goto(`${stage.url}/display/?name=second`);
+  await phone.getByRole("status", { name: "Connection" }).filter({ hasText: "Connected" }).waitFor();
+  task = await stage.another({ width: 1280, height: 800 });
+  services = await stage.another({ width: 1280, height: 800 });
+  await services.getByRole("tab", { name: "Services" }).click();
+  for (const page of [task, services, phone]) {
+    page.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
+    page.on("pageerror", (error) => complaints.push(String(error)));
+  }
+  await task.getByRole("combobox", { name: "Document" }).selectOption("demonstrator");
+  await task.getByRole("button", { name: "Load" }).click();
+  for (const composite of ["Table", "Table/Work"]) await task.getByRole("button", { name: `Expand Demonstrator/${composite}`, exact: true }).click();
+  await state("Table/Work/Collision").waitFor();
+  core = await task.getByRole("combobox", { name: "Watched run" }).inputValue();
+  await noteActivations(task);
+});
+afterAll(() => stage?.close());
+
+const kLong = { timeout: 60_000 };
+const state = (path: string) => task.locator(`[data-path="Demonstrator/${path}"]`);
+const turns = (path: string, active: boolean) => expect.poll(() => state(path).getAttribute("data-active"), kLong).toBe(String(active));
+const running = () => task.getByRole("region", { name: "Running now" });
+
+async function serverStep(): Promise<number> {
+  const found = (await (await fetch(`${stage.url}/api/v1/cores/${core}`)).json()) as { readonly step: number };
+  return found.step;
+}
+const shownStep = async () => Number(/step (\d+)/.exec(await task.getByRole("status", { name: "Run status" }).innerText())?.[1]);
+
+/** The page knows soon what the server knows now. */
+async function keepsUp(): Promise<void> {
+  const step = await serverStep();
+  await expect.poll(shownStep, { timeout: 5000 }).toBeGreaterThanOrEqual(step);
+}
+
+describe("the demonstrator with an operator by script", () => {
+  it("calibrates first, and says on every display what to do", async () => {
+    await task.getByRole("button", { name: "Start" }).click();
+    await turns("Calibration", true);
+    expect(await state("Table").getAttribute("data-active")).toBe("false");
+    await phone.getByText(/Lead the arm/).waitFor();
+    await running().getByText(/Calibration\/CameraCalibration/).waitFor();
+    await stage.picture("demonstrator-calibration", task);
+  });
+
+  it("lets recognition look at the camera's pictures meanwhile", async () => {
+    const flow = services.locator('[data-flow="camera.frame:obj_rec"]');
+    await expect.poll(() => flow.getAttribute("class"), kLong).toBe("flow is-flowing");
+    await expect.poll(() => flow.locator("text").textContent(), kLong).toMatch(/^frame \d+\.\d\/s$/);
+    await stage.picture("demonstrator-services", services);
+  });
+
+  it("is followed by the page while it also draws the cell, large and small", async () => {
+    await keepsUp();
+    await task.getByRole("tab", { name: "Cell" }).click();
+    await task.getByText(/^cell time/).waitFor();
+    await keepsUp();
+    await stage.picture("demonstrator-cell", task);
+    await task.getByRole("tab", { name: "Task" }).click();
+    await state("Table/Work/Collision").waitFor();
+    await noteActivations(task);
+  });
+
+  it("goes on to Table when the camera is calibrated", async () => {
+    await turns("Table", true);
+    expect(await state("Calibration").getAttribute("data-active")).toBe("false");
+    await turns("Table/Work", true);
+  });
+
+  it("shows a collision and asks on every display, and survives it when somebody answers", async () => {
+    await phone.getByRole("heading", { name: "What is to be done?" }).waitFor(kLong);
+    for (const name of ["Continue", "Skip", "Abort"]) expect(await phone.getByRole("button", { name, exact: true }).isEnabled()).toBe(true);
+    await stage.picture("demonstrator-question", phone);
+    await stage.picture("demonstrator-collision", task);
+    await phone.getByRole("heading").waitFor({ state: "detached" });
+    await turns("Table/Work/Collision", false);
+    await turns("Table/Work/Task", true);
+    expect(await activations(task)).toEqual(expect.arrayContaining(["Demonstrator/Table/Work/Task", "Demonstrator/Table/Work/Collision"]));
+    await keepsUp();
+  });
+
+  it("ends at a word, and no page had anything to complain of", async () => {
+    await task.getByRole("button", { name: "Stop" }).click();
+    await expect.poll(() => task.getByRole("status", { name: "Run status" }).innerText()).toMatch(/Stopped/);
+    expect(complaints).toEqual([]);
+  });
+});
