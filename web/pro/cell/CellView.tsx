@@ -80,6 +80,7 @@ export function CellView() {
         <button type="button" aria-pressed={pulling} title="Pull links and parts with mouse or finger (or hold Shift)" onClick={() => setPulling(!pulling)}>
           Pull
         </button>
+        {pulling && <p className="cell-hint">Drag the arm or a part; it gives way as the task allows. Right click a part to take it away.</p>}
         {absent.map((part) => (
           <button key={part} type="button" onClick={() => act("place", part)}>
             Put back {part}
