@@ -25,7 +25,8 @@ export default defineConfig({
       },
     },
   },
-  test: { include: ["tests/**/*.test.ts"] },
+  // A loaded machine may be slow: no test is about how long it takes.
+  test: { include: ["tests/**/*.test.ts"], testTimeout: 60_000 },
   // The list of sounds lives in api/.
   server: { fs: { allow: [here("."), here("../api")] }, proxy: { "/api": { target: server, ws: true, changeOrigin: true } } },
 });
