@@ -17,16 +17,12 @@ Severity severity_of(double share) {
 
 Touch ContactDetector::update(const Joints& external_torques, double dt) {
   double worst = 0;
-  double ahead = 0;
   Contact contact{0, external_torques};
   for (std::size_t i = 0; i < kJoints; ++i) {
     const double share = std::abs(external_torques[i]) / thresholds_[i];
-    const double rate = (external_torques[i] - before_[i]) / dt;
     worst = std::max(worst, share);
-    ahead = std::max(ahead, std::abs(external_torques[i] + kLookAhead * rate) / thresholds_[i]);
     if (share > kFeels) contact.joint = i;
   }
-  before_ = external_torques;
   onset_ = worst < kFelt ? 0 : onset_ + dt;
 
   if (touching_ && worst < kRearm) {
@@ -41,7 +37,7 @@ Touch ContactDetector::update(const Joints& external_torques, double dt) {
   }
   if (!touching_) return touch;
   contact.accidental = accidental_;
-  contact.severity = severity_of(std::max(worst, ahead));
+  contact.severity = severity_of(worst);
   if (begins) touch.contact = contact;
   const bool collides = accidental_ || contact.severity > Severity::light;
   if (collides && (!told_ || contact.severity > *told_)) {

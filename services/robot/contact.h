@@ -28,7 +28,8 @@ class ContactDetector {
  public:
   /// An accidental contact goes from kFelt of its threshold to all of it within this, s.
   static constexpr double kFastOnset = 0.040;
-  /// From these multiples of the thresholds on a contact is medium, severe.
+  /// From these multiples of the thresholds on a contact is medium, severe. A push counts by its torque, an impact
+  /// that is shorter than the observer's lag by the momentum that it exchanged: both are what the residual shows.
   static constexpr double kMedium = 3.0;
   static constexpr double kSevere = 6.0;
 
@@ -41,9 +42,8 @@ class ContactDetector {
  private:
   static constexpr double kFelt = 0.3;
   static constexpr double kRearm = 0.6;
-  static constexpr double kLookAhead = 0.001;  // s, that the torques' rate counts for in the severity
 
-  Joints thresholds_, before_{};
+  Joints thresholds_;
   double onset_ = 0;  // s since the torques were last below kFelt
   bool touching_ = false, accidental_ = false;
   std::optional<Severity> told_;  // of the collision of this contact

@@ -167,7 +167,9 @@ void ControlUnit::interrupt(const Refusal& why) {
   if (told) outcome_.emplace(earlier ? *earlier : why);
 }
 
-bool ControlUnit::can_retreat() const { return path_ && !path_->at_start() && activity_ != Activity::retreat; }
+bool ControlUnit::can_retreat() const {
+  return path_ && !path_->at_start() && activity_ != Activity::retreat && override_ > 0;
+}
 
 double ControlUnit::rate() const { return override_ * slow_; }
 
@@ -260,7 +262,7 @@ void ControlUnit::judge_arrival(const Joints& q, const Joints& dq) {
 Reference ControlUnit::go_back(const Joints& q) {
   const Joints braking_way = path_->stopping_way();
   const double stopping = tool_way(arm_, q, braking_way);
-  const Reference reference = path_->advance(back_left_ > stopping ? -1 : 0, kPeriod);
+  const Reference reference = path_->advance(back_left_ > stopping ? -override_ : 0, kPeriod);
   Joints step = reference.dq;
   for (double& part : step) part *= kPeriod;
   back_left_ -= path_->backwards() ? tool_way(arm_, q, step) : 0;

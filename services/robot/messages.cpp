@@ -8,8 +8,11 @@
 namespace race::robot {
 namespace {
 
-tl::unexpected<Refusal> refuse(const char* code, std::string message) {
-  return tl::unexpected<Refusal>(Refusal{code, "target", std::move(message)});
+constexpr double kSmallestPart = 0.001;  // m, an edge
+constexpr double kLargestPart = 0.5;
+
+tl::unexpected<Refusal> refuse(const char* code, std::string message, const char* argument = "target") {
+  return tl::unexpected<Refusal>(Refusal{code, argument, std::move(message)});
 }
 
 tl::expected<void, Refusal> read_numbers(const Value* value, const std::string& name, std::span<double> out) {
@@ -54,12 +57,23 @@ Value list(std::span<const double> numbers) {
   return items;
 }
 
+tl::expected<Vec3, Refusal> read_carried(const Value& value, MotionKind kind) {
+  if (kind != MotionKind::free) return refuse("type", "`carried` is only for motions of kind free", "carried");
+  Vec3 edges;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    edges[i] = value.find("box")->as_list()[i].to_double();
+    if (!(edges[i] >= kSmallestPart && edges[i] <= kLargestPart))
+      return refuse("out_of_range", "`carried.box` must be edges of 0.001 to 0.5 m", "carried");
+  }
+  return edges;
+}
+
 }  // namespace
 
 tl::expected<Action, Refusal> read_move(const Dict& arguments) {
   const auto target = read_target(*arguments.find("target"));
   if (!target) return tl::unexpected(target.error());
-  Action action{{.target = *target}, std::nullopt};
+  Action action{{.target = *target}, std::nullopt, std::nullopt};
   MoveCommand& command = action.command;
   const Value* kind = arguments.find("kind");
   if (kind && kind->is_string()) {
@@ -75,6 +89,11 @@ tl::expected<Action, Refusal> read_move(const Dict& arguments) {
     auto behavior = read_behavior(*value);
     if (!behavior) return tl::unexpected(behavior.error());
     action.behavior = std::move(*behavior);
+  }
+  if (const Value* value = arguments.find("carried"); value && !value->is_null()) {
+    const auto edges = read_carried(*value, command.kind);
+    if (!edges) return tl::unexpected(edges.error());
+    action.carried = *edges;
   }
   return action;
 }

@@ -9,10 +9,12 @@ namespace race::robot {
 struct Action {
   MoveCommand command;
   std::optional<Behavior> behavior;
+  std::optional<Vec3> carried;  // m, edges of the box around the part that the jaws hold; free paths only
 };
 
-/// Command and behavior from the bound arguments of `move`. Refusals: `type` (no target of any kind, or of several),
-/// `out_of_range` (a number that is not finite), those of read_behavior().
+/// Command and behavior from the bound arguments of `move`. Refusals: `type` (no target of any kind, or of several; a
+/// carried part where no free path is planned), `out_of_range` (a number that is not finite, a part of no or of
+/// unlikely size), those of read_behavior().
 tl::expected<Action, Refusal> read_move(const Dict& arguments);
 
 Value to_value(const Pose& pose);

@@ -193,7 +193,7 @@ tl::expected<FreeSearch, Refusal> begin_search(const ArmModel& arm, const Planne
   if (!limits) return tl::unexpected(limits.error());
   if (!keeps_clear) return refuse("path", "kind", "nothing is known of what stands around the arm");
   const double at_start = kept_margin(keeps_clear, start);
-  if (at_start == 0) return refuse("path", "", "the arm touches something where it stands");
+  if (at_start == 0) return refuse("path", "", "the arm, or what it carries, touches something where it stands");
 
   // Of the postures for the target the first that keeps the whole distance, else the one that keeps most.
   double at_goal = 0;
@@ -211,7 +211,7 @@ tl::expected<FreeSearch, Refusal> begin_search(const ArmModel& arm, const Planne
   const auto goal = goal_of(arm, settings, start, command.target, keeps_all);
   if (!goal && !reachable) return tl::unexpected(goal.error());
   const double margin = std::min(at_start, at_goal);
-  if (margin == 0) return refuse("path", "target", "the arm would touch something at the target");
+  if (margin == 0) return refuse("path", "target", "the arm, or what it carries, would touch something at the target");
   const Allowed allowed = [keeps_clear, margin](const Joints& q) { return keeps_clear(q, margin); };
   return FreeSearch{FreePath(arm.limits(), allowed, start, best, seed), *limits};
 }

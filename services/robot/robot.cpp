@@ -20,7 +20,8 @@ constexpr std::string_view kModel = R"json({
        {"name": "behavior", "type": {"optional": BEHAVIOR}, "doc": "how it moves and reacts, from now on; else as it is"},
        {"name": "kind", "type": {"optional": {"enum": ["ptp", "lin", "free"]}}, "doc": "point-to-point, linear, or around what stands in the cell; else lin for an offset, ptp for others"},
        {"name": "speed", "type": "number", "min": 0.001, "max": 1, "value": 0.5, "doc": "share of the speed limits"},
-       {"name": "acceleration", "type": "number", "min": 0.001, "max": 1, "value": 0.5, "doc": "share of the acceleration limits"}],
+       {"name": "acceleration", "type": "number", "min": 0.001, "max": 1, "value": 0.5, "doc": "share of the acceleration limits"},
+       {"name": "carried", "type": {"optional": {"record": {"box": {"list": "number", "size": 3}}}}, "doc": "what the jaws hold, for free motions: edges [m] of a box around the tool centre point, along the tool's axes"}],
      "result": {"record": {"pose": "pose", "q": {"list": "number", "size": 7}}},
      "error": {"record": {"code": "string", "message": "string", "argument": {"optional": "string"}, "reaction": {"optional": "string"}}},
      "doc": "Moves the tool centre point and answers when it has arrived, or with the signal of the reflex that interrupted it."},
@@ -106,8 +107,9 @@ Robot::Robot(services::ServiceHost& host, world::World& world, ArmModel arm, uns
     : host_(host),
       world_(world),
       clearance_(world.model(), world.scene()),
-      unit_(std::move(arm), seeded(seed), world.q(),
-            [this](const Joints& q, double margin) { return clearance_.keeps(q, margin); }) {
+      unit_(std::move(arm), seeded(seed), world.q(), [this](const Joints& q, double margin) {
+        return (with_part_ ? *with_part_ : clearance_).keeps(q, margin);
+      }) {
   world_.set_torques(unit_.control(world_.q(), world_.dq()));
 }
 
@@ -140,9 +142,21 @@ void Robot::move(const services::Call& call) {
   const auto action = read_move(*arguments);
   if (!action) {
     finish_move(action.error());
-  } else if (const auto accepted = unit_.move(action->command, action->behavior); !accepted) {
+    return;
+  }
+  carry(action->carried);
+  if (const auto accepted = unit_.move(action->command, action->behavior); !accepted) {
     finish_move(accepted.error());
   }
+}
+
+void Robot::carry(const std::optional<Vec3>& part) {
+  with_part_.reset();
+  if (!part) return;
+  world::RobotModel loaded = world_.model();
+  loaded.links[static_cast<std::size_t>(loaded.link("tcp"))].collisions.push_back(
+      {{world::Shape::Kind::box, *part}, Pose{}});
+  with_part_.emplace(loaded, world_.scene());
 }
 
 void Robot::finish_move(const std::optional<Refusal>& failure) {
@@ -196,6 +210,11 @@ void Robot::speed_override(const services::Call& call) {
 
 void Robot::record_pose(const services::Call& call) {
   host_.transition("record_pose", call.id);
+  const auto arguments = services::bind_arguments(*services::find_operation(model(), "record_pose"), call);
+  if (!arguments) {
+    host_.error(call.id, to_value(to_refusal(arguments.error())));
+    return;
+  }
   if (unit_.behavior().operational.mode != Mode::gravity_compensation) {
     host_.error(call.id, to_value(Refusal{"behavior", "", "poses are recorded in gravity compensation"}));
     return;

@@ -4,6 +4,8 @@
 // Threads: its unit's. step() follows the world's step and sets the torques of the next one.
 #pragma once
 
+#include <optional>
+
 #include "services/component.h"
 #include "services/robot/control_unit.h"
 #include "services/world/clearance.h"
@@ -28,6 +30,7 @@ class Robot final : public services::Component {
   Robot(services::ServiceHost& host, world::World& world, ArmModel arm, unsigned seed);
 
   void move(const services::Call& call);
+  void carry(const std::optional<Vec3>& part);
   void stop(const services::Call& call);
   void change_behavior(const services::Call& call);
   void speed_override(const services::Call& call);
@@ -37,7 +40,8 @@ class Robot final : public services::Component {
 
   services::ServiceHost& host_;
   world::World& world_;
-  world::Clearance clearance_;
+  world::Clearance clearance_;                 // of the arm alone
+  std::optional<world::Clearance> with_part_;  // of the arm and what it carries, as the last move said
   ControlUnit unit_;
   services::CallId moving_ = 0;  // the move that waits for its end; 0: none
 };

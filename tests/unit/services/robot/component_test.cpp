@@ -82,6 +82,8 @@ TEST_F(RobotService, RejectsWhatItsStateDoesNotAccept) {
   run(0.1);
   EXPECT_EQ(host.code(call("move", kDownPose)), "not_accepted");
   EXPECT_EQ(host.code(call("change_behavior", R"(["gravity_compensation"])")), "not_accepted");
+  EXPECT_EQ(host.code(call("record_pose")), "not_accepted");
+  EXPECT_EQ(host.code(call("dance")), "not_accepted");
 }
 
 TEST_F(RobotService, RefusesWrongArgumentsWithTheirNameAndNeverMoves) {
@@ -104,7 +106,22 @@ TEST_F(RobotService, RefusesWrongArgumentsWithTheirNameAndNeverMoves) {
       {R"({"target": {"offset": [0, 0, 0.1]}, "speed": 0})", "out_of_range", "speed"},
       {R"({"target": {"offset": [0, 0, 0.1]}, "speed": 1.5})", "out_of_range", "speed"},
       {R"({"target": {"offset": [0, 0, 0.1]}, "acceleration": "fast"})", "type", "acceleration"},
+      {R"([{"position": [500, 100, 250], "orientation": [1, 0, 0, 0]}])", "unreachable", "target"},  // mm
+      {R"([{"offset": [0, 0, 100]}])", "unreachable", "target"},                                     // mm
+      {R"([{"joints": [0, -20, 0, 90, 0, -68, 0]}])", "joint_limits", "target"},                     // degrees
+      {R"({"target": {"position": [1.5, 0, 0.2], "orientation": [1, 0, 0, 0]}, "kind": "free"})", "unreachable",
+       "target"},
+      {R"({"target": {"offset": [0, 0, 0.1]}, "velocity": 0.1})", "type", ""},
       {R"([{"offset": [0, 0, 0.1]}, {"operational": {"mode": "dance"}}])", "type", "behavior"},
+      {R"([{"offset": [0, 0, 0.1]}, {"operational": {"mode": "position"},
+          "reflexes": [{"signal": "force_limit", "force": -5, "reaction": "stop"}]}])",
+       "out_of_range", "behavior"},
+      {R"([{"offset": [0, 0, 0.1]}, {"operational": {"mode": "position"},
+          "reflexes": [{"signal": "collision", "severity": "deadly", "reaction": "stop"}]}])",
+       "type", "behavior"},
+      {R"({"target": {"joints": [1, 0, 0, 1.6, 0, -1, 0]}, "carried": {"box": [0.1, 0.1, 0.1]}})", "type", "carried"},
+      {R"({"target": {"joints": [1, 0, 0, 1.6, 0, -1, 0]}, "kind": "free", "carried": {"box": [50, 50, 50]}})",
+       "out_of_range", "carried"},
       {R"([{"offset": [0, 0, 0.1]}, {"operational": {"mode": "joint_impedance", "damping": -1}}])", "out_of_range",
        "behavior"},
   };
@@ -113,12 +130,110 @@ TEST_F(RobotService, RefusesWrongArgumentsWithTheirNameAndNeverMoves) {
     const CallId id = call("move", wrong.arguments);
     EXPECT_EQ(host.code(id), wrong.code) << wrong.arguments;
     const Value* argument = host.errors[id].find("argument");
-    ASSERT_TRUE(argument) << wrong.arguments;
-    EXPECT_EQ(argument->as_string(), wrong.argument) << wrong.arguments;
+    EXPECT_EQ(argument ? argument->as_string() : "", wrong.argument) << wrong.arguments;
+    EXPECT_FALSE(host.errors[id].find("message")->as_string().empty()) << wrong.arguments;
     EXPECT_EQ(host.state(), "Idle");
   }
   run(0.5);
   for (std::size_t i = 0; i < kJoints; ++i) EXPECT_NEAR(world->q()[i], before[i], 1e-6);
+}
+
+TEST_F(RobotService, RefusesWrongArgumentsOfItsOtherOperations) {
+  struct Wrong {
+    const char* operation;
+    const char* arguments;
+    const char* code;
+  };
+  const std::vector<Wrong> cases = {
+      {"change_behavior", R"([])", "missing"},
+      {"change_behavior", R"([{"operational": {"mode": "position", "stiffness": [1, 1, 1, 1, 1, 1]}}])", "type"},
+      {"change_behavior", R"([{"operational": {"mode": "cartesian_impedance", "limits": {"force": -1}}}])",
+       "out_of_range"},
+      {"change_behavior", R"(["position", "position"])", "type"},
+      {"speed_override", R"([])", "missing"},
+      {"speed_override", R"(["half"])", "type"},
+      {"speed_override", R"([-0.1])", "out_of_range"},
+      {"speed_override", R"([50])", "out_of_range"},  // percent
+      {"record_pose", R"([17])", "type"},
+  };
+  const Joints before = world->q();
+  for (const Wrong& wrong : cases) {
+    const CallId id = call(wrong.operation, wrong.arguments);
+    EXPECT_EQ(host.code(id), wrong.code) << wrong.operation << wrong.arguments;
+    EXPECT_FALSE(host.errors[id].find("message")->as_string().empty());
+  }
+  EXPECT_EQ(host.code(call("record_pose")), "behavior") << "none of them changed the behavior";
+  run(0.5);
+  for (std::size_t i = 0; i < kJoints; ++i) EXPECT_NEAR(world->q()[i], before[i], 1e-6);
+  const CallId move = call("move", R"({"target": {"offset": [0, 0.05, 0]}, "speed": 1})");
+  run(1);
+  EXPECT_TRUE(host.results.contains(move)) << "nor the speed";
+}
+
+/// `value` with its `left`-th number replaced by `bad`; counts `left` down.
+Value spoiled(const Value& value, int& left, double bad) {
+  if (value.is_numeric()) return left-- == 0 ? Value(bad) : value;
+  if (value.is_list()) {
+    List items;
+    for (const Value& item : value.as_list()) items.push_back(spoiled(item, left, bad));
+    return items;
+  }
+  if (!value.is_dict()) return value;
+  Dict fields;
+  for (const auto& [key, field] : value.as_dict()) fields.set(key.as_string(), spoiled(field, left, bad));
+  return fields;
+}
+
+TEST_F(RobotService, RefusesANumberThatIsNotFiniteWhereverItStands) {
+  struct Right {
+    const char* operation;
+    const char* arguments;
+  };
+  const std::vector<Right> cases = {
+      {"move", R"({"target": {"position": [0.5, 0.1, 0.25], "orientation": [1, 0, 0, 0]}, "speed": 0.3,
+          "acceleration": 0.4, "kind": "free", "carried": {"box": [0.05, 0.05, 0.05]}, "behavior": {
+          "operational": {"mode": "cartesian_impedance", "stiffness": [500, 500, 500, 50, 50, 50], "damping": 0.7,
+                          "limits": {"speed": 0.2, "force": 40}},
+          "reflexes": [{"signal": "force_limit", "force": 30, "reaction": "retreat", "distance": 0.1},
+                       {"signal": "joint_limit", "margin": 0.1, "reaction": "slow_down", "scale": 0.5},
+                       {"signal": "virtual_wall", "wall": {"point": [0, 2, 0], "normal": [0, -1, 0]},
+                        "reaction": "stop"},
+                       {"signal": "virtual_wall", "wall": {"min": [1, 1, 1], "max": [2, 2, 2]},
+                        "reaction": "stop"}]}})"},
+      {"move", R"({"target": {"joints": [0, -0.3, 0, 1.5, 0, -1.1, 0]}})"},
+      {"move", R"({"target": {"offset": [0, 0.05, 0.05]}})"},
+      {"change_behavior", R"({"behavior": {"operational": {"mode": "joint_impedance",
+          "stiffness": [500, 500, 300, 300, 100, 80, 80]}}})"},
+      {"speed_override", R"({"share": 0.5})"},
+  };
+  services::CallId id = 1000;
+  int refused = 0;
+  const Joints before = world->q();
+  for (const Right& right : cases) {
+    const Value arguments = parse_json(right.arguments).value();
+    for (int number = 0;; ++number) {
+      int left = number;
+      static_cast<void>(spoiled(arguments, left, 0));
+      if (left >= 0) break;  // it has no more numbers
+      for (const double bad : {NAN, INFINITY, -INFINITY}) {
+        left = number;
+        services::Call call{++id, right.operation, {}, spoiled(arguments, left, bad).as_dict()};
+        host.hand_over(*robot, call);
+        EXPECT_EQ(host.code(id), "out_of_range") << right.operation << " number " << number << " " << bad;
+        EXPECT_TRUE(host.errors[id].find("argument")) << right.operation << " number " << number;
+        EXPECT_EQ(host.state(), "Idle");
+        ++refused;
+      }
+    }
+  }
+  EXPECT_EQ(refused, 3 * (7 + 2 + 3 + 9 + 2 + 2 + 6 + 6 + 7 + 3 + 7 + 1));
+  run(0.5);
+  for (std::size_t i = 0; i < kJoints; ++i) EXPECT_NEAR(world->q()[i], before[i], 1e-6);
+  for (const Right& right : cases) {
+    const CallId accepted = call(right.operation, right.arguments);
+    EXPECT_EQ(host.code(accepted), "") << right.operation << ": " << to_json(host.errors[accepted]);
+    call("stop");
+  }
 }
 
 TEST_F(RobotService, AnswersAnyTargetAndNeverLeavesItsLimits) {
@@ -204,6 +319,69 @@ TEST_F(RobotService, TellsACollisionAfterItReactedAndAnswersTheMoveWithIt) {
   EXPECT_EQ(host.state(), "Idle");
 }
 
+TEST_F(RobotService, TellsForceLimitsWallsAndJointLimitsWithWhatTheyAreAbout) {
+  const auto interrupted = [&](const char* reflex, const Vec3& force) {
+    const CallId id = call("move", R"([{"joints": [0.9, -0.35, 0, 1.6, 0, -2.05, 0]},
+        {"operational": {"mode": "position"}, "reflexes": [)" +
+                                       std::string(reflex) + "]}]");
+    for (int i = 0; i < 20000 && !host.answered(id); ++i) {
+      world->push("gripper", force, world->pose("tcp").position);
+      run(0.001);
+    }
+    const std::string code = host.code(id);
+    finish(call("move", R"([{"joints": [0, -0.35, 0, 1.6, 0, -1.19, 0]}, {"operational": {"mode": "position"}}])"));
+    return code;
+  };
+  EXPECT_EQ(interrupted(R"({"signal": "force_limit", "force": 15, "reaction": "stop"})", {0, -20, 0}), "force_limit");
+  const Value& force = host.events["force_limit"];
+  EXPECT_EQ(force.find("reaction")->as_string(), "stop");
+  EXPECT_LT(force.find("f_ext_hat")->as_list()[1].to_double(), -10);
+
+  EXPECT_EQ(interrupted(R"({"signal": "virtual_wall", "wall": {"point": [0, 0.2, 0], "normal": [0, -1, 0]},
+      "reaction": "retreat"})",
+                        {}),
+            "virtual_wall");
+  const Value& wall = host.events["virtual_wall"];
+  EXPECT_EQ(wall.find("reaction")->as_string(), "retreat");
+  EXPECT_NEAR(wall.find("pose")->find("position")->as_list()[1].to_double(), 0.2, 0.1);
+
+  EXPECT_EQ(interrupted(R"({"signal": "joint_limit", "reaction": "gravity_compensation"})", {}), "joint_limit");
+  const Value& limit = host.events["joint_limit"];
+  EXPECT_EQ(limit.find("reaction")->as_string(), "gravity_compensation");
+  EXPECT_EQ(limit.find("joint")->to_double(), 6);
+  EXPECT_LT(limit.find("q")->as_list()[5].to_double(), -1.8);
+}
+
+TEST_F(RobotService, StopIsAcceptedInEveryModeAndOnTheWayBackAndHolds) {
+  for (const char* mode : {"position", "joint_impedance", "cartesian_impedance", "gravity_compensation"}) {
+    call("change_behavior", "[\"" + std::string(mode) + "\"]");
+    run(0.3);
+    EXPECT_TRUE(host.results.contains(call("stop"))) << mode;
+    run(0.3);
+    const double there = world->pose("tcp").position[1];
+    for (int i = 0; i < 500; ++i) {
+      world->push("gripper", {0, 10, 0}, world->pose("tcp").position);
+      run(0.001);
+    }
+    EXPECT_NEAR(world->pose("tcp").position[1], there, 2e-3) << mode << ": it holds against a hand";
+    run(0.5);
+  }
+  const CallId id =
+      call("move", R"([{"joints": [0.9, -0.35, 0, 1.6, 0, -1.19, 0]}, {"operational": {"mode": "position"},
+      "reflexes": [{"signal": "virtual_wall", "wall": {"point": [0, 0.2, 0], "normal": [0, -1, 0]},
+                    "reaction": "retreat", "distance": 0.2}]}])");
+  for (int i = 0; i < 5000 && host.counts["virtual_wall"] == 0; ++i) run(0.001);
+  run(0.2);
+  EXPECT_FALSE(host.answered(id)) << "it goes back";
+  EXPECT_EQ(host.code(call("move", kDownPose)), "not_accepted");
+  EXPECT_TRUE(host.results.contains(call("stop")));
+  EXPECT_EQ(host.code(id), "stopped");
+  run(0.3);
+  const Joints held = world->q();
+  run(0.5);
+  for (std::size_t i = 0; i < kJoints; ++i) EXPECT_NEAR(world->q()[i], held[i], 1e-4);
+}
+
 TEST_F(RobotService, RecordsPosesWhileItIsLedByHand) {
   EXPECT_EQ(host.code(call("record_pose")), "behavior");
   call("change_behavior", R"([{"operational": {"mode": "gravity_compensation"}}])");
@@ -240,6 +418,25 @@ TEST_F(RobotService, FindsItsWayAroundTheCell) {
   EXPECT_EQ(host.state(), "Moving");
   finish(id);
   EXPECT_EQ(host.code(id), "") << to_json(host.errors[id]);
+}
+
+TEST_F(RobotService, FindsItsWayForWhatItCarriesToo) {
+  // A post beside the target: the jaws fit in front of it, a wide part does not.
+  world::Scene scene = empty_scene();
+  scene.bodies.push_back(fixed_box("post", {0.05, 0.05, 0.6}, {0.55, 0.42, 0.3}));
+  world = Rig::make_world(scene);
+  robot = std::move(Robot::create(host, *world).value());
+  const std::string target =
+      R"("target": {"position": [0.55, 0.25, 0.3], "orientation": [1, 0, 0, 0]}, "kind": "free")";
+  const CallId wide = call("move", "{" + target + R"(, "carried": {"box": [0.3, 0.3, 0.05]}})");
+  EXPECT_EQ(host.code(wide), "path") << "the part would be in the post";
+  const CallId empty = call("move", "{" + target + "}");
+  finish(empty);
+  EXPECT_EQ(host.code(empty), "") << "a part is forgotten with the next move: " << to_json(host.errors[empty]);
+  finish(call("move", R"({"target": {"offset": [0, 0, 0.05]}})"));
+  const CallId narrow = call("move", "{" + target + R"(, "carried": {"box": [0.05, 0.05, 0.05]}})");
+  finish(narrow);
+  EXPECT_EQ(host.code(narrow), "") << to_json(host.errors[narrow]);
 }
 
 TEST_F(RobotService, CanBeLedByHandAndHoldsAgainAfterwards) {

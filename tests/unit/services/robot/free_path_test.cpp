@@ -129,6 +129,24 @@ TEST(FreeMotion, CanBeStoppedWhileItIsSearched) {
   for (std::size_t i = 0; i < kJoints; ++i) EXPECT_NEAR(rig.world->q()[i], kLeft[i], 1e-3);
 }
 
+TEST(FreeMotion, IsAnsweredWhenNoWayIsFoundAndTheArmStaysWhereItWas) {
+  Rig rig(empty_scene());
+  ControlUnit unit(make_arm(*rig.world), lwr_settings(), kLeft,
+                   [](const Joints& q, double) { return std::abs(q[0]) > 0.3; });
+  ASSERT_TRUE(unit.move({.target = kRight, .kind = MotionKind::free}));
+  std::optional<std::optional<Refusal>> outcome;
+  for (int i = 0; i < 10000 && !outcome; ++i) {
+    unit.control(kLeft, Joints{});
+    outcome = unit.take_outcome();
+  }
+  ASSERT_TRUE(outcome && *outcome);
+  EXPECT_EQ((*outcome)->code, "path");
+  EXPECT_EQ((*outcome)->argument, "target");
+  const Joints holding = unit.control(kLeft, Joints{});
+  const Joints weight = unit.arm().gravity(kLeft);
+  for (std::size_t i = 0; i < kJoints; ++i) EXPECT_NEAR(holding[i], weight[i], 1e-6);
+}
+
 TEST(Clearance, KeepsTheArmFromTheTableAndFromItself) {
   world::Scene scene = demo_scene();
   Rig rig(scene);
