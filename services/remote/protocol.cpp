@@ -193,6 +193,11 @@ Expected<Message> read_message(const Value& json, Reader reader, bool binary) {
 
 // Deeper than the values of a model may be, as they stand within the message.
 constexpr JsonLimits kLimits{72, kFrameBytes};
+
+std::string too_long_a_header() {
+  return "the JSON of a binary message has at most " + std::to_string(kHeaderBytes) + " bytes";
+}
+
 constexpr std::size_t kLengthBytes = 4;
 
 }  // namespace
@@ -210,6 +215,7 @@ Expected<Frame> encode(const Message& message) {
   Frame frame{to_json(whole), row.binary};
   if (row.binary) {
     const std::size_t length = frame.bytes.size();
+    if (length > kHeaderBytes) return unexpected(ErrorCode::too_large, too_long_a_header());
     std::string head;
     for (int shift = 24; shift >= 0; shift -= 8) head += static_cast<char>(length >> shift & 0xFFU);
     frame.bytes.insert(0, head);
@@ -230,6 +236,7 @@ Expected<Message> decode(const Frame& frame, Reader reader) {
       length = length << 8U | static_cast<unsigned char>(text[i]);
     if (text.size() < kLengthBytes || length > text.size() - kLengthBytes)
       return unexpected(ErrorCode::out_of_range, "a binary message begins with the length of its JSON");
+    if (length > kHeaderBytes) return unexpected(ErrorCode::too_large, too_long_a_header());
     bytes = text.substr(kLengthBytes + length);
     text = text.substr(kLengthBytes, length);
   }

@@ -20,6 +20,8 @@ namespace race::remote {
 inline constexpr std::int64_t kProtocol = 1;
 /// Of one message: a value of the database in its message, or a packet.
 inline constexpr std::size_t kFrameBytes = 32 * 1024 * 1024;
+/// Of the JSON of a packet: its header is shown to everyone who watches services.
+inline constexpr std::size_t kHeaderBytes = 64 * 1024;
 /// Of keys and names.
 inline constexpr std::size_t kNameBytes = 1000;
 

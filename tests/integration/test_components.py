@@ -131,14 +131,12 @@ class Wired(unittest.TestCase):
             self.assertEqual(server.ended(core)["results"], {"value": POSE})
             self.assertEqual(service(server, "db")["violations"], [])
 
-    def test_who_answers_no_ping_is_lost_within_the_heartbeat(self):
+    def test_who_answers_no_ping_is_lost(self):
         with Server("--remote", "database", "--heartbeat", "1") as server:
             wire = self.welcome(server)
             core = server.core(models.calling("db", "list"))
             wire.next("call")
-            begin = time.monotonic()
             self.assertEqual(server.ended(core)["results"], {"code": "unavailable"})
-            self.assertLess(time.monotonic() - begin, 5)
             with self.assertRaises(ConnectionError):
                 while True:
                     wire.message()
@@ -298,9 +296,7 @@ class ScreensLost(Screens, test_displays.DisplayCase):
         display = self.display()
         core, _ = self.asked(display)
         self.processes["display"].signal(signal.SIGSTOP)
-        begin = time.monotonic()
         self.assertEqual(self.code(core), "unavailable")
-        self.assertLess(time.monotonic() - begin, 5)
         self.gone(display, "question")
         self.processes["display"].signal(signal.SIGCONT)
         there(self.server, "display")
@@ -348,9 +344,7 @@ class Processes(unittest.TestCase):
             with Process(server, "database") as process:
                 there(server, "db")
                 process.signal(signal.SIGSTOP)
-                begin = time.monotonic()
                 self.assertEqual(run(server, models.calling("db", "list"))["results"], {"code": "unavailable"})
-                self.assertLess(time.monotonic() - begin, 5)
                 process.signal(signal.SIGCONT)
                 there(server, "db")
                 self.assertEqual(run(server, models.calling("db", "list"))["outcome"], "result")

@@ -117,6 +117,14 @@ TEST(Protocol, WhatIsTooLargeIsNotSent) {
   EXPECT_EQ(frame.error().code, ErrorCode::too_large);
 }
 
+TEST(Protocol, TheHeaderOfAPacketIsShort) {
+  Message message = full(Kind::publish);
+  message.value = Dict{{"x", std::string(kHeaderBytes, 'x')}};
+  EXPECT_EQ(encode(message).error().code, ErrorCode::too_large);
+  const std::string length{0, 1, 0, 1};  // one byte more
+  EXPECT_THAT(text_error(length + std::string(kHeaderBytes + 1, ' '), Reader::server, true), HasSubstr("too_large"));
+}
+
 TEST(Protocol, WhatIsNotFiniteIsNotSent) {
   Message message = full(Kind::result);
   message.value = List{std::numeric_limits<double>::quiet_NaN()};
