@@ -4,6 +4,7 @@
 #include <string>
 
 #include "services/display/image.h"
+#include "services/encodings.h"
 
 namespace race::server {
 namespace {
@@ -27,7 +28,7 @@ std::optional<std::size_t> side(const Value& header, std::string_view name) {
 
 std::optional<Picture> picture_of(const services::Packet& packet) {
   const Value* encoding = packet.header.find("encoding");
-  if (!encoding || *encoding != Value("depth16_mm+rgb8")) return std::nullopt;
+  if (!encoding || *encoding != Value(services::kDepthAndColour)) return std::nullopt;
   const auto width = side(packet.header, "width"), height = side(packet.header, "height");
   if (!width || !height || packet.bytes.size() != *width * *height * 5) return std::nullopt;
   const std::size_t shrink = (*width + kWidth - 1) / kWidth;

@@ -6,6 +6,7 @@
 #include "services/camera/cloud.h"
 #include "services/camera/noise.h"
 #include "services/camera/view.h"
+#include "services/encodings.h"
 
 namespace race::camera {
 namespace {
@@ -38,7 +39,7 @@ services::PacketPtr to_frame(const Measurement& picture, const Intrinsics& intri
   auto packet = std::make_shared<services::Packet>();
   packet->time = time;
   Dict header = intrinsics_value(intrinsics);
-  header.set("encoding", "depth16_mm+rgb8");
+  header.set("encoding", services::kDepthAndColour);
   header.set("time", time);
   packet->header = std::move(header);
   packet->header.freeze();
@@ -71,16 +72,18 @@ void Camera::call(const services::Call& call) {
 
 void Camera::wanted(std::string_view flow, bool on) {
   if (flow != kFrame && flow != kCloud) return;
-  const bool rested = !frame_wanted_ && !cloud_wanted_;
-  (flow == kFrame ? frame_wanted_ : cloud_wanted_) = on;
-  if (rested) next_ = host_.now();
+  if (wanted_.empty()) next_ = host_.now();
+  if (on)
+    wanted_.emplace(flow);
+  else
+    wanted_.erase(std::string(flow));
   if (on && !worker_) worker_ = std::make_unique<services::Worker>(host_);
 }
 
 void Camera::step() {
   constexpr services::Time kTolerance = 5e-7;
   const services::Time now = host_.now();
-  if ((!frame_wanted_ && !cloud_wanted_) || now < next_ - kTolerance) return;
+  if (wanted_.empty() || now < next_ - kTolerance) return;
   next_ += 1 / mount_.rate_hz;
   if (next_ < now) next_ = now;
   if (under_way_ < kMostUnderWay) take_picture();
@@ -91,16 +94,16 @@ void Camera::take_picture() {
   const services::Time time = host_.now();
   // Each picture has noise of its own; seeds of neighbouring runs must not give each other's pictures.
   const std::uint64_t seed = seed_ * 0xD1342543DE82EF95U + ++pictures_;
-  worker_->begin(time + kLatency, [this, time, seed, with_frame = frame_wanted_, with_cloud = cloud_wanted_,
-                                   items = view(world_, mount_.o_t_c)] {
+  worker_->begin(time + kLatency, [this, time, seed, with_frame = wanted_.contains(kFrame),
+                                   with_cloud = wanted_.contains(kCloud), items = view(world_, mount_.o_t_c)] {
     const Measurement picture = measure(rasterize(items, intrinsics_), seed);
     services::PacketPtr frame, cloud;
     if (with_frame) frame = to_frame(picture, intrinsics_, time);
     if (with_cloud) cloud = to_cloud(picture, intrinsics_, time);
     return [this, frame = std::move(frame), cloud = std::move(cloud)] {
       --under_way_;
-      if (frame && frame_wanted_) host_.publish(kFrame, frame);
-      if (cloud && cloud_wanted_) host_.publish(kCloud, cloud);
+      if (frame && wanted_.contains(kFrame)) host_.publish(kFrame, frame);
+      if (cloud && wanted_.contains(kCloud)) host_.publish(kCloud, cloud);
     };
   });
 }

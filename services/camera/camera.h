@@ -1,5 +1,5 @@
-// Camera: the service `camera` (thesis, appendix A: KinectDriver): colour and depth pictures of the world as a data
-// flow. Operations, the flow's format and limits: README.md.
+// Camera: the service `camera` (thesis, appendix A: KinectDriver): colour and depth pictures of the world, and their
+// points, as two data flows. Operations, the flows' formats and limits: README.md.
 //
 // Threads: its unit's, which is the world's: step() follows the world's step and notes what is to be seen. Pictures are
 // drawn on a thread of its own.
@@ -7,6 +7,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <set>
+#include <string>
 
 #include "services/camera/intrinsics.h"
 #include "services/component.h"
@@ -40,8 +42,8 @@ class Camera final : public services::Component {
   std::uint64_t seed_;
   std::uint64_t pictures_ = 0;  // taken so far
   int under_way_ = 0;
-  bool frame_wanted_ = false, cloud_wanted_ = false;
-  services::Time next_ = 0;  // picture
+  std::set<std::string, std::less<>> wanted_;  // flows that somebody listens to
+  services::Time next_ = 0;                    // picture
   std::unique_ptr<services::Worker> worker_;
 };
 

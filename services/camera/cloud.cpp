@@ -3,6 +3,8 @@
 #include <array>
 #include <cstring>
 
+#include "services/encodings.h"
+
 namespace race::camera {
 
 services::PacketPtr to_cloud(const Measurement& picture, const Intrinsics& k, services::Time time) {
@@ -19,8 +21,8 @@ services::PacketPtr to_cloud(const Measurement& picture, const Intrinsics& k, se
   }
   auto packet = std::make_shared<services::Packet>();
   packet->time = time;
-  packet->header =
-      Dict{{"points", static_cast<std::int64_t>(points.size())}, {"encoding", "xyz32f_m+rgb8"}, {"time", time}};
+  packet->header = Dict{
+      {"points", static_cast<std::int64_t>(points.size())}, {"encoding", services::kPointsAndColour}, {"time", time}};
   packet->header.freeze();
   static_assert(sizeof(Rgb) == 3 && sizeof(points[0]) == 12);
   packet->bytes.resize(points.size() * (12 + 3));

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "services/encodings.h"
+
 namespace race::recognition {
 namespace {
 
@@ -24,8 +26,8 @@ Expected<Frame> read_frame(const services::Packet& packet) {
   Frame frame;
   frame.time = packet.time;
   const Value* encoding = packet.header.find("encoding");
-  if (!encoding || *encoding != Value("depth16_mm+rgb8"))
-    return unexpected(ErrorCode::type, "expected depth16_mm+rgb8", "encoding");
+  if (!encoding || *encoding != Value(services::kDepthAndColour))
+    return unexpected(ErrorCode::type, "expected " + std::string(services::kDepthAndColour), "encoding");
   ASSIGN_OR_RETURN(const double width, number(packet.header, "width", 1, kLargest));
   ASSIGN_OR_RETURN(const double height, number(packet.header, "height", 1, kLargest));
   ASSIGN_OR_RETURN(frame.fx, number(packet.header, "fx", 1, 1e5));
