@@ -14,8 +14,8 @@ afterAll(() => stage?.close());
 
 const kSoon = { timeout: 20_000 };
 const edge = () => stage.page.locator('[data-flow="camera.frame:obj_rec"]');
-const opener = () => stage.page.getByRole("button", { name: "Show the picture of camera.frame" });
-const panel = () => stage.page.getByRole("region", { name: "Picture of camera.frame" });
+const opener = (flow = "frame") => stage.page.getByRole("button", { name: `Watch camera.${flow}` });
+const panel = (flow = "frame") => stage.page.getByRole("region", { name: `Packets of camera.${flow}` });
 const canvas = () => panel().locator("canvas");
 
 interface Published {
@@ -85,6 +85,18 @@ describe("data flows", () => {
     await stage.picture("flows-depth");
     await stage.page.keyboard.press("ArrowLeft");
     await expect.poll(async () => difference(colour, await pixels()), kSoon).toBeLessThan(0.1);
+  });
+
+  it("show of packets that are no pictures what they say, and offer neither colour nor depth", async () => {
+    const says = { frame: /depth and colour of 640x480 pixels/, cloud: /points that were measured/ };
+    for (const [flow, text] of Object.entries(says)) expect(await stage.page.locator(".data-flows li").filter({ has: opener(flow) }).innerText()).toMatch(text);
+    await opener("cloud").click();
+    await expect.poll(() => panel("cloud").getByLabel("Newest packet").innerText(), kSoon).toMatch(/points\s+\d{4,}[^]*encoding\s+'xyz32f_m\+rgb8'/);
+    expect(await panel("cloud").locator("canvas, input").count()).toBe(0);
+    await stage.picture("flows-cloud");
+    await opener().click();
+    await canvas().waitFor();
+    expect(await panel().getByRole("radio").count()).toBe(2);
   });
 
   it("go on with new pictures, and fit a window of 1280x800", async () => {

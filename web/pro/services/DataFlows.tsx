@@ -2,7 +2,7 @@
 import { useRef, useState } from "react";
 import type { Service } from "../../shared/messages/service";
 import { FlowFigure } from "./FlowFigure";
-import { FlowPicture } from "./FlowPicture";
+import { FlowWatch } from "./FlowWatch";
 
 export function DataFlows({ services }: { readonly services: readonly Service[] }) {
   const [watched, setWatched] = useState<string>();
@@ -32,23 +32,24 @@ export function DataFlows({ services }: { readonly services: readonly Service[] 
           {offered.map(({ service, published, name }) => (
             <li key={name}>
               <code>{name}</code>
+              <span className="quiet flow-says">{service.rsm.flows[published.flow]}</span>
               <span className="quiet">{published.rate_hz > 0 ? `${published.rate_hz.toFixed(1)} packets/s` : service.available ? "idle" : "unavailable"}</span>
               <button
                 className="flow-open"
                 aria-pressed={watched === name}
-                aria-label={`Show the picture of ${name}`}
+                aria-label={`Watch ${name}`}
                 onClick={(event) => {
                   opener.current = event.currentTarget;
                   setWatched(watched === name ? undefined : name);
                 }}
               >
-                Show the picture
+                Watch
               </button>
             </li>
           ))}
         </ul>
       </div>
-      {shown !== undefined && <FlowPicture key={shown.name} service={shown.service.key} published={shown.published} onClose={close} />}
+      {shown !== undefined && <FlowWatch key={shown.name} service={shown.service.key} published={shown.published} onClose={close} />}
     </section>
   );
 }

@@ -1,5 +1,5 @@
 // Packets of data flows between services (api/schemas: packet).
-import { number, object, present, string, type Decoder } from "../json/decode";
+import { json, number, object, present, string, type Decoder, type JsonValue } from "../json/decode";
 
 /** What a camera saw, as small as a page needs it; both in base64, by rows from the top left. */
 export interface Picture {
@@ -15,6 +15,9 @@ export interface Picture {
 export interface Packet {
   /** What it shows was so then [s]. */
   readonly time: number;
+  /** What the packet says of itself; what that means is the flow's own. */
+  readonly header: JsonValue;
+  /** Of a packet in a camera's encoding. */
   readonly picture?: Picture;
 }
 
@@ -25,4 +28,6 @@ const picture: Decoder<Picture> = object((f) => ({
   colour: f.need("colour", string),
 }));
 
-export const packet: Decoder<Packet> = object((f) => present<Packet>({ time: f.need("time", number), picture: f.maybe("picture", picture) }));
+export const packet: Decoder<Packet> = object((f) =>
+  present<Packet>({ time: f.need("time", number), header: f.need("header", json), picture: f.maybe("picture", picture) }),
+);

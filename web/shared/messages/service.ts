@@ -23,6 +23,8 @@ export interface Rsm {
   readonly states: readonly { readonly name: string; readonly events: readonly string[] }[];
   readonly init?: string;
   readonly transitions: readonly RsmTransition[];
+  /** Data flows that it offers, each with what its packets are, in words; a service need not say. */
+  readonly flows: Readonly<Record<string, string>>;
 }
 
 export interface PendingCall {
@@ -88,6 +90,14 @@ const transition: Decoder<RsmTransition> = object((f) =>
   }),
 );
 
+/** `meta` may be anything; only flows described in words count. */
+const flowsOfMeta: Decoder<Rsm["flows"]> = (value) => {
+  if (typeof value !== "object" || value === null || !("flows" in value)) return {};
+  const { flows } = value;
+  if (typeof flows !== "object" || flows === null) return {};
+  return Object.fromEntries(Object.entries(flows).filter((entry): entry is [string, string] => typeof entry[1] === "string"));
+};
+
 export const rsm: Decoder<Rsm> = object((f) =>
   present<Rsm>({
     name: f.need("name", string),
@@ -107,6 +117,7 @@ export const rsm: Decoder<Rsm> = object((f) =>
     states: f.or("states", array(object((s) => ({ name: s.need("name", string), events: s.or("events", array(string), []) }))), []),
     init: f.maybe("init", string),
     transitions: f.or("transitions", array(transition), []),
+    flows: f.or("meta", flowsOfMeta, {}),
   }),
 );
 

@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { rsm } from "../../shared/messages/service";
 import { streamMessage } from "../../shared/messages/stream";
 import { reconnectDelay, resubscriptions } from "../../shared/stream";
 
@@ -24,6 +25,17 @@ describe("streamMessage", () => {
         content: { display: "left", question: { kind: "number", id: 3, text: "How wide?", number } },
       });
     expect(() => message("display/left", "delta", { display: "left", question: { id: 3, text: "Go?" } })).toThrow("/data/question/buttons");
+  });
+  it("reads of a packet what it says of itself, and a picture only where there is one", () => {
+    const cloud = { time: 1.5, header: { points: 3, encoding: "xyz32f_m+rgb8" } };
+    expect(message("flow/camera/cloud", "delta", cloud).news).toEqual({ type: "packet", channel: "flow/camera/cloud", packet: cloud });
+    const picture = { width: 1, height: 1, depth: "AAA=", colour: "AAAA" };
+    expect(message("flow/camera/frame", "delta", { ...cloud, picture }).news).toMatchObject({ packet: { picture } });
+  });
+  it("reads what a service says of its flows, in words; other `meta` is its own affair", () => {
+    const flows = (meta: unknown) => rsm({ name: "camera", operations: [], events: [], meta }, "").flows;
+    expect(flows({ flows: { frame: "pictures", cloud: 3 } })).toEqual({ frame: "pictures" });
+    for (const other of [undefined, 3, "flows", { flows: "all" }, []]) expect(flows(other)).toEqual({});
   });
   it("refuses a channel that the contract does not have", () => {
     expect(() => message("weather", "snapshot", {})).toThrow("/channel");

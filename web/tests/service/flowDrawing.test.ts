@@ -8,7 +8,7 @@ const elk = new ELK();
 const engine: LayoutEngine = async (graph) => (await elk.layout(graph as Parameters<typeof elk.layout>[0])) as ElkGraph;
 
 function service(key: string, publishes: readonly Published[], subscribes: readonly Subscribed[]): Service {
-  const rsm = { name: key, operations: [], events: [], states: [], transitions: [] };
+  const rsm = { name: key, operations: [], events: [], states: [], transitions: [], flows: {} };
   return { key, type: key, state: null, available: true, pending: [], violations: [], publishes, subscribes, rsm };
 }
 

@@ -40,7 +40,7 @@ describe("session", () => {
     expect([other.run, other.steps.length, other.model]).toEqual([undefined, 0, undefined]);
   });
   it("merges what changed of a service and keeps its model", () => {
-    const rsm = { name: "robot", operations: [], events: [], states: [], transitions: [] };
+    const rsm = { name: "robot", operations: [], events: [], states: [], transitions: [], flows: {} };
     const idle = { key: "robot", type: "robot", state: "Idle", available: true, pending: [], violations: [], publishes: [], subscribes: [], rsm };
     const known = hear(running, { type: "services", services: [idle] });
     const moved = hear(known, { type: "services_changed", services: [{ key: "robot", state: "Moving", available: true, pending: [], violations: [], publishes: [], subscribes: [] }] });
