@@ -4,28 +4,13 @@ import json
 import math
 import unittest
 
-from client import PROJECT, Server, check
+from cell import BODIES, DATABASE, DEMO, DOCUMENT, FALSE, NAMES, O_T_C, TAUGHT
+from client import Server, check
+from geometry import angle, moved, tilt
 from test_commands import race
 
-DEMO = PROJECT / "deploy/demo"
 SCRIPT = DEMO / "operator.json"
-DATABASE = json.loads((DEMO / "database.json").read_text())
-SCENE = json.loads((DEMO / "scene.json").read_text())
-BODIES = {body["name"]: body["pose"] for body in SCENE["bodies"]}
-NAMES = {"Tape": "can_yellow", "Block": "block_green", "Box": "cube_blue", "Cube": "cube_red", "Bar": "bar_violet"}
-FALSE = "fake_yellow"
 WORK = "Demonstrator/Table/Work/"
-
-
-def degrees(a, b):
-    """Between two orientations."""
-    return math.degrees(2 * math.acos(min(1, abs(sum(x * y for x, y in zip(a, b))))))
-
-
-def tilt(orientation):
-    """Degrees between the body's z and the world's."""
-    x, y, _, _ = orientation
-    return math.degrees(math.acos(max(-1, 1 - 2 * (x * x + y * y))))
 
 
 @functools.cache
@@ -40,9 +25,8 @@ class Demonstrated(unittest.TestCase):
     """What holds of every unattended run, wherever it was."""
 
     def calibrated(self, results):
-        truth = SCENE["camera"]["pose"]
-        self.assertLess(math.dist(results["o_t_c"]["position"], truth["position"]), 0.005)
-        self.assertLess(degrees(results["o_t_c"]["orientation"], truth["orientation"]), 1)
+        self.assertLess(math.dist(results["o_t_c"]["position"], O_T_C["position"]), 0.005)
+        self.assertLess(angle(results["o_t_c"]["orientation"], O_T_C["orientation"]), 1)
 
     def placed(self, results, bodies):
         """All five stand in the world where they belong: the taught one where the task was shown. The false part was not touched."""
@@ -54,7 +38,7 @@ class Demonstrated(unittest.TestCase):
             self.assertLess(tilt(is_at["orientation"]), 3, label)
             area = DATABASE["place_area"]
             self.assertTrue(all(low < at < high for low, at, high in zip(area["min"], is_at["position"], area["max"])), label)
-        self.assertLess(math.dist(bodies[FALSE]["position"], BODIES[FALSE]["position"]), 0.001)
+        self.assertLess(math.dist(bodies[FALSE]["position"], BODIES[FALSE]["pose"]["position"]), 0.001)
 
 
 class Headless(Demonstrated):
@@ -90,9 +74,8 @@ class Headless(Demonstrated):
         self.assertEqual([way.split("/")[-1] for way in ways], ["Display.success", "Haptic.success", "Display.success"])
 
     def test_the_place_that_is_missing_is_taught_once(self):
-        missing = next(label for label in NAMES if f"o_t_place_{label}" not in DATABASE)
         added = [c["args"][0] for r in self.reports for c in r.get("calls", []) if (c["service"], c["operation"]) == ("db", "add")]
-        self.assertEqual([key for key in added if key.startswith("o_t_place")], [f"o_t_place_{missing}"])
+        self.assertEqual([key for key in added if key.startswith("o_t_place")], [f"o_t_place_{TAUGHT}"])
 
     def test_what_is_told_by_recognition_is_never_the_false_part(self):
         """Nothing that it ever saw lies where the false part does."""
@@ -102,22 +85,14 @@ class Headless(Demonstrated):
         self.assertEqual({thing["label"] for thing in seen}, set(NAMES))
         camera = self.last["results"]["o_t_c"]
         for thing in seen:
-            at = [a + b for a, b in zip(camera["position"], turned(camera["orientation"], thing["pose"]["position"]))]
-            self.assertGreater(math.dist(at, BODIES[FALSE]["position"]), 0.05, thing)
-
-
-def turned(orientation, v):
-    """The vector, turned by a quaternion."""
-    q, w = orientation[:3], orientation[3]
-    cross = lambda a, b: [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-    t = [2 * x for x in cross(q, v)]
-    return [x + w * y + z for x, y, z in zip(v, t, cross(q, t))]
+            at = moved(camera, thing["pose"]["position"])
+            self.assertGreater(math.dist(at, BODIES[FALSE]["pose"]["position"]), 0.05, thing)
 
 
 class OnTheServer(Demonstrated):
     def test_it_does_the_same_in_real_time(self):
         with Server("--demo", str(DEMO), "--operator", str(SCRIPT)) as server:
-            core = server.core(json.loads((DEMO / "demonstrator.rcm.json").read_text()))
+            core = server.core(DOCUMENT)
             ended = server.ended(core, patience=300)
             with server.stream() as stream:
                 stream.subscribe("cell/pose")

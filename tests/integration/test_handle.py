@@ -8,15 +8,10 @@ import unittest
 from pathlib import Path
 
 import models
-from client import PROGRAM, PROJECT, check
+from cell import BODIES, DATABASE, DEMO, DOCUMENT, NAMES, O_T_C, TAUGHT
+from client import PROGRAM, check
 
-DEMO = PROJECT / "deploy/demo"
-LIBRARY = json.loads((DEMO / "demonstrator.rcm.json").read_text())["library"]
-DATABASE = json.loads((DEMO / "database.json").read_text())
-SCENE = json.loads((DEMO / "scene.json").read_text())
-BODIES, CAMERA = {b["name"]: b for b in SCENE["bodies"]}, SCENE["camera"]["pose"]
-NAMES = {"Tape": "can_yellow", "Block": "block_green", "Box": "cube_blue", "Cube": "cube_red", "Bar": "bar_violet"}
-TAUGHT = next(label for label in NAMES if f"o_t_place_{label}" not in DATABASE)
+LIBRARY = DOCUMENT["library"]
 APPROACH, GRASP = "Root/Work/Task/Pick/Approach/Across", "Root/Work/Task/Pick/Grasp"
 CARRY = "Root/Work/Task/Place/SetDown/Approach/Across"
 QUESTION = {"display": {"text": "What is to be done?"}, "after": 0.2}
@@ -258,8 +253,7 @@ class Shown(unittest.TestCase):
                  "do": [{"act": "place", "part": NAMES["Cube"], "pose": {"position": [0.5, 0.0, 0.02], "orientation": [0, 0, 0, 1]}},
                         {"act": "answer", "button": "Cube"}]},
                 *lead("Demonstrator/Table/ShowPart/TeachPose", [0, 0, -0.293])]
-        out = run(json.loads((DEMO / "demonstrator.rcm.json").read_text()), *acts, arguments={"begin": "Table"},
-                  database={**DATABASE, "o_t_c": CAMERA})
+        out = run(DOCUMENT, *acts, arguments={"begin": "Table"}, database={**DATABASE, "o_t_c": O_T_C})
         self.assertEqual(out.name, "success")
         self.assertIn("Demonstrator/Table/SearchObject.by_hand", out.fired)
         self.assertEqual([part["label"] for part in out.results["placed"]], ["Cube"])

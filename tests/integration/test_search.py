@@ -7,33 +7,12 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from client import PROJECT, check
+from cell import BODIES, DEMO, DOCUMENT, NAMES, O_T_C, OPERATOR, SCENE
+from client import check
+from geometry import angle, turned
 from test_commands import race
 
-DEMO = PROJECT / "deploy/demo"
-DOCUMENT = json.loads((DEMO / "demonstrator.rcm.json").read_text())
-OPERATOR = json.loads((DEMO / "operator.json").read_text())
-SCENE = json.loads((DEMO / "scene.json").read_text())
-O_T_C = SCENE["camera"]["pose"]
-BODIES = {"Cube": "cube_red", "Box": "cube_blue", "Block": "block_green", "Tape": "can_yellow", "Bar": "bar_violet"}
 HANDS = [{"act": "grab", "hand": "hand", "body": "gripper", "point": [0, 0, 0.05], "damping": 60}]
-
-
-def body(label):
-    return next(b for b in SCENE["bodies"] if b["name"] == BODIES[label])
-
-
-def angle(a, b):
-    """Degrees between two orientations."""
-    return math.degrees(2 * math.acos(min(1, abs(sum(x * y for x, y in zip(a, b))))))
-
-
-def turned(orientation, v):
-    """The vector, turned by a quaternion."""
-    q, w = orientation[:3], orientation[3]
-    cross = lambda a, b: [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-    t = [2 * x for x in cross(q, v)]
-    return [x + w * y + z for x, y, z in zip(v, t, cross(q, t))]
 
 
 class Outcome:
@@ -195,9 +174,9 @@ class Gesture(unittest.TestCase):
 
 class Search(unittest.TestCase):
     def test_by_eye_finds_every_part_where_the_scene_has_it(self):
-        for label in BODIES:
+        for label in NAMES:
             outcome = run("SearchObject", labels=[label])
-            results, there = outcome.results, body(label)["pose"]
+            results, there = outcome.results, BODIES[NAMES[label]]["pose"]
             self.assertEqual((outcome.name, results["label"]), ("success", label))
             self.assertLess(math.dist(results["o_t_x"]["position"], there["position"]), 0.005, label)
             # It is grasped from above, there, across its side x (of cubes: any side; of the Tape: from any side).
@@ -212,12 +191,12 @@ class Search(unittest.TestCase):
             self.assertGreater(outcome.results["confidence"], 0.6)
 
     def test_never_finds_the_false_part(self):
-        outcome = run("SearchObject", [take(*BODIES.values())])
+        outcome = run("SearchObject", [take(*NAMES.values())])
         self.assertEqual(outcome.name, "clear")  # the false one is still there
         self.assertEqual((outcome.results, outcome.called("db", "add")), ({}, []))
 
     def test_what_has_been_placed_or_lies_elsewhere_does_not_count(self):
-        x, y, _ = body("Box")["pose"]["position"]
+        x, y, _ = BODIES[NAMES["Box"]]["pose"]["position"]
         around = {"min": [x - 0.05, y - 0.05], "max": [x + 0.05, y + 0.05]}
         beside = {"min": [x + 0.05, -0.55], "max": [0.95, 0.55]}
         self.assertEqual(run("SearchObject", labels=["Box"], placed=[around]).name, "clear")
