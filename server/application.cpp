@@ -31,7 +31,8 @@ Checked<std::unique_ptr<Application>> Application::create(const Setup& setup) {
   app->flows_ = std::make_unique<FlowChannels>(app->cell_->host(), *app->hub_, *app->stream_pool_);
   app->pool_ = std::make_unique<Pool>(2);
   app->cores_ = std::make_unique<Cores>(*app->pool_, app->cell_->host(), *app);
-  app->cell_->on_pose([self = app.get()](Value pose) { self->hub_->publish_delta("cell/pose", std::move(pose)); });
+  if (CellWorld* world = app->cell_->world())
+    world->on_pose([self = app.get()](Value pose) { self->hub_->publish_delta("cell/pose", std::move(pose)); });
   if (setup.script)
     if (auto added = app->add_operator(*setup.script); !added) return tl::unexpected(std::move(added).error());
   app->cell_->start_real_time();
@@ -39,11 +40,12 @@ Checked<std::unique_ptr<Application>> Application::create(const Setup& setup) {
 }
 
 Checked<void> Application::add_operator(const OperatorScript& script) {
-  if (!cell_->has_world())
+  CellWorld* world = cell_->world();
+  if (!world)
     return tl::unexpected(std::vector<Error>{{ErrorCode::not_found, "an operator script needs a cell with a world"}});
-  if (auto errors = check_bodies(script, cell_->world()); !errors.empty()) return tl::unexpected(std::move(errors));
+  if (auto errors = check_bodies(script, *world); !errors.empty()) return tl::unexpected(std::move(errors));
   operator_ = std::make_unique<Operator>(script, screens_, [this](const std::string& text) { log("operator", text); });
-  cell_->before_step([this] { operator_->step(cell_->clock().now(), *cell_->person()); });
+  cell_->before_step([this, world] { operator_->step(cell_->clock().now(), *world); });
   return {};
 }
 
@@ -58,7 +60,8 @@ std::optional<Source> Application::find_channel(const std::string& name) {
   if (name == "cores") return Source{false, [this] { hub_->publish_snapshot("cores", cores_json()); }, {}};
   if (name == "services") return Source{false, [this] { hub_->publish_snapshot("services", services_json()); }, {}};
   if (name == "log") return Source{false, [this] { publish_log(); }, {}};
-  if (name == "cell/pose" && cell_->has_world()) return Source{true, {}, [this](bool on) { cell_->watch_pose(on); }};
+  if (CellWorld* world = cell_->world(); world && name == "cell/pose")
+    return Source{true, {}, [world](bool on) { world->watch_pose(on); }};
   if (auto display = displays_->find_channel(name)) return display;
   if (auto flow = flows_->find_channel(name)) return flow;
   constexpr std::string_view kCore = "core/";

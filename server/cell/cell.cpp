@@ -5,9 +5,7 @@
 #include <filesystem>
 #include <future>
 
-#include "server/cell/scene_json.h"
 #include "server/cell/units.h"
-#include "server/store/read_file.h"
 #include "services/camera/camera.h"
 #include "services/database/database.h"
 #include "services/gripper/gripper.h"
@@ -54,24 +52,22 @@ Expected<void> Cell::add_remotes(const CellSetup& setup) {
 }
 
 Expected<void> Cell::add_world(const std::string& scene_path, std::uint64_t seed) {
-  ASSIGN_OR_RETURN(world_, world::World::load(scene_path));
-  person_ = std::make_unique<world::Person>(*world_);
-  scene_ = scene_json(*world_);
-  const std::string& urdf = world_->scene().robot.urdf;
-  urdf_name_ = fs::path(urdf).filename();
-  ASSIGN_OR_RETURN(urdf_, read_file(urdf));
+  ASSIGN_OR_RETURN(auto inside, InsideWorld::load(scene_path));
+  inside_ = inside.get();
+  world_ = std::move(inside);
+  world::World& world = inside_->world();
   auto& robot_host = host_.declare("robot", "robot", unit_);
-  ASSIGN_OR_RETURN(auto robot, robot::Robot::create(robot_host, *world_, static_cast<unsigned>(seed)));
+  ASSIGN_OR_RETURN(auto robot, robot::Robot::create(robot_host, world, static_cast<unsigned>(seed)));
   host_.attach("robot", std::move(robot));
   auto& gripper_host = host_.declare("gripper", "gripper", unit_);
-  host_.attach("gripper", std::make_unique<gripper::Gripper>(gripper_host, *world_));
+  host_.attach("gripper", std::make_unique<gripper::Gripper>(gripper_host, world));
   return {};
 }
 
 Expected<void> Cell::add_sight(const CellSetup& setup) {
-  if (!world_->scene().camera) return {};
+  if (!inside_->world().scene().camera) return {};
   auto& camera_host = host_.declare("camera", "KinectDriver", unit_);
-  host_.attach("camera", std::make_unique<camera::Camera>(camera_host, *world_, setup.seed));
+  host_.attach("camera", std::make_unique<camera::Camera>(camera_host, inside_->world(), setup.seed));
   const fs::path parts_path = fs::path(setup.folder) / "parts.json";
   const bool elsewhere = std::ranges::find(setup.remote, "recognition") != setup.remote.end();
   if (elsewhere || !fs::exists(parts_path)) return {};
@@ -94,22 +90,25 @@ Cell::~Cell() { stop(); }
 void Cell::step() {
   unit_.run();
   if (before_step_) before_step_();
-  if (person_) person_->step();
-  if (world_) world_->step();
+  if (inside_) inside_->step();
   clock_.set(static_cast<double>(++steps_) * kStep);
   host_.advance(waits_);
   unit_.run();
   host_.step(unit_);
   remotes_->step();
-  constexpr std::int64_t kStepsPerPose = 33;
-  if (pose_watched_ && steps_ % kStepsPerPose == 0) publish_pose();
+  if (inside_) inside_->show(clock_.now());
 }
 
-bool Cell::on_unit(std::function<void()> work) {
-  auto task = std::make_shared<std::packaged_task<void()>>(std::move(work));
-  auto done = task->get_future();
-  unit_.post([task] { (*task)(); });
-  return done.wait_for(std::chrono::seconds(5)) == std::future_status::ready;
+Expected<Value> Cell::act(const std::optional<PersonAct>& act) {
+  // Held by the work, which may come later than anybody waits.
+  const auto answer = std::make_shared<std::promise<Expected<Value>>>();
+  auto answered = answer->get_future();
+  unit_.post([this, act, answer] {
+    world_->act(act, [answer](Expected<Value> person) { answer->set_value(std::move(person)); });
+  });
+  if (answered.wait_for(std::chrono::seconds(5)) != std::future_status::ready)
+    return unexpected(ErrorCode::unavailable, "the cell does not answer");
+  return answered.get();
 }
 
 void Cell::start_real_time() {
@@ -131,17 +130,6 @@ void Cell::stop() {
   database_unit_.reset();
   remotes_->stop();
   host_.stop();
-}
-
-void Cell::publish_pose() {
-  if (!world_ || !publish_pose_) return;
-  Value pose = pose_json(*world_, *person_, clock_.now());
-  publish_pose_(std::move(pose.freeze()));
-}
-
-std::optional<std::string> Cell::file(const std::string& name) const {
-  if (!world_ || name != urdf_name_) return std::nullopt;
-  return urdf_;
 }
 
 }  // namespace race::server

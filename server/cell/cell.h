@@ -13,10 +13,9 @@
 
 #include "core/value/expected.h"
 #include "core/value/value.h"
+#include "server/cell/inside_world.h"
 #include "services/host.h"
 #include "services/remote/remotes.h"
-#include "services/world/person.h"
-#include "services/world/world.h"
 
 namespace race::server {
 
@@ -56,15 +55,13 @@ class Cell {
   /// The services whose components live in other processes.
   remote::Remotes& remotes() { return *remotes_; }
   const services::Clock& clock() const { return clock_; }
-  bool has_world() const { return world_ != nullptr; }
-
-  /// Whoever stands at the cell; none without a world. On the unit's thread.
-  world::Person* person() { return person_.get(); }
-  /// Requires has_world(). On the unit's thread.
-  const world::World& world() const { return *world_; }
-  /// Does `work` on the unit's thread and waits for it, five seconds at most; whether it was done. Else it may still be
-  /// done later, so it holds what it needs. Not to be called on that thread; only after start_real_time().
-  bool on_unit(std::function<void()> work);
+  /// The world of the cell; none: it has no scene.
+  CellWorld* world() { return world_.get(); }
+  /// The world, if it is in this process.
+  const InsideWorld* inside() const { return inside_; }
+  /// CellWorld::act(), on any thread but the unit's: waits for it, five seconds at most; it may still be done later.
+  /// Only with a world, and after start_real_time(). Errors: `unavailable`, those of the act.
+  Expected<Value> act(const std::optional<PersonAct>& act);
   /// Called at the beginning of each step(), on the unit's thread. To be set before the first step.
   void before_step(std::function<void()> work) { before_step_ = std::move(work); }
 
@@ -78,37 +75,24 @@ class Cell {
   /// The units end; nothing is called on a service afterwards.
   void stop();
 
-  /// `publish` gets poses (schemas/cell_pose.json, frozen) at 30 Hz of world time, on the unit's thread, while watched.
-  void on_pose(std::function<void(Value)> publish) { publish_pose_ = std::move(publish); }
-  void watch_pose(bool on) { pose_watched_ = on; }
-
-  /// schemas/scene.json, frozen; null without a world.
-  const Value& scene() const { return scene_; }
-  /// The text of the URDF file that the scene names; nothing for another name.
-  std::optional<std::string> file(const std::string& name) const;
-
  private:
   explicit Cell(services::HostObserver& observer) : host_(clock_, observer) {}
   Expected<void> add_remotes(const CellSetup& setup);
   Expected<void> add_world(const std::string& scene_path, std::uint64_t seed);
   Expected<void> add_sight(const CellSetup& setup);
   Expected<void> add_database(const CellSetup& setup);
-  void publish_pose();
 
   services::WorldClock clock_;
   services::WorkQueue unit_;
   std::unique_ptr<services::WorkThread> database_unit_;
-  std::unique_ptr<world::World> world_;
-  std::unique_ptr<world::Person> person_;
+  std::unique_ptr<CellWorld> world_;
+  InsideWorld* inside_ = nullptr;  // that world_ is
   services::Host host_;
   std::unique_ptr<remote::Remotes> remotes_;
   std::int64_t steps_ = 0;
   bool waits_ = false;  // for answers that are due
-  Value scene_;
-  std::string urdf_name_, urdf_;
   std::function<void()> before_step_;
-  std::function<void(Value)> publish_pose_;
-  std::atomic<bool> pose_watched_{false}, stop_{false};
+  std::atomic<bool> stop_{false};
   std::thread thread_;
 };
 

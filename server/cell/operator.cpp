@@ -166,7 +166,7 @@ bool Operator::due(Waiting& waiting, services::Time now) const {
   return waiting.met && now - *waiting.met >= when.after - kSlack;
 }
 
-void Operator::step(services::Time now, world::Person& person) {
+void Operator::step(services::Time now, CellWorld& world) {
   const std::lock_guard lock(mutex_);
   if (std::exchange(begins_, false)) {
     running_ = true;
@@ -185,7 +185,7 @@ void Operator::step(services::Time now, world::Person& person) {
   }
   for (Waiting& waiting : waiting_) {
     if (!script_.acts[waiting.act].always || !due(waiting, now)) continue;
-    act(waiting, person);
+    act(waiting, world);
     Waiting again = wait_for(waiting.act, now, true);
     again.display = waiting.display;
     again.shown = waiting.shown;
@@ -193,21 +193,23 @@ void Operator::step(services::Time now, world::Person& person) {
   }
   // Acts that wait for nothing more are done in the same step.
   while (!waiting_.empty() && !script_.acts[waiting_.back().act].always && due(waiting_.back(), now)) {
-    act(waiting_.back(), person);
+    act(waiting_.back(), world);
     next(now);
   }
 }
 
-void Operator::act(const Waiting& waiting, world::Person& person) {
+void Operator::act(const Waiting& waiting, CellWorld& world) {
   const ScriptedAct& scripted = script_.acts[waiting.act];
   const std::string name = "acts/" + std::to_string(waiting.act) + (scripted.doc.empty() ? "" : ": " + scripted.doc);
   log_(name);
   for (const auto& each : scripted.acts) {
     if (const auto* by_display = std::get_if<AnswerAct>(&each)) {
       answer(*by_display, waiting);
-    } else if (auto done = perform(std::get<PersonAct>(each), person); !done) {
-      log_(name + ": refused: " + to_string(done.error()));
+      continue;
     }
+    world.act(std::get<PersonAct>(each), [log = log_, name](const Expected<Value>& done) {
+      if (!done) log(name + ": refused: " + to_string(done.error()));
+    });
   }
 }
 

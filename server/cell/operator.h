@@ -11,6 +11,7 @@
 #include <set>
 #include <string>
 
+#include "server/cell/cell_world.h"
 #include "server/cell/operator_script.h"
 #include "services/clock.h"
 #include "services/display/screens.h"
@@ -23,7 +24,7 @@ class Operator {
   static constexpr double kLook = 0.02;   // s between two looks at the displays
   static constexpr double kListen = 0.5;  // s until a sound counts as heard
 
-  /// A line for people: what was done, or why not.
+  /// A line for people: what was done, or why not. Called on any thread, as a world elsewhere answers on its own.
   using Log = std::function<void(const std::string& text)>;
 
   /// `screens` outlives the operator.
@@ -42,7 +43,7 @@ class Operator {
   void happened(const services::Delivery& event);
 
   /// Acts as of `now`. Before each step of the world.
-  void step(services::Time now, world::Person& person);
+  void step(services::Time now, CellWorld& world);
 
  private:
   /// An act of the script whose turn it is.
@@ -63,7 +64,7 @@ class Operator {
   void look(Waiting& waiting, const display::Content& content);
   void hear(services::Time now);
   bool due(Waiting& waiting, services::Time now) const;
-  void act(const Waiting& waiting, world::Person& person);
+  void act(const Waiting& waiting, CellWorld& world);
   void answer(const AnswerAct& act, const Waiting& waiting);
 
   const OperatorScript script_;

@@ -158,13 +158,13 @@ Checked<OperatorScript> read_operator_file(const std::string& path) {
   return read_operator_script(*document);
 }
 
-std::vector<Error> check_bodies(const OperatorScript& script, const world::World& world) {
+std::vector<Error> check_bodies(const OperatorScript& script, const CellWorld& world) {
   std::vector<Error> errors;
   for (std::size_t i = 0; i < script.acts.size(); ++i)
     for (const auto& act : script.acts[i].acts) {
       const auto* person = std::get_if<PersonAct>(&act);
       const std::string* body = person ? body_of(*person) : nullptr;
-      if (body && !world.has(*body))
+      if (body && !world.may_have(*body))
         errors.push_back({ErrorCode::not_found, "there is no link or part `" + *body + "`", at("acts", i)});
     }
   return errors;

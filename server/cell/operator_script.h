@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "server/cell/cell_world.h"
 #include "server/cell/person_act.h"
 
 namespace race::server {
@@ -58,7 +59,7 @@ struct OperatorScript {
 Checked<OperatorScript> read_operator_script(const Value& document);
 Checked<OperatorScript> read_operator_file(const std::string& path);
 
-/// What the script names that the world does not have.
-std::vector<Error> check_bodies(const OperatorScript& script, const world::World& world);
+/// What the script names that the world does not have for sure.
+std::vector<Error> check_bodies(const OperatorScript& script, const CellWorld& world);
 
 }  // namespace race::server

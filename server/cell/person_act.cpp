@@ -158,6 +158,15 @@ PersonAct read_person_act(Fields& fields, double keep) {
   return act;
 }
 
+Checked<PersonAct> read_person_act(const Value& json, double keep) {
+  std::vector<Error> errors;
+  Fields fields(json, "", "the act", errors);
+  PersonAct act = read_person_act(fields, keep);
+  fields.close();
+  if (!errors.empty()) return tl::unexpected(std::move(errors));
+  return act;
+}
+
 Expected<void> perform(const PersonAct& act, world::Person& person) {
   return std::visit(Performer{person, act.keep}, act.what);
 }

@@ -40,6 +40,8 @@ inline constexpr double kClientPatience = 0.5;
 /// Reads the fields of an act; violations go to the fields' list. `keep`: what an act without that field has. The
 /// caller closes the fields.
 PersonAct read_person_act(Fields& fields, double keep);
+/// Reads a whole act; lists all violations.
+Checked<PersonAct> read_person_act(const Value& json, double keep);
 
 /// Does it; on the thread of the world. Errors: those of Person, with the field as path.
 Expected<void> perform(const PersonAct& act, world::Person& person);

@@ -5,7 +5,6 @@
 #include <thread>
 
 #include "core/rcm/translate.h"
-#include "server/cell/scene_json.h"
 #include "server/execution/replay.h"
 #include "server/execution/why.h"
 
@@ -25,7 +24,7 @@ Dict summary(const Run& run, Cell& cell) {
   out.set("results", root_results(run));
   out.set("time", cell.clock().now());
   out.set("steps", integer(run.position()));
-  if (cell.has_world()) out.set("cell", pose_json(cell.world(), *cell.person(), cell.clock().now()));
+  if (const InsideWorld* world = cell.inside()) out.set("cell", world->pose(cell.clock().now()));
   return out;
 }
 
@@ -40,15 +39,16 @@ Checked<Status> Headless::run(const rcm::Document& document, Dict arguments, con
   auto cell = Cell::create(of_cell, observer);
   if (!cell) return fail(std::move(cell).error());
   if (setup.script) {
-    if (!(*cell)->has_world())
+    CellWorld* world = (*cell)->world();
+    if (!world)
       return fail({ErrorCode::not_found, "an operator script needs a cell with a world", "--operator"});
-    if (auto errors = check_bodies(*setup.script, (*cell)->world()); !errors.empty())
+    if (auto errors = check_bodies(*setup.script, *world); !errors.empty())
       return tl::unexpected(std::move(errors));
     observer.operator_ = std::make_unique<Operator>(*setup.script, *setup.screens, [&](const std::string& text) {
       observer.logged((*cell)->clock().now(), "operator", text);
     });
     observer.operator_->begin();
-    (*cell)->before_step([&] { observer.operator_->step((*cell)->clock().now(), *(*cell)->person()); });
+    (*cell)->before_step([&, world] { observer.operator_->step((*cell)->clock().now(), *world); });
   }
   auto native = rcm::translate(document);
   if (!native) return tl::unexpected(std::move(native).error());

@@ -16,6 +16,11 @@ Checked<std::shared_ptr<Core>> core_of(const Request& request, Application& app)
   return std::move(*core);
 }
 
+Checked<CellWorld*> world_of(Application& app) {
+  if (CellWorld* world = app.cell().world()) return world;
+  return failed({ErrorCode::not_found, "there is no world here: the server has no cell"});
+}
+
 Handled answer(Expected<Value> value) {
   if (!value) return failed(std::move(value).error());
   return ok(std::move(*value));

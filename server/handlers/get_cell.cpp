@@ -4,10 +4,9 @@
 namespace race::server {
 
 Handled get_cell(const Request&, Application& app) {
-  if (!app.cell().has_world())
-    return failed({ErrorCode::not_found,
-                   "there is no world here: the server has no cell, or the cell is in a process of its own"});
-  return ok(app.cell().scene());
+  const auto world = world_of(app);
+  if (!world) return tl::unexpected(world.error());
+  return answer((*world)->scene());
 }
 
 }  // namespace race::server

@@ -4,8 +4,10 @@
 namespace race::server {
 
 Handled get_cell_file(const Request& request, Application& app) {
-  auto text = app.cell().file(request.parameters.at("file"));
-  if (!text) return failed({ErrorCode::not_found, "the scene names no such file", request.parameters.at("file")});
+  const auto world = world_of(app);
+  if (!world) return tl::unexpected(world.error());
+  auto text = (*world)->file(request.parameters.at("file"));
+  if (!text) return failed(std::move(text).error());
   Reply reply;
   reply.text = std::move(*text);
   reply.type = "application/xml";

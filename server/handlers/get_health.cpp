@@ -13,7 +13,7 @@ Handled get_health(const Request&, Application& app) {
                  {"documents", count(documents->size())},
                  {"cores", count(app.cores().all().size())},
                  {"services", count(app.cell().host().services().size())},
-                 {"cell", app.cell().has_world()}});
+                 {"cell", app.cell().world() != nullptr}});
 }
 
 }  // namespace race::server

@@ -47,7 +47,9 @@ Reply ok(Value body);
 tl::unexpected<std::vector<Error>> failed(Error error);
 /// The core of the route's `id`, or `not_found`.
 Checked<std::shared_ptr<Core>> core_of(const Request& request, Application& app);
-/// The answer of a core, or its error.
+/// The world of the cell, or `not_found`.
+Checked<CellWorld*> world_of(Application& app);
+/// The answer of a core or the cell, or its error.
 Handled answer(Expected<Value> value);
 
 }  // namespace race::server
