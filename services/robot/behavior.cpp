@@ -1,6 +1,7 @@
 #include "services/robot/behavior.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 namespace race::robot {
@@ -32,6 +33,15 @@ Behavior usual_behavior(Mode mode) {
   behavior.operational.mode = mode;
   if (mode != Mode::gravity_compensation) behavior.reflexes.push_back(Reflex{});
   return behavior;
+}
+
+Behavior held_by_position(const Behavior& behavior) {
+  if (behavior.operational.mode == Mode::position) return behavior;
+  Behavior held = usual_behavior(Mode::position);
+  held.operational.speed = behavior.operational.speed;
+  std::copy_if(behavior.reflexes.begin(), behavior.reflexes.end(), std::back_inserter(held.reflexes),
+               [](const Reflex& reflex) { return reflex.signal != Signal::collision; });
+  return held;
 }
 
 std::string_view name(Mode mode) { return kModes[static_cast<std::size_t>(mode)]; }

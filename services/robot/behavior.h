@@ -27,6 +27,7 @@ struct Operational {
   double damping = 0.8;                                                   // ratio, 1: critical; both impedances
   std::optional<double> speed;  // m/s, of the tool centre point during a motion
   std::optional<double> force;  // N, that the spring at the tool pulls with at most; Cartesian impedance
+  bool operator==(const Operational&) const = default;
 };
 
 enum class Signal { contact, collision, force_limit, virtual_wall, joint_limit };
@@ -36,10 +37,12 @@ enum class Reaction { stop, gravity_compensation, retreat, slow_down };
 /// The tool centre point must not get behind it. `normal` (unit) points to the allowed side.
 struct Plane {
   Vec3 point{}, normal{};
+  bool operator==(const Plane&) const = default;
 };
 /// The tool centre point must not get into it; edges along o.
 struct Box {
   Vec3 min{}, max{};
+  bool operator==(const Box&) const = default;
 };
 using Wall = std::variant<Plane, Box>;
 
@@ -52,16 +55,23 @@ struct Reflex {
   double margin = 0.05;                 // rad before a limit, joint_limit
   double distance = 0.05;               // m of the tool back along the path, retreat
   double scale = 0.2;                   // of the speed, slow_down
+  bool operator==(const Reflex&) const = default;
 };
 
 struct Behavior {
   Operational operational;
   std::vector<Reflex> reflexes;
+  bool operator==(const Behavior&) const = default;
 };
 
 /// A behavior of `mode` with its usual stiffness and reflexes: a collision stops it, but for gravity compensation,
 /// where the hand that leads the arm must not.
 Behavior usual_behavior(Mode mode);
+
+/// What acts when the arm has to hold by position and nobody has said how. A behavior of `position` stays as it is; of
+/// another mode stays what limits, its speed and its reflexes, but for those on collisions: they were meant for an arm
+/// that gives way, and those of usual_behavior(Mode::position) take their place.
+Behavior held_by_position(const Behavior& behavior);
 
 std::string_view name(Mode mode);
 std::string_view name(Signal signal);

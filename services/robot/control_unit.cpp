@@ -98,7 +98,12 @@ void ControlUnit::follow(Trajectory trajectory) {
 void ControlUnit::stop() {
   brake_and_hold();
   outcome_.reset();
-  behavior_.operational.mode = Mode::position;
+  hold_by_position();
+}
+
+void ControlUnit::hold_by_position() {
+  behavior_ = held_by_position(behavior_);
+  reflexes_.go_on_with(behavior_.reflexes);
 }
 
 void ControlUnit::brake_and_hold() {
@@ -156,7 +161,7 @@ void ControlUnit::react(const Incident& incident) {
   } else if (activity_ != Activity::hold || gives_way) {
     if (reaction == Reaction::retreat && activity_ == Activity::retreat) return;
     interrupt(interruption(incident));
-    if (gives_way) behavior_.operational.mode = Mode::position;
+    if (gives_way) hold_by_position();
   }
 }
 

@@ -58,8 +58,8 @@ class ControlUnit {
   /// changes after a refusal. A free path is searched during the next cycles; its failure is an outcome.
   tl::expected<void, Refusal> move(const MoveCommand& command, const std::optional<Behavior>& behavior = {});
 
-  /// Brakes with the largest deceleration and holds position, whatever it did. A motion is forgotten, without an
-  /// outcome. Reflexes stay.
+  /// Brakes with the largest deceleration and holds position, whatever it did, with held_by_position() of its behavior.
+  /// A motion is forgotten, without an outcome.
   void stop();
 
   /// Changes the behavior: brakes if it moves by hand, then holds where it is, or gives way. Torques pass over
@@ -92,6 +92,7 @@ class ControlUnit {
   void react(const Incident& incident);
   void interrupt(const Refusal& why);
   void brake_and_hold();
+  void hold_by_position();
   bool can_retreat() const;
   void search();
   void follow(Trajectory trajectory);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "services/robot/observer.h"
 #include "services/robot/trajectory.h"
@@ -38,6 +39,15 @@ void Reflexes::set(const std::vector<Reflex>& reflexes) {
   for (const Reflex& reflex : reflexes) watched_.push_back({reflex});
   std::stable_sort(watched_.begin(), watched_.end(),
                    [](const auto& a, const auto& b) { return order(a.reflex.signal) < order(b.reflex.signal); });
+}
+
+void Reflexes::go_on_with(const std::vector<Reflex>& reflexes) {
+  const std::vector<Watched> before = std::exchange(watched_, {});
+  set(reflexes);
+  for (Watched& watched : watched_) {
+    watched.on = std::any_of(before.begin(), before.end(),
+                             [&](const Watched& earlier) { return earlier.on && earlier.reflex == watched.reflex; });
+  }
 }
 
 std::vector<Incident> Reflexes::update(const Joints& q, const Joints& dq, const Joints& external_torques, double dt) {

@@ -29,6 +29,8 @@ class Reflexes {
 
   /// The reflexes of another behavior act from now on.
   void set(const std::vector<Reflex>& reflexes);
+  /// As set(), but a reflex that there was before does not answer again a signal that lasts.
+  void go_on_with(const std::vector<Reflex>& reflexes);
 
   /// Incidents of one cycle of `dt` seconds in the order in which their reflexes come: collision, force_limit,
   /// virtual_wall, joint_limit, contact.

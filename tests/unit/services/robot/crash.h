@@ -33,7 +33,7 @@ struct Crash {
   double speed = 0.4;
   double met = 0;  // m, where the tool was when it met the column
 
-  void run(const Behavior& behavior) {
+  void run(const std::optional<Behavior>& behavior = {}) {
     const auto accepted =
         rig.unit.move({.target = Offset{{0, 0.5, 0}}, .kind = MotionKind::linear, .speed = speed}, behavior);
     ASSERT_TRUE(accepted) << accepted.error().message;
