@@ -1,4 +1,5 @@
 // Every signal with every reaction, and every reaction in every mode: what the arm does, and how the motion ends.
+// In gravity compensation no motion is there to slow down.
 #include "tests/unit/services/robot/crash.h"
 
 namespace race::robot {
@@ -102,10 +103,6 @@ TEST_P(EachMode, ReactsWhenItMeetsAColumn) {
   EXPECT_EQ(crash.incidents[0].reflex->reaction, reaction);
   const bool yields = reaction == Reaction::gravity_compensation;
   EXPECT_EQ(crash.rig.unit.behavior().operational.mode, yields ? Mode::gravity_compensation : mode);
-  if (reaction == Reaction::slow_down) {
-    EXPECT_NE(crash.failure->code, "collision") << "the column ends the motion, not the reflex";
-    return;
-  }
   EXPECT_EQ(crash.failure->code, "collision");
   EXPECT_EQ(crash.failure->reaction, name(reaction));
   crash.rig.run(2);
@@ -118,14 +115,50 @@ TEST_P(EachMode, ReactsWhenItMeetsAColumn) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Reactions, EachMode,
-                         testing::Combine(testing::Values(Mode::position, Mode::joint_impedance,
-                                                          Mode::cartesian_impedance),
-                                          testing::ValuesIn(kReactions)),
-                         [](const auto& info) {
-                           return std::string(name(std::get<0>(info.param))) + "_" +
-                                  std::string(name(std::get<1>(info.param)));
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Reactions, EachMode,
+    testing::Combine(testing::Values(Mode::position, Mode::joint_impedance, Mode::cartesian_impedance),
+                     testing::Values(Reaction::stop, Reaction::gravity_compensation, Reaction::retreat)),
+    [](const auto& info) {
+      return std::string(name(std::get<0>(info.param))) + "_" + std::string(name(std::get<1>(info.param)));
+    });
+
+class SlowDownInEachMode : public testing::TestWithParam<Mode> {};
+
+// A knock from the side: the path leads on, so what is measured is what the motion does, not what is in its way.
+TEST_P(SlowDownInEachMode, TakesTheSpeedToItsShareAfterAKnockThenGivesItBack) {
+  Rig rig(empty_scene());
+  const Reflex reflex{.signal = Signal::collision, .reaction = Reaction::slow_down, .scale = 0.2};
+  ASSERT_TRUE(rig.unit.move({.target = Offset{{0, 0.5, 0}}, .kind = MotionKind::linear, .speed = 0.3},
+                            behavior_with(GetParam(), {reflex})));
+  const auto speed = [&] {
+    const double before = rig.world->pose("tcp").position[1];
+    rig.run(0.1);
+    return (rig.world->pose("tcp").position[1] - before) / 0.1;
+  };
+  rig.run(2);
+  const double full = speed();
+  for (int i = 0; i < 20; ++i) {
+    rig.world->push("gripper", {0, 0, 40}, rig.world->pose("tcp").position);
+    rig.step();
+  }
+  ASSERT_FALSE(rig.unit.take_incidents().empty());
+  rig.run(0.3);
+  const double slow = speed();
+  rig.run(1);
+  const double again = speed();
+  EXPECT_GT(full, 0.1);
+  EXPECT_NEAR(slow, 0.2 * full, 0.04 * full);
+  EXPECT_GT(again, 0.8 * full);
+  for (int i = 0; i < 20000 && rig.unit.moving(); ++i) rig.step();
+  const auto outcome = rig.unit.take_outcome();
+  ASSERT_TRUE(outcome);
+  EXPECT_FALSE(*outcome) << "it arrives: " << (*outcome)->message;
+}
+
+INSTANTIATE_TEST_SUITE_P(Reactions, SlowDownInEachMode,
+                         testing::Values(Mode::position, Mode::joint_impedance, Mode::cartesian_impedance),
+                         [](const auto& info) { return std::string(name(info.param)); });
 
 class LedByHand : public testing::TestWithParam<Reaction> {};
 
