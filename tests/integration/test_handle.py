@@ -1,112 +1,12 @@
 """The handling states of the demonstrator: picked, placed, taught, and interrupted by collisions, in the demo's cell."""
-import json
 import math
-import shutil
-import subprocess
-import tempfile
 import unittest
-from pathlib import Path
 
-import models
-from cell import BODIES, DATABASE, DEMO, DOCUMENT, NAMES, O_T_C, TAUGHT
-from client import PROGRAM, check
+from cell import BODIES, DATABASE, NAMES, TAUGHT
+from handling import answer, bump, lead, link, part, run, task, touch
 
-LIBRARY = DOCUMENT["library"]
 APPROACH, GRASP = "Root/Work/Task/Pick/Approach/Across", "Root/Work/Task/Pick/Grasp"
 CARRY = "Root/Work/Task/Place/SetDown/Approach/Across"
-QUESTION = {"display": {"text": "What is to be done?"}, "after": 0.2}
-
-
-def part(label):
-    return {"label": label, "o_t_x": BODIES[NAMES[label]]["pose"]}
-
-
-def link(of, name=None, **parameters):
-    return {"state": name or of, "link": of, "parameters": [{"name": k, "value": v} for k, v in parameters.items()]}
-
-
-def task(*links, after="success"):
-    """Library states one after the other, the first left through `after`, the others through `success`; each other port, and those of
-    the last, end the task. Results: where the tool is (`pose`), what the gripper does (`gripper`), those of the links (`Pick_at`)."""
-    library = {state["state"]: state for state in LIBRARY}
-    found, ends = [], {}
-    for i, each in enumerate(links):
-        name, of, onward = each["state"], library[each["link"]], "success" if i else after
-        found += [(f"{name}_{r['name']}", f"chi.{name}.res.{r['name']}") for r in of.get("results", [])]
-        for port in (p["name"] for p in of["ports"]):
-            if port == onward and each is not links[-1]:
-                each["ports"] = [{"name": port, "to": links[i + 1]["state"]}]
-            else:
-                ends.setdefault(port, []).append(f"chi.{name}.port.{port}")
-    return models.document("handling", {
-        "state": "Root", "results": [{"name": name} for name in ("pose", "gripper", *dict(found))],
-        "actions": [{"when": "svc.robot.robot_state", "do": "res.pose = svc.robot.robot_state.pose"},
-                    {"when": "svc.gripper.gripper_state", "do": "res.gripper = svc.gripper.gripper_state"},
-                    *({"when": f"available({value})", "do": f"res.{name} = {value}"} for name, value in found)],
-        "children": list(links), "first": links[0]["state"],
-        "ports": [{"name": name, "when": " or ".join(whens)} for name, whens in ends.items()]}, library=LIBRARY)
-
-
-class Outcome:
-    """What `race run` told: the summary, and what happened in order of time."""
-
-    def __init__(self, lines):
-        self.reports = [json.loads(line) for line in lines]
-        self.last = self.reports[-1]
-        self.name, self.results = self.last.get("outcome"), self.last["results"]
-        self.fired = [port for r in self.reports for port in r.get("fired", [])]
-        self.calls = [f"{c['service']}.{c['operation']}" for r in self.reports for c in r.get("calls", [])]
-
-    def events(self, name):
-        inputs = [r["input"] for r in self.reports if r.get("input", {}).get("event") == name]
-        return [each["data"] for each in inputs]
-
-    def time(self, port, index=0):
-        return [r["time"] for r in self.reports if port in r.get("fired", [])][index]
-
-
-def run(document, *acts, displays=("phone",), limit=120, arguments=None, database=DATABASE):
-    script = check("operator", {"operator": 1, "displays": list(displays), "acts": list(acts)})
-    with tempfile.TemporaryDirectory() as folder:
-        model, operator = Path(folder, "model.rcm.json"), Path(folder, "operator.json")
-        model.write_text(json.dumps(document))
-        operator.write_text(json.dumps(script))
-        cell = shutil.copytree(DEMO, Path(folder, "cell"))
-        (cell / "database.json").write_text(json.dumps(database))
-        out = subprocess.run([PROGRAM, "run", model, "--cell", cell, "--fast", "--json", "--seed", "7", "--limit", str(limit),
-                              "--operator", operator, "--arguments", json.dumps(arguments or {})],
-                             capture_output=True, text=True, timeout=280)
-    assert out.returncode in (0, 1) and "refused" not in out.stdout, out.stderr + out.stdout[-2000:]
-    return Outcome(out.stdout.splitlines())
-
-
-def bump(state, after=0.1, force=40.0):
-    """An accident while the state is active: some ms of force."""
-    return {"when": {"active": state, "after": after},
-            "do": {"act": "push", "body": "link_6", "force": [0, force, 0], "duration": 0.06, "rise": 0.005}}
-
-
-def touch(state, after=0.5):
-    """Meant: the force rises and falls slowly."""
-    return {"when": {"active": state, "after": after},
-            "do": {"act": "push", "body": "gripper", "point": [0, 0, 0.05], "force": [0, 25, 0], "duration": 0.8, "rise": 0.3}}
-
-
-def answer(button, when=QUESTION):
-    return {"when": when, "do": {"act": "answer", "button": button}}
-
-
-def lead(state, *ways):
-    """Three hands lead the gripper, so that it does not turn, and let go when it holds itself."""
-    hands = {"left": [0, 0.07, 0.05], "right": [0, -0.07, 0.05], "third": [0, 0, 0.13]}
-    drag = lambda by: [{"act": "drag", "hand": h, "by": by, "speed": 0.3} for h in hands]
-    grab = [{"act": "grab", "hand": h, "body": "gripper", "point": p, "keep": 60} for h, p in hands.items()]
-    acts = [{"when": {"active": f"{state}/Lead", "after": 0.2}, "do": grab + drag(ways[0])}]
-    for way, before in zip([*ways[1:], None], ways):
-        pause = {"after": 1.2 + math.hypot(*before) / 0.3}
-        acts.append({"when": pause, "do": drag(way)} if way else answer("Done", pause))
-    return [*acts, {"when": {"active": f"{state}/LetGo", "after": 0.2}, "do": [{"act": "release", "hand": h} for h in hands]},
-            answer("Done", {"after": 0.3})]
 
 
 def work(label="Cube", **parameters):
@@ -138,7 +38,7 @@ class Interrupted(unittest.TestCase):
     def test_letting_go_is_repeated(self):
         release = "Root/Work/Task/Place/SetDown/Release"
         out = run(task(work(), again()), bump(release), answer("Continue"))
-        self.assertEqual((out.fired.count("Root/Work.success"), out.name), (1, "error"))  # where it was, nothing is left
+        self.assertEqual((out.fired.count("Root/Work.success"), out.name), (1, "no_part"))  # where it was, nothing is left
 
     def test_a_meant_touch_goes_on_without_a_display_and_an_accident_does_not(self):
         haptic = "Root/Work/Collision/Haptic"
@@ -226,13 +126,11 @@ class Taught(unittest.TestCase):
 class Failed(unittest.TestCase):
     """What fails in Work is a person's decision."""
     TAKEN = {"do": {"act": "take", "part": NAMES["Cube"]}}
-    BACK = {"when": {**QUESTION, "after": 0.5},
-            "do": [{"act": "place", "part": NAMES["Cube"], "pose": BODIES[NAMES["Cube"]]["pose"]}, {"act": "answer", "button": "Continue"}]}
 
-    def test_continue_begins_to_pick_anew_when_the_part_is_there(self):
-        out = run(task(work()), self.TAKEN, self.BACK)
-        self.assertEqual((out.name, out.fired.count("Root/Work/Task/Pick.error")), ("success", 1))
-        self.assertEqual(out.fired.count("Root/Work/Task/Pick/Grasp.error"), 1)
+    def test_continue_without_a_part_in_the_fingers_means_to_look_for_it_again(self):
+        out = run(task(work()), self.TAKEN, answer("Continue"))
+        self.assertEqual((out.name, out.fired.count("Root/Work/Task.lost")), ("lost", 1))
+        self.assertEqual(out.asked(), ["The fingers do not hold the part Cube. Continue looks for it again (gripper.grasp: no_part). What is to be done?"])
 
     def test_skip_gives_it_up_and_abort_ends(self):
         for button, outcome in (("Skip", "skip"), ("Abort", "abort")):
@@ -244,34 +142,17 @@ class Failed(unittest.TestCase):
         self.assertGreater(out.calls.count("display.ask"), 1, "a display may come")
 
 
-class Shown(unittest.TestCase):
-    def test_a_hand_shows_the_part_that_no_eye_has_found(self):
-        acts = [{"do": [{"act": "take", "part": name} for name in NAMES.values()]},
-                {"when": {"active": "Demonstrator/Table/SearchObject", "after": 0.05},
-                 "do": {"act": "push", "body": "gripper", "point": [0, 0, 0.15], "force": [0, 0, 40], "duration": 0.6, "rise": 0.2}},
-                {"when": {"display": {"text": "Which part is it?"}, "after": 0.2},
-                 "do": [{"act": "place", "part": NAMES["Cube"], "pose": {"position": [0.5, 0.0, 0.02], "orientation": [0, 0, 0, 1]}},
-                        {"act": "answer", "button": "Cube"}]},
-                *lead("Demonstrator/Table/ShowPart/TeachPose", [0, 0, -0.293])]
-        out = run(DOCUMENT, *acts, arguments={"begin": "Table"}, database={**DATABASE, "o_t_c": O_T_C})
-        self.assertEqual(out.name, "success")
-        self.assertIn("Demonstrator/Table/SearchObject.by_hand", out.fired)
-        self.assertEqual([part["label"] for part in out.results["placed"]], ["Cube"])
-        at, place = out.last["cell"]["bodies"][NAMES["Cube"]]["position"], DATABASE["o_t_place_Cube"]["position"]
-        self.assertLess(math.dist(at, place), 0.02)
-
-
 class Missing(unittest.TestCase):
     def test_without_a_part_the_arm_retreats_first(self):
         nowhere = {"position": [0.45, 0.0, 0.02], "orientation": [0, 0, 0, 1]}
         out = run(task(link("Pick", label="Cube", o_t_x=nowhere, speed=1.0)))
-        self.assertEqual((out.name, out.results["gripper"]["holding"]), ("error", False))
+        self.assertEqual((out.name, out.results["gripper"]["holding"]), ("no_part", False))
         self.assertLess(out.time("Root/Pick/Grasp.error"), out.time("Root/Pick/Retreat.success"))
         self.assertGreater(out.results["pose"]["position"][2], 0.195)
 
     def test_nothing_is_placed_with_empty_fingers(self):
         out = run(task(link("Place", label="Cube", x_t_g=DATABASE["x_t_g_Cube"], speed=1.0)))
-        self.assertEqual((out.name, out.calls.count("gripper.release")), ("error", 0))
+        self.assertEqual((out.name, out.calls.count("gripper.release")), ("no_part", 0))
         self.assertGreater(out.results["pose"]["position"][2], 0.195)
 
 

@@ -1,0 +1,134 @@
+"""Library states of the demonstrator as tasks of their own in the demo's cell, and what a person does at it meanwhile."""
+import json
+import math
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path
+
+import models
+from cell import BODIES, DATABASE, DEMO, DOCUMENT, NAMES, SCENE
+from client import PROGRAM, check
+
+QUESTION = {"display": {"text": "What is to be done?"}, "after": 0.2}
+
+
+def part(label):
+    return {"label": label, "o_t_x": BODIES[NAMES[label]]["pose"]}
+
+
+def link(of, name=None, **parameters):
+    return {"state": name or of, "link": of, "parameters": [{"name": k, "value": v} for k, v in parameters.items()]}
+
+
+def task(*links, after="success", library=()):
+    """Library states one after the other, the first left through `after`, the others through `success`; each other port, and those of
+    the last, end the task. Results: where the tool is (`pose`), what the gripper does (`gripper`), those of the links (`Pick_at`).
+    `library`: further states that may be linked."""
+    library = [*DOCUMENT["library"], *library]
+    known = {state["state"]: state for state in library}
+    found, ends = [], {}
+    for i, each in enumerate(links):
+        name, of, onward = each["state"], known[each["link"]], "success" if i else after
+        found += [(f"{name}_{r['name']}", f"chi.{name}.res.{r['name']}") for r in of.get("results", [])]
+        for port in (p["name"] for p in of["ports"]):
+            if port == onward and each is not links[-1]:
+                each["ports"] = [{"name": port, "to": links[i + 1]["state"]}]
+            else:
+                ends.setdefault(port, []).append(f"chi.{name}.port.{port}")
+    return models.document("handling", {
+        "state": "Root", "results": [{"name": name} for name in ("pose", "gripper", *dict(found))],
+        "actions": [{"when": "svc.robot.robot_state", "do": "res.pose = svc.robot.robot_state.pose"},
+                    {"when": "svc.gripper.gripper_state", "do": "res.gripper = svc.gripper.gripper_state"},
+                    *({"when": f"available({value})", "do": f"res.{name} = {value}"} for name, value in found)],
+        "children": list(links), "first": links[0]["state"],
+        "ports": [{"name": name, "when": " or ".join(whens)} for name, whens in ends.items()]}, library=library)
+
+
+class Outcome:
+    """What `race run` told: the summary, and what happened in order of time."""
+
+    def __init__(self, lines):
+        self.reports = [json.loads(line) for line in lines]
+        self.last = self.reports[-1]
+        self.name, self.results = self.last.get("outcome"), self.last["results"]
+        self.fired = [port for r in self.reports for port in r.get("fired", [])]
+        self.sent = [call for r in self.reports for call in r.get("calls", [])]
+        self.calls = [f"{c['service']}.{c['operation']}" for c in self.sent]
+
+    def events(self, name):
+        inputs = [r["input"] for r in self.reports if r.get("input", {}).get("event") == name]
+        return [each["data"] for each in inputs]
+
+    def time(self, port, index=0):
+        return [r["time"] for r in self.reports if port in r.get("fired", [])][index]
+
+    def texts(self):
+        """What displays were to show, in order."""
+        return [c["args"][0] for c in self.sent if (c["service"], c["operation"]) == ("display", "show_text")]
+
+    def asked(self):
+        """The questions that displays were to ask, in order."""
+        return [c["args"][0] for c in self.sent if c["service"] == "display" and c["operation"] in ("ask", "choose")]
+
+
+def run(document, *acts, displays=("phone",), limit=120, arguments=None, database=DATABASE, parts=tuple(NAMES), without=()):
+    """Runs the task headless with these acts of a person, at a table with these parts; `without`: files that the cell lacks."""
+    script = check("operator", {"operator": 1, "displays": list(displays), "acts": list(acts)})
+    there = {NAMES[label] for label in parts}
+    scene = {**SCENE, "bodies": [b for b in SCENE["bodies"] if b["name"] in there or b["name"] not in NAMES.values()]}
+    with tempfile.TemporaryDirectory() as folder:
+        model, operator = Path(folder, "model.rcm.json"), Path(folder, "operator.json")
+        model.write_text(json.dumps(document))
+        operator.write_text(json.dumps(script))
+        cell = shutil.copytree(DEMO, Path(folder, "cell"))
+        (cell / "database.json").write_text(json.dumps(database))
+        (cell / "scene.json").write_text(json.dumps(scene))
+        for name in without:
+            (cell / name).unlink()
+        out = subprocess.run([PROGRAM, "run", model, "--cell", cell, "--fast", "--json", "--seed", "7", "--limit", str(limit),
+                              "--operator", operator, "--arguments", json.dumps(arguments or {})],
+                             capture_output=True, text=True, timeout=280)
+    assert out.returncode in (0, 1) and "refused" not in out.stdout, out.stderr + out.stdout[-2000:]
+    return Outcome(out.stdout.splitlines())
+
+
+def bump(state, after=0.1, force=40.0, count=1):
+    """An accident while the state is active: some ms of force."""
+    return {"when": {"active": state, "after": after, "count": count},
+            "do": {"act": "push", "body": "link_6", "force": [0, force, 0], "duration": 0.06, "rise": 0.005}}
+
+
+def touch(state, after=0.5, force=25, count=1):
+    """Meant: the force rises and falls slowly."""
+    return {"when": {"active": state, "after": after, "count": count},
+            "do": {"act": "push", "body": "gripper", "point": [0, 0, 0.05], "force": [0, force, 0], "duration": 0.8, "rise": 0.3}}
+
+
+def gesture(state, force):
+    """The arm is pushed up or down, as is meant, while the state is active."""
+    return {"when": {"active": state, "after": 0.05},
+            "do": {"act": "push", "body": "gripper", "point": [0, 0, 0.15], "force": [0, 0, force], "duration": 0.6, "rise": 0.2}}
+
+
+def answer(button, when=QUESTION):
+    return {"when": when, "do": {"act": "answer", "button": button}}
+
+
+HANDS = {"left": [0, 0.07, 0.05], "right": [0, -0.07, 0.05], "third": [0, 0, 0.13]}
+
+
+def drag(by, speed=0.3):
+    """All hands lead the gripper, so that it does not turn."""
+    return [{"act": "drag", "hand": h, "by": by, "speed": speed} for h in HANDS]
+
+
+def lead(state, *ways):
+    """Three hands lead the gripper and let go when it holds itself."""
+    grab = [{"act": "grab", "hand": h, "body": "gripper", "point": p, "keep": 60} for h, p in HANDS.items()]
+    acts = [{"when": {"active": f"{state}/Lead", "after": 0.2}, "do": grab + drag(ways[0])}]
+    for way, before in zip([*ways[1:], None], ways):
+        pause = {"after": 1.2 + math.hypot(*before) / 0.3}
+        acts.append({"when": pause, "do": drag(way)} if way else answer("Done", pause))
+    return [*acts, {"when": {"active": f"{state}/LetGo", "after": 0.2}, "do": [{"act": "release", "hand": h} for h in HANDS]},
+            answer("Done", {"after": 0.3})]

@@ -1,0 +1,167 @@
+"""What a person expects of the whole table: parts are skipped, lost, moved, shown and put down anywhere, and it comes to an end."""
+import math
+import unittest
+
+from cell import BODIES, DATABASE, DOCUMENT, NAMES, O_T_C, TAUGHT
+from handling import answer, bump, drag, gesture, lead, link, part, run, task, touch
+
+ROOT = "Demonstrator/Table"
+PICK, PLACE = f"{ROOT}/Work/Task/Pick", f"{ROOT}/Work/Task/Place"
+CARRY, TEACH = f"{PLACE}/SetDown/Approach/Across", f"{PLACE}/TeachPose"
+KNOWN = {**DATABASE, "o_t_c": O_T_C}
+
+
+def clear(*acts, parts, database=KNOWN, limit=150, **arguments):
+    """The demonstrator at a table with these parts."""
+    return run(DOCUMENT, *acts, parts=parts, database=database, limit=limit, arguments={"begin": "Table", "speed": 1.0, **arguments})
+
+
+def placed(out):
+    return [each["label"] for each in out.results["placed"]]
+
+
+def put(label, *position):
+    return {"act": "place", "part": NAMES[label], "pose": {"position": list(position), "orientation": [0, 0, 0, 1]}}
+
+
+def question(text, after=0.2):
+    return {"display": {"text": text}, "after": after}
+
+
+class Skipped(unittest.TestCase):
+    def test_a_part_that_is_skipped_is_not_looked_for_again(self):
+        out = clear(bump(CARRY, force=-40.0), answer("Skip"), parts=("Cube", "Box"))
+        self.assertEqual((out.name, len(placed(out)), len(out.results["skipped"])), ("success", 1, 1))
+        self.assertEqual({*placed(out), *out.results["skipped"]}, {"Cube", "Box"})
+        skipped = NAMES[out.results["skipped"][0]]
+        self.assertLess(math.dist(out.last["cell"]["bodies"][skipped]["position"], BODIES[skipped]["pose"]["position"]), 0.02)
+
+    def test_a_part_whose_place_is_occupied_is_brought_back(self):
+        x, y, _ = DATABASE["o_t_place_Cube"]["position"]
+        occupied = {"do": put("Box", x, y, 0.025)}
+        out = clear(occupied, answer("Skip", question("has met something")), parts=("Cube", "Box"))
+        self.assertEqual((out.name, placed(out), out.results["skipped"]), ("success", [], ["Cube"]))
+        self.assertIn(f"{ROOT}/Work/GiveUp.success", out.fired)
+        self.assertIn("The table is clear: 0 parts were placed, Cube skipped.", out.texts())
+
+    def test_who_shows_a_skipped_part_wants_it_after_all(self):
+        shows = [bump(f"{PICK}/Approach/Across"), answer("Skip"), gesture(f"{ROOT}/SearchObject", 40),
+                 {"when": question("Which part", 0.8), "do": [put("Cube", 0.5, 0.0, 0.02), {"act": "answer", "button": "Cube"}]},
+                 *lead(f"{ROOT}/ShowPart/TeachPose", [0, 0, -0.293])]
+        out = clear(*shows, parts=("Cube",))
+        self.assertEqual((out.name, placed(out), out.results["skipped"]), ("success", ["Cube"], []))
+
+
+class Shown(unittest.TestCase):
+    def test_a_hand_shows_the_part_that_no_eye_has_found(self):
+        shows = [gesture(f"{ROOT}/SearchObject", 40),
+                 {"when": question("Which part", 0.8), "do": [put("Cube", 0.5, 0.0, 0.02), {"act": "answer", "button": "Cube"}]},
+                 *lead(f"{ROOT}/ShowPart/TeachPose", [0, 0, -0.293])]
+        out = clear({"do": {"act": "take", "part": NAMES["Cube"]}}, *shows, parts=("Cube",))
+        self.assertEqual((out.name, placed(out)), ("success", ["Cube"]))
+        self.assertIn(f"{ROOT}/SearchObject.by_hand", out.fired)
+        at, place = out.last["cell"]["bodies"][NAMES["Cube"]]["position"], DATABASE["o_t_place_Cube"]["position"]
+        self.assertLess(math.dist(at, place), 0.02)
+
+    def test_nobody_who_shows_a_part_is_waited_for_for_ever(self):
+        out = clear(gesture(f"{ROOT}/SearchObject", 40), parts=(), patience=3.0)
+        self.assertEqual((out.name, f"{ROOT}/ShowPart.error" in out.fired), ("error", True))
+
+
+class Lost(unittest.TestCase):
+    def test_a_part_that_falls_on_the_way_is_told_at_once_and_found_again(self):
+        falls = {"when": {"active": CARRY, "after": 0.3}, "do": {"act": "take", "part": NAMES["Cube"]}}
+        back = {"when": question("do not hold the part Cube"), "do": [put("Cube", 0.5, 0.0, 0.02), {"act": "answer", "button": "Continue"}]}
+        out = clear(falls, back, parts=("Cube",))
+        self.assertEqual((out.name, placed(out)), ("success", ["Cube"]))
+        self.assertEqual(out.fired.count(f"{PLACE}/SetDown/Approach.lost"), 1)
+        self.assertEqual(out.fired.count(f"{ROOT}/SearchObject.success"), 2)
+        self.assertEqual(out.calls.count("robot.stop"), 1)
+
+    def test_a_part_that_was_moved_meanwhile_is_looked_for_again(self):
+        moved = {"when": {"active": f"{PICK}/Approach"}, "do": put("Cube", 0.5, 0.1, 0.02)}
+        out = clear(moved, answer("Continue"), parts=("Cube",))
+        self.assertEqual((out.name, placed(out), len(out.asked())), ("success", ["Cube"], 1))
+        self.assertEqual(out.fired.count(f"{ROOT}/SearchObject.success"), 2)
+
+    def test_one_that_stays_away_is_no_part_of_the_table(self):
+        away = {"when": {"active": f"{PICK}/Approach"}, "do": {"act": "take", "part": NAMES["Cube"]}}
+        out = clear(away, answer("Continue"), parts=("Cube",))
+        self.assertEqual((out.name, placed(out), out.results["skipped"]), ("success", [], []))
+
+
+class Placed(unittest.TestCase):
+    def test_a_place_outside_the_area_is_a_place_too(self):
+        ways = [[0.02, -0.25, 0.05], [0, 0, -0.196]]
+        out = clear(*lead(TEACH, *ways), parts=(TAUGHT,))
+        self.assertEqual((out.name, placed(out)), ("success", [TAUGHT]))
+        place = out.results["placed"][0]["o_t_x"]["position"]
+        self.assertLess(place[1], DATABASE["place_area"]["min"][1], "this place is not in the area")
+        self.assertLess(math.dist(out.last["cell"]["bodies"][NAMES[TAUGHT]]["position"], place), 0.02)
+
+    def test_a_place_in_the_air_is_asked_for_again(self):
+        lower = {"when": question("mm too high", 0.3), "do": drag([0, 0, -0.096])}
+        first, ready, let_go, gone = lead(TEACH, [-0.28, 0.15, -0.05])
+        out = clear(first, ready, lower, answer("Done", {"after": 1.5}), let_go, gone, parts=(TAUGHT,))
+        self.assertEqual((out.name, placed(out)), ("success", [TAUGHT]))
+        self.assertEqual([q.split(" mm")[1] for q in out.asked() if "mm too" in q],
+                         [f" too high. Where is the part {TAUGHT} to be placed? Lead the gripper there, until the part stands."])
+        self.assertEqual(out.calls.count("db.add") - out.fired.count(f"{ROOT}/SearchObject.success"), 1)
+
+    def test_an_empty_table_is_clear(self):
+        out = clear(parts=())
+        self.assertEqual((out.name, out.results["placed"]), ("success", []))
+        self.assertIn("The table is clear: 0 parts were placed.", out.texts())
+
+
+class Interrupted(unittest.TestCase):
+    def test_two_collisions_one_after_the_other(self):
+        out = clear(bump(CARRY, force=-40.0), answer("Continue"), bump(CARRY, force=-40.0), answer("Continue"), parts=("Cube",))
+        self.assertEqual((out.name, placed(out), out.fired.count(f"{ROOT}/Work/Task.collision")), ("success", ["Cube"], 2))
+
+    def test_a_bump_on_the_way_home_goes_on_with_a_touch(self):
+        home = f"{ROOT}/Aside/Collision"
+        out = clear(bump(f"{ROOT}/Aside/Move", 0.3, count=2), touch(f"{home}/Haptic/Touch"), parts=("Cube",))
+        self.assertEqual((out.name, placed(out)), ("success", ["Cube"]))
+        self.assertEqual(out.fired.count(f"{home}/Haptic.success"), 1)
+        self.assertNotIn(f"{ROOT}/Aside.error", out.fired)
+
+    def test_a_touch_that_becomes_a_hard_push_is_none_but_the_next_may_be(self):
+        haptic = f"{ROOT}/Work/Collision/Haptic"
+        out = clear(bump(f"{PICK}/Approach/Across"), touch(f"{haptic}/Touch", force=60), touch(f"{haptic}/Touch", count=2), parts=("Cube",))
+        self.assertEqual([c["classification"] for c in out.events("contact")], ["accidental", "intended", "intended"])
+        self.assertEqual((out.name, placed(out)), ("success", ["Cube"]))
+        self.assertEqual((out.fired.count(f"{haptic}/LetGo.pressed"), out.fired.count(f"{haptic}.success")), (1, 1))
+
+    def test_a_part_that_an_aborted_task_holds_is_handed_to_a_person(self):
+        document = task(link("Pick", **part("Cube"), speed=1.0), link("Demonstrator", begin="Table", speed=1.0), library=[DOCUMENT["root"]])
+        taken = {"when": question("part in the gripper"), "do": [{"act": "take", "part": NAMES["Cube"]}, {"act": "answer", "button": "Done"}]}
+        out = run(document, taken, parts=("Cube",), database=KNOWN)
+        self.assertEqual((out.name, out.results["Demonstrator_placed"]), ("success", []))
+        taken_over = out.fired.index("Root/Demonstrator/Table/Open.success")
+        self.assertLess(taken_over, out.fired.index("Root/Demonstrator/Table/Aside.success"), "the arm stands until then")
+
+    def test_a_gesture_that_stops_the_search_is_told_as_such(self):
+        out = clear(gesture(f"{ROOT}/SearchObject", -40), answer("Abort"), parts=())
+        self.assertEqual((out.name, out.asked()), ("abort", ["A hand has stopped the search. What is to be done?"]))
+
+    def test_what_has_failed_is_told(self):
+        out = run(DOCUMENT, answer("Abort"), parts=("Cube",), database=KNOWN, without=["parts.json"], arguments={"begin": "Table"})
+        self.assertEqual((out.name, out.asked()), ("abort", ["The search cannot go on (obj_rec.start: unavailable). What is to be done?"]))
+
+
+class Calibrated(unittest.TestCase):
+    def test_a_known_camera_is_reported_and_not_calibrated(self):
+        out = run(DOCUMENT, parts=(), database=KNOWN)
+        self.assertEqual((out.name, out.results["o_t_c"]), ("success", O_T_C))
+        self.assertNotIn("residual_position", out.results)
+
+    def test_it_is_calibrated_anew_on_demand(self):
+        tired = answer("Abort", question("calibration was not finished"))
+        out = run(DOCUMENT, tired, parts=(), database=KNOWN, arguments={"recalibrate": True}, limit=100)
+        self.assertEqual((out.name, "o_t_c" in out.results), ("abort", False))
+        self.assertIn("Lead the arm to 10 places", " ".join(out.texts()))
+
+
+if __name__ == "__main__":
+    unittest.main()
