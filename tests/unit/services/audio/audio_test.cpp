@@ -9,57 +9,33 @@
 #include "core/value/json.h"
 #include "services/audio/remote_speakers.h"
 #include "services/audio/sounds.h"
-#include "services/display/screens.h"
-#include "tests/unit/services/host/bench.h"
+#include "tests/unit/services/display/screens_bench.h"
 
 namespace race::audio {
 namespace {
 
 using display::Screens;
-using services::Bench;
 using services::Delivery;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// An audio whose speakers are here, or elsewhere: then all that it asks and is answered passes as JSON, and it is told
-/// when there is news.
-struct AudioTest : testing::Test {
-  explicit AudioTest(bool elsewhere) {
+struct AudioTest : display::ScreensBench<RemoteSpeakers> {
+  explicit AudioTest(bool elsewhere) : ScreensBench("audio", answer_speakers) {
     bench.add<Audio>("audio", elsewhere ? static_cast<display::Speakers&>(remote) : screens);
   }
   Screens::ConnectionId connect(const std::string& display, bool sound = true) {
     return screens.connect(display, sound).value();
-  }
-  void call(const std::string& operation, List args = {}, Dict kwargs = {}) {
-    look();
-    bench.call("audio", operation, std::move(args), std::move(kwargs));
   }
   std::optional<display::Sound> sound(const std::string& display) { return screens.content(display)->sound; }
   void played(Screens::ConnectionId connection, const std::string& display) {
     ASSERT_TRUE(screens.played(connection, sound(display)->id));
     pass(0.001);
   }
-  void pass(double seconds) {
-    look();
-    bench.pass(seconds);
-  }
-  void look() {
-    const auto doings = screens.doings();
-    if (std::exchange(seen, doings) != doings) remote.news();
-  }
   int finished() const {
     int count = 0;
     for (const Delivery& each : bench.deliveries) count += each.kind == Delivery::Kind::event;
     return count;
   }
-  Screens screens;
-  RemoteSpeakers remote{[this](std::string_view function, const Dict& arguments) -> Expected<Value> {
-    ASSIGN_OR_RETURN(const Value asked, parse_json(to_json(arguments)));
-    ASSIGN_OR_RETURN(const Value answer, answer_speakers(screens, function, asked.as_dict()));
-    return parse_json(to_json(answer));
-  }};
-  std::uint64_t seen = 0;
-  Bench bench;
 };
 
 /// Calls without a fault: the monitor has nothing to say.

@@ -8,21 +8,17 @@
 
 #include "core/value/json.h"
 #include "services/display/remote_stage.h"
-#include "services/display/screens.h"
-#include "tests/unit/services/host/bench.h"
+#include "tests/unit/services/display/screens_bench.h"
 
 namespace race::display {
 namespace {
 
-using services::Bench;
 using services::Delivery;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// A display whose screens are here, or elsewhere: then all that it asks and is answered passes as JSON, and it is told
-/// when there is news.
-struct DisplayTest : testing::Test {
-  explicit DisplayTest(bool elsewhere) {
+struct DisplayTest : ScreensBench<RemoteStage> {
+  explicit DisplayTest(bool elsewhere) : ScreensBench("display", answer_stage) {
     bench.add<Display>("display", elsewhere ? static_cast<Stage&>(remote) : screens, std::string());
   }
 
@@ -34,21 +30,9 @@ struct DisplayTest : testing::Test {
     screens.disconnect(connections[display]);
     pass(0.001);
   }
-  void call(const std::string& operation, List args = {}, Dict kwargs = {}) {
-    look();
-    bench.call("display", operation, std::move(args), std::move(kwargs));
-  }
   void answer(const std::string& display, Value value) {
     ASSERT_TRUE(screens.answer(display, std::move(value)));
     pass(0.001);
-  }
-  void pass(double seconds) {
-    look();
-    bench.pass(seconds);
-  }
-  void look() {
-    const auto doings = screens.doings();
-    if (std::exchange(seen, doings) != doings) remote.news();
   }
   std::string state() const { return *bench.host.service("display")->state; }
   /// Events so far as "name data".
@@ -64,14 +48,6 @@ struct DisplayTest : testing::Test {
     return argument ? argument->as_string() : "";
   }
 
-  Screens screens;
-  RemoteStage remote{[this](std::string_view function, const Dict& arguments) -> Expected<Value> {
-    ASSIGN_OR_RETURN(const Value asked, parse_json(to_json(arguments)));
-    ASSIGN_OR_RETURN(const Value answer, answer_stage(screens, function, asked.as_dict()));
-    return parse_json(to_json(answer));
-  }};
-  std::uint64_t seen = 0;
-  Bench bench;
   std::map<std::string, Screens::ConnectionId> connections;
 };
 

@@ -1,0 +1,50 @@
+// A service whose screens are here, or elsewhere: then all that it asks and is answered passes as JSON, and it is told
+// when there is news.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+#include <utility>
+
+#include "core/value/json.h"
+#include "services/display/screens.h"
+#include "tests/unit/services/host/bench.h"
+
+namespace race::display {
+
+/// `Remote`: RemoteStage or audio's RemoteSpeakers.
+template <typename Remote>
+struct ScreensBench : testing::Test {
+  using Answer = std::function<Expected<Value>(Screens&, std::string_view function, const Dict& arguments)>;
+
+  /// `key`: the service's; `its_answer`: what the server does with its questions.
+  ScreensBench(std::string key, Answer its_answer) : service(std::move(key)), answer_question(std::move(its_answer)) {}
+
+  void call(const std::string& operation, List args = {}, Dict kwargs = {}) {
+    look();
+    bench.call(service, operation, std::move(args), std::move(kwargs));
+  }
+  void pass(double seconds) {
+    look();
+    bench.pass(seconds);
+  }
+  void look() {
+    const auto doings = screens.doings();
+    if (std::exchange(seen, doings) != doings) remote.news();
+  }
+
+  std::string service;
+  Answer answer_question;
+  Screens screens;
+  Remote remote{[this](std::string_view function, const Dict& arguments) -> Expected<Value> {
+    ASSIGN_OR_RETURN(const Value asked, parse_json(to_json(arguments)));
+    ASSIGN_OR_RETURN(const Value answer, answer_question(screens, function, asked.as_dict()));
+    return parse_json(to_json(answer));
+  }};
+  std::uint64_t seen = 0;
+  services::Bench bench;
+};
+
+}  // namespace race::display
