@@ -12,6 +12,7 @@
 
 #include "core/rcm/document.h"
 #include "core/rcm/translate.h"
+#include "tests/unit/server/bench.h"
 
 namespace race::server {
 namespace {
@@ -54,12 +55,6 @@ struct View {
   std::set<std::string>& set(std::string_view field) { return field == "active" ? active : ports; }
   std::set<std::string> active, ports;
   std::map<std::string, std::map<std::string, Value>> variables;
-};
-
-struct NoObserver final : services::HostObserver {
-  void delivered(const services::Delivery&) override {}
-  void changed(const services::ServiceStatus&) override {}
-  void logged(services::Time, const std::string&, const std::string&) override {}
 };
 
 struct CoreTest : testing::Test, CoreWatcher {

@@ -5,15 +5,10 @@
 #include <future>
 
 #include "core/rcm/document.h"
+#include "tests/unit/server/bench.h"
 
 namespace race::server {
 namespace {
-
-struct NoObserver final : services::HostObserver {
-  void delivered(const services::Delivery&) override {}
-  void changed(const services::ServiceStatus&) override {}
-  void logged(services::Time, const std::string&, const std::string&) override {}
-};
 
 struct CoresTest : testing::Test, CoreWatcher {
   ~CoresTest() override { pool.reset(); }

@@ -2,9 +2,10 @@
 
 #include <gmock/gmock.h>
 
-#include "core/rsm/document.h"
 #include "core/value/json.h"
 #include "services/work_queue.h"
+#include "tests/unit/server/bench.h"
+#include "tests/unit/services/host/bench.h"
 
 namespace race::server {
 namespace {
@@ -12,24 +13,11 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-struct NoObserver final : services::HostObserver {
-  void delivered(const services::Delivery&) override {}
-  void changed(const services::ServiceStatus&) override {}
-  void logged(services::Time, const std::string&, const std::string&) override {}
-};
-
 /// Publishes what a test tells it, and notes who wants it.
 class Tap final : public services::Component {
  public:
   explicit Tap(services::ServiceHost& its_host) : host(its_host) {}
-  const rsm::Service& model() const override {
-    static const rsm::Service model =
-        rsm::read_service_text(R"({"rsm": 1, "name": "tap", "states": [{"name": "Open"}], "init": "Open",
-                                   "meta": {"flows": {"water": "drops"}}})",
-                               "tap")
-            .value();
-    return model;
-  }
+  const rsm::Service& model() const override { return services::tap_model(); }
   void call(const services::Call&) override {}
   void wanted(std::string_view, bool on) override { is_wanted = on; }
   void pour(services::Time time) {

@@ -8,6 +8,8 @@
 
 #include <thread>
 
+#include "tests/unit/server/bench.h"
+
 namespace race::server {
 namespace {
 
@@ -74,12 +76,6 @@ class Connection {
   std::string host_;
 };
 
-struct Nobody final : services::HostObserver {
-  void delivered(const services::Delivery&) override {}
-  void changed(const services::ServiceStatus&) override {}
-  void logged(services::Time, const std::string&, const std::string&) override {}
-};
-
 struct ListenerTest : testing::Test {
   ~ListenerTest() override {
     if (server) server->stop();
@@ -102,8 +98,8 @@ struct ListenerTest : testing::Test {
   display::Screens screens;
   Displays displays{screens, hub};
   services::WorldClock clock;
-  Nobody nobody;
-  services::Host host{clock, nobody};
+  NoObserver observer;
+  services::Host host{clock, observer};
   remote::Remotes remotes{host, clock, 1s};
   std::unique_ptr<HttpServer> server;
   std::thread thread;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/rsm/document.h"
 #include "services/host.h"
 
 namespace race::services {
@@ -56,5 +57,15 @@ class Bench final : public HostObserver {
   int milliseconds = 0;
   Host host;
 };
+
+/// `tap`: has no operations and offers the flow `water` of drops.
+inline const rsm::Service& tap_model() {
+  static const rsm::Service model =
+      rsm::read_service_text(R"({"rsm": 1, "name": "tap", "states": [{"name": "Open"}], "init": "Open",
+                                 "meta": {"flows": {"water": "drops"}}})",
+                             "tap")
+          .value();
+  return model;
+}
 
 }  // namespace race::services

@@ -10,15 +10,6 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-const rsm::Service& tap_model() {
-  static const rsm::Service model =
-      rsm::read_service_text(R"({"rsm": 1, "name": "tap", "states": [{"name": "Open"}], "init": "Open",
-                                 "meta": {"flows": {"water": "drops"}}})",
-                             "tap")
-          .value();
-  return model;
-}
-
 const rsm::Service& basin_model() {
   static const rsm::Service model =
       rsm::read_service_text(R"({"rsm": 1, "name": "basin", "subscribes": [{"service": "tap", "event": "water"}],
