@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "services/display/image.h"
+#include "core/value/base64.h"
 #include "services/encodings.h"
 
 namespace race::server {
@@ -76,8 +76,8 @@ Dict picture_json(const Picture& picture) {
   }
   return {{"width", static_cast<std::int64_t>(width)},
           {"height", static_cast<std::int64_t>(height)},
-          {"depth", display::base64(depth)},
-          {"colour", display::base64(colour)}};
+          {"depth", base64(depth)},
+          {"colour", base64(colour)}};
 }
 
 }  // namespace

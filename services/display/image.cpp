@@ -8,12 +8,12 @@
 #include <string_view>
 #include <utility>
 
+#include "core/value/base64.h"
+
 namespace race::display {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kTypes = {{
     {".png", "image/png"},
@@ -31,12 +31,6 @@ tl::unexpected<Error> too_large() {
                 "an image has at most " + std::to_string(kImageCharacters) + " characters as a data URL");
 }
 
-bool is_base64(std::string_view text) {
-  if (text.empty() || text.size() % 4 != 0) return false;
-  while (text.ends_with('=')) text.remove_suffix(1);
-  return text.find_first_not_of(kDigits) == std::string_view::npos;
-}
-
 Expected<std::string> check_url(const std::string& url) {
   if (url.size() > kImageCharacters) return too_large();
   for (const auto& [extension, type] : kTypes) {
@@ -47,18 +41,6 @@ Expected<std::string> check_url(const std::string& url) {
 }
 
 }  // namespace
-
-std::string base64(std::string_view bytes) {
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t have = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t block = 0;
-    for (std::size_t k = 0; k < 3; ++k) block = block << 8 | (k < have ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k) text += k <= have ? kDigits[block >> (18 - 6 * k) & 63U] : '=';
-  }
-  return text;
-}
 
 Expected<std::string> image_url(const std::string& image, const std::string& folder) {
   if (image.starts_with("data:")) return check_url(image);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "core/value/expected.h"
 
@@ -10,9 +9,6 @@ namespace race::display {
 
 /// Characters of a data URL; its image has three quarters of that.
 inline constexpr std::size_t kImageCharacters = 1'000'000;
-
-/// RFC 4648.
-std::string base64(std::string_view bytes);
 
 /// The data URL of `image`: itself if it is one (base64 of PNG, JPEG, WebP, GIF or SVG), else that of the file of this
 /// name in `folder` (no path, one of .png .jpg .jpeg .webp .gif .svg; read when called). Errors: `type` (no data URL of
