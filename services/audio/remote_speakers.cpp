@@ -1,10 +1,10 @@
 #include "services/audio/remote_speakers.h"
 
-#include <utility>
+#include <array>
 
-#include "services/arguments.h"
 #include "services/audio/audio.h"
 #include "services/audio/sounds.h"
+#include "services/desk_answers.h"
 
 namespace race::audio {
 namespace {
@@ -18,22 +18,38 @@ std::optional<display::Playback> read_playback(const Value& json) {
   return playback;
 }
 
-Expected<Value> answer_play(display::Speakers& speakers, const Dict& arguments) {
-  const services::Call call{0, "play", {}, arguments};
-  ASSIGN_OR_RETURN(const Dict bound, services::bind_arguments(*services::find_operation(model(), "play"), call));
-  const std::string& sound = bound.find("sound")->as_string();
+// ---- The functions, at the server.
+
+Expected<Value> play(display::Speakers& speakers, const Dict& arguments) {
+  const std::string& sound = arguments.find("sound")->as_string();
   if (!sounds().contains(sound)) return unexpected(ErrorCode::not_found, "there is no sound `" + sound + "`", "sound");
-  const int repeat = static_cast<int>(bound.find("repeat")->as_integer());
+  const int repeat = static_cast<int>(arguments.find("repeat")->as_integer());
   const auto id =
-      speakers.play(bound.find("display")->as_string(), {0, sound, bound.find("volume")->to_double(), repeat});
-  return id ? Value(static_cast<std::int64_t>(*id)) : display::refusal(id.error());
+      speakers.play(arguments.find("display")->as_string(), {0, sound, arguments.find("volume")->to_double(), repeat});
+  return id ? Value(static_cast<std::int64_t>(*id)) : services::refusal(id.error());
 }
+
+Expected<Value> silence(display::Speakers& speakers, const Dict&) {
+  speakers.silence();
+  return Value();
+}
+
+Expected<Value> playback(display::Speakers& speakers, const Dict&) {
+  const display::Playback now = speakers.playback();
+  return Value(Dict{{"waiting", static_cast<std::int64_t>(now.waiting)},
+                    {"reported", List(now.reported.begin(), now.reported.end())}});
+}
+
+using Function = services::DeskFunction<display::Speakers>;
+
+constexpr std::array kFunctions = {Function{"play", play}, Function{"silence", silence, false},
+                                   Function{"playback", playback, false}};
 
 }  // namespace
 
 Expected<std::uint64_t> RemoteSpeakers::play(const std::string& target, display::Sound sound) {
   news();
-  return display::read_id(server_(
+  return services::read_id(server_(
       "play", {{"sound", sound.name}, {"volume", sound.volume}, {"repeat", sound.repeat}, {"display", target}}));
 }
 
@@ -50,18 +66,7 @@ display::Playback RemoteSpeakers::playback() {
 }
 
 Expected<Value> answer_speakers(display::Speakers& speakers, std::string_view function, const Dict& arguments) {
-  if (function == "play") return answer_play(speakers, arguments);
-  if (auto none = display::need_none(function, arguments); !none) return tl::unexpected(std::move(none).error());
-  if (function == "silence") {
-    speakers.silence();
-    return Value();
-  }
-  if (function == "playback") {
-    const display::Playback playback = speakers.playback();
-    return Value(Dict{{"waiting", static_cast<std::int64_t>(playback.waiting)},
-                      {"reported", List(playback.reported.begin(), playback.reported.end())}});
-  }
-  return unexpected(ErrorCode::not_found, "an audio's speakers have no such function", std::string(function));
+  return services::answer_question(model(), kFunctions, speakers, function, arguments);
 }
 
 }  // namespace race::audio

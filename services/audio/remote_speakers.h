@@ -8,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-#include "services/display/remote_stage.h"
+#include "services/display/stage.h"
 
 namespace race::audio {
 

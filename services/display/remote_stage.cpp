@@ -4,12 +4,14 @@
 #include <array>
 #include <utility>
 
-#include "services/arguments.h"
+#include "services/desk_answers.h"
 #include "services/display/arguments.h"
 #include "services/display/display.h"
 
 namespace race::display {
 namespace {
+
+using services::refusal;
 
 constexpr std::array<std::string_view, 4> kHappenings = {"answered", "pressed", "connected", "disconnected"};
 
@@ -71,11 +73,7 @@ Expected<Value> take(Stage& stage, const Dict&) {
   return Value(std::move(all));
 }
 
-struct Function {
-  std::string_view name;
-  Expected<Value> (*answer)(Stage& stage, const Dict& arguments);
-  bool operation = true;  // of the RSM, with its parameters; else without any
-};
+using Function = services::DeskFunction<Stage>;
 
 constexpr std::array kFunctions = {
     Function{"show_text", show},       Function{"show_image", show},  Function{"ask", ask},
@@ -85,25 +83,6 @@ constexpr std::array kFunctions = {
 
 }  // namespace
 
-Value refusal(const Error& error) { return Dict{{"not_found", error.message}}; }
-
-Expected<Value> read_answer(Expected<Value> answer) {
-  const Value* absent = answer ? answer->find("not_found") : nullptr;
-  if (absent && absent->is_string()) return unexpected(ErrorCode::not_found, absent->as_string(), "display");
-  return answer;
-}
-
-Expected<std::uint64_t> read_id(Expected<Value> answer) {
-  ASSIGN_OR_RETURN(const Value id, read_answer(std::move(answer)));
-  if (!id.is_integer()) return unexpected(ErrorCode::type, "the server gives no id");
-  return static_cast<std::uint64_t>(id.as_integer());
-}
-
-Expected<void> need_none(std::string_view function, const Dict& arguments) {
-  if (arguments.empty()) return {};
-  return unexpected(ErrorCode::unknown_field, "`" + std::string(function) + "` has no arguments", "arguments");
-}
-
 void RemoteStage::news() {
   taken_ = false;
   asking_.reset();
@@ -111,7 +90,7 @@ void RemoteStage::news() {
 
 // What it changes, changes what is known, too.
 Expected<Value> RemoteStage::command(std::string_view function, Dict arguments) {
-  auto answer = read_answer(server_(function, std::move(arguments)));
+  auto answer = services::read_answer(server_(function, std::move(arguments)));
   news();
   return answer;
 }
@@ -128,13 +107,13 @@ Expected<std::uint64_t> RemoteStage::ask(const std::string& target, Question que
   Dict arguments{{"question", question.text}, {"display", target}};
   if (!question.number) {
     arguments.set("buttons", texts(question.buttons));
-    return read_id(command("ask", std::move(arguments)));
+    return services::read_id(command("ask", std::move(arguments)));
   }
   arguments.set("unit", question.number->unit);
   arguments.set("min", question.number->min);
   arguments.set("max", question.number->max);
   if (question.number->value) arguments.set("initial", *question.number->value);
-  return read_id(command("ask_number", std::move(arguments)));
+  return services::read_id(command("ask_number", std::move(arguments)));
 }
 
 Expected<bool> RemoteStage::clear(const std::string& target) {
@@ -163,16 +142,7 @@ std::vector<Happening> RemoteStage::take() {
 }
 
 Expected<Value> answer_stage(Stage& stage, std::string_view function, const Dict& arguments) {
-  const auto known = std::ranges::find(kFunctions, function, &Function::name);
-  if (known == kFunctions.end())
-    return unexpected(ErrorCode::not_found, "a display's screens have no such function", std::string(function));
-  if (!known->operation) {
-    if (auto none = need_none(function, arguments); !none) return tl::unexpected(std::move(none).error());
-    return known->answer(stage, arguments);
-  }
-  const services::Call call{0, std::string(function), {}, arguments};
-  ASSIGN_OR_RETURN(const Dict bound, services::bind_arguments(*services::find_operation(model(), function), call));
-  return known->answer(stage, bound);
+  return services::answer_question(model(), kFunctions, stage, function, arguments);
 }
 
 }  // namespace race::display

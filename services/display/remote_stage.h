@@ -8,16 +8,12 @@
 // Threads: the component's; answer_stage() any.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string_view>
 
 #include "services/display/stage.h"
 
 namespace race::display {
-
-/// Asks the server and waits for its answer. Error `unavailable`: the connection has ended.
-using AskServer = std::function<Expected<Value>(std::string_view function, Dict arguments)>;
 
 class RemoteStage final : public Stage {
  public:
@@ -43,16 +39,5 @@ class RemoteStage final : public Stage {
 
 /// Asks `stage`. What it refuses (`not_found`) is a good answer; errors: those of a question that no component asks.
 Expected<Value> answer_stage(Stage& stage, std::string_view function, const Dict& arguments);
-
-// ---- How the answers look, for audio too.
-
-/// {"not_found": why}
-Value refusal(const Error& error);
-/// The answer, or what it refuses.
-Expected<Value> read_answer(Expected<Value> answer);
-/// An id in an answer.
-Expected<std::uint64_t> read_id(Expected<Value> answer);
-/// Error `unknown_field`: there are arguments.
-Expected<void> need_none(std::string_view function, const Dict& arguments);
 
 }  // namespace race::display

@@ -5,7 +5,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/value/expected.h"
@@ -31,6 +33,9 @@ struct Playback {
 
 // `target`: a display's name, or "all" (kEvery). Error `not_found`, with the path `display`: it is not connected, or
 // none is. Where the Screens are the server's, `unavailable`: the connection to it has ended.
+
+/// Asks the server of the Screens and waits for its answer. Error `unavailable`: the connection has ended.
+using AskServer = std::function<Expected<Value>(std::string_view function, Dict arguments)>;
 
 /// Of `display`.
 class Stage {
