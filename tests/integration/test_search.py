@@ -2,12 +2,11 @@
 import functools
 import json
 import math
-import shutil
 import tempfile
 import unittest
 from pathlib import Path
 
-from cell import BODIES, DEMO, DOCUMENT, NAMES, O_T_C, OPERATOR, SCENE
+from cell import BODIES, DOCUMENT, NAMES, O_T_C, OPERATOR, SCENE, copied
 from client import check
 from geometry import angle, turned
 from test_commands import race
@@ -38,12 +37,7 @@ def run(state, acts=(), seed=7, cell=None, without=(), **parameters):
     root = {"state": "Root", "link": state, "parameters": [{"name": n, "value": v} for n, v in parameters.items()]}
     document = {"rcm": 1, "name": state, "services": DOCUMENT["services"], "library": DOCUMENT["library"], "root": root}
     with tempfile.TemporaryDirectory() as folder:
-        for path in DEMO.iterdir():
-            shutil.copy(path, folder)
-        for name, content in ({"database.json": {"o_t_c": O_T_C}} | (cell or {})).items():
-            Path(folder, name).write_text(json.dumps(content))
-        for name in without:
-            Path(folder, name).unlink()
+        copied(folder, {"database.json": {"o_t_c": O_T_C}} | (cell or {}), without)
         words = ["run", "DOCUMENT", "--fast", "--json", "--seed", seed, "--cell", folder, "--limit", 200]
         if acts is not None:
             script = Path(folder, "operator.json")
