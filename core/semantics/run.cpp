@@ -74,30 +74,41 @@ Run::Run(Run&&) noexcept = default;
 Run& Run::operator=(Run&&) noexcept = default;
 Run::~Run() = default;
 
-std::vector<Error> check_arguments(const Program& program, const Dict& arguments) {
-  const auto& parameters = program[Program::root].parameters;
+namespace {
+
+struct Bound {
+  std::vector<Value> values;  // by parameter of the root; unknown: none given
   std::vector<Error> errors;
+};
+
+Bound bind(const Program& program, const Dict& arguments) {
+  const auto& parameters = program[Program::root].parameters;
+  Bound bound{std::vector<Value>(parameters.size(), Value::unknown()), {}};
   for (const auto& [key, value] : arguments) {
     const std::string& name = key.as_string();
-    if (std::ranges::find(parameters, name, &ParameterInfo::name) == parameters.end())
-      errors.push_back({ErrorCode::unknown_name, "the task has no parameter `" + name + "`", "arguments/" + name});
+    const auto parameter = std::ranges::find(parameters, name, &ParameterInfo::name);
+    if (parameter == parameters.end())
+      bound.errors.push_back(
+          {ErrorCode::unknown_name, "the task has no parameter `" + name + "`", "arguments/" + name});
     else if (!value.is_finite())
-      errors.push_back({ErrorCode::constant, "the argument is not finite", "arguments/" + name});
+      bound.errors.push_back({ErrorCode::constant, "the argument is not finite", "arguments/" + name});
+    else
+      bound.values[static_cast<std::size_t>(parameter - parameters.begin())] = value;
   }
-  return errors;
+  return bound;
+}
+
+}  // namespace
+
+std::vector<Error> check_arguments(const Program& program, const Dict& arguments) {
+  return bind(program, arguments).errors;
 }
 
 Expected<Run> Run::create(std::shared_ptr<const Program> program, const Dict& arguments, Budgets budgets) {
-  if (auto errors = check_arguments(*program, arguments); !errors.empty())
-    return tl::unexpected(std::move(errors.front()));
-  const auto& parameters = (*program)[Program::root].parameters;
-  std::vector<Value> values(parameters.size(), Value::unknown());
-  for (const auto& [key, value] : arguments) {
-    const auto parameter = std::ranges::find(parameters, key.as_string(), &ParameterInfo::name);
-    values[static_cast<std::size_t>(parameter - parameters.begin())] = value;
-  }
+  Bound bound = bind(*program, arguments);
+  if (!bound.errors.empty()) return tl::unexpected(std::move(bound.errors.front()));
   auto body = std::make_unique<Body>(std::move(program), budgets);
-  body->arguments = std::move(values);
+  body->arguments = std::move(bound.values);
   body->state.small_budget = budgets.evaluation.steps < language::kFewUnits;
   return Run(std::move(body));
 }
