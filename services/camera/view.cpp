@@ -1,5 +1,6 @@
 #include "services/camera/view.h"
 
+#include "services/camera/marker.h"
 #include "services/camera/vector_internal.h"
 
 namespace race::camera {
@@ -8,8 +9,10 @@ std::vector<Item> view(const world::World& world, const world::Pose& o_t_c) {
   const world::Pose c_t_o = inverse(o_t_c);
   std::vector<Item> items;
   for (const world::Body& body : world.scene().bodies) {
-    if (world.present(body.name))
-      items.push_back({body.shape, compose(c_t_o, world.pose(body.name)), parse_colour(body.colour)});
+    if (!world.present(body.name)) continue;
+    const world::Pose c_t_body = compose(c_t_o, world.pose(body.name));
+    items.push_back({body.shape, c_t_body, parse_colour(body.colour)});
+    for (const world::Marker& marker : body.markers) add_marker(marker, c_t_body, items);
   }
   for (const world::Link& link : world.model().links) {
     if (link.visuals.empty()) continue;

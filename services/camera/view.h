@@ -8,8 +8,8 @@
 
 namespace race::camera {
 
-/// All bodies of the scene that are present, and the links of the robot, as they are now, seen from `o_t_c`. On the
-/// world's thread.
+/// All bodies of the scene that are present, with their markers, and the links of the robot, as they are now, seen from
+/// `o_t_c`. On the world's thread.
 std::vector<Item> view(const world::World& world, const world::Pose& o_t_c);
 
 }  // namespace race::camera

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "core/value/json.h"
+#include "services/marker.h"
 
 namespace race::world {
 namespace {
@@ -115,9 +116,36 @@ bool is_colour(const std::string& text) {
   return text.size() == 7 && text[0] == '#' && text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
 }
 
+Expected<Marker> read_marker(const Value& value, const std::string& path) {
+  ASSIGN_OR_RETURN(const Fields fields, Fields::of(value, path, {"dictionary", "id", "side", "pose"}));
+  Marker marker;
+  ASSIGN_OR_RETURN(const std::string dictionary, fields.text("dictionary"));
+  if (dictionary != services::kMarkerDictionary) {
+    return unexpected(ErrorCode::unknown_name,
+                      "the one known dictionary is " + std::string(services::kMarkerDictionary),
+                      fields.path("dictionary"));
+  }
+  ASSIGN_OR_RETURN(const double id, fields.number("id", 0, services::kMarkerIds - 1));
+  marker.id = static_cast<int>(id);
+  if (marker.id != id) return unexpected(ErrorCode::type, "expected an int", fields.path("id"));
+  ASSIGN_OR_RETURN(marker.side, fields.number("side", 1e-3, kFarthest));
+  ASSIGN_OR_RETURN(marker.body_t_marker, read_pose(fields, "pose"));
+  return marker;
+}
+
+Expected<std::vector<Marker>> read_markers(const Value& list, const std::string& path) {
+  if (!list.is_list()) return unexpected(ErrorCode::type, "expected a list", path);
+  std::vector<Marker> markers;
+  for (const Value& each : list.as_list()) {
+    ASSIGN_OR_RETURN(Marker marker, read_marker(each, path + "[" + std::to_string(markers.size()) + "]"));
+    markers.push_back(marker);
+  }
+  return markers;
+}
+
 Expected<Body> read_body(const Value& value, const std::string& path) {
   ASSIGN_OR_RETURN(const Fields fields,
-                   Fields::of(value, path, {"name", "shape", "pose", "mass", "friction", "colour"}));
+                   Fields::of(value, path, {"name", "shape", "pose", "mass", "friction", "colour", "markers"}));
   Body body;
   ASSIGN_OR_RETURN(body.name, fields.text("name"));
   ASSIGN_OR_RETURN(body.shape, read_shape(fields));
@@ -126,6 +154,9 @@ Expected<Body> read_body(const Value& value, const std::string& path) {
   ASSIGN_OR_RETURN(body.friction, fields.number("friction", 0, 10.0));
   ASSIGN_OR_RETURN(body.colour, fields.text("colour"));
   if (!is_colour(body.colour)) return unexpected(ErrorCode::type, "expected #rrggbb", fields.path("colour"));
+  if (const Value* markers = value.find("markers")) {
+    ASSIGN_OR_RETURN(body.markers, read_markers(*markers, fields.path("markers")));
+  }
   return body;
 }
 

@@ -13,6 +13,14 @@
 
 namespace race::world {
 
+/// A printed marker (services/marker.h) on a body: it is seen, and touches nothing.
+struct Marker {
+  int id = 0;
+  double side = 0;  // m, of the black square
+  /// Its middle; x to the right and y up of what is printed, z out of it towards who reads it.
+  Pose body_t_marker;
+};
+
 /// A rigid body. The coefficient of Coulomb friction of a pair is the product of its two `friction` values.
 struct Body {
   std::string name;
@@ -21,6 +29,7 @@ struct Body {
   double mass = 0;  // kg; 0: immovable
   double friction = 0.5;
   std::string colour;  // "#rrggbb", for viewers
+  std::vector<Marker> markers{};
 };
 
 struct Mounting {
@@ -46,7 +55,7 @@ struct Scene {
 };
 
 /// Reads a scene document. Errors name the field (path such as `bodies[2].mass`): `missing`, `type`, `unknown_field`,
-/// `out_of_range`, `duplicate`, `version`.
+/// `out_of_range`, `duplicate`, `version`, `unknown_name` (a dictionary of markers).
 Expected<Scene> read_scene(const Value& document);
 
 /// Reads a scene file; the URDF's path becomes one that can be opened. Errors: `io`, those of parse_json and

@@ -15,7 +15,9 @@ Value demo() {
               "q": [0, 0, 0, 0, 0, 0, 0], "width": 0.1},
     "camera": {"pose": {"position": [1, 0, 1], "orientation": [1, 0, 0, 0]}, "rate_hz": 10},
     "bodies": [{"name": "ball", "shape": {"sphere": [0.02]}, "mass": 0.1, "friction": 0.5, "colour": "#12Ab34",
-                "pose": {"position": [0.5, 0, 0.02], "orientation": [0, 0, 0, 1]}}]})")
+                "pose": {"position": [0.5, 0, 0.02], "orientation": [0, 0, 0, 1]},
+                "markers": [{"dictionary": "DICT_4X4_50", "id": 7, "side": 0.03,
+                             "pose": {"position": [0, 0, 0.02], "orientation": [0, 0, 0, 1]}}]}]})")
       .value();
 }
 
@@ -43,6 +45,10 @@ TEST(Scene, IsReadWithItsBodies) {
   ASSERT_EQ(scene->bodies.size(), 1U);
   EXPECT_EQ(scene->bodies[0].shape, (Shape{Shape::Kind::sphere, {0.02, 0, 0}}));
   EXPECT_EQ(scene->bodies[0].o_t_body.position, (Vec3{0.5, 0, 0.02}));
+  ASSERT_EQ(scene->bodies[0].markers.size(), 1U);
+  EXPECT_EQ(scene->bodies[0].markers[0].id, 7);
+  EXPECT_EQ(scene->bodies[0].markers[0].side, 0.03);
+  EXPECT_EQ(scene->bodies[0].markers[0].body_t_marker.position, (Vec3{0, 0, 0.02}));
   EXPECT_EQ(scene->robot.finger_friction, 1.0);
   ASSERT_TRUE(scene->camera);
   EXPECT_EQ(scene->camera->o_t_c.position, (Vec3{1, 0, 1}));
@@ -61,6 +67,8 @@ struct Broken {
   ErrorCode code;
   const char* path;
 };
+
+std::vector<std::string> marker(const std::string& field) { return {"bodies", "0", "markers", "0", field}; }
 
 TEST(Scene, NamesWhatItRefuses) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -88,6 +96,19 @@ TEST(Scene, NamesWhatItRefuses) {
       {{"bodies", "0", "shape"}, Dict{}, ErrorCode::type, "bodies[0].shape"},
       {{"bodies", "0", "shape", "sphere", "0"}, 0, ErrorCode::out_of_range, "bodies[0].shape.sphere[0]"},
       {{"bodies", "0", "pose", "position"}, "here", ErrorCode::type, "bodies[0].pose.position"},
+      {{"bodies", "0", "markers"}, Dict{}, ErrorCode::type, "bodies[0].markers"},
+      {{"bodies", "0", "markers", "0"}, 7, ErrorCode::type, "bodies[0].markers[0]"},
+      {marker("dictionary"), "DICT_5X5_50", ErrorCode::unknown_name, "bodies[0].markers[0].dictionary"},
+      {marker("dictionary"), Value::unknown(), ErrorCode::missing, "bodies[0].markers[0].dictionary"},
+      {marker("id"), 50, ErrorCode::out_of_range, "bodies[0].markers[0].id"},
+      {marker("id"), -1, ErrorCode::out_of_range, "bodies[0].markers[0].id"},
+      {marker("id"), 1.5, ErrorCode::type, "bodies[0].markers[0].id"},
+      {marker("id"), nan, ErrorCode::out_of_range, "bodies[0].markers[0].id"},
+      {marker("side"), 0, ErrorCode::out_of_range, "bodies[0].markers[0].side"},
+      {marker("side"), -0.03, ErrorCode::out_of_range, "bodies[0].markers[0].side"},
+      {marker("side"), nan, ErrorCode::out_of_range, "bodies[0].markers[0].side"},
+      {marker("pose"), Value::unknown(), ErrorCode::missing, "bodies[0].markers[0].pose"},
+      {marker("colour"), "black", ErrorCode::unknown_field, "bodies[0].markers[0].colour"},
   };
   for (const Broken& broken : cases) {
     const auto scene = read_scene(changed(demo(), broken.keys, broken.value));
