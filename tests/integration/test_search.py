@@ -11,6 +11,7 @@ from client import check
 from geometry import angle, turned
 from test_commands import race
 
+ELBOW = {"body": "link_4"}
 HANDS = [{"act": "grab", "hand": "hand", "body": "gripper", "point": [0, 0, 0.05], "damping": 60}]
 
 
@@ -46,10 +47,10 @@ def run(state, acts=(), seed=7, cell=None, without=(), **parameters):
         return Outcome(*race(*words, document=document))
 
 
-def push(force, at=0.5, duration=0.6):
-    """Somebody pushes the tool, meaning it: the force rises for a fifth of a second."""
-    act = {"act": "push", "body": "gripper", "point": [0, 0, 0.15], "force": force, "duration": duration, "rise": 0.2}
-    return {"when": {"time": at}, "do": act}
+def push(force, at=0.5, duration=0.6, **where):
+    """Somebody pushes the tool, or `where`, meaning it: the force rises for a fifth of a second."""
+    where = where or {"body": "gripper", "point": [0, 0, 0.15]}
+    return {"when": {"time": at}, "do": {"act": "push", "force": force, "duration": duration, "rise": 0.2, **where}}
 
 
 def take(*names):
@@ -132,7 +133,7 @@ class Calibration(unittest.TestCase):
         self.assertEqual((late.name, "Root/Collect/Look.error" in late.fired), ("error", True))
 
     def test_the_arm_does_not_move_before_somebody_has_let_go(self):
-        outcome = run("CameraCalibration", samples=1, spread=0, patience=1)
+        outcome = run("CameraCalibration", samples=1, spread=0, hands=1)
         self.assertEqual((outcome.name, outcome.called("robot", "move")), ("error", []))
         self.assertEqual(len(outcome.called("display", "ask")), 1)
 
@@ -149,6 +150,21 @@ class Gesture(unittest.TestCase):
             outcome = run("HapticGesture", [push(force)])
             self.assertEqual((outcome.results["axis"], outcome.name[0]), (axis, axis[0]), force)
             self.assertEqual(outcome.name[1:], {"+": "_plus", "-": "_minus"}[axis[1]])
+
+    def test_a_push_at_the_elbow_is_the_force_at_the_tool_that_the_joints_feel_alike(self):
+        """What is promised is an axis of f_ext_hat, which is at the tool centre point. Only joints 1 to 3 feel the elbow, so
+        forwards and sideways it takes more to be felt, and up is not told from back: both turn joint 2 alike."""
+        for force, axis in (([40, 0, 0], "x+"), ([-40, 0, 0], "x-"), ([0, 70, 0], "y+"), ([0, -70, 0], "y-"),
+                            ([0, 0, 150], "x-"), ([0, 0, -150], "x+")):
+            self.assertEqual(run("HapticGesture", [push(force, **ELBOW)]).results["axis"], axis, force)
+        for force in ([0, 40, 0], [0, 0, 70]):
+            self.assertEqual(run("HapticGesture", [push(force, **ELBOW)], timeout=2).name, "timeout", force)
+
+    def test_where_z_alone_counts_the_elbow_must_not_be_pushed_forwards(self):
+        """The equivalent force is not along an axis, and its z is what is left. The tool is where a person shall push."""
+        for force, port in (([40, 0, 0], "abort"), ([-40, 0, 0], "by_hand")):
+            outcome = run("SearchObject", [take("can_yellow"), push(force, **ELBOW)], labels=["Tape"], pictures=15)
+            self.assertEqual(outcome.name, port, force)
 
     def test_passes_over_pushes_that_are_too_light_and_axes_that_are_not_asked_for(self):
         pushes = [push([0, 0, -8], at=0.3), push([0, 0, -25], at=1), push([0, 60, 0], at=2), push([0, 0, 45], at=3)]
