@@ -220,9 +220,9 @@ class Replayed(unittest.TestCase):
 class Again(Measured, unittest.TestCase):
     """On a database that an earlier run has left behind."""
 
-    def run_again(self, *without, **arguments):
+    def run_again(self, *without, acts=(), **arguments):
         lines(attempt=2)
-        acts = [{"do": [{"act": "take", "part": NAMES[label]} for label in without]}]
+        acts = [{"do": [{"act": "take", "part": NAMES[label]} for label in without]}, *acts]
         script = Path(FOLDER.name, "operator.json")
         script.write_text(json.dumps(check("operator", {"operator": 1, "displays": ["phone"], "acts": acts})))
         return told(run("--operator", script, "--database", KNOWN, "--limit", 120, "--arguments", json.dumps(arguments)))
@@ -231,7 +231,14 @@ class Again(Measured, unittest.TestCase):
         again = self.run_again("Box", "Block", "Bar")
         self.placed(again, {"Cube", TAUGHT})
         self.assertEqual(set(again.answers("db", "add")), {"object_pose"})
+        self.assertEqual(again.results["o_t_c"], headless().results["o_t_c"])
         self.assertNotIn("residual_position", again.results)  # nobody has measured
+
+    def test_what_is_known_is_calibrated_again_if_that_is_asked_for(self):
+        nobody_leads = {"when": {"display": {"text": "The calibration was not finished"}}, "do": {"act": "answer", "button": "Abort"}}
+        again = self.run_again(*NAMES, acts=[nobody_leads], recalibrate=True)
+        self.assertEqual((again.outcome, again.results.get("o_t_c")), ("abort", None))
+        self.assertEqual(len(again.answers("obj_rec", "start")), 1)  # it has looked for the tool
 
     def test_a_clear_table_is_a_success_at_once(self):
         again = self.run_again(*NAMES, begin="Table")
