@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "services/recognition/fit_internal.h"
+#include "services/recognition/identify_internal.h"
 #include "services/recognition/surface_internal.h"
 
 namespace race::recognition {
@@ -92,7 +93,8 @@ Fit assess(const Model& model, const std::vector<ColouredPoints>& seen, const Tr
       const double measured = frame.depth(u, v);
       const double tolerance = 3 * deviation(p.z()) + kSpacing;
       if (measured == 0 || measured < p.z() - tolerance) continue;  // nothing known, or hidden behind something
-      const bool there = measured < p.z() + tolerance && colours[frame.index(u, v)] == model.colours[i];
+      const bool there = measured < p.z() + tolerance &&
+                         (colours[frame.index(u, v)] == model.colours[i] || is_printed(model.part, sample.point));
       ++(there ? supported : refuted);
     }
   }

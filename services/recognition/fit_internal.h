@@ -7,6 +7,7 @@
 #include "services/recognition/cloud.h"
 #include "services/recognition/frame.h"
 #include "services/recognition/geometry_internal.h"
+#include "services/recognition/symmetry.h"
 
 namespace race::recognition {
 
@@ -20,6 +21,7 @@ struct ColouredPoints {
 struct Model {
   Part part;
   std::vector<std::uint8_t> colours;  // of each piece, index into the palette
+  Symmetry symmetry;
 };
 
 /// Standard deviation [m] of a depth of z [m], with its rounding: what a surface may seem to be off.
@@ -32,7 +34,7 @@ Transform refine(const Model& model, const std::vector<ColouredPoints>& seen, Tr
 /// How well a pose explains what was seen.
 struct Fit {
   double inliers = 0;  // share of the points that lie on the surface, within 3 deviations
-  double covered = 0;  // share of the surface that should be seen and is, by depth and colour
+  double covered = 0;  // share of the surface that should be seen and is, by depth and, beside markers, by colour
   double rms = 0;      // m, of the inliers
   double sunk = 0;     // m that it reaches below the plane that things stand on
   double confidence() const { return inliers * covered; }

@@ -9,6 +9,7 @@
 
 #include "core/value/fields.h"
 #include "core/value/json.h"
+#include "services/marker.h"
 #include "services/recognition/geometry_internal.h"
 
 namespace race::recognition {
@@ -96,6 +97,28 @@ Turn read_turn(const Value& json, const std::string& path, Errors& errors) {
   return turn;
 }
 
+Marker read_marker(const Value& json, const std::string& path, Errors& errors) {
+  Fields fields(json, path, "marker", errors);
+  Marker marker;
+  const auto dictionary = fields.text("dictionary", Fields::Need::required);
+  if (dictionary && *dictionary != services::kMarkerDictionary)
+    fields.violation(ErrorCode::unknown_name,
+                     "the one known dictionary is " + std::string(services::kMarkerDictionary));
+  const auto id = fields.number("id");
+  if (!id || *id != std::floor(*id) || *id < 0 || *id >= services::kMarkerIds)
+    fields.violation(ErrorCode::out_of_range,
+                     "`id` must be an int from 0 to " + std::to_string(services::kMarkerIds - 1));
+  else
+    marker.id = static_cast<int>(*id);
+  marker.side = fields.number("side").value_or(0);
+  if (!(marker.side >= 1e-3 && marker.side <= kLargest))
+    fields.violation(ErrorCode::out_of_range, "`side` must be a number from 0.001 to " + std::to_string(kLargest));
+  if (const Value* pose = fields.find("pose", Fields::Need::required))
+    read_pose(*pose, path + ".pose", marker.x_t_marker, errors);
+  fields.close();
+  return marker;
+}
+
 Part read_part(const Value& json, const std::string& path, Errors& errors) {
   Fields fields(json, path, "part", errors);
   Part part;
@@ -112,6 +135,10 @@ Part read_part(const Value& json, const std::string& path, Errors& errors) {
   i = 0;
   for (const Value& turn : fields.list("symmetry"))
     part.symmetry.push_back(read_turn(turn, path + ".symmetry[" + std::to_string(i++) + "]", errors));
+  for (const Value& marker : fields.list("markers"))
+    part.markers.push_back(read_marker(marker, path + ".markers[" + std::to_string(part.markers.size()) + "]", errors));
+  if (!part.markers.empty() && std::ranges::count(part.symmetry, 0, &Turn::order) > 0)
+    fields.violation(ErrorCode::out_of_range, "what has markers cannot be turned by any angle");
   fields.close();
   return part;
 }

@@ -34,14 +34,22 @@ struct Turn {
   int order = 1;
 };
 
+/// A printed marker (services/marker.h) on a part.
+struct Marker {
+  int id = 0;
+  double side = 0;  // m, of the black square
+  Pose x_t_marker;  // its middle; x to the right and y up of what is printed, z out of it towards who reads it
+};
+
 struct Part {
   std::string label;
-  std::vector<Piece> pieces;  // of one colour, or each of its own
-  std::vector<Turn> symmetry;
+  std::vector<Piece> pieces;    // of one colour, or each of its own
+  std::vector<Turn> symmetry;   // of the form: the markers may tell the turns apart
+  std::vector<Marker> markers;  // none: whatever is printed on it, it is this part
 };
 
 /// Reads a document of parts. Errors name the field: `missing`, `type`, `unknown_field`, `out_of_range`, `duplicate` (a
-/// label), `version`.
+/// label), `version`, `unknown_name` (a dictionary of markers).
 Expected<std::vector<Part>> read_parts(const Value& document);
 
 /// As read_parts, from a file. Errors also `io` and those of parse_json.

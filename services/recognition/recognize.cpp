@@ -5,9 +5,8 @@
 #include <optional>
 
 #include "services/recognition/cloud.h"
-#include "services/recognition/fit_internal.h"
+#include "services/recognition/identify_internal.h"
 #include "services/recognition/pixels.h"
-#include "services/recognition/symmetry.h"
 
 namespace race::recognition {
 namespace {
@@ -34,6 +33,7 @@ struct Seen {
   std::vector<std::uint8_t> colours;  // of each pixel
   std::optional<Plane> plane;
   std::vector<Cluster> clusters;
+  std::vector<SeenMarker> markers;  // on what can be a part with markers
 };
 
 Cloud to_cloud(const Frame& frame) {
@@ -80,6 +80,7 @@ Seen look(const Frame& frame, const std::vector<Colour>& palette) {
   Seen seen{frame,
             classify(frame, palette),
             find_plane(voxels(to_cloud(frame), kPlaneLeaf), kPlaneTolerance, kPlaneShare),
+            {},
             {}};
   const auto clouds = coloured_clouds(seen, palette.size());
   for (std::size_t colour = 0; colour < clouds.size(); ++colour)
@@ -88,12 +89,27 @@ Seen look(const Frame& frame, const std::vector<Colour>& palette) {
   return seen;
 }
 
+/// The region of the picture around a cluster, with room for sides that are hidden under a marker.
+Region region_of(const Cluster& cluster, const Frame& frame) {
+  double left = frame.width, top = frame.height, right = 0, bottom = 0;
+  for (const Vector& p : cluster.points) {
+    const double u = frame.cx + frame.fx * p.x() / p.z(), v = frame.cy + frame.fy * p.y() / p.z();
+    left = std::min(left, u);
+    right = std::max(right, u);
+    top = std::min(top, v);
+    bottom = std::max(bottom, v);
+  }
+  const double room = std::max(right - left, bottom - top) / 2;
+  return {static_cast<int>(left - room), static_cast<int>(top - room), static_cast<int>(right + room) + 1,
+          static_cast<int>(bottom + room) + 1};
+}
+
 /// Up, seen from the camera: away from the plane, or, without one, towards the camera.
 Vector up_of(const Seen& seen) { return seen.plane ? to_eigen(seen.plane->normal) : Vector(-Vector::UnitZ()); }
 
 /// First poses of a part of one colour: its bounding box laid into that of the cluster, in each way in which one of its
 /// sides can be up.
-std::vector<Transform> box_poses(const Part& part, const Symmetry& symmetry, const Cluster& cluster, const Vector& up) {
+std::vector<Transform> box_poses(const Model& model, const Cluster& cluster, const Vector& up) {
   // A frame f at the cluster: its z axis up, its x axis to the right of the picture.
   Rotation c_r_f;
   const Vector x = (Vector::UnitX() - up.x() * up).normalized();
@@ -110,11 +126,11 @@ std::vector<Transform> box_poses(const Part& part, const Symmetry& symmetry, con
   std::nth_element(heights.begin(), top, heights.end());
   const Rectangle rectangle = smallest_rectangle(footprint);
 
-  const Box box = bounding_box(part);
+  const Box box = bounding_box(model.part);
   std::vector<Transform> poses;
   const auto tried = [&](const Rotation& r) {
     return std::ranges::any_of(poses, [&](const Transform& each) {
-      return symmetry.angle(from_eigen(each).orientation, from_eigen(Transform(r)).orientation) < 0.02;
+      return model.symmetry.angle(from_eigen(each).orientation, from_eigen(Transform(r)).orientation) < 0.02;
     });
   };
   for (int side = 0; side < 6; ++side) {
@@ -148,10 +164,15 @@ std::vector<ColouredPoints> points_of(const Seen& seen, const std::vector<std::s
   return all;
 }
 
-/// The better of what there is and what `start` leads to.
+/// The better of what there is and what `start` leads to, if that is no other part by its markers.
 void try_pose(const Model& model, const Seen& seen, const Transform& start, Candidate& best) {
   const auto points = points_of(seen, best.clusters);
-  const Transform c_t_x = refine(model, points, start);
+  Transform c_t_x = refine(model, points, start);
+  if (!model.part.markers.empty()) {
+    const auto identified = identify(model, c_t_x, seen.markers, seen.frame);
+    if (!identified) return;
+    c_t_x = *identified;
+  }
   const Fit fit = assess(model, points, c_t_x, seen.frame, seen.colours, seen.plane);
   if (fit.confidence() <= best.fit.confidence()) return;
   best.c_t_x = c_t_x;
@@ -214,12 +235,28 @@ struct Recognizer::Knowledge {
   std::vector<std::string> labels;
   std::vector<Colour> palette;
   std::vector<Model> models;
-  std::vector<Symmetry> symmetries;
 
   std::uint8_t index_of(const Colour& colour) {
     const auto found = std::ranges::find(palette, colour);
     if (found == palette.end()) palette.push_back(colour);
     return static_cast<std::uint8_t>(std::ranges::find(palette, colour) - palette.begin());
+  }
+
+  bool sought(std::size_t part, const std::vector<std::string>& among) const {
+    return std::ranges::find(among, labels[part]) != among.end();
+  }
+
+  /// The markers on what has a colour of a part that is sought by its markers.
+  std::vector<SeenMarker> markers(const Seen& seen, const std::vector<std::string>& among) const {
+    std::vector<SeenMarker> out;
+    for (const Cluster& cluster : seen.clusters) {
+      bool asked = false;
+      for (std::size_t part = 0; part < models.size(); ++part)
+        asked = asked || (sought(part, among) && !models[part].part.markers.empty() &&
+                          std::ranges::find(models[part].colours, cluster.colour) != models[part].colours.end());
+      if (asked) std::ranges::copy(find_markers(seen.frame, region_of(cluster, seen.frame)), std::back_inserter(out));
+    }
+    return out;
   }
 
   std::vector<Candidate> candidates(std::size_t part, const Seen& seen) const {
@@ -233,8 +270,7 @@ struct Recognizer::Knowledge {
     for (std::size_t i = 0; i < seen.clusters.size(); ++i) {
       if (seen.clusters[i].colour != model.colours.front()) continue;
       Candidate best{part, {i}, Transform::Identity(), {}};
-      for (const Transform& start : box_poses(model.part, symmetries[part], seen.clusters[i], up_of(seen)))
-        try_pose(model, seen, start, best);
+      for (const Transform& start : box_poses(model, seen.clusters[i], up_of(seen))) try_pose(model, seen, start, best);
       out.push_back(std::move(best));
     }
     return out;
@@ -243,10 +279,10 @@ struct Recognizer::Knowledge {
 
 Recognizer::Recognizer(std::vector<Part> parts) : knowledge_(std::make_unique<Knowledge>()) {
   for (Part& part : parts) {
-    Model model{std::move(part), {}};
+    Symmetry symmetry(part.symmetry);
+    Model model{std::move(part), {}, std::move(symmetry)};
     for (const Piece& piece : model.part.pieces) model.colours.push_back(knowledge_->index_of(piece.colour));
     knowledge_->labels.push_back(model.part.label);
-    knowledge_->symmetries.emplace_back(model.part.symmetry);
     knowledge_->models.push_back(std::move(model));
   }
 }
@@ -256,10 +292,11 @@ Recognizer::~Recognizer() = default;
 const std::vector<std::string>& Recognizer::labels() const { return knowledge_->labels; }
 
 std::vector<Detection> Recognizer::recognize(const Frame& frame, const std::vector<std::string>& labels) const {
-  const Seen seen = look(frame, knowledge_->palette);
+  Seen seen = look(frame, knowledge_->palette);
+  seen.markers = knowledge_->markers(seen, labels);
   std::vector<Candidate> candidates;
   for (std::size_t part = 0; part < knowledge_->models.size(); ++part) {
-    if (std::ranges::find(labels, knowledge_->labels[part]) == labels.end()) continue;
+    if (!knowledge_->sought(part, labels)) continue;
     std::ranges::copy_if(knowledge_->candidates(part, seen), std::back_inserter(candidates), is_good);
   }
   std::ranges::stable_sort(candidates, std::greater{}, [](const Candidate& c) { return c.fit.confidence(); });
@@ -271,8 +308,9 @@ std::vector<Detection> Recognizer::recognize(const Frame& frame, const std::vect
     if (std::ranges::any_of(each.clusters, [&](std::size_t i) { return taken[i]; })) continue;
     for (const std::size_t i : each.clusters) taken[i] = true;
     Pose c_t_x = from_eigen(each.c_t_x);
-    c_t_x.orientation =
-        knowledge_->symmetries[each.part].upright(c_t_x.orientation, {up.x(), up.y(), up.z()}, {1, 0, 0});
+    const Model& model = knowledge_->models[each.part];
+    if (model.part.markers.empty())
+      c_t_x.orientation = model.symmetry.upright(c_t_x.orientation, {up.x(), up.y(), up.z()}, {1, 0, 0});
     detections.push_back({knowledge_->labels[each.part], c_t_x, each.fit.confidence()});
   }
   return detections;

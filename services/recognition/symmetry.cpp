@@ -53,6 +53,12 @@ Symmetry::Symmetry(const std::vector<Turn>& turns) : group_(std::make_unique<Gro
 Symmetry::~Symmetry() = default;
 Symmetry::Symmetry(Symmetry&&) noexcept = default;
 
+std::vector<Quaternion> Symmetry::turns() const {
+  std::vector<Quaternion> turns;
+  for (const Rotation& turn : group_->turns) turns.push_back(to_quaternion(turn));
+  return turns;
+}
+
 double Symmetry::angle(const Quaternion& a, const Quaternion& b) const {
   if (group_->axes.size() > 1) return 0;
   const Rotation first = rotation(a), second = rotation(b);

@@ -16,6 +16,8 @@ class Symmetry {
   ~Symmetry();
   Symmetry(Symmetry&&) noexcept;
 
+  /// The turns of finite order, the one that turns nothing first.
+  std::vector<Quaternion> turns() const;
   /// The least angle [rad] between two orientations, 0 if they are the same.
   double angle(const Quaternion& a, const Quaternion& b) const;
   /// Of the orientations that are the same as `orientation`, the one whose z axis is nearest to `up`, and then whose x

@@ -37,13 +37,18 @@ inline world::Body& body(world::Scene& scene, const std::string& name) {
 /// A turn about the world's z axis [rad].
 inline std::array<double, 4> yaw(double angle) { return {0, 0, std::sin(angle / 2), std::cos(angle / 2)}; }
 
-/// What the camera measures of the world now.
-inline Frame measured(const world::World& world, std::uint64_t seed) {
+/// What a Kinect measures of these things.
+inline Frame measured(const std::vector<camera::Item>& items, std::uint64_t seed) {
   const camera::Intrinsics k = camera::kinect();
-  const auto picture = camera::measure(camera::rasterize(camera::view(world, world.scene().camera->o_t_c), k), seed);
-  Frame frame{world.time(), k.width, k.height, k.fx, k.fy, k.cx, k.cy, picture.depth_mm, {}};
+  const auto picture = camera::measure(camera::rasterize(items, k), seed);
+  Frame frame{0, k.width, k.height, k.fx, k.fy, k.cx, k.cy, picture.depth_mm, {}};
   for (const camera::Rgb& c : picture.colour) frame.colour.push_back({c.r, c.g, c.b});
   return frame;
+}
+
+/// What the camera measures of the world now.
+inline Frame measured(const world::World& world, std::uint64_t seed) {
+  return measured(camera::view(world, world.scene().camera->o_t_c), seed);
 }
 
 }  // namespace race::recognition

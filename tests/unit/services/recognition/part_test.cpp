@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "core/value/json.h"
 
 namespace race::recognition {
@@ -35,6 +37,42 @@ TEST(Parts, AreReadWithShapesColoursAndSymmetry) {
   EXPECT_NEAR(box.half[2], 0.04, 1e-12);
 }
 
+std::string marked(const std::string& id = "7", const std::string& side = "0.03",
+                   const std::string& dictionary = "DICT_4X4_50", const std::string& more = "") {
+  return part(piece(R"({"box": [0.05, 0.05, 0.05]})"),
+              R"(, "markers": [{"dictionary": ")" + dictionary + R"(", "id": )" + id + R"(, "side": )" + side +
+                  R"(, "pose": {"position": [0, 0, 0.025], "orientation": [0, 0, 0, 1]}}])" + more);
+}
+
+TEST(Parts, AreReadWithTheirMarkers) {
+  const auto parts = read_parts(parse_json(file(marked())).value());
+  ASSERT_TRUE(parts) << to_string(parts.error());
+  ASSERT_EQ(parts->at(0).markers.size(), 1U);
+  const Marker& marker = parts->at(0).markers[0];
+  EXPECT_EQ(marker.id, 7);
+  EXPECT_EQ(marker.side, 0.03);
+  EXPECT_EQ(marker.x_t_marker.position, (Vec3{0, 0, 0.025}));
+}
+
+TEST(Parts, SayWhichMarkerTheyRefuse) {
+  const auto parts = read_parts(parse_json(file(marked("50"))).value());
+  ASSERT_FALSE(parts);
+  EXPECT_EQ(parts.error().path, "parts[0].markers[0]");
+  EXPECT_EQ(parts.error().message, "marker: `id` must be an int from 0 to 49");
+}
+
+TEST(Parts, RefuseMarkersThatAreNoNumbersInSize) {
+  for (const char* field : {"id", "side"}) {
+    Value document = parse_json(file(marked())).value();
+    Value& part = document.mutable_dict().find(Value("parts"))->mutable_list()[0];
+    Value& marker = part.mutable_dict().find(Value("markers"))->mutable_list()[0];
+    marker.mutable_dict().set(field, std::numeric_limits<double>::quiet_NaN());
+    const auto parts = read_parts(document);
+    ASSERT_FALSE(parts) << field;
+    EXPECT_EQ(name(parts.error().code), name(ErrorCode::constant)) << field;
+  }
+}
+
 TEST(Parts, NameWhatTheyRefuse) {
   const std::string ball = R"({"sphere": [0.02]})";
   const std::vector<std::pair<std::string, ErrorCode>> cases = {
@@ -53,6 +91,17 @@ TEST(Parts, NameWhatTheyRefuse) {
       {file(part(piece(ball), R"(, "symmetry": [{"axis": [0, 0, 0], "order": 2}])")), ErrorCode::out_of_range},
       {file(part(piece(ball), R"(, "symmetry": [{"axis": [0, 0, 1], "order": 1.5}])")), ErrorCode::out_of_range},
       {file(part(piece(ball)) + "," + part(piece(ball))), ErrorCode::duplicate},
+      {file(marked("7", "0.03", "DICT_5X5_50")), ErrorCode::unknown_name},
+      {file(marked("50")), ErrorCode::out_of_range},
+      {file(marked("-1")), ErrorCode::out_of_range},
+      {file(marked("1.5")), ErrorCode::out_of_range},
+      {file(marked("\"7\"")), ErrorCode::type},
+      {file(marked("7", "0")), ErrorCode::out_of_range},
+      {file(marked("7", "-0.03")), ErrorCode::out_of_range},
+      {file(marked("7", "0.03", "DICT_4X4_50", R"(, "symmetry": [{"axis": [0, 0, 1], "order": 0}])")),
+       ErrorCode::out_of_range},
+      {file(part(piece(ball), R"(, "markers": [7])")), ErrorCode::type},
+      {file(part(piece(ball), R"(, "markers": [{}])")), ErrorCode::missing},
   };
   for (const auto& [text, code] : cases) {
     const auto parts = read_parts(parse_json(text).value());
