@@ -9,15 +9,38 @@
 namespace race::server {
 namespace {
 
+// A WebSocket, and what wakes the coroutine that writes to it.
+class Session {
+ protected:
+  explicit Session(beast::tcp_stream stream)
+      : socket_(std::move(stream)), executor_(socket_.get_executor()), waker_(executor_) {}
+
+  // Whether it is open then; a message has at most `limit` bytes, and is one frame.
+  awaitable<bool> accept(const Upgrade& request, std::size_t limit) {
+    beast::get_lowest_layer(socket_).expires_never();
+    socket_.read_message_max(limit);
+    socket_.auto_fragment(false);
+    const auto [failed] = co_await socket_.async_accept(request, kUse);
+    co_return !failed;
+  }
+  // Until somebody cancels waker_.
+  awaitable<void> sleep() {
+    waker_.expires_at(std::chrono::steady_clock::time_point::max());
+    co_await waker_.async_wait(kUse);
+  }
+  void close() { beast::get_lowest_layer(socket_).close(); }
+
+  websocket::stream<beast::tcp_stream> socket_;
+  asio::any_io_executor executor_;
+  asio::steady_timer waker_;
+  bool over_ = false;
+};
+
 // One client of the stream. Held by its two coroutines, and by the hub until it leaves.
-class StreamSession final : public Listener, public std::enable_shared_from_this<StreamSession> {
+class StreamSession final : Session, public Listener, public std::enable_shared_from_this<StreamSession> {
  public:
   StreamSession(beast::tcp_stream stream, Hub& hub, Displays& displays)
-      : socket_(std::move(stream)),
-        waker_(socket_.get_executor()),
-        executor_(socket_.get_executor()),
-        hub_(hub),
-        displays_(displays) {}
+      : Session(std::move(stream)), hub_(hub), displays_(displays) {}
 
   Outbox& outbox() override { return outbox_; }
   void wake() override {
@@ -25,12 +48,8 @@ class StreamSession final : public Listener, public std::enable_shared_from_this
   }
 
   awaitable<void> run(Upgrade request) {
-    beast::get_lowest_layer(socket_).expires_never();
     socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
-    socket_.read_message_max(Door::kMessageBytes);
-    socket_.auto_fragment(false);  // a message is one frame
-    const auto [failed] = co_await socket_.async_accept(request, kUse);
-    if (failed) co_return;
+    if (!co_await accept(request, Door::kMessageBytes)) co_return;
     asio::co_spawn(
         executor_, [self = shared_from_this()] { return self->write(); }, asio::detached);
     beast::flat_buffer buffer(Door::kMessageBytes + 1024);
@@ -46,7 +65,7 @@ class StreamSession final : public Listener, public std::enable_shared_from_this
     displays_.leave(*this);
     hub_.leave(shared_from_this());
     waker_.cancel();
-    beast::get_lowest_layer(socket_).close();
+    close();
   }
 
  private:
@@ -54,47 +73,33 @@ class StreamSession final : public Listener, public std::enable_shared_from_this
     while (!over_) {
       while (auto text = outbox_.pop()) {
         const auto [error, bytes] = co_await socket_.async_write(asio::buffer(**text), kUse);
-        if (error || over_) {
-          beast::get_lowest_layer(socket_).close();
-          co_return;
-        }
+        if (error || over_) co_return close();
       }
       for (const std::string& channel : outbox_.take_owed()) hub_.repay(shared_from_this(), channel);
-      waker_.expires_at(std::chrono::steady_clock::time_point::max());
-      co_await waker_.async_wait(kUse);
+      co_await sleep();
     }
   }
 
-  websocket::stream<beast::tcp_stream> socket_;
-  asio::steady_timer waker_;
-  asio::any_io_executor executor_;
   Hub& hub_;
   Displays& displays_;
   Outbox outbox_;
-  bool over_ = false;
 };
 
 // One process of components. Held by its coroutines.
-class ComponentSession final : public std::enable_shared_from_this<ComponentSession> {
+class ComponentSession final : Session, public std::enable_shared_from_this<ComponentSession> {
  public:
   ComponentSession(beast::tcp_stream stream, remote::Remotes& remotes)
-      : socket_(std::move(stream)),
-        waker_(socket_.get_executor()),
-        heart_(socket_.get_executor()),
+      : Session(std::move(stream)),
+        heart_(executor_),
         beat_(remotes.heartbeat() / remote::ProcessLink::kBeats),
         link_(remotes) {}
 
   awaitable<void> run(Upgrade request) {
-    beast::get_lowest_layer(socket_).expires_never();
-    socket_.read_message_max(remote::kFrameBytes);
-    socket_.auto_fragment(false);
-    const auto [failed] = co_await socket_.async_accept(request, kUse);
-    if (failed) co_return;
-    const auto executor = socket_.get_executor();
+    if (!co_await accept(request, remote::kFrameBytes)) co_return;
     asio::co_spawn(
-        executor, [self = shared_from_this()] { return self->write(); }, asio::detached);
+        executor_, [self = shared_from_this()] { return self->write(); }, asio::detached);
     asio::co_spawn(
-        executor, [self = shared_from_this()] { return self->beat(); }, asio::detached);
+        executor_, [self = shared_from_this()] { return self->beat(); }, asio::detached);
     beast::flat_buffer buffer(remote::kFrameBytes + 1024);
     for (;;) {
       const auto [error, bytes] = co_await socket_.async_read(buffer, kUse);
@@ -111,7 +116,7 @@ class ComponentSession final : public std::enable_shared_from_this<ComponentSess
 
  private:
   awaitable<void> write() {
-    link_.out().on_change([this, weak = weak_from_this(), executor = socket_.get_executor()] {
+    link_.out().on_change([this, weak = weak_from_this(), executor = executor_] {
       asio::post(executor, [this, weak] {
         if (const auto self = weak.lock()) waker_.cancel();
       });
@@ -123,8 +128,7 @@ class ComponentSession final : public std::enable_shared_from_this<ComponentSess
         if (error || over_) co_return close();
       }
       if (link_.out().drained()) co_return close();
-      waker_.expires_at(std::chrono::steady_clock::time_point::max());
-      co_await waker_.async_wait(kUse);
+      co_await sleep();
     }
   }
 
@@ -138,13 +142,9 @@ class ComponentSession final : public std::enable_shared_from_this<ComponentSess
     }
   }
 
-  void close() { beast::get_lowest_layer(socket_).close(); }
-
-  websocket::stream<beast::tcp_stream> socket_;
-  asio::steady_timer waker_, heart_;
+  asio::steady_timer heart_;
   std::chrono::milliseconds beat_;
   remote::ProcessLink link_;
-  bool over_ = false;
 };
 
 }  // namespace
