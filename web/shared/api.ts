@@ -1,6 +1,6 @@
 // The REST door: every request to the server, each answer parsed from `unknown` before anyone sees it.
 import type { MicroStep } from "./derivation/proof";
-import { array, boolean, number, object, present, string, type Decoder, type JsonValue } from "./json/decode";
+import { array, boolean, number, object, present, record, string, type Decoder, type JsonValue } from "./json/decode";
 import { scene, type Scene } from "./messages/cell";
 import { core, type Core } from "./messages/core";
 import { person, type Person, type PersonAct } from "./messages/person";
@@ -9,6 +9,7 @@ import { serverErrors, type ServerError } from "./messages/stream";
 import { why, type Why } from "./messages/why";
 import { rcmDocument } from "./model/decodeModel";
 import type { RcmDocument } from "./model/model";
+import { withOracles } from "./model/oracles";
 
 export interface DocumentEntry {
   readonly name: string;
@@ -52,7 +53,10 @@ const documents: Decoder<readonly DocumentEntry[]> = object((f) =>
 
 const health: Decoder<Health> = object((f) => ({ version: f.need("version", string), cell: f.need("cell", boolean) }));
 
-const native: Decoder<RcmDocument> = object((f) => f.need("document", rcmDocument));
+const native: Decoder<RcmDocument> = object((f) => {
+  const document = f.need("document", rcmDocument);
+  return { ...document, root: withOracles(document.root, f.need("origin", record(string))) };
+});
 
 const segment = encodeURIComponent;
 

@@ -1,6 +1,6 @@
 // The canvas: the laid out model with zoom, pan, breadcrumb and the light of the run.
 import { Background, BackgroundVariant, MiniMap, ReactFlow, ReactFlowProvider, useReactFlow, useStore, type NodeTypes, type EdgeTypes } from "@xyflow/react";
-import { useEffect, useMemo, useRef, useState, type CSSProperties, type RefObject } from "react";
+import { memo, useEffect, useMemo, useRef, useState, type CSSProperties, type RefObject } from "react";
 import { fit, fitReadable } from "../../shared/drawing/fit";
 import { flowLines, flowNodes } from "../../shared/drawing/flow";
 import type { ModelTree } from "../../shared/model/modelTree";
@@ -9,6 +9,7 @@ import { useView, view } from "../client";
 import { BarrierNode, type BarrierFlowNode } from "./BarrierNode";
 import { Breadcrumb } from "./Breadcrumb";
 import { CanvasTools } from "./CanvasTools";
+import { LayoutProgress } from "./LayoutProgress";
 import { ArrowHeads, ModelLine, type LineFlowEdge } from "./ModelLine";
 import { StateNode, type StateFlowNode } from "./StateNode";
 import { useDrawing, type Laid } from "./useDrawing";
@@ -21,7 +22,7 @@ const edgeTypes: EdgeTypes = { line: ModelLine };
 export function ModelCanvas({ tree }: { readonly tree: ModelTree | undefined }) {
   const frame = useRef<HTMLDivElement>(null);
   const size = useSize(frame);
-  const laid = useDrawing(tree, size);
+  const { laid, progress } = useDrawing(tree, size);
   return (
     <section className="canvas" aria-label="Model" ref={frame}>
       <ArrowHeads />
@@ -30,6 +31,7 @@ export function ModelCanvas({ tree }: { readonly tree: ModelTree | undefined }) 
           <Breadcrumb tree={tree} />
           <CanvasTools tree={tree} detail={laid.detail} />
           <Flow laid={laid} tree={tree} />
+          {progress !== undefined && <LayoutProgress progress={progress} laid={laid} />}
         </ReactFlowProvider>
       ) : (
         <Empty waiting={tree !== undefined} />
@@ -46,7 +48,7 @@ function Empty({ waiting }: { readonly waiting: boolean }) {
   );
 }
 
-function Flow({ laid, tree }: { readonly laid: Laid; readonly tree: ModelTree }) {
+const Flow = memo(function Flow({ laid, tree }: { readonly laid: Laid; readonly tree: ModelTree }) {
   const nodes = useMemo(
     () =>
       flowNodes(laid.drawing, tree).map(({ drawn, inbound, zIndex }): StateFlowNode | BarrierFlowNode => {
@@ -93,7 +95,7 @@ function Flow({ laid, tree }: { readonly laid: Laid; readonly tree: ModelTree })
       <Sight laid={laid} moved={moved} />
     </ReactFlow>
   );
-}
+});
 
 /** The library would let clicks through nodes that can neither be dragged nor selected by it. */
 const kTouchable = { pointerEvents: "all" } as const;
@@ -142,6 +144,7 @@ function Sight({ laid, moved }: SightProps) {
   useEffect(() => {
     const canvas = dom?.closest<HTMLElement>(".canvas");
     canvas?.setAttribute("data-zoom", zoom < 0.62 ? "far" : "near");
+    canvas?.style.setProperty("--least", String(0.5 / zoom));
     canvas?.style.setProperty("--grow", String(Math.min(3, 0.72 / zoom)) satisfies NonNullable<CSSProperties["width"]>);
   }, [zoom, dom]);
   return null;

@@ -1,7 +1,9 @@
 // A state in the thesis' notation (Fig. 3.2-3.4): rounded frame, name, text section, ports on the border.
 import { Handle, Position, type NodeProps, type Node } from "@xyflow/react";
+import type { CSSProperties } from "react";
 import type { DrawnNode, DrawnPort } from "../../shared/drawing/drawing";
 import { liveValue } from "../../shared/drawing/live";
+import { nameRoom, portNameRoom } from "../../shared/drawing/measure";
 import { clip, valueText, type Line } from "../../shared/model/describe";
 import { useView, view } from "../client";
 import { useLive } from "./useLive";
@@ -12,26 +14,27 @@ export function StateNode({ data: { drawn } }: NodeProps<StateFlowNode>) {
   const selected = useView((v) => v.selection?.kind === "node" && v.selection.path === drawn.path);
   const active = useLive((live) => live.active.has(drawn.path));
   const faulted = useLive((live) => live.faultAt === drawn.path);
-  const classes = ["state", active && "is-active", selected && "is-selected", drawn.open && "is-open", faulted && "is-faulted"];
+  const covered = drawn.side === "EAST" && !drawn.open && drawn.ports.length > 0;
+  const classes = ["state", drawn.dispatcher !== undefined && "is-dispatcher", covered && "has-ports-east", active && "is-active", selected && "is-selected", drawn.open && "is-open", faulted && "is-faulted"];
   const select = () => view.dispatch({ type: "select", selection: { kind: "node", path: drawn.path } });
   return (
     <div
       className={classes.filter(Boolean).join(" ")}
       role="group"
-      aria-label={`State ${drawn.path}`}
+      aria-label={`${drawn.dispatcher === undefined ? "State" : "Dispatcher"} ${drawn.path}`}
       data-path={drawn.path}
       data-active={active}
-      style={{ width: drawn.width, height: drawn.height }}
+      style={withRoom({ width: drawn.width, height: drawn.height }, nameRoom(drawn))}
       onClick={select}
       onDoubleClick={() => drawn.composite && view.dispatch({ type: "enter", path: drawn.path })}
     >
       <Handle type="target" position={Position.Left} isConnectable={false} />
       <Handle type="source" position={Position.Right} isConnectable={false} />
       <div className="state-head">
-        <button type="button" className="state-name" aria-label={`Select ${drawn.path}`} onClick={select}>
-          {drawn.name}
+        <button type="button" className="state-name" aria-label={`Select ${drawn.path}`} title={titleOf(drawn)} onClick={select}>
+          {drawn.dispatcher === undefined ? drawn.name : kSigns[drawn.dispatcher]}
         </button>
-        {drawn.badge !== undefined && <span className="state-badge">{drawn.badge}</span>}
+        {drawn.badge !== undefined && <span className={`state-badge${drawn.badge.startsWith("oracle") ? " is-oracle" : ""}`}>{drawn.badge}</span>}
         {drawn.composite && <Toggle drawn={drawn} />}
       </div>
       {drawn.lines.length > 0 && <TextSection drawn={drawn} />}
@@ -41,6 +44,14 @@ export function StateNode({ data: { drawn } }: NodeProps<StateFlowNode>) {
     </div>
   );
 }
+
+/** Of a dispatcher: it goes on where its parent was left, or where it is told. */
+const kSigns = { history: "H", choice: "?" } as const;
+
+const titleOf = ({ dispatcher, name }: DrawnNode): string => (dispatcher === undefined ? name : `${name} of the oracle: which state is entered first`);
+
+/** How much larger the name may be written, for the style sheet. */
+const withRoom = (style: CSSProperties, room: number): CSSProperties & Record<"--room", number> => ({ ...style, "--room": room });
 
 function Toggle({ drawn }: { readonly drawn: DrawnNode }) {
   return (
@@ -96,16 +107,16 @@ function PortBox({ port, origin }: { readonly port: DrawnPort; readonly origin: 
       aria-label={`Port ${port.address}`}
       data-active={active}
       data-fired={fired}
-      title={port.when}
-      style={{ left: port.x - origin.x, top: port.y - origin.y, width: port.width, height: port.height }}
+      title={origin.dispatcher === undefined ? port.when : `${port.name}: ${port.when}`}
+      style={withRoom({ left: port.x - origin.x, top: port.y - origin.y, width: port.width, height: port.height }, portNameRoom(port))}
       onClick={(event) => {
         event.stopPropagation();
         view.dispatch({ type: "select", selection: { kind: "port", address: port.address } });
       }}
       onDoubleClick={(event) => event.stopPropagation()}
     >
-      <span className="port-name">{port.name}</span>
-      {port.condition !== "" && <code>{port.condition}</code>}
+      {origin.dispatcher === undefined && <span className="port-name">{port.name}</span>}
+      {origin.dispatcher === undefined && port.condition !== "" && <code>{port.condition}</code>}
     </button>
   );
 }

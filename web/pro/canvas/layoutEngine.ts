@@ -1,17 +1,24 @@
-// ELK in a worker, loaded with the first drawing: the page stays responsive while a large model is laid out.
+// ELK in workers, loaded with the first drawing: the page stays responsive while a large model is laid out.
 import type { ELK, ElkNode } from "elkjs/lib/elk-api";
 import workerUrl from "elkjs/lib/elk-worker.min.js?url";
 import type { ElkGraph, LayoutEngine } from "../../shared/drawing/elk";
+import { createPool } from "../../shared/drawing/pool";
 
-let engine: Promise<ELK> | undefined;
+/** More would cost more to start than they give. */
+const kWorkers = Math.max(1, Math.min(4, navigator.hardwareConcurrency - 1));
 
 async function load(): Promise<ELK> {
   const { default: Elk } = await import("elkjs/lib/elk-api");
   return new Elk({ workerFactory: () => new Worker(workerUrl) });
 }
 
-export const layoutInWorker: LayoutEngine = async (graph) => {
-  engine ??= load();
-  const answer = await (await engine).layout(graph as ElkNode);
-  return answer as ElkGraph;
-};
+const withWorker = createPool(load, kWorkers);
+
+/** Work that is not wanted any more, but waits for a worker, is not begun: `signal` says so. */
+export function layoutInWorkers(signal?: AbortSignal): LayoutEngine {
+  return (graph) =>
+    withWorker(async (elk) => {
+      signal?.throwIfAborted();
+      return (await elk.layout(graph as ElkNode)) as ElkGraph;
+    });
+}

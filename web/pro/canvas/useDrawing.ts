@@ -1,21 +1,36 @@
 // The drawing of what the view shows, laid out anew when the model, the focus, what is collapsed or the detail changes.
 import { useEffect, useMemo, useState } from "react";
 import type { Drawing } from "../../shared/drawing/drawing";
-import type { LayoutEngine } from "../../shared/drawing/elk";
 import { readable } from "../../shared/drawing/fit";
 import { layoutModel } from "../../shared/drawing/layout";
+import { layoutMemory } from "../../shared/drawing/layoutMemory";
 import { details, type Detail, type Size } from "../../shared/drawing/measure";
 import { buildTree, stateAt, type ModelTree } from "../../shared/model/modelTree";
+import type { Shown } from "../../shared/session/view";
 import { useSession, useView } from "../client";
-import { layoutInWorker } from "./layoutEngine";
+import { layoutInWorkers } from "./layoutEngine";
 
 export interface Laid {
   readonly drawing: Drawing;
   readonly detail: Detail;
+  /** What of the view it shows. */
+  readonly shows: Shown;
   /** The detail was asked for, so it must be large enough to be read at first. */
   readonly asked: boolean;
   /** What the canvas fits itself to: changes with the model, the focus and the detail. */
   readonly key: string;
+}
+
+/** How far the next drawing is: composites laid out, of how many. */
+export interface Progress {
+  readonly done: number;
+  readonly of: number;
+}
+
+export interface CanvasDrawing {
+  readonly laid: Laid | undefined;
+  /** None: what is drawn is what the view shows. */
+  readonly progress: Progress | undefined;
 }
 
 export function useTree(): ModelTree | undefined {
@@ -23,11 +38,14 @@ export function useTree(): ModelTree | undefined {
   return useMemo(() => (model === undefined ? undefined : buildTree(model.root)), [model]);
 }
 
-export function useDrawing(tree: ModelTree | undefined, canvas: Size | undefined): Laid | undefined {
+const memory = layoutMemory();
+
+export function useDrawing(tree: ModelTree | undefined, canvas: Size | undefined): CanvasDrawing {
   const focus = useView((view) => view.focus);
   const collapsed = useView((view) => view.collapsed);
   const wanted = useView((view) => view.detail);
   const [laid, setLaid] = useState<Laid>();
+  const [progress, setProgress] = useState<Progress>();
   const ready = canvas !== undefined;
   // The canvas' size chooses the first arrangement; later changes of its size must not rearrange the drawing.
   const frame = useMemo(() => canvas, [ready, focus]);
@@ -40,26 +58,38 @@ export function useDrawing(tree: ModelTree | undefined, canvas: Size | undefined
       setLaid(undefined);
       return;
     }
-    let current = true;
-    const aspect = Math.min(2.4, Math.max(0.6, frame.width / frame.height));
     // The rest of a drawing that nobody waits for any more would hold up the next one.
-    const engine: LayoutEngine = (graph) => (current ? layoutInWorker(graph) : Promise.reject(new Error("another drawing is wanted")));
-    const draw = (detail: Detail) => layoutModel(engine, { state, path, collapsed, detail, aspect });
+    const another = new AbortController();
+    const { signal } = another;
+    const engine = layoutInWorkers(signal);
+    const aspect = Math.min(2.4, Math.max(0.6, frame.width / frame.height));
+    const draw = (detail: Detail, onProgress?: (done: number, of: number) => void) =>
+      layoutModel(engine, { state, path, collapsed, detail, aspect, signal, ...(onProgress === undefined ? {} : { onProgress }) }, memory);
     const keyOf = (detail: Detail) => `${root ?? ""} ${path} ${wanted} ${detail} ${collapsed.size}`;
+    const take = (detail: Detail, drawing: Drawing) =>
+      setLaid({ drawing, detail, shows: { focus, collapsed, detail: wanted }, asked: wanted !== "auto", key: keyOf(detail) });
     // The least detail is there first; more follows as long as it can be read.
     const show = async () => {
-      for (const detail of wanted === "auto" ? details : [wanted]) {
-        const drawing = await draw(detail);
-        if (!current || (detail !== "slim" && wanted === "auto" && !readable(drawing, frame))) return;
-        setLaid({ drawing, detail, asked: wanted !== "auto", key: keyOf(detail) });
+      const [first, ...more] = wanted === "auto" ? details : [wanted];
+      if (first === undefined) return;
+      let drawing = await draw(first, (done, of) => !signal.aborted && setProgress({ done, of }));
+      if (signal.aborted) return;
+      take(first, drawing);
+      setProgress(undefined);
+      for (const detail of more) {
+        if (!readable(drawing, frame)) return;
+        drawing = await draw(detail);
+        if (signal.aborted || !readable(drawing, frame)) return;
+        take(detail, drawing);
       }
     };
     show().catch((error: unknown) => {
-      if (current) throw error;
+      if (!signal.aborted) throw error;
     });
     return () => {
-      current = false;
+      another.abort();
+      setProgress(undefined);
     };
   }, [tree, focus, collapsed, wanted, frame]);
-  return laid;
+  return { laid, progress };
 }

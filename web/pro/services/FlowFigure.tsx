@@ -3,7 +3,7 @@ import { useEffect, useMemo, useState } from "react";
 import type { Point } from "../../shared/drawing/drawing";
 import { drawFlows, flowShape, flowsOf, type Flow, type FlowDrawing } from "../../shared/service/flowDrawing";
 import type { Service } from "../../shared/messages/service";
-import { layoutInWorker } from "../canvas/layoutEngine";
+import { layoutInWorkers } from "../canvas/layoutEngine";
 
 const rateText = (flow: Flow) => (flow.flowing ? `${flow.flow} ${flow.rate.toFixed(1)}/s` : flow.flow);
 const sentence = (flow: Flow) => `${flow.from} publishes ${flow.flow} to ${flow.to}, ${flow.flowing ? `${flow.rate.toFixed(1)} packets per second` : "no packets now"}`;
@@ -15,7 +15,7 @@ function useFlowDrawing(services: readonly Service[]): FlowDrawing | undefined {
   const text = useMemo(() => JSON.stringify(flowShape(services)), [services]);
   useEffect(() => {
     let current = true;
-    void drawFlows(layoutInWorker, JSON.parse(text) as ReturnType<typeof flowShape>).then((next) => current && setDrawing(next));
+    void drawFlows(layoutInWorkers(), JSON.parse(text) as ReturnType<typeof flowShape>).then((next) => current && setDrawing(next));
     return () => {
       current = false;
     };

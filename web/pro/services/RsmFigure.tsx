@@ -2,7 +2,7 @@
 import { useEffect, useState } from "react";
 import type { Rsm } from "../../shared/messages/service";
 import { drawRsm, splinePath, type RsmDrawing } from "../../shared/service/rsmDrawing";
-import { layoutInWorker } from "../canvas/layoutEngine";
+import { layoutInWorkers } from "../canvas/layoutEngine";
 
 interface Props {
   readonly rsm: Rsm;
@@ -14,7 +14,7 @@ export function RsmFigure({ rsm, state, last }: Props) {
   const [drawing, setDrawing] = useState<RsmDrawing>();
   useEffect(() => {
     let current = true;
-    void drawRsm(layoutInWorker, rsm).then((next) => current && setDrawing(next));
+    void drawRsm(layoutInWorkers(), rsm).then((next) => current && setDrawing(next));
     return () => {
       current = false;
     };

@@ -37,6 +37,8 @@ export interface DrawnNode extends Box {
   readonly ports: readonly DrawnPort[];
   readonly side: Side;
   readonly badge?: string;
+  /** Decides where its parent begins (3.3.2): drawn as a sign, not as a state. */
+  readonly dispatcher?: "history" | "choice";
 }
 
 /** `transition`: port to sibling; `fork`: barrier to state; `first`: composite to child; `exit`: child's port to parent's port; `nowhere`: a port without either. */

@@ -1,10 +1,12 @@
 // Automatic layout of a nested model: every composite is laid out alone, from the inside out, in several arrangements; the one
 // that fills a landscape frame best is taken. No line crosses more than one border (constraint after Def. 3.8), so that suffices.
 import type { Node, State } from "../model/model";
+import { shift, rebase, type Block } from "./block";
 import { compositeGraph, inletOf, linesOf, type Arrangement, type ChildBox } from "./compositeGraph";
 import type { Box, DrawnLine, DrawnNode, DrawnPort, Drawing, Point, Side } from "./drawing";
 import type { ElkEdge, ElkGraph, LayoutEngine } from "./elk";
-import { barrierSize, conditionText, drawnLines, headSize, leafBoxes, portInset, type Detail, type Size } from "./measure";
+import { layoutMemory, type LayoutMemory } from "./layoutMemory";
+import { badgeText, barrierSize, conditionText, drawnLines, headSize, leafBoxes, portInset, type Detail, type Size } from "./measure";
 
 export interface LayoutRequest {
   /** The state whose inside fills the canvas, and its path. */
@@ -15,28 +17,37 @@ export interface LayoutRequest {
   readonly detail: Detail;
   /** Width by height of the canvas. */
   readonly aspect: number;
+  /** Nobody waits for the drawing any more: its promise is refused with the signal's reason. */
+  readonly signal?: AbortSignal;
+  /** How many composites are laid out, of how many. */
+  readonly onProgress?: (done: number, of: number) => void;
 }
 
-/** A laid out subtree; coordinates are relative to its top left corner. */
-interface Block {
-  readonly size: Size;
-  readonly ports: readonly Box[];
-  readonly nodes: readonly DrawnNode[];
-  readonly lines: readonly DrawnLine[];
-}
-
-/** The request with what was laid out for it: a state is needed in each arrangement of all that it lies in, so without this
- *  the work would double with every level. */
+/** The request with what is being laid out for it: a state is needed in each arrangement of all that it lies in, so without
+ *  this the work would double with every level. */
 interface Job extends LayoutRequest {
-  readonly known: Map<string, Promise<Block>>;
+  readonly begun: Map<string, Promise<Block>>;
+  readonly memory: LayoutMemory;
+  /** Whether rows are wrapped, where that may help, on every level. */
+  readonly thorough: boolean;
+  /** A composite is laid out. */
+  readonly done: () => void;
 }
 
 const kMargin = 24;
 /** From so many children on, one direction is enough to try. */
 const kMany = 40;
+/** With more composites to lay out, so large that it is read as a map first, a drawing wraps rows on its upper levels alone. */
+const kThorough = 40;
+const kUpper = 1;
 
-export async function layoutModel(engine: LayoutEngine, request: LayoutRequest): Promise<Drawing> {
-  const block = await layoutNode(engine, { ...request, known: new Map() }, request.state, request.path, "EAST", 0);
+export async function layoutModel(engine: LayoutEngine, request: LayoutRequest, memory = layoutMemory()): Promise<Drawing> {
+  const thorough = workOf(request, memory, true) <= kThorough;
+  const of = workOf(request, memory, thorough);
+  let count = 0;
+  const done = () => request.onProgress?.(++count, of);
+  request.onProgress?.(0, of);
+  const block = await layoutNode(engine, { ...request, begun: new Map(), memory, thorough, done }, request.state, request.path, "EAST", 0);
   const reach = Math.max(0, ...block.ports.map((port) => port.x + port.width - block.size.width));
   const shifted = shift(block, { x: kMargin, y: kMargin });
   const stub = 40;
@@ -48,38 +59,72 @@ export async function layoutModel(engine: LayoutEngine, request: LayoutRequest):
   };
 }
 
-function layoutNode(engine: LayoutEngine, job: Job, node: Node, path: string, side: Side, depth: number): Promise<Block> {
-  const key = `${side} ${path}`;
-  const block = job.known.get(key) ?? layoutOnce(engine, job, node, path, side, depth);
-  job.known.set(key, block);
+const isOpen = (request: LayoutRequest, node: Node, path: string): node is State =>
+  node.kind === "state" && node.children.length > 0 && !request.collapsed.has(path);
+
+const directionsOf = (state: State): readonly Arrangement["direction"][] => (state.children.length > kMany ? ["RIGHT"] : ["RIGHT", "DOWN"]);
+const sideIn = (direction: Arrangement["direction"]): Side => (direction === "RIGHT" ? "EAST" : "SOUTH");
+
+/** How many composites have to be laid out, each for each border that its ports may stand on. */
+function workOf(request: LayoutRequest, memory: LayoutMemory, thorough: boolean): number {
+  const found = new Set<string>();
+  const visit = (node: Node, path: string, side: Side): void => {
+    if (!isOpen(request, node, path)) return;
+    const look = memory.look(node, path, side, request);
+    if (found.has(look) || memory.find(look, thorough) !== undefined) return;
+    found.add(look);
+    for (const direction of directionsOf(node)) for (const child of node.children) visit(child, `${path}/${child.name}`, sideIn(direction));
+  };
+  visit(request.state, request.path, "EAST");
+  return found.size;
+}
+
+async function layoutNode(engine: LayoutEngine, job: Job, node: Node, path: string, side: Side, depth: number): Promise<Block> {
+  if (!isOpen(job, node, path)) return leaf(job, node, path, side, depth);
+  const look = job.memory.look(node, path, side, job);
+  const known = job.memory.find(look, job.thorough) ?? (await (job.begun.get(look) ?? begin(engine, job, node, path, side, depth, look)));
+  return rebase(known, path, depth);
+}
+
+function begin(engine: LayoutEngine, job: Job, state: State, path: string, side: Side, depth: number, look: string): Promise<Block> {
+  const block = layoutOnce(engine, job, state, path, side, depth).then((laid) => {
+    job.memory.keep(look, job.thorough, laid);
+    job.done();
+    return laid;
+  });
+  job.begun.set(look, block);
   return block;
 }
 
-async function layoutOnce(engine: LayoutEngine, request: Job, node: Node, path: string, side: Side, depth: number): Promise<Block> {
-  if (node.kind === "barrier") return leaf(request, node, path, side, depth);
-  const open = node.children.length > 0 && !request.collapsed.has(path);
-  if (!open) return leaf(request, node, path, side, depth);
-  const candidates: Block[] = [];
-  for (const direction of node.children.length > kMany ? (["RIGHT"] as const) : (["RIGHT", "DOWN"] as const)) {
-    const inner: Side = direction === "RIGHT" ? "EAST" : "SOUTH";
-    const children = new Map<string, Block>();
-    for (const child of node.children) {
-      const childPath = `${path}/${child.name}`;
-      children.set(childPath, await layoutNode(engine, request, child, childPath, inner, depth + 1));
-    }
-    for (const arrangement of arrangements(direction, node.children.length, request.aspect)) {
-      const block = await arrange(engine, request, node, path, side, depth, arrangement, children).catch(() => undefined);
-      if (block !== undefined) candidates.push(block);
-    }
-  }
-  return best(candidates, request.aspect);
+async function layoutOnce(engine: LayoutEngine, job: Job, state: State, path: string, side: Side, depth: number): Promise<Block> {
+  const candidates = await Promise.all(
+    directionsOf(state).map(async (direction) => {
+      const placed = state.children.map(async (child) => {
+        const childPath = `${path}/${child.name}`;
+        return [childPath, await layoutNode(engine, job, child, childPath, sideIn(direction), depth + 1)] as const;
+      });
+      const children = new Map(await Promise.all(placed));
+      // An arrangement may fail, as ELK may; but not because nobody waits for it.
+      const attempt = (arrangement: Arrangement) =>
+        arrange(engine, job, state, path, side, depth, arrangement, children).catch(() => job.signal?.throwIfAborted());
+      const plain = await attempt({ direction, wrap: false, aspect: job.aspect });
+      if (!job.thorough && depth > kUpper) return [plain];
+      if (plain !== undefined && !tooLong(plain.size, direction, job.aspect)) return [plain];
+      return [plain, ...(await Promise.all(wrapped(direction, state.children.length, job.aspect).map(attempt)))];
+    }),
+  );
+  return best(candidates.flat().filter((block) => block !== undefined), job.aspect);
 }
 
-function arrangements(direction: Arrangement["direction"], children: number, aspect: number): readonly Arrangement[] {
-  const plain: Arrangement = { direction, wrap: false, aspect };
-  if (children < 4) return [plain];
-  if (children > kMany) return [plain, { direction, wrap: true, aspect }];
-  return [plain, { direction, wrap: true, aspect }, { direction, wrap: true, aspect: aspect * 1.6 }];
+/** Whether rows in this direction stick out of a frame of this aspect, so that it may help to wrap them. */
+function tooLong({ width, height }: Size, direction: Arrangement["direction"], aspect: number): boolean {
+  return direction === "RIGHT" ? width > aspect * height : width < aspect * height;
+}
+
+function wrapped(direction: Arrangement["direction"], children: number, aspect: number): readonly Arrangement[] {
+  if (children < 4) return [];
+  const once: Arrangement = { direction, wrap: true, aspect };
+  return children > kMany ? [once] : [once, { ...once, aspect: aspect * 1.6 }];
 }
 
 /** How far the eye has to travel along a line, on average: long ways around cost readability. */
@@ -116,6 +161,7 @@ async function arrange(
     const block = blocks.get(childPath);
     return { node, path: childPath, size: block?.size ?? { width: 0, height: 0 }, ports: block?.ports ?? [] };
   });
+  request.signal?.throwIfAborted();
   const graph = compositeGraph(state, path, boxes, side, arrangement, request.detail);
   const answer = (await engine(graph)).children?.[0];
   if (answer === undefined) throw new Error(`no layout for ${path}`);
@@ -214,19 +260,12 @@ function drawState(
     const condition = request.detail === "slim" ? "" : conditionText(port);
     return [{ ...box, address: `${path}.${port.name}`, name: port.name, condition, when: port.when, exits: port.to === undefined }];
   });
-  const badge = state.link !== undefined ? `link ${state.link}` : state.oracle;
+  const badge = badgeText(state);
+  // An oracle by history leads its dispatcher by what the parent has kept.
+  const history = state.parameters.some(({ from }) => from === "var.last_active");
+  const dispatcher = state.dispatcher === true ? ({ dispatcher: history ? "history" : "choice" } as const) : {};
   return {
     kind: "state", path, name: state.name, depth, x: 0, y: 0, ...size, composite: state.children.length > 0, open,
-    lines: drawnLines(state, request.detail), ports, side, ...(badge === undefined ? {} : { badge }),
+    lines: drawnLines(state, request.detail), ports, side, ...(badge === undefined ? {} : { badge }), ...dispatcher,
   };
 }
-
-function shift(block: Block, by: Point): Block {
-  const move = <T extends Point>(item: T): T => ({ ...item, x: item.x + by.x, y: item.y + by.y });
-  return {
-    ...block,
-    nodes: block.nodes.map((node) => ({ ...move(node), ports: node.ports.map(move) })),
-    lines: block.lines.map((line) => ({ ...line, points: line.points.map(move) })),
-  };
-}
-

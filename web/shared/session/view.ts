@@ -27,6 +27,9 @@ export interface View {
   readonly help: boolean;
 }
 
+/** What of a view a drawing depends on. */
+export type Shown = Pick<View, "focus" | "collapsed" | "detail">;
+
 export type Gesture =
   | { readonly type: "page"; readonly page: Page }
   | { readonly type: "drawer"; readonly drawer: Drawer }
@@ -37,6 +40,7 @@ export type Gesture =
   | { readonly type: "collapse_all"; readonly paths: readonly string[] }
   | { readonly type: "expand_all" }
   | { readonly type: "detail"; readonly detail: View["detail"] }
+  | { readonly type: "show_again"; readonly shown: Shown }
   | { readonly type: "step"; readonly step: number | undefined }
   | { readonly type: "inset"; readonly shown: boolean }
   | { readonly type: "help"; readonly shown: boolean }
@@ -107,6 +111,8 @@ export function applyGesture(view: View, gesture: Gesture): View {
       return { ...view, collapsed: new Set() };
     case "detail":
       return { ...view, detail: gesture.detail };
+    case "show_again":
+      return { ...view, ...gesture.shown };
     case "step":
       return { ...view, step: gesture.step, drawer: "derivation" };
     case "inset":

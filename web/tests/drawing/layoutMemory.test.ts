@@ -1,0 +1,87 @@
+// What is laid out once is not laid out again: not for a copy of a state, not for the next drawing, not after it was left.
+import ELK from "elkjs/lib/elk.bundled.js";
+import { describe, expect, it } from "vitest";
+import type { ElkGraph, LayoutEngine } from "../../shared/drawing/elk";
+import { layoutModel, type LayoutRequest } from "../../shared/drawing/layout";
+import { layoutMemory } from "../../shared/drawing/layoutMemory";
+import type { State } from "../../shared/model/model";
+import { buildTree } from "../../shared/model/modelTree";
+
+const elk = new ELK();
+
+function counting() {
+  const counts = { layouts: 0 };
+  const engine: LayoutEngine = async (graph) => {
+    counts.layouts++;
+    return (await elk.layout(graph as Parameters<typeof elk.layout>[0])) as ElkGraph;
+  };
+  return { counts, engine };
+}
+
+const empty: State = { kind: "state", name: "Both", parameters: [], results: [], variables: [], actions: [], children: [], ports: [] };
+const named = (name: string, state: State): State => ({ ...state, name });
+const step = (name: string, to?: string): State => ({ ...empty, name, ports: [{ name: "done", when: "True", ...(to === undefined ? {} : { to }) }] });
+const pair = (name: string): State => ({ ...step(name), first: "A", children: [step("A", "B"), step("B")] });
+const part: State = { ...empty, name: "Part", first: "Go", children: [step("Go", "Pick"), pair("Pick")] };
+/** The same part, as deep as this and one deeper. */
+const both: State = { ...empty, children: [part, { ...empty, name: "Box", children: [part] }] };
+const request = (state: State, more: Partial<LayoutRequest> = {}): LayoutRequest => ({ state, path: state.name, collapsed: new Set(), detail: "slim", aspect: 1.6, ...more });
+
+describe("layoutMemory", () => {
+  it("has a state that is linked twice laid out once, and draws each with its own paths and depths", async () => {
+    const [one, two] = [counting(), counting()];
+    const memory = layoutMemory();
+    await layoutModel(one.engine, request(both), memory);
+    await layoutModel(two.engine, request({ ...both, children: both.children.slice(1) }));
+    expect(one.counts.layouts).toBe(two.counts.layouts);
+    const drawing = await layoutModel(one.engine, request(both), memory);
+    const tree = buildTree(both);
+    expect(drawing.nodes.map(({ path }) => path).sort()).toEqual([...tree.keys()].sort());
+    for (const node of drawing.nodes) {
+      expect(node.depth, node.path).toBe(tree.get(node.path)?.depth);
+      for (const port of node.ports) expect(port.address.startsWith(`${node.path}.`)).toBe(true);
+    }
+    expect(new Set(drawing.lines.map(({ id }) => id)).size).toBe(drawing.lines.length);
+  });
+  it("knows a drawing that was there before, and of another only what is new in it", async () => {
+    const { counts, engine } = counting();
+    const memory = layoutMemory();
+    const first = await layoutModel(engine, request(part), memory);
+    counts.layouts = 0;
+    expect(await layoutModel(engine, request(part), memory)).toEqual(first);
+    expect(counts.layouts).toBe(0);
+    const work: number[] = [];
+    await layoutModel(engine, request(part, { collapsed: new Set([`${part.name}/Pick`]), onProgress: (_, of) => work.push(of) }), memory);
+    expect(work[0]).toBe(1);
+  });
+  it("tells details, collapsed states and names apart", async () => {
+    const { counts, engine } = counting();
+    const memory = layoutMemory();
+    await layoutModel(engine, request(part), memory);
+    for (const other of [request(part, { detail: "ports" }), request(part, { aspect: 1 }), request(named("Renamed", part))]) {
+      counts.layouts = 0;
+      await layoutModel(engine, other, memory);
+      expect(counts.layouts).toBeGreaterThan(0);
+    }
+  });
+  it("counts its work to the end", async () => {
+    const steps: (readonly [number, number])[] = [];
+    await layoutModel(counting().engine, request(both, { onProgress: (done, of) => steps.push([done, of]) }));
+    const of = steps[0]?.[1] ?? 0;
+    expect(of).toBeGreaterThan(2);
+    expect(steps).toEqual(Array.from({ length: of + 1 }, (_, done) => [done, of]));
+  });
+  it("stops when nobody waits any more, and keeps nothing that was chosen from less", async () => {
+    const memory = layoutMemory();
+    const left = new AbortController();
+    const { counts, engine } = counting();
+    const leaving: LayoutEngine = (graph) => {
+      if (counts.layouts === 2) left.abort(new Error("left"));
+      return engine(graph);
+    };
+    await expect(layoutModel(leaving, request(both, { signal: left.signal }), memory)).rejects.toThrow("left");
+    const whole = await layoutModel(engine, request(both));
+    expect(counts.layouts).toBeGreaterThan(6);
+    expect(await layoutModel(engine, request(both), memory)).toEqual(whole);
+  });
+});

@@ -1,0 +1,37 @@
+import { describe, expect, it } from "vitest";
+import { rcmDocument } from "../../shared/model/decodeModel";
+import type { State } from "../../shared/model/model";
+import { withOracles } from "../../shared/model/oracles";
+
+/** A translated model: Root with this dispatcher in front of A, as the server tells it. */
+function translated(dispatcher: object): State {
+  const ports = [{ name: "to_A", when: "par.choice == 'A'", to: "A" }];
+  const root = { state: "Root", first: "Dispatcher", children: [{ state: "Dispatcher", ports, ...dispatcher }, { state: "A" }] };
+  return rcmDocument({ rcm: 1, root }, "").root;
+}
+const kOrigin = { Root: "Root", "Root/Dispatcher": "Root", "Root/A": "Root/A" };
+const choice = (from: string) => ({ parameters: [{ name: "choice", from }] });
+const dispatchers = (root: State) => root.children.map((child) => child.kind === "state" && child.dispatcher === true);
+
+describe("withOracles", () => {
+  it("marks what the translation put in front of the children, and nothing else", () => {
+    const root = withOracles(translated(choice("par.begin")), kOrigin);
+    expect(dispatchers(root)).toEqual([true, false]);
+    expect(root.oracle).toBe("par.begin");
+  });
+  it("tells history from an expression and from a service", () => {
+    expect(withOracles(translated(choice("var.last_active")), kOrigin).oracle).toBe("history");
+    expect(withOracles(translated({ entry: "svc.display.choose(par.arg0)" }), kOrigin).oracle).toBe("svc.display.choose(par.arg0)");
+  });
+  it("leaves a state alone that its author has called Dispatcher", () => {
+    const written = withOracles(translated(choice("par.begin")), { ...kOrigin, "Root/Dispatcher": "Root/Dispatcher" });
+    expect([dispatchers(written), written.oracle]).toEqual([[false, false], undefined]);
+    expect(withOracles(translated(choice("par.begin")), {})).toEqual(translated(choice("par.begin")));
+  });
+  it("finds dispatchers of linked states, which come from the library", () => {
+    const outer: State = { ...translated({}), name: "Outer", first: "Root", children: [translated(choice("par.at"))] };
+    const origin = { Outer: "Outer", "Outer/Root": "Outer/Root", "Outer/Root/Dispatcher": "library/Root", "Outer/Root/A": "library/Root/A" };
+    const [inner] = withOracles(outer, origin).children;
+    expect(inner?.kind === "state" && inner.oracle).toBe("par.at");
+  });
+});
