@@ -2,13 +2,24 @@
 import { useEffect, useRef, useState } from "react";
 import { absentParts } from "../../shared/cell/touch";
 import { createHand } from "../../shared/cell/hand";
+import { createLongPress } from "../../shared/cell/longPress";
+import type { Body } from "../../shared/messages/cell";
 import { api, cellPose } from "../client";
 import { CellScene } from "./CellScene";
+import { PartList } from "./PartList";
 
 interface Menu {
   readonly part: string;
   readonly x: number;
   readonly y: number;
+}
+
+/** So that the finger does not cover it [px]. */
+const kAboveFinger = 60;
+
+function after(milliseconds: number, act: () => void): () => void {
+  const timer = setTimeout(act, milliseconds);
+  return () => clearTimeout(timer);
 }
 
 const textOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
@@ -20,6 +31,8 @@ export function CellView() {
   const [refused, setRefused] = useState<string>();
   const [pulling, setPulling] = useState(false);
   const [menu, setMenu] = useState<Menu>();
+  const [parts, setParts] = useState<readonly Body[]>([]);
+  const [listed, setListed] = useState(false);
   const [absent, setAbsent] = useState<readonly string[]>([]);
   useEffect(() => {
     const host = frame.current;
@@ -41,6 +54,7 @@ export function CellView() {
       );
       if (!current) return;
       scene.fill(description.bodies, robots);
+      setParts(description.bodies.filter((body) => !body.fixed));
       const follow = () => {
         const pose = cellPose.get();
         if (pose === undefined) return;
@@ -66,30 +80,63 @@ export function CellView() {
     setRefused(undefined);
     api.act({ act: kind, part }).catch((error: unknown) => setRefused(textOf(error)));
   };
-  const openMenu = (event: React.MouseEvent) => {
-    event.preventDefault();
-    const found = shown.current?.grabbing.find(event.clientX, event.clientY);
-    const box = event.currentTarget.getBoundingClientRect();
-    setMenu(found?.part === true ? { part: found.body, x: event.clientX - box.left, y: event.clientY - box.top } : undefined);
+  /** The menu of the part at a place of the window [px], if there is one. */
+  const openMenu = (x: number, y: number, above = 0) => {
+    const found = shown.current?.grabbing.find(x, y);
+    const box = frame.current?.getBoundingClientRect();
+    if (found?.part !== true || box === undefined) return setMenu(undefined);
+    shown.current?.grabbing.letGo();
+    setMenu({ part: found.body, x: x - box.left, y: Math.max(0, y - box.top - above) });
   };
+  const latest = useRef(openMenu);
+  latest.current = openMenu;
+  const long = useRef(false);
+  const [fingers] = useState(() =>
+    createLongPress({
+      after,
+      onPress: (x, y) => {
+        long.current = true;
+        latest.current(x, y, kAboveFinger);
+      },
+    }),
+  );
+  const finger = (act: "down" | "move") => (event: React.PointerEvent) => {
+    if (act === "down") long.current = false;
+    if (event.pointerType !== "mouse") fingers[act]({ id: event.pointerId, x: event.clientX, y: event.clientY });
+  };
+  const lift = (event: React.PointerEvent) => fingers.up(event.pointerId);
   return (
     <section className="cell" aria-label="Cell" onPointerDown={() => setMenu(undefined)}>
-      <div className="cell-frame" ref={frame} onContextMenu={openMenu} />
+      <div
+        className="cell-frame"
+        ref={frame}
+        onContextMenu={(event) => (event.preventDefault(), openMenu(event.clientX, event.clientY))}
+        onPointerDownCapture={finger("down")}
+        onPointerMoveCapture={finger("move")}
+        onPointerUpCapture={lift}
+        onPointerCancelCapture={lift}
+        // The finger that opened the menu does not choose from it when it is lifted.
+        onTouchEnd={(event) => long.current && event.preventDefault()}
+      />
       {failed !== undefined && <p className="cell-note">The cell cannot be shown: {failed}</p>}
       <div className="cell-tools">
         <button type="button" aria-pressed={pulling} title="Pull links and parts with mouse or finger (or hold Shift)" onClick={() => setPulling(!pulling)}>
           Pull
         </button>
-        {pulling && <p className="cell-hint">Drag the arm or a part; it gives way as the task allows. Right click a part to take it away.</p>}
-        {absent.map((part) => (
+        <button type="button" aria-expanded={listed} aria-controls="cell-parts" title="All parts, to take away or put back" onClick={() => setListed(!listed)}>
+          Parts
+        </button>
+        {(listed ? [] : absent).map((part) => (
           <button key={part} type="button" onClick={() => act("place", part)}>
             Put back {part}
           </button>
         ))}
+        {pulling && <p className="cell-hint">Drag the arm or a part; it gives way as the task allows. Right click a part, or press it long, to take it away.</p>}
         {refused !== undefined && <p role="alert">{refused}</p>}
       </div>
+      {listed && <PartList parts={parts} absent={absent} act={act} />}
       {menu !== undefined && (
-        <div className="cell-menu" role="menu" style={{ left: menu.x, top: menu.y }} onPointerDown={(event) => event.stopPropagation()}>
+        <div className="cell-menu" role="menu" style={{ left: `min(${menu.x}px, 100% - 180px)`, top: `min(${menu.y}px, 100% - 50px)` }} onPointerDown={(event) => event.stopPropagation()}>
           <button type="button" role="menuitem" onClick={() => act("take", menu.part)}>
             Take away {menu.part}
           </button>

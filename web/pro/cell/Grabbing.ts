@@ -93,9 +93,14 @@ export class Grabbing {
   };
 
   private readonly up = (event: PointerEvent): void => {
-    if (event.pointerId !== this.pointer) return;
+    if (event.pointerId === this.pointer) this.letGo();
+  };
+
+  /** Holds nothing any more, whatever the pointer does. */
+  letGo(): void {
+    if (this.pointer === undefined) return;
     this.pointer = undefined;
     this.hand.release();
     this.onHolding(false);
-  };
+  }
 }

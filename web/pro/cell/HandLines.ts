@@ -1,9 +1,12 @@
 // Draws hands and pushes: a line to where they draw, a dot where they touch, the force beside it.
 import { BufferAttribute, BufferGeometry, Group, Line, LineBasicMaterial, Mesh, MeshBasicMaterial, SphereGeometry, Vector3, type Camera } from "three";
+import { apart } from "../../shared/cell/labels";
 import { forceText, lineEnd } from "../../shared/cell/touch";
 import type { Touch } from "../../shared/messages/person";
 
 const kColour = 0xc2410c;
+/** From the end of a line to its label [px]. */
+const kBeside = 8;
 
 export class HandLines {
   readonly group = new Group();
@@ -30,15 +33,17 @@ export class HandLines {
     });
   }
 
-  /** Puts the labels where the lines end on the screen. */
+  /** Puts the labels where the lines end on the screen, none over another. */
   placeLabels(camera: Camera): void {
-    this.touches.forEach((touch, i) => {
-      const end = new Vector3(...lineEnd(touch)).project(camera);
+    const view = { width: this.host.clientWidth, height: this.host.clientHeight };
+    const shown = this.touches.flatMap((touch, i) => {
       const label = this.drawn[i]?.label;
-      if (label === undefined) return;
-      label.style.left = `${((end.x + 1) / 2) * this.host.clientWidth}px`;
-      label.style.top = `${((1 - end.y) / 2) * this.host.clientHeight}px`;
+      return label === undefined ? [] : [{ label, end: new Vector3(...lineEnd(touch)).project(camera) }];
     });
+    const wanted = shown.map(({ label: { offsetWidth: width, offsetHeight: height }, end }) => {
+      return { x: ((end.x + 1) / 2) * view.width + kBeside, y: ((1 - end.y) / 2) * view.height - height / 2, width, height };
+    });
+    apart(wanted, view).forEach(({ x, y }, i) => shown[i]?.label.style.setProperty("translate", `${x}px ${y}px`));
   }
 
   dispose(): void {

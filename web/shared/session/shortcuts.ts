@@ -53,7 +53,9 @@ export const gestures: readonly { readonly where: string; readonly list: readonl
     where: "Cell",
     list: [
       { gesture: "Drag", does: "Turn the view" },
-      { gesture: "Drag, right button", does: "Move the view" },
+      { gesture: "Drag, right button or two fingers", does: "Move the view" },
+      { gesture: "Shift and drag, or drag after Pull", does: "Pull a link or a part" },
+      { gesture: "Right click or long press on a part", does: "Take it away; Parts lists all of them" },
       { gesture: "Wheel", does: "Zoom" },
     ],
   },

@@ -1,0 +1,120 @@
+// The cell under fingers, on a phone: a long press opens a part's menu, a drag pulls, and all parts are in a list. On the real server.
+import { devices, type CDPSession, type Page } from "playwright-core";
+import { openStage, type Stage } from "./stage";
+
+let stage: Stage;
+let phone: Page;
+let fingers: CDPSession;
+
+beforeAll(async () => {
+  stage = await openStage();
+  const browser = stage.page.context().browser();
+  if (browser === null) throw new Error("there is no browser");
+  const context = await browser.newContext({ ...devices["Pixel 7"] });
+  phone = await context.newPage();
+  fingers = await context.newCDPSession(phone);
+  await phone.goto(`${stage.url}/pro/`);
+  await phone.getByRole("tab", { name: "Cell" }).tap();
+  await view().waitFor({ timeout: 45_000 });
+  await button("Pull").tap();
+});
+afterAll(() => stage?.close());
+
+const kSoon = { timeout: 20_000 };
+const view = () => phone.getByLabel("3D view of the cell").first();
+const button = (name: string) => phone.getByRole("button", { name, exact: true });
+const menu = () => phone.getByRole("menuitem", { name: /^Take away/ });
+
+interface Person {
+  readonly hands: readonly { readonly body: string; readonly force: readonly number[] }[];
+  readonly absent: readonly string[];
+}
+const person = async () => (await (await fetch(`${stage.url}/api/v1/cell/person`)).json()) as Person;
+async function parts(): Promise<readonly string[]> {
+  const scene = (await (await fetch(`${stage.url}/api/v1/cell`)).json()) as { readonly bodies: readonly { readonly name: string; readonly fixed: boolean }[] };
+  return scene.bodies.filter(({ fixed }) => !fixed).map(({ name }) => name);
+}
+
+type Place = { readonly x: number; readonly y: number };
+const touch = (type: "touchStart" | "touchMove" | "touchEnd", ...at: readonly Place[]) => fingers.send("Input.dispatchTouchEvent", { type, touchPoints: [...at] });
+
+/** Where to look in the view, as shares of its width and height. */
+type Region = readonly [left: number, right: number, top: number, bottom: number];
+const kArm: Region = [0.42, 0.64, 0.3, 0.45];
+const kTable: Region = [0.4, 0.8, 0.56, 0.75];
+
+/** A place [px] in a region where something of this name is: the pointer's title says so. */
+async function find(wanted: RegExp, [left, right, top, bottom]: Region): Promise<Place> {
+  const box = await view().boundingBox();
+  if (box === null) throw new Error("the view has no size");
+  const kPitch = 5; // px
+  for (let y = box.y + top * box.height; y < box.y + bottom * box.height; y += kPitch)
+    for (let x = box.x + left * box.width; x < box.x + right * box.width; x += kPitch) {
+      await phone.mouse.move(x, y);
+      if (wanted.test((await view().getAttribute("title")) ?? "")) return { x, y };
+    }
+  throw new Error(`${wanted} is nowhere`);
+}
+
+/** Where a part is [px]. */
+let place: Place;
+
+describe("the cell under fingers", () => {
+  it("lets a link be pulled, and lets go with the finger", async () => {
+    const { x, y } = await find(/^(link_[4-7]|gripper)$/, kArm);
+    await touch("touchStart", { x, y });
+    for (let i = 1; i <= 5; i++) await touch("touchMove", { x: x + 8 * i, y });
+    await expect.poll(async () => Math.hypot(...((await person()).hands[0]?.force ?? [0])), kSoon).toBeGreaterThan(15);
+    await touch("touchEnd");
+    await expect.poll(async () => (await person()).hands, kSoon).toEqual([]);
+    expect(await menu().count()).toBe(0);
+  });
+
+  it("opens the menu of a part that is pressed long, and holds it no more; a tap takes it away", async () => {
+    place = await find(new RegExp(`^(${(await parts()).join("|")})$`), kTable);
+    await touch("touchStart", place);
+    await menu().waitFor(kSoon);
+    await stage.picture("touch-menu", phone);
+    await expect.poll(async () => (await person()).hands, kSoon).toEqual([]);
+    await touch("touchEnd");
+    expect(await menu().count()).toBe(1);
+    const part = (await menu().innerText()).replace("Take away ", "");
+    await menu().tap();
+    await expect.poll(async () => (await person()).absent, kSoon).toEqual([part]);
+    await button(`Put back ${part}`).tap();
+    await expect.poll(async () => (await person()).absent, kSoon).toEqual([]);
+  });
+
+  it("takes a long press that moves for a drag", async () => {
+    const { x, y } = place;
+    await touch("touchStart", { x, y });
+    for (let i = 1; i <= 4; i++) await touch("touchMove", { x: x + 5 * i, y: y - 5 * i });
+    await expect.poll(async () => (await person()).hands.length, kSoon).toBe(1);
+    // By the page's own clock, so that a press that counted would have been one.
+    await phone.evaluate(() => new Promise((resolve) => setTimeout(resolve, 700)));
+    expect(await menu().count()).toBe(0);
+    expect(await parts()).toContain((await person()).hands[0]?.body);
+    await touch("touchEnd");
+    await expect.poll(async () => (await person()).hands, kSoon).toEqual([]);
+  });
+
+  it("lists all parts, to take away and put back, for fingers and for keys", async () => {
+    await button("Parts").tap();
+    const list = phone.getByRole("list", { name: "Parts" });
+    const names = await parts();
+    expect(await list.locator("span").allInnerTexts()).toEqual(names);
+    const [first] = names;
+    await button(`Take away ${first}`).tap();
+    await expect.poll(async () => (await person()).absent, kSoon).toEqual([first]);
+    await button(`Put back ${first}`).waitFor();
+    await stage.picture("touch-parts", phone);
+    const box = await list.boundingBox();
+    expect(box !== null && box.x >= 0 && box.x + box.width <= (phone.viewportSize()?.width ?? 0)).toBe(true);
+    await button(`Put back ${first}`).focus();
+    await phone.keyboard.press("Enter");
+    await expect.poll(async () => (await person()).absent, kSoon).toEqual([]);
+    await button("Parts").focus();
+    await phone.keyboard.press("Enter");
+    await list.waitFor({ state: "detached" });
+  });
+});
