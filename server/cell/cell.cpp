@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <future>
 
+#include "server/cell/outside_world.h"
 #include "server/cell/units.h"
 #include "services/camera/camera.h"
 #include "services/database/database.h"
@@ -46,7 +47,13 @@ Expected<void> Cell::add_remotes(const CellSetup& setup) {
     for (remote::RemoteService& service : services)
       for (const FurtherService& further : setup.further)
         if (further.key == service.key) service.desk = further.desk;
-    remotes_->add(services);
+    remote::RemoteWorld* world = nullptr;
+    if (unit->world) {
+      auto outside = std::make_unique<OutsideWorld>(clock_);
+      world = &outside->end();
+      world_ = std::move(outside);
+    }
+    remotes_->add(services, world);
   }
   return {};
 }

@@ -55,7 +55,7 @@ class Cell {
   /// The services whose components live in other processes.
   remote::Remotes& remotes() { return *remotes_; }
   const services::Clock& clock() const { return clock_; }
-  /// The world of the cell; none: it has no scene.
+  /// The world of the cell; none: it has no scene, and is no process.
   CellWorld* world() { return world_.get(); }
   /// The world, if it is in this process.
   const InsideWorld* inside() const { return inside_; }
@@ -86,7 +86,7 @@ class Cell {
   services::WorkQueue unit_;
   std::unique_ptr<services::WorkThread> database_unit_;
   std::unique_ptr<CellWorld> world_;
-  InsideWorld* inside_ = nullptr;  // that world_ is
+  InsideWorld* inside_ = nullptr;  // world_, if it is in this process
   services::Host host_;
   std::unique_ptr<remote::Remotes> remotes_;
   std::int64_t steps_ = 0;

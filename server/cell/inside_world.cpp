@@ -20,6 +20,8 @@ InsideWorld::InsideWorld(std::unique_ptr<world::World> world, std::string urdf)
       urdf_name_(std::filesystem::path(world_->scene().robot.urdf).filename()),
       urdf_(std::move(urdf)) {}
 
+Value InsideWorld::whole() const { return Dict{{"scene", scene_}, {"files", Dict{{urdf_name_, urdf_}}}}; }
+
 Value InsideWorld::pose(services::Time now) const {
   Value pose = pose_json(*world_, person_, now);
   return std::move(pose.freeze());

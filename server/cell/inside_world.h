@@ -22,6 +22,8 @@ class InsideWorld final : public CellWorld {
 
   /// What robot, gripper and camera act in.
   world::World& world() { return *world_; }
+  /// What a process that is a cell brings (world_check.h).
+  Value whole() const;
   /// schemas/cell_pose.json, frozen.
   Value pose(services::Time now) const;
 

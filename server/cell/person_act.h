@@ -43,6 +43,10 @@ PersonAct read_person_act(Fields& fields, double keep);
 /// Reads a whole act; lists all violations.
 Checked<PersonAct> read_person_act(const Value& json, double keep);
 
+/// What reads back as the same act with a `keep` of infinity where the act has none. Requires finite numbers but
+/// `keep`.
+Value write_person_act(const PersonAct& act);
+
 /// Does it; on the thread of the world. Errors: those of Person, with the field as path.
 Expected<void> perform(const PersonAct& act, world::Person& person);
 

@@ -2,8 +2,10 @@
 
 #include <array>
 #include <filesystem>
+#include <limits>
 
 #include "core/value/json.h"
+#include "server/cell/inside_world.h"
 #include "server/store/read_file.h"
 #include "services/audio/audio.h"
 #include "services/audio/remote_speakers.h"
@@ -14,21 +16,33 @@
 #include "services/gripper/gripper.h"
 #include "services/recognition/object_recognition.h"
 #include "services/robot/robot.h"
-#include "services/world/world.h"
 
 namespace race::server {
 namespace {
 
 namespace fs = std::filesystem;
 
+// What the server says that somebody does; it has read the act before.
+Expected<Value> act_in(InsideWorld& world, const Value& json) {
+  if (json.is_null()) return world.perform(std::nullopt);
+  const auto act = read_person_act(json, std::numeric_limits<double>::infinity());
+  if (!act) return tl::unexpected(act.error().front());
+  return world.perform(*act);
+}
+
 Expected<void> make_cell(const UnitSetup& setup, remote::RemoteUnit& unit) {
-  ASSIGN_OR_RETURN(std::shared_ptr<world::World> world, world::World::load(fs::path(setup.folder) / "scene.json"));
-  ASSIGN_OR_RETURN(auto robot, robot::Robot::create(unit.declare("robot", "robot"), *world));
+  ASSIGN_OR_RETURN(std::shared_ptr<InsideWorld> inside, InsideWorld::load(fs::path(setup.folder) / "scene.json"));
+  world::World& world = inside->world();
+  ASSIGN_OR_RETURN(auto robot, robot::Robot::create(unit.declare("robot", "robot"), world));
   unit.attach("robot", std::move(robot));
-  unit.attach("gripper", std::make_unique<gripper::Gripper>(unit.declare("gripper", "gripper"), *world));
-  if (world->scene().camera)
-    unit.attach("camera", std::make_unique<camera::Camera>(unit.declare("camera", "KinectDriver"), *world, 0));
-  unit.before_step([world] { world->step(); });
+  unit.attach("gripper", std::make_unique<gripper::Gripper>(unit.declare("gripper", "gripper"), world));
+  if (world.scene().camera)
+    unit.attach("camera", std::make_unique<camera::Camera>(unit.declare("camera", "KinectDriver"), world, 0));
+  inside->on_pose([&unit](Value pose) { unit.show(std::move(pose)); });
+  unit.bring({inside->whole(), [inside](const Value& act) { return act_in(*inside, act); },
+              [inside](bool on) { inside->watch_pose(on); }});
+  unit.before_step([inside] { inside->step(); });
+  unit.after_step([inside, &unit] { inside->show(unit.clock().now()); });
   return {};
 }
 
@@ -76,11 +90,12 @@ std::span<const Unit> units() {
            {{"robot", "robot", &robot::model()},
             {"gripper", "gripper", &gripper::model()},
             {"camera", "KinectDriver", &camera::model()}},
+           true,
            make_cell},
-      Unit{"recognition", {{"obj_rec", "ObjectRecognition", &recognition::model()}}, make_recognition},
-      Unit{"database", {{"db", "database", &database::model()}}, make_database},
-      Unit{"display", {{"display", "display", &display::model()}}, make_display},
-      Unit{"audio", {{"audio", "audio", &audio::model()}}, make_audio},
+      Unit{"recognition", {{"obj_rec", "ObjectRecognition", &recognition::model()}}, false, make_recognition},
+      Unit{"database", {{"db", "database", &database::model()}}, false, make_database},
+      Unit{"display", {{"display", "display", &display::model()}}, false, make_display},
+      Unit{"audio", {{"audio", "audio", &audio::model()}}, false, make_audio},
   };
   return kUnits;
 }

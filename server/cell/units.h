@@ -23,6 +23,7 @@ struct UnitSetup {
 struct Unit {
   std::string_view name;
   std::vector<remote::RemoteService> services;
+  bool world = false;  // whether its process brings the world of the cell
   /// Makes the components in a process. Errors: those of the files.
   Expected<void> (*make)(const UnitSetup& setup, remote::RemoteUnit& unit);
 };

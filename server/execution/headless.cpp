@@ -40,10 +40,8 @@ Checked<Status> Headless::run(const rcm::Document& document, Dict arguments, con
   if (!cell) return fail(std::move(cell).error());
   if (setup.script) {
     CellWorld* world = (*cell)->world();
-    if (!world)
-      return fail({ErrorCode::not_found, "an operator script needs a cell with a world", "--operator"});
-    if (auto errors = check_bodies(*setup.script, *world); !errors.empty())
-      return tl::unexpected(std::move(errors));
+    if (!world) return fail({ErrorCode::not_found, "an operator script needs a cell with a world", "--operator"});
+    if (auto errors = check_bodies(*setup.script, *world); !errors.empty()) return tl::unexpected(std::move(errors));
     observer.operator_ = std::make_unique<Operator>(*setup.script, *setup.screens, [&](const std::string& text) {
       observer.logged((*cell)->clock().now(), "operator", text);
     });

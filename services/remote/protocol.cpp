@@ -29,7 +29,10 @@ constexpr Field kFlow{"flow", &Message::name};
 constexpr Field kService{"service", &Message::service};
 constexpr Field kHeader{"header", &Message::value};
 
-constexpr std::array kHello = {Field{"protocol", &Message::number}, Field{"components", &Message::value}};
+constexpr Field kNumber{"number", &Message::number};
+
+constexpr std::array kHello = {Field{"protocol", &Message::number}, Field{"components", &Message::value},
+                               Field{"world", &Message::world, true}};
 constexpr std::array kTransition = {kKey, Field{"id", &Message::name}, Field{"call", &Message::call, true}};
 constexpr std::array kResult = {kKey, kCall, Field{"value", &Message::value}};
 constexpr std::array kError = {kKey, kCall, Field{"error", &Message::value}};
@@ -38,9 +41,12 @@ constexpr std::array kEvent = {kKey, Field{"name", &Message::name}, Field{"data"
 constexpr std::array kLog = {kKey, Field{"text", &Message::name}};
 constexpr std::array kSubscribe = {kKey, kService, kFlow, kOn};
 constexpr std::array kPublish = {kKey, kFlow, kTime, kHeader};
-constexpr std::array kRequest = {kKey, Field{"number", &Message::number}, Field{"function", &Message::name},
+constexpr std::array kRequest = {kKey, kNumber, Field{"function", &Message::name},
                                  Field{"arguments", &Message::kwargs}};
-constexpr std::array kPong = {Field{"number", &Message::number}};
+constexpr std::array kPose = {Field{"pose", &Message::value}};
+constexpr std::array kDone = {kNumber, Field{"person", &Message::value}};
+constexpr std::array kFailed = {kNumber, Field{"error", &Message::value}};
+constexpr std::array kPong = {kNumber};
 constexpr std::array kWelcome = {kTime};
 constexpr std::array kRefused = {Field{"errors", &Message::value}};
 constexpr std::array kCalled = {
@@ -48,9 +54,11 @@ constexpr std::array kCalled = {
     kTime};
 constexpr std::array kWanted = {kKey, kFlow, kOn, kTime};
 constexpr std::array kPacket = {kKey, kService, kFlow, kTime, kHeader};
-constexpr std::array kReply = {Field{"number", &Message::number}, Field{"value", &Message::value}};
+constexpr std::array kReply = {kNumber, Field{"value", &Message::value}};
 constexpr std::array kNews = {kKey, kTime};
-constexpr std::array kPing = {Field{"number", &Message::number}, kTime};
+constexpr std::array kAct = {kNumber, Field{"act", &Message::value}, kTime};
+constexpr std::array kWatch = {kOn, kTime};
+constexpr std::array kPing = {kNumber, kTime};
 
 struct Row {
   Kind kind;
@@ -71,6 +79,9 @@ constexpr std::array kRows = {
     Row{Kind::subscribe, "subscribe", Reader::server, kSubscribe},
     Row{Kind::publish, "publish", Reader::server, kPublish, true},
     Row{Kind::request, "request", Reader::server, kRequest},
+    Row{Kind::pose, "pose", Reader::server, kPose},
+    Row{Kind::done, "done", Reader::server, kDone},
+    Row{Kind::failed, "failed", Reader::server, kFailed},
     Row{Kind::pong, "pong", Reader::server, kPong},
     Row{Kind::welcome, "welcome", Reader::process, kWelcome},
     Row{Kind::refused, "refused", Reader::process, kRefused},
@@ -79,6 +90,8 @@ constexpr std::array kRows = {
     Row{Kind::packet, "packet", Reader::process, kPacket, true},
     Row{Kind::reply, "reply", Reader::process, kReply},
     Row{Kind::news, "news", Reader::process, kNews},
+    Row{Kind::act, "act", Reader::process, kAct},
+    Row{Kind::watch, "watch", Reader::process, kWatch},
     Row{Kind::ping, "ping", Reader::process, kPing},
 };
 
@@ -245,6 +258,10 @@ Expected<Message> decode(const Frame& frame, Reader reader) {
   const auto* data = reinterpret_cast<const std::byte*>(bytes.data());
   message.bytes.assign(data, data + bytes.size());
   return message;
+}
+
+Value error_json(const Error& error) {
+  return Dict{{"path", error.path}, {"code", race::name(error.code)}, {"message", error.message}};
 }
 
 services::PacketPtr packet_of(Message message) {

@@ -37,6 +37,9 @@ enum class Kind : std::uint8_t {
   subscribe,
   publish,  // a packet
   request,  // a question to the desk of the component (desk.h)
+  pose,     // of the world (remote_world.h): where everything is
+  done,     // what came of an act in it
+  failed,   // why it was refused
   pong,     // the unit's thread has got as far as the ping
   // to the process; what it is to do says the server's time
   welcome,  // the components are there from now on
@@ -46,6 +49,8 @@ enum class Kind : std::uint8_t {
   packet,
   reply,  // to a request
   news,   // what was asked before may be different now
+  act,    // somebody does something in the world, or asks what hands hold
+  watch,  // somebody wants poses, or nobody any more
   ping,
 };
 
@@ -64,10 +69,11 @@ struct Message {
   std::string name;           // of the transition, operation, event, flow or function; the text of a log
   std::string service;        // whose flow it is
   services::CallId call = 0;  // 0: no call
-  std::int64_t number = 0;    // of the protocol, of a ping, of a request
+  std::int64_t number = 0;    // of the protocol, of a ping, of a request, of an act
   bool on = false;            // listens, is listened to
   services::Time time = 0;    // the server's; of a packet, its own
-  Value value;                // result, error, reply, data of an event, header of a packet, components, errors
+  Value value;  // result, error, reply, data of an event, header of a packet, components, errors, act, pose
+  Value world;  // that the process brings, or null
   List args;
   Dict kwargs;
   std::vector<std::byte> bytes;  // of a packet
@@ -80,6 +86,9 @@ Expected<Frame> encode(const Message& message);
 /// (also: no type of a message for this reader, text where bytes are due or the other way round), `missing`,
 /// `unknown_field`, `out_of_range`.
 Expected<Message> decode(const Frame& frame, Reader reader);
+
+/// {path, code, message}, as messages say it.
+Value error_json(const Error& error);
 
 /// The service's packet of a message, frozen.
 services::PacketPtr packet_of(Message message);

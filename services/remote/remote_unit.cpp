@@ -142,6 +142,7 @@ Message RemoteUnit::hello() const {
   message.kind = Kind::hello;
   message.number = kProtocol;
   message.value = std::move(components);
+  message.world = world_.json;
   return message;
 }
 
@@ -162,6 +163,7 @@ void RemoteUnit::send(const Message& message, const std::string& flow) {
     error.value = services::error_value(race::name(frame.error().code), frame.error().message);
     frame = encode(error);
   }
+  if (!frame && message.key.empty()) return;
   if (!frame) frame = encode(message_of(Kind::log, message.key, "not sent: " + frame.error().message));
   if (frame) server->push(std::move(*frame), flow);
 }
@@ -180,6 +182,7 @@ Expected<void> RemoteUnit::handle(Message message) {
     clock_.set(std::max(clock_.now(), message.time));
     return {};
   }
+  if (message.kind == Kind::act || message.kind == Kind::watch) return in_world(message);
   Slot* slot = find(message.key);
   if (!slot) return unexpected(ErrorCode::not_found, "this process has no such component", message.key);
   if (message.kind == Kind::packet) {
@@ -193,6 +196,30 @@ Expected<void> RemoteUnit::handle(Message message) {
   if (message.kind == Kind::call)
     slot->component->call({message.call, message.name, std::move(message.args), std::move(message.kwargs)});
   return {};
+}
+
+// What cannot be told is refused, so that nobody waits for it.
+Expected<void> RemoteUnit::in_world(const Message& message) {
+  if (!world_.act) return unexpected(ErrorCode::not_found, "this process has no world", name(message.kind).data());
+  set_clock(message.time);
+  if (message.kind == Kind::watch) {
+    world_.watch(message.on);
+    return {};
+  }
+  Expected<Value> done = world_.act(message.value);
+  if (done && !done->is_finite()) done = unexpected(ErrorCode::constant, "what hands hold is not finite any more");
+  Message answer = message_of(done ? Kind::done : Kind::failed, "");
+  answer.number = message.number;
+  if (done) answer.value = std::move(*done);
+  if (!done) answer.value = error_json(done.error());
+  send(answer);
+  return {};
+}
+
+void RemoteUnit::show(Value pose) {
+  Message message = message_of(Kind::pose, "");
+  message.value = std::move(pose);
+  send(message, std::string(name(Kind::pose)));
 }
 
 void RemoteUnit::set_clock(services::Time server) {
@@ -211,6 +238,7 @@ void RemoteUnit::step() {
   }
   for (const services::Reservations::Due& due : reservations_.take(clock_.now(), false)) due.answer();
   for (const auto& slot : slots_) slot->component->step();
+  if (after_step_) after_step_();
 }
 
 }  // namespace race::remote

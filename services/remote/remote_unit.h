@@ -36,8 +36,19 @@ class RemoteUnit {
   /// As of a Host: the component is made with what this returns.
   services::ServiceHost& declare(std::string key, std::string type);
   void attach(const std::string& key, std::unique_ptr<services::Component> component);
-  /// Called at the beginning of each step; what the components act in is kept with it until they are gone.
+  /// Called at the beginning and the end of each step; what the components act in is kept with it until they are gone.
   void before_step(std::function<void()> work) { before_step_ = std::move(work); }
+  void after_step(std::function<void()> work) { after_step_ = std::move(work); }
+
+  /// What the components act in, for the server (remote_world.h).
+  struct World {
+    Value json;                                            // that goes with the hello
+    std::function<Expected<Value>(const Value& act)> act;  // does it (null: nothing); what the server is told of it
+    std::function<void(bool on)> watch;                    // show() is wanted, or no longer
+  };
+  void bring(World world) { world_ = std::move(world); }
+  /// Tells the server where everything is; one that waits to be sent makes room.
+  void show(Value pose);
 
   /// Called when there is news at the desk (desk.h) of the component `key`; what it needs is kept with it.
   void on_news(const std::string& key, std::function<void()> work);
@@ -51,8 +62,8 @@ class RemoteUnit {
   /// `over`: whether the connection has ended; an empty one: never.
   void connect(FrameQueue& server, std::function<bool()> over = {});
   void disconnect();
-  /// Does what the server says. Error `not_found`: the message is for no component of this process. What a component
-  /// throws, comes through: the unit is as good as dead.
+  /// Does what the server says. Error `not_found`: the message is for no component or world of this process. What a
+  /// component throws, comes through: the unit is as good as dead.
   Expected<void> handle(Message message);
   /// The reply to a request came, which may be waited for. On another thread than the unit's.
   void replied(Message reply);
@@ -68,13 +79,15 @@ class RemoteUnit {
   friend struct Slot;
 
   Slot* find(const std::string& key) const;
+  Expected<void> in_world(const Message& message);
   void set_clock(services::Time server);
   void send(const Message& message, const std::string& flow = {});
 
   services::WorkQueue queue_;
   services::WorldClock clock_;
   services::Reservations reservations_;  // outlives the components: their threads fulfil
-  std::function<void()> before_step_;
+  std::function<void()> before_step_, after_step_;
+  World world_;
   std::vector<std::unique_ptr<Slot>> slots_;  // in order of declaration
   std::atomic<FrameQueue*> server_{nullptr};
   std::function<bool()> over_;

@@ -5,6 +5,7 @@
 
 #include "core/rsm/document.h"
 #include "core/value/fields.h"
+#include "services/remote/remote_world.h"
 
 namespace race::remote {
 
@@ -14,6 +15,7 @@ struct ProcessLink::Process {
   std::shared_ptr<FrameQueue> out = std::make_shared<FrameQueue>();  // with the components too
   std::map<std::string, RemoteComponent*> components;
   std::vector<std::string> keys;  // in the order of its hello
+  RemoteWorld* world = nullptr;   // that it brought
   std::size_t unit = 0;
   std::string fault;  // in what it said; nothing that it says counts any more
 
@@ -22,7 +24,7 @@ struct ProcessLink::Process {
   void refuse(const Error& error) {
     Message message;
     message.kind = Kind::refused;
-    message.value = List{Dict{{"path", error.path}, {"code", race::name(error.code)}, {"message", error.message}}};
+    message.value = List{error_json(error)};
     send(message);
     out->close();
     fault = "refused: " + to_string(error);
@@ -35,6 +37,10 @@ struct ProcessLink::Process {
       return {};
     }
     if (message.kind == Kind::hello) return unexpected(ErrorCode::conflict, "has been said already", "hello");
+    if (message.kind == Kind::pose || message.kind == Kind::done || message.kind == Kind::failed) {
+      if (!world) return unexpected(ErrorCode::not_found, "this process brought no world", "type");
+      return world->announce(std::move(message));
+    }
     const auto component = components.find(message.key);
     if (component == components.end())
       return unexpected(ErrorCode::not_found, "this process did not bring it", message.key);
@@ -69,23 +75,25 @@ void ProcessLink::received(Frame frame) {
 Expected<void> ProcessLink::greet(const Frame& frame) {
   constexpr std::size_t kHelloBytes = 4 * 1024 * 1024;
   if (frame.bytes.size() > kHelloBytes) return unexpected(ErrorCode::too_large, "is too long", "hello");
-  ASSIGN_OR_RETURN(const Message hello, decode(frame, Reader::server));
+  ASSIGN_OR_RETURN(Message hello, decode(frame, Reader::server));
   if (hello.kind != Kind::hello) return unexpected(ErrorCode::type, "the first message is `hello`", "type");
   if (hello.number != kProtocol)
     return unexpected(ErrorCode::version, "this server speaks protocol " + std::to_string(kProtocol), "protocol");
-  ASSIGN_OR_RETURN(const auto places, remotes_.take(hello.value));
+  ASSIGN_OR_RETURN(const auto places, remotes_.take(hello.value, hello.world));
   process_->unit = places.front()->unit;
+  if (!hello.world.is_null()) process_->world = remotes_.worlds_[process_->unit].world;
   for (const Remotes::Place* place : places) {
     process_->keys.push_back(place->service.key);
     process_->components.emplace(place->service.key, place->component);
   }
   greeted_ = true;
   process_->heard = true;
-  remotes_.post(process_->unit, [process = process_, &remotes = remotes_] {
+  remotes_.post(process_->unit, [process = process_, &remotes = remotes_, world = std::move(hello.world.freeze())] {
     Message welcome;
     welcome.kind = Kind::welcome;
     welcome.time = remotes.clock_.now();
     process->send(welcome);
+    if (process->world) process->world->connect(process->out, world);
     for (const auto& [key, component] : process->components) component->connect(process->out);
     for (const std::string& key : process->keys) remotes.host_.regain(key);
   });
@@ -113,12 +121,13 @@ void ProcessLink::lose(const std::string& why) {
   // Who comes now is greeted after this one has gone.
   remotes_.post(process_->unit, [process = process_, &remotes = remotes_, why] {
     if (process->fault.empty()) process->fault = why;
+    if (process->world) process->world->connect(nullptr, {});
     for (const std::string& key : process->keys) {
       remotes.host_.lose(key, process->fault);
       process->components.at(key)->connect(nullptr);
     }
   });
-  remotes_.give_back(process_->keys);
+  remotes_.give_back(process_->keys, process_->world);
 }
 
 Remotes::Remotes(services::Host& host, const services::Clock& clock, std::chrono::milliseconds heartbeat)
@@ -126,8 +135,9 @@ Remotes::Remotes(services::Host& host, const services::Clock& clock, std::chrono
 
 Remotes::~Remotes() { stop(); }
 
-void Remotes::add(const std::vector<RemoteService>& services) {
+void Remotes::add(const std::vector<RemoteService>& services, RemoteWorld* world) {
   const std::lock_guard lock(mutex_);
+  worlds_.push_back({world});
   units_.push_back(std::make_unique<services::WorkThread>());
   for (const RemoteService& service : services) {
     services::ServiceHost& host = host_.declare(service.key, service.type, *units_.back());
@@ -154,8 +164,15 @@ void Remotes::stop() {
   }
 }
 
+Expected<void> Remotes::check_world(const WorldPlace& place, const Value& world) const {
+  if (world.is_null()) return {};
+  if (!place.world) return unexpected(ErrorCode::not_found, "these services have no world here", "world");
+  if (place.taken) return unexpected(ErrorCode::conflict, "has a process already", "world");
+  return place.world->check(world);
+}
+
 // The places of what a process brings, which are its own from now on.
-Expected<std::vector<Remotes::Place*>> Remotes::take(const Value& components) {
+Expected<std::vector<Remotes::Place*>> Remotes::take(const Value& components, const Value& world) {
   if (components.as_list().empty()) return unexpected(ErrorCode::missing, "there is no component", "components");
   const std::lock_guard lock(mutex_);
   std::vector<Place*> places;
@@ -182,12 +199,17 @@ Expected<std::vector<Remotes::Place*>> Remotes::take(const Value& components) {
       return unexpected(ErrorCode::conflict, "belongs into another process", *key);
     places.push_back(&place);
   }
+  WorldPlace& world_place = worlds_[places.front()->unit];
+  if (auto good = check_world(world_place, world); !good) return tl::unexpected(std::move(good).error());
+  if (!world.is_null()) world_place.taken = true;
   for (Place* place : places) place->taken = true;
   return places;
 }
 
-void Remotes::give_back(const std::vector<std::string>& keys) {
+void Remotes::give_back(const std::vector<std::string>& keys, const RemoteWorld* world) {
   const std::lock_guard lock(mutex_);
+  for (WorldPlace& place : worlds_)
+    if (world && place.world == world) place.taken = false;
   for (const std::string& key : keys) places_.at(key).taken = false;
 }
 

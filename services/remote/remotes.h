@@ -22,6 +22,8 @@
 
 namespace race::remote {
 
+class RemoteWorld;
+
 /// A service as the server expects it of a process.
 struct RemoteService {
   std::string key, type;
@@ -71,8 +73,9 @@ class Remotes {
   Remotes(services::Host& host, const services::Clock& clock, std::chrono::milliseconds heartbeat);
   ~Remotes();
 
-  /// Declares services that one process brings together. Before anything is called.
-  void add(const std::vector<RemoteService>& services);
+  /// Declares services that one process brings together, and the world that it may bring with them, which outlives
+  /// this. Before anything is called.
+  void add(const std::vector<RemoteService>& services, RemoteWorld* world = nullptr);
   /// Tells processes what is new at their desks. By one thread.
   void step();
   /// The units end: what was said so far is still done. Links may remain and do nothing any more.
@@ -90,9 +93,14 @@ class Remotes {
     bool taken = false;                    // by a process
     std::uint64_t seen = 0;                // the version of its desk in the last step()
   };
+  struct WorldPlace {
+    RemoteWorld* world = nullptr;  // none: its process has none
+    bool taken = false;
+  };
 
-  Expected<std::vector<Place*>> take(const Value& components);
-  void give_back(const std::vector<std::string>& keys);
+  Expected<std::vector<Place*>> take(const Value& components, const Value& world);
+  Expected<void> check_world(const WorldPlace& place, const Value& world) const;
+  void give_back(const std::vector<std::string>& keys, const RemoteWorld* world);
   void post(std::size_t unit, services::WorkQueue::Work work);
 
   services::Host& host_;
@@ -101,6 +109,7 @@ class Remotes {
   std::mutex mutex_;
   std::map<std::string, Place> places_;  // by key; fixed after the start but for `taken` and `seen`
   std::vector<std::unique_ptr<services::WorkThread>> units_;  // empty after stop()
+  std::vector<WorldPlace> worlds_;                            // of the units; fixed after the start but for `taken`
 };
 
 }  // namespace race::remote

@@ -26,6 +26,7 @@ Message full(Kind kind) {
   message.time = 1.25;
   message.value = Dict{{"code", "not_found"}, {"n", 1}, {"x", 1.0}};
   if (kind == Kind::hello || kind == Kind::refused) message.value = List{Dict{{"key", "db"}}};
+  message.world = Dict{{"scene", 5}};
   message.args = {1, 2.0, "three"};
   message.kwargs = {{"four", nullptr}};
   for (int i = 0; i < 300; ++i) message.bytes.push_back(static_cast<std::byte>(i));

@@ -10,6 +10,7 @@
 
 #include "core/value/json.h"
 #include "services/remote/remote_unit.h"
+#include "services/remote/remote_world.h"
 #include "tests/unit/services/remote/lamp.h"
 
 namespace race::remote {
@@ -95,7 +96,7 @@ struct Process {
 
 struct RemotesTest : testing::Test {
   RemotesTest() : remotes(host, clock, 1s) {
-    remotes.add({{"lamp", "lamp", &lamp_model()}});
+    remotes.add({{"lamp", "lamp", &lamp_model()}}, &world);
     remotes.add({{"torch", "lamp", &lamp_model()}, {"candle", "lamp", &lamp_model()}});
     remotes.add({{"lantern",
                   "lamp",
@@ -130,8 +131,14 @@ struct RemotesTest : testing::Test {
     ASSERT_TRUE(until({&process}, [&] { return process.welcome && available(key); })) << process.refused;
   }
 
+  static Expected<void> is_round(const Value& value) {
+    if (value == Value("flat")) return unexpected(ErrorCode::type, "must be round", "world");
+    return {};
+  }
+
   Seen seen;
   services::WorldClock clock;
+  RemoteWorld world{clock, {is_round, {}, [](const Value&, const Value&) { return Expected<void>(); }}, {}};  // of lamp
   services::Host host{clock, seen};
   std::uint64_t calls = 0;
   // The desk of the lantern.
@@ -310,6 +317,40 @@ TEST_F(RemotesTest, TwoServicesOfOneProcessComeAndGoTogether) {
   process.reset();
   EXPECT_TRUE(until({}, [&] { return !available("torch") && !available("candle"); }));
   EXPECT_THAT(seen.all(), testing::UnorderedElementsAre("1 burn !> unavailable", "2 burn !> unavailable"));
+}
+
+TEST_F(RemotesTest, AWorldComesAndGoesWithItsProcess) {
+  const auto refusal = [&](const char* key, const char* shape) {
+    Process process(remotes, {key});
+    process.unit.bring({shape, {}, {}});
+    process.hello();
+    process.pump();
+    return process.refused;
+  };
+  EXPECT_THAT(refusal("lamp", "flat"), HasSubstr("must be round"));
+  EXPECT_THAT(refusal("lantern", "round"), HasSubstr("have no world here"));
+  EXPECT_FALSE(available());
+  {
+    Process process(remotes);
+    process.unit.bring({"round", [](const Value& act) { return Expected<Value>(act); }, {}});
+    greet(process);
+    EXPECT_EQ(world.world(), Value("round"));
+    std::atomic<int> answered = 0;
+    const auto done = [&](const Expected<Value>& answer) {
+      answered = answer ? 1 : 2;
+      seen.stir();
+    };
+    world.act("push", done);
+    EXPECT_TRUE(until({&process}, [&] { return answered == 1; }));
+    world.act("push", done);
+    process.link.lose("gone");
+    EXPECT_TRUE(until({}, [&] { return answered == 2; }));
+    EXPECT_TRUE(world.world().is_null());
+  }
+  Process next(remotes);
+  next.unit.bring({"round again", {}, {}});
+  greet(next);
+  EXPECT_EQ(world.world(), Value("round again"));
 }
 
 TEST_F(RemotesTest, PacketsPassBothWays) {

@@ -1,0 +1,184 @@
+// Both ends of a world, without sockets: the server's, and that of the process that has it.
+#include "services/remote/remote_world.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+#include "core/value/json.h"
+#include "services/remote/remote_unit.h"
+
+namespace race::remote {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::vector<std::string> all_of(FrameQueue& queue) {
+  std::vector<std::string> all;
+  while (auto frame = queue.pop()) all.push_back(frame->bytes);
+  return all;
+}
+
+Message message_of(Kind kind, std::int64_t number, Value value) {
+  Message message;
+  message.kind = kind;
+  message.number = number;
+  message.value = std::move(value);
+  return message;
+}
+
+struct RemoteWorldTest : testing::Test {
+  void act(const std::string& what) {
+    world.act(what, [this, what](const Expected<Value>& done) {
+      answers.push_back(what + ": " + (done ? to_json(*done) : to_string(done.error())));
+    });
+  }
+  std::vector<std::string> said() { return all_of(*process); }
+  /// What a value must be: no text.
+  static Expected<void> no_text(const Value& value) {
+    if (value.is_string()) return unexpected(ErrorCode::type, "must be no text");
+    return {};
+  }
+
+  services::WorldClock clock;
+  std::vector<std::string> answers, shown;
+  const RemoteWorld::Door door{
+      no_text,
+      [](const Value& of, const Value& pose) { return of == Value(1) ? no_text(pose) : no_text(of); },
+      [](const Value& of, const Value& answer) { return of == Value(1) ? no_text(answer) : no_text(of); },
+  };
+  RemoteWorld world{clock, door, [this](const Value& pose) { shown.push_back(to_json(pose)); }};
+  std::shared_ptr<FrameQueue> process = std::make_shared<FrameQueue>();
+};
+
+TEST_F(RemoteWorldTest, WithoutAProcessAnActIsUnavailableAtOnce) {
+  act("push");
+  EXPECT_THAT(answers, ElementsAre(HasSubstr("push: : unavailable")));
+  EXPECT_TRUE(world.world().is_null());
+}
+
+TEST_F(RemoteWorldTest, AnAnswerReachesTheActOfItsNumber) {
+  clock.set(2);
+  world.connect(process, 1);
+  act("push");
+  act("take");
+  EXPECT_THAT(said(), ElementsAre(R"({"type":"act","number":1,"act":"push","time":2.0})",
+                                  R"({"type":"act","number":2,"act":"take","time":2.0})"));
+  const Value error = Dict{{"path", "body"}, {"code", "conflict"}, {"message", "is away"}};
+  ASSERT_TRUE(world.announce(message_of(Kind::failed, 2, error)));
+  ASSERT_TRUE(world.announce(message_of(Kind::done, 1, 7)));
+  EXPECT_THAT(answers, ElementsAre("take: body: conflict: is away", "push: 7"));
+}
+
+TEST_F(RemoteWorldTest, WhatWaitsIsUnavailableWhenTheProcessIsLostAndStaysSo) {
+  world.connect(process, 1);
+  act("push");
+  world.connect(nullptr, {});
+  EXPECT_THAT(answers, ElementsAre(HasSubstr("push: : unavailable")));
+  EXPECT_TRUE(world.world().is_null());
+  world.connect(std::make_shared<FrameQueue>(), 1);
+  EXPECT_EQ(world.announce(message_of(Kind::done, 1, 7)).error().code, ErrorCode::conflict)
+      << "the act of one process is not the next one's to answer";
+  EXPECT_EQ(answers.size(), 1U);
+}
+
+TEST_F(RemoteWorldTest, WhatDoesNotFitIsAnErrorAndAnswersNobody) {
+  world.connect(process, 1);
+  act("push");
+  const auto refused = [&](Kind kind, Value value) {
+    const auto got = world.announce(message_of(kind, 1, std::move(value)));
+    return got ? "none" : to_string(got.error());
+  };
+  world.watch(true);
+  EXPECT_THAT(refused(Kind::pose, "here"), HasSubstr("no text"));
+  EXPECT_THAT(refused(Kind::done, "done"), HasSubstr("no text"));
+  EXPECT_THAT(refused(Kind::failed, 1), HasSubstr("type"));
+  EXPECT_THAT(refused(Kind::failed, Dict{{"path", ""}, {"code", "tired"}, {"message", ""}}), HasSubstr("no code"));
+  const std::string long_text(kNameBytes + 1, 'x');
+  EXPECT_THAT(refused(Kind::failed, Dict{{"path", ""}, {"code", "io"}, {"message", long_text}}), HasSubstr("at most"));
+  EXPECT_THAT(shown, IsEmpty());
+  EXPECT_THAT(answers, IsEmpty());
+}
+
+TEST_F(RemoteWorldTest, AFewActsWaitNoMore) {
+  world.connect(process, 1);
+  for (std::size_t i = 0; i < RemoteWorld::kActs; ++i) act("push");
+  EXPECT_THAT(answers, IsEmpty());
+  act("push");
+  EXPECT_THAT(answers, ElementsAre(HasSubstr("unavailable")));
+  EXPECT_EQ(said().size(), RemoteWorld::kActs);
+}
+
+TEST_F(RemoteWorldTest, PosesAreWantedWhileSomebodyWatchesFromEachProcessThatComes) {
+  world.watch(true);
+  world.connect(process, 1);
+  world.watch(true);
+  EXPECT_THAT(said(), ElementsAre(R"({"type":"watch","on":true,"time":0.0})"));
+  ASSERT_TRUE(world.announce(message_of(Kind::pose, 0, 5)));
+  world.watch(false);
+  EXPECT_THAT(said(), ElementsAre(R"({"type":"watch","on":false,"time":0.0})"));
+  ASSERT_TRUE(world.announce(message_of(Kind::pose, 0, 6))) << "it was on its way";
+  EXPECT_THAT(shown, ElementsAre("5"));
+  world.connect(nullptr, {});
+  world.connect(process, 1);
+  EXPECT_THAT(said(), IsEmpty());
+}
+
+struct UnitWithWorld : testing::Test {
+  UnitWithWorld() {
+    unit.bring({1,
+                [this](const Value& act) -> Expected<Value> {
+                  if (act == Value("kick")) return unexpected(ErrorCode::type, "must be kind", "act");
+                  return Value(List{act, state});
+                },
+                [this](bool on) { watched = on; }});
+    unit.connect(server);
+  }
+  std::vector<std::string> act(const char* what) {
+    EXPECT_TRUE(unit.handle(message_of(Kind::act, 4, what)));
+    return all_of(server);
+  }
+  FrameQueue server;
+  RemoteUnit unit;
+  double state = 0.5;
+  bool watched = false;
+};
+
+TEST_F(UnitWithWorld, GoesWithTheHello) { EXPECT_EQ(unit.hello().world, Value(1)); }
+
+TEST_F(UnitWithWorld, AnActIsAnsweredOrRefusedWithItsNumber) {
+  EXPECT_THAT(act("push"), ElementsAre(R"({"type":"done","number":4,"person":["push",0.5]})"));
+  EXPECT_THAT(
+      act("kick"),
+      ElementsAre(R"({"type":"failed","number":4,"error":{"path":"act","code":"type","message":"must be kind"}})"));
+  state = std::numeric_limits<double>::infinity();
+  EXPECT_THAT(act("push"),
+              ElementsAre(HasSubstr(R"("type":"failed","number":4,"error":{"path":"","code":"constant")")));
+}
+
+TEST_F(UnitWithWorld, OnlyTheNewestPoseWaits) {
+  unit.show(1);
+  unit.show(2);
+  unit.show(3);
+  EXPECT_THAT(all_of(server), ElementsAre(R"({"type":"pose","pose":3})"));
+  unit.show(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_THAT(all_of(server), IsEmpty());
+}
+
+TEST_F(UnitWithWorld, HearsWhetherPosesAreWanted) {
+  Message watch = message_of(Kind::watch, 0, {});
+  watch.on = true;
+  ASSERT_TRUE(unit.handle(watch));
+  EXPECT_TRUE(watched);
+}
+
+TEST(RemoteUnitWithoutWorld, HasNobodyToAct) {
+  RemoteUnit unit;
+  EXPECT_EQ(unit.handle(message_of(Kind::act, 1, "push")).error().code, ErrorCode::not_found);
+  EXPECT_TRUE(unit.hello().world.is_null());
+}
+
+}  // namespace
+}  // namespace race::remote
