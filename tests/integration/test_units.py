@@ -2,12 +2,13 @@
 import json
 import signal
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
 import cell
 import models
-from client import Server, check
+from client import PATIENCE, Server, check
 from test_components import Process, there
 
 UNITS = {"cell": ["robot", "gripper", "camera"], "recognition": ["obj_rec"], "database": ["db"], "display": ["display"], "audio": ["audio"]}
@@ -56,13 +57,16 @@ class Mortal(unittest.TestCase):
     def until_active(self, state):
         with self.server.stream() as stream:
             stream.subscribe(f"core/{self.core}/state")
-            active = set()
+            active, end = set(), time.monotonic() + 3 * PATIENCE
             while state not in active:
                 message = stream.message()
                 if message["kind"] == "snapshot":
                     active = set(message["data"]["state"]["active"])
                 for node, now in message["data"].get("active", {}).items() if message["kind"] == "delta" else ():
                     (active.add if now else active.discard)(node)
+                status = message["data"]["core"]["status"]
+                self.assertTrue(state in active or status in ("ready", "running"), f"{status} before {state} was active")
+                self.assertLess(time.monotonic(), end, f"{state} does not become active, but {sorted(active)}")
 
     def strike(self, how, *units, during=None):
         """Something happens to the units while the state is active; it ends when the server knows."""
