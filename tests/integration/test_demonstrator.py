@@ -10,6 +10,7 @@ import sys
 import tempfile
 import time
 import unittest
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -51,7 +52,7 @@ def collided(inputs):
 
 def run(*options, seed=7):
     status, lines, errors = race("run", MODEL, "--fast", "--seed", seed, "--json", *options)
-    assert status == 0, (seed, errors)
+    assert status == 0, (seed, errors, lines[-1:])
     return lines
 
 
@@ -77,9 +78,8 @@ def headless(seed=7):
     return told(lines(seed))
 
 
-@functools.cache
-def served():
-    """(the same on the server, its script as exported, how long it took in s)"""
+def serve():
+    """(the same on the server, its script as exported)"""
     with Server("--demo", str(DEMO), "--operator", str(SCRIPT)) as server:
         began = time.monotonic()
         core = server.core(DOCUMENT)
@@ -93,7 +93,21 @@ def served():
         doing = {n: set(state(n)["active"]) for hit in collided(inputs) for n in (hit - 1, hit)}
         script = server.get(f"/cores/{core}/script", "script")
     print(f"unattended on the server: {lasted:.0f} s", file=sys.stderr)
-    return Told(ended.get("outcome"), ended["results"], bodies, inputs, doing), script, lasted
+    return Told(ended.get("outcome"), ended["results"], bodies, inputs, doing), script
+
+
+@functools.cache
+def serving():
+    return ThreadPoolExecutor(1).submit(serve)
+
+
+def served():
+    return serving().result()
+
+
+def setUpModule():
+    if not sys.argv[1:]:  # of all tests: it takes two minutes in real time, and headless runs are made meanwhile
+        serving()
 
 
 class Measured:
@@ -205,7 +219,7 @@ class Replayed(unittest.TestCase):
     """A run is a function of its inputs."""
 
     def test_what_the_server_exports_gives_its_outcome_and_results(self):
-        told, script, _ = served()
+        told, script = served()
         self.assertEqual(script["steps"], script_of(told.inputs))
         _, outcome, results = derived(script)
         self.assertEqual((outcome, results), (told.outcome, told.results))
