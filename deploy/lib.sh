@@ -5,6 +5,8 @@
 readonly BOOST_UNPACKED=build/deps/boost
 # Where the headers of PCL are unpacked (deploy/install; services/recognition/CMakeLists.txt looks there).
 readonly PCL_UNPACKED=build/deps/pcl
+# Where OpenCV's aruco module and the headers it needs are unpacked (the same).
+readonly OPENCV_UNPACKED=build/deps/opencv
 
 # die MESSAGE...: says what is wrong and leaves with status 1.
 die() {
