@@ -10,6 +10,7 @@ import models
 from cell import BODIES, DATABASE, DEMO, DOCUMENT, NAMES, SCENE
 from client import PROGRAM, check
 
+LET_GO = "Let go of the arm before you answer: it may move. What is to be done?"
 QUESTION = {"display": {"text": "What is to be done?"}, "after": 0.2}
 
 
@@ -124,9 +125,10 @@ def drag(by, speed=0.3):
 
 
 def lead(state, *ways):
-    """Three hands lead the gripper and let go when it holds itself."""
+    """Three hands take hold of the gripper, lead it and let go when it holds itself."""
     grab = [{"act": "grab", "hand": h, "body": "gripper", "point": p, "keep": 60} for h, p in HANDS.items()]
-    acts = [{"when": {"active": f"{state}/Lead", "after": 0.2}, "do": grab + drag(ways[0])}]
+    acts = [{"when": {"active": f"{state}/Grip", "after": 0.2}, "do": [*grab, {"act": "answer", "button": "Done"}]},
+            {"when": {"active": f"{state}/Lead", "after": 0.2}, "do": drag(ways[0])}]
     for way, before in zip([*ways[1:], None], ways):
         pause = {"after": 1.2 + math.hypot(*before) / 0.3}
         acts.append({"when": pause, "do": drag(way)} if way else answer("Done", pause))

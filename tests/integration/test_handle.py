@@ -3,7 +3,7 @@ import math
 import unittest
 
 from cell import BODIES, DATABASE, NAMES, TAUGHT
-from handling import answer, bump, lead, link, part, run, task, touch
+from handling import LET_GO, answer, bump, lead, link, part, run, task, touch
 
 APPROACH, GRASP = "Root/Work/Task/Pick/Approach/Across", "Root/Work/Task/Pick/Grasp"
 CARRY = "Root/Work/Task/Place/SetDown/Approach/Across"
@@ -81,6 +81,8 @@ class Interrupted(unittest.TestCase):
 
 class Taught(unittest.TestCase):
     TEACH = "Root/Work/Task/Place/TeachPose"
+    HELD = {"when": {"active": f"{TEACH}/Grip", "after": 0.2},
+            "do": [{"act": "grab", "hand": "hand", "body": "gripper", "keep": 60}, {"act": "answer", "button": "Done"}]}
 
     def test_a_place_is_led_to_stored_and_used(self):
         stored = link("GetPose", "Stored", key=f"o_t_place_{TAUGHT}")
@@ -104,16 +106,23 @@ class Taught(unittest.TestCase):
         self.assertLess(math.dist(out.results["Stored_pose"]["position"], (0, 0, 0)), 0.01)
 
     def test_a_bump_into_an_arm_that_gives_way_ends_no_teaching(self):
-        out = run(task(work(TAUGHT)), bump(f"{self.TEACH}/Lead"), answer("Cancel", {"after": 0.5}), answer("Abort"))
+        out = run(task(work(TAUGHT)), self.HELD, bump(f"{self.TEACH}/Lead"), answer("Cancel", {"after": 0.5}), answer("Abort"))
         self.assertEqual([c["reaction"] for c in out.events("collision")], ["none"])
         self.assertEqual((out.name, out.fired.count("Root/Work/Task.collision")), ("abort", 0))
         self.assertEqual(out.fired.count("Root/Work/Task/Place/TeachPose.error"), 1)
 
+    def test_the_arm_gives_way_only_to_somebody_who_holds_it(self):
+        out = run(task(work(TAUGHT, patience=2.0)), displays=("phone",))
+        self.assertIn(f"{self.TEACH}/Grip.error", out.fired)
+        self.assertNotIn("robot.change_behavior", out.calls[:out.calls.index("display.clear")])
+        self.assertGreater(out.results["pose"]["position"][2], 0.195)
+
     def test_cancel_and_silence_are_errors_that_store_nothing_and_hold_the_arm(self):
-        teach = link("TeachPose", key="new", patience=2.0)
-        for acts in ([answer("Cancel", {"display": {"button": "Cancel"}, "after": 0.5})], []):
+        teach, held = link("TeachPose", key="new", patience=2.0), answer("Done", {"active": "Root/TeachPose/Grip", "after": 0.2})
+        cancel = answer("Cancel", {"active": "Root/TeachPose/Lead", "after": 0.5})
+        for acts, way in (([], "Grip"), ([held], "Lead"), ([held, cancel], "Lead")):
             out = run(task(teach, link("Rise", travel=0.4), after="error"), *acts)
-            self.assertEqual(out.name, "success")
+            self.assertEqual((out.name, f"Root/TeachPose/{way}.error" in out.fired), ("success", True))
             self.assertNotIn("db.add", out.calls)
             self.assertGreater(out.results["pose"]["position"][2], 0.395)
 
@@ -130,7 +139,7 @@ class Failed(unittest.TestCase):
     def test_continue_without_a_part_in_the_fingers_means_to_look_for_it_again(self):
         out = run(task(work()), self.TAKEN, answer("Continue"))
         self.assertEqual((out.name, out.fired.count("Root/Work/Task.lost")), ("lost", 1))
-        self.assertEqual(out.asked(), ["The fingers do not hold the part Cube. Continue looks for it again (gripper.grasp: no_part). What is to be done?"])
+        self.assertEqual(out.asked(), ["The fingers do not hold the part Cube. Continue looks for it again. " + LET_GO])
 
     def test_skip_gives_it_up_and_abort_ends(self):
         for button, outcome in (("Skip", "skip"), ("Abort", "abort")):
@@ -140,6 +149,11 @@ class Failed(unittest.TestCase):
         out = run(task(link("Trouble", text="?", patience=5.0)), displays=())
         self.assertEqual(out.name, "error")
         self.assertGreater(out.calls.count("display.ask"), 1, "a display may come")
+
+    def test_who_has_mended_the_cause_lets_it_look_again(self):
+        far = {"position": [2.0, 0.0, 0.02], "orientation": [0, 0, 0, 1]}
+        out = run(task(link("Work", label="Cube", o_t_x=far)), answer("Look again"))
+        self.assertEqual((out.name, out.asked()), ("lost", ["Part Cube could not be picked or placed (robot.move: unreachable). " + LET_GO]))
 
 
 class Missing(unittest.TestCase):

@@ -84,7 +84,7 @@ class Calibration(unittest.TestCase):
 
     def test_it_beeps_for_each_sample_and_tells_where_nothing_is_seen(self):
         run = calibration()
-        self.assertEqual(len(run.called("audio", "play")), run.results["samples"])
+        self.assertEqual([c["args"][0] for c in run.called("audio", "play")], ["beep"] * run.results["samples"] + ["question"])
         texts = [c["args"][0] for c in run.called("display", "show_text")]
         self.assertEqual(sum("10 of 10 places" in t for t in texts), 1)
         self.assertEqual(sum("does not see" in t for t in texts), 1)
@@ -101,14 +101,14 @@ class Calibration(unittest.TestCase):
     def test_an_arm_that_never_rests_gives_no_sample(self):
         there_and_back = [[0.5, 0.1 * (-1) ** i, 0.35] for i in range(40)]
         drag = {"act": "drag", "hand": "hand", "path": there_and_back, "speed": 0.3}
-        outcome = run("CameraCalibration", [{"do": [*HANDS, drag]}], patience=3)
+        outcome = run("CameraCalibration", [{"do": [*HANDS, drag]}], patience=3, hands=1)
         self.assertEqual((outcome.name, outcome.called("obj_rec", "start")), ("error", []))
         self.assertEqual(outcome.called("robot", "change_behavior")[-1]["args"], ["position"])
 
     def test_a_picture_during_which_the_arm_moves_gives_no_sample(self):
         jog = {"act": "push", "body": "gripper", "force": [0, 10, 0], "duration": 0.1}
         jogs = {"always": True, "when": {"active": "Root/Collect/Look"}, "do": jog}
-        outcome = run("CameraCalibration", [jogs], patience=3)
+        outcome = run("CameraCalibration", [jogs], patience=3, hands=1)
         self.assertEqual(outcome.name, "error")
         self.assertIn("Root/Collect/Look.moved", outcome.fired)
         self.assertNotIn("Root/Collect/Look.seen", outcome.fired)
@@ -121,16 +121,25 @@ class Calibration(unittest.TestCase):
         self.assertEqual((outcome.called("db", "add"), outcome.called("robot", "move")), ([], []))
 
     def test_places_too_near_to_each_other_are_not_enough(self):
-        outcome = run("CameraCalibration", samples=1, spread=0.05, patience=2)
+        outcome = run("CameraCalibration", samples=1, spread=0.05, patience=2, hands=1)
         self.assertEqual(outcome.name, "error")
         self.assertEqual([p for p in outcome.fired if p in ("Root/Collect/Look.seen", "Root/Collect.error")],
                          ["Root/Collect/Look.seen", "Root/Collect.error"])
 
     def test_it_ends_at_error_without_display_or_recognition_or_pictures(self):
         self.assertEqual(run("CameraCalibration", None).name, "error")
-        self.assertIn("Root/Collect/Look.error", run("CameraCalibration", without=["parts.json"]).fired)
-        late = run("CameraCalibration", timeout=0.05)
+        self.assertIn("Root/Collect/Look.error", run("CameraCalibration", without=["parts.json"], hands=1).fired)
+        late = run("CameraCalibration", timeout=0.05, hands=1)
         self.assertEqual((late.name, "Root/Collect/Look.error" in late.fired), ("error", True))
+
+    def test_samples_are_kept_when_a_person_goes_on_after_an_error(self):
+        resume = {"when": {"display": {"text": "1 of 2 places are there"}, "after": 0.2}, "do": {"act": "answer", "button": "Continue"}}
+        lead = {"when": {"active": "Root/Collect", "after": 0.3, "count": 1}, "do": [*HANDS, {"act": "drag", "hand": "hand", "by": [0, 0.1, 0]}]}
+        done = {"when": {"display": {"text": "Let go of the arm, it moves"}, "after": 0.5},
+                "do": [{"act": "release", "hand": "hand"}, {"act": "answer", "button": "Done"}]}
+        outcome = run("CameraCalibration", [resume, lead, done], samples=2, spread=0.05, patience=4)
+        self.assertEqual((outcome.name, outcome.results["samples"]), ("success", 2))
+        self.assertEqual((outcome.fired.count("Root/Collect.error"), outcome.fired.count("Root/Collect/Look.seen")), (1, 2))
 
     def test_the_arm_does_not_move_before_somebody_has_let_go(self):
         outcome = run("CameraCalibration", samples=1, spread=0, hands=1)
@@ -228,8 +237,8 @@ class Search(unittest.TestCase):
     def test_ends_at_error_at_once_without_calibration_recognition_or_pictures(self):
         detect = "Root/ObjectRecognition/DetectObject.error"
         scene = {key: value for key, value in SCENE.items() if key != "camera"}
-        for outcome, port in ((run("SearchObject", cell={"database.json": {}}), "Root/ObjectRecognition/LoadCalibration.no"),
-                              (run("SearchObject", labels=["Spoon"]), detect),
+        self.assertEqual(run("SearchObject", cell={"database.json": {}}).name, "uncalibrated")
+        for outcome, port in ((run("SearchObject", labels=["Spoon"]), detect),
                               (run("SearchObject", without=["parts.json"]), detect),
                               (run("SearchObject", cell={"scene.json": scene}), detect),
                               (run("SearchObject", timeout=0.05), detect)):

@@ -3,7 +3,7 @@ import math
 import unittest
 
 from cell import BODIES, DATABASE, DOCUMENT, NAMES, O_T_C, TAUGHT
-from handling import answer, bump, drag, gesture, lead, link, part, run, task, touch
+from handling import LET_GO, answer, bump, drag, gesture, lead, link, part, run, task, touch
 
 ROOT = "Demonstrator/Table"
 PICK, PLACE = f"{ROOT}/Work/Task/Pick", f"{ROOT}/Work/Task/Place"
@@ -63,6 +63,10 @@ class Shown(unittest.TestCase):
         at, place = out.last["cell"]["bodies"][NAMES["Cube"]]["position"], DATABASE["o_t_place_Cube"]["position"]
         self.assertLess(math.dist(at, place), 0.02)
 
+    def test_who_did_not_mean_it_shows_none(self):
+        out = clear(gesture(f"{ROOT}/SearchObject", 40), answer("None", question("Which part")), parts=())
+        self.assertEqual((out.name, out.fired.count(f"{ROOT}/ShowPart.none")), ("success", 1))
+
     def test_nobody_who_shows_a_part_is_waited_for_for_ever(self):
         out = clear(gesture(f"{ROOT}/SearchObject", 40), parts=(), patience=3.0)
         self.assertEqual((out.name, f"{ROOT}/ShowPart.error" in out.fired), ("error", True))
@@ -84,10 +88,22 @@ class Lost(unittest.TestCase):
         self.assertEqual((out.name, placed(out), len(out.asked())), ("success", ["Cube"], 1))
         self.assertEqual(out.fired.count(f"{ROOT}/SearchObject.success"), 2)
 
-    def test_one_that_stays_away_is_no_part_of_the_table(self):
+    def test_one_that_stays_away_is_told_as_lost(self):
         away = {"when": {"active": f"{PICK}/Approach"}, "do": {"act": "take", "part": NAMES["Cube"]}}
         out = clear(away, answer("Continue"), parts=("Cube",))
-        self.assertEqual((out.name, placed(out), out.results["skipped"]), ("success", [], []))
+        self.assertEqual((out.name, placed(out), out.results["skipped"], out.results["missing"]), ("success", [], [], ["Cube"]))
+        self.assertIn("The table is clear: 0 parts were placed, Cube lost.", out.texts())
+
+    def test_one_that_falls_while_the_arm_stands_is_not_carried_on(self):
+        falls = {"when": {"active": f"{ROOT}/Work/Collision", "after": 0.3}, "do": {"act": "take", "part": NAMES["Cube"]}}
+        out = clear(bump(CARRY, force=-40.0), falls, answer("Continue"), answer("Abort", question("do not hold")), parts=("Cube",))
+        self.assertEqual((out.name, out.fired.count(f"{PLACE}/SetDown/Look.empty")), ("abort", 1))
+
+    def test_one_that_lies_on_its_side_is_to_be_set_up(self):
+        lying = {"act": "place", "part": NAMES["Block"], "pose": {"position": [0.5, 0.0, 0.02], "orientation": [0, math.sqrt(0.5), 0, math.sqrt(0.5)]}}
+        up = {"when": question("The part Block lies on its side"), "do": [put("Block", 0.5, 0.0, 0.04), {"act": "answer", "button": "Continue"}]}
+        out = clear({"do": lying}, up, parts=("Block",))
+        self.assertEqual((out.name, placed(out), len(out.asked())), ("success", ["Block"], 1))
 
 
 class Placed(unittest.TestCase):
@@ -101,12 +117,21 @@ class Placed(unittest.TestCase):
 
     def test_a_place_in_the_air_is_asked_for_again(self):
         lower = {"when": question("mm too high", 0.3), "do": drag([0, 0, -0.096])}
-        first, ready, let_go, gone = lead(TEACH, [-0.28, 0.15, -0.05])
-        out = clear(first, ready, lower, answer("Done", {"after": 1.5}), let_go, gone, parts=(TAUGHT,))
+        grip, first, ready, let_go, gone = lead(TEACH, [-0.28, 0.15, -0.05])
+        out = clear(grip, first, ready, lower, answer("Done", {"after": 1.5}), let_go, gone, parts=(TAUGHT,))
         self.assertEqual((out.name, placed(out)), ("success", [TAUGHT]))
         self.assertEqual([q.split(" mm")[1] for q in out.asked() if "mm too" in q],
                          [f" too high. Where is the part {TAUGHT} to be placed? Lead the gripper there, until the part stands."])
         self.assertEqual(out.calls.count("db.add") - out.fired.count(f"{ROOT}/SearchObject.success"), 1)
+
+    def test_a_part_on_its_place_is_placed_though_the_rest_is_skipped(self):
+        out = clear(bump(f"{PLACE}/SetDown/Retreat", 0.2), answer("Skip"), parts=("Cube",))
+        self.assertEqual((out.name, placed(out), out.results["skipped"]), ("success", ["Cube"], []))
+
+    def test_a_part_that_is_moved_back_counts_once(self):
+        back = {"when": {"active": f"{ROOT}/Aside", "count": 2}, "do": put("Cube", 0.5, 0.0, 0.02)}
+        out = clear(back, parts=("Cube",))
+        self.assertEqual((out.name, placed(out), out.fired.count(f"{ROOT}/Work.success")), ("success", ["Cube"], 2))
 
     def test_an_empty_table_is_clear(self):
         out = clear(parts=())
@@ -138,16 +163,16 @@ class Interrupted(unittest.TestCase):
         taken = {"when": question("part in the gripper"), "do": [{"act": "take", "part": NAMES["Cube"]}, {"act": "answer", "button": "Done"}]}
         out = run(document, taken, parts=("Cube",), database=KNOWN)
         self.assertEqual((out.name, out.results["Demonstrator_placed"]), ("success", []))
-        taken_over = out.fired.index("Root/Demonstrator/Table/Open.success")
+        taken_over = out.fired.index("Root/Demonstrator/Table/TakeOut/Open.success")
         self.assertLess(taken_over, out.fired.index("Root/Demonstrator/Table/Aside.success"), "the arm stands until then")
 
     def test_a_gesture_that_stops_the_search_is_told_as_such(self):
         out = clear(gesture(f"{ROOT}/SearchObject", -40), answer("Abort"), parts=())
-        self.assertEqual((out.name, out.asked()), ("abort", ["A hand has stopped the search. What is to be done?"]))
+        self.assertEqual((out.name, out.asked()), ("abort", ["A hand has stopped the search. " + LET_GO]))
 
     def test_what_has_failed_is_told(self):
         out = run(DOCUMENT, answer("Abort"), parts=("Cube",), database=KNOWN, without=["parts.json"], arguments={"begin": "Table"})
-        self.assertEqual((out.name, out.asked()), ("abort", ["The search cannot go on (obj_rec.start: unavailable). What is to be done?"]))
+        self.assertEqual((out.name, out.asked()), ("abort", ["The search cannot go on (obj_rec.start: unavailable). " + LET_GO]))
 
 
 class Calibrated(unittest.TestCase):
@@ -156,9 +181,20 @@ class Calibrated(unittest.TestCase):
         self.assertEqual((out.name, out.results["o_t_c"]), ("success", O_T_C))
         self.assertNotIn("residual_position", out.results)
 
+    def test_a_table_without_a_known_camera_leads_to_its_calibration(self):
+        out = clear(answer("Abort"), parts=(), database=DATABASE, limit=30, patience=3.0)
+        self.assertIn(f"{ROOT}.uncalibrated", out.fired)
+        self.assertIn("Lead the arm to 10 places", " ".join(out.texts()))
+
+    def test_nobody_leads_the_arm_with_a_part_in_the_gripper(self):
+        document = task(link("Pick", **part("Cube"), speed=1.0), link("Demonstrator", patience=2.0), library=[DOCUMENT["root"]])
+        out = run(document, parts=("Cube",))
+        self.assertEqual((out.name, out.asked()[0]), ("error", "There is a part in the gripper. Hold it, then press Done: the fingers open."))
+        self.assertNotIn("robot.change_behavior", out.calls)
+
     def test_it_is_calibrated_anew_on_demand(self):
-        tired = answer("Abort", question("calibration was not finished"))
-        out = run(DOCUMENT, tired, parts=(), database=KNOWN, arguments={"recalibrate": True}, limit=100)
+        tired = answer("Abort", question("places are there, but no more come"))
+        out = run(DOCUMENT, tired, parts=(), database=KNOWN, arguments={"recalibrate": True, "patience": 20.0}, limit=100)
         self.assertEqual((out.name, "o_t_c" in out.results), ("abort", False))
         self.assertIn("Lead the arm to 10 places", " ".join(out.texts()))
 
