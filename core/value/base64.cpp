@@ -24,8 +24,8 @@ std::string base64(std::string_view bytes) {
 
 bool is_base64(std::string_view text) {
   if (text.empty() || text.size() % 4 != 0) return false;
-  while (text.ends_with('=')) text.remove_suffix(1);
-  return text.find_first_not_of(kDigits) == std::string_view::npos;
+  const std::size_t digits = text.find_last_not_of('=') + 1;  // 0 if there is none
+  return text.size() - digits <= 2 && text.find_first_not_of(kDigits) >= digits;
 }
 
 }  // namespace race

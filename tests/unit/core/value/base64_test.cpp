@@ -21,7 +21,8 @@ TEST(Base64, HasAllBytesAndDigits) {
 }
 
 TEST(Base64, IsNotWhatIsEmptyBrokenOffOrHasOtherCharacters) {
-  for (const char* text : {"", "Zg", "Zg=", "Zm9vY", "Z g=", "Zg_-", "Z=g="}) EXPECT_FALSE(is_base64(text)) << text;
+  for (const char* text : {"", "Zg", "Zg=", "Zm9vY", "Z g=", "Zg_-", "Z=g=", "====", "A===", "Zm9v===="})
+    EXPECT_FALSE(is_base64(text)) << text;
 }
 
 }  // namespace
