@@ -54,7 +54,7 @@ async function keepsUp(): Promise<void> {
 
 describe("the demonstrator with an operator by script", () => {
   it("calibrates first, and says on every display what to do", async () => {
-    await task.getByRole("button", { name: "Start" }).click();
+    await task.getByRole("button", { name: "Start", exact: true }).click();
     await turns("Calibration", true);
     expect(await state("Table").getAttribute("data-active")).toBe("false");
     await phone.getByText(/Lead the arm/).waitFor();
@@ -99,7 +99,7 @@ describe("the demonstrator with an operator by script", () => {
   });
 
   it("ends at a word, and no page had anything to complain of", async () => {
-    await task.getByRole("button", { name: "Stop" }).click();
+    await task.getByRole("button", { name: "Stop", exact: true }).click();
     await expect.poll(() => task.getByRole("status", { name: "Run status" }).innerText()).toMatch(/Stopped/);
     expect(complaints).toEqual([]);
   });
