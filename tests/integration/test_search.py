@@ -6,8 +6,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from cell import BODIES, DOCUMENT, NAMES, O_T_C, OPERATOR, SCENE, copied
-from client import check
+from cell import BODIES, DEMO, DOCUMENT, NAMES, O_T_C, OPERATOR, SCENE, copied
+from client import Server, check
 from geometry import angle, turned
 from test_commands import race
 
@@ -244,6 +244,35 @@ class Search(unittest.TestCase):
                               (run("SearchObject", timeout=0.05), detect)):
             self.assertEqual((outcome.name, port in outcome.fired), ("error", True), port)
             self.assertLess(outcome.time, 1)
+
+
+class Unwatched(unittest.TestCase):
+    """On the server, in real time: the display goes while the arm is led, and somebody else's comes in the end."""
+
+    def test_a_display_that_is_gone_is_missed_by_nobody_who_hears_or_feels_when_to_go_on(self):
+        led = [act for act in OPERATOR["acts"] if "of 10 places" in act.get("when", {}).get("display", {}).get("text", "")]
+        seen = [{**act, "when": {"fires": "Demonstrator/Calibration/CameraCalibration/Collect/Look.seen", "after": 0.3}} for act in led]
+        below = [act for act in OPERATOR["acts"] if act.get("when", {}).get("display", {}).get("text") == "does not see"]
+        low = [{**act, "when": {"fires": "Demonstrator/Calibration/CameraCalibration/Collect/Look.unseen", "after": 0.5}} for act in below]
+        script = {"operator": 1, "acts": [{"when": {"active": "Demonstrator/Calibration/CameraCalibration/Collect"}, "do": OPERATOR["acts"][0]["do"]}, *seen, *low]}
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "operator.json")
+            path.write_text(json.dumps(check("operator", script)))
+            with Server("--demo", str(DEMO), "--operator", str(path)) as server, server.stream() as first:
+                first.send(check("stream_request", {"type": "display", "name": "phone", "sound": False}))
+                core = server.core(DOCUMENT, start=False)
+                server.post(f"/cores/{core}/start", None, "core")
+                first.until(lambda m: "1 of 10 places" in m["data"].get("message", {}).get("text", ""))
+                first.socket.close()
+                with server.stream() as second:
+                    second.subscribe(f"core/{core}/state")
+                    second.until(lambda m: m["data"].get("results", {}).get("Demonstrator/Calibration/CameraCalibration", {}).get("o_t_c"))
+                    second.send(check("stream_request", {"type": "display", "name": "tablet", "sound": False}))
+                    asked = second.until(lambda m: "calibration was interrupted" in m["data"].get("question", {}).get("text", ""))[-1]
+                    second.send(check("stream_request", {"type": "answer", "question": asked["data"]["question"]["id"], "answer": "Abort"}))
+                    self.assertEqual(server.ended(core)["outcome"], "abort")
+                fired = json.dumps(server.get(f"/cores/{core}/journal"))
+        self.assertIn("no_display", fired)
 
 
 if __name__ == "__main__":
