@@ -214,10 +214,11 @@ class Stream:
                 if first & 0x80:
                     return check("stream_message", json.loads(whole))
 
-    def until(self, what):
+    def until(self, what, patience=6 * PATIENCE):
         """All messages up to and including the first for which what(message) holds."""
-        messages = []
-        while True:
+        messages, end = [], time.monotonic() + patience
+        while time.monotonic() < end:
             messages.append(self.message())
             if what(messages[-1]):
                 return messages
+        raise AssertionError(f"{len(messages)} messages, none of them the one; the last: {str(messages[-1])[:500]}")
