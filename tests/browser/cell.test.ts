@@ -1,5 +1,6 @@
 // Hands in the 3D view, on the real server: links are pulled, a part is taken away and put back. That the
 // robot feels a hand: tests/integration/test_person.py.
+import { find, view, type Region } from "./pointer";
 import { openStage, type Stage } from "./stage";
 
 let stage: Stage;
@@ -7,7 +8,7 @@ let stage: Stage;
 beforeAll(async () => {
   stage = await openStage();
   await stage.page.goto(`${stage.url}/pro/`);
-  await stage.page.getByLabel("3D view of the cell").first().waitFor({ timeout: 45_000 });
+  await view(stage.page).waitFor({ timeout: 45_000 });
 });
 afterAll(() => stage?.close());
 
@@ -19,30 +20,14 @@ interface Touch {
 const person = async () =>
   (await (await fetch(`${stage.url}/api/v1/cell/person`)).json()) as { readonly hands: readonly Touch[]; readonly absent: readonly string[] };
 
-/** Where to look in the view, as shares of its width and height. */
-type Region = readonly [left: number, right: number, top: number, bottom: number];
 const kSoon = { timeout: 20_000 };
 const kArm: Region = [0.4, 0.62, 0.3, 0.5];
 const kTable: Region = [0.42, 0.68, 0.56, 0.78];
 
-/** A place [px] in a region of the view where the pointer would hold something `wanted`: it says so by its title. */
-async function find(wanted: RegExp, [left, right, top, bottom]: Region): Promise<{ readonly x: number; readonly y: number }> {
-  const view = stage.page.getByLabel("3D view of the cell").first();
-  const box = await view.boundingBox();
-  if (box === null) throw new Error("the view has no size");
-  const kPitch = 5; // px
-  for (let y = box.y + box.height * top; y < box.y + box.height * bottom; y += kPitch)
-    for (let x = box.x + box.width * left; x < box.x + box.width * right; x += kPitch) {
-      await stage.page.mouse.move(x, y);
-      if (wanted.test((await view.getAttribute("title")) ?? "")) return { x, y };
-    }
-  throw new Error(`${wanted} is nowhere`);
-}
-
 describe("the cell", () => {
   it("lets a link be pulled by the mouse, and shows the force that the server says", async () => {
     await stage.page.getByRole("button", { name: "Pull" }).click();
-    const { x, y } = await find(/^(link_[4-7]|gripper)$/, kArm);
+    const { x, y } = await find(stage.page, /^(link_[4-7]|gripper)$/, kArm);
     await stage.page.mouse.down();
     await stage.page.mouse.move(x + 40, y, { steps: 5 });
     await expect.poll(async () => Math.hypot(...((await person()).hands[0]?.force ?? [0])), kSoon).toBeGreaterThan(15);
@@ -57,7 +42,7 @@ describe("the cell", () => {
   it("lets a part be taken away and put back", async () => {
     const scene = (await (await fetch(`${stage.url}/api/v1/cell`)).json()) as { readonly bodies: readonly { readonly name: string; readonly fixed: boolean }[] };
     const parts = scene.bodies.filter(({ fixed }) => !fixed).map(({ name }) => name);
-    const { x, y } = await find(new RegExp(`^(${parts.join("|")})$`), kTable);
+    const { x, y } = await find(stage.page, new RegExp(`^(${parts.join("|")})$`), kTable);
     await stage.page.mouse.click(x, y, { button: "right" });
     const take = stage.page.getByRole("menuitem", { name: /^Take away/ });
     await take.waitFor();

@@ -13,7 +13,7 @@ let core: string;
 const complaints: string[] = [];
 
 beforeAll(async () => {
-  stage = await openStage(join(demo, "operator.json"));
+  stage = await openStage("--operator", join(demo, "operator.json"));
   const browser = stage.page.context().browser();
   if (browser === null) throw new Error("there is no browser");
   phone = await (await browser.newContext({ ...devices["Pixel 7"] })).newPage();

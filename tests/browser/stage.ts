@@ -58,11 +58,11 @@ async function healthy(url: string, server: ChildProcess): Promise<void> {
   }
 }
 
-/** With a file of acts, an operator by script stands at the cell. */
-export async function openStage(operator?: string): Promise<Stage> {
+/** With `further` options of `race serve`. */
+export async function openStage(...further: readonly string[]): Promise<Stage> {
   const port = await freePort();
   const data = mkdtempSync(join(tmpdir(), "race-browser-"));
-  const options = ["serve", "--port", String(port), "--data", data, "--demo", demo, "--web", web, ...(operator === undefined ? [] : ["--operator", operator])];
+  const options = ["serve", "--port", String(port), "--data", data, "--demo", demo, "--web", web, ...further];
   const launch = async (): Promise<ChildProcess> => {
     const launched = spawn(binary, options, { stdio: ["ignore", "ignore", "inherit"] });
     await new Promise((resolve, reject) => launched.once("spawn", resolve).once("error", reject));

@@ -1,5 +1,6 @@
 // The cell under fingers, on a phone: a long press opens a part's menu, a drag pulls, and all parts are in a list. On the real server.
 import { devices, type CDPSession, type Page } from "playwright-core";
+import { find, view, type Place, type Region } from "./pointer";
 import { openStage, type Stage } from "./stage";
 
 let stage: Stage;
@@ -15,13 +16,12 @@ beforeAll(async () => {
   fingers = await context.newCDPSession(phone);
   await phone.goto(`${stage.url}/pro/`);
   await phone.getByRole("tab", { name: "Cell" }).tap();
-  await view().waitFor({ timeout: 45_000 });
+  await view(phone).waitFor({ timeout: 45_000 });
   await button("Pull").tap();
 });
 afterAll(() => stage?.close());
 
 const kSoon = { timeout: 20_000 };
-const view = () => phone.getByLabel("3D view of the cell").first();
 const button = (name: string) => phone.getByRole("button", { name, exact: true });
 const menu = () => phone.getByRole("menuitem", { name: /^Take away/ });
 
@@ -35,33 +35,17 @@ async function parts(): Promise<readonly string[]> {
   return scene.bodies.filter(({ fixed }) => !fixed).map(({ name }) => name);
 }
 
-type Place = { readonly x: number; readonly y: number };
 const touch = (type: "touchStart" | "touchMove" | "touchEnd", ...at: readonly Place[]) => fingers.send("Input.dispatchTouchEvent", { type, touchPoints: [...at] });
 
-/** Where to look in the view, as shares of its width and height. */
-type Region = readonly [left: number, right: number, top: number, bottom: number];
 const kArm: Region = [0.42, 0.64, 0.3, 0.45];
 const kTable: Region = [0.4, 0.8, 0.56, 0.75];
-
-/** A place [px] in a region where something of this name is: the pointer's title says so. */
-async function find(wanted: RegExp, [left, right, top, bottom]: Region): Promise<Place> {
-  const box = await view().boundingBox();
-  if (box === null) throw new Error("the view has no size");
-  const kPitch = 5; // px
-  for (let y = box.y + top * box.height; y < box.y + bottom * box.height; y += kPitch)
-    for (let x = box.x + left * box.width; x < box.x + right * box.width; x += kPitch) {
-      await phone.mouse.move(x, y);
-      if (wanted.test((await view().getAttribute("title")) ?? "")) return { x, y };
-    }
-  throw new Error(`${wanted} is nowhere`);
-}
 
 /** Where a part is [px]. */
 let place: Place;
 
 describe("the cell under fingers", () => {
   it("lets a link be pulled, and lets go with the finger", async () => {
-    const { x, y } = await find(/^(link_[4-7]|gripper)$/, kArm);
+    const { x, y } = await find(phone, /^(link_[4-7]|gripper)$/, kArm);
     await touch("touchStart", { x, y });
     for (let i = 1; i <= 5; i++) await touch("touchMove", { x: x + 8 * i, y });
     await expect.poll(async () => Math.hypot(...((await person()).hands[0]?.force ?? [0])), kSoon).toBeGreaterThan(15);
@@ -71,7 +55,7 @@ describe("the cell under fingers", () => {
   });
 
   it("opens the menu of a part that is pressed long, and holds it no more; a tap takes it away", async () => {
-    place = await find(new RegExp(`^(${(await parts()).join("|")})$`), kTable);
+    place = await find(phone, new RegExp(`^(${(await parts()).join("|")})$`), kTable);
     await touch("touchStart", place);
     await menu().waitFor(kSoon);
     await stage.picture("touch-menu", phone);
@@ -110,6 +94,12 @@ describe("the cell under fingers", () => {
     await stage.picture("touch-parts", phone);
     const box = await list.boundingBox();
     expect(box !== null && box.x >= 0 && box.x + box.width <= (phone.viewportSize()?.width ?? 0)).toBe(true);
+    // Above the list is what a finger needs besides it, uncovered; the hint comes back with the view.
+    for (const name of ["Pull", "Parts"]) {
+      const tool = await button(name).boundingBox();
+      expect((tool?.y ?? Infinity) + (tool?.height ?? 0), name).toBeLessThanOrEqual(box?.y ?? 0);
+    }
+    expect(await phone.getByText(/^Drag the arm/).count()).toBe(0);
     await button(`Put back ${first}`).focus();
     await phone.keyboard.press("Enter");
     await expect.poll(async () => (await person()).absent, kSoon).toEqual([]);

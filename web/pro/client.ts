@@ -7,7 +7,7 @@ import type { Packet } from "../shared/messages/packet";
 import { foldedAtFirst } from "../shared/model/folding";
 import { buildTree } from "../shared/model/modelTree";
 import { isOver, type Command } from "../shared/run/controls";
-import { applyEvent, emptySession, watchedCore, type Session, type SessionEvent } from "../shared/session/session";
+import { applyEvent, cellAway, emptySession, watchedCore, type Session, type SessionEvent } from "../shared/session/session";
 import { applyGesture, firstView, type Gesture, type View } from "../shared/session/view";
 import { openStream, type Stream } from "../shared/stream";
 import { createStore, useSelected } from "./store";
@@ -19,7 +19,9 @@ export const view = createStore<View, Gesture>(firstView({ width: innerWidth, he
 export const api = createApi("/api/v1", (input, init) => fetch(input, init));
 
 /** The newest pose of the cell: many per second, so it goes past the session, straight to who draws it. */
-export const cellPose = createStore<CellPose | undefined, CellPose>(undefined, (_, pose) => pose);
+export const cellPose = createStore<CellPose | undefined, CellPose | undefined>(undefined, (_, pose) => pose);
+// A world that comes back is not where the last one was.
+session.listen(() => cellAway(session.get()) !== undefined && cellPose.dispatch(undefined));
 
 export const useSession = <T>(select: (state: Session) => T): T => useSelected(session, select);
 export const useView = <T>(select: (state: View) => T): T => useSelected(view, select);

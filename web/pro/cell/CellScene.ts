@@ -100,8 +100,9 @@ export class CellScene {
     this.controls.update();
   }
 
-  /** Puts in what the scene describes. */
+  /** Puts in what the scene describes, and nothing else. */
   fill(bodies: readonly Body[], robots: readonly RobotModel[]): void {
+    this.empty();
     for (const body of bodies) this.addBody(body);
     this.robots = robots.map((model) => this.addRobot(model));
     const lowest = new Box3().setFromObject(this.contents).min.z;
@@ -133,6 +134,20 @@ export class CellScene {
     this.controls.dispose();
     this.renderer.dispose();
     this.renderer.domElement.remove();
+  }
+
+  private empty(): void {
+    this.grabbing.letGo();
+    this.hands.show([]);
+    this.shown = undefined;
+    this.bodies.clear();
+    this.movable.clear();
+    this.contents.traverse((part) => {
+      if (!(part instanceof Mesh)) return;
+      part.geometry.dispose();
+      for (const material of [part.material].flat()) material.dispose();
+    });
+    this.contents.clear();
   }
 
   private addBody(body: Body): void {

@@ -3,10 +3,10 @@ import { useEffect, useRef, useState } from "react";
 import { absentParts } from "../../shared/cell/touch";
 import { createHand } from "../../shared/cell/hand";
 import { createLongPress } from "../../shared/cell/longPress";
-import type { Body } from "../../shared/messages/cell";
 import { api, cellPose } from "../client";
 import { CellScene } from "./CellScene";
 import { PartList } from "./PartList";
+import { useWorld } from "./useWorld";
 
 interface Menu {
   readonly part: string;
@@ -27,11 +27,10 @@ const textOf = (error: unknown): string => (error instanceof Error ? error.messa
 export function CellView() {
   const frame = useRef<HTMLDivElement>(null);
   const shown = useRef<CellScene>(undefined);
-  const [failed, setFailed] = useState<string>();
+  const { world, problem } = useWorld();
   const [refused, setRefused] = useState<string>();
   const [pulling, setPulling] = useState(false);
   const [menu, setMenu] = useState<Menu>();
-  const [parts, setParts] = useState<readonly Body[]>([]);
   const [listed, setListed] = useState(false);
   const [absent, setAbsent] = useState<readonly string[]>([]);
   useEffect(() => {
@@ -45,33 +44,26 @@ export function CellView() {
     });
     const scene = new CellScene(host, hand);
     shown.current = scene;
-    let current = true;
-    let stop = () => {};
-    const load = async () => {
-      const description = await api.cell();
-      const robots = await Promise.all(
-        description.robots.map(async (robot) => ({ ...robot, text: await (await fetch(api.cellFile(robot.urdf))).text() })),
-      );
-      if (!current) return;
-      scene.fill(description.bodies, robots);
-      setParts(description.bodies.filter((body) => !body.fixed));
-      const follow = () => {
-        const pose = cellPose.get();
-        if (pose === undefined) return;
-        scene.move(pose);
-        const gone = absentParts(description.bodies, pose);
-        setAbsent((before) => (before.join() === gone.join() ? before : gone));
-      };
-      follow();
-      stop = cellPose.listen(follow);
-    };
-    load().catch((error: unknown) => current && setFailed(textOf(error)));
-    return () => {
-      current = false;
-      stop();
-      scene.dispose();
-    };
+    return () => scene.dispose();
   }, []);
+  useEffect(() => {
+    const scene = shown.current;
+    if (scene === undefined) return;
+    scene.fill(world?.bodies ?? [], world?.robots ?? []);
+    setMenu(undefined);
+    setRefused(undefined);
+    setAbsent([]);
+    if (world === undefined) return;
+    const follow = () => {
+      const pose = cellPose.get();
+      if (pose === undefined) return;
+      scene.move(pose);
+      const gone = absentParts(world.bodies, pose);
+      setAbsent((before) => (before.join() === gone.join() ? before : gone));
+    };
+    follow();
+    return cellPose.listen(follow);
+  }, [world]);
   useEffect(() => {
     if (shown.current !== undefined) shown.current.grabbing.always = pulling;
   }, [pulling]);
@@ -118,7 +110,7 @@ export function CellView() {
         // The finger that opened the menu does not choose from it when it is lifted.
         onTouchEnd={(event) => long.current && event.preventDefault()}
       />
-      {failed !== undefined && <p className="cell-note">The cell cannot be shown: {failed}</p>}
+      {problem !== undefined && <p className="cell-note">The cell cannot be shown: {problem}</p>}
       <div className="cell-tools">
         <button type="button" aria-pressed={pulling} title="Pull links and parts with mouse or finger (or hold Shift)" onClick={() => setPulling(!pulling)}>
           Pull
@@ -131,10 +123,10 @@ export function CellView() {
             Put back {part}
           </button>
         ))}
-        {pulling && <p className="cell-hint">Drag the arm or a part; it gives way as the task allows. Right click a part, or press it long, to take it away.</p>}
+        {pulling && !listed && <p className="cell-hint">Drag the arm or a part; it gives way as the task allows. Right click a part, or press it long, to take it away.</p>}
         {refused !== undefined && <p role="alert">{refused}</p>}
       </div>
-      {listed && <PartList parts={parts} absent={absent} act={act} />}
+      {listed && world !== undefined && <PartList parts={world.bodies.filter((body) => !body.fixed)} absent={absent} act={act} />}
       {menu !== undefined && (
         <div className="cell-menu" role="menu" style={{ left: `min(${menu.x}px, 100% - 180px)`, top: `min(${menu.y}px, 100% - 50px)` }} onPointerDown={(event) => event.stopPropagation()}>
           <button type="button" role="menuitem" onClick={() => act("take", menu.part)}>
@@ -153,7 +145,7 @@ function CellClock() {
     () =>
       cellPose.listen(() => {
         const pose = cellPose.get();
-        if (text.current !== null && pose !== undefined) text.current.textContent = `cell time ${pose.time.toFixed(2)} s`;
+        if (text.current !== null) text.current.textContent = pose === undefined ? "" : `cell time ${pose.time.toFixed(2)} s`;
       }),
     [],
   );

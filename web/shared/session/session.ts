@@ -70,6 +70,12 @@ export function watchedCore(session: Session): Core | undefined {
   return session.cores.find((core) => core.id === session.watched);
 }
 
+/** Why the cell cannot be asked for what it looks like now: it goes with the server, and with the process of `robot`. */
+export function cellAway({ connection, services }: Session): string | undefined {
+  if (connection !== "open") return "the server is not there";
+  return services.some(({ key, available }) => key === "robot" && !available) ? "its process is not there" : undefined;
+}
+
 export function applyEvent(session: Session, event: SessionEvent): Session {
   switch (event.type) {
     case "connection":

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Core, CoreDelta } from "../../shared/messages/core";
 import type { News } from "../../shared/messages/stream";
-import { applyEvent, emptySession, watchedCore, type Session } from "../../shared/session/session";
+import { applyEvent, cellAway, emptySession, watchedCore, type Session } from "../../shared/session/session";
 import { applyGesture, firstView, initialView } from "../../shared/session/view";
 import { runOf } from "../conformance";
 
@@ -31,6 +31,13 @@ describe("session", () => {
     const twice = hear(once, { type: "state_changed", id: "1", delta: delta(["A.p"]) });
     expect([once.fired.beat, twice.fired.beat]).toEqual([1, 2]);
     expect(hear(twice, { type: "state_changed", id: "1", delta: delta([]) }).fired).toBe(twice.fired);
+  });
+  it("misses the cell without its server or its `robot`, whatever other services do", () => {
+    const here = applyEvent(emptySession, { type: "connection", connection: "open" });
+    const rsm = { name: "x", operations: [], events: [], states: [], transitions: [], flows: {} };
+    const service = (key: string, available: boolean) => ({ key, type: key, rsm, state: null, available, pending: [], violations: [], publishes: [], subscribes: [] });
+    const cell = (robot: boolean) => cellAway(hear(here, { type: "services", services: [service("robot", robot), service("db", false)] }));
+    expect([cellAway(emptySession), cellAway(here), cell(true), cell(false)]).toEqual(["the server is not there", undefined, undefined, "its process is not there"]);
   });
   it("does not take past derivations of another core", () => {
     expect(applyEvent(running, { type: "past", id: "7", steps: [] })).toBe(running);
