@@ -28,8 +28,6 @@ export interface LayoutRequest {
 interface Job extends LayoutRequest {
   readonly begun: Map<string, Promise<Block>>;
   readonly memory: LayoutMemory;
-  /** Whether rows are wrapped, where that may help, on every level. */
-  readonly thorough: boolean;
   /** A composite is laid out. */
   readonly done: () => void;
 }
@@ -37,17 +35,18 @@ interface Job extends LayoutRequest {
 const kMargin = 24;
 /** From so many children on, one direction is enough to try. */
 const kMany = 40;
-/** With more composites to lay out, so large that it is read as a map first, a drawing wraps rows on its upper levels alone. */
+/** With more composites, so large that it is read as a map first, a drawing wraps rows on so many of its levels alone. */
 const kThorough = 40;
-const kUpper = 1;
+const kUpper = 2;
 
 export async function layoutModel(engine: LayoutEngine, request: LayoutRequest, memory = layoutMemory()): Promise<Drawing> {
-  const thorough = workOf(request, memory, true) <= kThorough;
-  const of = workOf(request, memory, thorough);
   let count = 0;
-  const done = () => request.onProgress?.(++count, of);
+  const job: Job = { ...request, begun: new Map(), memory, done: () => request.onProgress?.(++count, of) };
+  // Whatever is known already: the same request gives the same drawing.
+  const levels = looksOf(job, Infinity, () => false).size <= kThorough ? Infinity : kUpper;
+  const of = looksOf(job, levels, (look) => memory.find(look) !== undefined).size;
   request.onProgress?.(0, of);
-  const block = await layoutNode(engine, { ...request, begun: new Map(), memory, thorough, done }, request.state, request.path, "EAST", 0);
+  const block = await layoutNode(engine, job, request.state, request.path, "EAST", 0, levels);
   const reach = Math.max(0, ...block.ports.map((port) => port.x + port.width - block.size.width));
   const shifted = shift(block, { x: kMargin, y: kMargin });
   const stub = 40;
@@ -65,30 +64,34 @@ const isOpen = (request: LayoutRequest, node: Node, path: string): node is State
 const directionsOf = (state: State): readonly Arrangement["direction"][] => (state.children.length > kMany ? ["RIGHT"] : ["RIGHT", "DOWN"]);
 const sideIn = (direction: Arrangement["direction"]): Side => (direction === "RIGHT" ? "EAST" : "SOUTH");
 
-/** How many composites have to be laid out, each for each border that its ports may stand on. */
-function workOf(request: LayoutRequest, memory: LayoutMemory, thorough: boolean): number {
+/** Of how many levels beneath it rows are wrapped, when they are of so many from a state's own down. */
+const beneathIt = (levels: number): number => Math.max(0, levels - 1);
+
+/** The composites that have to be laid out, each for each border that its ports may stand on, without those that are known and what only they need. */
+function looksOf(job: Job, levels: number, known: (look: string) => boolean): ReadonlySet<string> {
   const found = new Set<string>();
-  const visit = (node: Node, path: string, side: Side): void => {
-    if (!isOpen(request, node, path)) return;
-    const look = memory.look(node, path, side, request);
-    if (found.has(look) || memory.find(look, thorough) !== undefined) return;
+  const visit = (node: Node, path: string, side: Side, levels: number): void => {
+    if (!isOpen(job, node, path)) return;
+    const look = job.memory.look(node, path, side, levels, job);
+    if (found.has(look) || known(look)) return;
     found.add(look);
-    for (const direction of directionsOf(node)) for (const child of node.children) visit(child, `${path}/${child.name}`, sideIn(direction));
+    for (const direction of directionsOf(node))
+      for (const child of node.children) visit(child, `${path}/${child.name}`, sideIn(direction), beneathIt(levels));
   };
-  visit(request.state, request.path, "EAST");
-  return found.size;
+  visit(job.state, job.path, "EAST", levels);
+  return found;
 }
 
-async function layoutNode(engine: LayoutEngine, job: Job, node: Node, path: string, side: Side, depth: number): Promise<Block> {
+async function layoutNode(engine: LayoutEngine, job: Job, node: Node, path: string, side: Side, depth: number, levels: number): Promise<Block> {
   if (!isOpen(job, node, path)) return leaf(job, node, path, side, depth);
-  const look = job.memory.look(node, path, side, job);
-  const known = job.memory.find(look, job.thorough) ?? (await (job.begun.get(look) ?? begin(engine, job, node, path, side, depth, look)));
+  const look = job.memory.look(node, path, side, levels, job);
+  const known = job.memory.find(look) ?? (await (job.begun.get(look) ?? begin(engine, job, node, path, side, depth, levels, look)));
   return rebase(known, path, depth);
 }
 
-function begin(engine: LayoutEngine, job: Job, state: State, path: string, side: Side, depth: number, look: string): Promise<Block> {
-  const block = layoutOnce(engine, job, state, path, side, depth).then((laid) => {
-    job.memory.keep(look, job.thorough, laid);
+function begin(engine: LayoutEngine, job: Job, state: State, path: string, side: Side, depth: number, levels: number, look: string): Promise<Block> {
+  const block = layoutOnce(engine, job, state, path, side, depth, levels).then((laid) => {
+    job.memory.keep(look, laid);
     job.done();
     return laid;
   });
@@ -96,19 +99,19 @@ function begin(engine: LayoutEngine, job: Job, state: State, path: string, side:
   return block;
 }
 
-async function layoutOnce(engine: LayoutEngine, job: Job, state: State, path: string, side: Side, depth: number): Promise<Block> {
+async function layoutOnce(engine: LayoutEngine, job: Job, state: State, path: string, side: Side, depth: number, levels: number): Promise<Block> {
   const candidates = await Promise.all(
     directionsOf(state).map(async (direction) => {
       const placed = state.children.map(async (child) => {
         const childPath = `${path}/${child.name}`;
-        return [childPath, await layoutNode(engine, job, child, childPath, sideIn(direction), depth + 1)] as const;
+        return [childPath, await layoutNode(engine, job, child, childPath, sideIn(direction), depth + 1, beneathIt(levels))] as const;
       });
       const children = new Map(await Promise.all(placed));
       // An arrangement may fail, as ELK may; but not because nobody waits for it.
       const attempt = (arrangement: Arrangement) =>
         arrange(engine, job, state, path, side, depth, arrangement, children).catch(() => job.signal?.throwIfAborted());
       const plain = await attempt({ direction, wrap: false, aspect: job.aspect });
-      if (!job.thorough && depth > kUpper) return [plain];
+      if (levels === 0) return [plain];
       if (plain !== undefined && !tooLong(plain.size, direction, job.aspect)) return [plain];
       return [plain, ...(await Promise.all(wrapped(direction, state.children.length, job.aspect).map(attempt)))];
     }),

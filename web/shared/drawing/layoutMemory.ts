@@ -5,8 +5,8 @@ import type { Block } from "./block";
 import type { Side } from "./drawing";
 import { drawnLines, type Detail } from "./measure";
 
-/** So many are kept; then it begins anew. */
-const kMost = 2000;
+/** So many blocks are kept, and so many words, most of which are of states without children; then they begin anew. */
+const kMost = { blocks: 2000, words: 20_000 };
 
 /** How a subtree is to be drawn; one object for one drawing. */
 export interface LookRequest {
@@ -16,22 +16,24 @@ export interface LookRequest {
 }
 
 export interface LayoutMemory {
-  /** The same word for subtrees that look the same. */
-  readonly look: (node: Node, path: string, side: Side, request: LookRequest) => string;
-  /** What was laid out as thoroughly as this, or more so. */
-  readonly find: (look: string, thorough: boolean) => Block | undefined;
-  readonly keep: (look: string, thorough: boolean, block: Block) => void;
+  /** One word never for two subtrees that look different; of the same look, the same word, unless it was forgotten meanwhile.
+   *  With rows that are wrapped on so many `levels`, from the subtree's own down. */
+  readonly look: (node: Node, path: string, side: Side, levels: number, request: LookRequest) => string;
+  readonly find: (look: string) => Block | undefined;
+  readonly keep: (look: string, block: Block) => void;
 }
 
-export function layoutMemory(): LayoutMemory {
+export function layoutMemory(most = kMost): LayoutMemory {
   const words = new Map<string, number>();
   const blocks = new Map<string, Block>();
-  const rough = new Map<string, Block>();
+  let latest = 0;
   const word = (parts: unknown): number => {
     const text = JSON.stringify(parts);
-    const known = words.get(text) ?? words.size;
-    words.set(text, known);
-    return known;
+    const known = words.get(text);
+    if (known !== undefined) return known;
+    if (words.size >= most.words) words.clear();
+    words.set(text, ++latest);
+    return latest;
   };
   // A subtree is a part of all above it: without this it would be read as often.
   const shapes = new WeakMap<LookRequest, Map<string, number>>();
@@ -50,12 +52,11 @@ export function layoutMemory(): LayoutMemory {
     return word([node.name, node.first, node.link, node.oracle, node.dispatcher, node.parameters.map(({ from }) => from), node.ports, children, detail, drawnLines(node, detail), open ? aspect : 0]);
   };
   return {
-    look: (node, path, side, request) => `${side} ${shape(node, path, request)}`,
-    find: (look, thorough) => blocks.get(look) ?? (thorough ? undefined : rough.get(look)),
-    keep: (look, thorough, block) => {
-      const kept = thorough ? blocks : rough;
-      if (kept.size >= kMost) kept.clear();
-      kept.set(look, block);
+    look: (node, path, side, levels, request) => `${side} ${levels} ${shape(node, path, request)}`,
+    find: (look) => blocks.get(look),
+    keep: (look, block) => {
+      if (blocks.size >= most.blocks) blocks.clear();
+      blocks.set(look, block);
     },
   };
 }

@@ -71,6 +71,34 @@ describe("layoutMemory", () => {
     expect(of).toBeGreaterThan(2);
     expect(steps).toEqual(Array.from({ length: of + 1 }, (_, done) => [done, of]));
   });
+  it("draws a part of a drawing that is too large for care as if the whole had never been seen, and the other way round", async () => {
+    // Rows of four, which are worth wrapping, on three levels; no two composites look alike.
+    const row = (name: string, levels: number, to?: string): State => {
+      const names = ["A", "B", "C", "D"].map((letter) => name + letter);
+      const children = names.map((child, i) => (levels === 1 ? step(child, names[i + 1]) : row(child, levels - 1, names[i + 1])));
+      return { ...step(name, to), first: `${name}A`, children };
+    };
+    const inner = row("Inner", 3);
+    const whole: State = { ...empty, name: "Whole", children: [inner] };
+    const { engine } = counting();
+    const fresh = (state: State) => layoutModel(engine, request(state, { onProgress: (_, of) => expect(of, state.name).toBeGreaterThan(40) }));
+    const alone = [await fresh(whole), await fresh(inner)] as const;
+    const [once, otherwise] = [layoutMemory(), layoutMemory()];
+    await layoutModel(engine, request(whole), once);
+    expect(await layoutModel(engine, request(inner), once)).toEqual(alone[1]);
+    await layoutModel(engine, request(inner), otherwise);
+    expect(await layoutModel(engine, request(whole), otherwise)).toEqual(alone[0]);
+  });
+  it("forgets words when there are many, and never gives one twice", () => {
+    const memory = layoutMemory({ blocks: 10, words: 10 });
+    const look = (state: State) => memory.look(state, state.name, "EAST", 1, request(state));
+    const [first, again] = [look(step("S0")), look(step("S0"))];
+    expect(again).toBe(first);
+    const others = Array.from({ length: 25 }, (_, i) => look(step(`S${i + 1}`)));
+    const later = look(step("S0"));
+    expect(later).not.toBe(first);
+    expect(new Set([first, later, ...others]).size).toBe(27);
+  });
   it("stops when nobody waits any more, and keeps nothing that was chosen from less", async () => {
     const memory = layoutMemory();
     const left = new AbortController();
