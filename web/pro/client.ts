@@ -30,7 +30,8 @@ export const useCore = (): Core | undefined => useSession(watchedCore);
 let stream: Stream | undefined;
 const flowWatchers = new Map<string, (packet: Packet) => void>();
 
-function problem(error: unknown): void {
+/** Shows what went wrong until a person puts it away. */
+export function problem(error: unknown): void {
   const text = error instanceof RefusedError || error instanceof Error ? error.message : String(error);
   session.dispatch({ type: "problem", text });
 }

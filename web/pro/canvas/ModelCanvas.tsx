@@ -22,7 +22,7 @@ const edgeTypes: EdgeTypes = { line: ModelLine };
 export function ModelCanvas({ tree }: { readonly tree: ModelTree | undefined }) {
   const frame = useRef<HTMLDivElement>(null);
   const size = useSize(frame);
-  const { laid, progress } = useDrawing(tree, size);
+  const { laid, progress, failed } = useDrawing(tree, size);
   return (
     <section className="canvas" aria-label="Model" ref={frame}>
       <ArrowHeads />
@@ -34,16 +34,18 @@ export function ModelCanvas({ tree }: { readonly tree: ModelTree | undefined }) 
           {progress !== undefined && <LayoutProgress progress={progress} laid={laid} />}
         </ReactFlowProvider>
       ) : (
-        <Empty waiting={tree !== undefined} />
+        <Empty text={tree === undefined ? kNothing : failed ? "The model could not be drawn." : "Drawing the model…"} />
       )}
     </section>
   );
 }
 
-function Empty({ waiting }: { readonly waiting: boolean }) {
+const kNothing = "No task is loaded. Choose a document above and start a run.";
+
+function Empty({ text }: { readonly text: string }) {
   return (
     <div className="canvas-empty">
-      <p>{waiting ? "Drawing the model…" : "No task is loaded. Choose a document above and start a run."}</p>
+      <p>{text}</p>
     </div>
   );
 }

@@ -7,9 +7,16 @@ import { createPool } from "../../shared/drawing/pool";
 /** More would cost more to start than they give. */
 const kWorkers = Math.max(1, Math.min(4, navigator.hardwareConcurrency - 1));
 
+/** With an answer of the worker, which says nothing if its file does not come. */
 async function load(): Promise<ELK> {
   const { default: Elk } = await import("elkjs/lib/elk-api");
-  return new Elk({ workerFactory: () => new Worker(workerUrl) });
+  const worker = new Worker(workerUrl);
+  const elk = new Elk({ workerFactory: () => worker });
+  await new Promise((resolve, reject) => {
+    worker.addEventListener("error", () => reject(new Error("the layout does not start")));
+    elk.knownLayoutAlgorithms().then(resolve, reject);
+  });
+  return elk;
 }
 
 const withWorker = createPool(load, kWorkers);

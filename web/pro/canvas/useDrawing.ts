@@ -7,7 +7,7 @@ import { layoutMemory } from "../../shared/drawing/layoutMemory";
 import { details, type Detail, type Size } from "../../shared/drawing/measure";
 import { buildTree, stateAt, type ModelTree } from "../../shared/model/modelTree";
 import type { Shown } from "../../shared/session/view";
-import { useSession, useView } from "../client";
+import { problem, useSession, useView } from "../client";
 import { layoutInWorkers } from "./layoutEngine";
 
 export interface Laid {
@@ -31,6 +31,8 @@ export interface CanvasDrawing {
   readonly laid: Laid | undefined;
   /** None: what is drawn is what the view shows. */
   readonly progress: Progress | undefined;
+  /** The latest drawing did not succeed. */
+  readonly failed: boolean;
 }
 
 export function useTree(): ModelTree | undefined {
@@ -46,6 +48,7 @@ export function useDrawing(tree: ModelTree | undefined, canvas: Size | undefined
   const wanted = useView((view) => view.detail);
   const [laid, setLaid] = useState<Laid>();
   const [progress, setProgress] = useState<Progress>();
+  const [failed, setFailed] = useState(false);
   const ready = canvas !== undefined;
   // The canvas' size chooses the first arrangement; later changes of its size must not rearrange the drawing.
   const frame = useMemo(() => canvas, [ready, focus]);
@@ -84,12 +87,16 @@ export function useDrawing(tree: ModelTree | undefined, canvas: Size | undefined
       }
     };
     show().catch((error: unknown) => {
-      if (!signal.aborted) throw error;
+      if (signal.aborted) return;
+      setProgress(undefined);
+      setFailed(true);
+      problem(error);
     });
     return () => {
       another.abort();
       setProgress(undefined);
+      setFailed(false);
     };
   }, [tree, focus, collapsed, wanted, frame]);
-  return { laid, progress };
+  return { laid, progress, failed };
 }

@@ -100,6 +100,7 @@ function begin(engine: LayoutEngine, job: Job, state: State, path: string, side:
 }
 
 async function layoutOnce(engine: LayoutEngine, job: Job, state: State, path: string, side: Side, depth: number, levels: number): Promise<Block> {
+  const failures: unknown[] = [];
   const candidates = await Promise.all(
     directionsOf(state).map(async (direction) => {
       const placed = state.children.map(async (child) => {
@@ -109,14 +110,20 @@ async function layoutOnce(engine: LayoutEngine, job: Job, state: State, path: st
       const children = new Map(await Promise.all(placed));
       // An arrangement may fail, as ELK may; but not because nobody waits for it.
       const attempt = (arrangement: Arrangement) =>
-        arrange(engine, job, state, path, side, depth, arrangement, children).catch(() => job.signal?.throwIfAborted());
+        arrange(engine, job, state, path, side, depth, arrangement, children).catch((error: unknown) => {
+          job.signal?.throwIfAborted();
+          failures.push(error);
+          return undefined;
+        });
       const plain = await attempt({ direction, wrap: false, aspect: job.aspect });
       if (levels === 0) return [plain];
       if (plain !== undefined && !tooLong(plain.size, direction, job.aspect)) return [plain];
       return [plain, ...(await Promise.all(wrapped(direction, state.children.length, job.aspect).map(attempt)))];
     }),
   );
-  return best(candidates.flat().filter((block) => block !== undefined), job.aspect);
+  const [first, ...others] = candidates.flat().filter((block) => block !== undefined);
+  if (first === undefined) throw failures[0];
+  return best(first, others, job.aspect);
 }
 
 /** Whether rows in this direction stick out of a frame of this aspect, so that it may help to wrap them. */
@@ -139,14 +146,12 @@ function travel(lines: readonly DrawnLine[]): number {
 }
 
 /** The block that can be shown largest in a frame of this aspect, with some weight on its area and on the length of its lines. */
-function best(blocks: readonly Block[], aspect: number): Block {
+function best(first: Block, others: readonly Block[], aspect: number): Block {
   const cost = ({ size, ports, lines }: Block) => {
     const width = size.width + Math.max(0, ...ports.map((port) => port.x + port.width - size.width));
     return Math.max(width / aspect, size.height) + 0.35 * Math.sqrt((width * size.height) / aspect) + 0.6 * travel(lines);
   };
-  const first = blocks[0];
-  if (first === undefined) throw new Error("no arrangement");
-  return blocks.reduce((found, block) => (cost(block) < cost(found) ? block : found), first);
+  return others.reduce((found, block) => (cost(block) < cost(found) ? block : found), first);
 }
 
 async function arrange(

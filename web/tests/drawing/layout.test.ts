@@ -97,6 +97,14 @@ describe("layoutModel", () => {
     await layoutModel(counted, { state: nested(9), path: "L9", collapsed: new Set(), detail: "slim", aspect: 1.6 });
     expect(layouts).toBeLessThanOrEqual(4 * 9);
   });
+  it("says why when there is no layout at all, and does without an arrangement that fails", async () => {
+    const { root } = modelOf("hierarchy-first");
+    const request = { state: root, path: root.name, collapsed: new Set<string>(), detail: "slim", aspect: 1.6 } as const;
+    await expect(layoutModel(() => Promise.reject(new Error("no worker")), request)).rejects.toThrow("no worker");
+    let first = true;
+    const stumbling: LayoutEngine = (graph) => (first ? ((first = false), Promise.reject(new Error("stumbled"))) : engine(graph));
+    expect((await layoutModel(stumbling, request)).nodes.length).toBeGreaterThan(1);
+  });
   it("gives a stub to exactly the ports that lead nowhere and that no parent names", async () => {
     const drawing = await draw("thesis-search-object-found");
     const loose = stubs(drawing).map((line) => line.from);
