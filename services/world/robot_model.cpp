@@ -10,6 +10,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "services/world/urdf_limits.h"
+
 namespace race::world {
 namespace {
 
@@ -92,8 +94,11 @@ Expected<void> read_inertia(const urdf::Link& source, Link& link, const std::str
   return {};
 }
 
-Expected<void> add_link(const urdf::Link& source, int parent, RobotModel& model) {
+Expected<void> add_link(const urdf::Link& source, int parent, std::size_t depth, RobotModel& model) {
   const std::string path = model.name + "/" + source.name;
+  if (depth > kUrdfChain)
+    return unexpected(ErrorCode::too_deep, "a chain has at most " + std::to_string(kUrdfChain) + " links", path);
+  if (model.link(source.name) >= 0) return unexpected(ErrorCode::duplicate, "two joints lead to the link", path);
   Link link;
   link.name = source.name;
   link.parent = parent;
@@ -112,7 +117,7 @@ Expected<void> add_link(const urdf::Link& source, int parent, RobotModel& model)
   const int index = static_cast<int>(model.links.size());
   model.links.push_back(std::move(link));
   for (const auto& child : source.child_links) {
-    if (auto added = add_link(*child, index, model); !added) return added;
+    if (auto added = add_link(*child, index, depth + 1, model); !added) return added;
   }
   return {};
 }
@@ -135,11 +140,12 @@ std::vector<int> RobotModel::moved_by(Joint::Kind kind) const {
 }
 
 Expected<RobotModel> read_urdf(const std::string& text) {
+  if (auto good = check_urdf_text(text); !good) return tl::unexpected(std::move(good).error());
   const urdf::ModelInterfaceSharedPtr source = urdf::parseURDF(text);
   if (!source || !source->getRoot()) return unexpected(ErrorCode::syntax, "not a URDF document");
   RobotModel model;
   model.name = source->getName();
-  if (auto added = add_link(*source->getRoot(), -1, model); !added) return tl::unexpected(added.error());
+  if (auto added = add_link(*source->getRoot(), -1, 1, model); !added) return tl::unexpected(added.error());
   return model;
 }
 

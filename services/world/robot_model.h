@@ -66,7 +66,8 @@ struct RobotModel {
 
 /// Reads a URDF text. Errors: `syntax` (no URDF), `type` (a joint or shape that is not served, an inertia that is not
 /// principal in the link's frame), `missing` (a moving joint without limits, a moved link without inertia),
-/// `out_of_range` (a mass, inertia, size or limit that cannot be).
+/// `duplicate` (two joints lead to a link), `out_of_range` (a mass, inertia, size or limit that cannot be), `too_deep`,
+/// `too_large` (more than urdf_limits.h says; the text may come from anywhere).
 Expected<RobotModel> read_urdf(const std::string& text);
 
 /// As read_urdf, from a file. Error `io` if it cannot be read.

@@ -71,6 +71,9 @@ TEST(RobotModel, NamesWhatItRefuses) {
       {urdf(kLink2, R"(<limit lower="1" upper="-1" effort="10" velocity="2"/>)"), ErrorCode::out_of_range},
       {urdf(kLink2, R"(<limit lower="-1" upper="1" effort="0" velocity="2"/>)"), ErrorCode::out_of_range},
       {urdf(kLink2, "", "continuous"), ErrorCode::type},
+      {R"(<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="fixed"><parent link="a"/><child link="b"/>
+        </joint><joint name="k" type="fixed"><parent link="a"/><child link="b"/></joint></robot>)",
+       ErrorCode::duplicate},
   };
   for (const Broken& broken : cases) {
     const auto model = read_urdf(broken.text);
