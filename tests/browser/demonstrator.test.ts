@@ -89,8 +89,8 @@ describe("the demonstrator with an operator by script", () => {
   it("shows a collision and asks on every display, and survives it when somebody answers", async () => {
     await phone.getByRole("heading", { name: "What is to be done?" }).waitFor(kLong);
     for (const name of ["Continue", "Skip", "Abort"]) expect(await phone.getByRole("button", { name, exact: true }).isEnabled()).toBe(true);
-    await stage.picture("demonstrator-collision", task);
     await stage.picture("demonstrator-question", phone);
+    await stage.picture("demonstrator-collision", task);
     await phone.getByRole("heading").waitFor({ state: "detached" });
     await turns("Table/Work/Collision", false);
     await turns("Table/Work/Task", true);
