@@ -40,7 +40,11 @@ const state = (path: string) => page.getByRole("group", { name: `State ${path}`,
 
 async function load(document: string): Promise<void> {
   await page.getByRole("combobox", { name: "Document" }).selectOption(document);
+  const runs = page.getByRole("combobox", { name: "Watched run" });
+  const before = await runs.inputValue();
   await button("Load").click();
+  // Only then the drawing of the run before is gone.
+  await expect.poll(() => runs.inputValue()).not.toBe(before);
 }
 
 describe("a drawing whose worker does not come", () => {
