@@ -1,19 +1,28 @@
 #include "core/value/expected.h"
 
+#include <algorithm>
 #include <array>
 
 namespace race {
+namespace {
 
-std::string_view name(ErrorCode code) {
-  static constexpr std::array kNames = {
-      "json",           "version",      "missing",      "type",        "unknown_field",  "name",
-      "duplicate",      "constant",     "parameter",    "root_from",   "first",          "port_target",
-      "barrier_target", "link_unknown", "link_cycle",   "link_field",  "link_parameter", "link_port",
-      "oracle",         "reference",    "keep",         "syntax",      "forbidden",      "scope",
-      "effect",         "service_call", "unknown_name", "too_large",   "too_deep",       "out_of_range",
-      "not_found",      "conflict",     "io",           "unavailable", "not_accepted"};
-  static_assert(kNames.size() == static_cast<std::size_t>(ErrorCode::not_accepted) + 1);
-  return kNames[static_cast<std::size_t>(code)];
+constexpr std::array kNames = {
+    "json",           "version",      "missing",      "type",        "unknown_field",  "name",
+    "duplicate",      "constant",     "parameter",    "root_from",   "first",          "port_target",
+    "barrier_target", "link_unknown", "link_cycle",   "link_field",  "link_parameter", "link_port",
+    "oracle",         "reference",    "keep",         "syntax",      "forbidden",      "scope",
+    "effect",         "service_call", "unknown_name", "too_large",   "too_deep",       "out_of_range",
+    "not_found",      "conflict",     "io",           "unavailable", "not_accepted"};
+static_assert(kNames.size() == static_cast<std::size_t>(ErrorCode::not_accepted) + 1);
+
+}  // namespace
+
+std::string_view name(ErrorCode code) { return kNames[static_cast<std::size_t>(code)]; }
+
+std::optional<ErrorCode> code_of(std::string_view name) {
+  const auto found = std::ranges::find(kNames, name);
+  if (found == kNames.end()) return std::nullopt;
+  return static_cast<ErrorCode>(found - kNames.begin());
 }
 
 std::string to_string(const Error& error) {

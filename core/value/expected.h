@@ -2,6 +2,7 @@
 // author, a client or a device can cause. What only our own mistake can cause is an assert.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -53,6 +54,8 @@ enum class ErrorCode {
 
 /// The code as documents, messages and command lines show it, such as "port_target".
 std::string_view name(ErrorCode code);
+/// The code of this name, if there is one.
+std::optional<ErrorCode> code_of(std::string_view name);
 
 /// A stretch of a code text: lines and columns count from 1, `end_column` is one past the last character. Line 0: none.
 struct SourceRange {
