@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <future>
 
 #include "server/cell/outside_world.h"
 #include "server/cell/units.h"
@@ -107,15 +106,9 @@ void Cell::step() {
 }
 
 Expected<Value> Cell::act(const std::optional<PersonAct>& act) {
-  // Held by the work, which may come later than anybody waits.
-  const auto answer = std::make_shared<std::promise<Expected<Value>>>();
-  auto answered = answer->get_future();
-  unit_.post([this, act, answer] {
-    world_->act(act, [answer](Expected<Value> person) { answer->set_value(std::move(person)); });
+  return acts_.wait([&](CellWorld::Wanted wanted, CellWorld::Done done) {
+    unit_.post([this, act, wanted = std::move(wanted), done = std::move(done)] { world_->act(act, wanted, done); });
   });
-  if (answered.wait_for(std::chrono::seconds(5)) != std::future_status::ready)
-    return unexpected(ErrorCode::unavailable, "the cell does not answer");
-  return answered.get();
 }
 
 void Cell::start_real_time() {

@@ -14,6 +14,7 @@
 #include "core/value/expected.h"
 #include "core/value/value.h"
 #include "server/cell/inside_world.h"
+#include "server/cell/waiting_acts.h"
 #include "services/host.h"
 #include "services/remote/remotes.h"
 
@@ -59,8 +60,8 @@ class Cell {
   CellWorld* world() { return world_.get(); }
   /// The world, if it is in this process.
   const InsideWorld* inside() const { return inside_; }
-  /// CellWorld::act(), on any thread but the unit's: waits for it, five seconds at most; it may still be done later.
-  /// Only with a world, and after start_real_time(). Errors: `unavailable`, those of the act.
+  /// CellWorld::act(), on any thread but the unit's: waits for it (waiting_acts.h). Only with a world, and after
+  /// start_real_time(). Errors: `unavailable`, those of the act.
   Expected<Value> act(const std::optional<PersonAct>& act);
   /// Called at the beginning of each step(), on the unit's thread. To be set before the first step.
   void before_step(std::function<void()> work) { before_step_ = std::move(work); }
@@ -87,6 +88,7 @@ class Cell {
   std::unique_ptr<services::WorkThread> database_unit_;
   std::unique_ptr<CellWorld> world_;
   InsideWorld* inside_ = nullptr;  // world_, if it is in this process
+  WaitingActs acts_;
   services::Host host_;
   std::unique_ptr<remote::Remotes> remotes_;
   std::int64_t steps_ = 0;

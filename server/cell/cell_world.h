@@ -19,6 +19,9 @@ class CellWorld {
   /// Called once, on any thread: schemas/person.json (frozen) as it is after the act, or why the act was refused.
   using Done = std::function<void(Expected<Value> person)>;
 
+  /// Asked once, on any thread, right before the act is done: after a no it is not done, and nobody told.
+  using Wanted = std::function<bool()>;
+
   virtual ~CellWorld() = default;
 
   /// schemas/scene.json, frozen. Error `unavailable`: the world is not there.
@@ -29,7 +32,7 @@ class CellWorld {
   virtual bool may_have(const std::string& body) const = 0;
 
   /// Does the act; without one, only tells what hands hold. Errors: those of perform(); that of scene().
-  virtual void act(const std::optional<PersonAct>& act, Done done) = 0;
+  virtual void act(const std::optional<PersonAct>& act, Wanted wanted, Done done) = 0;
 
   /// `publish` gets poses (schemas/cell_pose.json, frozen) at 30 Hz of world time while they are watched. To be set
   /// before the first step.

@@ -1,7 +1,7 @@
 // InsideWorld: a world in this process, with whoever stands at it. The cell of a server has one, or the process that is
 // its cell.
 //
-// Threads: the unit's, but those of CellWorld for any.
+// Threads: the unit's, act() too; the other functions of CellWorld are for any.
 #pragma once
 
 #include <atomic>
@@ -32,7 +32,9 @@ class InsideWorld final : public CellWorld {
   bool may_have(const std::string& body) const override { return world_->has(body); }
   /// As act(), at once.
   Expected<Value> perform(const std::optional<PersonAct>& act);
-  void act(const std::optional<PersonAct>& act, Done done) override { done(perform(act)); }
+  void act(const std::optional<PersonAct>& act, Wanted wanted, Done done) override {
+    if (wanted()) done(perform(act));
+  }
   void watch_pose(bool on) override { watched_ = on; }
 
   /// World time goes on by 1 ms.

@@ -207,7 +207,8 @@ void Operator::act(const Waiting& waiting, CellWorld& world) {
       answer(*by_display, waiting);
       continue;
     }
-    world.act(std::get<PersonAct>(each), [log = log_, name](const Expected<Value>& done) {
+    const auto wanted = [] { return true; };
+    world.act(std::get<PersonAct>(each), wanted, [log = log_, name](const Expected<Value>& done) {
       if (!done) log(name + ": refused: " + to_string(done.error()));
     });
   }

@@ -21,7 +21,7 @@ class OutsideWorld final : public CellWorld {
   Expected<std::string> file(const std::string& name) const override;
   /// The process knows, and refuses the act.
   bool may_have(const std::string&) const override { return true; }
-  void act(const std::optional<PersonAct>& act, Done done) override;
+  void act(const std::optional<PersonAct>& act, Wanted wanted, Done done) override;
   void watch_pose(bool on) override { end_.watch(on); }
 
  private:

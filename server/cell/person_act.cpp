@@ -8,8 +8,8 @@
 namespace race::server {
 namespace {
 
-constexpr double kLongestKeep = 3600;  // s
-constexpr std::size_t kHandName = 64;  // characters
+constexpr double kLongestKeep = 3600;   // s
+constexpr std::size_t kBodyName = 200;  // characters
 
 using Need = Fields::Need;
 using world::operator+;
@@ -35,17 +35,32 @@ world::Vec3 vector(Fields& fields, std::string_view name, Need need = Need::opti
   return numbers<3>(*value, std::string(name), fields).value_or(world::Vec3());
 }
 
+// Of UTF-8: bytes that begin one.
+std::size_t characters(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
 std::string hand_name(Fields& fields) {
   std::string hand = fields.text("hand").value_or("hand");
-  if (hand.empty() || hand.size() > kHandName)
+  if (hand.empty() || characters(hand) > kHandName)
     fields.violation(ErrorCode::name, "`hand` must have 1 to " + std::to_string(kHandName) + " characters");
   return hand;
+}
+
+// Of a link or part; what is refused later quotes it.
+std::string body_name(Fields& fields, const char* field) {
+  std::string body = fields.text(field, Need::required).value_or("");
+  if (characters(body) <= kBodyName) return body;
+  fields.violation(ErrorCode::out_of_range,
+                   "`" + std::string(field) + "` has at most " + std::to_string(kBodyName) + " characters");
+  return {};
 }
 
 GrabAct read_grab(Fields& fields) {
   GrabAct act{hand_name(fields), {}};
   world::Hold& hold = act.hold;
-  hold.body = fields.text("body", Need::required).value_or("");
+  hold.body = body_name(fields, "body");
   hold.point = vector(fields, "point");
   hold.stiffness = fields.number("stiffness").value_or(hold.stiffness);
   hold.damping = fields.number("damping").value_or(hold.damping);
@@ -75,7 +90,7 @@ DragAct read_drag(Fields& fields) {
 
 world::Push read_push(Fields& fields) {
   world::Push push;
-  push.body = fields.text("body", Need::required).value_or("");
+  push.body = body_name(fields, "body");
   push.force = vector(fields, "force", Need::required);
   push.point = vector(fields, "point");
   if (!fields.find("duration")) fields.violation(ErrorCode::missing, "the field `duration` is missing");
@@ -147,11 +162,11 @@ PersonAct read_person_act(Fields& fields, double keep) {
   } else if (kind == "push") {
     act.what = read_push(fields);
   } else if (kind == "place") {
-    PlaceAct place{fields.text("part", Need::required).value_or(""), std::nullopt};
+    PlaceAct place{body_name(fields, "part"), std::nullopt};
     place.o_t_part = read_pose(fields);
     act.what = std::move(place);
   } else if (kind == "take") {
-    act.what = TakeAct{fields.text("part", Need::required).value_or("")};
+    act.what = TakeAct{body_name(fields, "part")};
   } else {
     fields.violation(ErrorCode::type, "`act` must be `grab`, `drag`, `release`, `push`, `place` or `take`");
   }

@@ -34,6 +34,9 @@ struct PersonAct {
   double keep = 0;  // s, of a hand: Person::keep()
 };
 
+/// Characters of a hand's name, which has one at least.
+inline constexpr std::size_t kHandName = 64;
+
 /// Seconds that a client's hand stays without a word when the act does not say it.
 inline constexpr double kClientPatience = 0.5;
 

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <set>
+#include <cmath>
 
 #include "core/value/fields.h"
+#include "server/cell/person_act.h"
 #include "services/world/person.h"
 #include "services/world/robot_model.h"
 
@@ -12,7 +13,8 @@ namespace race::server {
 namespace {
 
 using Need = Fields::Need;
-constexpr std::size_t kBodies = 1000, kRobots = 8, kJoints = 1000;
+constexpr std::size_t kBodies = 1000, kRobots = 8;
+constexpr std::size_t kNameLength = 1000;  // bytes
 constexpr std::size_t kTouches = world::Person::kHands + world::Person::kPushes;
 
 bool is_number(const Value& value) { return value.is_numeric() && value.is_finite(); }
@@ -25,11 +27,20 @@ bool are_numbers(const Value& value, std::size_t count) {
 
 bool is_vector(const Value& value) { return are_numbers(value, 3); }
 
+// Of length 1, as far as rounding goes.
+bool is_orientation(const Value& value) {
+  constexpr double kRounding = 1e-3;
+  if (!are_numbers(value, 4)) return false;
+  double square = 0;
+  for (const Value& each : value.as_list()) square += each.to_double() * each.to_double();
+  return std::abs(square - 1) <= kRounding;
+}
+
 bool is_pose(const Value& value) {
   const Value* position = value.find("position");
   const Value* orientation = value.find("orientation");
   return value.is_dict() && value.as_dict().size() == 2 && position && is_vector(*position) && orientation &&
-         are_numbers(*orientation, 4);
+         is_orientation(*orientation);
 }
 
 bool is_shape(const Value& value) {
@@ -77,11 +88,12 @@ Expected<void> first_of(const std::vector<Error>& errors) {
 
 void unique(Fields& fields, std::set<std::string>& names) {
   const auto name = fields.text("name", Need::required);
+  if (name && name->size() > kNameLength) fields.violation(ErrorCode::out_of_range, "its name is too long", "name");
   if (name && !names.insert(*name).second) fields.violation(ErrorCode::duplicate, "there are two `" + *name + "`");
 }
 
-/// The names of the URDF files.
-std::set<std::string> check_scene(const Value& scene, std::vector<Error>& errors) {
+/// The names of the URDF files; parts become known.
+std::set<std::string> check_scene(const Value& scene, WorldNames& known, std::vector<Error>& errors) {
   std::set<std::string> robots, bodies, files;
   Fields fields(scene, "world/scene", "the scene", errors, Fields::Paths::field);
   items(fields, "robots", kRobots, errors, [&](Fields& robot) {
@@ -97,21 +109,20 @@ std::set<std::string> check_scene(const Value& scene, std::vector<Error>& errors
         body, "fixed", [](const Value& value) { return value.is_bool(); }, "a boolean");
     need(body, "colour", is_colour, "#rrggbb", Need::optional);
     need(body, "mass", is_number, "a number", Need::optional);
+    const Value* fixed = body.find("fixed");
+    if (const auto name = body.text("name"); name && fixed && fixed->is_bool() && !fixed->as_bool())
+      known.parts.insert(*name);
   });
   fields.close();
   return files;
 }
 
-bool is_part(const Value& world, const Value& name) {
-  return std::ranges::any_of(world.find("scene")->find("bodies")->as_list(), [&](const Value& body) {
-    return *body.find("name") == name && !body.find("fixed")->as_bool();
-  });
-}
-
-void check_hands(Fields& fields, std::vector<Error>& errors) {
-  items(fields, "hands", kTouches, errors, [](Fields& hand) {
-    hand.text("hand", Need::required);
-    hand.text("body", Need::required);
+void check_hands(const WorldNames& world, Fields& fields, std::vector<Error>& errors) {
+  items(fields, "hands", kTouches, errors, [&world](Fields& hand) {
+    const auto name = hand.text("hand", Need::required), body = hand.text("body", Need::required);
+    if (name && name->size() > kHandName * 4) hand.violation(ErrorCode::out_of_range, "its name is too long", "hand");
+    if (body && !world.links.contains(*body) && !world.parts.contains(*body))
+      hand.violation(ErrorCode::not_found, "there is no such link or part", "body");
     need(hand, "at", is_vector, "three numbers");
     need(hand, "force", is_vector, "three numbers");
     need(hand, "target", is_vector, "three numbers", Need::optional);
@@ -120,15 +131,16 @@ void check_hands(Fields& fields, std::vector<Error>& errors) {
 
 }  // namespace
 
-Expected<void> check_world(const Value& world) {
+Expected<WorldNames> check_world(const Value& world) {
+  WorldNames known;
   std::vector<Error> errors;
   Fields fields(world, "world", "the world", errors, Fields::Paths::field);
   const Value* scene = fields.find("scene", Need::required);
   const Value* files = fields.find("files", Need::required);
   fields.close();
-  if (!errors.empty()) return first_of(errors);
-  const std::set<std::string> names = check_scene(*scene, errors);
-  if (!errors.empty()) return first_of(errors);
+  if (!errors.empty()) return tl::unexpected(errors.front());
+  const std::set<std::string> names = check_scene(*scene, known, errors);
+  if (!errors.empty()) return tl::unexpected(errors.front());
   if (!files->is_dict()) return unexpected(ErrorCode::type, "must be an object", "world/files");
   if (files->as_dict().size() != names.size())
     return unexpected(ErrorCode::unknown_field, "must be those that the scene names", "world/files");
@@ -137,41 +149,54 @@ Expected<void> check_world(const Value& world) {
     const Value* text = files->find(name);
     if (!text) return unexpected(ErrorCode::missing, "the scene names it", path);
     if (!text->is_string()) return unexpected(ErrorCode::type, "must be a text", path);
-    if (const auto urdf = world::read_urdf(text->as_string()); !urdf)
-      return unexpected(urdf.error().code, urdf.error().message, path);
+    const auto urdf = world::read_urdf(text->as_string());
+    if (!urdf) return unexpected(urdf.error().code, urdf.error().message, path);
+    for (const world::Link& link : urdf->links) {
+      known.links.insert(link.name);
+      if (link.joint.kind != world::Joint::Kind::fixed) known.joints.insert(link.joint.name);
+    }
   }
-  return {};
+  return known;
 }
 
-Expected<void> check_pose(const Value& world, const Value& pose) {
+Expected<void> check_pose(const WorldNames& world, const Value& pose) {
   std::vector<Error> errors;
   Fields fields(pose, "pose", "the pose", errors, Fields::Paths::field);
   need(fields, "time", is_number, "a number");
   const auto is_object = [](const Value& value) { return value.is_dict(); };
   need(fields, "joints", is_object, "an object");
   need(fields, "bodies", is_object, "an object");
-  if (pose.find("hands")) check_hands(fields, errors);
+  if (pose.find("hands")) check_hands(world, fields, errors);
   fields.close();
   if (!errors.empty()) return first_of(errors);
-  const Dict& joints = pose.find("joints")->as_dict();
-  if (joints.size() > kJoints) return unexpected(ErrorCode::out_of_range, "are too many", "pose/joints");
-  for (const auto& [name, value] : joints)
-    if (!is_number(value)) return unexpected(ErrorCode::type, "must be a number", "pose/joints/" + name.as_string());
+  for (const auto& [name, value] : pose.find("joints")->as_dict()) {
+    const std::string path = "pose/joints/" + name.as_string();
+    if (!world.joints.contains(name.as_string()))
+      return unexpected(ErrorCode::not_found, "no robot has a joint of this name that moves", path);
+    if (!is_number(value)) return unexpected(ErrorCode::type, "must be a number", path);
+  }
   for (const auto& [name, value] : pose.find("bodies")->as_dict()) {
     const std::string path = "pose/bodies/" + name.as_string();
-    if (!is_part(world, name)) return unexpected(ErrorCode::not_found, "the scene has no such part", path);
+    if (!world.parts.contains(name.as_string()))
+      return unexpected(ErrorCode::not_found, "the scene has no such part", path);
     if (!is_pose(value)) return unexpected(ErrorCode::type, "must be a pose", path);
   }
   return {};
 }
 
-Expected<void> check_person(const Value& world, const Value& person) {
+Expected<void> check_person(const WorldNames& world, const Value& person) {
   std::vector<Error> errors;
   Fields fields(person, "person", "the answer", errors, Fields::Paths::field);
-  check_hands(fields, errors);
-  for (const Value& part : fields.list("absent", Need::required))
-    if (!part.is_string() || !is_part(world, part))
+  check_hands(world, fields, errors);
+  std::set<std::string> absent;
+  for (const Value& part : fields.list("absent", Need::required)) {
+    if (!part.is_string() || !world.parts.contains(part.as_string())) {
       fields.violation(ErrorCode::not_found, "the scene has no such part", "absent");
+    } else if (!absent.insert(part.as_string()).second) {
+      fields.violation(ErrorCode::duplicate, "a part is absent once", "absent");
+    }
+    if (!errors.empty()) break;
+  }
   fields.close();
   return first_of(errors);
 }

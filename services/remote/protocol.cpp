@@ -44,6 +44,7 @@ constexpr std::array kPublish = {kKey, kFlow, kTime, kHeader};
 constexpr std::array kRequest = {kKey, kNumber, Field{"function", &Message::name},
                                  Field{"arguments", &Message::kwargs}};
 constexpr std::array kPose = {Field{"pose", &Message::value}};
+constexpr std::array kReady = {kNumber};
 constexpr std::array kDone = {kNumber, Field{"person", &Message::value}};
 constexpr std::array kFailed = {kNumber, Field{"error", &Message::value}};
 constexpr std::array kPong = {kNumber};
@@ -56,6 +57,7 @@ constexpr std::array kWanted = {kKey, kFlow, kOn, kTime};
 constexpr std::array kPacket = {kKey, kService, kFlow, kTime, kHeader};
 constexpr std::array kReply = {kNumber, Field{"value", &Message::value}};
 constexpr std::array kNews = {kKey, kTime};
+constexpr std::array kOffer = {kNumber, kTime};
 constexpr std::array kAct = {kNumber, Field{"act", &Message::value}, kTime};
 constexpr std::array kWatch = {kOn, kTime};
 constexpr std::array kPing = {kNumber, kTime};
@@ -80,6 +82,7 @@ constexpr std::array kRows = {
     Row{Kind::publish, "publish", Reader::server, kPublish, true},
     Row{Kind::request, "request", Reader::server, kRequest},
     Row{Kind::pose, "pose", Reader::server, kPose},
+    Row{Kind::ready, "ready", Reader::server, kReady},
     Row{Kind::done, "done", Reader::server, kDone},
     Row{Kind::failed, "failed", Reader::server, kFailed},
     Row{Kind::pong, "pong", Reader::server, kPong},
@@ -90,6 +93,7 @@ constexpr std::array kRows = {
     Row{Kind::packet, "packet", Reader::process, kPacket, true},
     Row{Kind::reply, "reply", Reader::process, kReply},
     Row{Kind::news, "news", Reader::process, kNews},
+    Row{Kind::offer, "offer", Reader::process, kOffer},
     Row{Kind::act, "act", Reader::process, kAct},
     Row{Kind::watch, "watch", Reader::process, kWatch},
     Row{Kind::ping, "ping", Reader::process, kPing},
@@ -260,8 +264,16 @@ Expected<Message> decode(const Frame& frame, Reader reader) {
   return message;
 }
 
+std::string cut(std::string text) {
+  if (text.size() <= kNameBytes) return text;
+  std::size_t end = kNameBytes;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+  text.resize(end);
+  return text;
+}
+
 Value error_json(const Error& error) {
-  return Dict{{"path", error.path}, {"code", race::name(error.code)}, {"message", error.message}};
+  return Dict{{"path", cut(error.path)}, {"code", race::name(error.code)}, {"message", cut(error.message)}};
 }
 
 services::PacketPtr packet_of(Message message) {

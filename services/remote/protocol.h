@@ -22,7 +22,7 @@ inline constexpr std::int64_t kProtocol = 1;
 inline constexpr std::size_t kFrameBytes = 32 * 1024 * 1024;
 /// Of the JSON of a packet: its header is shown to everyone who watches services.
 inline constexpr std::size_t kHeaderBytes = 64 * 1024;
-/// Of keys and names.
+/// Of keys and names, logs, and the texts of errors.
 inline constexpr std::size_t kNameBytes = 1000;
 
 enum class Kind : std::uint8_t {
@@ -38,7 +38,8 @@ enum class Kind : std::uint8_t {
   publish,  // a packet
   request,  // a question to the desk of the component (desk.h)
   pose,     // of the world (remote_world.h): where everything is
-  done,     // what came of an act in it
+  ready,    // for the act that was offered
+  done,     // what came of it
   failed,   // why it was refused
   pong,     // the unit's thread has got as far as the ping
   // to the process; what it is to do says the server's time
@@ -49,7 +50,8 @@ enum class Kind : std::uint8_t {
   packet,
   reply,  // to a request
   news,   // what was asked before may be different now
-  act,    // somebody does something in the world, or asks what hands hold
+  offer,  // somebody wants to act in the world; who is ready is told how
+  act,    // what is to be done there, or asked: what hands hold
   watch,  // somebody wants poses, or nobody any more
   ping,
 };
@@ -87,7 +89,10 @@ Expected<Frame> encode(const Message& message);
 /// `unknown_field`, `out_of_range`.
 Expected<Message> decode(const Frame& frame, Reader reader);
 
-/// {path, code, message}, as messages say it.
+/// A text as it may be said: at most kNameBytes of it, cut between characters.
+std::string cut(std::string text);
+
+/// {path, code, message}, as messages say it, both texts cut.
 Value error_json(const Error& error);
 
 /// The service's packet of a message, frozen.

@@ -16,15 +16,6 @@ Message message_of(Kind kind, const std::string& key, std::string_view name = {}
   return message;
 }
 
-// What a log may hold, cut between characters.
-std::string cut(std::string text) {
-  if (text.size() <= kNameBytes) return text;
-  std::size_t end = kNameBytes;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
-  text.resize(end);
-  return text;
-}
-
 }  // namespace
 
 // The ServiceHost of one component.
@@ -182,7 +173,7 @@ Expected<void> RemoteUnit::handle(Message message) {
     clock_.set(std::max(clock_.now(), message.time));
     return {};
   }
-  if (message.kind == Kind::act || message.kind == Kind::watch) return in_world(message);
+  if (message.kind == Kind::offer || message.kind == Kind::act || message.kind == Kind::watch) return in_world(message);
   Slot* slot = find(message.key);
   if (!slot) return unexpected(ErrorCode::not_found, "this process has no such component", message.key);
   if (message.kind == Kind::packet) {
@@ -206,12 +197,22 @@ Expected<void> RemoteUnit::in_world(const Message& message) {
     world_.watch(message.on);
     return {};
   }
-  Expected<Value> done = world_.act(message.value);
-  if (done && !done->is_finite()) done = unexpected(ErrorCode::constant, "what hands hold is not finite any more");
-  Message answer = message_of(done ? Kind::done : Kind::failed, "");
+  Message answer = message_of(message.kind == Kind::offer ? Kind::ready : Kind::done, "");
   answer.number = message.number;
-  if (done) answer.value = std::move(*done);
-  if (!done) answer.value = error_json(done.error());
+  if (message.kind == Kind::offer) {
+    send(answer);
+    return {};
+  }
+  const auto fail = [&answer](const Error& error) {
+    answer.kind = Kind::failed;
+    answer.value = error_json(error);
+  };
+  if (Expected<Value> done = world_.act(message.value)) {
+    answer.value = std::move(*done);
+    if (auto frame = encode(answer); !frame) fail(frame.error());
+  } else {
+    fail(done.error());
+  }
   send(answer);
   return {};
 }

@@ -1,20 +1,11 @@
 #include "services/remote/remote_world.h"
 
-#include <optional>
 #include <utility>
 
 #include "core/value/fields.h"
 
 namespace race::remote {
 namespace {
-
-tl::unexpected<Error> away() { return unexpected(ErrorCode::unavailable, "the process of the cell is not there"); }
-
-std::optional<ErrorCode> code_of(std::string_view text) {
-  for (int code = 0; code <= static_cast<int>(ErrorCode::not_accepted); ++code)
-    if (name(static_cast<ErrorCode>(code)) == text) return static_cast<ErrorCode>(code);
-  return std::nullopt;
-}
 
 // Why an act was refused, as the process says it.
 Expected<Error> read_error(const Value& json) {
@@ -32,6 +23,8 @@ Expected<Error> read_error(const Value& json) {
   return Error{*known, *text, *path};
 }
 
+tl::unexpected<Error> nobody_waits() { return unexpected(ErrorCode::conflict, "nobody waits for this", "number"); }
+
 Message message_of(Kind kind) {
   Message message;
   message.kind = kind;
@@ -40,49 +33,93 @@ Message message_of(Kind kind) {
 
 }  // namespace
 
+tl::unexpected<Error> no_world() { return unexpected(ErrorCode::unavailable, "the process of the cell is not there"); }
+
 RemoteWorld::RemoteWorld(const services::Clock& clock, Door door, std::function<void(Value)> show)
     : clock_(clock), door_(std::move(door)), show_(std::move(show)) {}
 
-// With the lock. A process that reads nothing answers no ping either, and is lost.
-bool RemoteWorld::send(Message message) {
-  message.time = clock_.now();
-  auto frame = encode(message);
-  return frame && process_->push(std::move(*frame));
+Expected<RemoteWorld::World> RemoteWorld::check(Value world) const {
+  world.freeze();
+  ASSIGN_OR_RETURN(Rules rules, door_(world));
+  return World{std::move(world), std::move(rules)};
 }
 
-void RemoteWorld::connect(std::shared_ptr<FrameQueue> process, Value world) {
-  std::map<std::int64_t, Done> left;
+// With the lock. A process that reads nothing answers no ping either, and is lost.
+Expected<void> RemoteWorld::send(Message message) {
+  message.time = clock_.now();
+  ASSIGN_OR_RETURN(Frame frame, encode(message));
+  if (!process_->push(std::move(frame)))
+    return unexpected(ErrorCode::unavailable, "the process of the cell takes nothing more");
+  return {};
+}
+
+void RemoteWorld::connect(std::shared_ptr<FrameQueue> process, World world) {
+  std::map<std::int64_t, Act> left;
   {
     const std::lock_guard lock(mutex_);
+    world_ = process ? std::make_shared<const World>(std::move(world)) : nullptr;
     process_ = std::move(process);
-    world_ = std::move(world);
     left.swap(waiting_);
     if (process_ && watched_) {
       Message message = message_of(Kind::watch);
       message.on = true;
-      send(std::move(message));
+      (void)send(std::move(message));
     }
   }
-  for (const auto& [number, done] : left) done(away());
+  for (const auto& [number, act] : left) act.done(no_world());
 }
 
 Value RemoteWorld::world() const {
   const std::lock_guard lock(mutex_);
-  return world_;
+  return world_ ? world_->value : Value();
 }
 
-void RemoteWorld::act(Value act, Done done) {
+// With the lock. Takes the act if it waits from now on.
+Expected<void> RemoteWorld::offer(Act& act) {
+  if (!process_) return no_world();
+  if (waiting_.size() >= kActs)
+    return unexpected(ErrorCode::unavailable, std::to_string(kActs) + " acts wait for the cell already");
+  Message message = message_of(Kind::offer);
+  message.number = acts_ + 1;
+  if (auto sent = send(std::move(message)); !sent) return sent;
+  waiting_.emplace(++acts_, std::move(act));
+  return {};
+}
+
+void RemoteWorld::act(Value what, Wanted wanted, Done done) {
+  what.freeze();
+  Act act{std::move(what), std::move(wanted), std::move(done)};
+  Expected<void> offered;
   {
     const std::lock_guard lock(mutex_);
-    Message message = message_of(Kind::act);
-    message.number = acts_ + 1;
-    message.value = std::move(act);
-    if (process_ && waiting_.size() < kActs && send(std::move(message))) {
-      waiting_.emplace(++acts_, std::move(done));
-      return;
-    }
+    offered = offer(act);
   }
-  done(away());
+  if (!offered) act.done(tl::unexpected(std::move(offered).error()));
+}
+
+// Whoever waited may have gone since, and was told so: then nothing is said, and nothing done.
+Expected<void> RemoteWorld::ready(std::int64_t number) {
+  Done done;
+  Expected<void> sent;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = waiting_.find(number);
+    if (found == waiting_.end() || found->second.begun) return nobody_waits();
+    if (found->second.wanted()) {
+      Message message = message_of(Kind::act);
+      message.number = number;
+      message.value = found->second.what;
+      sent = send(std::move(message));
+      if (sent) {
+        found->second.begun = true;
+        return {};
+      }
+      done = std::move(found->second.done);
+    }
+    waiting_.erase(found);
+  }
+  if (done) done(tl::unexpected(std::move(sent).error()));
+  return {};
 }
 
 void RemoteWorld::watch(bool on) {
@@ -90,39 +127,42 @@ void RemoteWorld::watch(bool on) {
   if (std::exchange(watched_, on) == on || !process_) return;
   Message message = message_of(Kind::watch);
   message.on = on;
-  send(std::move(message));
+  (void)send(std::move(message));
 }
 
 Expected<void> RemoteWorld::announce(Message message) {
+  if (message.kind == Kind::ready) return ready(message.number);
   message.value.freeze();
   return message.kind == Kind::pose ? posed(message.value) : answered(message);
 }
 
 Expected<void> RemoteWorld::posed(const Value& pose) {
+  std::shared_ptr<const World> world;
   {
     const std::lock_guard lock(mutex_);
-    if (!watched_) return {};  // it was on its way
+    if (!watched_ || !world_) return {};  // it was on its way
+    world = world_;
   }
-  if (auto good = door_.pose(world(), pose); !good) return good;
+  if (auto good = world->rules.pose(pose); !good) return good;
   show_(pose);
   return {};
 }
 
 // What does not fit answers nobody: the process is lost, and with it the act.
 Expected<void> RemoteWorld::answered(const Message& message) {
-  Expected<Value> answer = message.value;
-  if (message.kind == Kind::failed) {
-    ASSIGN_OR_RETURN(Error error, read_error(message.value));
-    answer = tl::unexpected(std::move(error));
-  } else if (auto good = door_.answer(world(), message.value); !good) {
-    return good;
-  }
   Done done;
+  Expected<Value> answer = message.value;
   {
     const std::lock_guard lock(mutex_);
     const auto found = waiting_.find(message.number);
-    if (found == waiting_.end()) return unexpected(ErrorCode::conflict, "nobody waits for this", "number");
-    done = std::move(found->second);
+    if (found == waiting_.end() || !found->second.begun) return nobody_waits();
+    if (message.kind == Kind::failed) {
+      ASSIGN_OR_RETURN(Error error, read_error(message.value));
+      answer = tl::unexpected(std::move(error));
+    } else if (auto good = world_->rules.answer(message.value); !good) {
+      return good;
+    }
+    done = std::move(found->second.done);
     waiting_.erase(found);
   }
   done(std::move(answer));

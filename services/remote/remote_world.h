@@ -19,41 +19,62 @@
 
 namespace race::remote {
 
+/// Error `unavailable`: there is no process that brought a world.
+tl::unexpected<Error> no_world();
+
 class RemoteWorld {
  public:
   static constexpr std::size_t kActs = 100;  // that wait for an answer
 
   /// How an act ended, once: on the unit's thread, or at once on that of act(). Frozen.
   using Done = std::function<void(Expected<Value>)>;
+  /// Whether the act is still wanted, asked once: when the process is ready for it. After a yes it is done, if the
+  /// process lives. On the unit's thread; does not come back here.
+  using Wanted = std::function<bool()>;
 
-  /// What a world, a pose and an answer must be; errors lose the process.
-  struct Door {
-    std::function<Expected<void>(const Value& world)> world;
-    std::function<Expected<void>(const Value& world, const Value& pose)> pose;
-    std::function<Expected<void>(const Value& world, const Value& answer)> answer;
+  /// What poses and answers of a world must be; errors lose the process.
+  struct Rules {
+    std::function<Expected<void>(const Value& pose)> pose;
+    std::function<Expected<void>(const Value& answer)> answer;
   };
+  /// A world that was let in, frozen.
+  struct World {
+    Value value;
+    Rules rules;
+  };
+  /// What a world must be; an error refuses the process.
+  using Door = std::function<Expected<Rules>(const Value& world)>;
 
   /// `show` gets each pose, frozen, on the unit's thread. The clock outlives it.
   RemoteWorld(const services::Clock& clock, Door door, std::function<void(Value)> show);
 
-  /// Whether a process may bring this.
-  Expected<void> check(const Value& world) const { return door_.world(world); }
-  /// The world is there from now on: `world`, frozen, of `process`. nullptr: it is not, and all that waits is
-  /// `unavailable`.
-  void connect(std::shared_ptr<FrameQueue> process, Value world);
+  /// Whether a process may bring this. Any thread; takes its time.
+  Expected<World> check(Value world) const;
+  /// The world of `process` is there from now on. nullptr: it is not, and all that waits is `unavailable`.
+  void connect(std::shared_ptr<FrameQueue> process, World world);
   /// The process has said something of its world. Requires a message of such a kind. Errors: those of the door;
   /// `conflict`: it answers what nobody waits for.
   Expected<void> announce(Message message);
 
   /// What the process brought, frozen; null: it is not there.
   Value world() const;
-  /// Does an act (null: none) in the world. Errors: `unavailable`; the process'.
-  void act(Value act, Done done);
+  /// Offers an act (null: none) to the process, which does it when it is ready, if it is `wanted` then; else it is
+  /// forgotten, and `done` not called. Errors: `unavailable`, and why; the process'.
+  void act(Value act, Wanted wanted, Done done);
   /// Somebody wants poses, or nobody any more.
   void watch(bool on);
 
  private:
-  bool send(Message message);
+  struct Act {
+    Value what;
+    Wanted wanted;
+    Done done;
+    bool begun = false;  // by the process
+  };
+
+  Expected<void> send(Message message);
+  Expected<void> offer(Act& act);
+  Expected<void> ready(std::int64_t number);
   Expected<void> posed(const Value& pose);
   Expected<void> answered(const Message& message);
 
@@ -62,9 +83,9 @@ class RemoteWorld {
   const std::function<void(Value)> show_;
   mutable std::mutex mutex_;             // of all below
   std::shared_ptr<FrameQueue> process_;  // held by its connection too
-  Value world_;
+  std::shared_ptr<const World> world_;   // of it
   bool watched_ = false;
-  std::map<std::int64_t, Done> waiting_;  // by the act's number
+  std::map<std::int64_t, Act> waiting_;  // by its number
   std::int64_t acts_ = 0;
 };
 

@@ -5,9 +5,19 @@
 
 #include "core/rsm/document.h"
 #include "core/value/fields.h"
-#include "services/remote/remote_world.h"
 
 namespace race::remote {
+namespace {
+
+tl::unexpected<Error> taken(std::string what) {
+  return unexpected(ErrorCode::conflict, "has a process already", std::move(what));
+}
+
+bool is_of_world(Kind kind) {
+  return kind == Kind::pose || kind == Kind::ready || kind == Kind::done || kind == Kind::failed;
+}
+
+}  // namespace
 
 // What the unit's thread has of a link, which may be gone by then. All but `heard` is the unit's once it is greeted.
 struct ProcessLink::Process {
@@ -27,7 +37,7 @@ struct ProcessLink::Process {
     message.value = List{error_json(error)};
     send(message);
     out->close();
-    fault = "refused: " + to_string(error);
+    fault = "refused: " + cut(to_string(error));
   }
 
   Expected<void> handle(const Frame& frame) {
@@ -37,7 +47,7 @@ struct ProcessLink::Process {
       return {};
     }
     if (message.kind == Kind::hello) return unexpected(ErrorCode::conflict, "has been said already", "hello");
-    if (message.kind == Kind::pose || message.kind == Kind::done || message.kind == Kind::failed) {
+    if (is_of_world(message.kind)) {
       if (!world) return unexpected(ErrorCode::not_found, "this process brought no world", "type");
       return world->announce(std::move(message));
     }
@@ -79,16 +89,16 @@ Expected<void> ProcessLink::greet(const Frame& frame) {
   if (hello.kind != Kind::hello) return unexpected(ErrorCode::type, "the first message is `hello`", "type");
   if (hello.number != kProtocol)
     return unexpected(ErrorCode::version, "this server speaks protocol " + std::to_string(kProtocol), "protocol");
-  ASSIGN_OR_RETURN(const auto places, remotes_.take(hello.value, hello.world));
-  process_->unit = places.front()->unit;
-  if (!hello.world.is_null()) process_->world = remotes_.worlds_[process_->unit].world;
-  for (const Remotes::Place* place : places) {
+  ASSIGN_OR_RETURN(const Remotes::Taken taken, remotes_.take(hello.value, hello.world));
+  process_->unit = taken.places.front()->unit;
+  process_->world = taken.end;
+  for (const Remotes::Place* place : taken.places) {
     process_->keys.push_back(place->service.key);
     process_->components.emplace(place->service.key, place->component);
   }
   greeted_ = true;
   process_->heard = true;
-  remotes_.post(process_->unit, [process = process_, &remotes = remotes_, world = std::move(hello.world.freeze())] {
+  remotes_.post(process_->unit, [process = process_, &remotes = remotes_, world = taken.world] {
     Message welcome;
     welcome.kind = Kind::welcome;
     welcome.time = remotes.clock_.now();
@@ -164,17 +174,9 @@ void Remotes::stop() {
   }
 }
 
-Expected<void> Remotes::check_world(const WorldPlace& place, const Value& world) const {
-  if (world.is_null()) return {};
-  if (!place.world) return unexpected(ErrorCode::not_found, "these services have no world here", "world");
-  if (place.taken) return unexpected(ErrorCode::conflict, "has a process already", "world");
-  return place.world->check(world);
-}
-
-// The places of what a process brings, which are its own from now on.
-Expected<std::vector<Remotes::Place*>> Remotes::take(const Value& components, const Value& world) {
+// The places of what a process brings, whoever has them.
+Expected<std::vector<Remotes::Place*>> Remotes::find(const Value& components) {
   if (components.as_list().empty()) return unexpected(ErrorCode::missing, "there is no component", "components");
-  const std::lock_guard lock(mutex_);
   std::vector<Place*> places;
   for (const Value& json : components.as_list()) {
     std::vector<Error> errors;
@@ -193,17 +195,32 @@ Expected<std::vector<Remotes::Place*>> Remotes::take(const Value& components, co
     if (!service) return tl::unexpected(service.error().front());
     if (rsm::write_service(*service) != rsm::write_service(*place.service.model))
       return unexpected(ErrorCode::conflict, "has another RSM here: another version of the program?", *key);
-    if (place.taken || std::ranges::find(places, &place) != places.end())
-      return unexpected(ErrorCode::conflict, "has a process already", *key);
+    if (std::ranges::find(places, &place) != places.end()) return taken(*key);
     if (!places.empty() && place.unit != places.front()->unit)
       return unexpected(ErrorCode::conflict, "belongs into another process", *key);
     places.push_back(&place);
   }
-  WorldPlace& world_place = worlds_[places.front()->unit];
-  if (auto good = check_world(world_place, world); !good) return tl::unexpected(std::move(good).error());
-  if (!world.is_null()) world_place.taken = true;
-  for (Place* place : places) place->taken = true;
   return places;
+}
+
+// The places, which are the process' own from now on. What it says is read before the lock is taken: whoever posts to a
+// unit does not wait for that.
+Expected<Remotes::Taken> Remotes::take(const Value& components, const Value& world) {
+  Taken all;
+  ASSIGN_OR_RETURN(all.places, find(components));
+  WorldPlace& place = worlds_[all.places.front()->unit];
+  if (!world.is_null()) {
+    if (!place.world) return unexpected(ErrorCode::not_found, "these services have no world here", "world");
+    all.end = place.world;
+    ASSIGN_OR_RETURN(all.world, place.world->check(world));
+  }
+  const std::lock_guard lock(mutex_);
+  for (const Place* each : all.places)
+    if (each->taken) return taken(each->service.key);
+  if (all.end && place.taken) return taken("world");
+  place.taken = place.taken || all.end;
+  for (Place* each : all.places) each->taken = true;
+  return all;
 }
 
 void Remotes::give_back(const std::vector<std::string>& keys, const RemoteWorld* world) {

@@ -18,11 +18,10 @@
 #include "services/remote/frame.h"
 #include "services/remote/protocol.h"
 #include "services/remote/remote_component.h"
+#include "services/remote/remote_world.h"
 #include "services/work_queue.h"
 
 namespace race::remote {
-
-class RemoteWorld;
 
 /// A service as the server expects it of a process.
 struct RemoteService {
@@ -98,8 +97,14 @@ class Remotes {
     bool taken = false;
   };
 
-  Expected<std::vector<Place*>> take(const Value& components, const Value& world);
-  Expected<void> check_world(const WorldPlace& place, const Value& world) const;
+  struct Taken {
+    std::vector<Place*> places;
+    RemoteWorld* end = nullptr;  // of the world that was brought
+    RemoteWorld::World world;
+  };
+
+  Expected<std::vector<Place*>> find(const Value& components);
+  Expected<Taken> take(const Value& components, const Value& world);
   void give_back(const std::vector<std::string>& keys, const RemoteWorld* world);
   void post(std::size_t unit, services::WorkQueue::Work work);
 

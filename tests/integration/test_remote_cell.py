@@ -15,6 +15,10 @@ RED = {"name": "red", "shape": {"box": [0.1, 0.1, 0.1]}, "fixed": False,
        "pose": {"position": [0, 0, 1], "orientation": [0, 0, 0, 1]}}
 TABLE = {**RED, "name": "table", "fixed": True}
 WORLD = {"scene": {"robots": [], "bodies": [RED, TABLE]}, "files": {}}
+NESTED = "<robot name='r'>" + "<a>" * 300_000 + "</a>" * 300_000 + "</robot>"  # a parser that recurses would not return
+CHAINED = "<robot name='r'><link name='0'/>" + "".join(
+    f"<link name='{i}'/><joint name='j{i}' type='fixed'><parent link='{i - 1}'/><child link='{i}'/></joint>"
+    for i in range(1, 20_000)) + "</robot>"
 NOBODY = {"hands": [], "absent": []}
 
 
@@ -87,6 +91,20 @@ class World(Elsewhere):
         self.server.post("/cell/person", {"act": "take", "part": part}, "person")
 
 
+class Named(Elsewhere):
+    def test_an_act_at_what_has_a_name_of_any_length_is_refused_and_the_cell_stays(self):
+        self.begin()
+        for act in ({"act": "grab", "body": "@"}, {"act": "push", "body": "@", "force": [0, 1, 0], "duration": 1},
+                    {"act": "take", "part": "@"}, {"act": "place", "part": "@"}):
+            for length, status in ((200, 404), (201, 400), (2000, 400), (500_000, 400)):
+                named = {field: "é" * length if value == "@" else value for field, value in act.items()}
+                answer = self.server.post("/cell/person", named, status=status)
+                self.assertLess(len(str(answer)), 2000, (act, length))
+        self.server.post("/cell/person", {"act": "release", "hand": "é" * 64}, "person")
+        self.server.post("/cell/person", {"act": "release", "hand": "é" * 65}, status=422)
+        self.assertEqual(self.server.get("/cell/person", "person"), NOBODY)
+
+
 class Hanging(Elsewhere):
     OPTIONS = ("--heartbeat", "1")
 
@@ -97,6 +115,17 @@ class Hanging(Elsewhere):
         self.assertEqual(answer["errors"][0]["message"], "the process of the cell is not there")
         process.signal(signal.SIGCONT)
         there(self.server, "robot")
+        self.assertEqual(self.server.get("/cell/person", "person"), NOBODY)
+
+
+class Waking(Elsewhere):
+    def test_a_cell_that_wakes_does_nothing_that_was_given_up(self):
+        process = self.begin()
+        process.signal(signal.SIGSTOP)
+        for act in ({"act": "grab", "body": "link_5", "keep": 60}, {"act": "release"}):
+            answer = self.server.post("/cell/person", act, status=503)
+            self.assertIn("this is not done", answer["errors"][0]["message"])
+        process.signal(signal.SIGCONT)
         self.assertEqual(self.server.get("/cell/person", "person"), NOBODY)
 
 
@@ -127,6 +156,11 @@ class Wired(Elsewhere):
         component = {"key": "gripper", "type": "gripper", "rsm": service(self.server, "gripper")["rsm"]}
         wire.send(json.dumps({"type": "hello", "protocol": 1, "components": [component], "world": world}))
         return wire
+
+    def act(self, wire):
+        """The act that somebody has asked for, for which the process is ready."""
+        wire.say({"type": "ready", "number": wire.next("offer")["number"]})
+        return wire.next("act")
 
     def welcome(self, world=WORLD):
         wire = self.hello(check("component_request", {"type": "hello", "protocol": 1, "components": [
@@ -179,7 +213,9 @@ class Wired(Elsewhere):
                 ({**WORLD, "scene": {"robots": [], "bodies": [RED, RED]}}, "world/scene/bodies/1"),
                 ({**WORLD, "files": {"passwd": "x"}}, "world/files"),
                 ({"scene": {"robots": [robot], "bodies": []}, "files": {"b.urdf": ""}}, "world/files/a.urdf"),
-                ({"scene": {"robots": [robot], "bodies": []}, "files": {"a.urdf": "<html/>"}}, "world/files/a.urdf")):
+                ({"scene": {"robots": [robot], "bodies": []}, "files": {"a.urdf": "<html/>"}}, "world/files/a.urdf"),
+                ({"scene": {"robots": [robot], "bodies": []}, "files": {"a.urdf": NESTED}}, "world/files/a.urdf"),
+                ({"scene": {"robots": [robot], "bodies": []}, "files": {"a.urdf": CHAINED}}, "world/files/a.urdf")):
             got = self.refusal(self.hello(world))
             self.assertIn(path, got[0], (world, got))
         self.welcome()
@@ -210,7 +246,7 @@ class Wired(Elsewhere):
                 ({"type": "done", "person": {"hands": [], "absent": ["red"]}}, 200, "red")):
             wire = self.welcome()
             with Asking(self.server, {"act": "push", "body": "x", "force": [0, 1, 0], "duration": 1}) as asking:
-                act = wire.next("act")
+                act = self.act(wire)
                 self.assertEqual((act["act"]["force"], act["act"]["body"]), ([0, 1, 0], "x"))
                 wire.send(json.dumps({**answer, "number": act["number"]}))
                 got = asking.answer()
@@ -223,7 +259,7 @@ class Wired(Elsewhere):
         wire = self.welcome()
         for keep in ({}, {"keep": 60}):
             with Asking(self.server, {"act": "grab", "body": "red", **keep}) as asking:
-                act = wire.next("act")
+                act = self.act(wire)
                 self.assertEqual(act["act"]["keep"], keep.get("keep", 0.5))
                 wire.say({"type": "done", "number": act["number"], "person": NOBODY})
                 self.assertEqual(asking.answer()[0], 200)

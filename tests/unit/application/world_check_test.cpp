@@ -18,6 +18,7 @@ using testing::HasSubstr;
 struct WorldCheck : testing::Test {
   std::unique_ptr<InsideWorld> inside = InsideWorld::load(RACE_SOURCE_DIR "/deploy/demo/scene.json").value();
   const Value whole = inside->whole();
+  const WorldNames names = check_world(whole).value();
 
   Value person(const char* act) {
     const PersonAct read = read_person_act(parse_json(act).value(), kClientPatience).value();
@@ -25,39 +26,61 @@ struct WorldCheck : testing::Test {
   }
 };
 
-std::string error(Expected<void> (*check)(const Value&, const Value&), const Value& world, const char* json) {
+std::string error(Expected<void> (*check)(const WorldNames&, const Value&), const WorldNames& world,
+                  const std::string& json) {
   const auto good = check(world, parse_json(json).value());
   return good ? "none" : to_string(good.error());
 }
 
 TEST_F(WorldCheck, WhatAnInsideWorldSaysFits) {
-  EXPECT_TRUE(check_world(whole));
-  EXPECT_TRUE(check_person(whole, inside->perform(std::nullopt).value()));
+  EXPECT_TRUE(check_person(names, inside->perform(std::nullopt).value()));
   const Value held = person(R"({"act": "grab", "body": "link_5"})");
   EXPECT_EQ(held.find("hands")->as_list().size(), 1U);
-  EXPECT_TRUE(check_person(whole, held));
+  EXPECT_TRUE(check_person(names, held));
   const std::string part = inside->world().scene().bodies.back().name;
-  EXPECT_TRUE(check_person(whole, person((R"({"act": "take", "part": ")" + part + "\"}").c_str())));
+  EXPECT_TRUE(check_person(names, person((R"({"act": "take", "part": ")" + part + "\"}").c_str())));
   inside->step();
   const Value pose = inside->pose(1.5);
   EXPECT_NE(pose.find("hands"), nullptr);
-  EXPECT_TRUE(check_pose(whole, pose));
+  EXPECT_TRUE(check_pose(names, pose));
 }
 
 TEST_F(WorldCheck, WhatIsNoPoseOfThisWorldIsRefused) {
-  EXPECT_EQ(error(check_pose, whole, R"({"time": 1, "joints": {}, "bodies": {}})"), "none");
-  EXPECT_THAT(error(check_pose, whole, "[]"), HasSubstr("pose: type"));
-  EXPECT_THAT(error(check_pose, whole, R"({"time": 1, "joints": {}})"), HasSubstr("missing"));
-  EXPECT_THAT(error(check_pose, whole, R"({"time": 1, "joints": {"a": "b"}, "bodies": {}})"),
-              HasSubstr("pose/joints/a: type"));
-  EXPECT_THAT(error(check_pose, whole, R"({"time": 1, "joints": {}, "bodies": {"table": 1}})"),
+  EXPECT_EQ(error(check_pose, names, R"({"time": 1, "joints": {}, "bodies": {}})"), "none");
+  EXPECT_THAT(error(check_pose, names, "[]"), HasSubstr("pose: type"));
+  EXPECT_THAT(error(check_pose, names, R"({"time": 1, "joints": {}})"), HasSubstr("missing"));
+  EXPECT_THAT(error(check_pose, names, R"({"time": 1, "joints": {"a": 1}, "bodies": {}})"),
+              HasSubstr("pose/joints/a: not_found"));
+  const std::string joint = *names.joints.begin(), part = *names.parts.begin();
+  EXPECT_THAT(error(check_pose, names, R"({"time": 1, "joints": {")" + joint + R"(": "b"}, "bodies": {}})"),
+              HasSubstr("pose/joints/" + joint + ": type"));
+  const auto turned = [&](const char* orientation) {
+    return R"({"time": 1, "joints": {}, "bodies": {")" + part + R"(": {"position": [0, 0, 1], "orientation": )" +
+           orientation + "}}}";
+  };
+  EXPECT_EQ(error(check_pose, names, turned("[0, 0.6, 0, 0.8]")), "none");
+  for (const char* none : {"[0, 0, 0, 0]", "[0, 0, 0, 2]", "[0, 0, 1e200, 0]"})
+    EXPECT_THAT(error(check_pose, names, turned(none)), HasSubstr("pose/bodies/" + part + ": type"));
+  EXPECT_THAT(error(check_pose, names, R"({"time": 1, "joints": {}, "bodies": {"table": 1}})"),
               HasSubstr("pose/bodies/table: not_found"));
-  std::string hands = R"({"hand": "h", "body": "b", "at": [0, 0, 0], "force": [0, 0, 0]})";
-  EXPECT_EQ(error(check_person, whole, (R"({"absent": [], "hands": [)" + hands + "]}").c_str()), "none");
+  std::string hands = R"({"hand": "h", "body": "link_5", "at": [0, 0, 0], "force": [0, 0, 0]})";
+  EXPECT_EQ(error(check_person, names, (R"({"absent": [], "hands": [)" + hands + "]}").c_str()), "none");
   const std::string one = hands;
   for (int i = 0; i < 24; ++i) hands += ", " + one;
-  EXPECT_THAT(error(check_person, whole, (R"({"absent": [], "hands": [)" + hands + "]}").c_str()),
+  EXPECT_THAT(error(check_person, names, (R"({"absent": [], "hands": [)" + hands + "]}").c_str()),
               HasSubstr("out_of_range"));
+  const auto hand = [&](const std::string& name, const std::string& body) {
+    return error(check_person, names,
+                 R"({"absent": [], "hands": [{"hand": ")" + name + R"(", "body": ")" + body +
+                     R"(", "at": [0, 0, 0], "force": [0, 0, 0]}]})");
+  };
+  EXPECT_EQ(hand("h", part), "none");
+  EXPECT_THAT(hand("h", "table"), HasSubstr("hands/0/body: not_found"));
+  EXPECT_THAT(hand("h", "link_99"), HasSubstr("hands/0/body: not_found"));
+  EXPECT_THAT(hand(std::string(10000, 'h'), part), HasSubstr("hands/0/hand: out_of_range"));
+  EXPECT_EQ(error(check_person, names, R"({"hands": [], "absent": [")" + part + "\"]}"), "none");
+  EXPECT_THAT(error(check_person, names, R"({"hands": [], "absent": [")" + part + R"(", ")" + part + "\"]}"),
+              HasSubstr("absent: duplicate"));
 }
 
 constexpr std::array kActs = {

@@ -30,10 +30,18 @@ Message message_of(Kind kind, std::int64_t number, Value value) {
 }
 
 struct RemoteWorldTest : testing::Test {
+  void come(const std::shared_ptr<FrameQueue>& queue) { world.connect(queue, world.check(1).value()); }
   void act(const std::string& what) {
-    world.act(what, [this, what](const Expected<Value>& done) {
+    const auto asked = [this] { return wanted; };
+    world.act(what, asked, [this, what](const Expected<Value>& done) {
       answers.push_back(what + ": " + (done ? to_json(*done) : to_string(done.error())));
     });
+  }
+  Expected<void> ready(std::int64_t number) { return world.announce(message_of(Kind::ready, number, {})); }
+  /// The act, and the process is ready for it.
+  void begin(const std::string& what, std::int64_t number) {
+    act(what);
+    ASSERT_TRUE(ready(number));
   }
   std::vector<std::string> said() { return all_of(*process); }
   /// What a value must be: no text.
@@ -41,15 +49,15 @@ struct RemoteWorldTest : testing::Test {
     if (value.is_string()) return unexpected(ErrorCode::type, "must be no text");
     return {};
   }
+  static Expected<RemoteWorld::Rules> no_texts(const Value& value) {
+    if (auto good = no_text(value); !good) return tl::unexpected(good.error());
+    return RemoteWorld::Rules{no_text, no_text};
+  }
 
   services::WorldClock clock;
+  bool wanted = true;
   std::vector<std::string> answers, shown;
-  const RemoteWorld::Door door{
-      no_text,
-      [](const Value& of, const Value& pose) { return of == Value(1) ? no_text(pose) : no_text(of); },
-      [](const Value& of, const Value& answer) { return of == Value(1) ? no_text(answer) : no_text(of); },
-  };
-  RemoteWorld world{clock, door, [this](const Value& pose) { shown.push_back(to_json(pose)); }};
+  RemoteWorld world{clock, no_texts, [this](const Value& pose) { shown.push_back(to_json(pose)); }};
   std::shared_ptr<FrameQueue> process = std::make_shared<FrameQueue>();
 };
 
@@ -61,32 +69,69 @@ TEST_F(RemoteWorldTest, WithoutAProcessAnActIsUnavailableAtOnce) {
 
 TEST_F(RemoteWorldTest, AnAnswerReachesTheActOfItsNumber) {
   clock.set(2);
-  world.connect(process, 1);
+  come(process);
   act("push");
   act("take");
-  EXPECT_THAT(said(), ElementsAre(R"({"type":"act","number":1,"act":"push","time":2.0})",
-                                  R"({"type":"act","number":2,"act":"take","time":2.0})"));
+  EXPECT_THAT(said(),
+              ElementsAre(R"({"type":"offer","number":1,"time":2.0})", R"({"type":"offer","number":2,"time":2.0})"));
+  ASSERT_TRUE(ready(2));
+  ASSERT_TRUE(ready(1));
+  EXPECT_THAT(said(), ElementsAre(R"({"type":"act","number":2,"act":"take","time":2.0})",
+                                  R"({"type":"act","number":1,"act":"push","time":2.0})"));
   const Value error = Dict{{"path", "body"}, {"code", "conflict"}, {"message", "is away"}};
   ASSERT_TRUE(world.announce(message_of(Kind::failed, 2, error)));
   ASSERT_TRUE(world.announce(message_of(Kind::done, 1, 7)));
   EXPECT_THAT(answers, ElementsAre("take: body: conflict: is away", "push: 7"));
 }
 
-TEST_F(RemoteWorldTest, WhatWaitsIsUnavailableWhenTheProcessIsLostAndStaysSo) {
-  world.connect(process, 1);
+// A process that hangs and wakes does nothing for who was told that nothing is done.
+TEST_F(RemoteWorldTest, AnActThatNobodyWantsAnyMoreIsNotToldToTheProcess) {
+  come(process);
   act("push");
+  said();
+  wanted = false;
+  ASSERT_TRUE(ready(1));
+  EXPECT_THAT(said(), IsEmpty());
+  EXPECT_THAT(answers, IsEmpty());
+  EXPECT_EQ(ready(1).error().code, ErrorCode::conflict);
+}
+
+TEST_F(RemoteWorldTest, OnlyWhatHasBegunIsAnsweredAndNothingBeginsTwice) {
+  come(process);
+  act("push");
+  EXPECT_EQ(world.announce(message_of(Kind::done, 1, 7)).error().code, ErrorCode::conflict);
+  ASSERT_TRUE(ready(1));
+  EXPECT_EQ(ready(1).error().code, ErrorCode::conflict);
+  EXPECT_EQ(ready(2).error().code, ErrorCode::conflict);
+  ASSERT_TRUE(world.announce(message_of(Kind::done, 1, 7)));
+  EXPECT_THAT(answers, ElementsAre("push: 7"));
+}
+
+TEST_F(RemoteWorldTest, AWorldThatDoesNotFitIsRefused) { EXPECT_FALSE(world.check("flat")); }
+
+TEST_F(RemoteWorldTest, WhyAnActIsUnavailableIsSaid) {
+  come(process);
+  process->close();
+  act("push");
+  EXPECT_THAT(answers, ElementsAre(HasSubstr("unavailable: the process of the cell takes nothing more")));
+}
+
+TEST_F(RemoteWorldTest, WhatWaitsIsUnavailableWhenTheProcessIsLostAndStaysSo) {
+  come(process);
+  begin("push", 1);
+  act("take");
   world.connect(nullptr, {});
-  EXPECT_THAT(answers, ElementsAre(HasSubstr("push: : unavailable")));
+  EXPECT_THAT(answers, ElementsAre(HasSubstr("push: : unavailable"), HasSubstr("take: : unavailable")));
   EXPECT_TRUE(world.world().is_null());
-  world.connect(std::make_shared<FrameQueue>(), 1);
+  come(std::make_shared<FrameQueue>());
   EXPECT_EQ(world.announce(message_of(Kind::done, 1, 7)).error().code, ErrorCode::conflict)
       << "the act of one process is not the next one's to answer";
-  EXPECT_EQ(answers.size(), 1U);
+  EXPECT_EQ(answers.size(), 2U);
 }
 
 TEST_F(RemoteWorldTest, WhatDoesNotFitIsAnErrorAndAnswersNobody) {
-  world.connect(process, 1);
-  act("push");
+  come(process);
+  begin("push", 1);
   const auto refused = [&](Kind kind, Value value) {
     const auto got = world.announce(message_of(kind, 1, std::move(value)));
     return got ? "none" : to_string(got.error());
@@ -103,17 +148,17 @@ TEST_F(RemoteWorldTest, WhatDoesNotFitIsAnErrorAndAnswersNobody) {
 }
 
 TEST_F(RemoteWorldTest, AFewActsWaitNoMore) {
-  world.connect(process, 1);
+  come(process);
   for (std::size_t i = 0; i < RemoteWorld::kActs; ++i) act("push");
   EXPECT_THAT(answers, IsEmpty());
   act("push");
-  EXPECT_THAT(answers, ElementsAre(HasSubstr("unavailable")));
+  EXPECT_THAT(answers, ElementsAre(HasSubstr("unavailable: 100 acts wait for the cell already")));
   EXPECT_EQ(said().size(), RemoteWorld::kActs);
 }
 
 TEST_F(RemoteWorldTest, PosesAreWantedWhileSomebodyWatchesFromEachProcessThatComes) {
   world.watch(true);
-  world.connect(process, 1);
+  come(process);
   world.watch(true);
   EXPECT_THAT(said(), ElementsAre(R"({"type":"watch","on":true,"time":0.0})"));
   ASSERT_TRUE(world.announce(message_of(Kind::pose, 0, 5)));
@@ -122,7 +167,7 @@ TEST_F(RemoteWorldTest, PosesAreWantedWhileSomebodyWatchesFromEachProcessThatCom
   ASSERT_TRUE(world.announce(message_of(Kind::pose, 0, 6))) << "it was on its way";
   EXPECT_THAT(shown, ElementsAre("5"));
   world.connect(nullptr, {});
-  world.connect(process, 1);
+  come(process);
   EXPECT_THAT(said(), IsEmpty());
 }
 
@@ -130,32 +175,63 @@ struct UnitWithWorld : testing::Test {
   UnitWithWorld() {
     unit.bring({1,
                 [this](const Value& act) -> Expected<Value> {
-                  if (act == Value("kick")) return unexpected(ErrorCode::type, "must be kind", "act");
+                  if (act == Value("kick")) return unexpected(ErrorCode::type, refusal, refusal);
                   return Value(List{act, state});
                 },
                 [this](bool on) { watched = on; }});
     unit.connect(server);
   }
-  std::vector<std::string> act(const char* what) {
+  std::vector<std::string> act(const std::string& what) {
     EXPECT_TRUE(unit.handle(message_of(Kind::act, 4, what)));
     return all_of(server);
   }
   FrameQueue server;
   RemoteUnit unit;
   double state = 0.5;
+  std::string refusal = "be kind";
   bool watched = false;
 };
 
 TEST_F(UnitWithWorld, GoesWithTheHello) { EXPECT_EQ(unit.hello().world, Value(1)); }
 
+TEST_F(UnitWithWorld, IsReadyInItsTurn) {
+  ASSERT_TRUE(unit.handle(message_of(Kind::offer, 9, {})));
+  EXPECT_THAT(all_of(server), ElementsAre(R"({"type":"ready","number":9})"));
+}
+
 TEST_F(UnitWithWorld, AnActIsAnsweredOrRefusedWithItsNumber) {
   EXPECT_THAT(act("push"), ElementsAre(R"({"type":"done","number":4,"person":["push",0.5]})"));
   EXPECT_THAT(
       act("kick"),
-      ElementsAre(R"({"type":"failed","number":4,"error":{"path":"act","code":"type","message":"must be kind"}})"));
+      ElementsAre(R"({"type":"failed","number":4,"error":{"path":"be kind","code":"type","message":"be kind"}})"));
   state = std::numeric_limits<double>::infinity();
   EXPECT_THAT(act("push"),
               ElementsAre(HasSubstr(R"("type":"failed","number":4,"error":{"path":"","code":"constant")")));
+}
+
+// What an act names may be of any length; the server loses who says more than a name holds.
+TEST_F(UnitWithWorld, ALongRefusalIsCutToWhatTheServerTakes) {
+  refusal = std::string(kNameBytes - 1, 'x') + "é";
+  const auto said = act("kick");
+  ASSERT_EQ(said.size(), 1U);
+  services::WorldClock clock;
+  RemoteWorld there(clock, [](const Value&) { return Expected<RemoteWorld::Rules>(); }, {});
+  there.connect(std::make_shared<FrameQueue>(), {});
+  std::string answered;
+  for (int number = 1; number <= 4; ++number) {
+    const auto wanted = [] { return true; };
+    there.act("kick", wanted, [&](const Expected<Value>& done) { answered = done ? "done" : to_string(done.error()); });
+    ASSERT_TRUE(there.announce(message_of(Kind::ready, number, {})));
+  }
+  const auto taken = there.announce(decode({said[0], false}, Reader::server).value());
+  ASSERT_TRUE(taken) << to_string(taken.error());
+  const std::string text(kNameBytes - 1, 'x');
+  EXPECT_EQ(answered, text + ": type: " + text);
+}
+
+TEST_F(UnitWithWorld, AnAnswerThatIsTooLargeIsRefused) {
+  EXPECT_THAT(act(std::string(kFrameBytes, 'x')),
+              ElementsAre(HasSubstr(R"("type":"failed","number":4,"error":{"path":"","code":"too_large")")));
 }
 
 TEST_F(UnitWithWorld, OnlyTheNewestPoseWaits) {

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <future>
 #include <random>
 
 #include "core/value/json.h"
@@ -131,14 +132,16 @@ struct RemotesTest : testing::Test {
     ASSERT_TRUE(until({&process}, [&] { return process.welcome && available(key); })) << process.refused;
   }
 
-  static Expected<void> is_round(const Value& value) {
+  Expected<RemoteWorld::Rules> is_round(const Value& value) {
+    ++repainted;
+    std::async(std::launch::async, [this] { remotes.step(); }).get();  // who steps the cell does not wait for this
     if (value == Value("flat")) return unexpected(ErrorCode::type, "must be round", "world");
-    return {};
+    return RemoteWorld::Rules{{}, [](const Value&) { return Expected<void>(); }};
   }
 
   Seen seen;
   services::WorldClock clock;
-  RemoteWorld world{clock, {is_round, {}, [](const Value&, const Value&) { return Expected<void>(); }}, {}};  // of lamp
+  RemoteWorld world{clock, [this](const Value& value) { return is_round(value); }, {}};  // of lamp
   services::Host host{clock, seen};
   std::uint64_t calls = 0;
   // The desk of the lantern.
@@ -340,9 +343,11 @@ TEST_F(RemotesTest, AWorldComesAndGoesWithItsProcess) {
       answered = answer ? 1 : 2;
       seen.stir();
     };
-    world.act("push", done);
+    world.act(
+        "push", [] { return true; }, done);
     EXPECT_TRUE(until({&process}, [&] { return answered == 1; }));
-    world.act("push", done);
+    world.act(
+        "push", [] { return true; }, done);
     process.link.lose("gone");
     EXPECT_TRUE(until({}, [&] { return answered == 2; }));
     EXPECT_TRUE(world.world().is_null());
