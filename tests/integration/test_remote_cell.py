@@ -122,7 +122,7 @@ class Waking(Elsewhere):
     def test_a_cell_that_wakes_does_nothing_that_was_given_up(self):
         process = self.begin()
         process.signal(signal.SIGSTOP)
-        for act in ({"act": "grab", "body": "link_5", "keep": 60}, {"act": "release"}):
+        for act in ({"act": "grab", "body": "link_5", "keep": 60}, {"act": "take", "part": "cube_red"}):
             answer = self.server.post("/cell/person", act, status=503)
             self.assertIn("this is not done", answer["errors"][0]["message"])
         process.signal(signal.SIGCONT)
