@@ -1,13 +1,12 @@
 """Library states of the demonstrator as tasks of their own in the demo's cell, and what a person does at it meanwhile."""
 import json
 import math
-import shutil
 import subprocess
 import tempfile
 from pathlib import Path
 
 import models
-from cell import BODIES, DATABASE, DEMO, DOCUMENT, NAMES, SCENE
+from cell import BODIES, DATABASE, DOCUMENT, FALSE, NAMES, copied, scene
 from client import PROGRAM, check
 
 LET_GO = "Let go of the arm before you answer: it may move. What is to be done?"
@@ -76,17 +75,12 @@ class Outcome:
 def run(document, *acts, displays=("phone",), limit=120, arguments=None, database=DATABASE, parts=tuple(NAMES), without=()):
     """Runs the task headless with these acts of a person, at a table with these parts; `without`: files that the cell lacks."""
     script = check("operator", {"operator": 1, "displays": list(displays), "acts": list(acts)})
-    there = {NAMES[label] for label in parts}
-    scene = {**SCENE, "bodies": [b for b in SCENE["bodies"] if b["name"] in there or b["name"] not in NAMES.values()]}
+    files = {"database.json": database, "scene.json": scene(parts, BODIES[FALSE])}
     with tempfile.TemporaryDirectory() as folder:
         model, operator = Path(folder, "model.rcm.json"), Path(folder, "operator.json")
         model.write_text(json.dumps(document))
         operator.write_text(json.dumps(script))
-        cell = shutil.copytree(DEMO, Path(folder, "cell"))
-        (cell / "database.json").write_text(json.dumps(database))
-        (cell / "scene.json").write_text(json.dumps(scene))
-        for name in without:
-            (cell / name).unlink()
+        cell = copied(Path(folder, "cell"), files, without)
         out = subprocess.run([PROGRAM, "run", model, "--cell", cell, "--fast", "--json", "--seed", "7", "--limit", str(limit),
                               "--operator", operator, "--arguments", json.dumps(arguments or {})],
                              capture_output=True, text=True, timeout=280)
