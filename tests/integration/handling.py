@@ -63,26 +63,30 @@ class Outcome:
     def time(self, port, index=0):
         return [r["time"] for r in self.reports if port in r.get("fired", [])][index]
 
+    def called(self, service, operation):
+        return [c for c in self.sent if (c["service"], c["operation"]) == (service, operation)]
+
     def texts(self):
         """What displays were to show, in order."""
-        return [c["args"][0] for c in self.sent if (c["service"], c["operation"]) == ("display", "show_text")]
+        return [c["args"][0] for c in self.called("display", "show_text")]
 
     def asked(self):
         """The questions that displays were to ask, in order."""
         return [c["args"][0] for c in self.sent if c["service"] == "display" and c["operation"] in ("ask", "choose")]
 
 
-def run(document, *acts, displays=("phone",), limit=120, arguments=None, database=DATABASE, parts=tuple(NAMES), without=()):
-    """Runs the task headless with these acts of a person, at a table with these parts; `without`: files that the cell lacks."""
-    script = check("operator", {"operator": 1, "displays": list(displays), "acts": list(acts)})
-    files = {"database.json": database, "scene.json": scene(parts, BODIES[FALSE])}
+def run(document, *acts, displays=("phone",), limit=120, arguments=None, database=DATABASE, parts=tuple(NAMES), files=None, without=()):
+    """Runs the task headless with these acts of a person, at a table with these parts. `displays` None: nobody is
+    there. `files`, `without`: of the cell, as copied() has them."""
+    files = {"database.json": database, "scene.json": scene(parts, BODIES[FALSE])} | (files or {})
+    words = ["--fast", "--json", "--seed", "7", "--limit", str(limit), "--arguments", json.dumps(arguments or {})]
     with tempfile.TemporaryDirectory() as folder:
         model, operator = Path(folder, "model.rcm.json"), Path(folder, "operator.json")
         model.write_text(json.dumps(document))
-        operator.write_text(json.dumps(script))
-        cell = copied(Path(folder, "cell"), files, without)
-        out = subprocess.run([PROGRAM, "run", model, "--cell", cell, "--fast", "--json", "--seed", "7", "--limit", str(limit),
-                              "--operator", operator, "--arguments", json.dumps(arguments or {})],
+        if displays is not None:
+            operator.write_text(json.dumps(check("operator", {"operator": 1, "displays": list(displays), "acts": list(acts)})))
+            words += ["--operator", operator]
+        out = subprocess.run([PROGRAM, "run", model, "--cell", copied(Path(folder, "cell"), files, without), *words],
                              capture_output=True, text=True, timeout=280)
     assert out.returncode in (0, 1) and "refused" not in out.stdout, out.stderr + out.stdout[-2000:]
     return Outcome(out.stdout.splitlines())

@@ -6,45 +6,25 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from cell import BODIES, DEMO, DOCUMENT, NAMES, O_T_C, OPERATOR, SCENE, copied
+import handling
+import models
+from cell import BODIES, DEMO, DOCUMENT, NAMES, O_T_C, OPERATOR, SCENE
 from client import Server, check
 from geometry import angle, turned
-from test_commands import race
+from handling import link
 
 ELBOW = {"body": "link_4"}
 HANDS = [{"act": "grab", "hand": "hand", "body": "gripper", "point": [0, 0, 0.05], "damping": 60}]
 
 
-class Outcome:
-    """How a run ended, and what was said and done until then."""
-
-    def __init__(self, status, lines, errors):
-        assert lines, errors
-        self.lines = lines
-        reports = [json.loads(line) for line in lines]
-        self.last = reports[-1]
-        assert (status, self.last["status"]) == (0, "ended"), (self.last, errors)
-        self.name, self.results, self.time = self.last["outcome"], self.last["results"], self.last["time"]
-        self.fired = [port for r in reports for port in r.get("fired", [])]
-        self.calls = [call for r in reports for call in r.get("calls", [])]
-
-    def called(self, service, operation):
-        return [c for c in self.calls if (c["service"], c["operation"]) == (service, operation)]
-
-
-def run(state, acts=(), seed=7, cell=None, without=(), **parameters):
-    """The library state as a task of its own. `cell`: what a file of the cell's folder has instead; `without`: files that
-    are not there. The database knows where the camera is, if `cell` says nothing else."""
-    root = {"state": "Root", "link": state, "parameters": [{"name": n, "value": v} for n, v in parameters.items()]}
-    document = {"rcm": 1, "name": state, "services": DOCUMENT["services"], "library": DOCUMENT["library"], "root": root}
-    with tempfile.TemporaryDirectory() as folder:
-        copied(folder, {"database.json": {"o_t_c": O_T_C}} | (cell or {}), without)
-        words = ["run", "DOCUMENT", "--fast", "--json", "--seed", seed, "--cell", folder, "--limit", 200]
-        if acts is not None:
-            script = Path(folder, "operator.json")
-            script.write_text(json.dumps(check("operator", {"operator": 1, "displays": ["phone"], "acts": list(acts)})))
-            words += ["--operator", script]
-        return Outcome(*race(*words, document=document))
+def run(state, acts=(), cell=None, without=(), **parameters):
+    """The library state as the root of a task, until it ends; no acts at all (None): nobody is there, and no display. `cell`: what
+    a file of the cell's folder has instead; `without`: files that are not there. The database knows where the camera is."""
+    document = models.document(state, link(state, "Root", **parameters), library=DOCUMENT["library"])
+    outcome = handling.run(document, *(acts or ()), displays=None if acts is None else ("phone",), limit=200, database={"o_t_c": O_T_C},
+                           files=cell, without=without)
+    assert outcome.last["status"] == "ended", outcome.last
+    return outcome
 
 
 def push(force, at=0.5, duration=0.6, **where):
@@ -85,7 +65,7 @@ class Calibration(unittest.TestCase):
     def test_it_beeps_for_each_sample_and_tells_where_nothing_is_seen(self):
         run = calibration()
         self.assertEqual([c["args"][0] for c in run.called("audio", "play")], ["beep"] * run.results["samples"] + ["question"])
-        texts = [c["args"][0] for c in run.called("display", "show_text")]
+        texts = run.texts()
         self.assertEqual(sum("10 of 10 places" in t for t in texts), 1)
         self.assertEqual(sum("does not see" in t for t in texts), 1)
 
@@ -96,7 +76,7 @@ class Calibration(unittest.TestCase):
         self.assertEqual(len(run.called("obj_rec", "stop")), len(looks))
 
     def test_a_seed_gives_one_run(self):
-        self.assertEqual(calibration(1).lines, calibration(2).lines)
+        self.assertEqual(calibration(1).reports, calibration(2).reports)
 
     def test_an_arm_that_never_rests_gives_no_sample(self):
         there_and_back = [[0.5, 0.1 * (-1) ** i, 0.35] for i in range(40)]
@@ -185,7 +165,7 @@ class Gesture(unittest.TestCase):
     def test_does_not_wait_for_ever(self):
         outcome = run("HapticGesture", timeout=1.5)
         self.assertEqual(outcome.name, "timeout")
-        self.assertAlmostEqual(outcome.time, 1.5, delta=0.2)
+        self.assertAlmostEqual(outcome.last["time"], 1.5, delta=0.2)
 
     def test_ends_at_error_without_a_robot(self):
         self.assertEqual(run("HapticGesture", None, without=["scene.json"]).name, "error")
@@ -226,8 +206,8 @@ class Search(unittest.TestCase):
         for port, force in (("abort", [0, 0, -40]), ("by_hand", [0, 0, 40])):
             outcome = run("SearchObject", [take("can_yellow"), push(force)], labels=["Tape"], pictures=15)
             self.assertEqual((outcome.name, outcome.results), (port, {}))
-            self.assertLess(outcome.time, 1)
-            self.assertEqual(outcome.calls[-1]["operation"], "stop")  # of recognition: its exit, though it was not done
+            self.assertLess(outcome.last["time"], 1)
+            self.assertEqual(outcome.sent[-1]["operation"], "stop")  # of recognition: its exit, though it was not done
 
     def test_a_push_to_the_side_does_not(self):
         outcome = run("SearchObject", [take("can_yellow"), push([0, 40, 0], at=0.3)], labels=["Tape"], pictures=6)
@@ -243,7 +223,7 @@ class Search(unittest.TestCase):
                               (run("SearchObject", cell={"scene.json": scene}), detect),
                               (run("SearchObject", timeout=0.05), detect)):
             self.assertEqual((outcome.name, port in outcome.fired), ("error", True), port)
-            self.assertLess(outcome.time, 1)
+            self.assertLess(outcome.last["time"], 1)
 
 
 class Unwatched(unittest.TestCase):
