@@ -2,7 +2,7 @@
 import { join } from "node:path";
 import { devices, type Page } from "playwright-core";
 import { activations, noteActivations } from "./activations";
-import { demo, openStage, type Stage } from "./stage";
+import { demo, openStage, settled, type Stage } from "./stage";
 
 let stage: Stage;
 let task: Page;
@@ -28,7 +28,10 @@ beforeAll(async () => {
   }
   await task.getByRole("combobox", { name: "Document" }).selectOption("demonstrator");
   await task.getByRole("button", { name: "Load" }).click();
-  for (const composite of ["Table", "Table/Work"]) await task.getByRole("button", { name: `Expand Demonstrator/${composite}`, exact: true }).click();
+  for (const composite of ["Table", "Table/Work"]) {
+    await settled(task);
+    await task.getByRole("button", { name: `Expand Demonstrator/${composite}`, exact: true }).click();
+  }
   await state("Table/Work/Collision").waitFor();
   core = await task.getByRole("combobox", { name: "Watched run" }).inputValue();
   await noteActivations(task);

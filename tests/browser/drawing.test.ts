@@ -1,6 +1,6 @@
 // Drawings that fail, and drawings that take so long that a person leaves them. The page's workers are held by the test.
 import type { Page } from "playwright-core";
-import { openStage, type Stage } from "./stage";
+import { openStage, settled, type Stage } from "./stage";
 
 let stage: Stage;
 let page: Page;
@@ -71,12 +71,14 @@ describe("a drawing that takes long", () => {
     const inside = () => page.locator(`[data-path^="Demonstrator/${composite}/"].state`);
     await load("demonstrator");
     await state(`Demonstrator/${composite}`).waitFor();
+    await settled(page);
     await hold(true);
     await button(`Expand Demonstrator/${composite}`).click();
     await progress().getByText("Drawing the model…").waitFor();
     await how();
     await progress().waitFor({ state: "detached" });
     await hold(false);
+    await settled(page);
     expect(await inside().count()).toBe(0);
     await button(`Expand Demonstrator/${composite}`).click();
     await inside().first().waitFor();

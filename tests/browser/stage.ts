@@ -102,3 +102,6 @@ export async function openStage(...further: readonly string[]): Promise<Stage> {
     throw error;
   }
 }
+
+/** The model is drawn, and what is drawn stays where it is: a click on a drawing that is replaced meanwhile is lost. */
+export const settled = (page: Page) => page.locator('.canvas[aria-busy="false"]:has(.react-flow)').waitFor();

@@ -22,9 +22,9 @@ const edgeTypes: EdgeTypes = { line: ModelLine };
 export function ModelCanvas({ tree }: { readonly tree: ModelTree | undefined }) {
   const frame = useRef<HTMLDivElement>(null);
   const size = useSize(frame);
-  const { laid, progress, failed } = useDrawing(tree, size);
+  const { laid, progress, failed, busy } = useDrawing(tree, size);
   return (
-    <section className="canvas" aria-label="Model" ref={frame}>
+    <section className="canvas" aria-label="Model" aria-busy={busy} ref={frame}>
       <ArrowHeads />
       {laid !== undefined && tree !== undefined ? (
         <ReactFlowProvider>

@@ -33,6 +33,8 @@ export interface CanvasDrawing {
   readonly progress: Progress | undefined;
   /** The latest drawing did not succeed. */
   readonly failed: boolean;
+  /** Another drawing, or one with more detail, may still come. */
+  readonly busy: boolean;
 }
 
 export function useTree(): ModelTree | undefined {
@@ -49,6 +51,7 @@ export function useDrawing(tree: ModelTree | undefined, canvas: Size | undefined
   const [laid, setLaid] = useState<Laid>();
   const [progress, setProgress] = useState<Progress>();
   const [failed, setFailed] = useState(false);
+  const [busy, setBusy] = useState(false);
   const ready = canvas !== undefined;
   // The canvas' size chooses the first arrangement; later changes of its size must not rearrange the drawing.
   const frame = useMemo(() => canvas, [ready, focus]);
@@ -86,17 +89,21 @@ export function useDrawing(tree: ModelTree | undefined, canvas: Size | undefined
         take(detail, drawing);
       }
     };
-    show().catch((error: unknown) => {
-      if (signal.aborted) return;
-      setProgress(undefined);
-      setFailed(true);
-      problem(error);
-    });
+    setBusy(true);
+    void show()
+      .catch((error: unknown) => {
+        if (signal.aborted) return;
+        setProgress(undefined);
+        setFailed(true);
+        problem(error);
+      })
+      .finally(() => !signal.aborted && setBusy(false));
     return () => {
       another.abort();
+      setBusy(false);
       setProgress(undefined);
       setFailed(false);
     };
   }, [tree, focus, collapsed, wanted, frame]);
-  return { laid, progress, failed };
+  return { laid, progress, failed, busy };
 }
