@@ -47,6 +47,13 @@ TEST(UrdfLimits, ADepthThatIsHiddenIsRefused) {
   EXPECT_EQ(code(std::string("<a>\0</a>", 8)), "syntax");
 }
 
+TEST(UrdfLimits, ADeclarationMayStandAtTheBeginningAlone) {
+  const std::string declaration = "<?xml version='1.0'?>";
+  EXPECT_EQ(code(declaration + "<!-- an arm --><robot/>"), "");
+  for (const char* before : {"<!-- an arm -->", "<a/>", "<?xml version='1.0'?>"})
+    EXPECT_EQ(code(before + declaration + "<robot/>"), "syntax") << before;
+}
+
 TEST(UrdfLimits, ItsElementsLinksAndJointsAreCounted) {
   EXPECT_EQ(code(repeat(kUrdfElements, "<a/>")), "");
   EXPECT_EQ(code(repeat(kUrdfElements + 1, "<a/>")), "too_large");
