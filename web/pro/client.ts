@@ -96,7 +96,7 @@ async function loadPast(id: string, next: number): Promise<void> {
 function watchSomething(): void {
   const { cores, watched } = session.get();
   if (watched !== undefined && cores.some((core) => core.id === watched)) return;
-  const chosen = cores.findLast((core) => !isOver(core)) ?? cores.at(-1);
+  const chosen = cores.filter((core) => !isOver(core)).at(-1) ?? cores.at(-1);
   watch(chosen?.id);
 }
 

@@ -17,10 +17,10 @@ const overlap = (a: Label, b: Label): boolean => a.x < b.x + b.width && b.x < a.
 export function apart(labels: readonly Label[], view: { readonly width: number; readonly height: number }): readonly Label[] {
   const inside = labels.map((label) => ({ ...label, x: clamp(label.x, view.width - label.width), y: clamp(label.y, view.height - label.height) }));
   const placed = new Map<Label, Label>();
-  for (const label of inside.toSorted((a, b) => a.y - b.y)) {
+  for (const label of [...inside].sort((a, b) => a.y - b.y)) {
     const free = (y: number) => ![...placed.values()].some((other) => overlap({ ...label, y }, other));
     const edges = [...placed.values()].flatMap((other) => [other.y + other.height + kGap, other.y - label.height - kGap]);
-    const places = edges.filter((y) => y >= 0 && y <= view.height - label.height && free(y)).toSorted((a, b) => Math.abs(a - label.y) - Math.abs(b - label.y));
+    const places = edges.filter((y) => y >= 0 && y <= view.height - label.height && free(y)).sort((a, b) => Math.abs(a - label.y) - Math.abs(b - label.y));
     placed.set(label, free(label.y) ? label : { ...label, y: places[0] ?? label.y });
   }
   return inside.map((label) => placed.get(label) ?? label);

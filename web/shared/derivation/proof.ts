@@ -150,8 +150,8 @@ export interface MicroStep {
 export function lastFiring(steps: readonly TraceStep[], address: string): MicroStep | undefined {
   const fires = (node: Derivation): boolean =>
     (node.rule === "PTrigger" && `${node.at}.${node.port ?? ""}` === address) || node.premises.some(fires);
-  const step = steps.findLast((each) => each.micro.some(fires));
-  return step === undefined ? undefined : { step: step.step, micro: step.first + step.micro.findLastIndex(fires) };
+  const step = [...steps].reverse().find((each) => each.micro.some(fires));
+  return step === undefined ? undefined : { step: step.step, micro: step.first + step.micro.map(fires).lastIndexOf(true) };
 }
 
 export function premiseCount(node: Derivation): string {
