@@ -1,6 +1,10 @@
 // Grasps on the real plant: arm, gripper and parts; what is held is held by friction.
 #include <gmock/gmock.h>
 
+#include <limits>
+#include <map>
+
+#include "services/arguments.h"
 #include "services/gripper/gripper.h"
 #include "services/robot/robot.h"
 #include "tests/unit/services/robot/recorder.h"
@@ -258,6 +262,33 @@ TEST(Gripper, RefusesWrongArgumentsWithTheirNameAndNeverMoves) {
   }
   cell.run(0.3);
   EXPECT_NEAR(cell.world->gripper_width(), before, 1e-3);
+}
+
+// JSON has no such numbers, but a task can compute them.
+TEST(Gripper, RefusesWhatIsNoFiniteNumberAndNeverMoves) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const std::map<std::string, List> usual = {{"grasp", {Value(0.04), Value(0.1), Value(20.0)}},
+                                             {"release", {Value(0.08), Value(0.1)}}};
+  Cell cell;
+  const double before = cell.world->gripper_width();
+  CallId id = 1000;
+  for (const auto& [operation, arguments] : usual) {
+    const auto& parameters = services::find_operation(model(), operation)->parameters;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      for (const double wrong : {std::numeric_limits<double>::quiet_NaN(), kInfinity, -kInfinity}) {
+        List given = arguments;
+        given[i] = Value(wrong);
+        cell.gripper_host.hand_over(cell.gripper, {++id, operation, given, {}});
+        EXPECT_EQ(cell.gripper_host.code(id), "out_of_range") << operation << " " << parameters[i].name << " " << wrong;
+        const Value* argument = cell.gripper_host.errors[id].find("argument");
+        ASSERT_TRUE(argument) << operation << " " << parameters[i].name << " " << wrong;
+        EXPECT_EQ(argument->as_string(), parameters[i].name);
+        EXPECT_EQ(cell.gripper_host.state(), "Ready");
+        cell.run(0.05);
+        EXPECT_NEAR(cell.world->gripper_width(), before, 1e-3);
+      }
+    }
+  }
 }
 
 TEST(Cell, RepeatsAPickBitForBit) {

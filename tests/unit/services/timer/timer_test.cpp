@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <limits>
+
 #include "tests/unit/services/host/bench.h"
 
 namespace race::timer {
@@ -74,6 +76,19 @@ TEST(TimerArguments, AreAnsweredInvalidAtOnce) {
               ElementsAre("timer.start !> invalid", "timer.start !> invalid", "timer.start !> invalid"));
   EXPECT_EQ(bench.host.service("timer")->state, "Idle");
   for (const auto& violation : bench.violations("timer")) EXPECT_EQ(violation.rule, "type");
+}
+
+TEST(TimerArguments, ThatAreNoFiniteNumberAreInvalidAndNothingRuns) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double wrong : {std::numeric_limits<double>::quiet_NaN(), kInfinity, -kInfinity}) {
+    Bench bench;
+    bench.add<Timer>("timer");
+    bench.call("timer", "start", {wrong});
+    EXPECT_THAT(bench.responses(), ElementsAre("timer.start !> invalid")) << wrong;
+    EXPECT_EQ(bench.host.service("timer")->state, "Idle");
+    bench.pass(0.5);
+    for (const Delivery& each : bench.deliveries) EXPECT_NE(each.name, "elapsed") << wrong;
+  }
 }
 
 }  // namespace
