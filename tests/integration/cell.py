@@ -17,6 +17,7 @@ OPERATOR = read("operator.json")
 DATABASE = read("database.json")  # as it is before anything ran
 SCENE = read("scene.json")
 BODIES = {body["name"]: body for body in SCENE["bodies"]}
+SYMMETRY = {part["label"]: part.get("symmetry", []) for part in read("parts.json")["parts"]}
 O_T_C = SCENE["camera"]["pose"]  # where the camera really is
 NAMES = {"Tape": "can_yellow", "Block": "block_green", "Box": "cube_blue", "Cube": "cube_red", "Bar": "bar_violet"}
 FALSE = "fake_yellow"  # looks like a part to the careless

@@ -20,6 +20,27 @@ def moved(pose, point):
     return [a + b for a, b in zip(pose["position"], turned(pose["orientation"], point))]
 
 
-def tilt(orientation):
-    """Degrees between the z of a body and that of the world, 0..180."""
-    return math.degrees(math.acos(max(-1, min(1, turned(orientation, [0, 0, 1])[2]))))
+def product(a, b):
+    """The rotation b, then a."""
+    (x, y, z, w), (p, q, r, s) = a, b
+    return [w * p + x * s + y * r - z * q, w * q - x * r + y * s + z * p, w * r + x * q - y * p + z * s, w * s - x * p - y * q - z * r]
+
+
+def alike(turns):
+    """All orientations in which a body looks the same: what its turns make of each other."""
+    group = [[0.0, 0.0, 0.0, 1.0]]
+    for one in group:  # grows meanwhile
+        group += [new for new in (product(one, turn) for turn in turns) if all(angle(new, old) > 0.1 for old in group)]
+    return group
+
+
+def turned_by(a, b, symmetry):
+    """Degrees between two orientations of a body, in which turns of its symmetry ({axis, order}; order 0: any turn about the axis)
+    make no difference."""
+    turns = [[math.sin(math.pi / s["order"]) * v for v in s["axis"]] + [math.cos(math.pi / s["order"])] for s in symmetry if s["order"]]
+    rounds = [s["axis"] for s in symmetry if not s["order"]]
+    same = [product(b, turn) for turn in alike(turns)]
+    if not rounds:
+        return min(angle(a, each) for each in same)
+    between = lambda u, v: math.degrees(math.acos(max(-1, min(1, sum(x * y for x, y in zip(u, v))))))
+    return min(between(turned(a, rounds[0]), turned(each, rounds[0])) for each in same)

@@ -106,6 +106,16 @@ class Calibration(unittest.TestCase):
         self.assertEqual([p for p in outcome.fired if p in ("Root/Collect/Look.seen", "Root/Collect.error")],
                          ["Root/Collect/Look.seen", "Root/Collect.error"])
 
+    def test_places_that_stay_too_near_are_told_as_such_and_are_a_persons_decision(self):
+        drag = lambda text: {"when": {"display": {"text": text}}, "do": {"act": "drag", "hand": "hand", "by": [0, 0.05, 0]}}
+        decide = lambda button: {"when": {"display": {"text": "3 of 1 places are there, only 0."}, "after": 0.2},
+                                 "do": {"act": "answer", "button": button}}
+        outcome = run("CameraCalibration", [{"do": HANDS}, drag("1 of 1 places, but they are only 0.0 m apart, not 0.3 m."),
+                                            drag("2 of 1 places, but they are only 0.0"), decide("Continue"), decide("Abort")],
+                      samples=1, patience=4)
+        self.assertEqual((outcome.name, outcome.fired.count("Root/Collect/Decide.error")), ("abort", 1))
+        self.assertEqual(outcome.texts()[-1], "3 of 1 places are there. Lead the arm to another one and hold it still until it beeps.")
+
     def test_it_ends_at_error_without_display_or_recognition_or_pictures(self):
         self.assertEqual(run("CameraCalibration", None).name, "error")
         self.assertIn("Root/Collect/Look.error", run("CameraCalibration", without=["parts.json"], hands=1).fired)
@@ -132,7 +142,30 @@ class Calibration(unittest.TestCase):
         self.assertEqual(run("HasCalibration", cell={"database.json": {}}).name, "no")
 
 
+LISTING_5_1 = """\
+f_ext_hat = svc.robot.robot_state.f_ext_hat
+axis = ['x', 'y', 'z']
+f_max = 0
+axis_max = 'none'
+for i in range(len(f_ext_hat)):
+    if axis[i] in par.axes:
+        f = f_ext_hat[i]
+        if abs(f) > par.f_min and abs(f) > f_max:
+            f_max = abs(f)
+            if f > 0:
+                axis_max = axis[i] + '+'
+            else:
+                axis_max = axis[i] + '-'
+res.axis = axis_max
+"""
+
+
 class Gesture(unittest.TestCase):
+    def test_its_function_is_that_of_the_thesis(self):
+        gesture = next(state for state in DOCUMENT["library"] if state["state"] == "HapticGesture")
+        get_axis = next(child for child in gesture["children"] if child["state"] == "GetAxis")
+        self.assertIn(LISTING_5_1, [action["do"] for action in get_axis["actions"]])
+
     def test_gives_the_axis_along_which_somebody_pushes(self):
         for axis, force in (("x+", [40, 0, 0]), ("x-", [-40, 0, 0]), ("y+", [0, 40, 0]), ("y-", [0, -40, 0]),
                             ("z+", [0, 0, 40]), ("z-", [0, 0, -40])):

@@ -166,6 +166,14 @@ class Interrupted(unittest.TestCase):
         taken_over = out.fired.index("Root/Demonstrator/Table/TakeOut/Open.success")
         self.assertLess(taken_over, out.fired.index("Root/Demonstrator/Table/Aside.success"), "the arm stands until then")
 
+    def test_what_is_held_is_handed_over_before_it_is_looked_for_again(self):
+        """Else the arm would go home with it, and drop it where it opens next."""
+        taken = {"when": question("part in the gripper"), "do": [{"act": "take", "part": NAMES[TAUGHT]}, {"act": "answer", "button": "Done"}]}
+        out = clear(answer("Cancel", question("Take hold of the arm")), answer("Look again"), taken, parts=(TAUGHT,))
+        self.assertEqual((out.name, placed(out), out.results["missing"]), ("success", [], [TAUGHT]))
+        happened = [f"{ROOT}/Work.lost", f"{ROOT}/TakeOut/Open.success", f"{ROOT}/Aside.success"]
+        self.assertEqual([port for port in out.fired if port in happened], [happened[2], *happened])
+
     def test_a_gesture_that_stops_the_search_is_told_as_such(self):
         out = clear(gesture(f"{ROOT}/SearchObject", -40), answer("Abort"), parts=())
         self.assertEqual((out.name, out.asked()), ("abort", ["A hand has stopped the search. " + LET_GO]))
@@ -173,6 +181,18 @@ class Interrupted(unittest.TestCase):
     def test_what_has_failed_is_told(self):
         out = run(DOCUMENT, answer("Abort"), parts=("Cube",), database=KNOWN, without=["parts.json"], arguments={"begin": "Table"})
         self.assertEqual((out.name, out.asked()), ("abort", ["The search cannot go on (obj_rec.start: unavailable). " + LET_GO]))
+
+    def test_what_the_database_lacks_is_told_by_name(self):
+        lacking = lambda key: {name: value for name, value in KNOWN.items() if name != key}
+        asks = lambda *acts, key: clear(*acts, answer("Abort"), parts=("Cube",), database=lacking(key)).asked()[-1]
+        self.assertEqual(asks(key="place_area"), "The search cannot go on: the database has no place_area. " + LET_GO)
+        shows = gesture(f"{ROOT}/SearchObject", 40), answer("Cube", question("Which part", 0.8))
+        self.assertEqual(asks(*shows, key="x_t_g_Cube"), "The search cannot go on: nobody has taught how the Cube is grasped. " + LET_GO)
+
+    def test_a_display_says_no_more_that_the_arm_may_be_pressed_when_that_is_a_collision(self):
+        texts = clear(parts=("Cube",)).texts()
+        self.assertEqual([text.split(".")[0] for text in texts],
+                         ["I look for parts", "I take the Cube to its place", "I look for parts", "The table is clear: 1 parts were placed"])
 
 
 class Calibrated(unittest.TestCase):
