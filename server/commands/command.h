@@ -2,6 +2,7 @@
 // run or check found something, 2 bad input.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,25 +16,25 @@ inline constexpr int kFine = 0;
 inline constexpr int kFound = 1;  // faulted, property violated
 inline constexpr int kBadInput = 2;
 
-/// A row of the table in main.cpp. `run` gets the words after the command's name.
+/// What a command is called by and does. All that is told of how it is used stands here.
 struct Command {
-  std::string_view name, usage, text;
-  int (*run)(const std::vector<std::string>& arguments);
+  std::string_view name, arguments, text;
+  int (*run)(const std::vector<std::string>& words);  // gets the words after the command's name
+  std::string (*options)() = nullptr;                 // what they mean, a line each; none: they speak for themselves
 };
 
-int serve_command(const std::vector<std::string>& arguments);
-int service_command(const std::vector<std::string>& arguments);
-int run_command(const std::vector<std::string>& arguments);
-int derive_command(const std::vector<std::string>& arguments);
-int check_command(const std::vector<std::string>& arguments);
-int translate_command(const std::vector<std::string>& arguments);
-int fmt_command(const std::vector<std::string>& arguments);
+extern const Command kServe, kService, kRun, kDerive, kCheck, kTranslate, kFmt;
 
 /// Prints errors as `path: code: message` to stderr, with `json` also as {"errors": [...]} to stdout. Returns
 /// kBadInput.
 int refuse(const std::vector<Error>& errors, bool json = false);
 int refuse(const Error& error, bool json = false);
-/// Prints how a command is called. Returns kBadInput.
-int usage(std::string_view command, std::string_view arguments);
+/// How a command is called, and what its options mean.
+std::string usage(const Command& command);
+/// Prints the usage to stderr. Returns kBadInput.
+int misused(const Command& command);
+/// Runs the command that `words` begins with, or prints to stdout how commands are used, if that is what is asked for
+/// (`help`, `--help`, `-h`, before or after a command's name). What is no command: kBadInput, and the same to stderr.
+int run_command(std::span<const Command* const> commands, const std::vector<std::string>& words);
 
 }  // namespace race::server

@@ -8,9 +8,10 @@
 #include "server/commands/command.h"
 
 namespace race::server {
+namespace {
 
-int derive_command(const std::vector<std::string>& arguments) {
-  if (arguments.size() != 2) return usage("derive", "MODEL SCRIPT");
+int derive(const std::vector<std::string>& arguments) {
+  if (arguments.size() != 2) return misused(kDerive);
   const auto model = read_file(arguments[0]);
   if (!model) return refuse(model.error(), true);
   const auto script = read_file(arguments[1]);
@@ -20,5 +21,9 @@ int derive_command(const std::vector<std::string>& arguments) {
   std::printf("%s\n", to_json(*document, 1).c_str());
   return document->find("status")->as_string() == "faulted" ? kFound : kFine;
 }
+
+}  // namespace
+
+const Command kDerive = {"derive", "MODEL SCRIPT", "prints the derivations of a scripted run, as JSON", derive};
 
 }  // namespace race::server

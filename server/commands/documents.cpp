@@ -18,11 +18,9 @@ Checked<rcm::Document> load(const std::string& path) {
   return rcm::read_document_text(*text);
 }
 
-}  // namespace
-
 // race translate MODEL: the native model, without links and oracles, and where each of its elements comes from.
-int translate_command(const std::vector<std::string>& arguments) {
-  if (arguments.size() != 1) return usage("translate", "MODEL");
+int translate(const std::vector<std::string>& arguments) {
+  if (arguments.size() != 1) return misused(kTranslate);
   const auto document = load(arguments[0]);
   if (!document) return refuse(document.error());
   const auto native = rcm::translate(*document);
@@ -39,11 +37,11 @@ int translate_command(const std::vector<std::string>& arguments) {
 }
 
 // race fmt [--write] MODEL...: the documents as files should hold them, on stdout or in place.
-int fmt_command(const std::vector<std::string>& arguments) {
+int format(const std::vector<std::string>& arguments) {
   bool write = false;
   std::vector<std::string> paths;
   for (const std::string& argument : arguments) argument == "--write" ? void(write = true) : paths.push_back(argument);
-  if (paths.empty()) return usage("fmt", "[--write] MODEL...");
+  if (paths.empty()) return misused(kFmt);
   for (const std::string& path : paths) {
     const auto document = load(path);
     if (!document) return refuse(document.error());
@@ -60,11 +58,11 @@ int fmt_command(const std::vector<std::string>& arguments) {
 }
 
 // race check MODEL [RSM...] [--json]: all violations of a document and of service descriptions.
-int check_command(const std::vector<std::string>& arguments) {
+int check(const std::vector<std::string>& arguments) {
   bool json = false;
   std::vector<std::string> paths;
   for (const std::string& argument : arguments) argument == "--json" ? void(json = true) : paths.push_back(argument);
-  if (paths.empty()) return usage("check", "MODEL [RSM...] [--json]");
+  if (paths.empty()) return misused(kCheck);
   std::vector<Error> errors;
   if (const auto document = load(paths[0]); !document) errors = document.error();
   for (std::size_t i = 1; i < paths.size(); ++i) {
@@ -80,5 +78,12 @@ int check_command(const std::vector<std::string>& arguments) {
   if (json) std::printf("%s\n", to_json(semantics::errors_json({}), 1).c_str());
   return kFine;
 }
+
+}  // namespace
+
+const Command kTranslate = {"translate", "MODEL", "prints the native model, without links and oracles", translate};
+const Command kFmt = {"fmt", "[--write] MODEL...", "prints documents as files should hold them, or writes them so",
+                      format};
+const Command kCheck = {"check", "MODEL [RSM...] [--json]", "lists what is wrong with a document or a service", check};
 
 }  // namespace race::server

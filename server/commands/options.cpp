@@ -22,8 +22,22 @@ Expected<double> Options::number(std::string_view name, double fallback, double 
   return value;
 }
 
-Expected<Options> read_options(const std::vector<std::string>& words, const std::vector<std::string_view>& with_value,
-                               const std::vector<std::string_view>& flags) {
+namespace {
+
+// The options of a usage, and whether each has a value: "[--port N]" has one, "[--fast]" has none.
+std::map<std::string, bool, std::less<>> known_options(std::string_view arguments) {
+  std::map<std::string, bool, std::less<>> known;
+  for (auto at = arguments.find("--"); at != std::string_view::npos; at = arguments.find("--", at + 2)) {
+    const auto end = std::min(arguments.find_first_of(" ]", at), arguments.size());
+    known.emplace(arguments.substr(at, end - at), end < arguments.size() && arguments[end] == ' ');
+  }
+  return known;
+}
+
+}  // namespace
+
+Expected<Options> read_options(const std::vector<std::string>& words, std::string_view arguments) {
+  const auto known = known_options(arguments);
   Options options;
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (!words[i].starts_with("--")) {
@@ -32,8 +46,9 @@ Expected<Options> read_options(const std::vector<std::string>& words, const std:
     }
     const auto equals = words[i].find('=');
     const std::string name = words[i].substr(0, equals);
-    const bool valued = std::ranges::find(with_value, name) != with_value.end();
-    if (!valued && (std::ranges::find(flags, name) == flags.end() || equals != std::string::npos))
+    const auto option = known.find(name);
+    const bool valued = option != known.end() && option->second;
+    if (option == known.end() || (!valued && equals != std::string::npos))
       return unexpected(ErrorCode::unknown_field, "there is no such option", words[i]);
     std::string value;
     if (valued && equals != std::string::npos) {

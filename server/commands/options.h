@@ -20,9 +20,8 @@ struct Options {
   Expected<double> number(std::string_view name, double fallback, double low, double high) const;
 };
 
-/// `with_value` and `flags` are names such as "--port". Errors, with the option as path: `unknown_field`, `missing` (no
-/// value), `duplicate`.
-Expected<Options> read_options(const std::vector<std::string>& words, const std::vector<std::string_view>& with_value,
-                               const std::vector<std::string_view>& flags);
+/// `arguments` says which options there are, as a command's usage: "FILE [--port N] [--fast]". Errors, with the option
+/// as path: `unknown_field`, `missing` (no value), `duplicate`.
+Expected<Options> read_options(const std::vector<std::string>& words, std::string_view arguments);
 
 }  // namespace race::server

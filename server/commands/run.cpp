@@ -13,10 +13,6 @@
 namespace race::server {
 namespace {
 
-constexpr std::string_view kUsage =
-    "MODEL [--fast] [--seed N] [--arguments JSON] [--cell DIR] [--database FILE] [--limit SECONDS] "
-    "[--operator FILE] [--json]";
-
 // What happened in a macro step, for people: which states were entered and left, what was called.
 void print(const Dict& report) {
   if (const Value* text = report.find("text")) {
@@ -42,13 +38,10 @@ Expected<Dict> read_arguments(const std::string& text) {
   return value.as_dict();
 }
 
-}  // namespace
-
-int run_command(const std::vector<std::string>& words) {
-  const auto options = read_options(words, {"--seed", "--arguments", "--cell", "--database", "--limit", "--operator"},
-                                    {"--fast", "--json"});
+int run_task(const std::vector<std::string>& words) {
+  const auto options = read_options(words, kRun.arguments);
   if (!options) return refuse(options.error());
-  if (options->rest.size() != 1) return usage("run", kUsage);
+  if (options->rest.size() != 1) return misused(kRun);
   const bool json = options->has("--json");
   const std::string& model = options->rest.front();
   const auto seed = options->number("--seed", 0, 0, 9007199254740992.0);
@@ -85,5 +78,23 @@ int run_command(const std::vector<std::string>& words) {
   if (!status) return refuse(status.error(), json);
   return *status == semantics::Status::ended ? kFine : kFound;
 }
+
+}  // namespace
+
+const Command kRun = {
+    "run",
+    "MODEL [--fast] [--seed N] [--arguments JSON] [--cell DIR] [--database FILE] [--limit SECONDS] [--operator FILE] "
+    "[--json]",
+    "runs a task with its own services, without clients; the last line is the outcome", run_task, [] {
+      return std::string(
+          "  --fast             as fast as possible, else in real time\n"
+          "  --seed N           of cameras and searches (0); the same seed gives the same run with --fast\n"
+          "  --arguments JSON   parameters of the task, an object ({})\n"
+          "  --cell DIR         the cell: scene.json, database.json ... (the folder of MODEL)\n"
+          "  --database FILE    keeps what tasks store; without, it is forgotten\n"
+          "  --limit SECONDS    leaves a run that has not ended then (3600)\n"
+          "  --operator FILE    somebody who acts by this script, else nobody\n"
+          "  --json             a line of JSON for each step\n");
+    }};
 
 }  // namespace race::server

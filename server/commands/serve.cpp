@@ -14,10 +14,6 @@
 namespace race::server {
 namespace {
 
-constexpr std::string_view kUsage =
-    "--port N --data DIR [--headless] [--demo DIR] [--web DIR] [--operator FILE] [--remote NAME,...] "
-    "[--heartbeat SECONDS]";
-
 // Numbers of messages go on where an earlier server can not have been: 1000 a millisecond since 1970.
 std::int64_t first_sequence() {
   using namespace std::chrono;
@@ -38,13 +34,10 @@ Expected<std::vector<std::string>> read_units(std::string_view text) {
   return names;
 }
 
-}  // namespace
-
-int serve_command(const std::vector<std::string>& words) {
-  const auto options = read_options(
-      words, {"--port", "--data", "--demo", "--web", "--operator", "--remote", "--heartbeat"}, {"--headless"});
+int serve(const std::vector<std::string>& words) {
+  const auto options = read_options(words, kServe.arguments);
   if (!options) return refuse(options.error());
-  if (!options->rest.empty()) return usage("serve", std::string(kUsage) + "\n  NAME: " + unit_names());
+  if (!options->rest.empty()) return misused(kServe);
   const auto port = options->number("--port", 8080, 0, 65535);
   if (!port) return refuse(port.error());
   auto remote = read_units(options->text("--remote"));
@@ -75,5 +68,24 @@ int serve_command(const std::vector<std::string>& words) {
   (*server)->run();
   return kFine;
 }
+
+}  // namespace
+
+const Command kServe = {
+    "serve",
+    "[--port N] [--data DIR] [--demo DIR] [--web DIR] [--headless] [--operator FILE] [--remote UNIT,...] "
+    "[--heartbeat SECONDS]",
+    "serves cores, services and the browser clients on 127.0.0.1", serve, [] {
+      return "  --port N              (8080); 0: any that is free\n"
+             "  --data DIR            where documents and values are kept (data)\n"
+             "  --demo DIR            the cell and its tasks; without, there is no robot\n"
+             "  --web DIR             the pages; without, the interface alone\n"
+             "  --headless            no pages, whatever --web says\n"
+             "  --operator FILE       somebody who acts by this script, else people do\n"
+             "  --remote UNIT,...     waits for processes (race service) that bring these: " +
+             unit_names() +
+             "\n"
+             "  --heartbeat SECONDS   after which such a process that says nothing is lost (1)\n";
+    }};
 
 }  // namespace race::server

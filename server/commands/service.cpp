@@ -16,7 +16,6 @@ namespace {
 using namespace std::chrono_literals;
 using std::chrono::steady_clock;
 
-constexpr std::string_view kUsage = "NAME --server URL [--folder DIR] [--database FILE]";
 constexpr auto kAgain = 500ms;  // from one try to reach the server to the next
 
 std::atomic<bool> ended{false};  // by SIGINT or SIGTERM
@@ -79,13 +78,10 @@ Expected<void> serve(remote::RemoteUnit& unit, Session& session) {
   return {};
 }
 
-}  // namespace
-
-int service_command(const std::vector<std::string>& words) {
-  const auto options = read_options(words, {"--server", "--folder", "--database"}, {});
+int be_a_service(const std::vector<std::string>& words) {
+  const auto options = read_options(words, kService.arguments);
   if (!options) return refuse(options.error());
-  if (options->rest.size() != 1 || !options->has("--server"))
-    return usage("service", std::string(kUsage) + "\n  NAME: " + unit_names());
+  if (options->rest.size() != 1 || !options->has("--server")) return misused(kService);
   const std::string& name = options->rest.front();
   const auto row = find_unit(name);
   if (!row) return refuse(row.error());
@@ -133,5 +129,17 @@ int service_command(const std::vector<std::string>& words) {
   }
   return kFine;
 }
+
+}  // namespace
+
+const Command kService = {
+    "service", "UNIT --server URL [--folder DIR] [--database FILE]",
+    "runs one unit of a server's cell as a process, which may die", be_a_service, [] {
+      return "  UNIT              as --remote of the server names it: " + unit_names() +
+             "\n"
+             "  --server URL      http://127.0.0.1:8080, where it runs; waits for it, and again when it was lost\n"
+             "  --folder DIR      the cell: scene.json, parts.json, database.json, pictures, as its unit needs them\n"
+             "  --database FILE   of the unit database: keeps its values; without, they die with the process\n";
+    }};
 
 }  // namespace race::server

@@ -73,6 +73,38 @@ class Run(unittest.TestCase):
                          ["Pick/Grasp.error", "Pick/CheckPart.error"])
 
 
+class Help(unittest.TestCase):
+    COMMANDS = ("serve", "service", "run", "derive", "check", "translate", "fmt")
+
+    def test_of_all_names_each_command_with_its_options(self):
+        status, lines, errors = race("--help")
+        self.assertEqual((status, errors), (0, ""))
+        calls = [line.split() for line in lines if line.startswith("  race ")]
+        self.assertEqual([words[1] for words in calls], list(self.COMMANDS))
+        for words in calls:  # the same as of the command itself
+            self.assertIn(f"usage: {' '.join(words)}", race(words[1], "--help")[1])
+        for words in (("-h",), ("help",)):
+            self.assertEqual(race(*words), (0, lines, ""))
+        self.assertEqual(race(), (2, [], "\n".join(lines) + "\n"))
+
+    def test_of_a_command_says_what_each_option_means(self):
+        for command in self.COMMANDS:
+            status, lines, errors = race(command, "--help")
+            self.assertEqual((status, errors), (0, ""))
+            for words in ((command, "-h"), ("help", command), ("--help", command), (command, "DOCUMENT", "--help")):
+                self.assertEqual(race(*words), (0, lines, ""), words)
+            told = [line.split()[0] for line in lines[2:] if line.startswith("  --")]
+            named = [word.strip("[]") for word in lines[1].split() if word.startswith(("--", "[--"))]
+            if command in ("serve", "service", "run"):
+                self.assertEqual(told, named)
+
+    def test_comes_as_an_error_after_wrong_use(self):
+        for words in (("service",), ("run",), ("derive", "x"), ("check",), ("translate",), ("fmt",), ("serve", "x")):
+            status, lines, errors = race(*words)
+            self.assertEqual((status, lines), (2, []))
+            self.assertTrue(errors.startswith(f"usage: race {words[0]} "), errors)
+
+
 class BadInput(unittest.TestCase):
     def test_is_told_with_path_and_code_and_status_2(self):
         wrong = models.document("wrong", {"state": "Root", "first": "Nowhere"})

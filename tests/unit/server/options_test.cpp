@@ -5,7 +5,9 @@
 namespace race::server {
 namespace {
 
-Expected<Options> read(std::vector<std::string> words) { return read_options(words, {"--port", "--data"}, {"--fast"}); }
+Expected<Options> read(std::vector<std::string> words) {
+  return read_options(words, "FILE... --data DIR [--port N] [--fast]");
+}
 
 TEST(Options, StandInAnyOrderBetweenTheRest) {
   const auto options = read({"a", "--port", "80", "--fast", "b", "--data=x=y"});
