@@ -59,6 +59,9 @@ http::response<http::string_body> to_response(Reply reply, Manner manner) {
   response.keep_alive(manner.keep_alive);
   response.set(http::field::server, "race");
   response.set("X-Content-Type-Options", "nosniff");
+  // A foreign page that shows ours in a frame could have its visitors press our buttons.
+  response.set("Content-Security-Policy", "frame-ancestors 'none'");
+  response.set("X-Frame-Options", "DENY");
   for (const auto& [name, value] : reply.headers) response.set(name, value);
   if (reply.type.empty()) {
     response.set(http::field::content_type, "application/json");

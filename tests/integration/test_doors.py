@@ -1,7 +1,9 @@
 """The doors: whatever comes in, the server refuses it in its form and goes on."""
 import json
 import random
+import tempfile
 import unittest
+from pathlib import Path
 
 import models
 from client import Server, Stream
@@ -90,6 +92,16 @@ class Doors(unittest.TestCase):
         first, rest = answer.split(b"\r\n\r\n", 1)
         self.assertRegex(first, rb"^HTTP/1.1 200[\s\S]*Content-Length: [1-9]")
         self.assertTrue(rest.startswith(b"HTTP/1.1 200"))
+
+    def test_no_page_shows_it_in_a_frame(self):
+        with tempfile.TemporaryDirectory() as web:
+            Path(web, "index.html").write_text("<p>")
+            with Server("--web", web) as server:
+                for page in ("/", "/api/v1/health", "/nothing"):
+                    request = f"GET {page} HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\nConnection: close\r\n\r\n"
+                    head = server.raw(request.encode()).split(b"\r\n\r\n")[0].decode().split("\r\n")
+                    self.assertIn("Content-Security-Policy: frame-ancestors 'none'", head, page)
+                    self.assertIn("X-Frame-Options: DENY", head, page)
 
     def test_noise_does_no_harm(self):
         seed = 20260
