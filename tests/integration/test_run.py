@@ -72,10 +72,14 @@ class Run(unittest.TestCase):
             self.assertEqual(program.wait(20), 0)
 
     def test_what_it_does_not_know_it_refuses_before_anything_is_built(self):
-        for options in (("--port", "0"), ("--port", "x"), ("--port",), ("--data",), ("--hurry",)):
+        for options in (("--port", "0"), ("--port", "x"), ("--port",), ("--data",), ("--data=",), ("--hurry",)):
             program = run(*options)
             self.assertNotEqual(program.communicate(timeout=10)[0], "")
             self.assertIn(program.returncode, (1, 2), options)
+
+    def test_an_option_has_its_value_in_either_way(self):
+        for options in (("--data", "x", "--port", "0"), ("--data=x", "--port=0")):
+            self.assertIn("from 1 to 65535, got '0'", run(*options).communicate(timeout=10)[0])
 
 
 if __name__ == "__main__":
