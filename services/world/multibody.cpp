@@ -6,14 +6,24 @@
 #include <BulletDynamics/Featherstone/btMultiBody.h>
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 #include <BulletDynamics/Featherstone/btMultiBodyJointLimitConstraint.h>
+#include <BulletDynamics/Featherstone/btMultiBodyJointMotor.h>
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 
+#include <cmath>
+
 #include "services/world/multibody_internal.h"
+#include "services/world/world.h"
 
 namespace race::world {
 namespace {
 
 btVector3 to_bullet(const Vec3& v) { return {v[0], v[1], v[2]}; }
+
+// A brake is friction that sticks in a place, not only at a speed of zero: as the contact solver ends before a chain of
+// brakes is solved, a stretched arm would creep 5 mm/s.
+constexpr double kSticks = 0.02;  // rad/s and slower
+constexpr double kSlips = 0.002;  // rad off its place, it has been overcome
+constexpr double kReturn = 0.1;   // of the way back to its place, in a step
 
 bool is_frame(const Link& link) { return link.mass == 0 && link.joint.kind == Joint::Kind::fixed; }
 
@@ -97,10 +107,16 @@ Robot::Robot(const RobotModel& model, const Mounting& mounting, btMultiBodyDynam
                                                                              link.joint.lower, link.joint.upper));
       world_.addMultiBodyConstraint(end_stops_.back().get());
     }
+    if (link.joint.kind == Joint::Kind::revolute) {
+      auto motor = std::make_unique<btMultiBodyJointMotor>(body_.get(), bullet_index_[i], 0,
+                                                           link.joint.max_effort * World::kStep);
+      brakes_.push_back({bullet_index_[i], std::move(motor), {}});
+    }
   }
 }
 
 Robot::~Robot() {
+  set_brakes(false);
   for (auto& stop : end_stops_) world_.removeMultiBodyConstraint(stop.get());
   for (auto& collider : colliders_) world_.removeCollisionObject(collider.get());
   world_.removeMultiBody(body_.get());
@@ -126,6 +142,19 @@ void Robot::add_collider(const Link& link, int index, double friction) {
   }
   shapes_.push_back(std::move(compound));
   colliders_.push_back(std::move(collider));
+}
+
+void Robot::set_brakes(bool closed) {
+  for (Brake& brake : brakes_) {
+    btMultiBodyJointMotor& motor = *brake.motor;
+    if (closed && !braked_) world_.addMultiBodyConstraint(&motor);
+    if (!closed && braked_) world_.removeMultiBodyConstraint(&motor);
+    const double q = body_->getJointPos(brake.index);
+    if (!closed || (brake.sticks_at && std::abs(q - *brake.sticks_at) > kSlips)) brake.sticks_at.reset();
+    if (closed && !brake.sticks_at && std::abs(body_->getJointVel(brake.index)) < kSticks) brake.sticks_at = q;
+    motor.setPositionTarget(brake.sticks_at.value_or(q), brake.sticks_at ? kReturn : 0);
+  }
+  braked_ = closed;
 }
 
 void Robot::update_frames() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "services/world/robot_model.h"
@@ -11,6 +12,7 @@ class btCollisionShape;
 class btMultiBody;
 class btMultiBodyConstraint;
 class btMultiBodyDynamicsWorld;
+class btMultiBodyJointMotor;
 class btMultiBodyLinkCollider;
 class btTransform;
 
@@ -38,6 +40,10 @@ class Robot {
   Pose link_pose(int link) const;
   /// Recomputes the link frames from the joint positions.
   void update_frames();
+  /// Closes the holding brakes of the revolute joints, or opens them; at each step. A brake takes as much torque as its
+  /// drive can give.
+  void set_brakes(bool closed);
+  bool braked() const { return braked_; }
 
  private:
   void add_collider(const Link& link, int index, double friction);
@@ -49,6 +55,13 @@ class Robot {
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btMultiBodyLinkCollider>> colliders_;
   std::vector<std::unique_ptr<btMultiBodyConstraint>> end_stops_;
+  struct Brake {
+    int index;  // of Bullet's link
+    std::unique_ptr<btMultiBodyJointMotor> motor;
+    std::optional<double> sticks_at;  // rad; none: it slides
+  };
+  std::vector<Brake> brakes_;
+  bool braked_ = false;
 };
 
 }  // namespace race::world

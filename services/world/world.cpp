@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <stdexcept>
 
 #include "services/world/multibody_internal.h"
 
@@ -177,6 +178,8 @@ Expected<std::unique_ptr<World>> World::load(const std::string& scene_path) {
 
 void World::step() {
   btMultiBody& body = plant_->robot->body();
+  plant_->robot->set_brakes(led_ && steps_ >= *led_ + kLeadingSteps);
+  if (braked()) torques_ = {};
   for (std::size_t i = 0; i < kArmJoints; ++i) body.addJointTorque(plant_->arm[i], torques_[i]);
   plant_->drive_jaws(gripper_force_);
   plant_->world.stepSimulation(kStep, 0);  // 0 substeps: exactly one step of kStep
@@ -197,13 +200,17 @@ JointArray World::dq() const {
   return dq;
 }
 
+bool World::braked() const { return plant_->robot->braked(); }
+
 void World::set_torques(const JointArray& torques) {
+  for (const double torque : torques)
+    if (!std::isfinite(torque)) throw std::domain_error("a torque for the arm is no finite number");
   const auto arm = model_.moved_by(Joint::Kind::revolute);
   for (std::size_t i = 0; i < kArmJoints; ++i) {
-    assert(std::isfinite(torques[i]));
     const double limit = model_.links[static_cast<std::size_t>(arm[i])].joint.max_effort;
     torques_[i] = std::clamp(torques[i], -limit, limit);
   }
+  led_ = steps_;
 }
 
 double World::gripper_width() const {
@@ -217,7 +224,7 @@ double World::gripper_speed() const {
 }
 
 void World::set_gripper_force(double closing_force) {
-  assert(std::isfinite(closing_force));
+  if (!std::isfinite(closing_force)) throw std::domain_error("a force for the gripper is no finite number");
   const int jaw = model_.moved_by(Joint::Kind::prismatic).front();
   const double limit = model_.links[static_cast<std::size_t>(jaw)].joint.max_effort;
   gripper_force_ = std::clamp(closing_force, -limit, limit);

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,19 +43,25 @@ class World {
   const Scene& scene() const { return scene_; }
   const RobotModel& model() const { return model_; }
 
-  /// Advances world time by kStep under the torques and forces set last.
+  /// Advances world time by kStep under the torques and forces set last, or with closed brakes: see braked().
   void step();
 
   /// Seconds since the start, exactly steps() * kStep.
   double time() const { return static_cast<double>(steps_) * kStep; }
   std::int64_t steps() const { return steps_; }
 
-  // The robot's sensors and actuators. Torques and forces hold until they are set anew; the drives saturate at the
-  // model's effort limits. Non-finite values are refused by an assert: they are our own mistake.
+  // The robot's sensors and actuators. The drives saturate at the model's effort limits. What is not finite reaches no
+  // drive: it throws std::domain_error, and counts as not set.
   JointArray q() const;                                   // rad
   JointArray dq() const;                                  // rad/s
   void set_torques(const JointArray& torques);            // Nm
-  const JointArray& torques() const { return torques_; }  // Nm, as applied
+  const JointArray& torques() const { return torques_; }  // Nm, as applied; none while it is braked
+
+  /// How many steps torques hold without being set anew: a controller sets them at each.
+  static constexpr std::int64_t kLeadingSteps = 10;
+  /// Whether nobody leads the arm any more: torques were set once, but not for kLeadingSteps. A holding brake at each
+  /// joint has closed then, until torques are set again. The gripper's force holds until it is set anew.
+  bool braked() const;
 
   /// The gripper's one drive: the jaws move against each other, held in step by their rack and pinion.
   double gripper_width() const;                  // m between the finger pads
@@ -99,7 +106,8 @@ class World {
   JointArray torques_{};
   double gripper_force_ = 0;
   std::int64_t steps_ = 0;
-  std::unique_ptr<Plant> plant_;  // Bullet's objects, known to world.cpp alone
+  std::optional<std::int64_t> led_;  // the step before which torques were set last
+  std::unique_ptr<Plant> plant_;     // Bullet's objects, known to world.cpp alone
 };
 
 }  // namespace race::world
