@@ -135,7 +135,7 @@ int be_a_service(const std::vector<std::string>& words) {
 const Command kService = {
     "service", "UNIT --server URL [--folder DIR] [--database FILE]",
     "runs one unit of a server's cell as a process, which may die", be_a_service, [] {
-      return "  UNIT              as --remote of the server names it: " + unit_names() +
+      return "  UNIT              " + unit_names() +
              "\n"
              "  --server URL      http://127.0.0.1:8080, where it runs; waits for it, and again when it was lost\n"
              "  --folder DIR      the cell: scene.json, parts.json, database.json, pictures, as its unit needs them\n"

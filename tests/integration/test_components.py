@@ -389,7 +389,7 @@ class Processes(unittest.TestCase):
             for words, reason in ((["database", "--server", url], "no service of this key waits"),
                                   (["oven", "--server", url], "there is no such unit"),
                                   (["database", "--server", "ftp://x"], "http://HOST:PORT"),
-                                  (["database"], "NAME: cell, recognition, database, display, audio"),
+                                  (["database"], "cell, recognition, database, display, audio"),
                                   (["cell", "--server", url, "--folder", "/nowhere"], "/nowhere")):
                 ended = subprocess.run([PROGRAM, "service", *words], capture_output=True, text=True, timeout=PATIENCE)
                 self.assertEqual(ended.returncode, 2, words)
