@@ -75,6 +75,7 @@ describe("a drawing that takes long", () => {
     await hold(true);
     await button(`Expand Demonstrator/${composite}`).click();
     await progress().getByText("Drawing the model…").waitFor();
+    expect(await page.locator(".canvas").getAttribute("aria-busy")).toBe("true");
     await how();
     await progress().waitFor({ state: "detached" });
     await hold(false);
