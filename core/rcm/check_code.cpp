@@ -2,7 +2,8 @@
 #include <set>
 #include <string_view>
 
-#include "core/language/code.h"
+#include "core/language/check/checker.h"
+#include "core/language/interface/symbols.h"
 #include "core/rcm/call_text.h"
 #include "core/rcm/constraints_internal.h"
 #include "core/rcm/oracle.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/language/code.h"
+#include "core/language/interface/environment.h"
 #include "core/semantics/context.h"
 #include "core/semantics/derivation.h"
 

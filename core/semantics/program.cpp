@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "core/language/check/checker.h"
+
 namespace race::semantics {
 namespace {
 

@@ -9,7 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/language/code.h"
+#include "core/language/compile/code.h"
+#include "core/language/interface/service_table.h"
 #include "core/rcm/model.h"
 #include "core/rsm/model.h"
 #include "core/value/expected.h"

@@ -11,7 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/language/explain.h"
+#include "core/language/evaluate/explain.h"
+#include "core/language/evaluate/interpreter.h"
 #include "core/semantics/context.h"
 #include "core/semantics/derivation.h"
 #include "core/semantics/program.h"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/language/code.h"
+#include "core/language/evaluate/interpreter.h"
 #include "core/semantics/context.h"
 #include "core/semantics/derivation.h"
 #include "core/semantics/environment.h"

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <optional>
 
-#include "core/language/utf8.h"
+#include "core/language/primitives/utf8.h"
 
 namespace race::server {
 namespace {

@@ -9,7 +9,7 @@
 #include <iostream>
 #include <sstream>
 
-#include "core/language/printing.h"
+#include "core/language/values/printing.h"
 #include "tests/unit/core/language/environment.h"
 #include "tests/unit/core/language/program_generator.h"
 

@@ -5,7 +5,7 @@
 #include <iostream>
 #include <random>
 
-#include "core/language/explain.h"
+#include "core/language/evaluate/explain.h"
 #include "tests/unit/core/language/environment.h"
 
 namespace race::language::test {

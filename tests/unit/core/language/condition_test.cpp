@@ -1,7 +1,7 @@
 // Conditions: Kleene's three values (R2), faults (R4), and what a trace hears.
 #include <gtest/gtest.h>
 
-#include "core/language/explain.h"
+#include "core/language/evaluate/explain.h"
 #include "tests/unit/core/language/environment.h"
 
 namespace race::language::test {

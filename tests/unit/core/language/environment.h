@@ -5,7 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/language/code.h"
+#include "core/language/check/checker.h"
+#include "core/language/compile/code.h"
+#include "core/language/evaluate/interpreter.h"
 #include "core/value/json.h"
 
 namespace race::language::test {

@@ -1,5 +1,5 @@
 // Why a condition is not fulfilled, and that the named change fulfils it.
-#include "core/language/explain.h"
+#include "core/language/evaluate/explain.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

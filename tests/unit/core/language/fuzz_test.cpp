@@ -4,9 +4,9 @@
 #include <iostream>
 #include <random>
 
-#include "core/language/explain.h"
-#include "core/language/printing.h"
-#include "core/language/values.h"
+#include "core/language/evaluate/explain.h"
+#include "core/language/values/printing.h"
+#include "core/language/values/values.h"
 #include "tests/unit/core/language/environment.h"
 #include "tests/unit/core/language/program_generator.h"
 

@@ -1,0 +1,158 @@
+// Execution of assignments: targets, places and changes in place.
+#include "core/language/evaluate/machine_internal.h"
+
+namespace race::language {
+
+bool Machine::store(Slot slot, Value value, NodeId id) {
+  if (!storable(context_, value)) return located(id), false;
+  environment_->write(slot, std::move(value));
+  return true;
+}
+
+bool Machine::assign(NodeId target, Value value) {
+  const Node& n = nodes_[target];
+  switch (n.op) {
+    case Op::target_local:
+      locals_[n.a] = std::move(value);
+      return true;
+    case Op::target_slot:
+      return store(n.a, std::move(value), target);
+    case Op::target_place:
+      return assign_place(program_->places[n.a], std::move(value), target);
+    default:
+      break;
+  }
+  const Value items = elements(context_, value);
+  if (context_.failed) return located(target), false;
+  const List& list = items.as_list();
+  if (list.size() != n.count) {
+    fail(FaultKind::value,
+         (list.size() < n.count ? "not enough values to unpack (expected " : "too many values to unpack (expected ") +
+             std::to_string(n.count) + ")",
+         target);
+    return false;
+  }
+  for (std::size_t i = 0; i < n.count; ++i)
+    if (!assign(program_->run(n)[i], list[i])) return false;
+  return true;
+}
+
+// place[key]...[key] = value
+bool Machine::assign_place(const Place& place, Value value, NodeId id) {
+  const Frame frame(stack_);
+  if (!keys_of(place)) return false;
+  Value copy;
+  Value* root = root_of(place, copy, id);
+  if (root == nullptr) return false;
+  Value* parent = find(*root, frame.arguments().first(place.steps.size() - 1), id);
+  if (parent == nullptr) return false;
+  Value* where = element(context_, *parent, frame.arguments().back(), true);
+  if (where == nullptr) return located(id), false;
+  *where = std::move(value);
+  if (!grown(context_, *parent, *where, static_cast<int>(place.steps.size()) - 1)) return located(id), false;
+  return place.local || store(place.root, std::move(copy), id);
+}
+
+// local op= value, res.x op= value
+Machine::Flow Machine::augment(const Node& n, NodeId id) {
+  const bool local = n.op == Op::augment_local;
+  if ((local ? read_local(n, id) : environment_->values[n.a]).is_unknown()) return unknown(id), Flow::halt;
+  Value out;
+  const Value& by = operand(n.b, out);
+  if (stopped_) return Flow::halt;
+  const Value& old = local ? locals_[n.a] : environment_->values[n.a];
+  const auto op = static_cast<Op>(n.c);
+  // OPTIMIZATION: counting.
+  std::int64_t sum = 0;
+  if (op == Op::add && old.is_integer() && by.is_integer() &&
+      !__builtin_add_overflow(old.as_integer(), by.as_integer(), &sum)) {
+    if (local) {
+      locals_[n.a] = Value(sum);
+    } else {
+      environment_->write(n.a, Value(sum));
+    }
+    return Flow::next;
+  }
+  const Value change = by;
+  Value value = local ? std::move(locals_[n.a]) : old;
+  if (!augmented(op, value, change, 0)) return located(id), Flow::halt;
+  if (!local) return store(n.a, std::move(value), id) ? Flow::next : Flow::halt;
+  locals_[n.a] = std::move(value);
+  return Flow::next;
+}
+
+// place[key]...[key] op= value
+Machine::Flow Machine::augment_place(const Node& n, NodeId id) {
+  const Place& place = program_->places[n.a];
+  const Frame frame(stack_);
+  if (!keys_of(place)) return Flow::halt;
+  const auto locate = [&](Value& copy) {
+    Value* root = root_of(place, copy, id);
+    return root == nullptr ? nullptr : find(*root, frame.arguments().first(place.steps.size()), id);
+  };
+  if (Value looked; locate(looked) == nullptr)
+    return Flow::halt;  // what is not there is a fault before the value is one
+  Value out;
+  const Value by = evaluate(n.b, out);
+  if (stopped_) return Flow::halt;
+  Value copy;
+  Value* where = locate(copy);
+  if (where == nullptr) return Flow::halt;
+  if (!augmented(static_cast<Op>(n.c), *where, by, static_cast<int>(place.steps.size())))
+    return located(id), Flow::halt;
+  if (!place.local && !store(place.root, std::move(copy), id)) return Flow::halt;
+  return Flow::next;
+}
+
+// value op= by; a list takes every iterable on `+=`. Stands `levels` deep in what it is part of.
+bool Machine::augmented(Op op, Value& value, const Value& by, int levels) {
+  if (op != Op::add || !value.is_list()) {
+    value = arithmetic(context_, op, value, by);
+    return !context_.failed;
+  }
+  const Value items = elements(context_, by);
+  if (context_.failed) return false;
+  List& list = value.mutable_list();
+  list.insert(list.end(), items.as_list().begin(), items.as_list().end());
+  return grown(context_, value, items, levels);
+}
+
+// Evaluates the keys of a place onto the stack.
+bool Machine::keys_of(const Place& place) {
+  for (const Place::Step& step : place.steps) {
+    if (step.field != kNone) {
+      stack_.push_back(constants_[step.field]);
+      continue;
+    }
+    Value out;
+    const Value& key = operand(step.key, out);
+    if (stopped_) return false;
+    stack_.push_back(key);
+  }
+  return true;
+}
+
+// What stands at the root of a place, to be changed: the local itself, or a copy of the slot's value.
+Value* Machine::root_of(const Place& place, Value& copy, NodeId id) {
+  if (place.local) {
+    if (!locals_[place.root].is_unknown()) return &locals_[place.root];
+    fail(FaultKind::name, program_->locals[place.root], id);
+    return nullptr;
+  }
+  copy = environment_->values[place.root];
+  if (!copy.is_unknown()) return &copy;
+  unknown(id);
+  return nullptr;
+}
+
+// root[key]...[key], writable; null after a fault
+Value* Machine::find(Value& root, Arguments keys, NodeId id) {
+  Value* at = &root;
+  for (const Value& key : keys) {
+    at = element(context_, *at, key, false);
+    if (at == nullptr) return located(id), nullptr;
+  }
+  return at;
+}
+
+}  // namespace race::language

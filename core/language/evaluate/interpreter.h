@@ -1,0 +1,43 @@
+// The interpreter: evaluates Code in an Environment. It belongs to one thread.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "core/language/compile/code.h"
+#include "core/language/interface/environment.h"
+#include "core/language/interface/fault.h"
+#include "core/value/value.h"
+
+namespace race::language {
+
+/// Evaluates codes. One for each run; keeps its buffers between evaluations.
+class Interpreter {
+ public:
+  struct Limits {
+    std::uint64_t steps = 100'000;          // one unit for each evaluated syntax node
+    std::uint64_t value_units = 1'000'000;  // elements plus string bytes of one value
+  };
+  Interpreter();
+  explicit Interpreter(Limits limits);
+  ~Interpreter();
+  Interpreter(const Interpreter&) = delete;
+  Interpreter& operator=(const Interpreter&) = delete;
+
+  /// A condition; Truth::fault leaves the reason in fault().
+  Truth condition(const Code& code, Environment& environment);
+  /// A parameter's expression: its value, unknown, or nothing (see fault()).
+  std::optional<Value> expression(const Code& code, Environment& environment);
+  enum class Outcome : std::uint8_t { done, unmet, fault };
+  /// A function. When it is not `done`, the caller undoes its writes and calls.
+  Outcome function(const Code& code, Environment& environment);
+  /// Of the last evaluation that faulted; also says what was unknown when a function was unmet.
+  const Fault& fault() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace race::language

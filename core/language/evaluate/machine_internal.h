@@ -1,0 +1,166 @@
+// Machine: evaluates a Program. Results are references where a value already stands somewhere (a slot, a local, a
+// constant, data of an event), so that reading costs no counter; what is computed goes into the caller's scratch.
+//
+// Unknown and faults travel as the value `unknown`: whoever gets one looks at `stopped_` before going on. In a function
+// (`strict_`) reading something unknown stops the evaluation, except within available().
+#pragma once
+
+#include "core/language/compile/program.h"
+#include "core/language/evaluate/interpreter.h"
+#include "core/language/library/functions.h"
+#include "core/language/values/values.h"
+
+namespace race::language {
+
+// Takes what a call has put on the stack of arguments off again.
+class Frame {
+ public:
+  explicit Frame(std::vector<Value>& stack) : stack_(stack), base_(stack.size()) {}
+  ~Frame() { stack_.resize(base_); }
+  Frame(const Frame&) = delete;
+  Frame& operator=(const Frame&) = delete;
+  Arguments arguments() const { return Arguments(stack_).subspan(base_); }
+
+ private:
+  std::vector<Value>& stack_;
+  std::size_t base_;
+};
+
+class Machine {
+ public:
+  explicit Machine(Interpreter::Limits limits) : limits_(limits) { context_.value_units = limits.value_units; }
+
+  Truth condition(const Program& program, Environment& environment);
+  std::optional<Value> expression(const Program& program, Environment& environment);
+  Interpreter::Outcome function(const Program& program, Environment& environment);
+  const Fault& fault() const { return context_.fault; }
+
+  // For explanations: one part of a condition, evaluated alone with a budget of its own.
+  Truth part(const Program& program, Environment& environment, NodeId node);
+  Value value(const Program& program, Environment& environment, NodeId node);  // unknown after a fault
+
+ private:
+  enum class Flow : std::uint8_t { next, leave, again, halt };
+
+  // evaluate.cpp: references and operators
+  void begin(const Program& program, Environment& environment, bool strict);
+  void exhausted(NodeId id);  // the budget is
+  bool over();                // after an evaluation: whether it went over its budget
+  const Value& operand(NodeId id, Value& out);
+  const Value& evaluate(NodeId id, Value& out);
+  Truth test(NodeId id);
+  Truth traced(NodeId id);
+  Truth compare_node(const Node& n, NodeId id);
+  Truth chain(const Node& n, NodeId id);
+  Truth all_of(const Node& n);
+  Truth any_of(const Node& n);
+  Truth truth_of(const Value& v) const;
+  static const Value& from_truth(Truth truth);
+  const Value& binary(const Node& n, NodeId id, Value& out);
+  const Value& unary(const Node& n, NodeId id, Value& out);
+  const Value& logical(const Node& n, Value& out);
+  const Value& conditional(const Node& n, Value& out);
+  const Value& read_local(const Node& n, NodeId id);
+
+  // evaluate_services.cpp
+  const Value& event(EventId event, NodeId id);
+  const Value& event_present(EventId event, NodeId id);
+  const Value& latest(EventId event, NodeId id);
+  const Value& response(OperationId operation, std::string_view service, bool error, bool presence, NodeId id);
+  const Value& dynamic_event(const Node& n, NodeId id);
+  const Value& dynamic_response(const Node& n, NodeId id);
+  const Value& available(const Node& n, Value& out);
+  void require(EventId event);
+
+  // evaluate_structures.cpp
+  const Value& field(const Node& n, NodeId id, Value& out);
+  const Value& index(const Node& n, NodeId id, Value& out);
+  const Value& slice(const Node& n, NodeId id, Value& out);
+  const Value& list(const Node& n, NodeId id, Value& out);
+  const Value& dict(const Node& n, NodeId id, Value& out);
+  const Value& collection(const Node& n, Value& out);
+  const Value& comprehension(const Node& n, NodeId id, Value& out);
+  bool clause(const Node& n, std::size_t number, List& made, bool& unknown);
+  const Value& fstring(const Node& n, NodeId id, Value& out);
+  const Value& format(const Node& n, NodeId id, Value& out);
+
+  // evaluate_calls.cpp
+  const Value& function_call(const Node& n, NodeId id, Value& out);
+  const Value& method_call(const Node& n, NodeId id, Value& out);
+  const Value& change(const Node& n, NodeId id, Value& out);
+  const Value& wrong_call(const Node& n, NodeId id);
+  bool arguments(const std::uint32_t* run, std::size_t count);
+  const Method::Of* method_of(const Method& method, const Value& object, std::size_t given, NodeId id);
+
+  // execute.cpp: statements and targets
+  Flow execute(NodeId id);
+  Flow block(const Node& n);
+  Flow branch(const Node& n);
+  Flow loop(const Node& n, NodeId id);
+  Flow range_loop(const Node& n, const Node& range);
+  Flow repeat(const Node& n);
+  Flow augment(const Node& n, NodeId id);
+  Flow augment_place(const Node& n, NodeId id);
+  Flow call_service(const Node& n, NodeId id);
+  bool store(Slot slot, Value value, NodeId id);
+  bool assign(NodeId target, Value value);
+  bool assign_place(const Place& place, Value value, NodeId id);
+  bool augmented(Op op, Value& value, const Value& by, int levels);
+  bool keys_of(const Place& place);
+  Value* find(Value& root, Arguments keys, NodeId id);
+  Value* root_of(const Place& place, Value& copy, NodeId id);
+
+  // Faults.
+  const Value& unknown(NodeId id);  // something that was read has no value
+  const Value& located(NodeId id);  // after a fault in the Context: where it was
+  const Value& fail(FaultKind kind, std::string message, NodeId id);
+  const Value& kept(Value value, NodeId id, Value& out);  // a computed value, or the fault of computing it
+
+  static const Value kUnknown;
+  static const Value kTrue;
+  static const Value kFalse;
+
+  Interpreter::Limits limits_;
+  Context context_;
+  const Program* program_ = nullptr;
+  const Node* nodes_ = nullptr;
+  const Value* constants_ = nullptr;
+  Environment* environment_ = nullptr;
+  std::int64_t left_ = 0;  // budget
+  bool strict_ = false;
+  bool stopped_ = false;
+  std::vector<Value> locals_;
+  std::vector<Value> stack_;  // arguments of calls that are being made
+};
+
+inline const Value& Machine::read_local(const Node& n, NodeId id) {
+  const Value& v = locals_[n.a];
+  return v.is_unknown() ? fail(FaultKind::name, program_->locals[n.a], id) : v;
+}
+
+// OPTIMIZATION: a leaf is read in line. It takes its unit of the budget without looking: what is evaluated next looks.
+inline const Value& Machine::operand(NodeId id, Value& out) {
+  const Node& n = nodes_[id];
+  if (n.op == Op::constant) {
+    --left_;
+    return constants_[n.a];
+  }
+  if (n.op == Op::slot) {
+    --left_;
+    const Value& v = environment_->values[n.a];
+    return v.is_unknown() ? unknown(id) : v;
+  }
+  if (n.op == Op::local) {
+    --left_;
+    return read_local(n, id);
+  }
+  return evaluate(id, out);
+}
+
+struct Interpreter::State {
+  explicit State(Limits limits) : steps(limits.steps), machine(limits) {}
+  std::uint64_t steps;
+  Machine machine;
+};
+
+}  // namespace race::language

@@ -1,0 +1,16 @@
+// Numbers of what code reads and names: places in Δ, events and operations of services.
+#pragma once
+
+#include <cstdint>
+
+namespace race::language {
+
+/// Where a parameter, result or variable has its value in Δ.
+using Slot = std::uint32_t;
+/// Where `active` of a node or a port stands in Δ.
+using Flag = std::uint32_t;
+using EventId = std::uint32_t;
+using OperationId = std::uint32_t;
+inline constexpr std::uint32_t kNone = 0xffffffff;
+
+}  // namespace race::language

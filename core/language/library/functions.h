@@ -1,0 +1,61 @@
+// The functions and methods of the language: what they are called, which arguments they take, and what computes them.
+// The tables are in functions.cpp; the functions in builtins.cpp, math.cpp, geo.cpp and the methods of each type.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/language/values/context.h"
+#include "core/value/value.h"
+
+namespace race::language {
+
+/// Parameters as text: names with blanks between them, `?` after an optional one, `=` after one that may be given by
+/// its name too, `!` after an optional one that is given by its name only, and `*` for any number of others.
+struct Function {
+  std::string_view name;
+  std::string_view parameters;
+  Value (*compute)(Context&, Arguments);
+};
+
+/// A method, by the types that have it; null where a type does not. One that changes its value gets it writable.
+struct Method {
+  struct Of {
+    std::string_view parameters;
+    Value (*compute)(Context&, const Value& self, Arguments) = nullptr;
+    Value (*change)(Context&, Value& self, Arguments) = nullptr;
+    explicit operator bool() const { return compute != nullptr || change != nullptr; }
+  };
+  std::string_view name;
+  Of string, list, dict;
+
+  const Of* of(Value::Kind kind) const;
+  /// Whether it changes the value it is called on.
+  bool changes() const { return list.change != nullptr || dict.change != nullptr; }
+  /// Of the first type that has it: where keywords are looked up.
+  std::string_view parameters() const;
+};
+
+/// Builtins by name, `math.name` and `geo.name`; null if there is none. `available` is none: the interpreter knows it.
+const Function* find_function(std::string_view module, std::string_view name);
+const Method* find_method(std::string_view name);
+/// math.pi and the like; null if there is none.
+const Value* find_constant(std::string_view module, std::string_view name);
+
+bool is_builtin(std::string_view name);  // `available` included
+bool is_module(std::string_view name);
+
+/// A parameter list, read from its text.
+struct Signature {
+  struct Parameter {
+    std::string_view name;
+    bool required = false, positional = false, by_name = false;
+  };
+  std::vector<Parameter> parameters;
+  bool variadic = false;
+};
+Signature signature(std::string_view parameters);
+
+}  // namespace race::language

@@ -1,0 +1,231 @@
+// Comparisons and arithmetic, as Python's.
+#include <cmath>
+
+#include "core/language/primitives/numbers.h"
+#include "core/language/values/values.h"
+
+namespace race::language {
+namespace {
+
+std::string_view symbol(Op op) {
+  switch (op) {
+    case Op::add:
+      return "+";
+    case Op::subtract:
+      return "-";
+    case Op::multiply:
+      return "*";
+    case Op::divide:
+      return "/";
+    case Op::floor_divide:
+      return "//";
+    case Op::modulo:
+      return "%";
+    case Op::power:
+      return "** or pow()";
+    case Op::less:
+      return "<";
+    case Op::less_equal:
+      return "<=";
+    case Op::greater:
+      return ">";
+    default:
+      return ">=";
+  }
+}
+
+bool is_real(const Value& v) { return v.is_numeric() || v.is_bool(); }
+bool is_whole(const Value& v) { return v.is_integer() || v.is_bool(); }
+double real(const Value& v) { return v.is_number() ? v.as_number() : static_cast<double>(v.as_integer()); }
+
+enum class Order : std::uint8_t { less, equal, greater, none };  // none: NaN
+
+template <typename T>
+Order order(const T& a, const T& b) {
+  return a < b ? Order::less : a > b ? Order::greater : a == b ? Order::equal : Order::none;
+}
+
+Order order_of_reals(const Value& a, const Value& b) {
+  if (is_whole(a) && is_whole(b)) return order(a.as_integer(), b.as_integer());
+  if (a.is_number() && b.is_number()) return order(a.as_number(), b.as_number());
+  const double d = a.is_number() ? a.as_number() : b.as_number();
+  if (std::isnan(d)) return Order::none;
+  if (a.is_number()) return order(0, compare(b.as_integer(), d));
+  return order(compare(a.as_integer(), d), 0);
+}
+
+Order order_of(Context& context, Op op, const Value& a, const Value& b) {
+  if (is_real(a) && is_real(b)) return order_of_reals(a, b);
+  if (a.is_string() && b.is_string())
+    return order(a.as_string(), b.as_string());  // UTF-8 keeps the order of code points
+  if (a.is_list() && b.is_list()) {
+    const List& x = a.as_list();
+    const List& y = b.as_list();
+    for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i)
+      if (!equal(x[i], y[i])) return order_of(context, op, x[i], y[i]);
+    return order(x.size(), y.size());
+  }
+  context.fail(FaultKind::type, "'" + std::string(symbol(op)) + "' not supported between instances of '" +
+                                    std::string(type_name(a)) + "' and '" + std::string(type_name(b)) + "'");
+  return Order::none;
+}
+
+bool contains(Context& context, const Value& container, const Value& item) {
+  if (container.is_list()) {
+    for (const Value& other : container.as_list())
+      if (equal(other, item)) return true;
+    return false;
+  }
+  if (container.is_dict()) {
+    if (item.is_list() || item.is_dict())
+      context.fail(FaultKind::type, "unhashable type: '" + std::string(type_name(item)) + "'");
+    return item.is_string() && container.as_dict().find(item) != nullptr;
+  }
+  if (container.is_string()) {
+    if (item.is_string()) return container.as_string().find(item.as_string()) != std::string::npos;
+    context.fail(FaultKind::type, "'in <string>' requires string as left operand, not " + std::string(type_name(item)));
+    return false;
+  }
+  context.fail(FaultKind::type, "argument of type '" + std::string(type_name(container)) + "' is not iterable");
+  return false;
+}
+
+Value overflow(Context& context) { return context.fail(FaultKind::overflow, "integer out of 64 bits"); }
+
+Value of_integers(Context& context, Op op, std::int64_t a, std::int64_t b) {
+  std::int64_t result = 0;
+  switch (op) {
+    case Op::add:
+      return __builtin_add_overflow(a, b, &result) ? overflow(context) : Value(result);
+    case Op::subtract:
+      return __builtin_sub_overflow(a, b, &result) ? overflow(context) : Value(result);
+    case Op::multiply:
+      return __builtin_mul_overflow(a, b, &result) ? overflow(context) : Value(result);
+    case Op::divide:
+      if (b == 0) return context.fail(FaultKind::zero_division, "division by zero");
+      return Value(true_divide(a, b));
+    case Op::floor_divide:
+    case Op::modulo:
+      if (b == 0) return context.fail(FaultKind::zero_division, "integer division or modulo by zero");
+      if (b == -1) return op == Op::modulo ? Value(0) : a == INT64_MIN ? overflow(context) : Value(-a);
+      return Value(op == Op::modulo ? floor_modulo(a, b) : floor_divide(a, b));
+    default:
+      if (b >= 0) {
+        const auto power_of = power(a, b);
+        return power_of ? Value(*power_of) : overflow(context);
+      }
+      if (a == 0) return context.fail(FaultKind::zero_division, "0.0 cannot be raised to a negative power");
+      return Value(std::pow(static_cast<double>(a), static_cast<double>(b)));
+  }
+}
+
+Value power_of_reals(Context& context, double a, double b) {
+  if (a == 0 && b < 0) return context.fail(FaultKind::zero_division, "0.0 cannot be raised to a negative power");
+  if (a < 0 && std::isfinite(a) && std::isfinite(b) && b != std::floor(b))
+    return context.fail(FaultKind::value, "a negative number to a fractional power is complex");
+  const double result = std::pow(a, b);
+  if (std::isinf(result) && std::isfinite(a) && std::isfinite(b))
+    return context.fail(FaultKind::overflow, "numerical result out of range");
+  return Value(result);
+}
+
+Value of_reals(Context& context, Op op, double a, double b) {
+  switch (op) {
+    case Op::add:
+      return Value(a + b);
+    case Op::subtract:
+      return Value(a - b);
+    case Op::multiply:
+      return Value(a * b);
+    case Op::divide:
+      if (b == 0) return context.fail(FaultKind::zero_division, "float division by zero");
+      return Value(a / b);
+    case Op::floor_divide:
+      if (b == 0) return context.fail(FaultKind::zero_division, "float floor division by zero");
+      return Value(floor_divide(a, b));
+    case Op::modulo:
+      if (b == 0) return context.fail(FaultKind::zero_division, "float modulo");
+      return Value(floor_modulo(a, b));
+    default:
+      return power_of_reals(context, a, b);
+  }
+}
+
+// sequence * count
+Value repeated(Context& context, const Value& sequence, std::int64_t count) {
+  const auto times = static_cast<std::uint64_t>(std::max<std::int64_t>(count, 0));
+  const std::uint64_t units = sequence.is_string() ? sequence.as_string().size() : sequence.as_list().size();
+  if (units == 0 || times == 0) return sequence.is_string() ? Value("") : Value(List());
+  if (times > context.value_units || !may_hold(context, units * times)) {
+    may_hold(context, context.value_units);
+    return Value::unknown();
+  }
+  if (sequence.is_string()) {
+    std::string text;
+    text.reserve(units * times);
+    for (std::uint64_t i = 0; i < times; ++i) text += sequence.as_string();
+    return Value(std::move(text));
+  }
+  List items;
+  items.reserve(units * times);
+  for (std::uint64_t i = 0; i < times; ++i)
+    items.insert(items.end(), sequence.as_list().begin(), sequence.as_list().end());
+  return sized(context, Value(std::move(items)));
+}
+
+Value joined(Context& context, const Value& a, const Value& b) {
+  if (a.is_string()) {
+    if (!may_hold(context, a.as_string().size() + b.as_string().size())) return Value::unknown();
+    return Value(a.as_string() + b.as_string());
+  }
+  List items = a.as_list();
+  items.insert(items.end(), b.as_list().begin(), b.as_list().end());
+  return sized(context, Value(std::move(items)));
+}
+
+}  // namespace
+
+bool compare(Context& context, Op op, const Value& a, const Value& b) {
+  switch (op) {
+    case Op::equal:
+      return equal(a, b);
+    case Op::not_equal:
+      return !equal(a, b);
+    case Op::in:
+      return contains(context, b, a);
+    case Op::not_in:
+      return !contains(context, b, a);
+    case Op::is_none:
+      return a.is_null();
+    case Op::is_not_none:
+      return !a.is_null();
+    default:
+      break;
+  }
+  const Order found = order_of(context, op, a, b);
+  if (found == Order::none) return false;
+  if (found == Order::equal) return op == Op::less_equal || op == Op::greater_equal;
+  return found == Order::less ? op == Op::less || op == Op::less_equal : op == Op::greater || op == Op::greater_equal;
+}
+
+Value arithmetic(Context& context, Op op, const Value& a, const Value& b) {
+  if (is_whole(a) && is_whole(b)) return of_integers(context, op, a.as_integer(), b.as_integer());
+  if (is_real(a) && is_real(b)) return of_reals(context, op, real(a), real(b));
+  const auto sequence = [](const Value& v) { return v.is_string() || v.is_list(); };
+  if (op == Op::add && sequence(a) && a.kind() == b.kind()) return joined(context, a, b);
+  if (op == Op::multiply && sequence(a) && is_whole(b)) return repeated(context, a, b.as_integer());
+  if (op == Op::multiply && sequence(b) && is_whole(a)) return repeated(context, b, a.as_integer());
+  return context.fail(FaultKind::type, "unsupported operand type(s) for " + std::string(symbol(op)) + ": '" +
+                                           std::string(type_name(a)) + "' and '" + std::string(type_name(b)) + "'");
+}
+
+Value sign(Context& context, Op op, const Value& a) {
+  if (a.is_number()) return Value(op == Op::negative ? -a.as_number() : a.as_number());
+  if (!is_whole(a))
+    return context.fail(FaultKind::type, "bad operand type for unary " + std::string(op == Op::negative ? "-" : "+") +
+                                             ": '" + std::string(type_name(a)) + "'");
+  if (op == Op::positive) return Value(a.as_integer());
+  return a.as_integer() == INT64_MIN ? overflow(context) : Value(-a.as_integer());
+}
+
+}  // namespace race::language

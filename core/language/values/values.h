@@ -1,0 +1,76 @@
+// What Python's operators and conversions do with values. Pure; failures go into the Context.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/language/syntax/op.h"
+#include "core/language/values/context.h"
+#include "core/value/value.h"
+
+namespace race::language {
+
+/// The type's name as Python's messages have it: int, float, str, list, dict, bool, NoneType.
+std::string_view type_name(const Value& v);
+
+/// Python's truth of a value. Requires a known one.
+bool truth(const Value& v);
+
+/// Python's ==: 1, 1.0 and True are equal. Requires known values.
+bool equal(const Value& a, const Value& b);
+
+/// a < b, a <= b, ... for `op` = Op::less ... Op::not_in; a type fault where Python has one (then false).
+bool compare(Context& context, Op op, const Value& a, const Value& b);
+
+/// a + b, ... for `op` = Op::add ... Op::power.
+Value arithmetic(Context& context, Op op, const Value& a, const Value& b);
+/// -a and +a.
+Value sign(Context& context, Op op, const Value& a);
+
+/// a[key]; null on a fault. The element stays where it is in `a`; one of a string is put into `out`.
+const Value* element(Context& context, const Value& a, const Value& key, Value& out);
+/// The place of a[key] for changing it; null on a fault. With `create`, a key that a dict does not have is added.
+Value* element(Context& context, Value& a, const Value& key, bool create);
+/// a[low:high:step]; unknown stands for a part that is not there.
+Value slice_of(Context& context, const Value& a, const Value& low, const Value& high, const Value& step);
+
+/// The elements of a list, keys of a dict or characters of a string, as a list; unknown on a fault.
+Value elements(Context& context, const Value& v);
+
+/// An int (or bool) argument; nothing and a type fault otherwise.
+std::optional<std::int64_t> integer(Context& context, const Value& v);
+
+/// What a value weighs: elements plus string bytes (SEMANTICS.md section 8), levels of nesting, and whether every
+/// double in it is finite. Stops counting above `limit`.
+struct Measure {
+  std::uint64_t units = 0;
+  int depth = 0;
+  bool finite = true;
+};
+Measure measure(const Value& v, std::uint64_t limit);
+
+/// start, start + step, ...: `count` integers.
+struct Range {
+  std::int64_t start = 0, step = 1;
+  std::uint64_t count = 0;
+};
+/// The arguments of range(); nothing and a fault if they are none, or too many integers for a value.
+std::optional<Range> range_of_arguments(Context& context, Arguments arguments);
+
+inline constexpr int kMaxValueDepth = 50;  // levels of lists and dicts in each other; JSON documents carry 64
+
+/// `v`, or a budget fault if it is larger or deeper than values may be.
+Value sized(Context& context, Value v);
+/// After `added` has become an element of `container`, which stands `levels` deep in what it belongs to: whether that
+/// is still allowed. Small additions are counted now and then only, so that growing one by one stays cheap: a value may
+/// pass the bound by as much again before it is noticed, and never in Δ (see storable).
+bool grown(Context& context, const Value& container, const Value& added, int levels);
+/// Whether a string of `bytes` may be made; a budget fault otherwise.
+bool may_hold(Context& context, std::uint64_t units);
+
+/// Whether `v` may be stored in Δ or sent: not too large, and finite; a fault otherwise.
+bool storable(Context& context, const Value& v);
+
+}  // namespace race::language
