@@ -1,16 +1,19 @@
 // Every folder of tests/conformance: `race derive MODEL SCRIPT` gives what expected.json says, compared as README.md
-// there says.
+// there says; expected.txt is the transcript of expected.json. RACE_WRITE_TRANSCRIPTS=1 writes it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
 
+#include "core/semantics/derivation_text.h"
 #include "core/semantics/derive.h"
 #include "core/value/json.h"
+#include "tests/conformance/line_diff.h"
 
 namespace race {
 namespace {
@@ -83,6 +86,29 @@ std::string difference(const Value& expected, const Value& actual, const std::st
   return at + ": expected " + to_json(expected).substr(0, 200) + ", got " + to_json(actual).substr(0, 200);
 }
 
+// A derivation document without what a comparison leaves out.
+Value compared(const Value& value) {
+  if (value.is_list()) {
+    List kept;
+    for (const Value& item : value.as_list())
+      if (!is_left_out(item)) kept.push_back(compared(item));
+    return Value(std::move(kept));
+  }
+  if (!value.is_dict()) return value;
+  Dict kept;
+  for (const auto& [key, field] : value.as_dict())
+    if (!is_left_out(key.as_string())) kept.set(key, compared(field));
+  return Value(std::move(kept));
+}
+
+// What a failure shows: the transcripts' lines that differ, else (a field that a transcript does not have) `where`.
+std::string explained(const std::string& where, const Value& expected, const Value& actual) {
+  const std::string lines =
+      line_diff(semantics::derivation_text(compared(expected)), semantics::derivation_text(compared(actual)));
+  return lines.empty() ? where
+                       : "expected (-) and derived (+), first at " + where.substr(0, where.find(": ")) + ":\n" + lines;
+}
+
 // The pairs of path and code of a rejected document, as a set.
 std::set<std::pair<std::string, std::string>> pairs(const Value& errors) {
   std::set<std::pair<std::string, std::string>> out;
@@ -103,7 +129,19 @@ TEST_P(Conformance, DerivesWhatIsExpected) {
     return;
   }
   ASSERT_TRUE(actual) << to_json(semantics::errors_json(actual.error()), 1);
-  EXPECT_EQ(difference(expected, *actual, ""), "");
+  const std::string where = difference(expected, *actual, "");
+  EXPECT_TRUE(where.empty()) << explained(where, expected, *actual);
+}
+
+TEST_P(Conformance, HasTheTranscriptOfWhatIsExpected) {
+  const fs::path folder = kCases / GetParam();
+  const Value expected = json(folder / "expected.json");
+  if (expected.find("errors")) return;
+  const std::string transcript = semantics::derivation_text(expected);
+  if (std::getenv("RACE_WRITE_TRANSCRIPTS")) std::ofstream(folder / "expected.txt", std::ios::binary) << transcript;
+  const std::string text = read(folder / "expected.txt");
+  EXPECT_TRUE(text == transcript) << "expected.txt (-) is not the transcript of expected.json (+):\n"
+                                  << line_diff(text, transcript);
 }
 
 std::vector<std::string> cases() {
