@@ -109,7 +109,7 @@ Expected<Run> Run::create(std::shared_ptr<const Program> program, const Dict& ar
   if (!bound.errors.empty()) return tl::unexpected(std::move(bound.errors.front()));
   auto body = std::make_unique<Body>(std::move(program), budgets);
   body->arguments = std::move(bound.values);
-  body->state.small_budget = budgets.evaluation.steps < language::kFewUnits;
+  body->state.small_budget = budgets.evaluation.steps < language::kSmallBudget;
   return Run(std::move(body));
 }
 

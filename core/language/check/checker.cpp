@@ -88,7 +88,7 @@ class Checker {
     const Reference reference = resolve(e, kind_, symbols_);
     const std::string_view root = root_of(e);
     if (reference.meaning == Meaning::value && reference.writable) return dunder(e.name, e);
-    if (reference.meaning == Meaning::wrong && reference.problem.code == ErrorCode::unknown_name && root == "res")
+    if (reference.meaning == Meaning::invalid && reference.problem.code == ErrorCode::unknown_name && root == "res")
       return problems_.push_back(reference.problem);
     const bool of_value = (root == "res" || root == "var") && reference.meaning == Meaning::other;
     if (is_reserved(root) && !of_value)
@@ -129,7 +129,7 @@ class Checker {
     if (e.kind != ExprKind::index) dunder(e.name, e);
     const Reference reference = resolve(e, kind_, symbols_);
     if (reference.dynamic != nullptr) expression(*reference.dynamic);
-    if (reference.meaning == Meaning::wrong) return problems_.push_back(reference.problem);
+    if (reference.meaning == Meaning::invalid) return problems_.push_back(reference.problem);
     if (reference.meaning != Meaning::other) return;
     if (e.kind != ExprKind::name) return for_each_part(e, [&](const Expr& part) { expression(part); });
     if (std::find(locals_.begin(), locals_.end(), e.name) == locals_.end())
@@ -217,7 +217,7 @@ class Checker {
       report(ErrorCode::forbidden, "there is no method " + callee.name, callee);
     } else {
       keywords(e, method->parameters());
-      if (method->changes()) change(e, object);
+      if (method->mutates()) change(e, object);
     }
     expression(object);
   }

@@ -8,9 +8,9 @@
 namespace race::language {
 namespace {
 
-Reference wrong(ErrorCode code, std::string message, const Expr& e) {
+Reference invalid(ErrorCode code, std::string message, const Expr& e) {
   Reference r;
-  r.meaning = Meaning::wrong;
+  r.meaning = Meaning::invalid;
   r.problem = {code, std::move(message), e.at};
   return r;
 }
@@ -18,7 +18,7 @@ Reference wrong(ErrorCode code, std::string message, const Expr& e) {
 template <typename Map>
 Reference place(Meaning meaning, const Map& map, std::string_view name, bool writable, const Expr& e) {
   const auto found = map.find(name);
-  if (found == map.end()) return wrong(ErrorCode::unknown_name, std::string(name) + " is not declared here", e);
+  if (found == map.end()) return invalid(ErrorCode::unknown_name, std::string(name) + " is not declared here", e);
   Reference r;
   r.meaning = meaning;
   r.number = found->second;
@@ -26,8 +26,8 @@ Reference place(Meaning meaning, const Map& map, std::string_view name, bool wri
   return r;
 }
 
-Reference bare(std::string_view name, const Expr& e) {
-  return wrong(ErrorCode::scope, std::string(name) + " is no value by itself", e);
+Reference incomplete(std::string_view name, const Expr& e) {
+  return invalid(ErrorCode::scope, std::string(name) + " is no value by itself", e);
 }
 
 // par | par.x | res | res.x | var | var.x
@@ -53,10 +53,10 @@ Reference own(const Path& path, const Symbols& symbols, const Expr& e) {
 // chi.C | chi.C.active | chi.C.name | chi.C.par.x | chi.C.res.x | chi.C.port.p
 Reference child(const Path& path, const Symbols& symbols, const Expr& e) {
   const auto& names = path.names;
-  if (names.size() == 1) return bare("chi", e);
+  if (names.size() == 1) return incomplete("chi", e);
   const auto found = symbols.children.find(names[1]);
   if (found == symbols.children.end())
-    return wrong(ErrorCode::unknown_name, "there is no child " + std::string(names[1]), e);
+    return invalid(ErrorCode::unknown_name, "there is no child " + std::string(names[1]), e);
   const ChildSymbols& child = found->second;
   Reference r;
   if (names.size() == 2 || names[2] == "active") {
@@ -73,8 +73,8 @@ Reference child(const Path& path, const Symbols& symbols, const Expr& e) {
   }
   const bool part = names[2] == "par" || names[2] == "res" || names[2] == "port";
   if (!part || child.barrier)
-    return wrong(ErrorCode::unknown_name, std::string(names[1]) + " has no " + std::string(names[2]), e);
-  if (names.size() == 3) return bare(names[2], e);
+    return invalid(ErrorCode::unknown_name, std::string(names[1]) + " has no " + std::string(names[2]), e);
+  if (names.size() == 3) return incomplete(names[2], e);
   if (names.size() > 4) return {};
   if (names[2] == "par") return place(Meaning::value, child.parameters, names[3], false, e);
   if (names[2] == "res") return place(Meaning::value, child.results, names[3], false, e);
@@ -84,8 +84,9 @@ Reference child(const Path& path, const Symbols& symbols, const Expr& e) {
 // svc.S.ev | svc.S.ev.latest | svc.S.op.result | svc.S.op.error, and with svc[e] for svc.S
 Reference service(const Path& path, CodeKind kind, const Expr& e) {
   const auto& names = path.names;
-  if (kind == CodeKind::expression) return wrong(ErrorCode::scope, "svc is not visible in a parameter's expression", e);
-  if (names.size() < 3) return bare("svc", e);
+  if (kind == CodeKind::expression)
+    return invalid(ErrorCode::scope, "svc is not visible in a parameter's expression", e);
+  if (names.size() < 3) return incomplete("svc", e);
   if (names.size() > 4) return {};
   Reference r;
   r.meaning = Meaning::data;
@@ -108,15 +109,15 @@ Reference service(const Path& path, CodeKind kind, const Expr& e) {
 
 // math.pi
 Reference module(const Path& path, const Expr& e) {
-  if (path.names.size() == 1) return bare(path.names[0], e);
+  if (path.names.size() == 1) return incomplete(path.names[0], e);
   if (path.names.size() > 2) return {};
   Reference r;
   r.meaning = Meaning::constant;
   r.constant = find_constant(path.names[0], path.names[1]);
   if (r.constant != nullptr) return r;
   if (find_function(path.names[0], path.names[1]) != nullptr)
-    return wrong(ErrorCode::scope, "a function is no value by itself", e);
-  return wrong(ErrorCode::unknown_name, std::string(path.names[0]) + " has no " + std::string(path.names[1]), e);
+    return invalid(ErrorCode::scope, "a function is no value by itself", e);
+  return invalid(ErrorCode::unknown_name, std::string(path.names[0]) + " has no " + std::string(path.names[1]), e);
 }
 
 void collect(const Block& block, std::vector<std::string>& names) {
@@ -156,13 +157,14 @@ Reference resolve(const Expr& e, CodeKind kind, const Symbols& symbols) {
   if (root == "svc") return service(path, kind, e);
   if (root == "port") {
     if (kind == CodeKind::expression)
-      return wrong(ErrorCode::scope, "port is not visible in a parameter's expression", e);
-    if (path.names.size() == 1) return bare("port", e);
+      return invalid(ErrorCode::scope, "port is not visible in a parameter's expression", e);
+    if (path.names.size() == 1) return incomplete("port", e);
     if (path.names.size() > 2) return {};
     return place(Meaning::flag, symbols.ports, path.names[1], false, e);
   }
   if (is_module(root)) return module(path, e);
-  if (is_builtin(root) && path.names.size() == 1) return wrong(ErrorCode::scope, "a function is no value by itself", e);
+  if (is_builtin(root) && path.names.size() == 1)
+    return invalid(ErrorCode::scope, "a function is no value by itself", e);
   return {};
 }
 

@@ -21,7 +21,7 @@ Path path_of(const Expr& e);
 
 enum class Meaning : std::uint8_t {
   other,       // no reference: a local name, an attribute of a value, any other expression
-  wrong,       // see `problem`
+  invalid,     // see `problem`
   collection,  // par, res or var as a whole
   value,       // a slot of Δ
   flag,        // a flag of Δ

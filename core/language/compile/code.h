@@ -28,11 +28,11 @@ struct Mentions {
   std::vector<OperationId> calls;
   std::vector<Slot> reads, writes;  // of Δ; a bare par/res/var reads all of its slots
   std::vector<Flag> flags;
-  bool needs_occurrence = false;  // a condition that is never true, and no fault, while no event occurs (kFewUnits)
+  bool needs_occurrence = false;  // a condition that is never true, and no fault, while no event occurs (kSmallBudget)
 };
 
 /// A budget of so many steps is enough for every condition with `needs_occurrence`.
-inline constexpr std::uint64_t kFewUnits = 64;
+inline constexpr std::uint64_t kSmallBudget = 64;
 
 class Program;  // the compiled form, internal to this room
 

@@ -10,11 +10,11 @@ NodeId Compiler::call(const Expr& e) {
   const Path path = path_of(callee);
   if (callee.kind == ExprKind::name && callee.name == "available" && e.items.size() == 2 && e.keywords.empty()) {
     const NodeId operand = boolean(*e.items[1]);
-    return emit(Op::available, e.at, operand);
+    return emit(Opcode::available, e.at, operand);
   }
   if (callee.kind == ExprKind::name && callee.name == "available") {
     const std::vector<const Expr*> arguments = pointers(e.items);
-    return emit_run(Op::wrong_call, e.at, operands({arguments.begin() + 1, arguments.end()}),
+    return emit_run(Opcode::invalid_call, e.at, operands({arguments.begin() + 1, arguments.end()}),
                     constant(Value("available() takes exactly one argument")));
   }
   if (callee.kind == ExprKind::name) return function_call(e, *find_function("", callee.name), callee.name);
@@ -27,9 +27,9 @@ NodeId Compiler::function_call(const Expr& e, const Function& function, std::str
   std::vector<NodeId> arguments;
   std::string problem;
   if (!bind(e, function.parameters, arguments, problem))
-    return emit_run(Op::wrong_call, e.at, arguments, constant(Value(std::string(name) + "() " + problem)));
+    return emit_run(Opcode::invalid_call, e.at, arguments, constant(Value(std::string(name) + "() " + problem)));
   program_->functions.push_back(&function);
-  return emit_run(Op::function, e.at, arguments, static_cast<std::uint32_t>(program_->functions.size() - 1));
+  return emit_run(Opcode::function, e.at, arguments, static_cast<std::uint32_t>(program_->functions.size() - 1));
 }
 
 // Orders the arguments of a call by parameters. If they do not fit, `arguments` holds all of them as written.
@@ -54,7 +54,7 @@ bool Compiler::bind(const Expr& call, std::string_view parameters, std::vector<N
       ++i;
     if (i == known.parameters.size()) {
       // Only dict() has names of its own: they follow as pairs.
-      arguments.push_back(emit(Op::constant, call.at, name_constant(call.keywords[k])));
+      arguments.push_back(emit(Opcode::constant, call.at, name_constant(call.keywords[k])));
       arguments.push_back(given[positional + k]);
     } else if (arguments[i] != kNone) {
       problem = "got multiple values for argument '" + call.keywords[k] + "'";
@@ -75,7 +75,7 @@ NodeId Compiler::method_call(const Expr& e) {
   MethodCall made;
   made.method = &method;
   const Reference r = resolve(object, program_->kind, symbols_);
-  const bool in_place = method.changes() && !root_of(object).empty() &&
+  const bool in_place = method.mutates() && !root_of(object).empty() &&
                         (r.meaning == Meaning::value || r.meaning == Meaning::other) &&
                         (root_of(object) == "res" || root_of(object) == "var" || !is_reserved(root_of(object)));
   std::vector<NodeId> arguments;
@@ -99,7 +99,7 @@ NodeId Compiler::method_call(const Expr& e) {
       while (known.parameters[i].name != e.keywords[k]) ++i;
       if (ordered.size() <= first + i) ordered.resize(first + i + 1, kNone);
       if (ordered[first + i] != kNone) {
-        return emit_run(Op::wrong_call, e.at, arguments,
+        return emit_run(Opcode::invalid_call, e.at, arguments,
                         constant(Value(callee.name + "() got multiple values for argument '" + e.keywords[k] + "'")));
       }
       ordered[first + i] = arguments[positional + k];
@@ -108,7 +108,10 @@ NodeId Compiler::method_call(const Expr& e) {
   }
   program_->methods.push_back(made);
   const auto number = static_cast<std::uint32_t>(program_->methods.size() - 1);
-  return emit_run(in_place ? Op::change : method.changes() ? Op::change_value : Op::method, e.at, arguments, number);
+  return emit_run(in_place           ? Opcode::mutate
+                  : method.mutates() ? Opcode::mutate_temporary
+                                     : Opcode::method,
+                  e.at, arguments, number);
 }
 
 }  // namespace race::language

@@ -20,7 +20,7 @@ NodeId Compiler::expression(const Expr& e) {
   NodeId id = 0;
   switch (e.kind) {
     case ExprKind::constant:
-      id = emit(Op::constant, e.at, constant(e.value));
+      id = emit(Opcode::constant, e.at, constant(e.value));
       break;
     case ExprKind::name:
     case ExprKind::attribute:
@@ -29,24 +29,25 @@ NodeId Compiler::expression(const Expr& e) {
       if (r.meaning != Meaning::other) {
         id = reference(e, r, false);
       } else if (e.kind == ExprKind::name) {
-        id = emit(Op::local, e.at, local(e.name));
+        id = emit(Opcode::local, e.at, local(e.name));
       } else if (e.kind == ExprKind::attribute) {
         const NodeId object = expression(*e.items[0]);
-        id = emit(Op::field, e.at, object, name_constant(e.name));
+        id = emit(Opcode::field, e.at, object, name_constant(e.name));
       } else {
         const std::vector<NodeId> parts = operands(pointers(e.items));
-        id = emit(Op::index, e.at, parts[0], parts[1]);
+        id = emit(Opcode::index, e.at, parts[0], parts[1]);
       }
       break;
     }
     case ExprKind::slice:
-      id = emit_run(Op::slice, e.at, operands(pointers(e.items)));
+      id = emit_run(Opcode::slice, e.at, operands(pointers(e.items)));
       break;
     case ExprKind::call:
       id = call(e);
       break;
     case ExprKind::unary:
-      id = emit(e.op, e.at, e.op == Op::logical_not ? boolean(*e.items[0]) : expression(*e.items[0]));
+      id = emit(opcode(e.unary_op), e.at,
+                e.unary_op == UnaryOperator::logical_not ? boolean(*e.items[0]) : expression(*e.items[0]));
       break;
     case ExprKind::binary:
       id = binary(e);
@@ -57,32 +58,32 @@ NodeId Compiler::expression(const Expr& e) {
     case ExprKind::logical: {
       std::vector<NodeId> run;
       for (const ExprPtr& item : e.items) run.push_back(boolean(*item));
-      id = emit_run(e.op, e.at, run);
+      id = emit_run(opcode(e.op), e.at, run);
       break;
     }
     case ExprKind::conditional: {
       const NodeId test = boolean(*e.items[0]);
       const NodeId yes = expression(*e.items[1]);
       const NodeId no = expression(*e.items[2]);
-      id = emit(Op::conditional, e.at, test, yes, no);
+      id = emit(Opcode::conditional, e.at, test, yes, no);
       break;
     }
     case ExprKind::list:
     case ExprKind::tuple:
-      id = emit_run(Op::list, e.at, operands(pointers(e.items)));
+      id = emit_run(Opcode::list, e.at, operands(pointers(e.items)));
       break;
     case ExprKind::dict:
-      id = emit_run(Op::dict, e.at, operands(pointers(e.items)));
+      id = emit_run(Opcode::dict, e.at, operands(pointers(e.items)));
       break;
     case ExprKind::comprehension:
       id = comprehension(e);
       break;
     case ExprKind::fstring:
-      id = emit_run(Op::fstring, e.at, operands(pointers(e.items)));
+      id = emit_run(Opcode::fstring, e.at, operands(pointers(e.items)));
       break;
     case ExprKind::format: {
       const std::vector<NodeId> parts = operands(pointers(e.items));
-      id = emit(Op::format, e.at, parts[0], parts[1], static_cast<std::uint32_t>(e.conversion));
+      id = emit(Opcode::format, e.at, parts[0], parts[1], static_cast<std::uint32_t>(e.conversion));
       break;
     }
   }
@@ -92,18 +93,18 @@ NodeId Compiler::expression(const Expr& e) {
 
 NodeId Compiler::binary(const Expr& e) {
   const std::vector<NodeId> parts = operands(pointers(e.items));
-  return emit(e.op, e.at, parts[0], parts[1]);
+  return emit(opcode(e.op), e.at, parts[0], parts[1]);
 }
 
 NodeId Compiler::comparison(const Expr& e) {
   const std::vector<NodeId> parts = operands(pointers(e.items));
-  if (parts.size() == 2) return emit(e.operators[0], e.at, parts[0], parts[1]);
+  if (parts.size() == 2) return emit(opcode(e.operators[0]), e.at, parts[0], parts[1]);
   std::vector<std::uint32_t> run = {parts[0]};
   for (std::size_t i = 0; i < e.operators.size(); ++i) {
     run.push_back(static_cast<std::uint32_t>(e.operators[i]));
     run.push_back(parts[i + 1]);
   }
-  return emit_run(Op::chain, e.at, run);
+  return emit_run(Opcode::chain, e.at, run);
 }
 
 NodeId Compiler::comprehension(const Expr& e) {
@@ -123,7 +124,7 @@ NodeId Compiler::comprehension(const Expr& e) {
   const NodeId element = expression(*e.items[0]);
   scope_.resize(outer);
   program_->comprehensions.push_back(std::move(clauses));
-  return emit(Op::comprehension, e.at, element, static_cast<std::uint32_t>(program_->comprehensions.size() - 1));
+  return emit(Opcode::comprehension, e.at, element, static_cast<std::uint32_t>(program_->comprehensions.size() - 1));
 }
 
 }  // namespace race::language

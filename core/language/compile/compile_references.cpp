@@ -9,14 +9,14 @@ NodeId Compiler::reference(const Expr& e, const Reference& r, bool boolean_posit
       return collection(e, r.text);
     case Meaning::value:
       reads(r.number);
-      return emit(Op::slot, e.at, r.number);
+      return emit(Opcode::slot, e.at, r.number);
     case Meaning::flag:
       flags_.insert(r.number);
-      return emit(Op::flag, e.at, r.number);
+      return emit(Opcode::flag, e.at, r.number);
     case Meaning::child_name:
-      return emit(Op::constant, e.at, name_constant(r.text));
+      return emit(Opcode::constant, e.at, name_constant(r.text));
     case Meaning::constant:
-      return emit(Op::constant, e.at, constant(*r.constant));
+      return emit(Opcode::constant, e.at, constant(*r.constant));
     default:
       return r.dynamic != nullptr ? dynamic_read(e, r, boolean_position) : service_read(e, r, boolean_position);
   }
@@ -28,23 +28,23 @@ NodeId Compiler::service_read(const Expr& e, const Reference& r, bool boolean_po
   if (r.meaning == Meaning::data) {
     const EventId event = services_.event(r.service, r.name);
     events_.insert(event);
-    return emit(boolean_position ? Op::event_present : Op::event, e.at, event);
+    return emit(boolean_position ? Opcode::event_present : Opcode::event, e.at, event);
   }
   if (r.meaning == Meaning::latest) {
     const EventId event = services_.event(r.service, r.name);
     latest_.insert(event);
-    return emit(Op::event_latest, e.at, event);
+    return emit(Opcode::event_latest, e.at, event);
   }
   // `result` and `error` of a known event that is no operation are fields of its data.
   const EventId event = services_.find_event(r.service, r.name);
   if (event != kNone && services_.find_operation(r.service, r.name) == kNone) {
     events_.insert(event);
-    return emit(Op::field, e.at, emit(Op::event, e.at, event), name_constant(e.name));
+    return emit(Opcode::field, e.at, emit(Opcode::event, e.at, event), name_constant(e.name));
   }
   const OperationId operation = services_.operation(r.service, r.name);
   responses_.insert(operation);
   const std::uint32_t error = r.meaning == Meaning::error ? 1 : 0;
-  return emit(boolean_position ? Op::response_present : Op::response, e.at, operation, error);
+  return emit(boolean_position ? Opcode::response_present : Opcode::response, e.at, operation, error);
 }
 
 NodeId Compiler::dynamic_read(const Expr& e, const Reference& r, bool boolean_position) {
@@ -65,14 +65,14 @@ NodeId Compiler::dynamic_read(const Expr& e, const Reference& r, bool boolean_po
     const DynamicRead how = r.meaning == Meaning::latest ? DynamicRead::latest
                             : boolean_position && !field ? DynamicRead::present
                                                          : DynamicRead::data;
-    const NodeId data = emit(Op::dynamic_event, e.at, service, name, static_cast<std::uint32_t>(how));
-    return field ? emit(Op::field, e.at, data, name_constant(e.name)) : data;
+    const NodeId data = emit(Opcode::dynamic_event, e.at, service, name, static_cast<std::uint32_t>(how));
+    return field ? emit(Opcode::field, e.at, data, name_constant(e.name)) : data;
   }
   services_.open_operation(r.name);
   for (OperationId id = 0; id < services_.operations().size(); ++id)
     if (services_.operations()[id].name == r.name) responses_.insert(id);
   const std::uint32_t bits = (r.meaning == Meaning::error ? 1U : 0U) | (boolean_position ? 2U : 0U);
-  return emit(Op::dynamic_response, e.at, service, name, bits);
+  return emit(Opcode::dynamic_response, e.at, service, name, bits);
 }
 
 NodeId Compiler::collection(const Expr& e, std::string_view name) {
@@ -83,7 +83,7 @@ NodeId Compiler::collection(const Expr& e, std::string_view name) {
     reads(slot);
   }
   program_->collections.push_back(std::move(made));
-  return emit(Op::collection, e.at, static_cast<std::uint32_t>(program_->collections.size() - 1));
+  return emit(Opcode::collection, e.at, static_cast<std::uint32_t>(program_->collections.size() - 1));
 }
 
 }  // namespace race::language

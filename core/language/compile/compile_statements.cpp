@@ -15,7 +15,7 @@ NodeId Compiler::block(const Block& statements) {
     any = any || service_;
   }
   service_ = any;
-  return emit_run(Op::block, statements.empty() ? Span{} : statements.front().at, run);
+  return emit_run(Opcode::block, statements.empty() ? Span{} : statements.front().at, run);
 }
 
 NodeId Compiler::statement(const Stmt& s) {
@@ -24,7 +24,7 @@ NodeId Compiler::statement(const Stmt& s) {
       const bool call = s.value->kind == ExprKind::call;
       const Path path = call ? path_of(*s.value->items[0]) : Path{};
       if (path.names.size() == 3 && path.names[0] == "svc") return service_call(*s.value);
-      return emit(Op::evaluate, s.at, expression(*s.value));
+      return emit(Opcode::evaluate, s.at, expression(*s.value));
     }
     case StmtKind::assign:
       return assignment(s);
@@ -32,23 +32,23 @@ NodeId Compiler::statement(const Stmt& s) {
       return augmentation(s);
     case StmtKind::branch:
       return branch(s);
-    case StmtKind::loop: {
+    case StmtKind::for_loop: {
       const NodeId iterable = expression(*s.value);
       const NodeId variable = target(*s.targets[0]);
       const NodeId body = block(s.blocks[0]);
-      return emit(Op::loop, s.at, variable, iterable, body);
+      return emit(Opcode::for_loop, s.at, variable, iterable, body);
     }
-    case StmtKind::repeat: {
+    case StmtKind::while_loop: {
       const NodeId test = boolean(*s.value);
       const NodeId body = block(s.blocks[0]);
-      return emit(Op::repeat, s.at, test, body);
+      return emit(Opcode::while_loop, s.at, test, body);
     }
-    case StmtKind::stop:
-      return emit(Op::stop, s.at);
-    case StmtKind::skip:
-      return emit(Op::skip, s.at);
+    case StmtKind::break_loop:
+      return emit(Opcode::break_loop, s.at);
+    case StmtKind::continue_loop:
+      return emit(Opcode::continue_loop, s.at);
     default:
-      return emit(Op::pass, s.at);
+      return emit(Opcode::pass, s.at);
   }
 }
 
@@ -57,20 +57,20 @@ NodeId Compiler::assignment(const Stmt& s) {
   if (s.value->kind == ExprKind::tuple) {
     std::vector<const Expr*> parts;
     for (const ExprPtr& item : s.value->items) parts.push_back(item.get());
-    value = emit_run(Op::list, s.value->at, operands(parts));
+    value = emit_run(Opcode::list, s.value->at, operands(parts));
   } else {
     value = expression(*s.value);
   }
   if (s.targets.size() == 1) {
     const NodeId only = target(*s.targets[0]);
     const Node node = program_->nodes[only];
-    if (node.op == Op::target_local) return emit(Op::assign_local, s.at, value, node.a);
-    if (node.op == Op::target_slot) return emit(Op::assign_slot, s.at, value, node.a);
-    return emit_run(Op::assign, s.at, {only}, value);
+    if (node.op == Opcode::target_local) return emit(Opcode::assign_local, s.at, value, node.a);
+    if (node.op == Opcode::target_slot) return emit(Opcode::assign_slot, s.at, value, node.a);
+    return emit_run(Opcode::assign, s.at, {only}, value);
   }
   std::vector<NodeId> targets;
   for (const ExprPtr& t : s.targets) targets.push_back(target(*t));
-  return emit_run(Op::assign, s.at, targets, value);
+  return emit_run(Opcode::assign, s.at, targets, value);
 }
 
 NodeId Compiler::augmentation(const Stmt& s) {
@@ -78,14 +78,14 @@ NodeId Compiler::augmentation(const Stmt& s) {
   const auto op = static_cast<std::uint32_t>(s.op);
   if (t.kind == ExprKind::index) {
     const std::uint32_t where = place(t, true);
-    return emit(Op::augment_place, s.at, where, expression(*s.value), op);
+    return emit(Opcode::augment_place, s.at, where, expression(*s.value), op);
   }
   const NodeId only = target(t);
   const Node node = program_->nodes[only];
   const NodeId value = expression(*s.value);
-  if (node.op == Op::target_local) return emit(Op::augment_local, s.at, node.a, value, op);
+  if (node.op == Opcode::target_local) return emit(Opcode::augment_local, s.at, node.a, value, op);
   reads(node.a);
-  return emit(Op::augment_slot, s.at, node.a, value, op);
+  return emit(Opcode::augment_slot, s.at, node.a, value, op);
 }
 
 NodeId Compiler::branch(const Stmt& s) {
@@ -94,7 +94,7 @@ NodeId Compiler::branch(const Stmt& s) {
     if (i < s.tests.size()) run.push_back(boolean(*s.tests[i]));
     run.push_back(block(s.blocks[i]));
   }
-  return emit_run(Op::branch, s.at, run);
+  return emit_run(Opcode::branch, s.at, run);
 }
 
 NodeId Compiler::service_call(const Expr& e) {
@@ -119,22 +119,22 @@ NodeId Compiler::service_call(const Expr& e) {
     site.keywords.emplace_back(name_constant(e.keywords[i]), value);
   }
   program_->calls.push_back(std::move(site));
-  return emit(Op::call_service, e.at, static_cast<std::uint32_t>(program_->calls.size() - 1));
+  return emit(Opcode::call_service, e.at, static_cast<std::uint32_t>(program_->calls.size() - 1));
 }
 
 NodeId Compiler::target(const Expr& e) {
   if (e.kind == ExprKind::tuple || e.kind == ExprKind::list) {
     std::vector<NodeId> run;
     for (const ExprPtr& item : e.items) run.push_back(target(*item));
-    return emit_run(Op::target_unpack, e.at, run);
+    return emit_run(Opcode::target_unpack, e.at, run);
   }
-  if (e.kind == ExprKind::name) return emit(Op::target_local, e.at, local(e.name));
+  if (e.kind == ExprKind::name) return emit(Opcode::target_local, e.at, local(e.name));
   if (e.kind == ExprKind::attribute) {
     const Reference r = resolve(e, program_->kind, symbols_);
     writes_.insert(r.number);
-    return emit(Op::target_slot, e.at, r.number);
+    return emit(Opcode::target_slot, e.at, r.number);
   }
-  return emit(Op::target_place, e.at, place(e, true));
+  return emit(Opcode::target_place, e.at, place(e, true));
 }
 
 // The place of a name, a path and indices: its root and the steps from there.

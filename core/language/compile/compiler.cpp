@@ -3,7 +3,7 @@
 
 #include "core/language/check/checker.h"
 #include "core/language/compile/compiler_internal.h"
-#include "core/language/compile/shortcuts_internal.h"
+#include "core/language/compile/condition_analysis_internal.h"
 #include "core/language/syntax/parser.h"
 
 namespace race::language {
@@ -27,7 +27,7 @@ Code Compiler::run(const Tree& tree) {
   return finish();
 }
 
-NodeId Compiler::emit(Op op, Span at, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+NodeId Compiler::emit(Opcode op, Span at, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   Node node;
   node.op = op;
   node.service = service_;
@@ -39,7 +39,7 @@ NodeId Compiler::emit(Op op, Span at, std::uint32_t a, std::uint32_t b, std::uin
   return static_cast<NodeId>(program_->nodes.size() - 1);
 }
 
-NodeId Compiler::emit_run(Op op, Span at, const std::vector<std::uint32_t>& run, std::uint32_t b, std::uint32_t c) {
+NodeId Compiler::emit_run(Opcode op, Span at, const std::vector<std::uint32_t>& run, std::uint32_t b, std::uint32_t c) {
   const auto begin = static_cast<std::uint32_t>(program_->runs.size());
   program_->runs.insert(program_->runs.end(), run.begin(), run.end());
   const NodeId id = emit(op, at, begin, b, c);
@@ -54,19 +54,19 @@ std::vector<NodeId> Compiler::operands(const std::vector<const Expr*>& parts) {
     changes_later[i] = changes_later[i + 1] || (parts[i] != nullptr && changes(*parts[i]));
   std::vector<NodeId> ids;
   for (std::size_t i = 0; i < parts.size(); ++i)
-    ids.push_back(parts[i] == nullptr ? kNone : held(expression(*parts[i]), changes_later[i + 1]));
+    ids.push_back(parts[i] == nullptr ? kNone : copied_if(expression(*parts[i]), changes_later[i + 1]));
   return ids;
 }
 
-NodeId Compiler::held(NodeId node, bool changes_later) {
-  return changes_later ? emit(Op::hold, program_->spans[node], node) : node;
+NodeId Compiler::copied_if(NodeId node, bool changes_later) {
+  return changes_later ? emit(Opcode::copy, program_->spans[node], node) : node;
 }
 
 // Whether evaluating `e` can change a value.
 bool Compiler::changes(const Expr& e) {
   if (e.kind == ExprKind::call && e.items[0]->kind == ExprKind::attribute) {
     const Method* method = find_method(e.items[0]->name);
-    if (method != nullptr && method->changes()) return true;
+    if (method != nullptr && method->mutates()) return true;
   }
   bool found = false;
   for_each_part(e, [&](const Expr& part) { found = found || changes(part); });

@@ -48,10 +48,10 @@ class Compiler {
   bool bind(const Expr& call, std::string_view parameters, std::vector<NodeId>& arguments, std::string& problem);
 
   // nodes
-  NodeId emit(Op op, Span at, std::uint32_t a = 0, std::uint32_t b = 0, std::uint32_t c = 0);
-  NodeId emit_run(Op op, Span at, const std::vector<std::uint32_t>& run, std::uint32_t b = 0, std::uint32_t c = 0);
+  NodeId emit(Opcode op, Span at, std::uint32_t a = 0, std::uint32_t b = 0, std::uint32_t c = 0);
+  NodeId emit_run(Opcode op, Span at, const std::vector<std::uint32_t>& run, std::uint32_t b = 0, std::uint32_t c = 0);
   std::vector<NodeId> operands(const std::vector<const Expr*>& parts);
-  NodeId held(NodeId node, bool changes_later);
+  NodeId copied_if(NodeId node, bool changes_later);
   std::uint32_t constant(Value value);
   std::uint32_t name_constant(std::string_view name) { return constant(Value(name)); }
   std::uint32_t local(std::string_view name);

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/language/compile/code.h"
+#include "core/language/compile/opcode.h"
 #include "core/language/library/functions.h"
-#include "core/language/syntax/op.h"
 #include "core/language/syntax/source.h"
 #include "core/value/value.h"
 
@@ -18,7 +18,7 @@ using NodeId = std::uint32_t;
 enum class DynamicRead : std::uint8_t { data, present, latest };
 
 struct Node {
-  Op op = Op::pass;
+  Opcode op = Opcode::pass;
   bool service = false;  // reads or calls a service, in it or in a part of it
   std::uint16_t count = 0;
   std::uint32_t a = 0;
@@ -45,7 +45,7 @@ struct Collection {
 
 struct MethodCall {
   const Method* method = nullptr;
-  std::uint32_t place = kNone;  // of Op::change
+  std::uint32_t place = kNone;  // of Opcode::mutate
 };
 
 struct ServiceCallSite {
@@ -61,11 +61,11 @@ struct ComprehensionClause {
   std::vector<NodeId> filters;
 };
 
-/// A condition `datum op bound` or `datum.key op bound`; `datum` is Op::pass for conditions of any other form.
+/// A condition `datum op bound` or `datum.key op bound`; `datum` is Opcode::pass for conditions of any other form.
 struct Comparison {
   static constexpr std::uint64_t kUnits = 4;  // of the budget
-  Op datum = Op::pass;                        // event, event_latest or slot,
-  Op op = Op::pass;
+  Opcode datum = Opcode::pass;                // event, event_latest or slot,
+  Opcode op = Opcode::pass;
   std::uint32_t number = 0;   // its number
   std::uint32_t key = kNone;  // constant
   std::uint32_t bound = 0;    // constant, an int or float

@@ -4,7 +4,7 @@
 namespace race::language {
 
 bool Machine::store(Slot slot, Value value, NodeId id) {
-  if (!storable(context_, value)) return located(id), false;
+  if (!check_storable(context_, value)) return locate_fault(id), false;
   environment_->write(slot, std::move(value));
   return true;
 }
@@ -12,18 +12,18 @@ bool Machine::store(Slot slot, Value value, NodeId id) {
 bool Machine::assign(NodeId target, Value value) {
   const Node& n = nodes_[target];
   switch (n.op) {
-    case Op::target_local:
+    case Opcode::target_local:
       locals_[n.a] = std::move(value);
       return true;
-    case Op::target_slot:
+    case Opcode::target_slot:
       return store(n.a, std::move(value), target);
-    case Op::target_place:
+    case Opcode::target_place:
       return assign_place(program_->places[n.a], std::move(value), target);
     default:
       break;
   }
   const Value items = elements(context_, value);
-  if (context_.failed) return located(target), false;
+  if (context_.failed) return locate_fault(target), false;
   const List& list = items.as_list();
   if (list.size() != n.count) {
     fail(FaultKind::value,
@@ -39,32 +39,33 @@ bool Machine::assign(NodeId target, Value value) {
 
 // place[key]...[key] = value
 bool Machine::assign_place(const Place& place, Value value, NodeId id) {
-  const Frame frame(stack_);
+  const ArgumentScope scope(stack_);
   if (!keys_of(place)) return false;
   Value copy;
   Value* root = root_of(place, copy, id);
   if (root == nullptr) return false;
-  Value* parent = find(*root, frame.arguments().first(place.steps.size() - 1), id);
+  Value* parent = find(*root, scope.arguments().first(place.steps.size() - 1), id);
   if (parent == nullptr) return false;
-  Value* where = element(context_, *parent, frame.arguments().back(), true);
-  if (where == nullptr) return located(id), false;
+  Value* where = element(context_, *parent, scope.arguments().back(), true);
+  if (where == nullptr) return locate_fault(id), false;
   *where = std::move(value);
-  if (!grown(context_, *parent, *where, static_cast<int>(place.steps.size()) - 1)) return located(id), false;
+  if (!check_growth(context_, *parent, *where, static_cast<int>(place.steps.size()) - 1))
+    return locate_fault(id), false;
   return place.local || store(place.root, std::move(copy), id);
 }
 
 // local op= value, res.x op= value
 Machine::Flow Machine::augment(const Node& n, NodeId id) {
-  const bool local = n.op == Op::augment_local;
+  const bool local = n.op == Opcode::augment_local;
   if ((local ? read_local(n, id) : environment_->values[n.a]).is_unknown()) return unknown(id), Flow::halt;
   Value out;
   const Value& by = operand(n.b, out);
   if (stopped_) return Flow::halt;
   const Value& old = local ? locals_[n.a] : environment_->values[n.a];
-  const auto op = static_cast<Op>(n.c);
+  const auto op = static_cast<BinaryOperator>(n.c);
   // OPTIMIZATION: counting.
   std::int64_t sum = 0;
-  if (op == Op::add && old.is_integer() && by.is_integer() &&
+  if (op == BinaryOperator::add && old.is_integer() && by.is_integer() &&
       !__builtin_add_overflow(old.as_integer(), by.as_integer(), &sum)) {
     if (local) {
       locals_[n.a] = Value(sum);
@@ -75,7 +76,7 @@ Machine::Flow Machine::augment(const Node& n, NodeId id) {
   }
   const Value change = by;
   Value value = local ? std::move(locals_[n.a]) : old;
-  if (!augmented(op, value, change, 0)) return located(id), Flow::halt;
+  if (!augmented(op, value, change, 0)) return locate_fault(id), Flow::halt;
   if (!local) return store(n.a, std::move(value), id) ? Flow::next : Flow::halt;
   locals_[n.a] = std::move(value);
   return Flow::next;
@@ -84,11 +85,11 @@ Machine::Flow Machine::augment(const Node& n, NodeId id) {
 // place[key]...[key] op= value
 Machine::Flow Machine::augment_place(const Node& n, NodeId id) {
   const Place& place = program_->places[n.a];
-  const Frame frame(stack_);
+  const ArgumentScope scope(stack_);
   if (!keys_of(place)) return Flow::halt;
   const auto locate = [&](Value& copy) {
     Value* root = root_of(place, copy, id);
-    return root == nullptr ? nullptr : find(*root, frame.arguments().first(place.steps.size()), id);
+    return root == nullptr ? nullptr : find(*root, scope.arguments().first(place.steps.size()), id);
   };
   if (Value looked; locate(looked) == nullptr)
     return Flow::halt;  // what is not there is a fault before the value is one
@@ -98,15 +99,15 @@ Machine::Flow Machine::augment_place(const Node& n, NodeId id) {
   Value copy;
   Value* where = locate(copy);
   if (where == nullptr) return Flow::halt;
-  if (!augmented(static_cast<Op>(n.c), *where, by, static_cast<int>(place.steps.size())))
-    return located(id), Flow::halt;
+  if (!augmented(static_cast<BinaryOperator>(n.c), *where, by, static_cast<int>(place.steps.size())))
+    return locate_fault(id), Flow::halt;
   if (!place.local && !store(place.root, std::move(copy), id)) return Flow::halt;
   return Flow::next;
 }
 
 // value op= by; a list takes every iterable on `+=`. Stands `levels` deep in what it is part of.
-bool Machine::augmented(Op op, Value& value, const Value& by, int levels) {
-  if (op != Op::add || !value.is_list()) {
+bool Machine::augmented(BinaryOperator op, Value& value, const Value& by, int levels) {
+  if (op != BinaryOperator::add || !value.is_list()) {
     value = arithmetic(context_, op, value, by);
     return !context_.failed;
   }
@@ -114,7 +115,7 @@ bool Machine::augmented(Op op, Value& value, const Value& by, int levels) {
   if (context_.failed) return false;
   List& list = value.mutable_list();
   list.insert(list.end(), items.as_list().begin(), items.as_list().end());
-  return grown(context_, value, items, levels);
+  return check_growth(context_, value, items, levels);
 }
 
 // Evaluates the keys of a place onto the stack.
@@ -150,7 +151,7 @@ Value* Machine::find(Value& root, Arguments keys, NodeId id) {
   Value* at = &root;
   for (const Value& key : keys) {
     at = element(context_, *at, key, false);
-    if (at == nullptr) return located(id), nullptr;
+    if (at == nullptr) return locate_fault(id), nullptr;
   }
   return at;
 }

@@ -9,17 +9,17 @@
 namespace race::language {
 
 template <typename Number>
-inline bool holds(Op op, Number a, Number b) {
+inline bool holds(Opcode op, Number a, Number b) {
   switch (op) {
-    case Op::less:
+    case Opcode::less:
       return a < b;
-    case Op::less_equal:
+    case Opcode::less_equal:
       return a <= b;
-    case Op::greater:
+    case Opcode::greater:
       return a > b;
-    case Op::greater_equal:
+    case Opcode::greater_equal:
       return a >= b;
-    case Op::equal:
+    case Opcode::equal:
       return a == b;
     default:
       return a != b;
@@ -30,9 +30,9 @@ inline bool holds(Op op, Number a, Number b) {
 /// Requires that nobody traces and that the budget allows Comparison::kUnits.
 inline std::optional<Truth> decide(const Program& condition, const Environment& environment) {
   const Comparison& c = condition.comparison;
-  if (c.datum == Op::event && environment.occurrence != c.number && environment.sampled[c.number] == 0)
+  if (c.datum == Opcode::event && environment.occurrence != c.number && environment.sampled[c.number] == 0)
     return Truth::unknown;
-  const Value* found = (c.datum == Op::slot ? environment.values : environment.event_data) + c.number;
+  const Value* found = (c.datum == Opcode::slot ? environment.values : environment.event_data) + c.number;
   if (found->is_unknown()) return Truth::unknown;
   const Value* constants = condition.constants.data();
   if (c.key != kNone) {

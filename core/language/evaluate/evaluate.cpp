@@ -14,7 +14,7 @@ inline void Machine::begin(const Program& program, Environment& environment, boo
   nodes_ = program.nodes.data();
   constants_ = program.constants.data();
   environment_ = &environment;
-  left_ = static_cast<std::int64_t>(limits_.steps);
+  budget_left_ = static_cast<std::int64_t>(limits_.steps);
   strict_ = strict;
   stopped_ = false;
   context_.failed = false;
@@ -23,25 +23,25 @@ inline void Machine::begin(const Program& program, Environment& environment, boo
 }
 
 // OPTIMIZATION: reading a leaf takes a unit of the budget without looking; so an evaluation looks again at its end.
-inline bool Machine::over() {
-  if (left_ < 0) exhausted(program_->root);
+inline bool Machine::over_budget() {
+  if (budget_left_ < 0) fail_over_budget(program_->root);
   return stopped_;
 }
 
-void Machine::exhausted(NodeId id) {
+void Machine::fail_over_budget(NodeId id) {
   if (!stopped_) fail(FaultKind::budget, "more than " + std::to_string(limits_.steps) + " steps", id);
 }
 
 Truth Machine::condition(const Program& program, Environment& environment) {
   begin(program, environment, false);
-  const Truth truth = environment.trace == nullptr ? test(program.root) : traced(program.root);
-  return over() ? Truth::fault : truth;
+  const Truth truth = environment.trace == nullptr ? test(program.root) : test_traced(program.root);
+  return over_budget() ? Truth::fault : truth;
 }
 
 Truth Machine::part(const Program& program, Environment& environment, NodeId node) {
   begin(program, environment, false);
   const Truth truth = test(node);
-  return over() ? Truth::fault : truth;
+  return over_budget() ? Truth::fault : truth;
 }
 
 Value Machine::value(const Program& program, Environment& environment, NodeId node) {
@@ -54,7 +54,7 @@ std::optional<Value> Machine::expression(const Program& program, Environment& en
   begin(program, environment, false);
   Value out;
   Value result = evaluate(program.root, out);
-  if (!over() && !result.is_unknown() && !storable(context_, result)) located(program.root);
+  if (!over_budget() && !result.is_unknown() && !check_storable(context_, result)) locate_fault(program.root);
   if (stopped_) return std::nullopt;
   return result;
 }
@@ -62,7 +62,7 @@ std::optional<Value> Machine::expression(const Program& program, Environment& en
 Interpreter::Outcome Machine::function(const Program& program, Environment& environment) {
   begin(program, environment, true);
   execute(program.root);
-  over();
+  over_budget();
   if (!program.locals.empty()) locals_.clear();
   if (!stopped_) return Interpreter::Outcome::done;
   return context_.fault.kind == FaultKind::unmet ? Interpreter::Outcome::unmet : Interpreter::Outcome::fault;
@@ -78,115 +78,115 @@ const Value& Machine::unknown(NodeId id) {
 
 const Value& Machine::fail(FaultKind kind, std::string message, NodeId id) {
   context_.fail(kind, std::move(message));
-  return located(id);
+  return locate_fault(id);
 }
 
-const Value& Machine::located(NodeId id) {
+const Value& Machine::locate_fault(NodeId id) {
   if (!stopped_) context_.fault.where = program_->range(id);
   stopped_ = true;
   return kUnknown;
 }
 
-const Value& Machine::kept(Value value, NodeId id, Value& out) {
-  if (context_.failed) return located(id);
+const Value& Machine::checked(Value value, NodeId id, Value& out) {
+  if (context_.failed) return locate_fault(id);
   out = std::move(value);
   return out;
 }
 
 const Value& Machine::evaluate(NodeId id, Value& out) {
   const Node& n = nodes_[id];
-  if (--left_ < 0) {
-    exhausted(id);
+  if (--budget_left_ < 0) {
+    fail_over_budget(id);
     return kUnknown;
   }
   switch (n.op) {
-    case Op::constant:
+    case Opcode::constant:
       return constants_[n.a];
-    case Op::local:
+    case Opcode::local:
       return read_local(n, id);
-    case Op::slot: {
+    case Opcode::slot: {
       const Value& v = environment_->values[n.a];
       return v.is_unknown() ? unknown(id) : v;
     }
-    case Op::flag:
+    case Opcode::flag:
       return environment_->flags[n.a] != 0 ? kTrue : kFalse;
-    case Op::event:
+    case Opcode::event:
       return event(n.a, id);
-    case Op::event_present:
+    case Opcode::event_present:
       return event_present(n.a, id);
-    case Op::event_latest:
+    case Opcode::event_latest:
       return latest(n.a, id);
-    case Op::response:
+    case Opcode::response:
       return response(n.a, {}, n.b != 0, false, id);
-    case Op::response_present:
+    case Opcode::response_present:
       return response(n.a, {}, n.b != 0, true, id);
-    case Op::dynamic_event:
+    case Opcode::dynamic_event:
       return dynamic_event(n, id);
-    case Op::dynamic_response:
+    case Opcode::dynamic_response:
       return dynamic_response(n, id);
-    case Op::collection:
+    case Opcode::collection:
       return collection(n, out);
-    case Op::field:
+    case Opcode::field:
       return field(n, id, out);
-    case Op::index:
+    case Opcode::index:
       return index(n, id, out);
-    case Op::slice:
+    case Opcode::slice:
       return slice(n, id, out);
-    case Op::negative:
-    case Op::positive:
+    case Opcode::negative:
+    case Opcode::positive:
       return unary(n, id, out);
-    case Op::add:
-    case Op::subtract:
-    case Op::multiply:
-    case Op::divide:
-    case Op::floor_divide:
-    case Op::modulo:
-    case Op::power:
+    case Opcode::add:
+    case Opcode::subtract:
+    case Opcode::multiply:
+    case Opcode::divide:
+    case Opcode::floor_divide:
+    case Opcode::modulo:
+    case Opcode::power:
       return binary(n, id, out);
-    case Op::less:
-    case Op::less_equal:
-    case Op::greater:
-    case Op::greater_equal:
-    case Op::equal:
-    case Op::not_equal:
-    case Op::in:
-    case Op::not_in:
-    case Op::is_none:
-    case Op::is_not_none:
+    case Opcode::less:
+    case Opcode::less_equal:
+    case Opcode::greater:
+    case Opcode::greater_equal:
+    case Opcode::equal:
+    case Opcode::not_equal:
+    case Opcode::in:
+    case Opcode::not_in:
+    case Opcode::is_none:
+    case Opcode::is_not_none:
       return from_truth(compare_node(n, id));
-    case Op::chain:
+    case Opcode::chain:
       return from_truth(chain(n, id));
-    case Op::logical_not: {
+    case Opcode::logical_not: {
       const Truth t = test(n.a);
       return t == Truth::unknown || t == Truth::fault ? kUnknown : t == Truth::yes ? kFalse : kTrue;
     }
-    case Op::logical_and:
-    case Op::logical_or:
+    case Opcode::logical_and:
+    case Opcode::logical_or:
       return logical(n, out);
-    case Op::conditional:
+    case Opcode::conditional:
       return conditional(n, out);
-    case Op::list:
+    case Opcode::list:
       return list(n, id, out);
-    case Op::dict:
+    case Opcode::dict:
       return dict(n, id, out);
-    case Op::comprehension:
+    case Opcode::comprehension:
       return comprehension(n, id, out);
-    case Op::fstring:
+    case Opcode::fstring:
       return fstring(n, id, out);
-    case Op::format:
+    case Opcode::format:
       return format(n, id, out);
-    case Op::available:
+    case Opcode::available:
       return available(n, out);
-    case Op::function:
+    case Opcode::function:
       return function_call(n, id, out);
-    case Op::method:
-    case Op::change_value:
+    case Opcode::method:
+    case Opcode::mutate_temporary:
       return method_call(n, id, out);
-    case Op::change:
-      return change(n, id, out);
-    case Op::wrong_call:
-      return wrong_call(n, id);
-    case Op::hold: {
+    case Opcode::mutate:
+      return mutate(n, id, out);
+    case Opcode::invalid_call:
+      return invalid_call(n, id);
+    case Opcode::copy: {
       const Value& v = evaluate(n.a, out);
       if (&v != &out) out = v;
       return v.is_unknown() ? kUnknown : out;
@@ -206,31 +206,31 @@ const Value& Machine::binary(const Node& n, NodeId id, Value& out) {
   const Value& r = operand(n.b, right_out);
   if (l.is_unknown() || r.is_unknown()) return kUnknown;
   // OPTIMIZATION: + - * of two numbers of one kind.
-  if (n.op <= Op::multiply && l.is_integer() && r.is_integer()) {
+  if (n.op <= Opcode::multiply && l.is_integer() && r.is_integer()) {
     const std::int64_t a = l.as_integer();
     const std::int64_t b = r.as_integer();
     std::int64_t result = 0;
-    const bool overflow = n.op == Op::add        ? __builtin_add_overflow(a, b, &result)
-                          : n.op == Op::subtract ? __builtin_sub_overflow(a, b, &result)
-                                                 : __builtin_mul_overflow(a, b, &result);
+    const bool overflow = n.op == Opcode::add        ? __builtin_add_overflow(a, b, &result)
+                          : n.op == Opcode::subtract ? __builtin_sub_overflow(a, b, &result)
+                                                     : __builtin_mul_overflow(a, b, &result);
     if (!overflow) {
       out = Value(result);
       return out;
     }
-  } else if (n.op <= Op::multiply && l.is_number() && r.is_number()) {
+  } else if (n.op <= Opcode::multiply && l.is_number() && r.is_number()) {
     const double a = l.as_number();
     const double b = r.as_number();
-    out = Value(n.op == Op::add ? a + b : n.op == Op::subtract ? a - b : a * b);
+    out = Value(n.op == Opcode::add ? a + b : n.op == Opcode::subtract ? a - b : a * b);
     return out;
   }
-  return kept(arithmetic(context_, n.op, l, r), id, out);
+  return checked(arithmetic(context_, binary_operator(n.op), l, r), id, out);
 }
 
 const Value& Machine::unary(const Node& n, NodeId id, Value& out) {
   Value operand_out;
   const Value& v = operand(n.a, operand_out);
   if (v.is_unknown()) return kUnknown;
-  return kept(sign(context_, n.op, v), id, out);
+  return checked(sign(context_, unary_operator(n.op), v), id, out);
 }
 
 }  // namespace race::language

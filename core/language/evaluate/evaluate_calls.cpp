@@ -25,69 +25,70 @@ bool Machine::arguments(const std::uint32_t* run, std::size_t count) {
 }
 
 const Value& Machine::function_call(const Node& n, NodeId id, Value& out) {
-  const Frame frame(stack_);
+  const ArgumentScope scope(stack_);
   if (!arguments(program_->run(n), n.count)) return kUnknown;
-  return kept(program_->functions[n.b]->compute(context_, frame.arguments()), id, out);
+  return checked(program_->functions[n.b]->compute(context_, scope.arguments()), id, out);
 }
 
-const Value& Machine::wrong_call(const Node& n, NodeId id) {
-  const Frame frame(stack_);
+const Value& Machine::invalid_call(const Node& n, NodeId id) {
+  const ArgumentScope scope(stack_);
   if (!arguments(program_->run(n), n.count)) return kUnknown;
   return fail(FaultKind::type, constants_[n.b].as_string(), id);
 }
 
 // The method of the object's type, if it takes so many arguments.
-const Method::Of* Machine::method_of(const Method& method, const Value& object, std::size_t given, NodeId id) {
-  const Method::Of* of = method.of(object.kind());
-  if (of == nullptr) {
+const Method::Overload* Machine::find_overload(const Method& method, const Value& object, std::size_t given,
+                                               NodeId id) {
+  const Method::Overload* overload = method.overload(object.kind());
+  if (overload == nullptr) {
     fail(FaultKind::type,
          "'" + std::string(type_name(object)) + "' object has no method '" + std::string(method.name) + "'", id);
     return nullptr;
   }
-  const Signature known = signature(of->parameters);
+  const Signature known = signature(overload->parameters);
   std::size_t required = 0;
   for (const Signature::Parameter& p : known.parameters) required += p.required ? 1 : 0;
   if (given < required || (given > known.parameters.size() && !known.variadic)) {
     fail(FaultKind::type, std::string(method.name) + "() takes another number of arguments", id);
     return nullptr;
   }
-  return of;
+  return overload;
 }
 
 // object.method(arguments) on a value that stays as it is, or on a temporary one
 const Value& Machine::method_call(const Node& n, NodeId id, Value& out) {
-  const Frame frame(stack_);
+  const ArgumentScope scope(stack_);
   const std::uint32_t* run = program_->run(n);
   Value object_out;
   const Value& object = evaluate(run[0], object_out);
   if (stopped_) return kUnknown;
   if (!arguments(run + 1, n.count - std::size_t{1}) || object.is_unknown()) return kUnknown;
   const Method& method = *program_->methods[n.b].method;
-  const Method::Of* of = method_of(method, object, n.count - std::size_t{1}, id);
-  if (of == nullptr) return kUnknown;
-  if (of->compute != nullptr) return kept(of->compute(context_, object, frame.arguments()), id, out);
+  const Method::Overload* overload = find_overload(method, object, n.count - std::size_t{1}, id);
+  if (overload == nullptr) return kUnknown;
+  if (overload->compute != nullptr) return checked(overload->compute(context_, object, scope.arguments()), id, out);
   Value temporary = object;
   context_.levels = 0;
-  return kept(of->change(context_, temporary, frame.arguments()), id, out);
+  return checked(overload->mutate(context_, temporary, scope.arguments()), id, out);
 }
 
 // place.method(arguments), which changes what stands there
-const Value& Machine::change(const Node& n, NodeId id, Value& out) {
+const Value& Machine::mutate(const Node& n, NodeId id, Value& out) {
   const MethodCall& call = program_->methods[n.b];
   const Place& place = program_->places[call.place];
-  const Frame frame(stack_);
+  const ArgumentScope scope(stack_);
   if (!keys_of(place) || !arguments(program_->run(n), n.count)) return kUnknown;
   Value copy;
   Value* root = root_of(place, copy, id);
-  Value* object = root == nullptr ? nullptr : find(*root, frame.arguments().first(place.steps.size()), id);
+  Value* object = root == nullptr ? nullptr : find(*root, scope.arguments().first(place.steps.size()), id);
   if (object == nullptr) return kUnknown;
-  const Method::Of* of = method_of(*call.method, *object, n.count, id);
-  if (of == nullptr) return kUnknown;
-  const Arguments arguments = frame.arguments().subspan(place.steps.size());
-  if (of->compute != nullptr) return kept(of->compute(context_, *object, arguments), id, out);
+  const Method::Overload* overload = find_overload(*call.method, *object, n.count, id);
+  if (overload == nullptr) return kUnknown;
+  const Arguments arguments = scope.arguments().subspan(place.steps.size());
+  if (overload->compute != nullptr) return checked(overload->compute(context_, *object, arguments), id, out);
   context_.levels = static_cast<int>(place.steps.size());
-  Value result = of->change(context_, *object, arguments);
-  if (context_.failed) return located(id);
+  Value result = overload->mutate(context_, *object, arguments);
+  if (context_.failed) return locate_fault(id);
   if (!place.local && !store(place.root, std::move(copy), id)) return kUnknown;
   out = std::move(result);
   return out;

@@ -19,27 +19,27 @@ const Value& Machine::from_truth(Truth truth) {
 Truth Machine::test(NodeId id) {
   const Node& n = nodes_[id];
   switch (n.op) {
-    case Op::less:
-    case Op::less_equal:
-    case Op::greater:
-    case Op::greater_equal:
-    case Op::equal:
-    case Op::not_equal:
-      --left_;
+    case Opcode::less:
+    case Opcode::less_equal:
+    case Opcode::greater:
+    case Opcode::greater_equal:
+    case Opcode::equal:
+    case Opcode::not_equal:
+      --budget_left_;
       return compare_node(n, id);
-    case Op::logical_and:
-      --left_;
+    case Opcode::logical_and:
+      --budget_left_;
       return all_of(n);
-    case Op::logical_or:
-      --left_;
+    case Opcode::logical_or:
+      --budget_left_;
       return any_of(n);
-    case Op::logical_not: {
-      --left_;
+    case Opcode::logical_not: {
+      --budget_left_;
       const Truth t = test(n.a);
       return t == Truth::yes ? Truth::no : t == Truth::no ? Truth::yes : t;
     }
-    case Op::flag:
-      --left_;
+    case Opcode::flag:
+      --budget_left_;
       return environment_->flags[n.a] != 0 ? Truth::yes : Truth::no;
     default: {
       Value out;
@@ -74,24 +74,24 @@ Truth Machine::any_of(const Node& n) {
 }
 
 // As test(), telling the trace each atom: each maximal part without and, or, not.
-Truth Machine::traced(NodeId id) {
+Truth Machine::test_traced(NodeId id) {
   const Node& n = nodes_[id];
-  if (n.op == Op::logical_not) {
-    --left_;
-    const Truth t = traced(n.a);
+  if (n.op == Opcode::logical_not) {
+    --budget_left_;
+    const Truth t = test_traced(n.a);
     return t == Truth::yes ? Truth::no : t == Truth::no ? Truth::yes : t;
   }
-  if (n.op != Op::logical_and && n.op != Op::logical_or) {
+  if (n.op != Opcode::logical_and && n.op != Opcode::logical_or) {
     const Truth t = test(id);
     if (t != Truth::fault) environment_->trace->atom(n.service, t, program_->range(id));
     return t;
   }
-  --left_;
-  const Truth decides = n.op == Op::logical_and ? Truth::no : Truth::yes;
+  --budget_left_;
+  const Truth decides = n.op == Opcode::logical_and ? Truth::no : Truth::yes;
   Truth result = decides == Truth::no ? Truth::yes : Truth::no;
   const std::uint32_t* parts = program_->run(n);
   for (std::size_t i = 0; i < n.count; ++i) {
-    const Truth t = traced(parts[i]);
+    const Truth t = test_traced(parts[i]);
     if (t == decides || t == Truth::fault) return t;
     if (t == Truth::unknown) result = t;
   }
@@ -100,7 +100,7 @@ Truth Machine::traced(NodeId id) {
 
 // and, or as values: the operand that decides. An unknown operand before it leaves only its truth.
 const Value& Machine::logical(const Node& n, Value& out) {
-  const bool decides = n.op == Op::logical_or;
+  const bool decides = n.op == Opcode::logical_or;
   const std::uint32_t* parts = program_->run(n);
   bool any_unknown = false;
   for (std::size_t i = 0; i < n.count; ++i) {
@@ -136,13 +136,13 @@ Truth Machine::compare_node(const Node& n, NodeId id) {
   // OPTIMIZATION: two numbers of one kind need no look at the others.
   const auto decide = [&](auto a, auto b) { return holds(n.op, a, b); };
   bool result = false;
-  if (n.op <= Op::not_equal && l.is_integer() && r.is_integer()) {
+  if (n.op <= Opcode::not_equal && l.is_integer() && r.is_integer()) {
     result = decide(l.as_integer(), r.as_integer());
-  } else if (n.op <= Op::not_equal && l.is_number() && r.is_number()) {
+  } else if (n.op <= Opcode::not_equal && l.is_number() && r.is_number()) {
     result = decide(l.as_number(), r.as_number());
   } else {
-    result = compare(context_, n.op, l, r);
-    if (context_.failed) return located(id), Truth::fault;
+    result = compare(context_, binary_operator(n.op), l, r);
+    if (context_.failed) return locate_fault(id), Truth::fault;
   }
   return result ? Truth::yes : Truth::no;
 }
@@ -160,8 +160,8 @@ Truth Machine::chain(const Node& n, NodeId id) {
     if (l.is_unknown() || r.is_unknown()) {
       result = Truth::unknown;
     } else {
-      const bool holds = compare(context_, static_cast<Op>(run[i]), l, r);
-      if (context_.failed) return located(id), Truth::fault;
+      const bool holds = compare(context_, static_cast<BinaryOperator>(run[i]), l, r);
+      if (context_.failed) return locate_fault(id), Truth::fault;
       if (!holds) return Truth::no;
     }
     l = r;

@@ -28,7 +28,7 @@ const Value& Machine::index(const Node& n, NodeId id, Value& out) {
   const Value& key = operand(n.b, key_out);
   if (object.is_unknown() || key.is_unknown()) return kUnknown;
   const Value* found = element(context_, object, key, out);
-  if (found == nullptr) return located(id);
+  if (found == nullptr) return locate_fault(id);
   if (found == &out || &object != &object_out) return *found;
   out = *found;
   return out;
@@ -46,7 +46,7 @@ const Value& Machine::slice(const Node& n, NodeId id, Value& out) {
     any_unknown = any_unknown || parts[i].is_unknown();
   }
   if (any_unknown) return kUnknown;
-  return kept(slice_of(context_, parts[0], parts[1], parts[2], parts[3]), id, out);
+  return checked(slice_of(context_, parts[0], parts[1], parts[2], parts[3]), id, out);
 }
 
 const Value& Machine::list(const Node& n, NodeId id, Value& out) {
@@ -66,7 +66,7 @@ const Value& Machine::list(const Node& n, NodeId id, Value& out) {
     }
   }
   if (any_unknown) return kUnknown;
-  return kept(sized(context_, Value(std::move(items))), id, out);
+  return checked(within_limits(context_, Value(std::move(items))), id, out);
 }
 
 const Value& Machine::dict(const Node& n, NodeId id, Value& out) {
@@ -86,7 +86,7 @@ const Value& Machine::dict(const Node& n, NodeId id, Value& out) {
     entries.set(key, item);
   }
   if (any_unknown) return kUnknown;
-  return kept(sized(context_, Value(std::move(entries))), id, out);
+  return checked(within_limits(context_, Value(std::move(entries))), id, out);
 }
 
 // par, res, var as a whole: a copy of the values that are set
@@ -105,7 +105,7 @@ const Value& Machine::comprehension(const Node& n, NodeId id, Value& out) {
   bool any_unknown = false;
   if (!clause(n, 0, made, any_unknown)) return kUnknown;
   if (any_unknown) return kUnknown;
-  return kept(sized(context_, Value(std::move(made))), id, out);
+  return checked(within_limits(context_, Value(std::move(made))), id, out);
 }
 
 // One `for` of a comprehension, with what follows it. An unknown iterable, filter or element makes the whole unknown.
@@ -125,7 +125,7 @@ bool Machine::clause(const Node& n, std::size_t number, List& made, bool& any_un
   if (stopped_) return false;
   if (iterable.is_unknown()) return any_unknown = true;
   const Value items = elements(context_, iterable);
-  if (context_.failed) return located(c.iterable), false;
+  if (context_.failed) return locate_fault(c.iterable), false;
   for (const Value& item : items.as_list()) {
     if (!assign(c.target, item)) return false;
     Truth passes = Truth::yes;
@@ -147,7 +147,7 @@ const Value& Machine::fstring(const Node& n, NodeId id, Value& out) {
     if (stopped_) return kUnknown;
     any_unknown = any_unknown || v.is_unknown();
     if (!any_unknown) text += v.as_string();
-    if (!may_hold(context_, text.size())) return located(id);
+    if (!check_units(context_, text.size())) return locate_fault(id);
   }
   if (any_unknown) return kUnknown;
   out = Value(std::move(text));
@@ -169,7 +169,7 @@ const Value& Machine::format(const Node& n, NodeId id, Value& out) {
     if (conversion == 'a') shown = Value(ascii(shown.as_string()));
   }
   const std::string_view specification = n.b == kNone ? std::string_view() : std::string_view(how.as_string());
-  return kept(formatted(context_, shown, specification), id, out);
+  return checked(formatted(context_, shown, specification), id, out);
 }
 
 }  // namespace race::language

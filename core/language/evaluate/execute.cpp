@@ -7,19 +7,19 @@ namespace race::language {
 
 Machine::Flow Machine::execute(NodeId id) {
   const Node& n = nodes_[id];
-  if (--left_ < 0) {
-    exhausted(id);
+  if (--budget_left_ < 0) {
+    fail_over_budget(id);
     return Flow::halt;
   }
   switch (n.op) {
-    case Op::block:
+    case Opcode::block:
       return block(n);
-    case Op::evaluate: {
+    case Opcode::evaluate: {
       Value out;
       evaluate(n.a, out);
       return stopped_ ? Flow::halt : Flow::next;
     }
-    case Op::assign_local: {
+    case Opcode::assign_local: {
       Value out;
       const Value& v = operand(n.a, out);
       if (stopped_) return Flow::halt;
@@ -30,13 +30,13 @@ Machine::Flow Machine::execute(NodeId id) {
       }
       return Flow::next;
     }
-    case Op::assign_slot: {
+    case Opcode::assign_slot: {
       Value out;
       const Value& v = operand(n.a, out);
       if (stopped_) return Flow::halt;
       return store(n.b, &v == &out ? std::move(out) : v, id) ? Flow::next : Flow::halt;
     }
-    case Op::assign: {
+    case Opcode::assign: {
       Value out;
       const Value v = evaluate(n.b, out);
       if (stopped_) return Flow::halt;
@@ -44,22 +44,22 @@ Machine::Flow Machine::execute(NodeId id) {
         if (!assign(program_->run(n)[i], v)) return Flow::halt;
       return Flow::next;
     }
-    case Op::augment_local:
-    case Op::augment_slot:
+    case Opcode::augment_local:
+    case Opcode::augment_slot:
       return augment(n, id);
-    case Op::augment_place:
+    case Opcode::augment_place:
       return augment_place(n, id);
-    case Op::branch:
+    case Opcode::branch:
       return branch(n);
-    case Op::loop:
-      return loop(n, id);
-    case Op::repeat:
-      return repeat(n);
-    case Op::stop:
-      return Flow::leave;
-    case Op::skip:
-      return Flow::again;
-    case Op::call_service:
+    case Opcode::for_loop:
+      return for_loop(n, id);
+    case Opcode::while_loop:
+      return while_loop(n);
+    case Opcode::break_loop:
+      return Flow::break_loop;
+    case Opcode::continue_loop:
+      return Flow::continue_loop;
+    case Opcode::call_service:
       return call_service(n, id);
     default:
       return Flow::next;  // pass
@@ -71,7 +71,7 @@ Machine::Flow Machine::block(const Node& n) {
   const bool top = environment_->trace != nullptr && &n == &nodes_[program_->root];
   for (std::size_t i = 0; i < n.count; ++i) {
     const Node& s = nodes_[statements[i]];
-    if (top && s.op != Op::call_service) environment_->trace->statement(s.service, program_->range(statements[i]));
+    if (top && s.op != Opcode::call_service) environment_->trace->statement(s.service, program_->range(statements[i]));
     const Flow flow = execute(statements[i]);
     if (flow != Flow::next) return flow;
   }
@@ -89,54 +89,54 @@ Machine::Flow Machine::branch(const Node& n) {
   return i < n.count ? execute(run[i]) : Flow::next;
 }
 
-Machine::Flow Machine::loop(const Node& n, NodeId id) {
-  if (nodes_[n.b].op == Op::function && program_->functions[nodes_[n.b].b]->name == "range")
-    return range_loop(n, nodes_[n.b]);
+Machine::Flow Machine::for_loop(const Node& n, NodeId id) {
+  if (nodes_[n.b].op == Opcode::function && program_->functions[nodes_[n.b].b]->name == "range")
+    return for_range(n, nodes_[n.b]);
   Value out;
   const Value& iterable = evaluate(n.b, out);
   if (stopped_) return Flow::halt;
   const Value items = elements(context_, iterable);
-  if (context_.failed) return located(id), Flow::halt;
+  if (context_.failed) return locate_fault(id), Flow::halt;
   for (const Value& item : items.as_list()) {
     if (!assign(n.a, item)) return Flow::halt;
     const Flow flow = execute(n.c);
-    if (flow == Flow::leave) break;
+    if (flow == Flow::break_loop) break;
     if (flow == Flow::halt) return flow;
   }
   return Flow::next;
 }
 
 // OPTIMIZATION: `for i in range(...)` counts and makes no list; the list's bounds hold for it all the same.
-Machine::Flow Machine::range_loop(const Node& n, const Node& range) {
-  --left_;
+Machine::Flow Machine::for_range(const Node& n, const Node& range) {
+  --budget_left_;
   std::optional<Range> counted;
   {
-    const Frame frame(stack_);
+    const ArgumentScope scope(stack_);
     if (!arguments(program_->run(range), range.count)) return Flow::halt;
-    counted = range_of_arguments(context_, frame.arguments());
+    counted = range_of_arguments(context_, scope.arguments());
   }
-  if (!counted) return located(n.b), Flow::halt;
+  if (!counted) return locate_fault(n.b), Flow::halt;
   std::int64_t i = counted->start;
   for (std::uint64_t k = 0; k < counted->count; ++k, i += counted->step) {
-    if (nodes_[n.a].op == Op::target_local) {
+    if (nodes_[n.a].op == Opcode::target_local) {
       locals_[nodes_[n.a].a] = Value(i);
     } else if (!assign(n.a, Value(i))) {
       return Flow::halt;
     }
     const Flow flow = execute(n.c);
-    if (flow == Flow::leave) break;
+    if (flow == Flow::break_loop) break;
     if (flow == Flow::halt) return flow;
   }
   return Flow::next;
 }
 
-Machine::Flow Machine::repeat(const Node& n) {
+Machine::Flow Machine::while_loop(const Node& n) {
   for (;;) {
     const Truth t = test(n.a);
     if (stopped_) return Flow::halt;
     if (t != Truth::yes) return Flow::next;
     const Flow flow = execute(n.b);
-    if (flow == Flow::leave) return Flow::next;
+    if (flow == Flow::break_loop) return Flow::next;
     if (flow == Flow::halt) return flow;
   }
 }
@@ -152,7 +152,7 @@ Machine::Flow Machine::call_service(const Node& n, NodeId id) {
   const auto argument = [&](NodeId node) {
     Value out;
     Value v = evaluate(node, out);
-    if (!stopped_ && !storable(context_, v)) located(node);
+    if (!stopped_ && !check_storable(context_, v)) locate_fault(node);
     return v;
   };
   List args;

@@ -9,9 +9,13 @@
 namespace race::language {
 namespace {
 
-bool is_junction(Op op) { return op == Op::logical_and || op == Op::logical_or || op == Op::logical_not; }
+bool is_junction(Opcode op) {
+  return op == Opcode::logical_and || op == Opcode::logical_or || op == Opcode::logical_not;
+}
 
-bool is_read(Op op) { return op == Op::slot || op == Op::flag || (op >= Op::event && op <= Op::collection); }
+bool is_read(Opcode op) {
+  return op == Opcode::slot || op == Opcode::flag || (op >= Opcode::event && op <= Opcode::collection);
+}
 
 class Explainer {
  public:
@@ -30,7 +34,7 @@ class Explainer {
  private:
   std::vector<NodeId> parts(NodeId id) const {
     const Node& n = program_.nodes[id];
-    if (n.op == Op::logical_not) return {n.a};
+    if (n.op == Opcode::logical_not) return {n.a};
     return {program_.run(n), program_.run(n) + n.count};
   }
 
@@ -54,7 +58,7 @@ class Explainer {
     for (NodeId id = first; id <= last; ++id) {
       const Node& n = program_.nodes[id];
       if (is_read(n.op)) found.push_back(id);
-      if (n.op == Op::field && !found.empty() && found.back() == n.a) found.back() = id;
+      if (n.op == Opcode::field && !found.empty() && found.back() == n.a) found.back() = id;
     }
     std::vector<Explanation::Read> made;
     for (const NodeId id : found) {
@@ -71,14 +75,14 @@ class Explainer {
 
   // The truth of the condition if its atoms were `values`.
   Truth with(NodeId id, const std::vector<Truth>& values) const {
-    const Op op = program_.nodes[id].op;
+    const Opcode op = program_.nodes[id].op;
     if (!is_junction(op)) return values[number(id)];
-    if (op == Op::logical_not) {
+    if (op == Opcode::logical_not) {
       const Truth t = with(program_.nodes[id].a, values);
       return t == Truth::yes ? Truth::no : t == Truth::no ? Truth::yes : t;
     }
-    const Truth decides = op == Op::logical_and ? Truth::no : Truth::yes;
-    Truth result = op == Op::logical_and ? Truth::yes : Truth::no;
+    const Truth decides = op == Opcode::logical_and ? Truth::no : Truth::yes;
+    Truth result = op == Opcode::logical_and ? Truth::yes : Truth::no;
     for (const NodeId part : parts(id)) {
       const Truth t = with(part, values);
       if (t == decides || t == Truth::fault) return t;
@@ -103,8 +107,8 @@ class Explainer {
   // place.
   using Changes = std::vector<std::pair<std::size_t, bool>>;
   std::optional<Changes> changes(NodeId id, bool wanted) const {
-    const Op op = program_.nodes[id].op;
-    if (op == Op::logical_not) return changes(program_.nodes[id].a, !wanted);
+    const Opcode op = program_.nodes[id].op;
+    if (op == Opcode::logical_not) return changes(program_.nodes[id].a, !wanted);
     if (!is_junction(op)) {
       const std::size_t atom = number(id);
       if (made_.atoms[atom].value == (wanted ? Truth::yes : Truth::no)) return Changes();
@@ -119,7 +123,7 @@ class Explainer {
       if (!some) all.reset();
       if (some && (!fewest || some->size() < fewest->size())) fewest = some;
     }
-    return (op == Op::logical_and) == wanted ? all : fewest;
+    return (op == Opcode::logical_and) == wanted ? all : fewest;
   }
 
   void decide() {

@@ -11,7 +11,7 @@ Interpreter::~Interpreter() = default;
 
 Truth Interpreter::condition(const Code& code, Environment& environment) {
   const Program& program = code.program();
-  if (program.comparison.datum != Op::pass && environment.trace == nullptr && state_->steps >= Comparison::kUnits)
+  if (program.comparison.datum != Opcode::pass && environment.trace == nullptr && state_->steps >= Comparison::kUnits)
     if (const auto truth = decide(program, environment)) return *truth;
   return state_->machine.condition(program, environment);
 }

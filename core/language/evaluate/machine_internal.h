@@ -13,12 +13,12 @@
 namespace race::language {
 
 // Takes what a call has put on the stack of arguments off again.
-class Frame {
+class ArgumentScope {
  public:
-  explicit Frame(std::vector<Value>& stack) : stack_(stack), base_(stack.size()) {}
-  ~Frame() { stack_.resize(base_); }
-  Frame(const Frame&) = delete;
-  Frame& operator=(const Frame&) = delete;
+  explicit ArgumentScope(std::vector<Value>& stack) : stack_(stack), base_(stack.size()) {}
+  ~ArgumentScope() { stack_.resize(base_); }
+  ArgumentScope(const ArgumentScope&) = delete;
+  ArgumentScope& operator=(const ArgumentScope&) = delete;
   Arguments arguments() const { return Arguments(stack_).subspan(base_); }
 
  private:
@@ -40,16 +40,16 @@ class Machine {
   Value value(const Program& program, Environment& environment, NodeId node);  // unknown after a fault
 
  private:
-  enum class Flow : std::uint8_t { next, leave, again, halt };
+  enum class Flow : std::uint8_t { next, break_loop, continue_loop, halt };
 
   // evaluate.cpp: references and operators
   void begin(const Program& program, Environment& environment, bool strict);
-  void exhausted(NodeId id);  // the budget is
-  bool over();                // after an evaluation: whether it went over its budget
+  void fail_over_budget(NodeId id);  // the budget is
+  bool over_budget();                // after an evaluation: whether it went over its budget
   const Value& operand(NodeId id, Value& out);
   const Value& evaluate(NodeId id, Value& out);
   Truth test(NodeId id);
-  Truth traced(NodeId id);
+  Truth test_traced(NodeId id);
   Truth compare_node(const Node& n, NodeId id);
   Truth chain(const Node& n, NodeId id);
   Truth all_of(const Node& n);
@@ -87,34 +87,34 @@ class Machine {
   // evaluate_calls.cpp
   const Value& function_call(const Node& n, NodeId id, Value& out);
   const Value& method_call(const Node& n, NodeId id, Value& out);
-  const Value& change(const Node& n, NodeId id, Value& out);
-  const Value& wrong_call(const Node& n, NodeId id);
+  const Value& mutate(const Node& n, NodeId id, Value& out);
+  const Value& invalid_call(const Node& n, NodeId id);
   bool arguments(const std::uint32_t* run, std::size_t count);
-  const Method::Of* method_of(const Method& method, const Value& object, std::size_t given, NodeId id);
+  const Method::Overload* find_overload(const Method& method, const Value& object, std::size_t given, NodeId id);
 
   // execute.cpp: statements and targets
   Flow execute(NodeId id);
   Flow block(const Node& n);
   Flow branch(const Node& n);
-  Flow loop(const Node& n, NodeId id);
-  Flow range_loop(const Node& n, const Node& range);
-  Flow repeat(const Node& n);
+  Flow for_loop(const Node& n, NodeId id);
+  Flow for_range(const Node& n, const Node& range);
+  Flow while_loop(const Node& n);
   Flow augment(const Node& n, NodeId id);
   Flow augment_place(const Node& n, NodeId id);
   Flow call_service(const Node& n, NodeId id);
   bool store(Slot slot, Value value, NodeId id);
   bool assign(NodeId target, Value value);
   bool assign_place(const Place& place, Value value, NodeId id);
-  bool augmented(Op op, Value& value, const Value& by, int levels);
+  bool augmented(BinaryOperator op, Value& value, const Value& by, int levels);
   bool keys_of(const Place& place);
   Value* find(Value& root, Arguments keys, NodeId id);
   Value* root_of(const Place& place, Value& copy, NodeId id);
 
   // Faults.
-  const Value& unknown(NodeId id);  // something that was read has no value
-  const Value& located(NodeId id);  // after a fault in the Context: where it was
+  const Value& unknown(NodeId id);       // something that was read has no value
+  const Value& locate_fault(NodeId id);  // after a fault in the Context: where it was
   const Value& fail(FaultKind kind, std::string message, NodeId id);
-  const Value& kept(Value value, NodeId id, Value& out);  // a computed value, or the fault of computing it
+  const Value& checked(Value value, NodeId id, Value& out);  // a computed value, or the fault of computing it
 
   static const Value kUnknown;
   static const Value kTrue;
@@ -126,7 +126,7 @@ class Machine {
   const Node* nodes_ = nullptr;
   const Value* constants_ = nullptr;
   Environment* environment_ = nullptr;
-  std::int64_t left_ = 0;  // budget
+  std::int64_t budget_left_ = 0;  // budget
   bool strict_ = false;
   bool stopped_ = false;
   std::vector<Value> locals_;
@@ -141,17 +141,17 @@ inline const Value& Machine::read_local(const Node& n, NodeId id) {
 // OPTIMIZATION: a leaf is read in line. It takes its unit of the budget without looking: what is evaluated next looks.
 inline const Value& Machine::operand(NodeId id, Value& out) {
   const Node& n = nodes_[id];
-  if (n.op == Op::constant) {
-    --left_;
+  if (n.op == Opcode::constant) {
+    --budget_left_;
     return constants_[n.a];
   }
-  if (n.op == Op::slot) {
-    --left_;
+  if (n.op == Opcode::slot) {
+    --budget_left_;
     const Value& v = environment_->values[n.a];
     return v.is_unknown() ? unknown(id) : v;
   }
-  if (n.op == Op::local) {
-    --left_;
+  if (n.op == Opcode::local) {
+    --budget_left_;
     return read_local(n, id);
   }
   return evaluate(id, out);

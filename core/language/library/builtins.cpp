@@ -10,7 +10,7 @@ namespace race::language::library {
 namespace {
 
 // The least or greatest by <; the first of equals.
-Value extreme(Context& context, Arguments arguments, Op better, std::string_view name) {
+Value extreme(Context& context, Arguments arguments, BinaryOperator better, std::string_view name) {
   Value items;
   if (arguments.size() == 2) {
     items = elements(context, arguments[1]);
@@ -58,11 +58,15 @@ Value absolute(Context& context, Arguments arguments) {
   if (v.is_number()) return Value(std::fabs(v.as_number()));
   if (!v.is_integer() && !v.is_bool())
     return context.fail(FaultKind::type, "bad operand type for abs(): '" + std::string(type_name(v)) + "'");
-  return v.as_integer() < 0 ? sign(context, Op::negative, v) : Value(v.as_integer());
+  return v.as_integer() < 0 ? sign(context, UnaryOperator::negative, v) : Value(v.as_integer());
 }
 
-Value maximum(Context& context, Arguments arguments) { return extreme(context, arguments, Op::greater, "max"); }
-Value minimum(Context& context, Arguments arguments) { return extreme(context, arguments, Op::less, "min"); }
+Value maximum(Context& context, Arguments arguments) {
+  return extreme(context, arguments, BinaryOperator::greater, "max");
+}
+Value minimum(Context& context, Arguments arguments) {
+  return extreme(context, arguments, BinaryOperator::less, "min");
+}
 
 Value sum(Context& context, Arguments arguments) {
   const Value items = elements(context, arguments[0]);
@@ -70,7 +74,7 @@ Value sum(Context& context, Arguments arguments) {
   Value total = given(arguments, 1) ? arguments[1] : Value(0);
   if (total.is_string()) return context.fail(FaultKind::type, "sum() can't sum strings [use ''.join(seq) instead]");
   for (const Value& item : items.as_list()) {
-    total = arithmetic(context, Op::add, total, item);
+    total = arithmetic(context, BinaryOperator::add, total, item);
     if (context.failed) return Value::unknown();
   }
   return total;
@@ -113,7 +117,7 @@ Value print(Context& context, Arguments arguments) {
   for (std::size_t i = 2; i < arguments.size(); ++i) {
     if (i > 2) text += parts[0];
     text += str(arguments[i]);
-    if (!may_hold(context, text.size())) return Value::unknown();
+    if (!check_units(context, text.size())) return Value::unknown();
   }
   context.environment->print(text + parts[1]);
   return {};

@@ -122,13 +122,13 @@ Value to_str(Context& context, Arguments arguments) {
   if (!given(arguments, 0)) return Value("");
   if (arguments[0].is_string()) return arguments[0];
   std::string text = str(arguments[0]);
-  return may_hold(context, text.size()) ? Value(std::move(text)) : Value::unknown();
+  return check_units(context, text.size()) ? Value(std::move(text)) : Value::unknown();
 }
 
 Value to_list(Context& context, Arguments arguments) {
   if (!given(arguments, 0)) return Value(List());
   Value items = elements(context, arguments[0]);
-  return context.failed ? items : sized(context, std::move(items));
+  return context.failed ? items : within_limits(context, std::move(items));
 }
 
 // dict(other), dict(pairs), dict(name=value, ...): the names follow as pairs
@@ -149,7 +149,7 @@ Value to_dict(Context& context, Arguments arguments) {
     }
   }
   for (std::size_t i = 1; i + 1 < arguments.size(); i += 2) entries.set(arguments[i], arguments[i + 1]);
-  return sized(context, Value(std::move(entries)));
+  return within_limits(context, Value(std::move(entries)));
 }
 
 }  // namespace race::language::library

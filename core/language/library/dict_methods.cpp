@@ -32,7 +32,7 @@ Value dict_get(Context& context, const Value& self, Arguments arguments) {
 Value dict_items(Context& context, const Value& self, Arguments) {
   List items;
   for (const auto& [key, item] : self.as_dict()) items.emplace_back(List{key, item});
-  return sized(context, Value(std::move(items)));
+  return within_limits(context, Value(std::move(items)));
 }
 
 Value dict_keys(Context&, const Value& self, Arguments) {
@@ -63,7 +63,7 @@ Value dict_setdefault(Context& context, Value& self, Arguments arguments) {
   if (const Value* found = self.as_dict().find(arguments[0])) return *found;
   const Value added = given(arguments, 1) ? arguments[1] : Value();
   self.mutable_dict().set(arguments[0], added);
-  return grown(context, self, added, context.levels) ? added : Value::unknown();
+  return check_growth(context, self, added, context.levels) ? added : Value::unknown();
 }
 
 Value dict_update(Context& context, Value& self, Arguments arguments) {
@@ -71,7 +71,7 @@ Value dict_update(Context& context, Value& self, Arguments arguments) {
   if (context.failed) return more;
   Dict& entries = self.mutable_dict();
   for (const auto& [key, item] : more.as_dict()) entries.set(key, item);
-  grown(context, self, more, context.levels - 1);
+  check_growth(context, self, more, context.levels - 1);
   return {};
 }
 

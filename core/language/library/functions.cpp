@@ -86,13 +86,13 @@ constexpr std::array kGeo = {
     Function{"transform", "a= point=", geo_transform},
 };
 
-constexpr Method::Of reads(std::string_view parameters, Value (*compute)(Context&, const Value&, Arguments)) {
+constexpr Method::Overload reads(std::string_view parameters, Value (*compute)(Context&, const Value&, Arguments)) {
   return {parameters, compute, nullptr};
 }
-constexpr Method::Of writes(std::string_view parameters, Value (*change)(Context&, Value&, Arguments)) {
-  return {parameters, nullptr, change};
+constexpr Method::Overload writes(std::string_view parameters, Value (*mutate)(Context&, Value&, Arguments)) {
+  return {parameters, nullptr, mutate};
 }
-constexpr Method::Of kNo = {"", nullptr, nullptr};
+constexpr Method::Overload kNo = {"", nullptr, nullptr};
 
 constexpr Method text(std::string_view name, std::string_view parameters,
                       Value (*compute)(Context&, const Value&, Arguments)) {
@@ -158,8 +158,8 @@ auto find_in(const Table& table, std::string_view name) -> decltype(table.data()
 
 }  // namespace
 
-const Method::Of* Method::of(Value::Kind kind) const {
-  const Of& found = kind == Value::Kind::string ? string : kind == Value::Kind::list ? list : dict;
+const Method::Overload* Method::overload(Value::Kind kind) const {
+  const Overload& found = kind == Value::Kind::string ? string : kind == Value::Kind::list ? list : dict;
   const bool has_methods = kind == Value::Kind::string || kind == Value::Kind::list || kind == Value::Kind::dict;
   return has_methods && found ? &found : nullptr;
 }

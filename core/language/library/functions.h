@@ -20,20 +20,20 @@ struct Function {
   Value (*compute)(Context&, Arguments);
 };
 
-/// A method, by the types that have it; null where a type does not. One that changes its value gets it writable.
+/// A method, with one overload for each type that has it. An overload computes a value, or mutates the object.
 struct Method {
-  struct Of {
+  struct Overload {
     std::string_view parameters;
     Value (*compute)(Context&, const Value& self, Arguments) = nullptr;
-    Value (*change)(Context&, Value& self, Arguments) = nullptr;
-    explicit operator bool() const { return compute != nullptr || change != nullptr; }
+    Value (*mutate)(Context&, Value& self, Arguments) = nullptr;
+    explicit operator bool() const { return compute != nullptr || mutate != nullptr; }
   };
   std::string_view name;
-  Of string, list, dict;
+  Overload string, list, dict;
 
-  const Of* of(Value::Kind kind) const;
+  const Overload* overload(Value::Kind kind) const;
   /// Whether it changes the value it is called on.
-  bool changes() const { return list.change != nullptr || dict.change != nullptr; }
+  bool mutates() const { return list.mutate != nullptr || dict.mutate != nullptr; }
   /// Of the first type that has it: where keywords are looked up.
   std::string_view parameters() const;
 };

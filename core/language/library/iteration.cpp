@@ -43,7 +43,7 @@ Value range(Context& context, Arguments arguments) {
 Value reversed(Context& context, Arguments arguments) {
   const Value items = elements(context, arguments[0]);
   if (context.failed) return items;
-  return sized(context, Value(List(items.as_list().rbegin(), items.as_list().rend())));
+  return within_limits(context, Value(List(items.as_list().rbegin(), items.as_list().rend())));
 }
 
 Value sorted(Context& context, Arguments arguments) {
@@ -51,7 +51,7 @@ Value sorted(Context& context, Arguments arguments) {
   if (context.failed) return items;
   List list = items.as_list();
   if (!sort(context, list, given(arguments, 1) && truth(arguments[1]))) return Value::unknown();
-  return sized(context, Value(std::move(list)));
+  return within_limits(context, Value(std::move(list)));
 }
 
 Value enumerate(Context& context, Arguments arguments) {
@@ -68,7 +68,7 @@ Value enumerate(Context& context, Arguments arguments) {
     pairs.emplace_back(List{Value(number), item});
     if (__builtin_add_overflow(number, 1, &number)) return context.fail(FaultKind::overflow, "integer out of 64 bits");
   }
-  return sized(context, Value(std::move(pairs)));
+  return within_limits(context, Value(std::move(pairs)));
 }
 
 Value zip(Context& context, Arguments arguments) {
@@ -79,14 +79,14 @@ Value zip(Context& context, Arguments arguments) {
     if (context.failed) return Value::unknown();
     rows = std::min(rows, columns.back().as_list().size());
   }
-  if (!may_hold(context, rows * columns.size())) return Value::unknown();
+  if (!check_units(context, rows * columns.size())) return Value::unknown();
   List made;
   for (std::size_t i = 0; i < rows; ++i) {
     List row;
     for (const Value& column : columns) row.push_back(column.as_list()[i]);
     made.emplace_back(std::move(row));
   }
-  return sized(context, Value(std::move(made)));
+  return within_limits(context, Value(std::move(made)));
 }
 
 }  // namespace race::language::library

@@ -8,7 +8,7 @@ namespace race::language::library {
 
 Value list_append(Context& context, Value& self, Arguments arguments) {
   self.mutable_list().push_back(arguments[0]);
-  grown(context, self, arguments[0], context.levels);
+  check_growth(context, self, arguments[0], context.levels);
   return {};
 }
 
@@ -28,7 +28,7 @@ Value list_extend(Context& context, Value& self, Arguments arguments) {
   if (context.failed) return more;
   List& items = self.mutable_list();
   items.insert(items.end(), more.as_list().begin(), more.as_list().end());
-  grown(context, self, more, context.levels);
+  check_growth(context, self, more, context.levels);
   return {};
 }
 
@@ -54,7 +54,7 @@ Value list_insert(Context& context, Value& self, Arguments arguments) {
   const auto size = static_cast<std::int64_t>(items.size());
   const std::int64_t place = std::clamp<std::int64_t>(*at < 0 ? (*at < -size ? 0 : *at + size) : *at, 0, size);
   items.insert(items.begin() + place, arguments[1]);
-  grown(context, self, arguments[1], context.levels);
+  check_growth(context, self, arguments[1], context.levels);
   return {};
 }
 
@@ -98,7 +98,7 @@ Value list_sort(Context& context, Value& self, Arguments arguments) {
 bool sort(Context& context, List& items, bool reverse) {
   // Merging by hand: a comparison may be a fault, and NaN orders nothing, so std::stable_sort's premises do not hold.
   List merged(items.size());
-  const auto less = [&](const Value& a, const Value& b) { return compare(context, Op::less, a, b); };
+  const auto less = [&](const Value& a, const Value& b) { return compare(context, BinaryOperator::less, a, b); };
   if (reverse) std::reverse(items.begin(), items.end());
   for (std::size_t width = 1; width < items.size() && !context.failed; width *= 2) {
     for (std::size_t begin = 0; begin < items.size(); begin += 2 * width) {

@@ -40,7 +40,7 @@ Value mapped(Context& context, const Value& self, Append append) {
   const std::u32string points = utf8::decode(self.as_string());
   std::u32string out;
   for (std::size_t i = 0; i < points.size(); ++i) append(points, i, out);
-  return sized(context, Value(utf8::encode(out)));
+  return within_limits(context, Value(utf8::encode(out)));
 }
 
 }  // namespace

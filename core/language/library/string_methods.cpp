@@ -84,9 +84,9 @@ Value split(Context& context, const Value& self, Arguments arguments, bool from_
     if (!limit) return Value::unknown();
     most = *limit;
   }
-  if (separator == nullptr) return sized(context, Value(words(self.as_string(), most, from_right)));
+  if (separator == nullptr) return within_limits(context, Value(words(self.as_string(), most, from_right)));
   if (separator->empty()) return context.fail(FaultKind::value, "empty separator");
-  return sized(context, Value(pieces(self.as_string(), *separator, most, from_right)));
+  return within_limits(context, Value(pieces(self.as_string(), *separator, most, from_right)));
 }
 
 // Pads to arguments[0] code points with arguments[1]; `left` of all that is missing goes before the text.
@@ -102,8 +102,8 @@ Value padded(Context& context, const Value& self, Arguments arguments, Left left
   }
   const auto size = static_cast<std::int64_t>(utf8::length(self.as_string()));
   if (*width <= size) return self;
-  if (!may_hold(context, static_cast<std::uint64_t>(*width)) ||
-      !may_hold(context, static_cast<std::uint64_t>(*width - size) * fill.size() + self.as_string().size()))
+  if (!check_units(context, static_cast<std::uint64_t>(*width)) ||
+      !check_units(context, static_cast<std::uint64_t>(*width - size) * fill.size() + self.as_string().size()))
     return Value::unknown();
   const std::int64_t before = left(*width - size, *width);
   std::string out;
@@ -148,7 +148,7 @@ Value str_splitlines(Context& context, const Value& self, Arguments arguments) {
     begin = at;
   }
   if (begin < text.size()) lines.emplace_back(text.substr(begin));
-  return sized(context, Value(std::move(lines)));
+  return within_limits(context, Value(std::move(lines)));
 }
 
 Value str_join(Context& context, const Value& self, Arguments arguments) {
@@ -163,7 +163,7 @@ Value str_join(Context& context, const Value& self, Arguments arguments) {
     if (!first) out += self.as_string();
     first = false;
     out += item.as_string();
-    if (!may_hold(context, out.size())) return Value::unknown();
+    if (!check_units(context, out.size())) return Value::unknown();
   }
   return Value(std::move(out));
 }

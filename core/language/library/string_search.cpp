@@ -143,7 +143,7 @@ Value str_replace(Context& context, const Value& self, Arguments arguments) {
     out += all.substr(at, found - at);
     out += *by;
     at = found + old->size();
-    if (!may_hold(context, out.size())) return Value::unknown();
+    if (!check_units(context, out.size())) return Value::unknown();
     if (!old->empty()) continue;
     // Between all code points, before the first and behind the last.
     if (at == all.size()) return Value(std::move(out));
@@ -152,7 +152,7 @@ Value str_replace(Context& context, const Value& self, Arguments arguments) {
     out += all.substr(begin, at - begin);
   }
   out += all.substr(at);
-  return may_hold(context, out.size()) ? Value(std::move(out)) : Value::unknown();
+  return check_units(context, out.size()) ? Value(std::move(out)) : Value::unknown();
 }
 
 }  // namespace race::language::library

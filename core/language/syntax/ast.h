@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/language/syntax/op.h"
+#include "core/language/syntax/operators.h"
 #include "core/language/syntax/source.h"
 #include "core/value/value.h"
 
@@ -22,7 +22,7 @@ enum class ExprKind : std::uint8_t {
   index,          // items[0][items[1]]
   slice,          // items[0][items[1]:items[2]:items[3]], any but the first may be null
   call,           // items[0](items[1], ...), the last of them under `keywords`
-  unary,          // op items[0]; logical_not included
+  unary,          // unary_op items[0]
   binary,         // items[0] op items[1]
   compare,        // items[0] operators[0] items[1] operators[1] items[2] ...; of is_none the right side is null
   logical,        // items joined by op, logical_and or logical_or
@@ -44,14 +44,15 @@ struct Clause {
 
 struct Expr {
   ExprKind kind = ExprKind::constant;
-  Op op = Op::add;
+  UnaryOperator unary_op = UnaryOperator::negative;
+  BinaryOperator op = BinaryOperator::add;
   char conversion = 0;
   std::uint16_t depth = 1;  // levels of the tree below and with this
   Span at;
   Value value;
   std::string name;
   std::vector<ExprPtr> items;
-  std::vector<Op> operators;
+  std::vector<BinaryOperator> operators;
   std::vector<std::string> keywords;
   std::vector<Clause> clauses;
 };
@@ -64,16 +65,16 @@ enum class StmtKind : std::uint8_t {
   assign,      // targets = value, each in order
   augment,     // targets[0] op= value
   branch,      // if tests[i]: blocks[i]; a last block without test is `else`
-  loop,        // for targets[0] in value: blocks[0]
-  repeat,      // while value: blocks[0]
-  stop,        // break
-  skip,        // continue
+  for_loop,    // for targets[0] in value: blocks[0]
+  while_loop,  // while value: blocks[0]
+  break_loop,
+  continue_loop,
   pass,
 };
 
 struct Stmt {
   StmtKind kind = StmtKind::pass;
-  Op op = Op::add;
+  BinaryOperator op = BinaryOperator::add;
   Span at;
   std::vector<ExprPtr> targets;
   ExprPtr value;

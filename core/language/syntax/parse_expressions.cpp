@@ -70,7 +70,7 @@ ExprPtr Parser::disjunction() {
   ExprPtr first = conjunction();
   if (!at("or")) return first;
   ExprPtr e = make(ExprKind::logical, begin);
-  e->op = Op::logical_or;
+  e->op = BinaryOperator::logical_or;
   e->items.push_back(std::move(first));
   while (accept("or")) e->items.push_back(conjunction());
   return finish(std::move(e));
@@ -82,7 +82,7 @@ ExprPtr Parser::conjunction() {
   ExprPtr first = inversion();
   if (!at("and")) return first;
   ExprPtr e = make(ExprKind::logical, begin);
-  e->op = Op::logical_and;
+  e->op = BinaryOperator::logical_and;
   e->items.push_back(std::move(first));
   while (accept("and")) e->items.push_back(inversion());
   return finish(std::move(e));
@@ -93,7 +93,7 @@ ExprPtr Parser::inversion() {
   if (!at("not")) return comparison();
   const Nested nested(*this);
   ExprPtr e = make(ExprKind::unary, take().at.begin);
-  e->op = Op::logical_not;
+  e->unary_op = UnaryOperator::logical_not;
   e->items.push_back(inversion());
   return finish(std::move(e));
 }
@@ -104,7 +104,8 @@ ExprPtr Parser::comparison() {
   ExprPtr first = bitwise();
   ExprPtr e = make(ExprKind::compare, begin);
   while (comparison_operator(*e)) {
-    const bool identity = e->operators.back() == Op::is_none || e->operators.back() == Op::is_not_none;
+    const bool identity =
+        e->operators.back() == BinaryOperator::is_none || e->operators.back() == BinaryOperator::is_not_none;
     ExprPtr right = bitwise();
     if (identity && (right->kind != ExprKind::constant || !right->value.is_null()))
       forbid("'is' with other than None", right->at);
@@ -117,21 +118,23 @@ ExprPtr Parser::comparison() {
 
 // comparison_operator → '<' | '<=' | '>' | '>=' | '==' | '!=' | 'in' | 'not' 'in' | 'is' | 'is' 'not'
 bool Parser::comparison_operator(Expr& e) {
-  static constexpr std::array<std::pair<std::string_view, Op>, 7> kSimple = {{{"<", Op::less},
-                                                                              {"<=", Op::less_equal},
-                                                                              {">", Op::greater},
-                                                                              {">=", Op::greater_equal},
-                                                                              {"==", Op::equal},
-                                                                              {"!=", Op::not_equal},
-                                                                              {"in", Op::in}}};
+  static constexpr std::array<std::pair<std::string_view, BinaryOperator>, 7> kSimple = {
+      {{"<", BinaryOperator::less},
+       {"<=", BinaryOperator::less_equal},
+       {">", BinaryOperator::greater},
+       {">=", BinaryOperator::greater_equal},
+       {"==", BinaryOperator::equal},
+       {"!=", BinaryOperator::not_equal},
+       {"in", BinaryOperator::in}}};
   for (const auto& [text, op] : kSimple)
     if (accept(text)) return e.operators.push_back(op), true;
   if (at("not") && peek(1).kind == TokenKind::keyword && peek(1).text == "in") {
     take();
     take();
-    return e.operators.push_back(Op::not_in), true;
+    return e.operators.push_back(BinaryOperator::not_in), true;
   }
-  if (accept("is")) return e.operators.push_back(accept("not") ? Op::is_not_none : Op::is_none), true;
+  if (accept("is"))
+    return e.operators.push_back(accept("not") ? BinaryOperator::is_not_none : BinaryOperator::is_none), true;
   return false;
 }
 
@@ -152,7 +155,7 @@ ExprPtr Parser::sum() {
   ExprPtr left = term();
   while (at("+") || at("-")) {
     ExprPtr e = make(ExprKind::binary, begin);
-    e->op = take().text == "+" ? Op::add : Op::subtract;
+    e->op = take().text == "+" ? BinaryOperator::add : BinaryOperator::subtract;
     e->items.push_back(std::move(left));
     e->items.push_back(term());
     left = finish(std::move(e));
@@ -168,12 +171,12 @@ ExprPtr Parser::term() {
     const Token op = take();
     if (op.text == "@") forbid("operator '@'", op.at);
     ExprPtr e = make(ExprKind::binary, begin);
-    e->op = op.text == "*"    ? Op::multiply
-            : op.text == "/"  ? Op::divide
-            : op.text == "//" ? Op::floor_divide
-                              : Op::modulo;
+    e->op = op.text == "*"    ? BinaryOperator::multiply
+            : op.text == "/"  ? BinaryOperator::divide
+            : op.text == "//" ? BinaryOperator::floor_divide
+                              : BinaryOperator::modulo;
     const bool text = left->kind == ExprKind::fstring || (left->kind == ExprKind::constant && left->value.is_string());
-    if (e->op == Op::modulo && text) forbid("formatting a string with '%'", op.at);
+    if (e->op == BinaryOperator::modulo && text) forbid("formatting a string with '%'", op.at);
     e->items.push_back(std::move(left));
     e->items.push_back(factor());
     left = finish(std::move(e));
@@ -201,7 +204,7 @@ ExprPtr Parser::factor() {
     }
   }
   ExprPtr e = make(ExprKind::unary, op.at.begin);
-  e->op = op.text == "-" ? Op::negative : Op::positive;
+  e->unary_op = op.text == "-" ? UnaryOperator::negative : UnaryOperator::positive;
   e->items.push_back(factor());
   return finish(std::move(e));
 }
@@ -212,7 +215,7 @@ ExprPtr Parser::power() {
   ExprPtr base = primary();
   if (!accept("**")) return base;
   ExprPtr e = make(ExprKind::binary, begin);
-  e->op = Op::power;
+  e->op = BinaryOperator::power;
   e->items.push_back(std::move(base));
   e->items.push_back(factor());
   return finish(std::move(e));

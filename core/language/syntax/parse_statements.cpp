@@ -43,7 +43,9 @@ Stmt Parser::simple_statement() {
   if (at("pass") || at("break") || at("continue")) {
     const Token word = take();
     if (word.text != "pass" && loops_ == 0) fail("'" + std::string(word.text) + "' outside loop", word.at);
-    s.kind = word.text == "pass" ? StmtKind::pass : word.text == "break" ? StmtKind::stop : StmtKind::skip;
+    s.kind = word.text == "pass"    ? StmtKind::pass
+             : word.text == "break" ? StmtKind::break_loop
+                                    : StmtKind::continue_loop;
     return s;
   }
   if (forbidden_statement()) {
@@ -56,13 +58,14 @@ Stmt Parser::simple_statement() {
 
 // expression_statement → expression_list | assignment | augmented_assignment
 Stmt Parser::expression_statement() {
-  static constexpr std::array<std::pair<std::string_view, Op>, 7> kAugmented = {{{"+=", Op::add},
-                                                                                 {"-=", Op::subtract},
-                                                                                 {"*=", Op::multiply},
-                                                                                 {"/=", Op::divide},
-                                                                                 {"//=", Op::floor_divide},
-                                                                                 {"%=", Op::modulo},
-                                                                                 {"**=", Op::power}}};
+  static constexpr std::array<std::pair<std::string_view, BinaryOperator>, 7> kAugmented = {
+      {{"+=", BinaryOperator::add},
+       {"-=", BinaryOperator::subtract},
+       {"*=", BinaryOperator::multiply},
+       {"/=", BinaryOperator::divide},
+       {"//=", BinaryOperator::floor_divide},
+       {"%=", BinaryOperator::modulo},
+       {"**=", BinaryOperator::power}}};
   const std::size_t begin = peek().at.begin;
   ExprPtr first = expression_list();
   if (at("=")) return assignment(std::move(first), begin);
@@ -106,7 +109,7 @@ Stmt Parser::assignment(ExprPtr first, std::size_t begin) {
 }
 
 // augmented_assignment → target ('+=' | '-=' | '*=' | '/=' | '//=' | '%=' | '**=') expression_list
-Stmt Parser::augmented_assignment(ExprPtr target, Op op, std::size_t begin) {
+Stmt Parser::augmented_assignment(ExprPtr target, BinaryOperator op, std::size_t begin) {
   Stmt s;
   s.kind = StmtKind::augment;
   s.op = op;
@@ -156,7 +159,7 @@ Stmt Parser::if_statement() {
 // while_statement → 'while' expression ':' block
 Stmt Parser::while_statement() {
   Stmt s;
-  s.kind = StmtKind::repeat;
+  s.kind = StmtKind::while_loop;
   s.at = take().at;
   s.value = expression();
   ++loops_;
@@ -170,7 +173,7 @@ Stmt Parser::while_statement() {
 // for_statement → 'for' target_list 'in' expression_list ':' block
 Stmt Parser::for_statement() {
   Stmt s;
-  s.kind = StmtKind::loop;
+  s.kind = StmtKind::for_loop;
   s.at = take().at;
   s.targets.push_back(target_list());
   check_target(*s.targets[0]);

@@ -23,7 +23,7 @@ class Parser {
   void simple_statements(Block& block);
   Stmt simple_statement();
   Stmt expression_statement();
-  Stmt augmented_assignment(ExprPtr target, Op op, std::size_t begin);
+  Stmt augmented_assignment(ExprPtr target, BinaryOperator op, std::size_t begin);
   Stmt assignment(ExprPtr first, std::size_t begin);
   Stmt if_statement();
   Stmt while_statement();

@@ -32,7 +32,7 @@ bool read_number(std::u32string_view text, std::size_t& at, std::int64_t& number
   number = 0;
   for (; at < text.size() && text[at] >= '0' && text[at] <= '9'; ++at) {
     number = number * 10 + static_cast<std::int64_t>(text[at] - '0');
-    if (!may_hold(context, static_cast<std::uint64_t>(number))) return false;
+    if (!check_units(context, static_cast<std::uint64_t>(number))) return false;
   }
   return true;
 }
@@ -106,7 +106,8 @@ Value laid_out(Context& context, const Specification& s, std::string before, std
   const auto rest = static_cast<std::int64_t>(before.size() + utf8::length(after));
   if (!digits.empty()) digits = group(std::move(digits), s.grouping, size, zeros ? s.width - rest : 0);
   const std::int64_t missing = s.width - rest - static_cast<std::int64_t>(digits.size());
-  if (missing > 0 && !may_hold(context, static_cast<std::uint64_t>(missing) * s.fill.size())) return Value::unknown();
+  if (missing > 0 && !check_units(context, static_cast<std::uint64_t>(missing) * s.fill.size()))
+    return Value::unknown();
   const auto fill = [&](std::int64_t count) {
     std::string text;
     for (std::int64_t i = 0; i < count; ++i) text += s.fill;
@@ -229,7 +230,7 @@ Value format_real(Context& context, double v, Specification s) {
 Value formatted(Context& context, const Value& v, std::string_view specification) {
   if (specification.empty()) {
     std::string text = str(v);
-    return may_hold(context, text.size()) ? Value(std::move(text)) : Value::unknown();
+    return check_units(context, text.size()) ? Value(std::move(text)) : Value::unknown();
   }
   if (v.is_string()) return format_text(context, v, specification);
   if (!v.is_numeric() && !v.is_bool())

@@ -7,27 +7,27 @@
 namespace race::language {
 namespace {
 
-std::string_view symbol(Op op) {
+std::string_view symbol(BinaryOperator op) {
   switch (op) {
-    case Op::add:
+    case BinaryOperator::add:
       return "+";
-    case Op::subtract:
+    case BinaryOperator::subtract:
       return "-";
-    case Op::multiply:
+    case BinaryOperator::multiply:
       return "*";
-    case Op::divide:
+    case BinaryOperator::divide:
       return "/";
-    case Op::floor_divide:
+    case BinaryOperator::floor_divide:
       return "//";
-    case Op::modulo:
+    case BinaryOperator::modulo:
       return "%";
-    case Op::power:
+    case BinaryOperator::power:
       return "** or pow()";
-    case Op::less:
+    case BinaryOperator::less:
       return "<";
-    case Op::less_equal:
+    case BinaryOperator::less_equal:
       return "<=";
-    case Op::greater:
+    case BinaryOperator::greater:
       return ">";
     default:
       return ">=";
@@ -54,7 +54,7 @@ Order order_of_reals(const Value& a, const Value& b) {
   return order(compare(a.as_integer(), d), 0);
 }
 
-Order order_of(Context& context, Op op, const Value& a, const Value& b) {
+Order order_of(Context& context, BinaryOperator op, const Value& a, const Value& b) {
   if (is_real(a) && is_real(b)) return order_of_reals(a, b);
   if (a.is_string() && b.is_string())
     return order(a.as_string(), b.as_string());  // UTF-8 keeps the order of code points
@@ -92,23 +92,23 @@ bool contains(Context& context, const Value& container, const Value& item) {
 
 Value overflow(Context& context) { return context.fail(FaultKind::overflow, "integer out of 64 bits"); }
 
-Value of_integers(Context& context, Op op, std::int64_t a, std::int64_t b) {
+Value of_integers(Context& context, BinaryOperator op, std::int64_t a, std::int64_t b) {
   std::int64_t result = 0;
   switch (op) {
-    case Op::add:
+    case BinaryOperator::add:
       return __builtin_add_overflow(a, b, &result) ? overflow(context) : Value(result);
-    case Op::subtract:
+    case BinaryOperator::subtract:
       return __builtin_sub_overflow(a, b, &result) ? overflow(context) : Value(result);
-    case Op::multiply:
+    case BinaryOperator::multiply:
       return __builtin_mul_overflow(a, b, &result) ? overflow(context) : Value(result);
-    case Op::divide:
+    case BinaryOperator::divide:
       if (b == 0) return context.fail(FaultKind::zero_division, "division by zero");
       return Value(true_divide(a, b));
-    case Op::floor_divide:
-    case Op::modulo:
+    case BinaryOperator::floor_divide:
+    case BinaryOperator::modulo:
       if (b == 0) return context.fail(FaultKind::zero_division, "integer division or modulo by zero");
-      if (b == -1) return op == Op::modulo ? Value(0) : a == INT64_MIN ? overflow(context) : Value(-a);
-      return Value(op == Op::modulo ? floor_modulo(a, b) : floor_divide(a, b));
+      if (b == -1) return op == BinaryOperator::modulo ? Value(0) : a == INT64_MIN ? overflow(context) : Value(-a);
+      return Value(op == BinaryOperator::modulo ? floor_modulo(a, b) : floor_divide(a, b));
     default:
       if (b >= 0) {
         const auto power_of = power(a, b);
@@ -129,21 +129,21 @@ Value power_of_reals(Context& context, double a, double b) {
   return Value(result);
 }
 
-Value of_reals(Context& context, Op op, double a, double b) {
+Value of_reals(Context& context, BinaryOperator op, double a, double b) {
   switch (op) {
-    case Op::add:
+    case BinaryOperator::add:
       return Value(a + b);
-    case Op::subtract:
+    case BinaryOperator::subtract:
       return Value(a - b);
-    case Op::multiply:
+    case BinaryOperator::multiply:
       return Value(a * b);
-    case Op::divide:
+    case BinaryOperator::divide:
       if (b == 0) return context.fail(FaultKind::zero_division, "float division by zero");
       return Value(a / b);
-    case Op::floor_divide:
+    case BinaryOperator::floor_divide:
       if (b == 0) return context.fail(FaultKind::zero_division, "float floor division by zero");
       return Value(floor_divide(a, b));
-    case Op::modulo:
+    case BinaryOperator::modulo:
       if (b == 0) return context.fail(FaultKind::zero_division, "float modulo");
       return Value(floor_modulo(a, b));
     default:
@@ -156,8 +156,8 @@ Value repeated(Context& context, const Value& sequence, std::int64_t count) {
   const auto times = static_cast<std::uint64_t>(std::max<std::int64_t>(count, 0));
   const std::uint64_t units = sequence.is_string() ? sequence.as_string().size() : sequence.as_list().size();
   if (units == 0 || times == 0) return sequence.is_string() ? Value("") : Value(List());
-  if (times > context.value_units || !may_hold(context, units * times)) {
-    may_hold(context, context.value_units);
+  if (times > context.value_units || !check_units(context, units * times)) {
+    check_units(context, context.value_units);
     return Value::unknown();
   }
   if (sequence.is_string()) {
@@ -170,61 +170,63 @@ Value repeated(Context& context, const Value& sequence, std::int64_t count) {
   items.reserve(units * times);
   for (std::uint64_t i = 0; i < times; ++i)
     items.insert(items.end(), sequence.as_list().begin(), sequence.as_list().end());
-  return sized(context, Value(std::move(items)));
+  return within_limits(context, Value(std::move(items)));
 }
 
 Value joined(Context& context, const Value& a, const Value& b) {
   if (a.is_string()) {
-    if (!may_hold(context, a.as_string().size() + b.as_string().size())) return Value::unknown();
+    if (!check_units(context, a.as_string().size() + b.as_string().size())) return Value::unknown();
     return Value(a.as_string() + b.as_string());
   }
   List items = a.as_list();
   items.insert(items.end(), b.as_list().begin(), b.as_list().end());
-  return sized(context, Value(std::move(items)));
+  return within_limits(context, Value(std::move(items)));
 }
 
 }  // namespace
 
-bool compare(Context& context, Op op, const Value& a, const Value& b) {
+bool compare(Context& context, BinaryOperator op, const Value& a, const Value& b) {
   switch (op) {
-    case Op::equal:
+    case BinaryOperator::equal:
       return equal(a, b);
-    case Op::not_equal:
+    case BinaryOperator::not_equal:
       return !equal(a, b);
-    case Op::in:
+    case BinaryOperator::in:
       return contains(context, b, a);
-    case Op::not_in:
+    case BinaryOperator::not_in:
       return !contains(context, b, a);
-    case Op::is_none:
+    case BinaryOperator::is_none:
       return a.is_null();
-    case Op::is_not_none:
+    case BinaryOperator::is_not_none:
       return !a.is_null();
     default:
       break;
   }
   const Order found = order_of(context, op, a, b);
   if (found == Order::none) return false;
-  if (found == Order::equal) return op == Op::less_equal || op == Op::greater_equal;
-  return found == Order::less ? op == Op::less || op == Op::less_equal : op == Op::greater || op == Op::greater_equal;
+  if (found == Order::equal) return op == BinaryOperator::less_equal || op == BinaryOperator::greater_equal;
+  return found == Order::less ? op == BinaryOperator::less || op == BinaryOperator::less_equal
+                              : op == BinaryOperator::greater || op == BinaryOperator::greater_equal;
 }
 
-Value arithmetic(Context& context, Op op, const Value& a, const Value& b) {
+Value arithmetic(Context& context, BinaryOperator op, const Value& a, const Value& b) {
   if (is_whole(a) && is_whole(b)) return of_integers(context, op, a.as_integer(), b.as_integer());
   if (is_real(a) && is_real(b)) return of_reals(context, op, real(a), real(b));
   const auto sequence = [](const Value& v) { return v.is_string() || v.is_list(); };
-  if (op == Op::add && sequence(a) && a.kind() == b.kind()) return joined(context, a, b);
-  if (op == Op::multiply && sequence(a) && is_whole(b)) return repeated(context, a, b.as_integer());
-  if (op == Op::multiply && sequence(b) && is_whole(a)) return repeated(context, b, a.as_integer());
+  if (op == BinaryOperator::add && sequence(a) && a.kind() == b.kind()) return joined(context, a, b);
+  if (op == BinaryOperator::multiply && sequence(a) && is_whole(b)) return repeated(context, a, b.as_integer());
+  if (op == BinaryOperator::multiply && sequence(b) && is_whole(a)) return repeated(context, b, a.as_integer());
   return context.fail(FaultKind::type, "unsupported operand type(s) for " + std::string(symbol(op)) + ": '" +
                                            std::string(type_name(a)) + "' and '" + std::string(type_name(b)) + "'");
 }
 
-Value sign(Context& context, Op op, const Value& a) {
-  if (a.is_number()) return Value(op == Op::negative ? -a.as_number() : a.as_number());
+Value sign(Context& context, UnaryOperator op, const Value& a) {
+  if (a.is_number()) return Value(op == UnaryOperator::negative ? -a.as_number() : a.as_number());
   if (!is_whole(a))
-    return context.fail(FaultKind::type, "bad operand type for unary " + std::string(op == Op::negative ? "-" : "+") +
-                                             ": '" + std::string(type_name(a)) + "'");
-  if (op == Op::positive) return Value(a.as_integer());
+    return context.fail(FaultKind::type, "bad operand type for unary " +
+                                             std::string(op == UnaryOperator::negative ? "-" : "+") + ": '" +
+                                             std::string(type_name(a)) + "'");
+  if (op == UnaryOperator::positive) return Value(a.as_integer());
   return a.as_integer() == INT64_MIN ? overflow(context) : Value(-a.as_integer());
 }
 

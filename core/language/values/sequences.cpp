@@ -167,7 +167,7 @@ std::optional<Range> range_of_arguments(Context& context, Arguments arguments) {
     const auto step = up ? static_cast<std::uint64_t>(range.step) : ~static_cast<std::uint64_t>(range.step) + 1;
     range.count = (distance - 1) / step + 1;
   }
-  if (!may_hold(context, range.count)) return std::nullopt;
+  if (!check_units(context, range.count)) return std::nullopt;
   return range;
 }
 

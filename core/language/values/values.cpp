@@ -114,12 +114,12 @@ Measure measure(const Value& v, std::uint64_t limit) {
   return sum;
 }
 
-Value sized(Context& context, Value v) {
+Value within_limits(Context& context, Value v) {
   if (fits(context, measure(v, context.value_units))) return v;
   return Value::unknown();
 }
 
-bool grown(Context& context, const Value& container, const Value& added, int levels) {
+bool check_growth(Context& context, const Value& container, const Value& added, int levels) {
   constexpr std::uint64_t kSmall = 64;
   const std::size_t count = container.is_list()   ? container.as_list().size()
                             : container.is_dict() ? container.as_dict().size()
@@ -130,13 +130,13 @@ bool grown(Context& context, const Value& container, const Value& added, int lev
   return !now || fits(context, measure(container, context.value_units), levels);
 }
 
-bool may_hold(Context& context, std::uint64_t units) {
+bool check_units(Context& context, std::uint64_t units) {
   if (units < context.value_units) return true;
   context.fail(FaultKind::budget, "a value of more than " + std::to_string(context.value_units) + " units");
   return false;
 }
 
-bool storable(Context& context, const Value& v) {
+bool check_storable(Context& context, const Value& v) {
   if (v.is_number()) {
     if (!std::isfinite(v.as_number())) context.fail(FaultKind::value, "NaN and infinities cannot be stored");
     return !context.failed;

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/language/syntax/op.h"
+#include "core/language/syntax/operators.h"
 #include "core/language/values/context.h"
 #include "core/value/value.h"
 
@@ -21,13 +21,13 @@ bool truth(const Value& v);
 /// Python's ==: 1, 1.0 and True are equal. Requires known values.
 bool equal(const Value& a, const Value& b);
 
-/// a < b, a <= b, ... for `op` = Op::less ... Op::not_in; a type fault where Python has one (then false).
-bool compare(Context& context, Op op, const Value& a, const Value& b);
+/// a < b, a <= b, ... for `op` = less ... is_not_none; a type fault where Python has one (then false).
+bool compare(Context& context, BinaryOperator op, const Value& a, const Value& b);
 
-/// a + b, ... for `op` = Op::add ... Op::power.
-Value arithmetic(Context& context, Op op, const Value& a, const Value& b);
+/// a + b, ... for `op` = add ... power.
+Value arithmetic(Context& context, BinaryOperator op, const Value& a, const Value& b);
 /// -a and +a.
-Value sign(Context& context, Op op, const Value& a);
+Value sign(Context& context, UnaryOperator op, const Value& a);
 
 /// a[key]; null on a fault. The element stays where it is in `a`; one of a string is put into `out`.
 const Value* element(Context& context, const Value& a, const Value& key, Value& out);
@@ -62,15 +62,15 @@ std::optional<Range> range_of_arguments(Context& context, Arguments arguments);
 inline constexpr int kMaxValueDepth = 50;  // levels of lists and dicts in each other; JSON documents carry 64
 
 /// `v`, or a budget fault if it is larger or deeper than values may be.
-Value sized(Context& context, Value v);
+Value within_limits(Context& context, Value v);
 /// After `added` has become an element of `container`, which stands `levels` deep in what it belongs to: whether that
 /// is still allowed. Small additions are counted now and then only, so that growing one by one stays cheap: a value may
-/// pass the bound by as much again before it is noticed, and never in Δ (see storable).
-bool grown(Context& context, const Value& container, const Value& added, int levels);
+/// pass the bound by as much again before it is noticed, and never in Δ (see check_storable).
+bool check_growth(Context& context, const Value& container, const Value& added, int levels);
 /// Whether a string of `bytes` may be made; a budget fault otherwise.
-bool may_hold(Context& context, std::uint64_t units);
+bool check_units(Context& context, std::uint64_t units);
 
 /// Whether `v` may be stored in Δ or sent: not too large, and finite; a fault otherwise.
-bool storable(Context& context, const Value& v);
+bool check_storable(Context& context, const Value& v);
 
 }  // namespace race::language

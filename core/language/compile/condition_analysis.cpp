@@ -1,20 +1,20 @@
-#include "core/language/compile/shortcuts_internal.h"
+#include "core/language/compile/condition_analysis_internal.h"
 #include "core/language/values/values.h"
 
 namespace race::language {
 
 Comparison comparison_of(const Program& condition) {
   const Node& root = condition.nodes[condition.root];
-  if (root.op < Op::less || root.op > Op::not_equal) return {};
+  if (root.op < Opcode::less || root.op > Opcode::not_equal) return {};
   const Node& bound = condition.nodes[root.b];
-  if (bound.op != Op::constant || !condition.constants[bound.a].is_numeric()) return {};
+  if (bound.op != Opcode::constant || !condition.constants[bound.a].is_numeric()) return {};
   Comparison made{.op = root.op, .bound = bound.a};
   const Node* datum = &condition.nodes[root.a];
-  if (datum->op == Op::field) {
+  if (datum->op == Opcode::field) {
     made.key = datum->b;
     datum = &condition.nodes[datum->a];
   }
-  if (datum->op != Op::event && datum->op != Op::event_latest && datum->op != Op::slot) return {};
+  if (datum->op != Opcode::event && datum->op != Opcode::event_latest && datum->op != Opcode::slot) return {};
   made.datum = datum->op;
   made.number = datum->a;
   return made;
@@ -32,42 +32,43 @@ constexpr Certain kNothing = {false, false, false};
 constexpr Certain kSomeValue = {false, false, true};
 constexpr Certain kAlwaysUnknown = {true, true, true};
 
-class Waiting {
+class OccurrenceAnalysis {
  public:
-  Waiting(const Program& condition, const ServiceTable& services) : program_(condition), services_(services) {}
+  OccurrenceAnalysis(const Program& condition, const ServiceTable& services)
+      : program_(condition), services_(services) {}
 
   Certain part(NodeId id) const {
     const Node& n = program_.nodes[id];
     switch (n.op) {
-      case Op::constant: {
+      case Opcode::constant: {
         const bool yes = truth(program_.constants[n.a]);
         return {!yes, yes, true};
       }
-      case Op::slot:
-      case Op::flag:
-      case Op::event_latest:
-      case Op::response:
-      case Op::response_present:
+      case Opcode::slot:
+      case Opcode::flag:
+      case Opcode::event_latest:
+      case Opcode::response:
+      case Opcode::response_present:
         return kSomeValue;
-      case Op::event_present:
+      case Opcode::event_present:
         return kAlwaysUnknown;
-      case Op::event:
+      case Opcode::event:
         return services_.events()[n.a].sampled ? kSomeValue : kAlwaysUnknown;
-      case Op::field:  // of something known it may be missing
+      case Opcode::field:  // of something known it may be missing
         return part(n.a).unknown() ? kAlwaysUnknown : kNothing;
-      case Op::less:
-      case Op::less_equal:
-      case Op::greater:
-      case Op::greater_equal:
-      case Op::equal:
-      case Op::not_equal:
+      case Opcode::less:
+      case Opcode::less_equal:
+      case Opcode::greater:
+      case Opcode::greater_equal:
+      case Opcode::equal:
+      case Opcode::not_equal:
         return comparison(part(n.a), part(n.b));
-      case Op::logical_not: {
+      case Opcode::logical_not: {
         const Certain c = part(n.a);
         return {c.not_false, c.not_true, c.no_fault};
       }
-      case Op::logical_and:
-      case Op::logical_or:
+      case Opcode::logical_and:
+      case Opcode::logical_or:
         return logical(n);
       default:
         return kNothing;
@@ -92,7 +93,7 @@ class Waiting {
       all.not_false &= c.not_false;
       all.no_fault &= c.no_fault;
     }
-    if (n.op == Op::logical_and) return {some.not_true, all.not_false, all.no_fault};
+    if (n.op == Opcode::logical_and) return {some.not_true, all.not_false, all.no_fault};
     return {all.not_true, some.not_false, all.no_fault};
   }
 
@@ -103,8 +104,8 @@ class Waiting {
 }  // namespace
 
 bool needs_occurrence(const Program& condition, const ServiceTable& services) {
-  if (condition.nodes.size() > kFewUnits) return false;
-  const Certain whole = Waiting(condition, services).part(condition.root);
+  if (condition.nodes.size() > kSmallBudget) return false;
+  const Certain whole = OccurrenceAnalysis(condition, services).part(condition.root);
   return whole.not_true && whole.no_fault;
 }
 
