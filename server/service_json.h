@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/value/value.h"
-#include "services/host.h"
+#include "services/host/host.h"
 
 namespace race::server {
 

@@ -1,7 +1,7 @@
 // A Component is an RSM plus code; a ServiceHost is what it talks to. A component announces transitions, responses and
 // events; it never sees a core, and a core cannot tell where a component runs.
 //
-// Threads: all functions of one component are called on one thread, its unit's; it calls its host on that thread.
+// Threads: all functions of one component are called on one thread, its group's; it calls its host on that thread.
 #pragma once
 
 #include <cstddef>
@@ -68,8 +68,8 @@ class ServiceHost {
   /// Announces an answer as of world time `at`, which another thread will prepare: where world time can wait, it does
   /// not pass `at` before fulfil(), so a run does not depend on how fast that thread is. In real time nobody waits.
   virtual ReservationId reserve(Time /*at*/) { return 0; }
-  /// Ends a reservation: `answer` runs on the component's unit at its time, or at once if that has passed; an empty one
-  /// gives the time back. On any thread, once.
+  /// Ends a reservation: `answer` runs on the component's group at its time, or at once if that has passed; an empty
+  /// one gives the time back. On any thread, once.
   virtual void fulfil(ReservationId /*reservation*/, std::function<void()> /*answer*/) {}
 
   /// For people, never for programs.
@@ -83,12 +83,12 @@ class Component {
   virtual const rsm::Service& model() const = 0;
   /// A call arrived. The component accepts it (transition, later result or error) or rejects it, before it returns.
   virtual void call(const Call& call) = 0;
-  /// World time has advanced by one step of the unit (1 ms in a cell). Only components that need time override it.
+  /// World time has advanced by one step of the group (1 ms in a cell). Only components that need time override it.
   virtual void step() {}
   /// A packet came of a flow that the component listens to. One that comes while another still waits replaces it.
   virtual void packet(std::string_view /*key*/, std::string_view /*flow*/, const PacketPtr& /*packet*/) {}
   /// From now on somebody, or nobody any more, listens to `flow` of this service. At first, nobody does.
-  virtual void wanted(std::string_view /*flow*/, bool /*on*/) {}
+  virtual void demand_changed(std::string_view /*flow*/, bool /*on*/) {}
   /// The host is going away; nothing may be called on it afterwards.
   virtual void stop() {}
 };

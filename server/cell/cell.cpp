@@ -4,8 +4,8 @@
 #include <chrono>
 #include <filesystem>
 
+#include "server/cell/component_groups.h"
 #include "server/cell/outside_world.h"
-#include "server/cell/units.h"
 #include "services/camera/camera.h"
 #include "services/database/database.h"
 #include "services/gripper/gripper.h"
@@ -29,11 +29,11 @@ Expected<std::unique_ptr<Cell>> Cell::create(const CellSetup& setup, services::H
   }
   if (here("database"))
     if (auto added = cell->add_database(setup); !added) return tl::unexpected(std::move(added).error());
-  auto& host = cell->host_.declare("timer", "timer", cell->unit_);
+  auto& host = cell->host_.declare("timer", "timer", cell->queue_);
   cell->host_.attach("timer", std::make_unique<timer::Timer>(host));
   for (const FurtherService& service : setup.further) {
     if (cell->host_.service(service.key)) continue;  // its process brings it
-    cell->host_.attach(service.key, service.make(cell->host_.declare(service.key, service.type, cell->unit_)));
+    cell->host_.attach(service.key, service.make(cell->host_.declare(service.key, service.type, cell->queue_)));
   }
   return cell;
 }
@@ -41,13 +41,13 @@ Expected<std::unique_ptr<Cell>> Cell::create(const CellSetup& setup, services::H
 Expected<void> Cell::add_remotes(const CellSetup& setup) {
   remotes_ = std::make_unique<remote::Remotes>(host_, clock_, setup.heartbeat);
   for (const std::string& name : setup.remote) {
-    ASSIGN_OR_RETURN(const Unit* unit, find_unit(name));
-    std::vector<remote::RemoteService> services = unit->services;
+    ASSIGN_OR_RETURN(const ComponentGroup* group, find_component_group(name));
+    std::vector<remote::RemoteService> services = group->services;
     for (remote::RemoteService& service : services)
       for (const FurtherService& further : setup.further)
-        if (further.key == service.key) service.desk = further.desk;
+        if (further.key == service.key) service.host_functions = further.host_functions;
     remote::RemoteWorld* world = nullptr;
-    if (unit->world) {
+    if (group->world) {
       auto outside = std::make_unique<OutsideWorld>(clock_);
       world = &outside->end();
       world_ = std::move(outside);
@@ -62,31 +62,31 @@ Expected<void> Cell::add_world(const std::string& scene_path, std::uint64_t seed
   inside_ = inside.get();
   world_ = std::move(inside);
   world::World& world = inside_->world();
-  auto& robot_host = host_.declare("robot", "robot", unit_);
+  auto& robot_host = host_.declare("robot", "robot", queue_);
   ASSIGN_OR_RETURN(auto robot, robot::Robot::create(robot_host, world, static_cast<unsigned>(seed)));
   host_.attach("robot", std::move(robot));
-  auto& gripper_host = host_.declare("gripper", "gripper", unit_);
+  auto& gripper_host = host_.declare("gripper", "gripper", queue_);
   host_.attach("gripper", std::make_unique<gripper::Gripper>(gripper_host, world));
   return {};
 }
 
 Expected<void> Cell::add_sight(const CellSetup& setup) {
   if (!inside_->world().scene().camera) return {};
-  auto& camera_host = host_.declare("camera", "KinectDriver", unit_);
+  auto& camera_host = host_.declare("camera", "KinectDriver", queue_);
   host_.attach("camera", std::make_unique<camera::Camera>(camera_host, inside_->world(), setup.seed));
   const fs::path parts_path = fs::path(setup.folder) / "parts.json";
   const bool elsewhere = std::ranges::find(setup.remote, "recognition") != setup.remote.end();
   if (elsewhere || !fs::exists(parts_path)) return {};
   ASSIGN_OR_RETURN(auto parts, recognition::load_parts(parts_path));
-  auto& host = host_.declare("obj_rec", "ObjectRecognition", unit_);
+  auto& host = host_.declare("obj_rec", "ObjectRecognition", queue_);
   host_.attach("obj_rec", std::make_unique<recognition::ObjectRecognition>(host, std::move(parts)));
   return {};
 }
 
 Expected<void> Cell::add_database(const CellSetup& setup) {
   ASSIGN_OR_RETURN(auto store, open_store(setup.folder, setup.database));
-  if (setup.own_threads) database_unit_ = std::make_unique<services::WorkThread>();
-  auto& host = host_.declare("db", "database", database_unit_ ? *database_unit_ : unit_);
+  if (setup.own_threads) database_queue_ = std::make_unique<services::WorkThread>();
+  auto& host = host_.declare("db", "database", database_queue_ ? *database_queue_ : queue_);
   host_.attach("db", std::make_unique<database::Database>(std::move(store), host));
   return {};
 }
@@ -94,20 +94,20 @@ Expected<void> Cell::add_database(const CellSetup& setup) {
 Cell::~Cell() { stop(); }
 
 void Cell::step() {
-  unit_.run();
+  queue_.run();
   if (before_step_) before_step_();
   if (inside_) inside_->step();
   clock_.set(static_cast<double>(++steps_) * kStep);
   host_.advance(waits_);
-  unit_.run();
-  host_.step(unit_);
+  queue_.run();
+  host_.step(queue_);
   remotes_->step();
   if (inside_) inside_->show(clock_.now());
 }
 
 Expected<Value> Cell::act(const std::optional<PersonAct>& act) {
   return acts_.wait([&](CellWorld::Wanted wanted, CellWorld::Done done) {
-    unit_.post([this, act, wanted = std::move(wanted), done = std::move(done)] { world_->act(act, wanted, done); });
+    queue_.post([this, act, wanted = std::move(wanted), done = std::move(done)] { world_->act(act, wanted, done); });
   });
 }
 
@@ -127,7 +127,7 @@ void Cell::start_real_time() {
 void Cell::stop() {
   if (stop_.exchange(true)) return;
   if (thread_.joinable()) thread_.join();
-  database_unit_.reset();
+  database_queue_.reset();
   remotes_->stop();
   host_.stop();
 }

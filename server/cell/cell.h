@@ -1,7 +1,7 @@
-// Cell: the services of this process and the world they act in, with one host and one clock. Its unit steps at 1 kHz:
+// Cell: the services of this process and the world they act in, with one host and one clock. Its group steps at 1 kHz:
 // either paced by real time on a thread of its own, or by whoever calls step(), as fast as that goes.
 //
-// Threads: without start_real_time(), one: the caller's. With it, the unit's thread is the cell's own.
+// Threads: without start_real_time(), one: the caller's. With it, the group's thread is the cell's own.
 #pragma once
 
 #include <atomic>
@@ -15,26 +15,27 @@
 #include "core/value/value.h"
 #include "server/cell/inside_world.h"
 #include "server/cell/waiting_acts.h"
-#include "services/host.h"
+#include "services/host/host.h"
 #include "services/remote/remotes.h"
 
 namespace race::server {
 
-/// One more service of a cell, in its unit, or in a process of its own if that is a unit of CellSetup::remote.
+/// One more service of a cell, in its group, or in a process of its own if that is a group of CellSetup::remote.
 struct FurtherService {
   std::string key, type;
   std::function<std::unique_ptr<services::Component>(services::ServiceHost&)> make;
-  remote::Desk desk = {};  // what the process asks
+  remote::HostFunctions host_functions = {};  // what the process asks
 };
 
 struct CellSetup {
   std::string folder;    // with scene.json and database.json; what is absent is not there
   std::string database;  // file of the database, or ":memory:"
-  // The database has a thread of its own, and world time waits for nobody. Else all services are one unit, and world
+  // The database has a thread of its own, and world time waits for nobody. Else all services are one group, and world
   // time waits for answers that are due, so that a seed gives one run.
   bool own_threads = true;
   std::vector<FurtherService> further = {};
-  std::vector<std::string> remote = {};       // names of the units (units.h) that wait for a process of their own
+  std::vector<std::string> remote =
+      {};  // names of the groups (component_groups.h) that wait for a process of their own
   std::chrono::milliseconds heartbeat{1000};  // how long such a process may be silent
   std::uint64_t seed = 0;                     // of everything that is random; the same seed gives the same run
 };
@@ -60,20 +61,20 @@ class Cell {
   CellWorld* world() { return world_.get(); }
   /// The world, if it is in this process.
   const InsideWorld* inside() const { return inside_; }
-  /// CellWorld::act(), on any thread but the unit's: waits for it (waiting_acts.h). Only with a world, and after
+  /// CellWorld::act(), on any thread but the group's: waits for it (waiting_acts.h). Only with a world, and after
   /// start_real_time(). Errors: `unavailable`, those of the act.
   Expected<Value> act(const std::optional<PersonAct>& act);
-  /// Called at the beginning of each step(), on the unit's thread. To be set before the first step.
+  /// Called at the beginning of each step(), on the group's thread. To be set before the first step.
   void before_step(std::function<void()> work) { before_step_ = std::move(work); }
 
   /// Does what was called since; no time passes. Whether there was anything.
-  bool work() { return unit_.run(); }
+  bool work() { return queue_.run(); }
   /// One step of the world and its services, 1 ms.
   void step();
 
   /// Steps in real time until stop(). If the machine falls behind by more than 100 ms, world time waits for it.
   void start_real_time();
-  /// The units end; nothing is called on a service afterwards.
+  /// The groups end; nothing is called on a service afterwards.
   void stop();
 
  private:
@@ -84,8 +85,8 @@ class Cell {
   Expected<void> add_database(const CellSetup& setup);
 
   services::WorldClock clock_;
-  services::WorkQueue unit_;
-  std::unique_ptr<services::WorkThread> database_unit_;
+  services::WorkQueue queue_;
+  std::unique_ptr<services::WorkThread> database_queue_;
   std::unique_ptr<CellWorld> world_;
   InsideWorld* inside_ = nullptr;  // world_, if it is in this process
   WaitingActs acts_;

@@ -1,7 +1,7 @@
 // CellWorld: the world of a cell as the server sees it, wherever it lives: what it looks like, where everything is, and
 // what a person does in it. InsideWorld is one in this process, OutsideWorld one in a process of its own.
 //
-// Threads: any, but act(): the cell's unit.
+// Threads: any, but act(): the cell's group.
 #pragma once
 
 #include <functional>

@@ -1,7 +1,7 @@
 // InsideWorld: a world in this process, with whoever stands at it. The cell of a server has one, or the process that is
 // its cell.
 //
-// Threads: the unit's, act() too; the other functions of CellWorld are for any.
+// Threads: the group's, act() too; the other functions of CellWorld are for any.
 #pragma once
 
 #include <atomic>

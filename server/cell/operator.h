@@ -1,7 +1,7 @@
 // Operator: goes through an operator script on world time. It sees what anybody at the cell sees: states that become
 // active, ports that fire, events, displays; and acts by hands and answers alone.
 //
-// Threads: what happens is told on any; step() on the unit's. With everything on one thread, the same run is the same.
+// Threads: what happens is told on any; step() on the group's. With everything on one thread, the same run is the same.
 #pragma once
 
 #include <deque>
@@ -15,7 +15,7 @@
 #include "server/cell/operator_script.h"
 #include "services/clock.h"
 #include "services/display/screens.h"
-#include "services/host.h"
+#include "services/host/host.h"
 
 namespace race::server {
 
@@ -55,7 +55,7 @@ class Operator {
     std::string display = {}, shown = {};  // where it was seen last, and what
   };
 
-  // All below: with the lock, or on the unit's thread of what belongs to it alone.
+  // All below: with the lock, or on the group's thread of what belongs to it alone.
   void note(const std::function<bool(const When&)>& fits);
   void set_active(const std::string& core, const std::string& path, bool on);
   Waiting wait_for(std::size_t act, services::Time now, bool anew) const;

@@ -33,7 +33,7 @@ Expected<std::string> OutsideWorld::file(const std::string& name) const {
 }
 
 void OutsideWorld::act(const std::optional<PersonAct>& act, Wanted wanted, Done done) {
-  end_.act(act ? write_person_act(*act) : Value(), std::move(wanted), std::move(done));
+  end_.execute(act ? write_person_act(*act) : Value(), std::move(wanted), std::move(done));
 }
 
 }  // namespace race::server

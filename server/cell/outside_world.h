@@ -1,7 +1,7 @@
 // OutsideWorld: a world in a process of its own, as that process shows it. While there is none, everything is
 // `unavailable`; what comes back is a new world, with nobody's hands in it.
 //
-// Threads: any; poses are published on the unit's of the process.
+// Threads: any; poses are published on the group's of the process.
 #pragma once
 
 #include "server/cell/cell_world.h"

@@ -15,18 +15,18 @@ std::vector<FurtherService> screen_services(display::Screens& screens, const std
     return std::make_unique<audio::Audio>(screens, host);
   };
   const auto doings = [&screens] { return screens.doings(); };
-  const remote::Desk stage{[&screens](const std::string& function, const Dict& arguments) {
-                             return display::answer_stage(screens, function, arguments);
-                           },
-                           doings,
-                           [&screens] {
-                             screens.withdraw();
-                             screens.take();
-                           }};
-  const remote::Desk speakers{[&screens](const std::string& function, const Dict& arguments) {
-                                return audio::answer_speakers(screens, function, arguments);
-                              },
-                              doings, [&screens] { screens.silence(); }};
+  const remote::HostFunctions stage{[&screens](const std::string& function, const Dict& arguments) {
+                                      return display::answer_stage(screens, function, arguments);
+                                    },
+                                    doings,
+                                    [&screens] {
+                                      screens.withdraw();
+                                      screens.take();
+                                    }};
+  const remote::HostFunctions speakers{[&screens](const std::string& function, const Dict& arguments) {
+                                         return audio::answer_speakers(screens, function, arguments);
+                                       },
+                                       doings, [&screens] { screens.silence(); }};
   return {{"display", "display", make_display, stage}, {"audio", "audio", make_audio, speakers}};
 }
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "server/application.h"
-#include "server/cell/units.h"
+#include "server/cell/component_groups.h"
 #include "server/commands/command.h"
 #include "server/commands/options.h"
 #include "server/http/routes.h"
@@ -26,10 +26,10 @@ Expected<std::vector<std::string>> read_units(std::string_view text) {
   while (!text.empty()) {
     const std::string_view name = text.substr(0, text.find(','));
     text.remove_prefix(std::min(text.size(), name.size() + 1));
-    ASSIGN_OR_RETURN(const Unit* unit, find_unit(name));
-    if (std::ranges::find(names, unit->name) != names.end())
+    ASSIGN_OR_RETURN(const ComponentGroup* group, find_component_group(name));
+    if (std::ranges::find(names, group->name) != names.end())
       return unexpected(ErrorCode::duplicate, "stands twice", std::string(name));
-    names.emplace_back(unit->name);
+    names.emplace_back(group->name);
   }
   return names;
 }
@@ -83,7 +83,7 @@ const Command kServe = {
              "  --headless            no pages, whatever --web says\n"
              "  --operator FILE       somebody who acts by this script, else people do\n"
              "  --remote UNIT,...     waits for processes (race service) that bring these: " +
-             unit_names() +
+             component_group_names() +
              "\n"
              "  --heartbeat SECONDS   after which such a process that says nothing is lost (1)\n";
     }};

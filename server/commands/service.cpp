@@ -1,11 +1,11 @@
-// race service NAME: one unit of a cell as a process; its services are those of the server.
+// race service NAME: one group of a cell as a process; its services are those of the server.
 #include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <mutex>
 #include <thread>
 
-#include "server/cell/units.h"
+#include "server/cell/component_groups.h"
 #include "server/commands/command.h"
 #include "server/commands/options.h"
 #include "services/remote/socket_client.h"
@@ -25,7 +25,7 @@ void say(const std::string& text) {
   std::fflush(stdout);
 }
 
-// How a connection went, as the socket's thread and the unit's see it.
+// How a connection went, as the socket's thread and the group's see it.
 struct Session {
   std::atomic<bool> over{false};
   std::mutex mutex;
@@ -49,29 +49,30 @@ struct Session {
   }
 };
 
-// What the server says, on the socket's thread. The unit may wait for a reply; all else waits for the unit.
-void take(const remote::Frame& frame, remote::RemoteUnit& unit, Session& session, const std::string& name) {
+// What the server says, on the socket's thread. The group may wait for a reply; all else waits for the group.
+void take(const remote::EncodedMessage& frame, remote::ProcessHost& process, Session& session,
+          const std::string& name) {
   auto message = remote::decode(frame, remote::Reader::process);
   const auto unfit = [&session](const Error& error) {
     session.end("the server says what does not fit: " + to_string(error));
   };
   if (!message) return unfit(message.error());
   if (message->kind == remote::Kind::refused) return session.refuse(*message);
-  if (message->kind == remote::Kind::reply) return unit.replied(std::move(*message));
+  if (message->kind == remote::Kind::reply) return process.handle_reply(std::move(*message));
   if (message->kind == remote::Kind::welcome) say(name + " is there");
-  unit.queue().post([&unit, unfit, message = std::move(*message)]() mutable {
-    if (auto handled = unit.handle(std::move(message)); !handled) unfit(handled.error());
+  process.queue().post([&process, unfit, message = std::move(*message)]() mutable {
+    if (auto handled = process.handle(std::move(message)); !handled) unfit(handled.error());
   });
 }
 
-// Steps the unit in real time while it is connected.
-Expected<void> serve(remote::RemoteUnit& unit, Session& session) {
+// Steps the group in real time while it is connected.
+Expected<void> serve(remote::ProcessHost& process, Session& session) {
   auto next = steady_clock::now();
   while (!ended && !session.over) {
     next += 1ms;
     std::this_thread::sleep_until(next);
     if (const auto now = steady_clock::now(); now - next > 100ms) next = now;
-    unit.step();
+    process.step();
   }
   const std::lock_guard lock(session.mutex);
   if (session.refused) return tl::unexpected(*session.refused);
@@ -83,28 +84,28 @@ int be_a_service(const std::vector<std::string>& words) {
   if (!options) return refuse(options.error());
   if (options->rest.size() != 1 || !options->has("--server")) return misused(kService);
   const std::string& name = options->rest.front();
-  const auto row = find_unit(name);
+  const auto row = find_component_group(name);
   if (!row) return refuse(row.error());
   const std::string url = options->text("--server");
   const auto address = remote::read_address(url);
   if (!address) return refuse(address.error());
-  const UnitSetup setup{options->text("--folder"), options->text("--database", ":memory:")};
+  const GroupSetup setup{options->text("--folder"), options->text("--database", ":memory:")};
   std::signal(SIGINT, [](int) { ended = true; });
   std::signal(SIGTERM, [](int) { ended = true; });
 
   bool waits = false;  // and has said so
   while (!ended) {
     // What was connected once is as good as dead afterwards: its services begin anew.
-    remote::FrameQueue out;
-    remote::RemoteUnit unit;
-    if (auto made = (*row)->make(setup, unit); !made) return refuse(made.error());
+    remote::SendQueue out;
+    remote::ProcessHost process;
+    if (auto made = (*row)->make(setup, process); !made) return refuse(made.error());
     Session session;
     std::unique_ptr<remote::SocketClient> socket;
     while (!ended && !socket) {
-      auto connected =
-          remote::SocketClient::connect(*address, out,
-                                        {[&](const remote::Frame& frame) { take(frame, unit, session, name); },
-                                         [&](std::string why) { session.end(std::move(why)); }});
+      auto connected = remote::SocketClient::connect(
+          *address, out,
+          {[&](const remote::EncodedMessage& frame) { take(frame, process, session, name); },
+           [&](std::string why) { session.end(std::move(why)); }});
       if (connected) {
         socket = std::move(*connected);
       } else if (connected.error().code != ErrorCode::unavailable) {
@@ -117,10 +118,10 @@ int be_a_service(const std::vector<std::string>& words) {
     }
     if (ended) break;
     waits = false;
-    out.push(remote::encode(unit.hello()).value());
-    unit.connect(out, [&] { return ended || session.over; });
+    out.push(remote::encode(process.hello()).value());
+    process.connect(out, [&] { return ended || session.over; });
     try {
-      if (auto served = serve(unit, session); !served) return refuse(served.error());
+      if (auto served = serve(process, session); !served) return refuse(served.error());
     } catch (const std::exception& failure) {
       std::fprintf(stderr, "%s: died: %s\n", name.c_str(), failure.what());
       return kFound;
@@ -135,7 +136,7 @@ int be_a_service(const std::vector<std::string>& words) {
 const Command kService = {
     "service", "UNIT --server URL [--folder DIR] [--database FILE]",
     "runs one unit of a server's cell as a process, which may die", be_a_service, [] {
-      return "  UNIT              " + unit_names() +
+      return "  UNIT              " + component_group_names() +
              "\n"
              "  --server URL      http://127.0.0.1:8080, where it runs; waits for it, and again when it was lost\n"
              "  --folder DIR      the cell: scene.json, parts.json, database.json, pictures, as its unit needs them\n"

@@ -17,7 +17,7 @@
 #include "server/execution/replay.h"
 #include "server/execution/state_view.h"
 #include "server/execution/strand.h"
-#include "services/host.h"
+#include "services/host/host.h"
 
 namespace race::server {
 

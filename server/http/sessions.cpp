@@ -91,16 +91,16 @@ class ComponentSession final : Session, public std::enable_shared_from_this<Comp
   ComponentSession(beast::tcp_stream stream, remote::Remotes& remotes)
       : Session(std::move(stream)),
         heart_(executor_),
-        beat_(remotes.heartbeat() / remote::ProcessLink::kBeats),
+        beat_(remotes.heartbeat() / remote::ProcessLink::kPingsPerHeartbeat),
         link_(remotes) {}
 
   awaitable<void> run(Upgrade request) {
-    if (!co_await accept(request, remote::kFrameBytes)) co_return;
+    if (!co_await accept(request, remote::kMessageBytes)) co_return;
     asio::co_spawn(
         executor_, [self = shared_from_this()] { return self->write(); }, asio::detached);
     asio::co_spawn(
         executor_, [self = shared_from_this()] { return self->beat(); }, asio::detached);
-    beast::flat_buffer buffer(remote::kFrameBytes + 1024);
+    beast::flat_buffer buffer(remote::kMessageBytes + 1024);
     for (;;) {
       const auto [error, bytes] = co_await socket_.async_read(buffer, kUse);
       if (error) break;
@@ -109,7 +109,7 @@ class ComponentSession final : Session, public std::enable_shared_from_this<Comp
     }
     over_ = true;
     link_.out().on_change({});
-    link_.lose("its connection has ended");
+    link_.disconnect("its connection has ended");
     waker_.cancel();
     heart_.cancel();
   }
@@ -137,8 +137,8 @@ class ComponentSession final : Session, public std::enable_shared_from_this<Comp
       heart_.expires_after(beat_);
       co_await heart_.async_wait(kUse);
       if (over_) co_return;
-      link_.beat();
-      if (link_.lost()) co_return close();
+      link_.check_heartbeat();
+      if (link_.disconnected()) co_return close();
     }
   }
 

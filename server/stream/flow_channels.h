@@ -10,7 +10,7 @@
 
 #include "server/execution/strand.h"
 #include "server/stream/hub.h"
-#include "services/host.h"
+#include "services/host/host.h"
 
 namespace race::server {
 

@@ -1,7 +1,7 @@
 // Audio: the service `audio`: plays named sounds on the displays that may make sounds and answers when they are over.
 // Operations, events, limits: README.md.
 //
-// Threads: its unit's. Displays report elsewhere, through Screens; step() looks how far they are.
+// Threads: its group's. Displays report elsewhere, through Screens; step() looks how far they are.
 #pragma once
 
 #include <optional>

@@ -4,7 +4,7 @@
 
 #include "services/audio/audio.h"
 #include "services/audio/sounds.h"
-#include "services/desk_answers.h"
+#include "services/host_function.h"
 
 namespace race::audio {
 namespace {
@@ -26,7 +26,7 @@ Expected<Value> play(display::Speakers& speakers, const Dict& arguments) {
   const int repeat = static_cast<int>(arguments.find("repeat")->as_integer());
   const auto id =
       speakers.play(arguments.find("display")->as_string(), {0, sound, arguments.find("volume")->to_double(), repeat});
-  return id ? Value(static_cast<std::int64_t>(*id)) : services::refusal(id.error());
+  return id ? Value(static_cast<std::int64_t>(*id)) : services::refusal_reply(id.error());
 }
 
 Expected<Value> silence(display::Speakers& speakers, const Dict&) {
@@ -40,7 +40,7 @@ Expected<Value> playback(display::Speakers& speakers, const Dict&) {
                     {"reported", List(now.reported.begin(), now.reported.end())}});
 }
 
-using Function = services::DeskFunction<display::Speakers>;
+using Function = services::HostFunction<display::Speakers>;
 
 constexpr std::array kFunctions = {Function{"play", play}, Function{"silence", silence, false},
                                    Function{"playback", playback, false}};
@@ -66,7 +66,7 @@ display::Playback RemoteSpeakers::playback() {
 }
 
 Expected<Value> answer_speakers(display::Speakers& speakers, std::string_view function, const Dict& arguments) {
-  return services::answer_question(model(), kFunctions, speakers, function, arguments);
+  return services::call_host_function(model(), kFunctions, speakers, function, arguments);
 }
 
 }  // namespace race::audio

@@ -70,7 +70,7 @@ void Camera::call(const services::Call& call) {
   host_.result(call.id, std::move(info));
 }
 
-void Camera::wanted(std::string_view flow, bool on) {
+void Camera::demand_changed(std::string_view flow, bool on) {
   if (flow != kFrame && flow != kCloud) return;
   if (wanted_.empty()) next_ = host_.now();
   if (on)
@@ -94,8 +94,8 @@ void Camera::take_picture() {
   const services::Time time = host_.now();
   // Each picture has noise of its own; seeds of neighbouring runs must not give each other's pictures.
   const std::uint64_t seed = seed_ * 0xD1342543DE82EF95U + ++pictures_;
-  worker_->begin(time + kLatency, [this, time, seed, with_frame = wanted_.contains(kFrame),
-                                   with_cloud = wanted_.contains(kCloud), items = view(world_, mount_.o_t_c)] {
+  worker_->submit(time + kLatency, [this, time, seed, with_frame = wanted_.contains(kFrame),
+                                    with_cloud = wanted_.contains(kCloud), items = view(world_, mount_.o_t_c)] {
     const Measurement picture = measure(rasterize(items, intrinsics_), seed);
     services::PacketPtr frame, cloud;
     if (with_frame) frame = to_frame(picture, intrinsics_, time);

@@ -1,8 +1,8 @@
 // Camera: the service `camera` (thesis, appendix A: KinectDriver): colour and depth pictures of the world, and their
 // points, as two data flows. Operations, the flows' formats and limits: README.md.
 //
-// Threads: its unit's, which is the world's: step() follows the world's step and notes what is to be seen. Pictures are
-// drawn on a thread of its own.
+// Threads: its group's, which is the world's: step() follows the world's step and notes what is to be seen. Pictures
+// are drawn on a thread of its own.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 #include "services/camera/intrinsics.h"
 #include "services/component.h"
-#include "services/worker.h"
+#include "services/host/worker.h"
 #include "services/world/world.h"
 
 namespace race::camera {
@@ -29,7 +29,7 @@ class Camera final : public services::Component {
   const rsm::Service& model() const override { return camera::model(); }
   void call(const services::Call& call) override;
   void step() override;
-  void wanted(std::string_view flow, bool on) override;
+  void demand_changed(std::string_view flow, bool on) override;
   void stop() override { worker_.reset(); }
 
  private:

@@ -8,7 +8,7 @@
 //
 // Every operation: error `io` (the file fails), `type` or `missing` (an argument does not fit).
 //
-// Threads: its unit's.
+// Threads: its group's.
 #pragma once
 
 #include <memory>

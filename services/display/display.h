@@ -1,7 +1,7 @@
 // Display: the service `display`: shows text, images and questions to people and answers what they say. Operations,
 // events, limits: README.md.
 //
-// Threads: its unit's. People act elsewhere, through Screens; step() takes what they did.
+// Threads: its group's. People act elsewhere, through Screens; step() takes what they did.
 #pragma once
 
 #include <optional>

@@ -4,14 +4,14 @@
 #include <array>
 #include <utility>
 
-#include "services/desk_answers.h"
 #include "services/display/arguments.h"
 #include "services/display/display.h"
+#include "services/host_function.h"
 
 namespace race::display {
 namespace {
 
-using services::refusal;
+using services::refusal_reply;
 
 constexpr std::array<std::string_view, 4> kHappenings = {"answered", "pressed", "connected", "disconnected"};
 
@@ -44,20 +44,20 @@ Expected<Value> show(Stage& stage, const Dict& arguments) {
   ASSIGN_OR_RETURN(const std::string target, read_target(arguments));
   ASSIGN_OR_RETURN(Message message, read_message(arguments, ""));
   const auto shown = stage.show(target, std::move(message));
-  return shown ? Value() : refusal(shown.error());
+  return shown ? Value() : refusal_reply(shown.error());
 }
 
 Expected<Value> ask(Stage& stage, const Dict& arguments) {
   ASSIGN_OR_RETURN(const std::string target, read_target(arguments));
   ASSIGN_OR_RETURN(Question question, read_question(arguments));
   const auto id = stage.ask(target, std::move(question));
-  return id ? id_json(*id) : refusal(id.error());
+  return id ? id_json(*id) : refusal_reply(id.error());
 }
 
 Expected<Value> clear(Stage& stage, const Dict& arguments) {
   ASSIGN_OR_RETURN(const std::string target, read_target(arguments));
   const auto gone = stage.clear(target);
-  return gone ? Value(*gone) : refusal(gone.error());
+  return gone ? Value(*gone) : refusal_reply(gone.error());
 }
 
 Expected<Value> withdraw(Stage& stage, const Dict&) {
@@ -73,7 +73,7 @@ Expected<Value> take(Stage& stage, const Dict&) {
   return Value(std::move(all));
 }
 
-using Function = services::DeskFunction<Stage>;
+using Function = services::HostFunction<Stage>;
 
 constexpr std::array kFunctions = {
     Function{"show_text", show},       Function{"show_image", show},  Function{"ask", ask},
@@ -90,7 +90,7 @@ void RemoteStage::news() {
 
 // What it changes, changes what is known, too.
 Expected<Value> RemoteStage::command(std::string_view function, Dict arguments) {
-  auto answer = services::read_answer(server_(function, std::move(arguments)));
+  auto answer = services::read_reply(server_(function, std::move(arguments)));
   news();
   return answer;
 }
@@ -142,7 +142,7 @@ std::vector<Happening> RemoteStage::take() {
 }
 
 Expected<Value> answer_stage(Stage& stage, std::string_view function, const Dict& arguments) {
-  return services::answer_question(model(), kFunctions, stage, function, arguments);
+  return services::call_host_function(model(), kFunctions, stage, function, arguments);
 }
 
 }  // namespace race::display

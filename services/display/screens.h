@@ -13,7 +13,7 @@
 //   if (shown && shown->question) screens.answer("main", "Continue");
 //   if (shown && shown->sound) screens.played(*me, shown->sound->id);
 //
-// Answers reach the service at the next step of its unit, in order: in fast mode the same answers at the same world
+// Answers reach the service at the next step of its group, in order: in fast mode the same answers at the same world
 // time give the same run.
 //
 // Threads: any. The watcher is called under the lock, in the order of changes: it must be quick and must not call back.

@@ -1,6 +1,6 @@
 // Gripper: the service `gripper`, two-finger force and position control. Operations, events and units: README.md.
 //
-// Threads: its unit's. step() follows the world's step and sets the force of the next one.
+// Threads: its group's. step() follows the world's step and sets the force of the next one.
 #pragma once
 
 #include "services/component.h"

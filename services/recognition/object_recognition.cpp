@@ -117,7 +117,7 @@ void ObjectRecognition::packet(std::string_view, std::string_view, const service
   auto frame = read_frame(*packet);
   if (!frame) return host_.log("a frame that cannot be read: " + to_string(frame.error()));
   busy_ = true;
-  worker_->begin(host_.now() + kLatency, [this, session = session_, labels = labels_, frame = std::move(*frame)] {
+  worker_->submit(host_.now() + kLatency, [this, session = session_, labels = labels_, frame = std::move(*frame)] {
     auto detections = recognizer_.recognize(frame, labels);
     return [this, session, time = frame.time, detections = std::move(detections)] {
       busy_ = false;

@@ -1,7 +1,7 @@
 // ObjectRecognition: the service `obj_rec` (thesis, appendix A): while it is started, it tells where parts are, from
 // the pictures of the service `camera` alone. Operations, events and limits: README.md.
 //
-// Threads: its unit's; pictures are looked at on a thread of its own.
+// Threads: its group's; pictures are looked at on a thread of its own.
 #pragma once
 
 #include <memory>
@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "services/component.h"
+#include "services/host/worker.h"
 #include "services/recognition/recognize.h"
-#include "services/worker.h"
 
 namespace race::recognition {
 

@@ -209,7 +209,7 @@ Expected<Message> read_message(const Value& json, Reader reader, bool binary) {
 }
 
 // Deeper than the values of a model may be, as they stand within the message.
-constexpr JsonLimits kLimits{72, kFrameBytes};
+constexpr JsonLimits kLimits{72, kMessageBytes};
 
 std::string too_long_a_header() {
   return "the JSON of a binary message has at most " + std::to_string(kHeaderBytes) + " bytes";
@@ -222,14 +222,14 @@ constexpr std::size_t kLengthBytes = 4;
 std::string_view name(Kind kind) { return row_of(kind).name; }
 Reader reader_of(Kind kind) { return row_of(kind).reader; }
 
-Expected<Frame> encode(const Message& message) {
+Expected<EncodedMessage> encode(const Message& message) {
   const Row& row = row_of(message.kind);
   Dict json{{"type", row.name}};
   for (const Field& field : row.fields)
     std::visit([&](auto member) { json.set(field.name, write(message.*member)); }, field.member);
   const Value whole = std::move(json);
   if (!whole.is_finite()) return unexpected(ErrorCode::constant, "a message has finite numbers only");
-  Frame frame{to_json(whole), row.binary};
+  EncodedMessage frame{to_json(whole), row.binary};
   if (row.binary) {
     const std::size_t length = frame.bytes.size();
     if (length > kHeaderBytes) return unexpected(ErrorCode::too_large, too_long_a_header());
@@ -238,15 +238,15 @@ Expected<Frame> encode(const Message& message) {
     frame.bytes.insert(0, head);
     frame.bytes.append(reinterpret_cast<const char*>(message.bytes.data()), message.bytes.size());
   }
-  if (frame.bytes.size() > kFrameBytes)
-    return unexpected(ErrorCode::too_large, "a message has at most " + std::to_string(kFrameBytes) + " bytes");
+  if (frame.bytes.size() > kMessageBytes)
+    return unexpected(ErrorCode::too_large, "a message has at most " + std::to_string(kMessageBytes) + " bytes");
   return frame;
 }
 
-Expected<Message> decode(const Frame& frame, Reader reader) {
+Expected<Message> decode(const EncodedMessage& frame, Reader reader) {
   std::string_view text = frame.bytes, bytes;
-  if (text.size() > kFrameBytes)
-    return unexpected(ErrorCode::too_large, "a message has at most " + std::to_string(kFrameBytes) + " bytes");
+  if (text.size() > kMessageBytes)
+    return unexpected(ErrorCode::too_large, "a message has at most " + std::to_string(kMessageBytes) + " bytes");
   if (frame.binary) {
     std::size_t length = 0;
     for (std::size_t i = 0; i < kLengthBytes && i < text.size(); ++i)

@@ -12,14 +12,14 @@
 
 #include "core/value/expected.h"
 #include "services/component.h"
-#include "services/remote/frame.h"
+#include "services/remote/send_queue.h"
 
 namespace race::remote {
 
 /// Of the messages below; an end that speaks another is refused.
 inline constexpr std::int64_t kProtocol = 1;
 /// Of one message: a value of the database in its message, or a packet.
-inline constexpr std::size_t kFrameBytes = 32 * 1024 * 1024;
+inline constexpr std::size_t kMessageBytes = 32 * 1024 * 1024;
 /// Of the JSON of a packet: its header is shown to everyone who watches services.
 inline constexpr std::size_t kHeaderBytes = 64 * 1024;
 /// Of keys and names, logs, and the texts of errors.
@@ -41,7 +41,7 @@ enum class Kind : std::uint8_t {
   ready,    // for the act that was offered
   done,     // what came of it
   failed,   // why it was refused
-  pong,     // the unit's thread has got as far as the ping
+  pong,     // the group's thread has got as far as the ping
   // to the process; what it is to do says the server's time
   welcome,  // the components are there from now on
   refused,  // they are not, and why; the connection ends
@@ -81,13 +81,13 @@ struct Message {
   std::vector<std::byte> bytes;  // of a packet
 };
 
-/// Errors: `too_large` (more than kFrameBytes), `constant` (NaN or an infinity).
-Expected<Frame> encode(const Message& message);
+/// Errors: `too_large` (more than kMessageBytes), `constant` (NaN or an infinity).
+Expected<EncodedMessage> encode(const Message& message);
 
 /// Errors, with the field as path: `json`, `too_deep`, `too_large`, `constant` (no JSON within its limits), `type`
 /// (also: no type of a message for this reader, text where bytes are due or the other way round), `missing`,
 /// `unknown_field`, `out_of_range`.
-Expected<Message> decode(const Frame& frame, Reader reader);
+Expected<Message> decode(const EncodedMessage& frame, Reader reader);
 
 /// A text as it may be said: at most kNameBytes of it, cut between characters.
 std::string cut(std::string text);

@@ -4,25 +4,26 @@
 
 namespace race::remote {
 
-RemoteComponent::RemoteComponent(std::string key, const rsm::Service& model, services::ServiceHost& host, Desk desk)
-    : key_(std::move(key)), model_(model), host_(host), desk_(std::move(desk)) {}
+RemoteComponent::RemoteComponent(std::string key, const rsm::Service& model, services::ServiceHost& host,
+                                 HostFunctions functions)
+    : key_(std::move(key)), model_(model), host_(host), functions_(std::move(functions)) {}
 
-void RemoteComponent::connect(std::shared_ptr<FrameQueue> process) {
+void RemoteComponent::connect(std::shared_ptr<SendQueue> process) {
   process_ = std::move(process);
-  if (desk_.clean) desk_.clean();
+  if (functions_.reset) functions_.reset();
 }
 
 // A process that reads nothing loses what is sent; it answers no ping either, and is lost itself.
 Expected<void> RemoteComponent::send(const Message& message, const std::string& flow) {
   if (!process_) return {};
-  ASSIGN_OR_RETURN(Frame frame, encode(message));
+  ASSIGN_OR_RETURN(EncodedMessage frame, encode(message));
   process_->push(std::move(frame), flow);
   return {};
 }
 
 // What happened before the call, the process knows before it.
 void RemoteComponent::call(const services::Call& call) {
-  look();
+  notify_changes();
   Message message;
   message.kind = Kind::call;
   message.key = key_;
@@ -48,7 +49,7 @@ void RemoteComponent::packet(std::string_view key, std::string_view flow, const 
     host_.log("a packet of `" + message.service + "." + message.name + "` is lost: " + sent.error().message);
 }
 
-void RemoteComponent::wanted(std::string_view flow, bool on) {
+void RemoteComponent::demand_changed(std::string_view flow, bool on) {
   Message message;
   message.kind = Kind::wanted;
   message.key = key_;
@@ -58,10 +59,10 @@ void RemoteComponent::wanted(std::string_view flow, bool on) {
   if (auto sent = send(message); !sent) host_.log(sent.error().message);
 }
 
-void RemoteComponent::look() {
-  if (!desk_.version) return;
-  const std::uint64_t version = desk_.version();
-  if (std::exchange(told_, version) == version) return;
+void RemoteComponent::notify_changes() {
+  if (!functions_.version) return;
+  const std::uint64_t version = functions_.version();
+  if (std::exchange(notified_version_, version) == version) return;
   Message message;
   message.kind = Kind::news;
   message.key = key_;
@@ -70,11 +71,11 @@ void RemoteComponent::look() {
 }
 
 Expected<void> RemoteComponent::answer(const Message& request) {
-  if (!desk_.request) return unexpected(ErrorCode::not_found, "there is nothing here that it could ask", key_);
+  if (!functions_.request) return unexpected(ErrorCode::not_found, "there is nothing here that it could ask", key_);
   Message reply;
   reply.kind = Kind::reply;
   reply.number = request.number;
-  ASSIGN_OR_RETURN(reply.value, desk_.request(request.name, request.kwargs));
+  ASSIGN_OR_RETURN(reply.value, functions_.request(request.name, request.kwargs));
   return send(reply);
 }
 

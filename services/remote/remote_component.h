@@ -1,35 +1,37 @@
 // RemoteComponent: what the Host takes for a component that lives in another process. It hands calls and packets to
 // that process and says to its ServiceHost what the process announces; it knows nothing of the service itself.
 //
-// Threads: its unit's.
+// Threads: its group's.
 #pragma once
 
 #include <memory>
 #include <string>
 
 #include "services/component.h"
-#include "services/remote/desk.h"
-#include "services/remote/frame.h"
+#include "services/remote/host_functions.h"
 #include "services/remote/protocol.h"
+#include "services/remote/send_queue.h"
 
 namespace race::remote {
 
 class RemoteComponent final : public services::Component {
  public:
   /// `model`: the RSM that the process must bring; it and the host outlive the component.
-  RemoteComponent(std::string key, const rsm::Service& model, services::ServiceHost& host, Desk desk = {});
+  RemoteComponent(std::string key, const rsm::Service& model, services::ServiceHost& host,
+                  HostFunctions functions = {});
 
   /// What is sent goes to `process` from now on; nullptr: to nobody.
-  void connect(std::shared_ptr<FrameQueue> process);
-  /// The process has announced something or asks its desk. Requires a message of such a kind. Errors: the desk's.
+  void connect(std::shared_ptr<SendQueue> process);
+  /// The process has announced something or asks its functions. Requires a message of such a kind. Errors: the
+  /// functions's.
   Expected<void> announce(Message message);
   /// Tells the process when there is news for it.
-  void look();
+  void notify_changes();
 
   const rsm::Service& model() const override { return model_; }
   void call(const services::Call& call) override;
   void packet(std::string_view key, std::string_view flow, const services::PacketPtr& packet) override;
-  void wanted(std::string_view flow, bool on) override;
+  void demand_changed(std::string_view flow, bool on) override;
 
  private:
   Expected<void> send(const Message& message, const std::string& flow = {});
@@ -38,9 +40,9 @@ class RemoteComponent final : public services::Component {
   const std::string key_;
   const rsm::Service& model_;
   services::ServiceHost& host_;
-  const Desk desk_;
-  std::uint64_t told_ = 0;               // the version of the desk that the process knows of
-  std::shared_ptr<FrameQueue> process_;  // held by its connection too
+  const HostFunctions functions_;
+  std::uint64_t notified_version_ = 0;  // the version of the functions that the process knows of
+  std::shared_ptr<SendQueue> process_;  // held by its connection too
 };
 
 }  // namespace race::remote

@@ -23,7 +23,7 @@ Expected<Error> read_error(const Value& json) {
   return Error{*known, *text, *path};
 }
 
-tl::unexpected<Error> nobody_waits() { return unexpected(ErrorCode::conflict, "nobody waits for this", "number"); }
+tl::unexpected<Error> no_such_command() { return unexpected(ErrorCode::conflict, "nobody waits for this", "number"); }
 
 Message message_of(Kind kind) {
   Message message;
@@ -35,26 +35,26 @@ Message message_of(Kind kind) {
 
 tl::unexpected<Error> no_world() { return unexpected(ErrorCode::unavailable, "the process of the cell is not there"); }
 
-RemoteWorld::RemoteWorld(const services::Clock& clock, Door door, std::function<void(Value)> show)
-    : clock_(clock), door_(std::move(door)), show_(std::move(show)) {}
+RemoteWorld::RemoteWorld(const services::Clock& clock, Validator validate, std::function<void(Value)> show)
+    : clock_(clock), validate_(std::move(validate)), show_(std::move(show)) {}
 
 Expected<RemoteWorld::World> RemoteWorld::check(Value world) const {
   world.freeze();
-  ASSIGN_OR_RETURN(Rules rules, door_(world));
+  ASSIGN_OR_RETURN(Rules rules, validate_(world));
   return World{std::move(world), std::move(rules)};
 }
 
 // With the lock. A process that reads nothing answers no ping either, and is lost.
 Expected<void> RemoteWorld::send(Message message) {
   message.time = clock_.now();
-  ASSIGN_OR_RETURN(Frame frame, encode(message));
+  ASSIGN_OR_RETURN(EncodedMessage frame, encode(message));
   if (!process_->push(std::move(frame)))
     return unexpected(ErrorCode::unavailable, "the process of the cell takes nothing more");
   return {};
 }
 
-void RemoteWorld::connect(std::shared_ptr<FrameQueue> process, World world) {
-  std::map<std::int64_t, Act> left;
+void RemoteWorld::connect(std::shared_ptr<SendQueue> process, World world) {
+  std::map<std::int64_t, Command> left;
   {
     const std::lock_guard lock(mutex_);
     world_ = process ? std::make_shared<const World>(std::move(world)) : nullptr;
@@ -66,7 +66,7 @@ void RemoteWorld::connect(std::shared_ptr<FrameQueue> process, World world) {
       (void)send(std::move(message));
     }
   }
-  for (const auto& [number, act] : left) act.done(no_world());
+  for (const auto& [number, command] : left) command.done(no_world());
 }
 
 Value RemoteWorld::world() const {
@@ -75,43 +75,43 @@ Value RemoteWorld::world() const {
 }
 
 // With the lock. Takes the act if it waits from now on.
-Expected<void> RemoteWorld::offer(Act& act) {
+Expected<void> RemoteWorld::offer(Command& command) {
   if (!process_) return no_world();
-  if (waiting_.size() >= kActs)
-    return unexpected(ErrorCode::unavailable, std::to_string(kActs) + " acts wait for the cell already");
+  if (waiting_.size() >= kPendingCommands)
+    return unexpected(ErrorCode::unavailable, std::to_string(kPendingCommands) + " acts wait for the cell already");
   Message message = message_of(Kind::offer);
-  message.number = acts_ + 1;
+  message.number = commands_ + 1;
   if (auto sent = send(std::move(message)); !sent) return sent;
-  waiting_.emplace(++acts_, std::move(act));
+  waiting_.emplace(++commands_, std::move(command));
   return {};
 }
 
-void RemoteWorld::act(Value what, Wanted wanted, Done done) {
+void RemoteWorld::execute(Value what, Confirm confirm, Done done) {
   what.freeze();
-  Act act{std::move(what), std::move(wanted), std::move(done)};
+  Command command{std::move(what), std::move(confirm), std::move(done)};
   Expected<void> offered;
   {
     const std::lock_guard lock(mutex_);
-    offered = offer(act);
+    offered = offer(command);
   }
-  if (!offered) act.done(tl::unexpected(std::move(offered).error()));
+  if (!offered) command.done(tl::unexpected(std::move(offered).error()));
 }
 
 // Whoever waited may have gone since, and was told so: then nothing is said, and nothing done.
-Expected<void> RemoteWorld::ready(std::int64_t number) {
+Expected<void> RemoteWorld::handle_ready(std::int64_t number) {
   Done done;
   Expected<void> sent;
   {
     const std::lock_guard lock(mutex_);
     const auto found = waiting_.find(number);
-    if (found == waiting_.end() || found->second.begun) return nobody_waits();
-    if (found->second.wanted()) {
+    if (found == waiting_.end() || found->second.started) return no_such_command();
+    if (found->second.confirm()) {
       Message message = message_of(Kind::act);
       message.number = number;
       message.value = found->second.what;
       sent = send(std::move(message));
       if (sent) {
-        found->second.begun = true;
+        found->second.started = true;
         return {};
       }
       done = std::move(found->second.done);
@@ -131,12 +131,12 @@ void RemoteWorld::watch(bool on) {
 }
 
 Expected<void> RemoteWorld::announce(Message message) {
-  if (message.kind == Kind::ready) return ready(message.number);
+  if (message.kind == Kind::ready) return handle_ready(message.number);
   message.value.freeze();
-  return message.kind == Kind::pose ? posed(message.value) : answered(message);
+  return message.kind == Kind::pose ? handle_pose(message.value) : handle_answer(message);
 }
 
-Expected<void> RemoteWorld::posed(const Value& pose) {
+Expected<void> RemoteWorld::handle_pose(const Value& pose) {
   std::shared_ptr<const World> world;
   {
     const std::lock_guard lock(mutex_);
@@ -149,13 +149,13 @@ Expected<void> RemoteWorld::posed(const Value& pose) {
 }
 
 // What does not fit answers nobody: the process is lost, and with it the act.
-Expected<void> RemoteWorld::answered(const Message& message) {
+Expected<void> RemoteWorld::handle_answer(const Message& message) {
   Done done;
   Expected<Value> answer = message.value;
   {
     const std::lock_guard lock(mutex_);
     const auto found = waiting_.find(message.number);
-    if (found == waiting_.end() || !found->second.begun) return nobody_waits();
+    if (found == waiting_.end() || !found->second.started) return no_such_command();
     if (message.kind == Kind::failed) {
       ASSIGN_OR_RETURN(Error error, read_error(message.value));
       answer = tl::unexpected(std::move(error));

@@ -19,14 +19,15 @@ bool is_of_world(Kind kind) {
 
 }  // namespace
 
-// What the unit's thread has of a link, which may be gone by then. All but `heard` is the unit's once it is greeted.
+// What the group's thread has of a link, which may be gone by then. All but `pong_received` is the group's once it is
+// greeted.
 struct ProcessLink::Process {
-  std::atomic<bool> heard{false};                                    // a pong came since the last beat
-  std::shared_ptr<FrameQueue> out = std::make_shared<FrameQueue>();  // with the components too
+  std::atomic<bool> pong_received{false};                          // a pong came since the last beat
+  std::shared_ptr<SendQueue> out = std::make_shared<SendQueue>();  // with the components too
   std::map<std::string, RemoteComponent*> components;
   std::vector<std::string> keys;  // in the order of its hello
   RemoteWorld* world = nullptr;   // that it brought
-  std::size_t unit = 0;
+  std::size_t group = 0;
   std::string fault;  // in what it said; nothing that it says counts any more
 
   void send(const Message& message) { out->push(encode(message).value()); }
@@ -40,10 +41,10 @@ struct ProcessLink::Process {
     fault = "refused: " + cut(to_string(error));
   }
 
-  Expected<void> handle(const Frame& frame) {
+  Expected<void> handle(const EncodedMessage& frame) {
     ASSIGN_OR_RETURN(Message message, decode(frame, Reader::server));
     if (message.kind == Kind::pong) {
-      heard = true;
+      pong_received = true;
       return {};
     }
     if (message.kind == Kind::hello) return unexpected(ErrorCode::conflict, "has been said already", "hello");
@@ -62,60 +63,60 @@ ProcessLink::ProcessLink(Remotes& remotes) : remotes_(remotes), process_(std::ma
 
 ProcessLink::~ProcessLink() {
   process_->out->on_change({});
-  lose("its connection has ended");
+  disconnect("its connection has ended");
 }
 
-FrameQueue& ProcessLink::out() { return *process_->out; }
+SendQueue& ProcessLink::out() { return *process_->out; }
 
-void ProcessLink::received(Frame frame) {
-  if (lost_) return;
-  if (!greeted_) {
-    if (auto good = greet(frame); !good) {
+void ProcessLink::received(EncodedMessage frame) {
+  if (disconnected_) return;
+  if (!accepted_) {
+    if (auto good = accept_hello(frame); !good) {
       process_->refuse(good.error());
-      lost_ = true;
+      disconnected_ = true;
     }
     return;
   }
-  remotes_.post(process_->unit, [process = process_, frame = std::move(frame)] {
+  remotes_.post(process_->group, [process = process_, frame = std::move(frame)] {
     if (!process->fault.empty()) return;
     if (auto good = process->handle(frame); !good) process->refuse(good.error());
   });
 }
 
-Expected<void> ProcessLink::greet(const Frame& frame) {
+Expected<void> ProcessLink::accept_hello(const EncodedMessage& frame) {
   constexpr std::size_t kHelloBytes = 4 * 1024 * 1024;
   if (frame.bytes.size() > kHelloBytes) return unexpected(ErrorCode::too_large, "is too long", "hello");
   ASSIGN_OR_RETURN(Message hello, decode(frame, Reader::server));
   if (hello.kind != Kind::hello) return unexpected(ErrorCode::type, "the first message is `hello`", "type");
   if (hello.number != kProtocol)
     return unexpected(ErrorCode::version, "this server speaks protocol " + std::to_string(kProtocol), "protocol");
-  ASSIGN_OR_RETURN(const Remotes::Taken taken, remotes_.take(hello.value, hello.world));
-  process_->unit = taken.places.front()->unit;
+  ASSIGN_OR_RETURN(const Remotes::Claim taken, remotes_.claim(hello.value, hello.world));
+  process_->group = taken.places.front()->group;
   process_->world = taken.end;
   for (const Remotes::Place* place : taken.places) {
     process_->keys.push_back(place->service.key);
     process_->components.emplace(place->service.key, place->component);
   }
-  greeted_ = true;
-  process_->heard = true;
-  remotes_.post(process_->unit, [process = process_, &remotes = remotes_, world = taken.world] {
+  accepted_ = true;
+  process_->pong_received = true;
+  remotes_.post(process_->group, [process = process_, &remotes = remotes_, world = taken.world] {
     Message welcome;
     welcome.kind = Kind::welcome;
     welcome.time = remotes.clock_.now();
     process->send(welcome);
     if (process->world) process->world->connect(process->out, world);
     for (const auto& [key, component] : process->components) component->connect(process->out);
-    for (const std::string& key : process->keys) remotes.host_.regain(key);
+    for (const std::string& key : process->keys) remotes.host_.reconnect(key);
   });
   return {};
 }
 
-void ProcessLink::beat() {
-  if (lost_) return;
-  silent_ = process_->heard.exchange(false) ? 0 : silent_ + 1;
-  if (silent_ > kBeats) return lose(greeted_ ? "it answers no more" : "it says no hello");
-  if (!greeted_) return;
-  remotes_.post(process_->unit, [process = process_, &remotes = remotes_, number = ++pings_] {
+void ProcessLink::check_heartbeat() {
+  if (disconnected_) return;
+  unanswered_ = process_->pong_received.exchange(false) ? 0 : unanswered_ + 1;
+  if (unanswered_ > kPingsPerHeartbeat) return disconnect(accepted_ ? "it answers no more" : "it says no hello");
+  if (!accepted_) return;
+  remotes_.post(process_->group, [process = process_, &remotes = remotes_, number = ++pings_] {
     Message ping;
     ping.kind = Kind::ping;
     ping.number = number;
@@ -124,20 +125,20 @@ void ProcessLink::beat() {
   });
 }
 
-void ProcessLink::lose(const std::string& why) {
-  if (std::exchange(lost_, true)) return;
+void ProcessLink::disconnect(const std::string& why) {
+  if (std::exchange(disconnected_, true)) return;
   process_->out->close();
-  if (!greeted_) return;
+  if (!accepted_) return;
   // Who comes now is greeted after this one has gone.
-  remotes_.post(process_->unit, [process = process_, &remotes = remotes_, why] {
+  remotes_.post(process_->group, [process = process_, &remotes = remotes_, why] {
     if (process->fault.empty()) process->fault = why;
     if (process->world) process->world->connect(nullptr, {});
     for (const std::string& key : process->keys) {
-      remotes.host_.lose(key, process->fault);
+      remotes.host_.disconnect(key, process->fault);
       process->components.at(key)->connect(nullptr);
     }
   });
-  remotes_.give_back(process_->keys, process_->world);
+  remotes_.release(process_->keys, process_->world);
 }
 
 Remotes::Remotes(services::Host& host, const services::Clock& clock, std::chrono::milliseconds heartbeat)
@@ -148,21 +149,21 @@ Remotes::~Remotes() { stop(); }
 void Remotes::add(const std::vector<RemoteService>& services, RemoteWorld* world) {
   const std::lock_guard lock(mutex_);
   worlds_.push_back({world});
-  units_.push_back(std::make_unique<services::WorkThread>());
+  groups_.push_back(std::make_unique<services::WorkThread>());
   for (const RemoteService& service : services) {
-    services::ServiceHost& host = host_.declare(service.key, service.type, *units_.back());
-    auto component = std::make_unique<RemoteComponent>(service.key, *service.model, host, service.desk);
-    places_.emplace(service.key, Place{service, units_.size() - 1, component.get()});
-    host_.attach(service.key, std::move(component), services::Host::Presence::awaited);
+    services::ServiceHost& host = host_.declare(service.key, service.type, *groups_.back());
+    auto component = std::make_unique<RemoteComponent>(service.key, *service.model, host, service.host_functions);
+    places_.emplace(service.key, Place{service, groups_.size() - 1, component.get()});
+    host_.attach(service.key, std::move(component), services::Host::Connection::disconnected);
   }
 }
 
 void Remotes::step() {
   for (auto& [key, place] : places_) {
-    if (!place.service.desk.version) continue;
-    const std::uint64_t version = place.service.desk.version();
+    if (!place.service.host_functions.version) continue;
+    const std::uint64_t version = place.service.host_functions.version();
     if (std::exchange(place.seen, version) != version)
-      post(place.unit, [component = place.component] { component->look(); });
+      post(place.group, [component = place.component] { component->notify_changes(); });
   }
 }
 
@@ -170,7 +171,7 @@ void Remotes::stop() {
   std::vector<std::unique_ptr<services::WorkThread>> ending;
   {
     const std::lock_guard lock(mutex_);
-    ending.swap(units_);
+    ending.swap(groups_);
   }
 }
 
@@ -196,7 +197,7 @@ Expected<std::vector<Remotes::Place*>> Remotes::find(const Value& components) {
     if (rsm::write_service(*service) != rsm::write_service(*place.service.model))
       return unexpected(ErrorCode::conflict, "has another RSM here: another version of the program?", *key);
     if (std::ranges::find(places, &place) != places.end()) return taken(*key);
-    if (!places.empty() && place.unit != places.front()->unit)
+    if (!places.empty() && place.group != places.front()->group)
       return unexpected(ErrorCode::conflict, "belongs into another process", *key);
     places.push_back(&place);
   }
@@ -204,11 +205,11 @@ Expected<std::vector<Remotes::Place*>> Remotes::find(const Value& components) {
 }
 
 // The places, which are the process' own from now on. What it says is read before the lock is taken: whoever posts to a
-// unit does not wait for that.
-Expected<Remotes::Taken> Remotes::take(const Value& components, const Value& world) {
-  Taken all;
+// group does not wait for that.
+Expected<Remotes::Claim> Remotes::claim(const Value& components, const Value& world) {
+  Claim all;
   ASSIGN_OR_RETURN(all.places, find(components));
-  WorldPlace& place = worlds_[all.places.front()->unit];
+  WorldPlace& place = worlds_[all.places.front()->group];
   if (!world.is_null()) {
     if (!place.world) return unexpected(ErrorCode::not_found, "these services have no world here", "world");
     all.end = place.world;
@@ -223,16 +224,16 @@ Expected<Remotes::Taken> Remotes::take(const Value& components, const Value& wor
   return all;
 }
 
-void Remotes::give_back(const std::vector<std::string>& keys, const RemoteWorld* world) {
+void Remotes::release(const std::vector<std::string>& keys, const RemoteWorld* world) {
   const std::lock_guard lock(mutex_);
   for (WorldPlace& place : worlds_)
     if (world && place.world == world) place.taken = false;
   for (const std::string& key : keys) places_.at(key).taken = false;
 }
 
-void Remotes::post(std::size_t unit, services::WorkQueue::Work work) {
+void Remotes::post(std::size_t group, services::WorkQueue::Work work) {
   const std::lock_guard lock(mutex_);
-  if (unit < units_.size()) units_[unit]->post(std::move(work));
+  if (group < groups_.size()) groups_[group]->post(std::move(work));
 }
 
 }  // namespace race::remote

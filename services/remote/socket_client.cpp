@@ -45,7 +45,7 @@ Expected<Address> read_address(std::string_view url) {
 
 // Everything on the one thread of `io`, but for what wakes it.
 struct SocketClient::Socket {
-  Socket(FrameQueue& its_out, Handlers its_handlers) : out(its_out), handlers(std::move(its_handlers)) {}
+  Socket(SendQueue& its_out, Handlers its_handlers) : out(its_out), handlers(std::move(its_handlers)) {}
 
   // Errors of the network; of what is there if it is no server of ours.
   asio::awaitable<Expected<void>> open(const Address& address) {
@@ -59,7 +59,7 @@ struct SocketClient::Socket {
     if (absent) co_return failure(absent);
     error_code ignored;
     lowest.socket().set_option(tcp::no_delay(true), ignored);
-    stream.read_message_max(kFrameBytes);
+    stream.read_message_max(kMessageBytes);
     stream.auto_fragment(false);
     websocket::response_type answer;
     const auto [refused] = co_await stream.async_handshake(answer, name, kTarget, kUse);
@@ -74,7 +74,7 @@ struct SocketClient::Socket {
   static tl::unexpected<Error> failure(error_code error) { return unexpected(ErrorCode::unavailable, error.message()); }
 
   asio::awaitable<void> read() {
-    beast::flat_buffer buffer(kFrameBytes + 1024);
+    beast::flat_buffer buffer(kMessageBytes + 1024);
     std::string why;
     for (;;) {
       const auto [error, bytes] = co_await stream.async_read(buffer, kUse);
@@ -105,7 +105,7 @@ struct SocketClient::Socket {
     }
   }
 
-  FrameQueue& out;
+  SendQueue& out;
   Handlers handlers;
   asio::io_context io{1};
   websocket::stream<beast::tcp_stream> stream{io};
@@ -116,7 +116,7 @@ struct SocketClient::Socket {
 
 SocketClient::SocketClient(std::unique_ptr<Socket> socket) : socket_(std::move(socket)) {}
 
-Expected<std::unique_ptr<SocketClient>> SocketClient::connect(const Address& address, FrameQueue& out,
+Expected<std::unique_ptr<SocketClient>> SocketClient::connect(const Address& address, SendQueue& out,
                                                               Handlers handlers) {
   auto socket = std::make_unique<Socket>(out, std::move(handlers));
   Expected<void> opened;

@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "core/value/expected.h"
-#include "services/remote/frame.h"
+#include "services/remote/send_queue.h"
 
 namespace race::remote {
 
@@ -27,13 +27,13 @@ Expected<Address> read_address(std::string_view url);
 class SocketClient {
  public:
   struct Handlers {
-    std::function<void(Frame)> received;
+    std::function<void(EncodedMessage)> received;
     std::function<void(std::string why)> closed;  // once, unless the client is destroyed before
   };
 
   /// Connects within three seconds. Sends what `out` has until that is drained, or the connection ends; it outlives the
   /// client. Errors: `unavailable` (nobody is there), `conflict` (who is there does not let components in).
-  static Expected<std::unique_ptr<SocketClient>> connect(const Address& address, FrameQueue& out, Handlers handlers);
+  static Expected<std::unique_ptr<SocketClient>> connect(const Address& address, SendQueue& out, Handlers handlers);
   /// Ends the connection.
   ~SocketClient();
 

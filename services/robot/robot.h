@@ -1,7 +1,7 @@
 // Robot: the service `robot` (thesis Figure 4.1): offers a control unit to tasks. Operations, events and units:
 // README.md.
 //
-// Threads: its unit's. step() follows the world's step and sets the torques of the next one.
+// Threads: its group's. step() follows the world's step and sets the torques of the next one.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Timer: one alarm clock on the time of the unit it lives in.
+// Timer: one alarm clock on the time of the group it lives in.
 //
 //   start(seconds)  deferred -> {"elapsed": seconds} when the time is over; `not_accepted` while it runs;
 //                   error `cancelled`, or `invalid` at once if seconds is not a number in 0 .. 86400
@@ -6,7 +6,7 @@
 //
 // Events: `elapsed` {"seconds"} when a start comes to its end; `tick` {"time"} ten times a second [s], sampled.
 //
-// Threads: its unit's.
+// Threads: its group's.
 #pragma once
 
 #include "services/component.h"

@@ -2,7 +2,7 @@
 // RACE service: control units read its sensors and set its torques and forces; nothing ever writes a position of the
 // robot. Parts may be put elsewhere by an experimenter, never into another body.
 //
-// Threads: one thread, its unit's. It has no clock: its time is the number of steps its caller made.
+// Threads: one thread, its group's. It has no clock: its time is the number of steps its caller made.
 #pragma once
 
 #include <array>

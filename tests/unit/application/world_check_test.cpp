@@ -83,7 +83,7 @@ TEST_F(WorldCheck, WhatIsNoPoseOfThisWorldIsRefused) {
               HasSubstr("absent: duplicate"));
 }
 
-constexpr std::array kActs = {
+constexpr std::array kPendingCommands = {
     R"({"act": "grab", "hand": "left", "body": "link_5", "point": [0.0, 0.0, 0.5], "stiffness": 20.0, "damping": 1.0, )"
     R"("limit": 9.0, "keep": 7.0})",
     R"({"act": "grab", "body": "link_5"})",
@@ -98,7 +98,7 @@ constexpr std::array kActs = {
 
 // An act that goes to a process is the same act there.
 TEST(WritePersonAct, WhatIsWrittenIsReadAsTheSameAct) {
-  for (const char* json : kActs) {
+  for (const char* json : kPendingCommands) {
     const Value before = parse_json(json).value();
     const Value written = write_person_act(read_person_act(before, kClientPatience).value());
     const auto again = read_person_act(written, std::numeric_limits<double>::infinity());

@@ -1,7 +1,7 @@
 // What tests of the server hand to a Host whose news nobody wants.
 #pragma once
 
-#include "services/host.h"
+#include "services/host/host.h"
 
 namespace race::server {
 

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "core/value/json.h"
-#include "services/work_queue.h"
+#include "services/host/work_queue.h"
 #include "tests/unit/server/bench.h"
 #include "tests/unit/services/host/bench.h"
 
@@ -19,7 +19,7 @@ class Tap final : public services::Component {
   explicit Tap(services::ServiceHost& its_host) : host(its_host) {}
   const rsm::Service& model() const override { return services::tap_model(); }
   void call(const services::Call&) override {}
-  void wanted(std::string_view, bool on) override { is_wanted = on; }
+  void demand_changed(std::string_view, bool on) override { is_wanted = on; }
   void pour(services::Time time) {
     host.publish("water", std::make_shared<services::Packet>(services::Packet{time, {}, {}}));
   }
@@ -46,15 +46,15 @@ class Client final : public Listener {
 
 struct FlowChannelsTest : testing::Test {
   FlowChannelsTest() {
-    services::ServiceHost& slot = host.declare("tap", "tap", unit);
-    auto made = std::make_unique<Tap>(slot);
+    services::ServiceHost& service = host.declare("tap", "tap", queue);
+    auto made = std::make_unique<Tap>(service);
     tap = made.get();
     host.attach("tap", std::move(made));
   }
   // Until the stream has done what it was asked for: its strands take turns on the one thread.
   void settle() {
     for (int i = 0; i < 20; ++i) Strand(pool).ask([] { return 0; });
-    unit.run();
+    queue.run();
   }
   void watch(bool on) {
     on ? hub.subscribe(client, "flow/tap/water", {}) : hub.unsubscribe(client, "flow/tap/water");
@@ -73,7 +73,7 @@ struct FlowChannelsTest : testing::Test {
 
   NoObserver observer;
   services::WorldClock clock;
-  services::WorkQueue unit;
+  services::WorkQueue queue;
   services::Host host{clock, observer};
   Pool pool{1};
   Hub hub{pool, 1, [this](const std::string& name) { return channels->find_channel(name); }};

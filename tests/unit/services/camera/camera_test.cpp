@@ -17,8 +17,8 @@ using testing::IsEmpty;
 struct Studio {
   explicit Studio(std::uint64_t seed = 1)
       : world(world::World::load(RACE_SOURCE_DIR "/deploy/demo/scene.json").value()) {
-    auto& slot = bench.host.declare("camera", "KinectDriver", bench.unit);
-    bench.host.attach("camera", std::make_unique<Camera>(slot, *world, seed));
+    auto& service = bench.host.declare("camera", "KinectDriver", bench.queue);
+    bench.host.attach("camera", std::make_unique<Camera>(service, *world, seed));
   }
   ~Studio() { bench.host.stop(); }
   services::Flows::WatchId watch(const char* flow = "frame") {

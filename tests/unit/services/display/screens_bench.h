@@ -20,7 +20,8 @@ struct ScreensBench : testing::Test {
   using Answer = std::function<Expected<Value>(Screens&, std::string_view function, const Dict& arguments)>;
 
   /// `key`: the service's; `its_answer`: what the server does with its questions.
-  ScreensBench(std::string key, Answer its_answer) : service(std::move(key)), answer_question(std::move(its_answer)) {}
+  ScreensBench(std::string key, Answer its_answer)
+      : service(std::move(key)), call_host_function(std::move(its_answer)) {}
 
   void call(const std::string& operation, List args = {}, Dict kwargs = {}) {
     look();
@@ -36,11 +37,11 @@ struct ScreensBench : testing::Test {
   }
 
   std::string service;
-  Answer answer_question;
+  Answer call_host_function;
   Screens screens;
   Remote remote{[this](std::string_view function, const Dict& arguments) -> Expected<Value> {
     ASSIGN_OR_RETURN(const Value asked, parse_json(to_json(arguments)));
-    ASSIGN_OR_RETURN(const Value answer, answer_question(screens, function, asked.as_dict()));
+    ASSIGN_OR_RETURN(const Value answer, call_host_function(screens, function, asked.as_dict()));
     return parse_json(to_json(answer));
   }};
   std::uint64_t seen = 0;

@@ -1,4 +1,4 @@
-// A Bench: a host with one unit and a clock of world time, and what its services said. Tests of components use it in
+// A Bench: a host with one queue and a clock of world time, and what its services said. Tests of components use it in
 // place of cores.
 #pragma once
 
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/rsm/document.h"
-#include "services/host.h"
+#include "services/host/host.h"
 
 namespace race::services {
 
@@ -16,17 +16,17 @@ class Bench final : public HostObserver {
 
   template <typename C, typename... Arguments>
   C& add(const std::string& key, Arguments&&... arguments) {
-    ServiceHost& slot = host.declare(key, key, unit);
-    auto component = std::make_unique<C>(std::forward<Arguments>(arguments)..., slot);
+    ServiceHost& service = host.declare(key, key, queue);
+    auto component = std::make_unique<C>(std::forward<Arguments>(arguments)..., service);
     C& made = *component;
     host.attach(key, std::move(component));
     return made;
   }
 
-  /// Calls as core "1" and lets the unit work.
+  /// Calls as core "1" and lets the queue work.
   CallId call(const std::string& service, const std::string& operation, List args = {}, Dict kwargs = {}) {
     const CallId id = host.call({"1", ++calls}, service, operation, std::move(args), std::move(kwargs));
-    unit.run();
+    queue.run();
     return id;
   }
 
@@ -35,8 +35,8 @@ class Bench final : public HostObserver {
     for (int ms = 0; ms < static_cast<int>(seconds * 1000 + 0.5); ++ms) {
       clock.set(static_cast<double>(++milliseconds) / 1000);
       host.advance(true);
-      unit.run();
-      host.step(unit);
+      queue.run();
+      host.step(queue);
     }
   }
 
@@ -49,7 +49,7 @@ class Bench final : public HostObserver {
   void logged(Time, const std::string&, const std::string& text) override { log.push_back(text); }
 
   WorldClock clock;
-  WorkQueue unit;
+  WorkQueue queue;
   std::vector<Delivery> deliveries;
   std::vector<std::string> log;
   std::uint64_t calls = 0;

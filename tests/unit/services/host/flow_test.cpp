@@ -29,7 +29,9 @@ class Vessel final : public Component {
     if (broken) throw std::runtime_error("overflow");
     got.push_back(std::string(key) + "." + std::string(flow) + "@" + std::to_string(static_cast<int>(packet->time)));
   }
-  void wanted(std::string_view flow, bool on) override { wishes.push_back((on ? "+" : "-") + std::string(flow)); }
+  void demand_changed(std::string_view flow, bool on) override {
+    wishes.push_back((on ? "+" : "-") + std::string(flow));
+  }
   void pour(Time time) { host.publish("water", std::make_shared<Packet>(Packet{time, {}, {}})); }
 
   ServiceHost& host;
@@ -44,7 +46,7 @@ struct FlowTest : testing::Test {
   FlowTest() : tap(bench.add<Vessel>("tap", tap_model())), basin(bench.add<Vessel>("basin", basin_model())) {}
   void listen(bool on) {
     basin.host.subscribe("tap", "water", on);
-    bench.unit.run();
+    bench.queue.run();
   }
   // The tap pours now and then every 100 ms, `times` in all.
   void pour_evenly(int times) {
@@ -52,7 +54,7 @@ struct FlowTest : testing::Test {
       if (i > 0) bench.pass(0.1);
       tap.pour(i);
     }
-    bench.unit.run();
+    bench.queue.run();
   }
   Published water() const { return bench.host.service("tap")->publishes.at(0); }
   bool basin_listens() const { return bench.host.service("basin")->subscribes.at(0).listening; }
@@ -65,7 +67,7 @@ TEST_F(FlowTest, APacketReachesWhoListensOnItsOwnUnitAndNoCore) {
   listen(true);
   tap.pour(1);
   EXPECT_THAT(basin.got, IsEmpty());
-  bench.unit.run();
+  bench.queue.run();
   EXPECT_THAT(basin.got, ElementsAre("tap.water@1"));
   EXPECT_THAT(bench.deliveries, IsEmpty());
 }
@@ -75,7 +77,7 @@ TEST_F(FlowTest, NothingComesBeforeAndAfterListening) {
   listen(true);
   listen(false);
   tap.pour(2);
-  bench.unit.run();
+  bench.queue.run();
   EXPECT_THAT(basin.got, IsEmpty());
 }
 
@@ -83,7 +85,7 @@ TEST_F(FlowTest, ANewerPacketReplacesOneThatStillWaits) {
   listen(true);
   tap.pour(1);
   tap.pour(2);
-  bench.unit.run();
+  bench.queue.run();
   EXPECT_THAT(basin.got, ElementsAre("tap.water@2"));
 }
 
@@ -91,7 +93,7 @@ TEST_F(FlowTest, APacketOnItsWayIsNotHandedToWhoStoppedListening) {
   listen(true);
   tap.pour(1);
   basin.host.subscribe("tap", "water", false);
-  bench.unit.run();
+  bench.queue.run();
   EXPECT_THAT(basin.got, IsEmpty());
 }
 
@@ -100,10 +102,10 @@ TEST_F(FlowTest, ThePublisherIsToldOnceWhenSomebodyListensAndWhenNobodyDoes) {
   listen(true);
   const auto watch = bench.host.watch("tap", "water", [](const PacketPtr&) {});
   listen(false);
-  bench.unit.run();
+  bench.queue.run();
   EXPECT_THAT(tap.wishes, ElementsAre("+water"));
   bench.host.unwatch(watch);
-  bench.unit.run();
+  bench.queue.run();
   EXPECT_THAT(tap.wishes, ElementsAre("+water", "-water"));
 }
 
@@ -111,7 +113,7 @@ TEST_F(FlowTest, APublisherThatComesLaterIsToldToo) {
   std::vector<Time> seen;
   bench.host.watch("spring", "water", [&](const PacketPtr& packet) { seen.push_back(packet->time); });
   auto& spring = bench.add<Vessel>("spring", tap_model());
-  bench.unit.run();
+  bench.queue.run();
   EXPECT_THAT(spring.wishes, ElementsAre("+water"));
   spring.pour(3);
   EXPECT_THAT(seen, ElementsAre(3.0));
@@ -132,7 +134,7 @@ TEST_F(FlowTest, AFlowThatTheRsmDoesNotListIsAViolationAndNotHeard) {
   basin.host.subscribe("tap", "steam", true);
   ASSERT_EQ(bench.violations("basin").size(), 1U);
   EXPECT_EQ(bench.violations("basin")[0].rule, "subscribes");
-  bench.unit.run();
+  bench.queue.run();
   EXPECT_THAT(tap.wishes, IsEmpty());
 }
 
@@ -140,9 +142,9 @@ TEST_F(FlowTest, AListenerThatIsLostListensNoLonger) {
   listen(true);
   basin.broken = true;
   tap.pour(1);
-  bench.unit.run();
+  bench.queue.run();
   EXPECT_FALSE(bench.host.service("basin")->available);
-  bench.unit.run();
+  bench.queue.run();
   EXPECT_THAT(tap.wishes, ElementsAre("+water", "-water"));
 }
 
@@ -198,7 +200,7 @@ TEST_F(FlowTest, NothingPassesOnceNobodyListensOrThePublisherIsGone) {
     listen(true);
     pour_evenly(5);
     EXPECT_GT(water().rate_hz, 0);
-    lost ? bench.host.lose("tap") : listen(false);
+    lost ? bench.host.disconnect("tap") : listen(false);
     EXPECT_EQ(water().rate_hz, 0);
     EXPECT_FALSE(water().last.has_value());
   }

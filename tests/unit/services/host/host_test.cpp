@@ -59,14 +59,14 @@ struct HostTest : testing::Test {
 TEST_F(HostTest, AComponentIsCalledOnItsUnitOnly) {
   bench.host.call({"1", 1}, "lamp", "on", {}, {});
   EXPECT_THAT(lamp.calls, IsEmpty());
-  bench.unit.run();
+  bench.queue.run();
   EXPECT_EQ(lamp.calls.size(), 1U);
 }
 
 TEST_F(HostTest, AResponseGoesToTheCallerWithItsNumberOfTheCall) {
   obey();
   bench.host.call({"7", 42}, "lamp", "on", {}, {});
-  bench.unit.run();
+  bench.queue.run();
   ASSERT_THAT(bench.responses(), ElementsAre("lamp.on -> null"));
   EXPECT_EQ(bench.deliveries[0].caller, (Caller{"7", 42}));
   EXPECT_THAT(bench.violations("lamp"), IsEmpty());
@@ -139,10 +139,10 @@ TEST_F(HostTest, OfACallThatALaterOneSupersedesNothingWaits) {
 TEST_F(HostTest, WhatIsLostCanComeBackInItsInitialState) {
   obey();
   bench.call("lamp", "on");
-  bench.host.lose("lamp", "burnt out");
+  bench.host.disconnect("lamp", "burnt out");
   bench.call("lamp", "blink");
   EXPECT_THAT(bench.responses(), ElementsAre("lamp.on -> null", "lamp.blink !> unavailable"));
-  bench.host.regain("lamp");
+  bench.host.reconnect("lamp");
   EXPECT_TRUE(bench.host.service("lamp")->available);
   EXPECT_EQ(bench.host.service("lamp")->state, "Dark");
   EXPECT_EQ(bench.host.service("lamp")->last, "");
@@ -154,9 +154,9 @@ TEST_F(HostTest, WhatIsLostCanComeBackInItsInitialState) {
 
 TEST_F(HostTest, WhatWasMeantForTheLostDoesNotReachItsSuccessor) {
   bench.host.call({"1", 1}, "lamp", "on", {}, {});
-  bench.host.lose("lamp");
-  bench.host.regain("lamp");
-  bench.unit.run();
+  bench.host.disconnect("lamp");
+  bench.host.reconnect("lamp");
+  bench.queue.run();
   EXPECT_THAT(lamp.calls, IsEmpty());
   EXPECT_THAT(bench.responses(), ElementsAre("lamp.on !> unavailable"));
 }
@@ -169,7 +169,7 @@ TEST_F(HostTest, OnlySoManyViolationsAreKept) {
 TEST_F(HostTest, ALostServiceAnswersItsPendingCallsInOrderAndFallsSilent) {
   bench.call("lamp", "blink");
   bench.call("lamp", "on");
-  bench.host.lose("lamp");
+  bench.host.disconnect("lamp");
   EXPECT_THAT(bench.responses(), ElementsAre("lamp.blink !> unavailable", "lamp.on !> unavailable"));
   const auto before = bench.deliveries.size();
   lamp.host.event("spark", nullptr);

@@ -4,7 +4,7 @@
 #include <future>
 
 #include "core/rsm/document.h"
-#include "services/worker.h"
+#include "services/host/worker.h"
 #include "tests/unit/services/host/bench.h"
 
 namespace race::services {
@@ -49,7 +49,7 @@ TEST_F(ReservationTest, AnAnswerRunsAtItsTimeHoweverEarlyItIsThere) {
 
 TEST_F(ReservationTest, TimeWaitsForAnAnswerThatIsDue) {
   std::promise<void> may_go_on;
-  first.worker.begin(0.003, [&, go_on = may_go_on.get_future().share()] {
+  first.worker.submit(0.003, [&, go_on = may_go_on.get_future().share()] {
     go_on.wait();
     return note("slow");
   });
@@ -66,7 +66,7 @@ TEST_F(ReservationTest, InRealTimeNobodyWaitsAndALateAnswerRunsAtOnce) {
   const auto real_time = [&](int ms) {
     bench.clock.set(static_cast<double>(bench.milliseconds = ms) / 1000);
     bench.host.advance(false);
-    bench.unit.run();
+    bench.queue.run();
   };
   real_time(7);
   EXPECT_THAT(notes, IsEmpty());
@@ -94,13 +94,13 @@ TEST_F(ReservationTest, AnEmptyAnswerGivesTheTimeBack) {
 
 TEST_F(ReservationTest, NobodyWaitsForALostService) {
   first.host.reserve(0.001);
-  bench.host.lose("first");
+  bench.host.disconnect("first");
   bench.pass(0.002);
   EXPECT_EQ(bench.milliseconds, 2);
 }
 
 TEST_F(ReservationTest, AComponentWhoseWorkThrowsIsLost) {
-  first.worker.begin(0.001, []() -> Worker::Answer { throw std::runtime_error("no idea"); });
+  first.worker.submit(0.001, []() -> Worker::Answer { throw std::runtime_error("no idea"); });
   bench.pass(0.002);
   EXPECT_FALSE(bench.host.service("first")->available);
   EXPECT_THAT(bench.log, ElementsAre("lost: no idea"));

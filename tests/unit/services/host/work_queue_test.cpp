@@ -1,4 +1,4 @@
-#include "services/work_queue.h"
+#include "services/host/work_queue.h"
 
 #include <gtest/gtest.h>
 

@@ -18,9 +18,9 @@ using testing::IsEmpty;
 /// Camera and recognition of the demonstrator, with time that passes and a world that stands still.
 struct Sight {
   explicit Sight(std::uint64_t seed = 1) : world(build(demo_scene())) {
-    auto& eye = bench.host.declare("camera", "KinectDriver", bench.unit);
+    auto& eye = bench.host.declare("camera", "KinectDriver", bench.queue);
     bench.host.attach("camera", std::make_unique<camera::Camera>(eye, *world, seed));
-    auto& mind = bench.host.declare("obj_rec", "ObjectRecognition", bench.unit);
+    auto& mind = bench.host.declare("obj_rec", "ObjectRecognition", bench.queue);
     bench.host.attach("obj_rec", std::make_unique<ObjectRecognition>(mind, demo_parts()));
   }
   ~Sight() { bench.host.stop(); }
@@ -67,7 +67,7 @@ TEST(ObjectRecognition, NeedsNoPicturesWhileItIsStopped) {
   int pictures = 0;
   sight.bench.pass(0.3);
   const auto watch = sight.bench.host.watch("camera", "frame", [&](const auto&) { ++pictures; });
-  sight.bench.unit.run();
+  sight.bench.queue.run();
   sight.bench.host.unwatch(watch);
   sight.bench.pass(0.3);
   EXPECT_EQ(pictures, 0);
@@ -109,8 +109,8 @@ TEST(ObjectRecognition, GivesTheSameEventsForTheSameSeedOnly) {
 
 TEST(ObjectRecognition, SurvivesFramesThatCannotBeRead) {
   services::Bench bench;
-  auto& slot = bench.host.declare("obj_rec", "ObjectRecognition", bench.unit);
-  auto made = std::make_unique<ObjectRecognition>(slot, demo_parts());
+  auto& service = bench.host.declare("obj_rec", "ObjectRecognition", bench.queue);
+  auto made = std::make_unique<ObjectRecognition>(service, demo_parts());
   ObjectRecognition& recognition = *made;
   bench.host.attach("obj_rec", std::move(made));
   bench.call("obj_rec", "start");

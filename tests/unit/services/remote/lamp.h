@@ -44,7 +44,9 @@ class Lamp final : public services::Component {
     packets.push_back(std::string(key) + "." + std::string(flow) + " at " + to_json(packet->time) + ": " +
                       std::to_string(packet->bytes.size()) + " bytes");
   }
-  void wanted(std::string_view flow, bool on) override { wishes.push_back(std::string(flow) + (on ? " on" : " off")); }
+  void demand_changed(std::string_view flow, bool on) override {
+    wishes.push_back(std::string(flow) + (on ? " on" : " off"));
+  }
 
   services::ServiceHost& host;
   Value answer;

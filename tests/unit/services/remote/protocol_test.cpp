@@ -112,7 +112,7 @@ TEST(Protocol, BytesThatAreShorterThanTheySayAreRefused) {
 
 TEST(Protocol, WhatIsTooLargeIsNotSent) {
   Message message = full(Kind::result);
-  message.value = std::string(kFrameBytes, 'x');
+  message.value = std::string(kMessageBytes, 'x');
   const auto frame = encode(message);
   ASSERT_FALSE(frame);
   EXPECT_EQ(frame.error().code, ErrorCode::too_large);
@@ -139,7 +139,7 @@ TEST(Protocol, DamagedMessagesAreReadOrRefused) {
   int refused = 0;
   for (int round = 0; round < 20000; ++round) {
     const Kind kind = static_cast<Kind>(below(kKinds));
-    Frame frame = encode(full(kind)).value();
+    EncodedMessage frame = encode(full(kind)).value();
     for (std::size_t damage = 0; damage <= below(3); ++damage) {
       const std::size_t at = below(frame.bytes.size());
       switch (below(4)) {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/value/json.h"
-#include "services/remote/remote_unit.h"
+#include "services/remote/process_host.h"
 
 namespace race::remote {
 namespace {
@@ -15,7 +15,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-std::vector<std::string> all_of(FrameQueue& queue) {
+std::vector<std::string> all_of(SendQueue& queue) {
   std::vector<std::string> all;
   while (auto frame = queue.pop()) all.push_back(frame->bytes);
   return all;
@@ -30,10 +30,10 @@ Message message_of(Kind kind, std::int64_t number, Value value) {
 }
 
 struct RemoteWorldTest : testing::Test {
-  void come(const std::shared_ptr<FrameQueue>& queue) { world.connect(queue, world.check(1).value()); }
+  void come(const std::shared_ptr<SendQueue>& queue) { world.connect(queue, world.check(1).value()); }
   void act(const std::string& what) {
     const auto asked = [this] { return wanted; };
-    world.act(what, asked, [this, what](const Expected<Value>& done) {
+    world.execute(what, asked, [this, what](const Expected<Value>& done) {
       answers.push_back(what + ": " + (done ? to_json(*done) : to_string(done.error())));
     });
   }
@@ -58,7 +58,7 @@ struct RemoteWorldTest : testing::Test {
   bool wanted = true;
   std::vector<std::string> answers, shown;
   RemoteWorld world{clock, no_texts, [this](const Value& pose) { shown.push_back(to_json(pose)); }};
-  std::shared_ptr<FrameQueue> process = std::make_shared<FrameQueue>();
+  std::shared_ptr<SendQueue> process = std::make_shared<SendQueue>();
 };
 
 TEST_F(RemoteWorldTest, WithoutAProcessAnActIsUnavailableAtOnce) {
@@ -123,7 +123,7 @@ TEST_F(RemoteWorldTest, WhatWaitsIsUnavailableWhenTheProcessIsLostAndStaysSo) {
   world.connect(nullptr, {});
   EXPECT_THAT(answers, ElementsAre(HasSubstr("push: : unavailable"), HasSubstr("take: : unavailable")));
   EXPECT_TRUE(world.world().is_null());
-  come(std::make_shared<FrameQueue>());
+  come(std::make_shared<SendQueue>());
   EXPECT_EQ(world.announce(message_of(Kind::done, 1, 7)).error().code, ErrorCode::conflict)
       << "the act of one process is not the next one's to answer";
   EXPECT_EQ(answers.size(), 2U);
@@ -149,11 +149,11 @@ TEST_F(RemoteWorldTest, WhatDoesNotFitIsAnErrorAndAnswersNobody) {
 
 TEST_F(RemoteWorldTest, AFewActsWaitNoMore) {
   come(process);
-  for (std::size_t i = 0; i < RemoteWorld::kActs; ++i) act("push");
+  for (std::size_t i = 0; i < RemoteWorld::kPendingCommands; ++i) act("push");
   EXPECT_THAT(answers, IsEmpty());
   act("push");
   EXPECT_THAT(answers, ElementsAre(HasSubstr("unavailable: 100 acts wait for the cell already")));
-  EXPECT_EQ(said().size(), RemoteWorld::kActs);
+  EXPECT_EQ(said().size(), RemoteWorld::kPendingCommands);
 }
 
 TEST_F(RemoteWorldTest, PosesAreWantedWhileSomebodyWatchesFromEachProcessThatComes) {
@@ -173,29 +173,29 @@ TEST_F(RemoteWorldTest, PosesAreWantedWhileSomebodyWatchesFromEachProcessThatCom
 
 struct UnitWithWorld : testing::Test {
   UnitWithWorld() {
-    unit.bring({1,
-                [this](const Value& act) -> Expected<Value> {
-                  if (act == Value("kick")) return unexpected(ErrorCode::type, refusal, refusal);
-                  return Value(List{act, state});
-                },
-                [this](bool on) { watched = on; }});
-    unit.connect(server);
+    process.set_world({1,
+                       [this](const Value& act) -> Expected<Value> {
+                         if (act == Value("kick")) return unexpected(ErrorCode::type, refusal, refusal);
+                         return Value(List{act, state});
+                       },
+                       [this](bool on) { watched = on; }});
+    process.connect(server);
   }
   std::vector<std::string> act(const std::string& what) {
-    EXPECT_TRUE(unit.handle(message_of(Kind::act, 4, what)));
+    EXPECT_TRUE(process.handle(message_of(Kind::act, 4, what)));
     return all_of(server);
   }
-  FrameQueue server;
-  RemoteUnit unit;
+  SendQueue server;
+  ProcessHost process;
   double state = 0.5;
   std::string refusal = "be kind";
   bool watched = false;
 };
 
-TEST_F(UnitWithWorld, GoesWithTheHello) { EXPECT_EQ(unit.hello().world, Value(1)); }
+TEST_F(UnitWithWorld, GoesWithTheHello) { EXPECT_EQ(process.hello().world, Value(1)); }
 
 TEST_F(UnitWithWorld, IsReadyInItsTurn) {
-  ASSERT_TRUE(unit.handle(message_of(Kind::offer, 9, {})));
+  ASSERT_TRUE(process.handle(message_of(Kind::offer, 9, {})));
   EXPECT_THAT(all_of(server), ElementsAre(R"({"type":"ready","number":9})"));
 }
 
@@ -216,11 +216,12 @@ TEST_F(UnitWithWorld, ALongRefusalIsCutToWhatTheServerTakes) {
   ASSERT_EQ(said.size(), 1U);
   services::WorldClock clock;
   RemoteWorld there(clock, [](const Value&) { return Expected<RemoteWorld::Rules>(); }, {});
-  there.connect(std::make_shared<FrameQueue>(), {});
+  there.connect(std::make_shared<SendQueue>(), {});
   std::string answered;
   for (int number = 1; number <= 4; ++number) {
-    const auto wanted = [] { return true; };
-    there.act("kick", wanted, [&](const Expected<Value>& done) { answered = done ? "done" : to_string(done.error()); });
+    const auto confirm = [] { return true; };
+    there.execute("kick", confirm,
+                  [&](const Expected<Value>& done) { answered = done ? "done" : to_string(done.error()); });
     ASSERT_TRUE(there.announce(message_of(Kind::ready, number, {})));
   }
   const auto taken = there.announce(decode({said[0], false}, Reader::server).value());
@@ -230,30 +231,30 @@ TEST_F(UnitWithWorld, ALongRefusalIsCutToWhatTheServerTakes) {
 }
 
 TEST_F(UnitWithWorld, AnAnswerThatIsTooLargeIsRefused) {
-  EXPECT_THAT(act(std::string(kFrameBytes, 'x')),
+  EXPECT_THAT(act(std::string(kMessageBytes, 'x')),
               ElementsAre(HasSubstr(R"("type":"failed","number":4,"error":{"path":"","code":"too_large")")));
 }
 
 TEST_F(UnitWithWorld, OnlyTheNewestPoseWaits) {
-  unit.show(1);
-  unit.show(2);
-  unit.show(3);
+  process.send_pose(1);
+  process.send_pose(2);
+  process.send_pose(3);
   EXPECT_THAT(all_of(server), ElementsAre(R"({"type":"pose","pose":3})"));
-  unit.show(std::numeric_limits<double>::quiet_NaN());
+  process.send_pose(std::numeric_limits<double>::quiet_NaN());
   EXPECT_THAT(all_of(server), IsEmpty());
 }
 
 TEST_F(UnitWithWorld, HearsWhetherPosesAreWanted) {
   Message watch = message_of(Kind::watch, 0, {});
   watch.on = true;
-  ASSERT_TRUE(unit.handle(watch));
+  ASSERT_TRUE(process.handle(watch));
   EXPECT_TRUE(watched);
 }
 
 TEST(RemoteUnitWithoutWorld, HasNobodyToAct) {
-  RemoteUnit unit;
-  EXPECT_EQ(unit.handle(message_of(Kind::act, 1, "push")).error().code, ErrorCode::not_found);
-  EXPECT_TRUE(unit.hello().world.is_null());
+  ProcessHost process;
+  EXPECT_EQ(process.handle(message_of(Kind::act, 1, "push")).error().code, ErrorCode::not_found);
+  EXPECT_TRUE(process.hello().world.is_null());
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include <random>
 
 #include "core/value/json.h"
-#include "services/remote/remote_unit.h"
+#include "services/remote/process_host.h"
 #include "services/remote/remote_world.h"
 #include "tests/unit/services/remote/lamp.h"
 
@@ -65,14 +65,14 @@ class Seen final : public services::HostObserver {
 struct Process {
   explicit Process(Remotes& remotes, std::vector<std::string> keys = {"lamp"}) : link(remotes) {
     for (const std::string& key : keys) {
-      auto made = std::make_unique<Lamp>(unit.declare(key, "lamp"));
+      auto made = std::make_unique<Lamp>(host.declare(key, "lamp"));
       lamp = made.get();
-      unit.attach(key, std::move(made));
+      host.attach(key, std::move(made));
     }
   }
   void hello() {
-    unit.connect(to_server);
-    link.received(encode(unit.hello()).value());
+    host.connect(to_server);
+    link.received(encode(host.hello()).value());
   }
   // Carries what waits, both ways.
   void pump() {
@@ -82,13 +82,13 @@ struct Process {
       if (message.kind == Kind::refused) {
         refused = to_json(message.value);
       } else {
-        EXPECT_TRUE(unit.handle(std::move(message)));
+        EXPECT_TRUE(host.handle(std::move(message)));
       }
     }
     while (auto frame = to_server.pop()) link.received(std::move(*frame));
   }
-  FrameQueue to_server;
-  RemoteUnit unit;
+  SendQueue to_server;
+  ProcessHost host;
   Lamp* lamp = nullptr;  // the last
   bool welcome = false;
   std::string refused;
@@ -166,15 +166,15 @@ TEST_F(RemotesTest, AServiceIsUnavailableUntilItsProcessComes) {
 TEST_F(RemotesTest, ACoreCannotTellTheDifference) {
   Seen there;
   services::Host local(clock, there);
-  services::WorkQueue unit;
-  local.attach("lamp", std::make_unique<Lamp>(local.declare("lamp", "lamp", unit)));
+  services::WorkQueue queue;
+  local.attach("lamp", std::make_unique<Lamp>(local.declare("lamp", "lamp", queue)));
   Process process(remotes);
   greet(process);
   std::uint64_t number = 0;
   for (const char* operation : {"blink", "on", "on", "blink", "explode", "blink"}) {
     call(operation);
     local.call({"1", ++number}, "lamp", operation, {}, {});
-    unit.run();
+    queue.run();
     EXPECT_TRUE(until({&process}, [&] {
       return seen.all().size() == there.all().size() &&
              process.lamp->calls.size() == (number > 4 ? number - 1 : number);
@@ -191,7 +191,7 @@ TEST_F(RemotesTest, PendingCallsOfALostProcessAreAnsweredInTheirOrder) {
   Process process(remotes);
   greet(process);
   for (const char* operation : {"burn", "burn", "burn"}) call(operation);
-  process.link.lose("its connection has ended");
+  process.link.disconnect("its connection has ended");
   EXPECT_TRUE(until({}, [&] { return !available(); }));
   EXPECT_THAT(seen.all(), ElementsAre("1 burn !> unavailable", "2 burn !> unavailable", "3 burn !> unavailable"));
   EXPECT_THAT(seen.log(), Contains("lost: its connection has ended"));
@@ -203,10 +203,10 @@ TEST_F(RemotesTest, WhatAProcessSaidBeforeItDiedCounts) {
   call("on");
   ASSERT_TRUE(until({}, [&] {
     auto frame = process.link.out().pop();
-    return frame && process.unit.handle(decode(*frame, Reader::process).value()) && process.lamp->calls.size() == 1;
+    return frame && process.host.handle(decode(*frame, Reader::process).value()) && process.lamp->calls.size() == 1;
   }));
   process.pump();
-  process.link.lose("killed");
+  process.link.disconnect("killed");
   EXPECT_TRUE(until({}, [&] { return !available(); }));
   EXPECT_THAT(seen.all(), ElementsAre("1 on -> null", "lit -> 1"));
 }
@@ -230,7 +230,7 @@ TEST_F(RemotesTest, AnAnswerOfThoseBeforeIsNotHeard) {
   Process first(remotes);
   greet(first);
   call("burn");
-  first.link.lose("it answers no more");
+  first.link.disconnect("it answers no more");
   Process second(remotes);
   greet(second);
   Message late;
@@ -247,11 +247,11 @@ TEST_F(RemotesTest, WhoAnswersNoPingIsLost) {
   Process process(remotes);
   greet(process);
   call("burn");
-  for (int beat = 0; beat <= ProcessLink::kBeats; ++beat) {
+  for (int beat = 0; beat <= ProcessLink::kPingsPerHeartbeat; ++beat) {
     EXPECT_TRUE(available()) << beat;
-    process.link.beat();
+    process.link.check_heartbeat();
   }
-  process.link.beat();
+  process.link.check_heartbeat();
   EXPECT_TRUE(until({}, [&] { return !available(); }));
   EXPECT_THAT(seen.all(), ElementsAre("1 burn !> unavailable"));
   EXPECT_THAT(seen.log(), Contains("lost: it answers no more"));
@@ -261,7 +261,7 @@ TEST_F(RemotesTest, WhoAnswersPingsStays) {
   Process process(remotes);
   greet(process);
   for (int beat = 0; beat < 20; ++beat) {
-    process.link.beat();
+    process.link.check_heartbeat();
     // Its answer comes after the pong: the next beat has heard it.
     call("on");
     const std::size_t answers = static_cast<std::size_t>(beat) + 2;  // with the event of the first
@@ -272,7 +272,7 @@ TEST_F(RemotesTest, WhoAnswersPingsStays) {
 
 TEST_F(RemotesTest, WhoSaysNoHelloIsSentAway) {
   ProcessLink link(remotes);
-  for (int beat = 0; beat <= ProcessLink::kBeats; ++beat) link.beat();
+  for (int beat = 0; beat <= ProcessLink::kPingsPerHeartbeat; ++beat) link.check_heartbeat();
   EXPECT_TRUE(link.out().drained());
 }
 
@@ -325,7 +325,7 @@ TEST_F(RemotesTest, TwoServicesOfOneProcessComeAndGoTogether) {
 TEST_F(RemotesTest, AWorldComesAndGoesWithItsProcess) {
   const auto refusal = [&](const char* key, const char* shape) {
     Process process(remotes, {key});
-    process.unit.bring({shape, {}, {}});
+    process.host.set_world({shape, {}, {}});
     process.hello();
     process.pump();
     return process.refused;
@@ -335,7 +335,7 @@ TEST_F(RemotesTest, AWorldComesAndGoesWithItsProcess) {
   EXPECT_FALSE(available());
   {
     Process process(remotes);
-    process.unit.bring({"round", [](const Value& act) { return Expected<Value>(act); }, {}});
+    process.host.set_world({"round", [](const Value& act) { return Expected<Value>(act); }, {}});
     greet(process);
     EXPECT_EQ(world.world(), Value("round"));
     std::atomic<int> answered = 0;
@@ -343,30 +343,30 @@ TEST_F(RemotesTest, AWorldComesAndGoesWithItsProcess) {
       answered = answer ? 1 : 2;
       seen.stir();
     };
-    world.act(
+    world.execute(
         "push", [] { return true; }, done);
     EXPECT_TRUE(until({&process}, [&] { return answered == 1; }));
-    world.act(
+    world.execute(
         "push", [] { return true; }, done);
-    process.link.lose("gone");
+    process.link.disconnect("gone");
     EXPECT_TRUE(until({}, [&] { return answered == 2; }));
     EXPECT_TRUE(world.world().is_null());
   }
   Process next(remotes);
-  next.unit.bring({"round again", {}, {}});
+  next.host.set_world({"round again", {}, {}});
   greet(next);
   EXPECT_EQ(world.world(), Value("round again"));
 }
 
 TEST_F(RemotesTest, PacketsPassBothWays) {
-  services::WorkQueue unit;
+  services::WorkQueue queue;
   struct Camera final : services::Component {
     const rsm::Service& model() const override { return lamp_model(); }
     void call(const services::Call&) override {}
-    void wanted(std::string_view, bool on) override { listened = on; }
+    void demand_changed(std::string_view, bool on) override { listened = on; }
     bool listened = false;
   };
-  services::ServiceHost& camera = host.declare("camera", "camera", unit);
+  services::ServiceHost& camera = host.declare("camera", "camera", queue);
   auto made = std::make_unique<Camera>();
   const Camera& component = *made;
   host.attach("camera", std::move(made));
@@ -374,7 +374,7 @@ TEST_F(RemotesTest, PacketsPassBothWays) {
   greet(process);
 
   process.lamp->host.subscribe("camera", "images", true);
-  ASSERT_TRUE(until({&process}, [&] { return unit.run(), component.listened; }));
+  ASSERT_TRUE(until({&process}, [&] { return queue.run(), component.listened; }));
   auto image = std::make_shared<services::Packet>();
   image->time = 2.5;
   image->bytes.resize(7);
@@ -391,8 +391,8 @@ TEST_F(RemotesTest, PacketsPassBothWays) {
   process.lamp->host.publish("light", image);
   EXPECT_TRUE(until({&process}, [&] { return bytes == 7; }));
   host.unwatch(watch);
-  process.link.lose("gone");
-  EXPECT_TRUE(until({&process}, [&] { return unit.run(), !component.listened; })) << "nobody listens any more";
+  process.link.disconnect("gone");
+  EXPECT_TRUE(until({&process}, [&] { return queue.run(), !component.listened; })) << "nobody listens any more";
 }
 
 // A process that asks its desk; what the server says to it, as text.
@@ -513,11 +513,11 @@ TEST_F(RemotesTest, NothingThatAProcessSaysHurtsTheServer) {
       message.on = below(2) == 0;
       message.value = Dict{{"code", names[below(names.size())]}};
       message.bytes.resize(below(50));
-      Frame frame = encode(message).value();
+      EncodedMessage frame = encode(message).value();
       if (below(20) == 0) frame.bytes[below(frame.bytes.size())] ^= static_cast<char>(1U << below(8));
       process.link.received(std::move(frame));
     }
-    process.link.lose("enough");
+    process.link.disconnect("enough");
     ASSERT_TRUE(until({}, [&] { return !available(); }));
   }
   Process process(remotes);

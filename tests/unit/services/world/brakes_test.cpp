@@ -5,7 +5,7 @@
 
 #include "core/value/json.h"
 #include "services/gripper/gripper.h"
-#include "services/host.h"
+#include "services/host/host.h"
 #include "services/robot/robot.h"
 #include "tests/unit/services/robot/rig.h"
 
@@ -35,15 +35,15 @@ double sag(const world::World& world, const Step& step) {
 /// Robot and gripper in their host.
 struct Cell final : services::HostObserver {
   Cell() {
-    host.attach("robot", std::move(Robot::create(host.declare("robot", "robot", unit), *world).value()));
-    host.attach("gripper", std::make_unique<gripper::Gripper>(host.declare("gripper", "gripper", unit), *world));
+    host.attach("robot", std::move(Robot::create(host.declare("robot", "robot", queue), *world).value()));
+    host.attach("gripper", std::make_unique<gripper::Gripper>(host.declare("gripper", "gripper", queue), *world));
   }
 
   void step() {
     world->step();
     clock.set(world->time());
-    unit.run();
-    host.step(unit);
+    queue.run();
+    host.step(queue);
   }
   void begin(const std::string& service, const std::string& operation, std::string_view arguments) {
     answered = false;
@@ -61,8 +61,8 @@ struct Cell final : services::HostObserver {
     double now = 0;
     for (int i = 0; i < 5000 && now < speed; ++i) now = tool_speed(*world, [this] { step(); });
     ASSERT_GE(now, speed);
-    host.lose("robot");
-    host.lose("gripper");
+    host.disconnect("robot");
+    host.disconnect("gripper");
   }
 
   void delivered(const services::Delivery& delivery) override {
@@ -75,7 +75,7 @@ struct Cell final : services::HostObserver {
 
   std::unique_ptr<world::World> world = Rig::make_world(demo_scene());
   services::WorldClock clock;
-  services::WorkQueue unit;
+  services::WorkQueue queue;
   services::Host host{clock, *this};
   bool answered = false, refused = false;  // the last call
 };

@@ -1,4 +1,4 @@
-#include "services/host.h"
+#include "services/host/host.h"
 
 #include <algorithm>
 #include <atomic>
@@ -11,9 +11,9 @@ namespace race::services {
 
 // One service: what its component talks to, and what the host knows of it. All fields but the component belong to the
 // host's lock.
-struct Host::Slot final : ServiceHost {
-  Slot(Host& its_host, std::size_t its_number, std::string its_key, std::string its_type, WorkQueue& its_unit)
-      : host(its_host), number(its_number), unit(its_unit) {
+struct Host::ServiceEntry final : ServiceHost {
+  ServiceEntry(Host& its_host, std::size_t its_number, std::string its_key, std::string its_type, WorkQueue& its_queue)
+      : host(its_host), number(its_number), queue(its_queue) {
     status.key = std::move(its_key);
     status.type = std::move(its_type);
   }
@@ -63,7 +63,8 @@ struct Host::Slot final : ServiceHost {
     const std::lock_guard lock(host.mutex_);
     if (!status.available) return;
     const rsm::Uses used{std::string(key), std::string(flow)};
-    if (std::ranges::find(model.subscribes, used) != model.subscribes.end()) return host.listen(*this, key, flow, on);
+    if (std::ranges::find(model.subscribes, used) != model.subscribes.end())
+      return host.set_subscription(*this, key, flow, on);
     record({{"subscribes", "`" + used.service + "." + used.name + "` is not declared", 0}});
     changed();
   }
@@ -122,23 +123,24 @@ struct Host::Slot final : ServiceHost {
 
   void changed() {
     if (!model.is_interface()) status.state = monitor->current();
-    look_at_flows();
+    update_flows();
     host.observer_.changed(status);
   }
 
-  void look_at_flows() {
+  void update_flows() {
     for (Published& each : status.publishes) each = host.flows_.traffic(status.key, each.flow, host.clock_.now());
-    for (Subscribed& each : status.subscribes) each.listening = host.flows_.listens(number, each.service, each.flow);
+    for (Subscribed& each : status.subscribes)
+      each.listening = host.flows_.is_subscribed(number, each.service, each.flow);
   }
 
   Host& host;
   std::size_t number;
-  WorkQueue& unit;
+  WorkQueue& queue;
   rsm::Service model;
   std::unique_ptr<Component> component;
   std::unique_ptr<rsm::Monitor> monitor;
   ServiceStatus status;
-  std::atomic<std::uint64_t> life = 0;  // how often it was lost
+  std::atomic<std::uint64_t> connection_count = 0;  // how often it was lost
 };
 
 namespace {
@@ -166,45 +168,45 @@ bool before(const Delivery& a, const Delivery& b) {
 Host::Host(const Clock& clock, HostObserver& observer) : clock_(clock), observer_(observer) {}
 Host::~Host() = default;
 
-ServiceHost& Host::declare(std::string key, std::string type, WorkQueue& unit) {
+ServiceHost& Host::declare(std::string key, std::string type, WorkQueue& queue) {
   const std::lock_guard lock(mutex_);
-  slots_.push_back(std::make_unique<Slot>(*this, slots_.size(), std::move(key), std::move(type), unit));
-  slots_.back()->status.available = false;
-  return *slots_.back();
+  entries_.push_back(std::make_unique<ServiceEntry>(*this, entries_.size(), std::move(key), std::move(type), queue));
+  entries_.back()->status.available = false;
+  return *entries_.back();
 }
 
-void Host::attach(const std::string& key, std::unique_ptr<Component> component, Presence presence) {
+void Host::attach(const std::string& key, std::unique_ptr<Component> component, Connection connection) {
   const std::lock_guard lock(mutex_);
-  Slot& slot = *find(key);
-  slot.model = component->model();
-  freeze(slot.model);
-  slot.monitor = std::make_unique<rsm::Monitor>(slot.model);
-  slot.component = std::move(component);
-  slot.status.model = &slot.model;
-  for (std::string& flow : offered(slot.model)) slot.status.publishes.push_back({std::move(flow), 0, 0, {}});
-  for (const rsm::Uses& used : slot.model.subscribes)
-    slot.status.subscribes.push_back({used.service, used.name, false});
-  if (presence == Presence::here) return begin(slot);
-  slot.changed();
+  ServiceEntry& entry = *find(key);
+  entry.model = component->model();
+  freeze(entry.model);
+  entry.monitor = std::make_unique<rsm::Monitor>(entry.model);
+  entry.component = std::move(component);
+  entry.status.model = &entry.model;
+  for (std::string& flow : offered(entry.model)) entry.status.publishes.push_back({std::move(flow), 0, 0, {}});
+  for (const rsm::Uses& used : entry.model.subscribes)
+    entry.status.subscribes.push_back({used.service, used.name, false});
+  if (connection == Connection::connected) return make_available(entry);
+  entry.changed();
 }
 
-void Host::regain(const std::string& key) {
+void Host::reconnect(const std::string& key) {
   const std::lock_guard lock(mutex_);
-  Slot* slot = find(key);
-  if (!slot || slot->status.available) return;
+  ServiceEntry* entry = find(key);
+  if (!entry || entry->status.available) return;
   observer_.logged(clock_.now(), key, "available");
-  begin(*slot);
+  make_available(*entry);
 }
 
-Host::Slot* Host::find(const std::string& key) const {
-  for (const auto& slot : slots_)
-    if (slot->status.key == key) return slot.get();
+Host::ServiceEntry* Host::find(const std::string& key) const {
+  for (const auto& entry : entries_)
+    if (entry->status.key == key) return entry.get();
   return nullptr;
 }
 
-void Host::deliver_response(const Slot& slot, const PendingCall& call, Value value, bool is_error) {
-  Delivery delivery{Delivery::Kind::response, clock_.now(), slot.number, next_delivery_++, slot.status.key,
-                    call.operation,           {},           is_error,    call.caller};
+void Host::deliver_response(const ServiceEntry& entry, const PendingCall& call, Value value, bool is_error) {
+  Delivery delivery{Delivery::Kind::response, clock_.now(), entry.number, next_delivery_++, entry.status.key,
+                    call.operation,           {},           is_error,     call.caller};
   delivery.data = std::move(value.freeze());
   observer_.delivered(delivery);
 }
@@ -214,11 +216,11 @@ CallId Host::call(Caller caller, const std::string& service, std::string operati
   kwargs.freeze();
   const std::lock_guard lock(mutex_);
   const PendingCall pending{next_call_++, operation, clock_.now(), std::move(caller)};
-  Slot* slot = find(service);
-  if (!slot || !slot->status.available || !find_operation(slot->model, operation)) {
+  ServiceEntry* entry = find(service);
+  if (!entry || !entry->status.available || !find_operation(entry->model, operation)) {
     Delivery answer{Delivery::Kind::response,
                     pending.time,
-                    slots_.size(),
+                    entries_.size(),
                     next_delivery_++,
                     service,
                     operation,
@@ -229,126 +231,130 @@ CallId Host::call(Caller caller, const std::string& service, std::string operati
     answer.data.freeze();
     observer_.logged(pending.time, service,
                      "cannot answer `" + operation + "` of core " + pending.caller.core +
-                         (!slot                    ? ": there is no such service"
-                          : slot->status.available ? ": no such operation"
-                                                   : ": lost"));
+                         (!entry                    ? ": there is no such service"
+                          : entry->status.available ? ": no such operation"
+                                                    : ": lost"));
     observer_.delivered(answer);
     return pending.id;
   }
-  slot->status.pending.push_back(pending);
-  slot->record(slot->monitor->called(pending.id, operation, args, kwargs));
-  slot->changed();
-  post(*slot, [call = Call{pending.id, std::move(operation), std::move(args), std::move(kwargs)}](
-                  Component& component) { component.call(call); });
+  entry->status.pending.push_back(pending);
+  entry->record(entry->monitor->called(pending.id, operation, args, kwargs));
+  entry->changed();
+  post(*entry, [call = Call{pending.id, std::move(operation), std::move(args), std::move(kwargs)}](
+                   Component& component) { component.call(call); });
   return pending.id;
 }
 
 void Host::advance(bool wait) {
   for (Reservations::Due& due : reservations_.take(clock_.now(), wait)) {
     const std::lock_guard lock(mutex_);
-    post(*slots_[due.service], [answer = std::move(due.answer)](Component&) { answer(); });
+    post(*entries_[due.service], [answer = std::move(due.answer)](Component&) { answer(); });
   }
   const std::lock_guard lock(mutex_);
-  for (const std::string& key : flows_.stopped(clock_.now())) tell(key);
+  for (const std::string& key : flows_.stopped(clock_.now())) notify_status(key);
 }
 
-void Host::step(const WorkQueue& unit) {
-  for (const auto& slot : slots_)
-    if (&slot->unit == &unit && slot->component)
-      guarded(*slot, slot->life, [](Component& component) { component.step(); });
+void Host::step(const WorkQueue& queue) {
+  for (const auto& entry : entries_)
+    if (&entry->queue == &queue && entry->component)
+      run_guarded(*entry, entry->connection_count, [](Component& component) { component.step(); });
 }
 
-// A component that throws is as good as dead. What was meant for one that is gone does not reach its successor.
-void Host::guarded(Slot& slot, std::uint64_t life, const std::function<void(Component&)>& work) {
+// A component that throws is as good as dead. What was meant for one that is removed does not reach its successor.
+void Host::run_guarded(ServiceEntry& entry, std::uint64_t connection_count,
+                       const std::function<void(Component&)>& work) {
   {
     const std::lock_guard lock(mutex_);
-    if (!slot.status.available || slot.life != life) return;
+    if (!entry.status.available || entry.connection_count != connection_count) return;
   }
   try {
-    work(*slot.component);
+    work(*entry.component);
   } catch (const std::exception& failure) {
-    lose(slot, failure.what());
+    disconnect(entry, failure.what());
   }
 }
 
-void Host::lose(const std::string& key, const std::string& why) {
-  if (Slot* slot = find(key)) lose(*slot, why);
+void Host::disconnect(const std::string& key, const std::string& why) {
+  if (ServiceEntry* entry = find(key)) disconnect(*entry, why);
 }
 
-void Host::lose(Slot& slot, const std::string& why) {
+void Host::disconnect(ServiceEntry& entry, const std::string& why) {
   const std::lock_guard lock(mutex_);
-  if (!slot.status.available) return;
-  slot.status.available = false;
-  ++slot.life;
-  observer_.logged(clock_.now(), slot.status.key, "lost: " + why);
+  if (!entry.status.available) return;
+  entry.status.available = false;
+  ++entry.connection_count;
+  observer_.logged(clock_.now(), entry.status.key, "lost: " + why);
   Value unavailable = Dict{{"code", Value(name(ErrorCode::unavailable))}};
   unavailable.freeze();
-  for (const PendingCall& pending : slot.status.pending) deliver_response(slot, pending, unavailable, true);
-  slot.status.pending.clear();
-  slot.monitor->restarted();
-  flows_.fall_silent(slot.status.key);
-  slot.changed();
-  for (const Flows::Listener& each : flows_.of(slot.number)) listen(slot, each.key, each.flow, false);
-  reservations_.drop(slot.number);
+  for (const PendingCall& pending : entry.status.pending) deliver_response(entry, pending, unavailable, true);
+  entry.status.pending.clear();
+  entry.monitor->restarted();
+  flows_.reset(entry.status.key);
+  entry.changed();
+  for (const Flows::Subscription& each : flows_.subscriptions_of(entry.number))
+    set_subscription(entry, each.key, each.flow, false);
+  reservations_.drop(entry.number);
 }
 
 Flows::WatchId Host::watch(const std::string& service, const std::string& flow, Flows::Watcher watcher) {
   const std::lock_guard lock(mutex_);
-  const bool before = flows_.wanted(service, flow);
+  const bool before = flows_.has_demand(service, flow);
   const Flows::WatchId id = flows_.watch(service, flow, std::move(watcher));
-  if (!before) want(service, flow, true);
-  tell(service);
+  if (!before) set_demand(service, flow, true);
+  notify_status(service);
   return id;
 }
 
 void Host::unwatch(Flows::WatchId watch) {
   const std::lock_guard lock(mutex_);
-  const Flows::Listener gone = flows_.unwatch(watch);
-  if (gone.watch == 0) return;
-  if (!flows_.wanted(gone.key, gone.flow)) want(gone.key, gone.flow, false);
-  tell(gone.key);
+  const Flows::Subscription removed = flows_.unwatch(watch);
+  if (removed.watch == 0) return;
+  if (!flows_.has_demand(removed.key, removed.flow)) set_demand(removed.key, removed.flow, false);
+  notify_status(removed.key);
 }
 
 // The functions below need the host's lock.
 
-void Host::begin(Slot& slot) {
-  slot.status.available = true;
-  slot.status.last.clear();
-  slot.changed();
-  for (const std::string& flow : flows_.wanted_of(slot.status.key)) want(slot.status.key, flow, true);
+void Host::make_available(ServiceEntry& entry) {
+  entry.status.available = true;
+  entry.status.last.clear();
+  entry.changed();
+  for (const std::string& flow : flows_.demanded(entry.status.key)) set_demand(entry.status.key, flow, true);
 }
 
-void Host::post(Slot& slot, std::function<void(Component&)> work) {
-  slot.unit.post([this, &slot, life = slot.life.load(), work = std::move(work)] { guarded(slot, life, work); });
+void Host::post(ServiceEntry& entry, std::function<void(Component&)> work) {
+  entry.queue.post([this, &entry, connection_count = entry.connection_count.load(), work = std::move(work)] {
+    run_guarded(entry, connection_count, work);
+  });
 }
 
-void Host::listen(Slot& slot, std::string_view key, std::string_view flow, bool on) {
-  const bool before = flows_.wanted(key, flow);
-  flows_.listen(slot.number, key, flow, on);
-  if (flows_.wanted(key, flow) != before) want(key, std::string(flow), on);
-  tell(key);
-  slot.changed();
+void Host::set_subscription(ServiceEntry& entry, std::string_view key, std::string_view flow, bool on) {
+  const bool before = flows_.has_demand(key, flow);
+  flows_.set_subscription(entry.number, key, flow, on);
+  if (flows_.has_demand(key, flow) != before) set_demand(key, std::string(flow), on);
+  notify_status(key);
+  entry.changed();
 }
 
 // What passes on the flows of a service, if there is one of this key by now, has changed.
-void Host::tell(std::string_view key) {
-  Slot* slot = find(std::string(key));
-  if (slot && slot->component) slot->changed();
+void Host::notify_status(std::string_view key) {
+  ServiceEntry* entry = find(std::string(key));
+  if (entry && entry->component) entry->changed();
 }
 
 // Tells the publisher, if there is one by now, that somebody listens or nobody does.
-void Host::want(std::string_view key, const std::string& flow, bool on) {
-  Slot* publisher = find(std::string(key));
+void Host::set_demand(std::string_view key, const std::string& flow, bool on) {
+  ServiceEntry* publisher = find(std::string(key));
   if (!publisher || !publisher->status.available) return;
-  post(*publisher, [flow, on](Component& component) { component.wanted(flow, on); });
+  post(*publisher, [flow, on](Component& component) { component.demand_changed(flow, on); });
 }
 
-void Host::publish(Slot& slot, std::string_view flow, const PacketPtr& packet) {
-  if (!flows_.wanted(slot.status.key, flow)) return;
-  if (flows_.count(slot.status.key, flow, *packet, clock_.now())) slot.changed();
-  for (const std::size_t number : flows_.publish(slot.status.key, flow, packet)) {
-    Slot* to = slots_[number].get();
-    post(*to, [this, to, key = slot.status.key, flow = std::string(flow)](Component& component) {
+void Host::publish(ServiceEntry& entry, std::string_view flow, const PacketPtr& packet) {
+  if (!flows_.has_demand(entry.status.key, flow)) return;
+  if (flows_.record(entry.status.key, flow, *packet, clock_.now())) entry.changed();
+  for (const std::size_t number : flows_.publish(entry.status.key, flow, packet)) {
+    ServiceEntry* to = entries_[number].get();
+    post(*to, [this, to, key = entry.status.key, flow = std::string(flow)](Component& component) {
       PacketPtr newest;
       {
         const std::lock_guard lock(mutex_);
@@ -361,35 +367,35 @@ void Host::publish(Slot& slot, std::string_view flow, const PacketPtr& packet) {
 
 void Host::stop() {
   reservations_.close();
-  for (const auto& slot : slots_) {
-    if (slot->component) slot->component->stop();
+  for (const auto& entry : entries_) {
+    if (entry->component) entry->component->stop();
     const std::lock_guard lock(mutex_);
-    slot->status.available = false;
+    entry->status.available = false;
   }
 }
 
 std::vector<ServiceStatus> Host::services() const {
   const std::lock_guard lock(mutex_);
   std::vector<ServiceStatus> all;
-  for (const auto& slot : slots_) {
-    slot->look_at_flows();
-    all.push_back(slot->status);
+  for (const auto& entry : entries_) {
+    entry->update_flows();
+    all.push_back(entry->status);
   }
   return all;
 }
 
 std::optional<ServiceStatus> Host::service(const std::string& key) const {
   const std::lock_guard lock(mutex_);
-  Slot* slot = find(key);
-  if (!slot) return std::nullopt;
-  slot->look_at_flows();
-  return slot->status;
+  ServiceEntry* entry = find(key);
+  if (!entry) return std::nullopt;
+  entry->update_flows();
+  return entry->status;
 }
 
 std::map<std::string, rsm::Service> Host::models() const {
   const std::lock_guard lock(mutex_);
   std::map<std::string, rsm::Service> all;
-  for (const auto& slot : slots_) all.emplace(slot->status.key, slot->model);
+  for (const auto& entry : entries_) all.emplace(entry->status.key, entry->model);
   return all;
 }
 

@@ -1,10 +1,10 @@
-// Host: hosts components and stands between them and the cores. It gives calls their ids and hands them to the unit of
+// Host: hosts components and stands between them and the cores. It gives calls their ids and hands them to the group of
 // their service; follows what each service announces with a monitor (R18) and records what does not fit; keeps the
 // calls that wait for a response, and answers those that nobody will (`unavailable`, R7). What services say leaves it
 // as Deliveries through the observer: events to everyone, a response to the caller alone. Packets of data flows go from
 // service to service, past the cores (flows.h); answers that are due hold world time up (reservations.h).
 //
-// Threads: call(), watch() and the queries on any. A component is called on its unit's thread. The observer and the
+// Threads: call(), watch() and the queries on any. A component is called on its group's thread. The observer and the
 // watchers of flows are called under the host's lock, in the order in which things happened: they must be quick and
 // must not call the host.
 #pragma once
@@ -20,9 +20,9 @@
 #include "core/rsm/model.h"
 #include "services/clock.h"
 #include "services/component.h"
-#include "services/flows.h"
-#include "services/reservations.h"
-#include "services/work_queue.h"
+#include "services/host/flows.h"
+#include "services/host/reservations.h"
+#include "services/host/work_queue.h"
 
 namespace race::services {
 
@@ -95,29 +95,31 @@ class Host {
   Host(const Host&) = delete;
   Host& operator=(const Host&) = delete;
 
-  /// Declares a service before anything is called: its key (after `svc.`), its type and the unit it lives in, which
+  /// Declares a service before anything is called: its key (after `svc.`), its type and the group it lives in, which
   /// outlives the calls. The component is made with what this returns and handed to attach().
-  ServiceHost& declare(std::string key, std::string type, WorkQueue& unit);
-  /// `awaited`: what does the component's work is not there yet; its service is lost until regain().
-  enum class Presence { here, awaited };
-  void attach(const std::string& key, std::unique_ptr<Component> component, Presence presence = Presence::here);
+  ServiceHost& declare(std::string key, std::string type, WorkQueue& queue);
+  /// `awaited`: what does the component's work is not there yet; its service is lost until reconnect().
+  enum class Connection { connected, disconnected };
+  void attach(const std::string& key, std::unique_ptr<Component> component,
+              Connection connection = Connection::connected);
 
   /// Calls an operation. Its response reaches the observer once, now or later, with `caller`; an unknown or lost
   /// service or an unknown operation answers {"code": "unavailable"}. `args` and `kwargs` are frozen here.
   CallId call(Caller caller, const std::string& service, std::string operation, List args, Dict kwargs);
 
-  /// Time has passed: the answers that are due now go to their units. With `wait`, those that are due and not there yet
-  /// are waited for. Observers hear of flows that have stopped. On the thread that sets the clock, after it was set.
+  /// Time has passed: the answers that are due now go to their groups. With `wait`, those that are due and not there
+  /// yet are waited for. Observers hear of flows that have stopped. On the thread that sets the clock, after it was
+  /// set.
   void advance(bool wait);
-  /// step() of each component of `unit`, in order of declaration. On the unit's thread.
-  void step(const WorkQueue& unit);
+  /// step() of each component of `queue`, in order of declaration. On the group's thread.
+  void step(const WorkQueue& queue);
   /// The component is gone (died, hangs, was unplugged): its pending calls are answered `unavailable` in order of call,
-  /// and it says nothing any more. Nothing that was on its way to it reaches it, also after regain(). `why`: for the
+  /// and it says nothing any more. Nothing that was on its way to it reaches it, also after reconnect(). `why`: for the
   /// log.
-  void lose(const std::string& key, const std::string& why = "unplugged");
+  void disconnect(const std::string& key, const std::string& why = "unplugged");
   /// What was lost is there again, in the initial state of its RSM.
-  void regain(const std::string& key);
-  /// stop() of all components: units have ended, or are those of this thread. Nothing is called afterwards.
+  void reconnect(const std::string& key);
+  /// stop() of all components: groups have ended, or are those of this thread. Nothing is called afterwards.
   void stop();
 
   /// Watches a data flow from outside, until unwatch(): nothing is called once that has returned.
@@ -130,26 +132,26 @@ class Host {
   std::map<std::string, rsm::Service> models() const;
 
  private:
-  struct Slot;
-  friend struct Slot;
+  struct ServiceEntry;
+  friend struct ServiceEntry;
 
-  Slot* find(const std::string& key) const;
-  void deliver_response(const Slot& slot, const PendingCall& call, Value value, bool is_error);
-  void post(Slot& slot, std::function<void(Component&)> work);
-  void guarded(Slot& slot, std::uint64_t life, const std::function<void(Component&)>& work);
-  void lose(Slot& slot, const std::string& why);
-  void begin(Slot& slot);
-  void listen(Slot& slot, std::string_view key, std::string_view flow, bool on);
-  void tell(std::string_view key);
-  void publish(Slot& slot, std::string_view flow, const PacketPtr& packet);
-  void want(std::string_view key, const std::string& flow, bool on);
+  ServiceEntry* find(const std::string& key) const;
+  void deliver_response(const ServiceEntry& entry, const PendingCall& call, Value value, bool is_error);
+  void post(ServiceEntry& entry, std::function<void(Component&)> work);
+  void run_guarded(ServiceEntry& entry, std::uint64_t connection_count, const std::function<void(Component&)>& work);
+  void disconnect(ServiceEntry& entry, const std::string& why);
+  void make_available(ServiceEntry& entry);
+  void set_subscription(ServiceEntry& entry, std::string_view key, std::string_view flow, bool on);
+  void notify_status(std::string_view key);
+  void publish(ServiceEntry& entry, std::string_view flow, const PacketPtr& packet);
+  void set_demand(std::string_view key, const std::string& flow, bool on);
 
   const Clock& clock_;
   HostObserver& observer_;
   mutable std::mutex mutex_;
   Flows flows_;
-  Reservations reservations_;                 // outlives the components: their threads fulfil
-  std::vector<std::unique_ptr<Slot>> slots_;  // in order of declaration; fixed after the start
+  Reservations reservations_;                           // outlives the components: their threads fulfil
+  std::vector<std::unique_ptr<ServiceEntry>> entries_;  // in order of declaration; fixed after the start
   CallId next_call_ = 1;
   std::uint64_t next_delivery_ = 1;
 };

@@ -1,5 +1,5 @@
-// Where the components of one unit run: a queue of work that its owner runs on the unit's thread. WorkQueue is run by a
-// loop that has other things to do (the cell's, a headless run's); WorkThread is a unit with a thread of its own.
+// Where the components of one group run: a queue of work that its owner runs on the group's thread. WorkQueue is run by
+// a loop that has other things to do (the cell's, a headless run's); WorkThread is a group with a thread of its own.
 #pragma once
 
 #include <condition_variable>
@@ -10,7 +10,7 @@
 
 namespace race::services {
 
-/// Threads: post() on any; run() on the unit's alone.
+/// Threads: post() on any; run() on the group's alone.
 class WorkQueue {
  public:
   using Work = std::function<void()>;
@@ -29,7 +29,7 @@ class WorkQueue {
   std::vector<Work> work_;
 };
 
-/// A unit with its own thread: runs what is posted until it is destroyed; work posted before that is still done.
+/// A group with its own thread: runs what is posted until it is destroyed; work posted before that is still done.
 class WorkThread final : public WorkQueue {
  public:
   WorkThread();

@@ -1,12 +1,12 @@
-#include "services/remote/frame.h"
+#include "services/remote/send_queue.h"
 
 #include <gtest/gtest.h>
 
 namespace race::remote {
 namespace {
 
-TEST(FrameQueue, GivesFramesInTheirOrder) {
-  FrameQueue queue;
+TEST(SendQueue, GivesFramesInTheirOrder) {
+  SendQueue queue;
   EXPECT_TRUE(queue.push({"a"}));
   EXPECT_TRUE(queue.push({"b", true}));
   EXPECT_EQ(queue.pop()->bytes, "a");
@@ -14,8 +14,8 @@ TEST(FrameQueue, GivesFramesInTheirOrder) {
   EXPECT_FALSE(queue.pop());
 }
 
-TEST(FrameQueue, KeepsOfAFlowTheNewestAlone) {
-  FrameQueue queue;
+TEST(SendQueue, KeepsOfAFlowTheNewestAlone) {
+  SendQueue queue;
   queue.push({"old"}, "images");
   queue.push({"other"}, "clouds");
   queue.push({"new"}, "images");
@@ -24,16 +24,16 @@ TEST(FrameQueue, KeepsOfAFlowTheNewestAlone) {
   EXPECT_FALSE(queue.pop());
 }
 
-TEST(FrameQueue, TakesNoMoreThanItsBytes) {
-  FrameQueue queue;
-  EXPECT_TRUE(queue.push({std::string(FrameQueue::kBytes, 'x')}, "images"));
+TEST(SendQueue, TakesNoMoreThanItsBytes) {
+  SendQueue queue;
+  EXPECT_TRUE(queue.push({std::string(SendQueue::kBytes, 'x')}, "images"));
   EXPECT_FALSE(queue.push({"y"}));
   EXPECT_TRUE(queue.push({"y"}, "images")) << "it takes the place of what filled the queue";
   EXPECT_TRUE(queue.push({"y"}));
 }
 
-TEST(FrameQueue, WakesWhoSends) {
-  FrameQueue queue;
+TEST(SendQueue, WakesWhoSends) {
+  SendQueue queue;
   int woken = 0;
   queue.on_change([&] { ++woken; });
   queue.push({"a"});
@@ -43,8 +43,8 @@ TEST(FrameQueue, WakesWhoSends) {
   EXPECT_EQ(woken, 2);
 }
 
-TEST(FrameQueue, IsDrainedOnceItIsClosedAndAllHasLeft) {
-  FrameQueue queue;
+TEST(SendQueue, IsDrainedOnceItIsClosedAndAllHasLeft) {
+  SendQueue queue;
   queue.push({"a"});
   EXPECT_FALSE(queue.drained());
   queue.close();

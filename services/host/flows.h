@@ -42,7 +42,7 @@ class Flows {
   using Watcher = std::function<void(const PacketPtr&)>;
 
   /// A service that listens, or a watcher outside.
-  struct Listener {
+  struct Subscription {
     std::string key, flow;    // what is listened to
     std::size_t service = 0;  // number of the listening service
     PacketPtr waiting;        // on its way to it
@@ -51,17 +51,17 @@ class Flows {
   };
 
   /// Whether anybody listens to `flow` of the service `key`.
-  bool wanted(std::string_view key, std::string_view flow) const;
+  bool has_demand(std::string_view key, std::string_view flow) const;
   /// Whether the service number `service` listens to it.
-  bool listens(std::size_t service, std::string_view key, std::string_view flow) const;
+  bool is_subscribed(std::size_t service, std::string_view key, std::string_view flow) const;
   /// The flows of the service `key` that somebody listens to, each once.
-  std::vector<std::string> wanted_of(std::string_view key) const;
+  std::vector<std::string> demanded(std::string_view key) const;
 
   /// The service number `service` listens from now on, or no longer; nothing changes if that is so already.
-  void listen(std::size_t service, std::string_view key, std::string_view flow, bool on);
+  void set_subscription(std::size_t service, std::string_view key, std::string_view flow, bool on);
   WatchId watch(std::string_view key, std::string_view flow, Watcher watcher);
   /// Removes a watch and returns it as it was; no key: there was none.
-  Listener unwatch(WatchId id);
+  Subscription unwatch(WatchId id);
 
   /// Calls the watchers of the flow and returns the services to which the packet is now on its way; those to which an
   /// older one still is get the newer one instead of it and are not named again.
@@ -71,32 +71,32 @@ class Flows {
 
   /// Counts a packet of a flow that is wanted. Whether what traffic() says now is worth telling: at first, then once a
   /// second.
-  bool count(std::string_view key, std::string_view flow, const Packet& packet, Time now);
+  bool record(std::string_view key, std::string_view flow, const Packet& packet, Time now);
   /// What passes on a flow; one that has been silent for much longer than its period has stopped.
   Published traffic(std::string_view key, std::string_view flow, Time now) const;
-  /// The services of flows that have stopped since it was asked last: what was told of these is not so any more.
+  /// The services of flows that have stopped since it was asked last: what was reported of these is not so any more.
   std::vector<std::string> stopped(Time now);
   /// The service `key` is gone: nothing passes on its flows.
-  void fall_silent(std::string_view key);
+  void reset(std::string_view key);
   /// What `service` listens to.
-  std::vector<Listener> of(std::size_t service) const;
+  std::vector<Subscription> subscriptions_of(std::size_t service) const;
 
  private:
   static constexpr std::size_t kCounted = 10;
 
   /// Packets of a flow since it is wanted.
-  struct Passed {
+  struct Traffic {
     Time period() const;  // 0: of too few
     bool has_stopped(Time now) const;
     std::string key, flow;
     std::deque<Time> times;  // of the last kCounted since it stopped, as of the host's clock
     Published::Last last;
-    Time told = 0;
+    Time reported = 0;
   };
-  void forget_unwanted();
+  void drop_undemanded();
 
-  std::vector<Listener> listeners_;  // in order of their coming
-  std::vector<Passed> passed_;
+  std::vector<Subscription> subscriptions_;  // in order of their coming
+  std::vector<Traffic> traffic_;
   WatchId next_watch_ = 1;
 };
 

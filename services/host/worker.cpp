@@ -1,10 +1,10 @@
-#include "services/worker.h"
+#include "services/host/worker.h"
 
 #include <exception>
 
 namespace race::services {
 
-void Worker::begin(Time at, std::function<Answer()> heavy) {
+void Worker::submit(Time at, std::function<Answer()> heavy) {
   thread_.post([this, reservation = host_.reserve(at), heavy = std::move(heavy)] {
     Answer answer;
     try {

@@ -1,10 +1,10 @@
-#include "services/remote/frame.h"
+#include "services/remote/send_queue.h"
 
 #include <algorithm>
 
 namespace race::remote {
 
-bool FrameQueue::push(Frame frame, const std::string& flow) {
+bool SendQueue::push(EncodedMessage frame, const std::string& flow) {
   const std::lock_guard lock(mutex_);
   if (closed_) return false;
   const auto older =
@@ -20,27 +20,27 @@ bool FrameQueue::push(Frame frame, const std::string& flow) {
   return true;
 }
 
-std::optional<Frame> FrameQueue::pop() {
+std::optional<EncodedMessage> SendQueue::pop() {
   const std::lock_guard lock(mutex_);
   if (waiting_.empty()) return std::nullopt;
-  Frame next = std::move(waiting_.front().frame);
+  EncodedMessage next = std::move(waiting_.front().frame);
   waiting_.pop_front();
   bytes_ -= next.bytes.size();
   return next;
 }
 
-void FrameQueue::on_change(std::function<void()> wake) {
+void SendQueue::on_change(std::function<void()> wake) {
   const std::lock_guard lock(mutex_);
   wake_ = std::move(wake);
 }
 
-void FrameQueue::close() {
+void SendQueue::close() {
   const std::lock_guard lock(mutex_);
   closed_ = true;
   if (wake_) wake_();
 }
 
-bool FrameQueue::drained() const {
+bool SendQueue::drained() const {
   const std::lock_guard lock(mutex_);
   return closed_ && waiting_.empty();
 }

@@ -1,7 +1,7 @@
-// Desk: what stays in the server of a component that lives in a process of its own. A display, say, is told by its
-// process what to show; the screens are the server's. A service without one has empty functions.
+// HostFunctions: what stays in the server of a component that lives in a process of its own. A display, say, is told by
+// its process what to show; the screens are the server's. A service without one has empty functions.
 //
-// Threads: `version` any, the others the unit's.
+// Threads: `version` any, the others the group's.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@
 
 namespace race::remote {
 
-struct Desk {
+struct HostFunctions {
   /// Answers a question of the process. An error: no component asks this, and the process is lost.
   std::function<Expected<Value>(const std::string& function, const Dict& arguments)> request = {};
   /// Counts what the process would want to know; when it has changed, the process is told to ask again.
   std::function<std::uint64_t()> version = {};
   /// A process comes or is lost: nothing of one before is left.
-  std::function<void()> clean = {};
+  std::function<void()> reset = {};
 };
 
 }  // namespace race::remote

@@ -1,4 +1,4 @@
-#include "services/reservations.h"
+#include "services/host/reservations.h"
 
 #include <algorithm>
 #include <tuple>

@@ -1,4 +1,4 @@
-#include "services/remote/remote_unit.h"
+#include "services/remote/process_host.h"
 
 #include <gmock/gmock.h>
 
@@ -17,10 +17,10 @@ using testing::IsEmpty;
 
 struct RemoteUnitTest : testing::Test {
   RemoteUnitTest() {
-    auto made = std::make_unique<Lamp>(unit.declare("lamp", "lamp"));
+    auto made = std::make_unique<Lamp>(process.declare("lamp", "lamp"));
     lamp = made.get();
-    unit.attach("lamp", std::move(made));
-    unit.connect(server);
+    process.attach("lamp", std::move(made));
+    process.connect(server);
   }
   Message message(Kind kind, double time = 0) {
     Message made;
@@ -33,20 +33,20 @@ struct RemoteUnitTest : testing::Test {
     Message made = message(Kind::call);
     made.name = std::move(operation);
     made.call = id;
-    ASSERT_TRUE(unit.handle(std::move(made)));
+    ASSERT_TRUE(process.handle(std::move(made)));
   }
   std::vector<std::string> said() {
     std::vector<std::string> all;
     while (auto frame = server.pop()) all.push_back(frame->bytes);
     return all;
   }
-  FrameQueue server;
-  RemoteUnit unit;
+  SendQueue server;
+  ProcessHost process;
   Lamp* lamp = nullptr;
 };
 
 TEST_F(RemoteUnitTest, SaysWhatItBrings) {
-  const Message hello = unit.hello();
+  const Message hello = process.hello();
   EXPECT_EQ(hello.number, kProtocol);
   const Value& lamp = hello.value.as_list().at(0);
   EXPECT_EQ(lamp.find("key")->as_string(), "lamp");
@@ -61,7 +61,7 @@ TEST_F(RemoteUnitTest, TellsTheServerWhatAComponentAnnounces) {
 }
 
 TEST_F(RemoteUnitTest, SaysNothingWhileItIsNotConnected) {
-  unit.disconnect();
+  process.disconnect();
   call("on", 5);
   EXPECT_THAT(said(), IsEmpty());
 }
@@ -75,41 +75,41 @@ TEST_F(RemoteUnitTest, AResultThatCannotBeSentBecomesAnError) {
 TEST_F(RemoteUnitTest, AnswersAPingWithItsNumber) {
   Message ping = message(Kind::ping, 2.0);
   ping.number = 9;
-  ASSERT_TRUE(unit.handle(ping));
+  ASSERT_TRUE(process.handle(ping));
   EXPECT_THAT(said(), ElementsAre(R"({"type":"pong","number":9})"));
 }
 
 TEST_F(RemoteUnitTest, RefusesAMessageForNobody) {
   Message made = message(Kind::wanted);
   made.key = "heater";
-  EXPECT_EQ(unit.handle(made).error().code, ErrorCode::not_found);
+  EXPECT_EQ(process.handle(made).error().code, ErrorCode::not_found);
 }
 
 TEST_F(RemoteUnitTest, KeepsToTheServersTime) {
-  ASSERT_TRUE(unit.handle(message(Kind::welcome, 10.0)));
-  EXPECT_DOUBLE_EQ(unit.clock().now(), 10.0);
-  unit.step();
-  EXPECT_DOUBLE_EQ(unit.clock().now(), 10.001);
-  ASSERT_TRUE(unit.handle(message(Kind::ping, 10.02)));
-  EXPECT_DOUBLE_EQ(unit.clock().now(), 10.001) << "that is near enough";
-  ASSERT_TRUE(unit.handle(message(Kind::ping, 11.0)));
-  EXPECT_DOUBLE_EQ(unit.clock().now(), 11.0);
-  ASSERT_TRUE(unit.handle(message(Kind::ping, 10.9)));
-  for (int i = 0; i < 100; ++i) unit.step();
-  EXPECT_NEAR(unit.clock().now(), 11.0, 0.0015) << "time never goes back: it waits";
-  unit.step();
-  unit.step();
-  EXPECT_GT(unit.clock().now(), 11.0015);
+  ASSERT_TRUE(process.handle(message(Kind::welcome, 10.0)));
+  EXPECT_DOUBLE_EQ(process.clock().now(), 10.0);
+  process.step();
+  EXPECT_DOUBLE_EQ(process.clock().now(), 10.001);
+  ASSERT_TRUE(process.handle(message(Kind::ping, 10.02)));
+  EXPECT_DOUBLE_EQ(process.clock().now(), 10.001) << "that is near enough";
+  ASSERT_TRUE(process.handle(message(Kind::ping, 11.0)));
+  EXPECT_DOUBLE_EQ(process.clock().now(), 11.0);
+  ASSERT_TRUE(process.handle(message(Kind::ping, 10.9)));
+  for (int i = 0; i < 100; ++i) process.step();
+  EXPECT_NEAR(process.clock().now(), 11.0, 0.0015) << "time never goes back: it waits";
+  process.step();
+  process.step();
+  EXPECT_GT(process.clock().now(), 11.0015);
 }
 
 TEST_F(RemoteUnitTest, GivesAnswersThatAreDueInTheirTime) {
   int answered = 0;
   const auto reservation = lamp->host.reserve(0.003);
   lamp->host.fulfil(reservation, [&] { ++answered; });
-  unit.step();
-  unit.step();
+  process.step();
+  process.step();
   EXPECT_EQ(answered, 0);
-  unit.step();
+  process.step();
   EXPECT_EQ(answered, 1);
 }
 
@@ -118,19 +118,19 @@ TEST_F(RemoteUnitTest, HandsPacketsOver) {
   made.service = "camera";
   made.name = "images";
   made.bytes.resize(3);
-  ASSERT_TRUE(unit.handle(std::move(made)));
+  ASSERT_TRUE(process.handle(std::move(made)));
   EXPECT_THAT(lamp->packets, ElementsAre("camera.images at 4.0: 3 bytes"));
 }
 
 TEST_F(RemoteUnitTest, AsksTheServerAndWaitsForItsReply) {
-  EXPECT_EQ(unit.request("lamp", "colour", {}).error().code, ErrorCode::unavailable) << "it is not welcome yet";
-  ASSERT_TRUE(unit.handle(message(Kind::welcome)));
+  EXPECT_EQ(process.request("lamp", "colour", {}).error().code, ErrorCode::unavailable) << "it is not welcome yet";
+  ASSERT_TRUE(process.handle(message(Kind::welcome)));
   std::string asked;
   std::atomic<int> looks = 0;  // of who waits
   std::atomic<bool> answered = false;
-  unit.connect(server, [&] { return ++looks < 0; });
+  process.connect(server, [&] { return ++looks < 0; });
   std::thread there([&] {
-    std::optional<Frame> frame;
+    std::optional<EncodedMessage> frame;
     while (!(frame = server.pop())) std::this_thread::yield();
     asked = frame->bytes;
     for (const int number : {7, 1}) {
@@ -138,11 +138,11 @@ TEST_F(RemoteUnitTest, AsksTheServerAndWaitsForItsReply) {
       reply.kind = Kind::reply;
       reply.number = number;
       reply.value = number;
-      unit.replied(reply);
+      process.handle_reply(reply);
       for (const int before = looks; looks < before + 2 && !answered;) std::this_thread::yield();
     }
   });
-  const auto answer = unit.request("lamp", "colour", {{"of", "glass"}});
+  const auto answer = process.request("lamp", "colour", {{"of", "glass"}});
   answered = true;
   there.join();
   ASSERT_TRUE(answer);
@@ -152,26 +152,26 @@ TEST_F(RemoteUnitTest, AsksTheServerAndWaitsForItsReply) {
 
 TEST_F(RemoteUnitTest, WaitsForNoReplyWhenTheConnectionHasEnded) {
   std::atomic<bool> over = false;
-  unit.connect(server, [&] { return over.load(); });
-  ASSERT_TRUE(unit.handle(message(Kind::welcome)));
+  process.connect(server, [&] { return over.load(); });
+  ASSERT_TRUE(process.handle(message(Kind::welcome)));
   std::thread there([&] {
     while (!server.pop()) std::this_thread::yield();
     over = true;
   });
-  EXPECT_EQ(unit.request("lamp", "colour", {}).error().code, ErrorCode::unavailable);
+  EXPECT_EQ(process.request("lamp", "colour", {}).error().code, ErrorCode::unavailable);
   there.join();
 }
 
 TEST_F(RemoteUnitTest, WaitsForNoReplyToWhatCannotBeSent) {
-  ASSERT_TRUE(unit.handle(message(Kind::welcome)));
+  ASSERT_TRUE(process.handle(message(Kind::welcome)));
   server.close();
-  EXPECT_EQ(unit.request("lamp", "colour", {}).error().code, ErrorCode::unavailable);
+  EXPECT_EQ(process.request("lamp", "colour", {}).error().code, ErrorCode::unavailable);
 }
 
 TEST_F(RemoteUnitTest, TellsAComponentThatThereIsNews) {
   int news = 0;
-  unit.on_news("lamp", [&] { ++news; });
-  ASSERT_TRUE(unit.handle(message(Kind::news)));
+  process.on_host_change("lamp", [&] { ++news; });
+  ASSERT_TRUE(process.handle(message(Kind::news)));
   EXPECT_EQ(news, 1);
 }
 

@@ -1,5 +1,5 @@
-// Frame: one WebSocket message, whatever carries it; FrameQueue: those that wait to be sent to one end. It is bounded:
-// who reads nothing is not written to for ever, and of the packets of one flow only the newest waits.
+// EncodedMessage: one WebSocket message, whatever carries it; SendQueue: those that wait to be sent to one end. It is
+// bounded: who reads nothing is not written to for ever, and of the packets of one flow only the newest waits.
 //
 // Threads: any.
 #pragma once
@@ -13,19 +13,19 @@
 
 namespace race::remote {
 
-struct Frame {
+struct EncodedMessage {
   std::string bytes;
   bool binary = false;  // else UTF-8 text
 };
 
-class FrameQueue {
+class SendQueue {
  public:
   static constexpr std::size_t kBytes = 64 * 1024 * 1024;
 
   /// `flow`, if it is not empty: the frame takes the place of one that waits under the same name. false: the queue is
   /// full or closed, and the frame lost.
-  bool push(Frame frame, const std::string& flow = {});
-  std::optional<Frame> pop();
+  bool push(EncodedMessage frame, const std::string& flow = {});
+  std::optional<EncodedMessage> pop();
 
   /// `wake` is called after each push and close(), on its thread and under the lock; an empty one ends that.
   void on_change(std::function<void()> wake);
@@ -36,7 +36,7 @@ class FrameQueue {
 
  private:
   struct Waiting {
-    Frame frame;
+    EncodedMessage frame;
     std::string flow;
   };
 

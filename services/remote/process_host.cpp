@@ -1,4 +1,4 @@
-#include "services/remote/remote_unit.h"
+#include "services/remote/process_host.h"
 
 #include <algorithm>
 #include <chrono>
@@ -19,16 +19,16 @@ Message message_of(Kind kind, const std::string& key, std::string_view name = {}
 }  // namespace
 
 // The ServiceHost of one component.
-struct RemoteUnit::Slot final : services::ServiceHost {
-  Slot(RemoteUnit& its_unit, std::size_t its_number, std::string its_key, std::string its_type)
-      : unit(its_unit), number(its_number), key(std::move(its_key)), type(std::move(its_type)) {}
+struct ProcessHost::ComponentEntry final : services::ServiceHost {
+  ComponentEntry(ProcessHost& its_process, std::size_t its_number, std::string its_key, std::string its_type)
+      : process(its_process), number(its_number), key(std::move(its_key)), type(std::move(its_type)) {}
 
-  services::Time now() const override { return unit.clock_.now(); }
+  services::Time now() const override { return process.clock_.now(); }
 
   void transition(std::string_view id, services::CallId call) override {
     Message message = message_of(Kind::transition, key, id);
     message.call = call;
-    unit.send(message);
+    process.send(message);
   }
   void result(services::CallId call, Value value) override { respond(Kind::result, call, std::move(value)); }
   void error(services::CallId call, Value value) override { respond(Kind::error, call, std::move(value)); }
@@ -36,99 +36,101 @@ struct RemoteUnit::Slot final : services::ServiceHost {
     Message message = message_of(kind, key);
     message.call = call;
     message.value = std::move(value);
-    unit.send(message);
+    process.send(message);
   }
   void reject(services::CallId call) override {
     Message message = message_of(Kind::reject, key);
     message.call = call;
-    unit.send(message);
+    process.send(message);
   }
   void event(std::string_view name, Value data) override {
     Message message = message_of(Kind::event, key, name);
     message.value = std::move(data);
-    unit.send(message);
+    process.send(message);
   }
   void publish(std::string_view flow, services::PacketPtr packet) override {
     Message message = message_of(Kind::publish, key, flow);
     message.time = packet->time;
     message.value = packet->header;
     message.bytes = packet->bytes;
-    unit.send(message, key + " " + message.name);
+    process.send(message, key + " " + message.name);
   }
   void subscribe(std::string_view service, std::string_view flow, bool on) override {
     Message message = message_of(Kind::subscribe, key, flow);
     message.service = std::string(service);
     message.on = on;
-    unit.send(message);
+    process.send(message);
   }
-  services::ReservationId reserve(services::Time at) override { return unit.reservations_.reserve(number, at); }
+  services::ReservationId reserve(services::Time at) override { return process.reservations_.reserve(number, at); }
   void fulfil(services::ReservationId reservation, std::function<void()> answer) override {
-    unit.reservations_.fulfil(reservation, std::move(answer));
+    process.reservations_.fulfil(reservation, std::move(answer));
   }
-  void log(std::string text) override { unit.send(message_of(Kind::log, key, cut(std::move(text)))); }
+  void log(std::string text) override { process.send(message_of(Kind::log, key, cut(std::move(text)))); }
 
-  RemoteUnit& unit;
+  ProcessHost& process;
   std::size_t number;
   std::string key, type;
-  std::function<void()> news;
+  std::function<void()> on_host_change;
   std::unique_ptr<services::Component> component;
 };
 
-RemoteUnit::RemoteUnit() = default;
+ProcessHost::ProcessHost() = default;
 
-RemoteUnit::~RemoteUnit() {
+ProcessHost::~ProcessHost() {
   server_ = nullptr;
   reservations_.close();
-  for (const auto& slot : slots_)
-    if (slot->component) slot->component->stop();
+  for (const auto& entry : entries_)
+    if (entry->component) entry->component->stop();
 }
 
-services::ServiceHost& RemoteUnit::declare(std::string key, std::string type) {
-  slots_.push_back(std::make_unique<Slot>(*this, slots_.size(), std::move(key), std::move(type)));
-  return *slots_.back();
+services::ServiceHost& ProcessHost::declare(std::string key, std::string type) {
+  entries_.push_back(std::make_unique<ComponentEntry>(*this, entries_.size(), std::move(key), std::move(type)));
+  return *entries_.back();
 }
 
-void RemoteUnit::attach(const std::string& key, std::unique_ptr<services::Component> component) {
+void ProcessHost::attach(const std::string& key, std::unique_ptr<services::Component> component) {
   find(key)->component = std::move(component);
 }
 
-void RemoteUnit::on_news(const std::string& key, std::function<void()> work) { find(key)->news = std::move(work); }
+void ProcessHost::on_host_change(const std::string& key, std::function<void()> work) {
+  find(key)->on_host_change = std::move(work);
+}
 
-Expected<Value> RemoteUnit::request(const std::string& key, std::string_view function, Dict arguments) {
+Expected<Value> ProcessHost::request(const std::string& key, std::string_view function, Dict arguments) {
   constexpr auto kLook = std::chrono::milliseconds(10);  // whether the connection is still there
-  FrameQueue* server = server_;
-  if (!server || !welcome_) return unexpected(ErrorCode::unavailable, "the server is not there");
+  SendQueue* server = server_;
+  if (!server || !accepted_) return unexpected(ErrorCode::unavailable, "the server is not there");
   Message message = message_of(Kind::request, key, function);
   message.number = ++requests_;
   message.kwargs = std::move(arguments);
-  ASSIGN_OR_RETURN(Frame frame, encode(message));
+  ASSIGN_OR_RETURN(EncodedMessage frame, encode(message));
   if (!server->push(std::move(frame))) return unexpected(ErrorCode::unavailable, "the server takes nothing more");
   std::unique_lock lock(mutex_);
   const auto answered = [&] { return reply_ && reply_->number == message.number; };
-  while (!came_.wait_for(lock, kLook, answered))
-    if (over_ && over_()) return unexpected(ErrorCode::unavailable, "the connection has ended");
+  while (!reply_arrived_.wait_for(lock, kLook, answered))
+    if (ended_ && ended_()) return unexpected(ErrorCode::unavailable, "the connection has ended");
   return std::move(reply_->value);
 }
 
-void RemoteUnit::replied(Message reply) {
+void ProcessHost::handle_reply(Message reply) {
   {
     const std::lock_guard lock(mutex_);
     reply_ = std::move(reply);
   }
-  came_.notify_one();
+  reply_arrived_.notify_one();
 }
 
-RemoteUnit::Slot* RemoteUnit::find(const std::string& key) const {
-  for (const auto& slot : slots_)
-    if (slot->key == key) return slot.get();
+ProcessHost::ComponentEntry* ProcessHost::find(const std::string& key) const {
+  for (const auto& entry : entries_)
+    if (entry->key == key) return entry.get();
   return nullptr;
 }
 
-Message RemoteUnit::hello() const {
+Message ProcessHost::hello() const {
   List components;
-  for (const auto& slot : slots_)
+  for (const auto& entry : entries_)
     components.push_back(
-        Dict{{"key", slot->key}, {"type", slot->type}, {"rsm", rsm::write_service(slot->component->model())}});
+        Dict{{"key", entry->key}, {"type", entry->type}, {"rsm", rsm::write_service(entry->component->model())}});
   Message message;
   message.kind = Kind::hello;
   message.number = kProtocol;
@@ -137,15 +139,15 @@ Message RemoteUnit::hello() const {
   return message;
 }
 
-void RemoteUnit::connect(FrameQueue& server, std::function<bool()> over) {
-  over_ = std::move(over);
+void ProcessHost::connect(SendQueue& server, std::function<bool()> ended) {
+  ended_ = std::move(ended);
   server_ = &server;
 }
-void RemoteUnit::disconnect() { server_ = nullptr; }
+void ProcessHost::disconnect() { server_ = nullptr; }
 
 // A response that cannot be sent becomes an error response, so that nobody waits for it.
-void RemoteUnit::send(const Message& message, const std::string& flow) {
-  FrameQueue* server = server_;
+void ProcessHost::send(const Message& message, const std::string& flow) {
+  SendQueue* server = server_;
   if (!server) return;
   auto frame = encode(message);
   if (!frame && message.call != 0 && message.kind == Kind::result) {
@@ -159,7 +161,7 @@ void RemoteUnit::send(const Message& message, const std::string& flow) {
   if (frame) server->push(std::move(*frame), flow);
 }
 
-Expected<void> RemoteUnit::handle(Message message) {
+Expected<void> ProcessHost::handle(Message message) {
   if (message.kind == Kind::ping) {
     set_clock(message.time);
     Message pong;
@@ -169,29 +171,30 @@ Expected<void> RemoteUnit::handle(Message message) {
     return {};
   }
   if (message.kind == Kind::welcome) {
-    welcome_ = true;
+    accepted_ = true;
     clock_.set(std::max(clock_.now(), message.time));
     return {};
   }
-  if (message.kind == Kind::offer || message.kind == Kind::act || message.kind == Kind::watch) return in_world(message);
-  Slot* slot = find(message.key);
-  if (!slot) return unexpected(ErrorCode::not_found, "this process has no such component", message.key);
+  if (message.kind == Kind::offer || message.kind == Kind::act || message.kind == Kind::watch)
+    return handle_world_message(message);
+  ComponentEntry* entry = find(message.key);
+  if (!entry) return unexpected(ErrorCode::not_found, "this process has no such component", message.key);
   if (message.kind == Kind::packet) {
     const std::string service = message.service, flow = message.name;
-    slot->component->packet(service, flow, packet_of(std::move(message)));
+    entry->component->packet(service, flow, packet_of(std::move(message)));
     return {};
   }
   set_clock(message.time);
-  if (message.kind == Kind::news && slot->news) slot->news();
-  if (message.kind == Kind::wanted) slot->component->wanted(message.name, message.on);
+  if (message.kind == Kind::news && entry->on_host_change) entry->on_host_change();
+  if (message.kind == Kind::wanted) entry->component->demand_changed(message.name, message.on);
   if (message.kind == Kind::call)
-    slot->component->call({message.call, message.name, std::move(message.args), std::move(message.kwargs)});
+    entry->component->call({message.call, message.name, std::move(message.args), std::move(message.kwargs)});
   return {};
 }
 
 // What cannot be told is refused, so that nobody waits for it.
-Expected<void> RemoteUnit::in_world(const Message& message) {
-  if (!world_.act) return unexpected(ErrorCode::not_found, "this process has no world", name(message.kind).data());
+Expected<void> ProcessHost::handle_world_message(const Message& message) {
+  if (!world_.execute) return unexpected(ErrorCode::not_found, "this process has no world", name(message.kind).data());
   set_clock(message.time);
   if (message.kind == Kind::watch) {
     world_.watch(message.on);
@@ -207,7 +210,7 @@ Expected<void> RemoteUnit::in_world(const Message& message) {
     answer.kind = Kind::failed;
     answer.value = error_json(error);
   };
-  if (Expected<Value> done = world_.act(message.value)) {
+  if (Expected<Value> done = world_.execute(message.value)) {
     answer.value = std::move(*done);
     if (auto frame = encode(answer); !frame) fail(frame.error());
   } else {
@@ -217,28 +220,28 @@ Expected<void> RemoteUnit::in_world(const Message& message) {
   return {};
 }
 
-void RemoteUnit::show(Value pose) {
+void ProcessHost::send_pose(Value pose) {
   Message message = message_of(Kind::pose, "");
   message.value = std::move(pose);
   send(message, std::string(name(Kind::pose)));
 }
 
-void RemoteUnit::set_clock(services::Time server) {
+void ProcessHost::set_clock(services::Time server) {
   const services::Time now = clock_.now();
-  if (server > now + kApart) clock_.set(server);
-  ahead_ = now > server + kApart ? now - server : 0;
+  if (server > now + kMaxClockOffset) clock_.set(server);
+  clock_ahead_ = now > server + kMaxClockOffset ? now - server : 0;
 }
 
-void RemoteUnit::step() {
+void ProcessHost::step() {
   queue_.run();
   if (before_step_) before_step_();
-  if (ahead_ > 0) {
-    ahead_ -= kStep;
+  if (clock_ahead_ > 0) {
+    clock_ahead_ -= kStep;
   } else {
     clock_.set(clock_.now() + kStep);
   }
   for (const services::Reservations::Due& due : reservations_.take(clock_.now(), false)) due.answer();
-  for (const auto& slot : slots_) slot->component->step();
+  for (const auto& entry : entries_) entry->component->step();
   if (after_step_) after_step_();
 }
 

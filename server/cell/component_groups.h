@@ -1,5 +1,5 @@
-// Units: what of a cell can run, and die, as a process of its own (`race serve --remote NAME`, `race service NAME`).
-// The one table of them: adding a unit is adding a row.
+// Component groups: what of a cell can run, and die, as a process of its own (`race serve --remote NAME`, `race service
+// NAME`). The one table of them: adding a group is adding a row.
 #pragma once
 
 #include <span>
@@ -9,30 +9,30 @@
 
 #include "core/value/expected.h"
 #include "services/database/store.h"
-#include "services/remote/remote_unit.h"
+#include "services/remote/process_host.h"
 #include "services/remote/remotes.h"
 
 namespace race::server {
 
-/// What units are made from, as of a cell (CellSetup).
-struct UnitSetup {
+/// What groups are made from, as of a cell (CellSetup).
+struct GroupSetup {
   std::string folder;    // with scene.json, parts.json, database.json, images; what is absent is not there
   std::string database;  // file of the database
 };
 
-struct Unit {
+struct ComponentGroup {
   std::string_view name;
   std::vector<remote::RemoteService> services;
   bool world = false;  // whether its process brings the world of the cell
   /// Makes the components in a process. Errors: those of the files.
-  Expected<void> (*make)(const UnitSetup& setup, remote::RemoteUnit& unit);
+  Expected<void> (*make)(const GroupSetup& setup, remote::ProcessHost& process);
 };
 
-std::span<const Unit> units();
+std::span<const ComponentGroup> component_groups();
 /// "cell, recognition, ..."
-std::string unit_names();
-/// The unit of this name; error `not_found` names those that there are.
-Expected<const Unit*> find_unit(std::string_view name);
+std::string component_group_names();
+/// The group of this name; error `not_found` names those that there are.
+Expected<const ComponentGroup*> find_component_group(std::string_view name);
 
 /// Opens the database of a cell: values of `folder`/database.json whose keys it does not have are added to it. Errors:
 /// `io`, and those of the file.
