@@ -3,7 +3,7 @@ import type { MicroStep } from "./derivation/proof";
 import { array, boolean, number, object, present, record, string, type Decoder, type JsonValue } from "./json/decode";
 import { scene, type Scene } from "./messages/cell";
 import { core, type Core } from "./messages/core";
-import { person, type Person, type PersonAct } from "./messages/person";
+import { person, type Person, type PersonCommand } from "./messages/person";
 import { rules, traceSteps, type RuleText, type TraceStep } from "./messages/derivation";
 import { serverErrors, type ServerError } from "./messages/stream";
 import { why, type Why } from "./messages/why";
@@ -90,7 +90,7 @@ export function createApi(base: string, fetcher: typeof fetch) {
       get(`/cores/${segment(id)}/why?port=${segment(port)}${before === undefined ? "" : `&step=${before.step}&micro=${before.micro}`}`, why),
     cell: (): Promise<Scene> => get("/cell", scene),
     person: (): Promise<Person> => get("/cell/person", person),
-    act: (act: PersonAct): Promise<Person> => request("POST", "/cell/person", person, { ...act }),
+    act: (act: PersonCommand): Promise<Person> => request("POST", "/cell/person", person, { ...act }),
     /** Address of a file that the scene names. */
     cellFile: (file: string): string => `${base}/cell/${segment(file)}`,
   };

@@ -1,12 +1,12 @@
 // A hand of this page: grabs, draws towards the newest target about 30 times a second, lets go. One request at a time, so
 // that they arrive in order; each tells the server that the hand is still there.
-import type { PersonAct } from "../messages/person";
+import type { PersonCommand } from "../messages/person";
 import type { Triple } from "../messages/pose";
 
 export interface HandOptions {
   /** Its name at the cell; no other page has it. */
   readonly name: string;
-  readonly act: (act: PersonAct) => Promise<unknown>;
+  readonly act: (act: PersonCommand) => Promise<unknown>;
   readonly wait: (milliseconds: number) => Promise<void>;
   /** The server said no; the hand holds nothing. */
   readonly onRefused: (error: unknown) => void;

@@ -1,4 +1,4 @@
-// Hands at the cell (api/schemas: person, person_act). Metres and newtons in o; points are in the frame of their body.
+// Hands at the cell (api/schemas: person, person_command). Metres and newtons in o; points are in the frame of their body.
 import { array, object, present, string, type Decoder } from "../json/decode";
 import { triple, type Triple } from "./pose";
 
@@ -18,7 +18,7 @@ export interface Person {
 }
 
 /** What a page lets a person do; `place` puts a part back where it was taken away. */
-export type PersonAct =
+export type PersonCommand =
   | { readonly act: "grab"; readonly hand: string; readonly body: string; readonly point: Triple }
   | { readonly act: "drag"; readonly hand: string; readonly to: Triple }
   | { readonly act: "release"; readonly hand: string }

@@ -2,11 +2,11 @@
 import { describe, expect, it } from "vitest";
 import { createHand } from "../../shared/cell/hand";
 import { absentParts, forceText, lineEnd } from "../../shared/cell/touch";
-import type { PersonAct } from "../../shared/messages/person";
+import type { PersonCommand } from "../../shared/messages/person";
 import type { Pose } from "../../shared/messages/pose";
 
-function stage(answer: (act: PersonAct) => Promise<unknown> = async () => undefined) {
-  const told: PersonAct[] = [];
+function stage(answer: (act: PersonCommand) => Promise<unknown> = async () => undefined) {
+  const told: PersonCommand[] = [];
   const refused: unknown[] = [];
   const waiting: (() => void)[] = [];
   const hand = createHand({

@@ -48,7 +48,7 @@ const decoders: Readonly<Record<string, Decoder<unknown>>> = {
   errors: serverErrors,
   operator: object((f) => f.need("acts", array(object((act) => act.has("do"))))),
   person,
-  person_act: object((f) => f.need("act", oneOf("grab", "drag", "release", "push", "place", "take"))),
+  person_command: object((f) => f.need("act", oneOf("grab", "drag", "release", "push", "place", "take"))),
   rules,
   scene,
   services,
