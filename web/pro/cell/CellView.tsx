@@ -38,7 +38,7 @@ export function CellView() {
     if (host === null) return;
     const hand = createHand({
       name: `page-${Math.random().toString(36).slice(2, 10)}`,
-      act: (act) => (setRefused(undefined), api.act(act)),
+      send: (command) => (setRefused(undefined), api.command(command)),
       wait: (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds)),
       onRefused: (error) => setRefused(textOf(error)),
     });
@@ -70,7 +70,7 @@ export function CellView() {
   const act = (kind: "take" | "place", part: string) => {
     setMenu(undefined);
     setRefused(undefined);
-    api.act({ act: kind, part }).catch((error: unknown) => setRefused(textOf(error)));
+    api.command({ act: kind, part }).catch((error: unknown) => setRefused(textOf(error)));
   };
   /** The menu of the part at a place of the window [px], if there is one. */
   const openMenu = (x: number, y: number, above = 0) => {

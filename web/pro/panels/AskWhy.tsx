@@ -1,7 +1,7 @@
 // The server's answers for a selected port: why it does not fire now, and why it fired when it last did.
 import { useEffect, useMemo, useState } from "react";
 import { lastFiring, type MicroStep } from "../../shared/derivation/proof";
-import type { Why } from "../../shared/messages/why";
+import type { Why } from "../../generated/messages";
 import { inputText } from "../../shared/run/inputText";
 import { constantText } from "../../shared/run/whyText";
 import { api, useCore, useSession, view } from "../client";

@@ -1,5 +1,5 @@
 // One line for what a macro step began with, and for a call.
-import type { Call, Input } from "../messages/core";
+import type { Call, Input } from "../../generated/messages";
 import { clip, valueText } from "../model/describe";
 
 export function inputText(input: Input): string {
