@@ -45,6 +45,8 @@ function geometryOf(shape: Shape): BufferGeometry {
   return new CylinderGeometry(radius, radius, length, 40).rotateX(Math.PI / 2);
 }
 
+const isMesh = (object: Object3D): object is Mesh => object instanceof Mesh;
+
 function place(object: Object3D, pose: Pose): void {
   object.position.set(...pose.position);
   object.quaternion.set(...pose.orientation);
@@ -138,7 +140,7 @@ export class CellScene {
     this.bodies.clear();
     this.movable.clear();
     this.contents.traverse((part) => {
-      if (!(part instanceof Mesh)) return;
+      if (!isMesh(part)) return;
       part.geometry.dispose();
       for (const material of [part.material].flat()) material.dispose();
     });

@@ -40,7 +40,7 @@ interface StepListProps {
 function StepList({ steps, shown, follows }: StepListProps) {
   const list = useRef<HTMLOListElement>(null);
   useEffect(() => {
-    void list.current?.querySelector("[aria-current]")?.scrollIntoView({ block: "nearest" });
+    list.current?.querySelector("[aria-current]")?.scrollIntoView({ block: "nearest" });
   }, [shown, steps]);
   return (
     <div className="step-list">

@@ -31,7 +31,8 @@ function useWhy(address: string, moment: unknown, before?: MicroStep): Answer {
 export function AskWhy({ address }: { readonly address: string }) {
   const steps = useSession((s) => s.steps);
   const fired = lastFiring(steps, address);
-  const firing = useMemo(() => fired, [fired?.step, fired?.micro]);
+  const [step, micro] = [fired?.step, fired?.micro];
+  const firing = useMemo(() => (step === undefined || micro === undefined ? undefined : { step, micro }), [step, micro]);
   return (
     <>
       <WhyNow address={address} known={firing !== undefined} />

@@ -25,6 +25,7 @@ export function createHand({ name, send, wait, onRefused }: HandOptions): Hand {
   let grip = 0; // counts; 0 and those that are over hold nothing
   let held = 0;
   let target: Vector | undefined;
+  const newest = (): Vector | undefined => target;
   let last: Promise<unknown> = Promise.resolve();
   const inTurn = <T>(work: () => Promise<T>): Promise<T> => {
     const next = last.then(work);
@@ -41,7 +42,7 @@ export function createHand({ name, send, wait, onRefused }: HandOptions): Hand {
         const draw = (to: Vector) => send({ act: "drag", hand: name, to });
         await inTurn(take);
         while (held === mine) {
-          const to = target;
+          const to = newest();
           // A page that was too slow for a moment was taken for gone: it takes hold again, once.
           if (to !== undefined) await inTurn(() => draw(to).catch(() => take().then(() => draw(to))));
           await wait(kPeriod);

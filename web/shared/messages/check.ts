@@ -35,13 +35,15 @@ function kindOf(value: unknown): string {
 /** The field that a violation is about, also one that is missing. */
 function fieldOf({ instancePath, keyword, params }: Violation): string {
   const field = keyword === "required" ? params["missingProperty"] : keyword === "discriminator" ? params["tag"] : undefined;
-  return field === undefined ? instancePath : `${instancePath}/${String(field)}`;
+  return field === undefined ? instancePath : `${instancePath}/${textOf(field)}`;
 }
+
+const textOf = (value: unknown): string => (typeof value === "string" ? value : JSON.stringify(value));
 
 function expectation({ keyword, params }: Violation): string {
   switch (keyword) {
     case "type":
-      return String(params["type"]).replace(",", " or ");
+      return [params["type"]].flat().map(textOf).join(" or ");
     case "required":
       return "a value";
     case "enum":
@@ -51,7 +53,7 @@ function expectation({ keyword, params }: Violation): string {
     case "discriminator":
       return "a known kind";
     default:
-      return [keyword, params["limit"] ?? params["pattern"] ?? ""].join(" ").trim();
+      return `${keyword} ${textOf(params["limit"] ?? params["pattern"] ?? "")}`.trim();
   }
 }
 

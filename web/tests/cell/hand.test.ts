@@ -4,7 +4,7 @@ import { createHand } from "../../shared/cell/hand";
 import { absentParts, forceText, lineEnd } from "../../shared/cell/touch";
 import type { PersonCommand, Pose } from "../../generated/messages";
 
-function fixture(answer: (command: PersonCommand) => Promise<unknown> = async () => undefined) {
+function fixture(answer: (command: PersonCommand) => Promise<unknown> = () => Promise.resolve()) {
   const sent: PersonCommand[] = [];
   const refused: unknown[] = [];
   const waiting: (() => void)[] = [];
@@ -53,9 +53,10 @@ describe("a hand", () => {
 
   it("takes hold again when the server has taken the page for gone", async () => {
     let lost = true;
-    const { hand, sent, refused, tick } = fixture(async ({ act }) => {
-      if (act === "drag" && lost) throw new Error("the hand holds nothing");
+    const { hand, sent, refused, tick } = fixture(({ act }) => {
+      if (act === "drag" && lost) return Promise.reject(new Error("the hand holds nothing"));
       if (act === "grab" && sent.length > 1) lost = false;
+      return Promise.resolve();
     });
     void hand.grab("cube", [0, 0, 0]);
     hand.drag([0, 0, 1]);
@@ -65,9 +66,7 @@ describe("a hand", () => {
   });
 
   it("holds nothing after a refusal, and says why", async () => {
-    const { hand, sent, refused, tick } = fixture(async () => {
-      throw new Error("cannot be moved");
-    });
+    const { hand, sent, refused, tick } = fixture(() => Promise.reject(new Error("cannot be moved")));
     await hand.grab("table", [0, 0, 0]);
     hand.release();
     await tick();
