@@ -10,7 +10,7 @@ beforeAll(async () => {
   await stage.page.goto(`${stage.url}/pro/`);
   await view(stage.page).waitFor({ timeout: 45_000 });
 });
-afterAll(() => stage?.close());
+afterAll(() => stage.close());
 
 interface Touch {
   readonly hand: string;

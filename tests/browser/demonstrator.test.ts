@@ -36,7 +36,7 @@ beforeAll(async () => {
   core = await task.getByRole("combobox", { name: "Watched run" }).inputValue();
   await noteActivations(task);
 });
-afterAll(() => stage?.close());
+afterAll(() => stage.close());
 
 const kLong = { timeout: 60_000 };
 const state = (path: string) => task.locator(`[data-path="Demonstrator/${path}"]`);

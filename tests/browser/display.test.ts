@@ -7,7 +7,7 @@ let stage: Stage;
 beforeAll(async () => {
   stage = await openStage();
 });
-afterAll(() => stage?.close());
+afterAll(() => stage.close());
 
 type Json = Readonly<Record<string, unknown>>;
 

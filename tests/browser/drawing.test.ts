@@ -10,18 +10,17 @@ beforeAll(async () => {
   page = stage.page;
   await page.addInitScript(() => {
     const Real = Worker;
+    const kept: (() => void)[] = [];
+    let holding = false;
     window.Worker = class extends Real {
       constructor(url: string | URL) {
         super(sessionStorage.getItem("lost") === null ? url : "/there/is/none.js");
       }
-    };
-    const post = Worker.prototype.postMessage;
-    const kept: (() => void)[] = [];
-    let holding = false;
-    Worker.prototype.postMessage = function (this: Worker, message: unknown) {
-      const send = () => post.call(this, message);
-      if (holding) kept.push(send);
-      else send();
+      override postMessage(message: unknown): void {
+        const send = () => super.postMessage(message);
+        if (holding) kept.push(send);
+        else send();
+      }
     };
     Object.assign(window, {
       hold: (on: boolean) => {
@@ -31,9 +30,11 @@ beforeAll(async () => {
     });
   });
 });
-afterAll(() => stage?.close());
+afterAll(() => stage.close());
 
-const hold = (on: boolean) => page.evaluate((on) => void (Reflect.get(window, "hold") as (on: boolean) => void)(on), on);
+const hold = (on: boolean) => page.evaluate((on) => {
+    (Reflect.get(window, "hold") as (on: boolean) => void)(on);
+  }, on);
 const progress = () => page.getByRole("status", { name: "Drawing", exact: true });
 const button = (name: string) => page.getByRole("button", { name, exact: true });
 const state = (path: string) => page.getByRole("group", { name: `State ${path}`, exact: true });

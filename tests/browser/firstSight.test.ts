@@ -8,7 +8,7 @@ beforeAll(async () => {
   stage = await openStage();
   await fetch(`${stage.url}/api/v1/cores`, { method: "POST", headers: { "content-type": "application/json" }, body: JSON.stringify({ document: "pick" }) });
 });
-afterAll(() => stage?.close());
+afterAll(() => stage.close());
 
 /** Height of a condition's letters on the screen [px]: their size, as far as the drawing is zoomed. */
 const letters = (page: Page) =>

@@ -10,7 +10,7 @@ beforeAll(async () => {
   await stage.page.getByRole("tab", { name: /Services/ }).click();
   await edge().waitFor();
 });
-afterAll(() => stage?.close());
+afterAll(() => stage.close());
 
 const kSoon = { timeout: 20_000 };
 const edge = () => stage.page.locator('[data-flow="camera.frame:obj_rec"]');

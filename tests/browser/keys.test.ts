@@ -13,7 +13,7 @@ beforeAll(async () => {
   await page.getByRole("button", { name: "Load" }).click();
   await page.getByRole("group", { name: "State Pick/Release" }).waitFor();
 });
-afterAll(() => stage?.close());
+afterAll(() => stage.close());
 
 const help = () => page.getByRole("dialog", { name: "Keys and mouse" });
 
@@ -95,6 +95,6 @@ describe("zoom", () => {
       Object.assign(window, { taken });
     });
     for (const key of ["Control++", "Control+-", "Control+0", "Control+c"]) await page.keyboard.press(key);
-    expect(await page.evaluate(() => Reflect.get(window, "taken"))).toMatchObject({ "+": true, "-": true, "0": true, c: false });
+    expect(await page.evaluate((): unknown => Reflect.get(window, "taken"))).toMatchObject({ "+": true, "-": true, "0": true, c: false });
   });
 });

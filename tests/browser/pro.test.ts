@@ -15,7 +15,7 @@ beforeAll(async () => {
   stage = await openStage();
   page = stage.page;
 });
-afterAll(() => stage?.close());
+afterAll(() => stage.close());
 
 /** Loads the document `pick` as a new run, and gives its id. */
 async function load(): Promise<string> {

@@ -1,7 +1,7 @@
 // Derivations as text, one line for each node, premises indented beneath: once from the JSON of `race derive`, once from what the page shows.
 // The two share one function of the page, `literal` (held to by web/tests/model/literal.test.ts); all else is written here anew.
 import type { Locator } from "playwright-core";
-import type { JsonValue } from "../../web/shared/json/decode";
+import type { JsonValue } from "../../web/shared/json";
 import { literal } from "../../web/shared/model/literal";
 
 /** A node as `race derive` prints it: not decoded, so that what the page overlooks is still here. */

@@ -32,7 +32,7 @@ beforeAll(async () => {
 });
 afterAll(async () => {
   await end();
-  await stage?.close();
+  await stage.close();
   rmSync(crated, { recursive: true, force: true });
 });
 

@@ -19,7 +19,7 @@ beforeAll(async () => {
   await view(phone).waitFor({ timeout: 45_000 });
   await button("Pull").tap();
 });
-afterAll(() => stage?.close());
+afterAll(() => stage.close());
 
 const kSoon = { timeout: 20_000 };
 const button = (name: string) => phone.getByRole("button", { name, exact: true });

@@ -7,7 +7,7 @@ beforeAll(async () => {
   stage = await openStage();
   await stage.page.setViewportSize({ width: 1280, height: 800 });
 });
-afterAll(() => stage?.close());
+afterAll(() => stage.close());
 
 const kSoon = { timeout: 20_000 };
 

@@ -31,7 +31,7 @@ beforeAll(async () => {
   await page.goto(`${stage.url}/pro/`);
   await page.getByRole("group", { name: "State Root/A" }).waitFor();
 });
-afterAll(() => stage?.close());
+afterAll(() => stage.close());
 
 const ask = (port: string) => page.getByRole("button", { name: `Port ${port}`, exact: true }).click();
 const told = (region: string) => expect.poll(() => page.getByRole("region", { name: region, exact: true }).innerText());

@@ -1,4 +1,4 @@
-"""api/openapi.yaml, against which answers are held: the statuses of a route, their schemas, and what the door answers."""
+"""api/openapi.yaml, against which answers are held: the statuses of a route, their schemas, and the answers of the request filter."""
 import re
 from pathlib import Path
 
@@ -24,13 +24,13 @@ def resolve(response):
 
 
 def check_listed(method, target, status, answer):
-    """The status is one that openapi.yaml lists for the route, or the door's, with a code that the door has for it."""
+    """The status is one that openapi.yaml lists for the route, or the request filter's, with a code that the filter has for it."""
     listed = responses(method, target)
     if str(status) in listed or (status == 404 and not listed):
         return
     codes = {error["code"] for error in answer.get("errors", [])} if isinstance(answer, dict) else set()
-    door = set(INTERFACE["x-door"].get(str(status), []))
-    assert codes and codes <= door, f"openapi.yaml does not list {status} ({sorted(codes)}) of {method} {target}"
+    allowed = set(INTERFACE["x-request-filter"].get(str(status), []))
+    assert codes and codes <= allowed, f"openapi.yaml does not list {status} ({sorted(codes)}) of {method} {target}"
 
 
 def schema_of(method, target, status):

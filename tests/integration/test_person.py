@@ -29,7 +29,7 @@ class Person(unittest.TestCase):
 
     def act(self, status=200, **act):
         if status == 200:
-            check("person_act", act)
+            check("person_command", act)
         return self.server.post("/cell/person", act, "person" if status == 200 else None, status)
 
     def hands(self):

@@ -270,7 +270,7 @@ class Asking:
 
     def __init__(self, server, act):
         self.connection = http.client.HTTPConnection("127.0.0.1", server.port, timeout=20)
-        self.connection.request("POST", "/api/v1/cell/person", json.dumps(check("person_act", act)),
+        self.connection.request("POST", "/api/v1/cell/person", json.dumps(check("person_command", act)),
                                 {"Content-Type": "application/json"})
 
     def __enter__(self):

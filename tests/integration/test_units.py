@@ -280,7 +280,7 @@ class Led(Mortal):
     """Units are struck while a person leads the arm through the calibration: no sample is lost, and none counts twice."""
 
     def act(self, **act):
-        self.server.post("/cell/person", check("person_act", act), "person")
+        self.server.post("/cell/person", check("person_command", act), "person")
 
     def hold(self):
         """All hands take the arm, once it gives way."""

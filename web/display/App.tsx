@@ -1,6 +1,6 @@
 // The whole page: what is shown, the question, and whether anybody listens.
 import { canAnswer, type DisplayPage } from "../shared/display/page";
-import type { Message, Question } from "../shared/messages/display";
+import type { DisplayMessage, Question } from "../generated/messages";
 import type { Actions } from "./client";
 import { NumberQuestion } from "./NumberQuestion";
 
@@ -40,7 +40,7 @@ function Status({ page }: { readonly page: DisplayPage }) {
   );
 }
 
-function MessageView({ message, actions, usable }: { readonly message: Message; readonly actions: Actions; readonly usable: boolean }) {
+function MessageView({ message, actions, usable }: { readonly message: DisplayMessage; readonly actions: Actions; readonly usable: boolean }) {
   return (
     <section aria-label="Message" className="message">
       {message.image !== undefined && <img src={message.image} alt="" />}
@@ -62,7 +62,7 @@ function QuestionView({ question, page, actions }: QuestionProps) {
   return (
     <section aria-label="Question" className="question">
       <h1 className="text">{question.text}</h1>
-      {question.kind === "number" ? (
+      {"number" in question ? (
         <NumberQuestion question={question} page={page} actions={actions} />
       ) : (
         <div className="choices">

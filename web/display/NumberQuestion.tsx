@@ -1,11 +1,11 @@
 // A question that asks for a number: a keypad for fingers, and what is still wrong with what was entered.
 import { canAnswer, type DisplayPage } from "../shared/display/page";
 import { limits, read, type Key } from "../shared/display/numberText";
-import type { Question } from "../shared/messages/display";
+import type { Question } from "../generated/messages";
 import type { Actions } from "./client";
 
 interface Props {
-  readonly question: Extract<Question, { readonly kind: "number" }>;
+  readonly question: Extract<Question, { readonly number: unknown }>;
   readonly page: DisplayPage;
   readonly actions: Actions;
 }

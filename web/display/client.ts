@@ -2,7 +2,7 @@
 import { applyDisplayEvent, canAnswer, firstPage, type DisplayEvent, type DisplayPage } from "../shared/display/page";
 import { schedule } from "../shared/display/sounds";
 import { keyOf, type Key } from "../shared/display/numberText";
-import type { Sound } from "../shared/messages/display";
+import type { Sound } from "../generated/messages";
 import { openStream } from "../shared/stream";
 import { createPlayer } from "./player";
 
@@ -71,7 +71,7 @@ export function connect(name: string, draw: (page: DisplayPage, actions: Actions
   for (const touch of ["pointerup", "keydown"]) document.addEventListener(touch, unlock, { once: true });
   document.addEventListener("keydown", (event) => {
     const key = keyOf(event.key);
-    if (key !== undefined && page.content?.question?.kind === "number") actions.key(key);
+    if (key !== undefined && page.content?.question !== undefined && "number" in page.content.question) actions.key(key);
   });
 
   stream.announce(name, false);

@@ -1,5 +1,6 @@
 // The synthesiser: notes as oscillators of WebAudio. One sound at a time.
-import { lengthOf, type Note } from "../shared/display/sounds";
+import type { Note } from "../generated/messages";
+import { lengthOf } from "../shared/display/sounds";
 
 export interface Player {
   /** To be called on a touch; resolves when sounds may be made. */

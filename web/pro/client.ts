@@ -1,9 +1,6 @@
 // The page's one connection to the server: stores, requests and the stream, wired together.
-import { createApi, RefusedError, type Step } from "../shared/api";
-import type { CellPose } from "../shared/messages/cell";
-import type { Core } from "../shared/messages/core";
-import type { TraceStep } from "../shared/messages/derivation";
-import type { Packet } from "../shared/messages/packet";
+import { createApi, RefusedError } from "../shared/api";
+import type { CellPose, Core, Packet, StepRequest, TraceStep } from "../generated/messages";
 import { foldedAtFirst } from "../shared/model/folding";
 import { buildTree } from "../shared/model/modelTree";
 import { isOver, type Command } from "../shared/run/controls";
@@ -143,7 +140,7 @@ export async function newRun(document: string, start: boolean, args: Core["argum
 }
 
 /** Carries a command out on the watched core. */
-export async function run(command: Command, until?: Extract<Step, { kind: "until" }>): Promise<void> {
+export async function run(command: Command, until?: Extract<StepRequest, { readonly kind: "until" }>): Promise<void> {
   const core = watchedCore(session.get());
   if (core === undefined) return;
   try {
@@ -170,7 +167,7 @@ export async function run(command: Command, until?: Extract<Step, { kind: "until
 }
 
 /** A core that was not started is held first, so that it does this step and no more. */
-async function stepFrom(core: Core, step: Step): Promise<void> {
+async function stepFrom(core: Core, step: StepRequest): Promise<void> {
   if (core.status === "ready") {
     if (!core.paused) await api.pause(core.id);
     await api.start(core.id);

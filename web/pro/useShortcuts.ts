@@ -1,5 +1,5 @@
 // Acts on the keys of the page. A key that a handler takes is not the browser's any more.
-import { useEffect, useRef } from "react";
+import { useEffect, useEffectEvent } from "react";
 import { shortcutOf, type Shortcut } from "../shared/session/shortcuts";
 
 function isTyping(target: EventTarget | null): boolean {
@@ -8,12 +8,11 @@ function isTyping(target: EventTarget | null): boolean {
 
 /** `act` says whether it took the shortcut. */
 export function useShortcuts(act: (shortcut: Shortcut) => boolean): void {
-  const latest = useRef(act);
-  latest.current = act;
+  const latest = useEffectEvent(act);
   useEffect(() => {
     const press = (event: KeyboardEvent) => {
       const shortcut = shortcutOf(event, isTyping(event.target));
-      if (shortcut !== undefined && latest.current(shortcut)) event.preventDefault();
+      if (shortcut !== undefined && latest(shortcut)) event.preventDefault();
     };
     addEventListener("keydown", press);
     return () => removeEventListener("keydown", press);

@@ -1,33 +1,25 @@
-// The REST door: every request to the server, each answer parsed from `unknown` before anyone sees it.
+// Requests to the server. Each answer is checked against its schema before anyone sees it.
+import type {
+  Core,
+  CoreCreate,
+  DocumentSummary,
+  Health,
+  Native,
+  Person,
+  PersonCommand,
+  Rule,
+  Scene,
+  ServerError,
+  StepRequest,
+  TraceStep,
+  Why,
+} from "../generated/messages";
+import * as schema from "../generated/validators";
 import type { MicroStep } from "./derivation/proof";
-import { array, boolean, number, object, present, record, string, type Decoder, type JsonValue } from "./json/decode";
-import { scene, type Scene } from "./messages/cell";
-import { core, type Core } from "./messages/core";
-import { person, type Person, type PersonAct } from "./messages/person";
-import { rules, traceSteps, type RuleText, type TraceStep } from "./messages/derivation";
-import { serverErrors, type ServerError } from "./messages/stream";
-import { why, type Why } from "./messages/why";
-import { rcmDocument } from "./model/decodeModel";
+import { check, type Validator } from "./messages/check";
 import type { RcmDocument } from "./model/model";
 import { withOracles } from "./model/oracles";
-
-export interface DocumentEntry {
-  readonly name: string;
-  readonly revision: number;
-  readonly doc?: string;
-}
-
-/** What the server hosts; `cell`: it has a simulated cell. */
-export interface Health {
-  readonly version: string;
-  readonly cell: boolean;
-}
-
-/** How far a paused core goes. */
-export type Step =
-  | { readonly kind: "micro" }
-  | { readonly kind: "macro" }
-  | { readonly kind: "until"; readonly path: string; readonly when: "entered" | "left" };
+import { readModel } from "./model/readModel";
 
 /** The server refused a request: its errors, as it gave them. */
 export class RefusedError extends Error {
@@ -40,57 +32,43 @@ export class RefusedError extends Error {
   }
 }
 
-const documents: Decoder<readonly DocumentEntry[]> = object((f) =>
-  f.need(
-    "documents",
-    array(
-      object((d) =>
-        present<DocumentEntry>({ name: d.need("name", string), revision: d.need("revision", number), doc: d.maybe("doc", string) }),
-      ),
-    ),
-  ),
-);
-
-const health: Decoder<Health> = object((f) => ({ version: f.need("version", string), cell: f.need("cell", boolean) }));
-
-const native: Decoder<RcmDocument> = object((f) => {
-  const document = f.need("document", rcmDocument);
-  return { ...document, root: withOracles(document.root, f.need("origin", record(string))) };
-});
-
 const segment = encodeURIComponent;
+
+function readNative({ document, origin }: Native): RcmDocument {
+  const model = readModel(document);
+  return { ...model, root: withOracles(model.root, origin) };
+}
 
 /** Requests below `base` (`/api/v1`); `fetcher` is the browser's fetch, or a test's. */
 export function createApi(base: string, fetcher: typeof fetch) {
-  async function request<T>(method: string, path: string, decoder: Decoder<T>, body?: JsonValue): Promise<T> {
+  async function request<T>(method: string, path: string, validator: Validator<T>, body?: CoreCreate | PersonCommand | StepRequest): Promise<T> {
     const init: RequestInit = body === undefined ? { method } : { method, body: JSON.stringify(body), headers: { "content-type": "application/json" } };
     const answer = await fetcher(`${base}${path}`, init);
     const data: unknown = await answer.json();
-    if (!answer.ok) throw new RefusedError(answer.status, serverErrors(data, ""));
-    return decoder(data, "");
+    if (!answer.ok) throw new RefusedError(answer.status, check(schema.errors, data).errors);
+    return check(validator, data);
   }
-  const get = <T>(path: string, decoder: Decoder<T>) => request("GET", path, decoder);
-  const command = (id: string, name: string) => request("POST", `/cores/${segment(id)}/${name}`, core);
+  const get = <T>(path: string, validator: Validator<T>) => request("GET", path, validator);
+  const command = (id: string, name: string) => request("POST", `/cores/${segment(id)}/${name}`, schema.core);
   return {
-    health: (): Promise<Health> => get("/health", health),
-    rules: (): Promise<readonly RuleText[]> => get("/rules", rules),
-    documents: (): Promise<readonly DocumentEntry[]> => get("/documents", documents),
-    createCore: (document: string, args: Readonly<Record<string, JsonValue>>): Promise<Core> =>
-      request("POST", "/cores", core, { document, arguments: args }),
-    coreModel: (id: string): Promise<RcmDocument> => get(`/cores/${segment(id)}/native`, native),
+    health: (): Promise<Health> => get("/health", schema.health),
+    rules: async (): Promise<readonly Rule[]> => (await get("/rules", schema.rules)).rules,
+    documents: async (): Promise<readonly DocumentSummary[]> => (await get("/documents", schema.documents)).documents,
+    createCore: (document: string, args: Core["arguments"]): Promise<Core> => request("POST", "/cores", schema.core, { document, arguments: args }),
+    coreModel: async (id: string): Promise<RcmDocument> => readNative(await get(`/cores/${segment(id)}/native`, schema.native)),
     start: (id: string): Promise<Core> => command(id, "start"),
     pause: (id: string): Promise<Core> => command(id, "pause"),
     resume: (id: string): Promise<Core> => command(id, "resume"),
     stop: (id: string): Promise<Core> => command(id, "stop"),
-    step: (id: string, step: Step): Promise<Core> => request("POST", `/cores/${segment(id)}/step`, core, { ...step }),
-    derivations: (id: string, from: number, to: number): Promise<readonly TraceStep[]> =>
-      get(`/cores/${segment(id)}/derivations?from=${from}&to=${to}`, traceSteps),
+    step: (id: string, step: StepRequest): Promise<Core> => request("POST", `/cores/${segment(id)}/step`, schema.core, step),
+    derivations: async (id: string, from: number, to: number): Promise<readonly TraceStep[]> =>
+      (await get(`/cores/${segment(id)}/derivations?from=${from}&to=${to}`, schema.derivations)).steps,
     /** As things are now, or as they were before a past micro step. */
     why: (id: string, port: string, before?: MicroStep): Promise<Why> =>
-      get(`/cores/${segment(id)}/why?port=${segment(port)}${before === undefined ? "" : `&step=${before.step}&micro=${before.micro}`}`, why),
-    cell: (): Promise<Scene> => get("/cell", scene),
-    person: (): Promise<Person> => get("/cell/person", person),
-    act: (act: PersonAct): Promise<Person> => request("POST", "/cell/person", person, { ...act }),
+      get(`/cores/${segment(id)}/why?port=${segment(port)}${before === undefined ? "" : `&step=${before.step}&micro=${before.micro}`}`, schema.why),
+    cell: (): Promise<Scene> => get("/cell", schema.scene),
+    person: (): Promise<Person> => get("/cell/person", schema.person),
+    command: (body: PersonCommand): Promise<Person> => request("POST", "/cell/person", schema.person, body),
     /** Address of a file that the scene names. */
     cellFile: (file: string): string => `${base}/cell/${segment(file)}`,
   };

@@ -1,7 +1,9 @@
 // The stream's client: keeps one WebSocket open, tells the server which channels are wanted and what was seen of them last.
-import { DecodeError } from "./json/decode";
-import type { DisplayRequest } from "./messages/display";
-import { streamMessage, type News, type StreamRequest } from "./messages/stream";
+import type { StreamRequest } from "../generated/messages";
+import { SchemaError } from "./messages/check";
+import { readStreamMessage, type News } from "./messages/stream";
+
+type DisplayRequest = Exclude<StreamRequest, { readonly type: "subscribe" | "unsubscribe" }>;
 
 export type Connection = "connecting" | "open" | "lost";
 
@@ -9,7 +11,7 @@ export interface StreamHandlers {
   readonly onNews: (news: News) => void;
   readonly onConnection: (connection: Connection) => void;
   /** A message that does not have the agreed shape. */
-  readonly onMalformed: (error: DecodeError) => void;
+  readonly onMalformed: (error: SchemaError) => void;
 }
 
 export interface Stream {
@@ -57,12 +59,12 @@ export function openStream(url: string, handlers: StreamHandlers): Stream {
 
   const receive = (text: string) => {
     try {
-      const message = streamMessage(JSON.parse(text), "");
+      const message = readStreamMessage(JSON.parse(text));
       if (!concerns(message.channel)) return;
       seen.set(message.channel, message.sequence);
       handlers.onNews(message.news);
     } catch (error) {
-      if (!(error instanceof DecodeError)) throw error;
+      if (!(error instanceof SchemaError)) throw error;
       handlers.onMalformed(error);
     }
   };

@@ -1,34 +1,49 @@
 // The conformance cases as fixtures: models and recorded runs that the semantics itself produced.
-import { readdirSync, readFileSync } from "node:fs";
+import { readdirSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import { array, object, oneOf, type Decoder } from "../shared/json/decode";
-import { runState, call, type Call, type RunState } from "../shared/messages/core";
-import { derivation, type Derivation } from "../shared/messages/derivation";
-import { rcmDocument } from "../shared/model/decodeModel";
+import type { Call, Derivation, Document, RunState } from "../generated/messages";
+import { check } from "../shared/messages/check";
 import type { RcmDocument } from "../shared/model/model";
+import { readModel } from "../shared/model/readModel";
+import { readJson } from "./files";
+import { compile } from "./schemas";
 
 const folder = new URL("../../tests/conformance/", import.meta.url);
 
-export function readJson(url: URL): unknown {
-  return JSON.parse(readFileSync(fileURLToPath(url), "utf8"));
-}
-
-export interface RecordedStep {
-  readonly micro: readonly Derivation[];
+interface RecordedStep {
+  /** Absent where the case counts its micro steps only. */
+  readonly micro?: readonly Derivation[];
   readonly calls: readonly Call[];
   readonly state: RunState;
 }
 
-const step: Decoder<RecordedStep> = object((f) => ({
-  micro: f.or("micro", array(derivation), []),
-  calls: f.need("calls", array(call)),
-  state: f.need("state", runState),
-}));
+interface RecordedRun {
+  readonly status: "running" | "ended" | "faulted";
+  readonly steps: readonly RecordedStep[];
+}
 
-const run = object((f) => ({ steps: f.need("steps", array(step)), status: f.need("status", oneOf("running", "ended", "faulted")) }));
+const step = {
+  type: "object",
+  required: ["calls", "state"],
+  properties: {
+    micro: { type: "array", items: { $ref: "derivation.json" } },
+    calls: { type: "array", items: { $ref: "call.json" } },
+    state: { $ref: "state.json" },
+  },
+};
+const run = compile<RecordedRun>({
+  type: "object",
+  required: ["steps", "status"],
+  properties: { steps: { type: "array", items: step }, status: { enum: ["running", "ended", "faulted"] } },
+});
+const document = compile<Document>({ $ref: "document.json" });
 
 /** Cases that run; the `errors-*` cases hold documents that are refused. */
 export const caseNames = readdirSync(fileURLToPath(folder)).filter((name) => !name.includes(".") && !name.startsWith("errors-"));
 
-export const modelOf = (name: string): RcmDocument => rcmDocument(readJson(new URL(`${name}/model.json`, folder)), "");
-export const runOf = (name: string) => run(readJson(new URL(`${name}/expected.json`, folder)), "");
+export const modelOf = (name: string): RcmDocument => readModel(check(document, readJson(new URL(`${name}/model.json`, folder))));
+
+export function runOf(name: string) {
+  const { status, steps } = check(run, readJson(new URL(`${name}/expected.json`, folder)));
+  return { status, steps: steps.map(({ micro = [], calls, state }) => ({ micro, calls, state })) };
+}

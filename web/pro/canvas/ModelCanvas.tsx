@@ -1,6 +1,6 @@
 // The canvas: the laid out model with zoom, pan, breadcrumb and the light of the run.
 import { Background, BackgroundVariant, MiniMap, ReactFlow, ReactFlowProvider, useReactFlow, useStore, type NodeTypes, type EdgeTypes } from "@xyflow/react";
-import { memo, useEffect, useMemo, useRef, useState, type CSSProperties, type RefObject } from "react";
+import { memo, useEffect, useEffectEvent, useMemo, useRef, type CSSProperties, type RefObject } from "react";
 import { fit, fitReadable } from "../../shared/drawing/fit";
 import { flowLines, flowNodes } from "../../shared/drawing/flow";
 import type { ModelTree } from "../../shared/model/modelTree";
@@ -68,9 +68,9 @@ const Flow = memo(function Flow({ laid, tree }: { readonly laid: Laid; readonly 
       ),
     [laid],
   );
-  const moved = useRef(false);
+  const movedRef = useRef(false);
   const move = () => {
-    moved.current = true;
+    movedRef.current = true;
   };
   return (
     <ReactFlow
@@ -92,9 +92,9 @@ const Flow = memo(function Flow({ laid, tree }: { readonly laid: Laid; readonly 
       onPaneClick={() => view.dispatch({ type: "select", selection: undefined })}
     >
       <Background variant={BackgroundVariant.Dots} gap={22} size={1.2} color="#dde2de" />
-      <ZoomControls laid={laid} moved={moved} />
+      <ZoomControls laid={laid} movedRef={movedRef} />
       {laid.drawing.nodes.length > 30 && <MiniMap pannable zoomable position="bottom-right" nodeColor={(node: StateFlowNode | BarrierFlowNode) => (node.data.drawn.depth === 0 ? "#f1f4f2" : "#c9d6cf")} maskColor="#f5f6f4cc" />}
-      <Sight laid={laid} moved={moved} />
+      <Sight laid={laid} movedRef={movedRef} />
     </ReactFlow>
   );
 });
@@ -104,11 +104,11 @@ const kTouchable = { pointerEvents: "all" } as const;
 interface SightProps {
   readonly laid: Laid;
   /** A person has moved or zoomed the drawing: then it stays where it is. */
-  readonly moved: RefObject<boolean>;
+  readonly movedRef: RefObject<boolean>;
 }
 
 /** Keeps the drawing in sight: fits it when it is new and, unless it was moved, when the canvas changes; moves to what a jump selected, and writes larger when zoomed far out. */
-function Sight({ laid, moved }: SightProps) {
+function Sight({ laid, movedRef }: SightProps) {
   const { fitView, setViewport } = useReactFlow();
   const width = useStore((s) => s.width);
   const height = useStore((s) => s.height);
@@ -117,31 +117,31 @@ function Sight({ laid, moved }: SightProps) {
   const dom = useStore((s) => s.domNode);
   const reveal = useView((v) => v.reveal);
   const selection = useView((v) => v.selection);
-  const [seen, setSeen] = useState(reveal);
+  const seenRef = useRef(reveal);
 
-  const show = (duration: number) => {
+  const show = useEffectEvent((duration: number) => {
     const view = laid.asked ? fitReadable : fit;
     if (known) void setViewport(view(laid.drawing, { width, height }), { duration });
-  };
+  });
 
   useEffect(() => {
-    moved.current = false;
+    movedRef.current = false;
     show(250);
-  }, [laid.key, known]);
+  }, [laid.key, known, movedRef]);
 
   useEffect(() => {
-    if (!moved.current) show(0);
-  }, [width, height]);
+    if (!movedRef.current) show(0);
+  }, [width, height, movedRef]);
 
   useEffect(() => {
-    if (reveal === seen || selection === undefined) return;
+    if (reveal === seenRef.current || selection === undefined) return;
     const id = pathOf(selection);
     if (!laid.drawing.nodes.some((node) => node.path === id)) return;
-    setSeen(reveal);
-    moved.current = true;
+    seenRef.current = reveal;
+    movedRef.current = true;
     const frame = requestAnimationFrame(() => void fitView({ nodes: [{ id }], padding: 1.2, maxZoom: 1.1, duration: 350 }));
     return () => cancelAnimationFrame(frame);
-  }, [reveal, seen, selection, laid, fitView]);
+  }, [reveal, selection, laid, fitView, movedRef]);
 
   useEffect(() => {
     const canvas = dom?.closest<HTMLElement>(".canvas");

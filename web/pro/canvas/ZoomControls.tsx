@@ -11,18 +11,18 @@ const kMoment = { duration: 150 };
 interface Props {
   readonly laid: Laid;
   /** Whether a person has moved or zoomed the drawing. */
-  readonly moved: RefObject<boolean>;
+  readonly movedRef: RefObject<boolean>;
 }
 
-export function ZoomControls({ laid, moved }: Props) {
+export function ZoomControls({ laid, movedRef }: Props) {
   const { setViewport, zoomIn, zoomOut } = useReactFlow();
   const width = useStore((s) => s.width);
   const height = useStore((s) => s.height);
   const move = () => {
-    moved.current = true;
+    movedRef.current = true;
   };
   const fitAll = () => {
-    moved.current = false;
+    movedRef.current = false;
     void setViewport(fit(laid.drawing, { width, height }), { duration: 250 });
   };
   useShortcuts((shortcut) => {

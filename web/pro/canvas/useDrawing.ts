@@ -5,6 +5,7 @@ import { readable } from "../../shared/drawing/fit";
 import { layoutModel } from "../../shared/drawing/layout";
 import { layoutMemory } from "../../shared/drawing/layoutMemory";
 import { details, type Detail, type Size } from "../../shared/drawing/measure";
+import type { State } from "../../shared/model/model";
 import { buildTree, stateAt, type ModelTree } from "../../shared/model/modelTree";
 import type { Shown } from "../../shared/session/view";
 import { problem, useSession, useView } from "../client";
@@ -44,66 +45,99 @@ export function useTree(): ModelTree | undefined {
 
 const memory = layoutMemory();
 
+/** The canvas' size when the focus was chosen: it decides the first arrangement, and later changes do not rearrange the drawing. */
+function useFrame(canvas: Size | undefined, focus: string | undefined): Size | undefined {
+  const [frame, setFrame] = useState<{ readonly focus: string | undefined; readonly size: Size }>();
+  if (canvas !== undefined && (frame === undefined || frame.focus !== focus)) setFrame({ focus, size: canvas });
+  return frame?.focus === focus ? frame?.size : undefined;
+}
+
+/** What is to be drawn. */
+interface Request {
+  readonly tree: ModelTree;
+  readonly path: string;
+  readonly state: State;
+  readonly frame: Size;
+  readonly shown: Shown;
+}
+
+/** What became of a request so far. */
+interface Of<T> {
+  readonly request: Request;
+  readonly value: T;
+}
+
+function requestOf(tree: ModelTree | undefined, frame: Size | undefined, shown: Shown): Request | undefined {
+  if (tree === undefined || frame === undefined) return undefined;
+  const path = shown.focus ?? tree.keys().next().value;
+  const state = path === undefined ? undefined : stateAt(tree, path);
+  return path === undefined || state === undefined ? undefined : { tree, path, state, frame, shown };
+}
+
+const valueFor = <T>(request: Request | undefined, latest: Of<T> | undefined): T | undefined => (latest?.request === request ? latest?.value : undefined);
+
+function laidOf({ tree, path, shown }: Request, detail: Detail, drawing: Drawing): Laid {
+  const root = tree.keys().next().value ?? "";
+  return { drawing, detail, shows: shown, asked: shown.detail !== "auto", key: `${root} ${path} ${shown.detail} ${detail} ${shown.collapsed.size}` };
+}
+
+/** Draws with the least detail first and calls `take`; then with more, as long as it can be read. */
+async function drawAll(request: Request, signal: AbortSignal, take: (laid: Laid) => void, onProgress: (progress: Progress) => void): Promise<void> {
+  const { path, state, frame, shown } = request;
+  const engine = layoutInWorkers(signal);
+  const aspect = Math.min(2.4, Math.max(0.6, frame.width / frame.height));
+  const common = { state, path, collapsed: shown.collapsed, aspect, signal };
+  const isStale = () => signal.aborted;
+  const [first, ...more] = shown.detail === "auto" ? details : [shown.detail];
+  if (first === undefined) return;
+  let drawing = await layoutModel(engine, { ...common, detail: first, onProgress: (done, of) => !isStale() && onProgress({ done, of }) }, memory);
+  if (isStale()) return;
+  take(laidOf(request, first, drawing));
+  for (const detail of more) {
+    if (!readable(drawing, frame)) return;
+    drawing = await layoutModel(engine, { ...common, detail }, memory);
+    if (isStale() || !readable(drawing, frame)) return;
+    take(laidOf(request, detail, drawing));
+  }
+}
+
 export function useDrawing(tree: ModelTree | undefined, canvas: Size | undefined): CanvasDrawing {
   const focus = useView((view) => view.focus);
   const collapsed = useView((view) => view.collapsed);
-  const wanted = useView((view) => view.detail);
-  const [laid, setLaid] = useState<Laid>();
-  const [progress, setProgress] = useState<Progress>();
-  const [failed, setFailed] = useState(false);
-  const [busy, setBusy] = useState(false);
-  const ready = canvas !== undefined;
-  // The canvas' size chooses the first arrangement; later changes of its size must not rearrange the drawing.
-  const frame = useMemo(() => canvas, [ready, focus]);
+  const detail = useView((view) => view.detail);
+  const frame = useFrame(canvas, focus);
+  const request = useMemo(() => requestOf(tree, frame, { focus, collapsed, detail }), [tree, frame, focus, collapsed, detail]);
+  const [laid, setLaid] = useState<Of<Laid>>();
+  const [progress, setProgress] = useState<Of<Progress | undefined>>();
+  const [end, setEnd] = useState<Of<"drawn" | "failed">>();
 
   useEffect(() => {
-    const root = tree?.keys().next().value;
-    const path = focus ?? root;
-    const state = tree === undefined || path === undefined ? undefined : stateAt(tree, path);
-    if (state === undefined || path === undefined || frame === undefined) {
-      setLaid(undefined);
-      return;
-    }
-    // The rest of a drawing that nobody waits for any more would hold up the next one.
+    if (request === undefined) return;
+    // A drawing that is no longer wanted would delay the next one.
     const another = new AbortController();
     const { signal } = another;
-    const engine = layoutInWorkers(signal);
-    const aspect = Math.min(2.4, Math.max(0.6, frame.width / frame.height));
-    const draw = (detail: Detail, onProgress?: (done: number, of: number) => void) =>
-      layoutModel(engine, { state, path, collapsed, detail, aspect, signal, ...(onProgress === undefined ? {} : { onProgress }) }, memory);
-    const keyOf = (detail: Detail) => `${root ?? ""} ${path} ${wanted} ${detail} ${collapsed.size}`;
-    const take = (detail: Detail, drawing: Drawing) =>
-      setLaid({ drawing, detail, shows: { focus, collapsed, detail: wanted }, asked: wanted !== "auto", key: keyOf(detail) });
-    // The least detail is there first; more follows as long as it can be read.
-    const show = async () => {
-      const [first, ...more] = wanted === "auto" ? details : [wanted];
-      if (first === undefined) return;
-      let drawing = await draw(first, (done, of) => !signal.aborted && setProgress({ done, of }));
-      if (signal.aborted) return;
-      take(first, drawing);
+    const take = (value: Laid) => {
+      setLaid({ request, value });
       setProgress(undefined);
-      for (const detail of more) {
-        if (!readable(drawing, frame)) return;
-        drawing = await draw(detail);
-        if (signal.aborted || !readable(drawing, frame)) return;
-        take(detail, drawing);
-      }
     };
-    setBusy(true);
-    void show()
-      .catch((error: unknown) => {
+    drawAll(request, signal, take, (value) => setProgress({ request, value })).then(
+      () => !signal.aborted && setEnd({ request, value: "drawn" }),
+      (error: unknown) => {
         if (signal.aborted) return;
         setProgress(undefined);
-        setFailed(true);
+        setEnd({ request, value: "failed" });
         problem(error);
-      })
-      .finally(() => !signal.aborted && setBusy(false));
-    return () => {
-      another.abort();
-      setBusy(false);
-      setProgress(undefined);
-      setFailed(false);
-    };
-  }, [tree, focus, collapsed, wanted, frame]);
-  return { laid, progress, failed, busy };
+      },
+    );
+    return () => another.abort();
+  }, [request]);
+
+  const ended = valueFor(request, end);
+  return {
+    // An earlier drawing of the same model stays until the next one is there.
+    laid: laid !== undefined && laid.request.tree === request?.tree ? laid.value : undefined,
+    progress: valueFor(request, progress),
+    failed: ended === "failed",
+    busy: request !== undefined && ended === undefined,
+  };
 }

@@ -23,8 +23,7 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import URDFLoader, { type URDFRobot } from "urdf-loader";
 import type { Hand } from "../../shared/cell/hand";
 import { looksDifferent } from "../../shared/cell/pace";
-import type { Body, CellPose, Shape } from "../../shared/messages/cell";
-import type { Pose } from "../../shared/messages/pose";
+import type { Body, CellPose, Pose, Shape } from "../../generated/messages";
 import { Grabbing } from "./Grabbing";
 import { HandLines } from "./HandLines";
 import { Pace } from "./Pace";
@@ -40,15 +39,13 @@ const kBackground = 0xf0f2ef;
 const kBodyColour = "#b8c2bd";
 
 function geometryOf(shape: Shape): BufferGeometry {
-  switch (shape.kind) {
-    case "box":
-      return new BoxGeometry(...shape.size);
-    case "cylinder":
-      return new CylinderGeometry(shape.radius, shape.radius, shape.length, 40).rotateX(Math.PI / 2);
-    case "sphere":
-      return new SphereGeometry(shape.radius, 32, 20);
-  }
+  if ("box" in shape) return new BoxGeometry(...shape.box);
+  if ("sphere" in shape) return new SphereGeometry(shape.sphere, 32, 20);
+  const { radius, length } = shape.cylinder;
+  return new CylinderGeometry(radius, radius, length, 40).rotateX(Math.PI / 2);
 }
+
+const isMesh = (object: Object3D): object is Mesh => object instanceof Mesh;
 
 function place(object: Object3D, pose: Pose): void {
   object.position.set(...pose.position);
@@ -122,7 +119,7 @@ export class CellScene {
       if (object !== undefined) place(object, body);
     }
     for (const name of this.movable) this.bodies.get(name)?.traverse((each) => (each.visible = name in pose.bodies));
-    this.hands.show(pose.hands);
+    this.hands.show(pose.hands ?? []);
     this.pace.ask();
   }
 
@@ -143,7 +140,7 @@ export class CellScene {
     this.bodies.clear();
     this.movable.clear();
     this.contents.traverse((part) => {
-      if (!(part instanceof Mesh)) return;
+      if (!isMesh(part)) return;
       part.geometry.dispose();
       for (const material of [part.material].flat()) material.dispose();
     });

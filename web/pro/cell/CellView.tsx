@@ -1,8 +1,8 @@
 // The cell in 3D, as the server's poses move it; hands pull on it, parts are taken away and put back.
-import { useEffect, useRef, useState } from "react";
+import { useEffect, useEffectEvent, useRef, useState } from "react";
 import { absentParts } from "../../shared/cell/touch";
 import { createHand } from "../../shared/cell/hand";
-import { createLongPress } from "../../shared/cell/longPress";
+import { createLongPress, type LongPress } from "../../shared/cell/longPress";
 import { api, cellPose } from "../client";
 import { CellScene } from "./CellScene";
 import { PartList } from "./PartList";
@@ -38,7 +38,7 @@ export function CellView() {
     if (host === null) return;
     const hand = createHand({
       name: `page-${Math.random().toString(36).slice(2, 10)}`,
-      act: (act) => (setRefused(undefined), api.act(act)),
+      send: (command) => (setRefused(undefined), api.command(command)),
       wait: (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds)),
       onRefused: (error) => setRefused(textOf(error)),
     });
@@ -70,41 +70,47 @@ export function CellView() {
   const act = (kind: "take" | "place", part: string) => {
     setMenu(undefined);
     setRefused(undefined);
-    api.act({ act: kind, part }).catch((error: unknown) => setRefused(textOf(error)));
+    api.command({ act: kind, part }).catch((error: unknown) => setRefused(textOf(error)));
   };
   /** The menu of the part at a place of the window [px], if there is one. */
   const openMenu = (x: number, y: number, above = 0) => {
     const found = shown.current?.grabbing.find(x, y);
     const box = frame.current?.getBoundingClientRect();
-    if (found?.part !== true || box === undefined) return setMenu(undefined);
+    if (found?.part !== true || box === undefined) {
+      setMenu(undefined);
+      return;
+    }
     shown.current?.grabbing.letGo();
     setMenu({ part: found.body, x: x - box.left, y: Math.max(0, y - box.top - above) });
   };
-  const latest = useRef(openMenu);
-  latest.current = openMenu;
   const long = useRef(false);
-  const [fingers] = useState(() =>
-    createLongPress({
-      after,
-      onPress: (x, y) => {
-        long.current = true;
-        latest.current(x, y, kAboveFinger);
-      },
-    }),
-  );
-  const finger = (act: "down" | "move") => (event: React.PointerEvent) => {
-    if (act === "down") long.current = false;
-    if (event.pointerType !== "mouse") fingers[act]({ id: event.pointerId, x: event.clientX, y: event.clientY });
+  const onLongPress = useEffectEvent((x: number, y: number) => {
+    long.current = true;
+    openMenu(x, y, kAboveFinger);
+  });
+  const fingers = useRef<LongPress>(undefined);
+  useEffect(() => {
+    fingers.current = createLongPress({ after, onPress: (x, y) => onLongPress(x, y) });
+  }, []);
+  const touch = ({ pointerId, pointerType, clientX, clientY }: React.PointerEvent, kind: "down" | "move") => {
+    if (pointerType !== "mouse") fingers.current?.[kind]({ id: pointerId, x: clientX, y: clientY });
   };
-  const lift = (event: React.PointerEvent) => fingers.up(event.pointerId);
+  const press = (event: React.PointerEvent) => {
+    long.current = false;
+    touch(event, "down");
+  };
+  const lift = (event: React.PointerEvent) => fingers.current?.up(event.pointerId);
   return (
     <section className="cell" aria-label="Cell" onPointerDown={() => setMenu(undefined)}>
       <div
         className="cell-frame"
         ref={frame}
-        onContextMenu={(event) => (event.preventDefault(), openMenu(event.clientX, event.clientY))}
-        onPointerDownCapture={finger("down")}
-        onPointerMoveCapture={finger("move")}
+        onContextMenu={(event) => {
+          event.preventDefault();
+          openMenu(event.clientX, event.clientY);
+        }}
+        onPointerDownCapture={press}
+        onPointerMoveCapture={(event) => touch(event, "move")}
         onPointerUpCapture={lift}
         onPointerCancelCapture={lift}
         // The finger that opened the menu does not choose from it when it is lifted.

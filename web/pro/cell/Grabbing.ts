@@ -2,7 +2,7 @@
 // the camera. A pointer that finds nothing to hold turns the camera, as ever.
 import { Plane, Raycaster, Vector2, Vector3, type Object3D, type PerspectiveCamera } from "three";
 import type { Hand } from "../../shared/cell/hand";
-import type { Triple } from "../../shared/messages/pose";
+import type { Vector } from "../../generated/messages";
 
 export interface Found {
   readonly body: string;
@@ -12,7 +12,7 @@ export interface Found {
   readonly at: Vector3;
 }
 
-const triple = ({ x, y, z }: Vector3): Triple => [x, y, z];
+const triple = ({ x, y, z }: Vector3): Vector => [x, y, z];
 
 /** The link of a robot or the part that an object on the screen belongs to; fixed bodies are none. */
 function bodyOf(object: Object3D | null): { readonly frame: Object3D; readonly part: boolean } | undefined {

@@ -2,7 +2,7 @@
 import { BufferAttribute, BufferGeometry, Group, Line, LineBasicMaterial, Mesh, MeshBasicMaterial, SphereGeometry, Vector3, type Camera } from "three";
 import { apart } from "../../shared/cell/labels";
 import { forceText, lineEnd } from "../../shared/cell/touch";
-import type { Touch } from "../../shared/messages/person";
+import type { Touch } from "../../generated/messages";
 
 const kColour = 0xc2410c;
 /** From the end of a line to its label [px]. */

@@ -1,5 +1,5 @@
 // The parts of the cell by name, each to be taken away or put back: for fingers and keys, and where a part cannot be seen.
-import type { Body } from "../../shared/messages/cell";
+import type { Body } from "../../generated/messages";
 
 interface Props {
   readonly parts: readonly Body[];

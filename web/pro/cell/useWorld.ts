@@ -1,6 +1,6 @@
 // What the cell looks like: asked for when its world is there, and again when it has come back, as it may be another one.
 import { useEffect, useState } from "react";
-import type { Body } from "../../shared/messages/cell";
+import type { Body } from "../../generated/messages";
 import { cellAway } from "../../shared/session/session";
 import { api, useSession } from "../client";
 import type { RobotModel } from "./CellScene";

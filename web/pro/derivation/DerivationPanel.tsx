@@ -1,7 +1,7 @@
 // The derivation of every micro step: macro steps to the left, their proof trees in the middle, the selected inference to the right.
 import { useEffect, useRef, useState } from "react";
 import { leading, nodeAt, size, summary, type ProofPath } from "../../shared/derivation/proof";
-import type { Derivation, TraceStep } from "../../shared/messages/derivation";
+import type { Derivation, TraceStep } from "../../generated/messages";
 import { callText, inputText } from "../../shared/run/inputText";
 import { useSession, useView, view } from "../client";
 import { InferenceCard } from "./InferenceCard";
@@ -40,7 +40,7 @@ interface StepListProps {
 function StepList({ steps, shown, follows }: StepListProps) {
   const list = useRef<HTMLOListElement>(null);
   useEffect(() => {
-    void list.current?.querySelector("[aria-current]")?.scrollIntoView({ block: "nearest" });
+    list.current?.querySelector("[aria-current]")?.scrollIntoView({ block: "nearest" });
   }, [shown, steps]);
   return (
     <div className="step-list">
@@ -55,7 +55,7 @@ function StepList({ steps, shown, follows }: StepListProps) {
               <b>{step.step}</b>
               <span>{inputText(step.input)}</span>
               <small>
-                {step.micro.length} micro{step.complete ? "" : " …"}
+                {step.micro.length} micro{step.complete === false ? " …" : ""}
               </small>
             </button>
           </li>

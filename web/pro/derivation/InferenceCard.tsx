@@ -1,6 +1,6 @@
 // One inference as the thesis prints it: premises above the bar, conclusion below, the rule's name beside it.
 import { facts, judgement, premiseCount } from "../../shared/derivation/proof";
-import type { Derivation } from "../../shared/messages/derivation";
+import type { Derivation } from "../../generated/messages";
 import { useSession, view } from "../client";
 
 export function InferenceCard({ node }: { readonly node: Derivation }) {

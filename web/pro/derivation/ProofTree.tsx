@@ -1,7 +1,7 @@
 // One derivation as a tree that can be unfolded: a row says all that its node holds, its premises stand beneath it in order.
 import { useState, type KeyboardEvent } from "react";
 import { notable, premiseCount, rowParts, subjectText, type ProofPath, type RowPart } from "../../shared/derivation/proof";
-import type { Derivation } from "../../shared/messages/derivation";
+import type { Derivation } from "../../generated/messages";
 
 interface Props {
   readonly root: Derivation;

@@ -1,7 +1,7 @@
 // The server's answers for a selected port: why it does not fire now, and why it fired when it last did.
 import { useEffect, useMemo, useState } from "react";
 import { lastFiring, type MicroStep } from "../../shared/derivation/proof";
-import type { Why } from "../../shared/messages/why";
+import type { Why } from "../../generated/messages";
 import { inputText } from "../../shared/run/inputText";
 import { constantText } from "../../shared/run/whyText";
 import { api, useCore, useSession, view } from "../client";
@@ -31,7 +31,8 @@ function useWhy(address: string, moment: unknown, before?: MicroStep): Answer {
 export function AskWhy({ address }: { readonly address: string }) {
   const steps = useSession((s) => s.steps);
   const fired = lastFiring(steps, address);
-  const firing = useMemo(() => fired, [fired?.step, fired?.micro]);
+  const [step, micro] = [fired?.step, fired?.micro];
+  const firing = useMemo(() => (step === undefined || micro === undefined ? undefined : { step, micro }), [step, micro]);
   return (
     <>
       <WhyNow address={address} known={firing !== undefined} />

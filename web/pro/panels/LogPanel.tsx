@@ -11,7 +11,7 @@ export function LogPanel() {
     return wanted === "" ? log : log.filter((entry) => `${entry.source} ${entry.text}`.toLowerCase().includes(wanted));
   }, [log, filter]);
   useEffect(() => {
-    void end.current?.scrollIntoView({ block: "nearest" });
+    end.current?.scrollIntoView({ block: "nearest" });
   }, [shown]);
   return (
     <section className="log" aria-label="Log">

@@ -1,5 +1,5 @@
 // Names with their live values; a name without a value shows what it would be, dimmed.
-import type { JsonValue } from "../../shared/json/decode";
+import type { JsonValue } from "../../shared/json";
 import { valueText } from "../../shared/model/describe";
 
 interface Props {

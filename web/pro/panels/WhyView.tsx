@@ -1,5 +1,5 @@
 // Why a port fired or not: the atoms of its condition with their values, and those whose change would fire it.
-import type { Why } from "../../shared/messages/why";
+import type { Why } from "../../generated/messages";
 import { atomAdvice, codePieces, readsText, truthText, whyHeadline, whySentences } from "../../shared/run/whyText";
 
 export function WhyView({ why }: { readonly why: Why }) {

@@ -1,10 +1,11 @@
 // The data flows between services (thesis 4.1), past the cores: drawn, listed, and one of them watched.
 import { useRef, useState } from "react";
-import type { Service } from "../../shared/messages/service";
+import type { HostedService } from "../../generated/messages";
+import { flowText } from "../../shared/service/flowText";
 import { FlowFigure } from "./FlowFigure";
 import { FlowWatch } from "./FlowWatch";
 
-export function DataFlows({ services }: { readonly services: readonly Service[] }) {
+export function DataFlows({ services }: { readonly services: readonly HostedService[] }) {
   const [watched, setWatched] = useState<string>();
   const opener = useRef<HTMLButtonElement | null>(null);
   const offered = services.flatMap((service) => service.publishes.map((published) => ({ service, published, name: `${service.key}.${published.flow}` })));
@@ -32,7 +33,7 @@ export function DataFlows({ services }: { readonly services: readonly Service[] 
           {offered.map(({ service, published, name }) => (
             <li key={name}>
               <code>{name}</code>
-              <span className="quiet flow-says">{service.rsm.flows[published.flow]}</span>
+              <span className="quiet flow-says">{flowText(service.rsm, published.flow)}</span>
               <span className="quiet">{published.rate_hz > 0 ? `${published.rate_hz.toFixed(1)} packets/s` : service.available ? "idle" : "unavailable"}</span>
               <button
                 className="flow-open"

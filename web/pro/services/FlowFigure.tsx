@@ -2,7 +2,7 @@
 import { useEffect, useMemo, useState } from "react";
 import type { Point } from "../../shared/drawing/drawing";
 import { drawFlows, flowShape, flowsOf, type Flow, type FlowDrawing } from "../../shared/service/flowDrawing";
-import type { Service } from "../../shared/messages/service";
+import type { HostedService } from "../../generated/messages";
 import { layoutInWorkers } from "../canvas/layoutEngine";
 
 const rateText = (flow: Flow) => (flow.flowing ? `${flow.flow} ${flow.rate.toFixed(1)}/s` : flow.flow);
@@ -10,7 +10,7 @@ const sentence = (flow: Flow) => `${flow.from} publishes ${flow.flow} to ${flow.
 const path = (points: readonly Point[]) => points.map(({ x, y }, i) => `${i === 0 ? "M" : "L"} ${x} ${y}`).join(" ");
 
 /** Laid out anew when a service or a flow comes or goes, not with every packet. */
-function useFlowDrawing(services: readonly Service[]): FlowDrawing | undefined {
+function useFlowDrawing(services: readonly HostedService[]): FlowDrawing | undefined {
   const [drawing, setDrawing] = useState<FlowDrawing>();
   const text = useMemo(() => JSON.stringify(flowShape(services)), [services]);
   useEffect(() => {
@@ -23,7 +23,7 @@ function useFlowDrawing(services: readonly Service[]): FlowDrawing | undefined {
   return drawing;
 }
 
-export function FlowFigure({ services }: { readonly services: readonly Service[] }) {
+export function FlowFigure({ services }: { readonly services: readonly HostedService[] }) {
   const drawing = useFlowDrawing(services);
   const flows = flowsOf(services);
   if (drawing === undefined) return <p className="quiet">Drawing…</p>;

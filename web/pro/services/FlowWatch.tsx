@@ -1,15 +1,14 @@
 // What passes on a data flow: pictures in colour or depth, of other packets what they say of themselves. The flow is
 // watched as long as this is there.
 import { useEffect, useRef, useState } from "react";
-import type { Packet, Picture } from "../../shared/messages/packet";
-import type { Published } from "../../shared/messages/service";
+import type { Packet, Picture, PublishedFlow } from "../../generated/messages";
 import { valueText } from "../../shared/model/describe";
 import { depthScale, kFarthest, kNearest, pixels, type Sight } from "../../shared/service/pixels";
 import { watchFlow } from "../client";
 
 interface Props {
   readonly service: string;
-  readonly published: Published;
+  readonly published: PublishedFlow;
   readonly onClose: () => void;
 }
 

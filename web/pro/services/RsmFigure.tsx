@@ -1,6 +1,6 @@
 // The drawing of an RSM: present state lit, the transition taken last marked, deferrals dashed.
 import { useEffect, useState } from "react";
-import type { Rsm } from "../../shared/messages/service";
+import type { Rsm } from "../../generated/messages";
 import { drawRsm, splinePath, type RsmDrawing } from "../../shared/service/rsmDrawing";
 import { layoutInWorkers } from "../canvas/layoutEngine";
 

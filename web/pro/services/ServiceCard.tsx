@@ -1,8 +1,8 @@
 // One service: header, drawing, pending calls, violations.
-import type { Service } from "../../shared/messages/service";
+import type { HostedService } from "../../generated/messages";
 import { RsmFigure } from "./RsmFigure";
 
-export function ServiceCard({ service }: { readonly service: Service }) {
+export function ServiceCard({ service }: { readonly service: HostedService }) {
   return (
     <article className="service" aria-label={`Service ${service.key}`}>
       <header>
@@ -12,15 +12,15 @@ export function ServiceCard({ service }: { readonly service: Service }) {
           {service.available ? (service.state ?? "available") : "unavailable"}
         </span>
       </header>
-      {service.rsm.states.length > 0 ? (
+      {(service.rsm.states ?? []).length > 0 ? (
         <RsmFigure rsm={service.rsm} state={service.state} last={service.last} />
       ) : (
         <p className="quiet">An interface without states.</p>
       )}
       <p className="events">
         {service.rsm.events.map((event) => (
-          <code key={event.name} title={event.sampled ? "sampled: only the newest value waits" : "event"}>
-            {event.sampled ? "∿ " : "⚡ "}
+          <code key={event.name} title={event.sampled === true ? "sampled: only the newest value waits" : "event"}>
+            {event.sampled === true ? "∿ " : "⚡ "}
             {event.name}
           </code>
         ))}
@@ -31,7 +31,7 @@ export function ServiceCard({ service }: { readonly service: Service }) {
   );
 }
 
-function Pending({ service }: { readonly service: Service }) {
+function Pending({ service }: { readonly service: HostedService }) {
   return (
     <section aria-label={`Pending calls of ${service.key}`}>
       <h3>Pending calls</h3>
@@ -54,7 +54,7 @@ function Pending({ service }: { readonly service: Service }) {
   );
 }
 
-function Violations({ service }: { readonly service: Service }) {
+function Violations({ service }: { readonly service: HostedService }) {
   if (service.violations.length === 0) return null;
   return (
     <section className="violations" aria-label={`Violations of ${service.key}`}>

@@ -1,12 +1,11 @@
 // A hand of this page: grabs, draws towards the newest target about 30 times a second, lets go. One request at a time, so
 // that they arrive in order; each tells the server that the hand is still there.
-import type { PersonAct } from "../messages/person";
-import type { Triple } from "../messages/pose";
+import type { PersonCommand, Vector } from "../../generated/messages";
 
 export interface HandOptions {
   /** Its name at the cell; no other page has it. */
   readonly name: string;
-  readonly act: (act: PersonAct) => Promise<unknown>;
+  readonly send: (command: PersonCommand) => Promise<unknown>;
   readonly wait: (milliseconds: number) => Promise<void>;
   /** The server said no; the hand holds nothing. */
   readonly onRefused: (error: unknown) => void;
@@ -16,16 +15,17 @@ const kPeriod = 33; // ms
 
 export interface Hand {
   /** Takes hold of a point [m, in the body's frame]; what it held before it lets go. */
-  readonly grab: (body: string, point: Triple) => Promise<void>;
+  readonly grab: (body: string, point: Vector) => Promise<void>;
   /** Where it draws that point [m, in o]. */
-  readonly drag: (to: Triple) => void;
+  readonly drag: (to: Vector) => void;
   readonly release: () => void;
 }
 
-export function createHand({ name, act, wait, onRefused }: HandOptions): Hand {
+export function createHand({ name, send, wait, onRefused }: HandOptions): Hand {
   let grip = 0; // counts; 0 and those that are over hold nothing
   let held = 0;
-  let target: Triple | undefined;
+  let target: Vector | undefined;
+  const newest = (): Vector | undefined => target;
   let last: Promise<unknown> = Promise.resolve();
   const inTurn = <T>(work: () => Promise<T>): Promise<T> => {
     const next = last.then(work);
@@ -38,11 +38,11 @@ export function createHand({ name, act, wait, onRefused }: HandOptions): Hand {
       held = mine;
       target = undefined;
       try {
-        const take = () => act({ act: "grab", hand: name, body, point });
-        const draw = (to: Triple) => act({ act: "drag", hand: name, to });
+        const take = () => send({ act: "grab", hand: name, body, point });
+        const draw = (to: Vector) => send({ act: "drag", hand: name, to });
         await inTurn(take);
         while (held === mine) {
-          const to = target;
+          const to = newest();
           // A page that was too slow for a moment was taken for gone: it takes hold again, once.
           if (to !== undefined) await inTurn(() => draw(to).catch(() => take().then(() => draw(to))));
           await wait(kPeriod);
@@ -58,7 +58,7 @@ export function createHand({ name, act, wait, onRefused }: HandOptions): Hand {
     release() {
       if (held === 0) return;
       held = 0;
-      inTurn(() => act({ act: "release", hand: name })).catch(onRefused);
+      inTurn(() => send({ act: "release", hand: name })).catch(onRefused);
     },
   };
 }

@@ -1,6 +1,5 @@
 // How often the cell is worth drawing: not when nothing has moved, and seldom where a frame takes long.
-import type { CellPose } from "../messages/cell";
-import type { Pose } from "../messages/pose";
+import type { CellPose, Pose } from "../../generated/messages";
 
 /** A frame that takes longer is made without a GPU, by the processor that the rest of the page needs too [ms]. */
 const kSlow = 25;
@@ -25,7 +24,7 @@ export function looksDifferent(shown: CellPose, next: CellPose): boolean {
   const joints = Object.entries(next.joints);
   const bodies = Object.entries(next.bodies);
   return (
-    shown.hands.length + next.hands.length > 0 ||
+    [shown, next].some(({ hands = [] }) => hands.length > 0) ||
     bodies.length !== Object.keys(shown.bodies).length ||
     joints.some(([name, value]) => apart([value], [shown.joints[name] ?? Infinity], kTurn)) ||
     bodies.some(([name, pose]) => moved(pose, shown.bodies[name]))

@@ -1,7 +1,5 @@
 // What a viewer shows of hands and of parts that were taken away.
-import type { Body, CellPose } from "../messages/cell";
-import type { Touch } from "../messages/person";
-import type { Triple } from "../messages/pose";
+import type { Body, CellPose, Touch, Vector } from "../../generated/messages";
 
 const kPushLength = 0.002; // m of the drawn line for each newton of a push
 
@@ -9,7 +7,7 @@ const kPushLength = 0.002; // m of the drawn line for each newton of a push
 export const forceText = ({ force }: Touch): string => `${Math.hypot(...force).toFixed(0)} N`;
 
 /** The far end of the line that stands for a touch: where a hand draws, or along a push [m, in o]. */
-export function lineEnd({ at, force, target }: Touch): Triple {
+export function lineEnd({ at, force, target }: Touch): Vector {
   return target ?? [at[0] + kPushLength * force[0], at[1] + kPushLength * force[1], at[2] + kPushLength * force[2]];
 }
 

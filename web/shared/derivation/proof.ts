@@ -1,6 +1,6 @@
 // A derivation as a reader sees it: the judgement of each node, the values it holds, and which nodes are worth opening first.
-import type { JsonValue } from "../json/decode";
-import type { Derivation, TraceStep } from "../messages/derivation";
+import type { JsonValue } from "../json";
+import type { Derivation, TraceStep } from "../../generated/messages";
 import { clip, valueText } from "../model/describe";
 import { literal } from "../model/literal";
 import { nameOf } from "../model/modelTree";
@@ -151,7 +151,7 @@ export function lastFiring(steps: readonly TraceStep[], address: string): MicroS
   const fires = (node: Derivation): boolean =>
     (node.rule === "PTrigger" && `${node.at}.${node.port ?? ""}` === address) || node.premises.some(fires);
   const step = [...steps].reverse().find((each) => each.micro.some(fires));
-  return step === undefined ? undefined : { step: step.step, micro: step.first + step.micro.map(fires).lastIndexOf(true) };
+  return step === undefined ? undefined : { step: step.step, micro: (step.first ?? 0) + step.micro.map(fires).lastIndexOf(true) };
 }
 
 export function premiseCount(node: Derivation): string {
@@ -169,10 +169,11 @@ export function mergeSteps(known: readonly TraceStep[], added: readonly TraceSte
   const steps = new Map(known.map((step) => [step.step, step]));
   for (const step of added) {
     const before = steps.get(step.step);
+    const first = step.first ?? 0;
     const joined =
-      before === undefined || step.first === 0
+      before === undefined || first === 0
         ? step
-        : { ...step, first: 0, micro: [...before.micro.slice(0, step.first), ...step.micro], calls: [...before.calls, ...step.calls] };
+        : { ...step, first: 0, micro: [...before.micro.slice(0, first), ...step.micro], calls: [...before.calls, ...step.calls] };
     steps.set(step.step, joined);
   }
   return [...steps.values()].sort((a, b) => a.step - b.step).slice(-kKept);

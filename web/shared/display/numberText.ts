@@ -1,5 +1,5 @@
 // Entering a number by keys, and what it must be: decisions of the numeric keypad, without a page.
-import type { NumberEntry } from "../messages/display";
+import type { NumberEntry } from "../../generated/messages";
 
 export type Key = "0" | "1" | "2" | "3" | "4" | "5" | "6" | "7" | "8" | "9" | "." | "sign" | "back";
 

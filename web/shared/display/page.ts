@@ -1,13 +1,13 @@
 // What a display page knows: a value, and what each thing that happens makes of it.
 import { assertNever } from "../assertNever";
-import type { Content } from "../messages/display";
+import type { Display } from "../../generated/messages";
 import type { Connection } from "../stream";
 import { press, proposed, type Key } from "./numberText";
 
 export interface DisplayPage {
   readonly name: string;
   readonly connection: Connection;
-  readonly content: Content | undefined;
+  readonly content: Display | undefined;
   /** What has been entered for the question that asks for a number. */
   readonly entry: string;
   /** An answer is on its way: the question does not take a second one. */
@@ -20,7 +20,7 @@ export interface DisplayPage {
 
 export type DisplayEvent =
   | { readonly type: "connection"; readonly connection: Connection }
-  | { readonly type: "content"; readonly content: Content }
+  | { readonly type: "content"; readonly content: Display }
   | { readonly type: "key"; readonly key: Key }
   | { readonly type: "sent" }
   | { readonly type: "sound" }
@@ -64,11 +64,11 @@ export function applyDisplayEvent(page: DisplayPage, event: DisplayEvent): Displ
 }
 
 /** A question that stays keeps what was entered for it. */
-function withContent(page: DisplayPage, content: Content): DisplayPage {
+function withContent(page: DisplayPage, content: Display): DisplayPage {
   const question = content.question;
   const shown = { ...page, content, problem: undefined };
   if (question !== undefined && question.id === page.content?.question?.id) return shown;
-  return { ...shown, sent: false, entry: question?.kind === "number" ? proposed(question.number) : "" };
+  return { ...shown, sent: false, entry: question !== undefined && "number" in question ? proposed(question.number) : "" };
 }
 
 /** Whether the person can answer now. */

@@ -1,6 +1,6 @@
 // What a run lights up in a drawing: pure look-ups, made once per change of the run.
-import type { Fault, RunState } from "../messages/core";
-import type { JsonValue } from "../json/decode";
+import type { Fault, RunState } from "../../generated/messages";
+import type { JsonValue } from "../json";
 import type { DrawnLine } from "./drawing";
 import type { Line } from "../model/describe";
 
@@ -34,14 +34,14 @@ export function liveOf(run: RunState | undefined, fired: { readonly beat: number
 
 /** The live value that belongs to a line of a state's text section; the same object while it does not change. */
 export function liveValue(live: Live, path: string, line: Line): JsonValue | undefined {
-  if (line.slot === undefined || live.run === undefined) return undefined;
+  if (line.name === undefined || live.run === undefined) return undefined;
   switch (line.label) {
     case "params":
-      return live.run.parameters[path]?.[line.slot];
+      return live.run.parameters[path]?.[line.name];
     case "results":
-      return live.run.results[path]?.[line.slot];
+      return live.run.results[path]?.[line.name];
     case "vars":
-      return live.run.variables[path]?.[line.slot];
+      return live.run.variables[path]?.[line.name];
     default:
       return undefined;
   }

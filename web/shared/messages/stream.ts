@@ -1,24 +1,20 @@
-// Messages of the stream (api/schemas: stream_message, stream_request): what a channel says, as one union.
-import { array, number, object, oneOf, string, type Decoder } from "../json/decode";
-import { cellPose, type CellPose } from "./cell";
-import { core, cores, coreDelta, coreState, type Core, type CoreDelta, type CoreState } from "./core";
-import { traceSteps, type TraceStep } from "./derivation";
-import { content, type Content, type DisplayRequest } from "./display";
-import { packet, type Packet } from "./packet";
-import { services, serviceStates, type Service, type ServiceState } from "./service";
-
-export interface LogEntry {
-  /** [s] */
-  readonly time: number;
-  readonly source: string;
-  readonly text: string;
-}
-
-export interface ServerError {
-  readonly path: string;
-  readonly code: string;
-  readonly message: string;
-}
+// Messages of the stream (api/schemas/stream_message.json): what a channel says, as one union.
+import type {
+  CellPose,
+  Core,
+  CoreDelta,
+  CoreState,
+  Display,
+  Envelope,
+  HostedService,
+  LogEntry,
+  Packet,
+  ServerError,
+  ServiceState,
+  TraceStep,
+} from "../../generated/messages";
+import * as schema from "../../generated/validators";
+import { check, SchemaError } from "./check";
 
 /** What a message of the stream means. */
 export type News =
@@ -29,10 +25,10 @@ export type News =
   | { readonly type: "state_changed"; readonly id: string; readonly delta: CoreDelta }
   | { readonly type: "derivation_position"; readonly id: string; readonly next: number }
   | { readonly type: "derivations"; readonly id: string; readonly steps: readonly TraceStep[] }
-  | { readonly type: "services"; readonly services: readonly Service[] }
+  | { readonly type: "services"; readonly services: readonly HostedService[] }
   | { readonly type: "services_changed"; readonly services: readonly ServiceState[] }
   | { readonly type: "cell"; readonly pose: CellPose }
-  | { readonly type: "display"; readonly content: Content }
+  | { readonly type: "display"; readonly content: Display }
   | { readonly type: "packet"; readonly channel: string; readonly packet: Packet }
   | { readonly type: "log"; readonly entries: readonly LogEntry[]; readonly whole: boolean }
   | { readonly type: "refused"; readonly channel: string; readonly errors: readonly ServerError[] };
@@ -43,63 +39,48 @@ export interface StreamMessage {
   readonly news: News;
 }
 
-export type StreamRequest =
-  | { readonly type: "subscribe"; readonly channel: string; readonly since?: number }
-  | { readonly type: "unsubscribe"; readonly channel: string }
-  | DisplayRequest;
+function coreNews(id: string, subject: string, snapshot: boolean, data: unknown): News {
+  if (subject === "state") {
+    if (snapshot) return { type: "state", id, state: check(schema.coreState, data, "/data") };
+    return { type: "state_changed", id, delta: check(schema.coreDelta, data, "/data") };
+  }
+  if (snapshot) return { type: "derivation_position", id, next: check(schema.derivationPosition, data, "/data").next };
+  return { type: "derivations", id, steps: check(schema.derivationSteps, data, "/data").steps };
+}
 
-const logEntry: Decoder<LogEntry> = object((f) => ({
-  time: f.need("time", number),
-  source: f.need("source", string),
-  text: f.need("text", string),
-}));
+function coresNews(snapshot: boolean, data: unknown): News {
+  if (snapshot) return { type: "cores", cores: check(schema.cores, data, "/data").cores };
+  const change = check(schema.coresDelta, data, "/data");
+  return "removed" in change ? { type: "core_removed", id: change.removed } : { type: "core", core: change.core };
+}
 
-const serverError: Decoder<ServerError> = object((f) => ({
-  path: f.need("path", string),
-  code: f.need("code", string),
-  message: f.need("message", string),
-}));
+function servicesNews(snapshot: boolean, data: unknown): News {
+  if (snapshot) return { type: "services", services: check(schema.services, data, "/data").services };
+  return { type: "services_changed", services: check(schema.servicesDelta, data, "/data").services };
+}
 
-export const serverErrors: Decoder<readonly ServerError[]> = object((f) => f.need("errors", array(serverError)));
-const logEntries: Decoder<readonly LogEntry[]> = object((f) => f.need("entries", array(logEntry)));
-
-const coresChanged: Decoder<News> = object((f) =>
-  f.has("removed") ? { type: "core_removed", id: f.need("removed", string) } : { type: "core", core: f.need("core", core) },
-);
-
-type Kind = "snapshot" | "delta" | "error";
-
-function newsOf(channel: string, kind: Kind): Decoder<News> {
+function newsOf({ channel, kind, data }: Envelope): News {
+  if (kind === "error") return { type: "refused", channel, errors: check(schema.errors, data, "/data").errors };
   const snapshot = kind === "snapshot";
-  const core = /^core\/([^/]+)\/(state|derivation)$/.exec(channel);
-  const id = core?.[1] ?? "";
-  if (kind === "error") return (v, p) => ({ type: "refused", channel, errors: serverErrors(v, p) });
-  if (core?.[2] === "state") {
-    if (snapshot) return (v, p) => ({ type: "state", id, state: coreState(v, p) });
-    return (v, p) => ({ type: "state_changed", id, delta: coreDelta(v, p) });
-  }
-  if (core?.[2] === "derivation") {
-    if (snapshot) return object((f) => ({ type: "derivation_position" as const, id, next: f.need("next", number) }));
-    return (v, p) => ({ type: "derivations", id, steps: traceSteps(v, p) });
-  }
-  if (channel.startsWith("flow/")) return (v, p) => ({ type: "packet", channel, packet: packet(v, p) });
-  if (channel.startsWith("display/")) return (v, p) => ({ type: "display", content: content(v, p) });
-  const whole: Decoder<string> = oneOf("cores", "services", "cell/pose", "log");
-  switch (whole(channel, "/channel")) {
+  const [, id, subject] = /^core\/([^/]+)\/(state|derivation)$/.exec(channel) ?? [];
+  if (id !== undefined && subject !== undefined) return coreNews(id, subject, snapshot, data);
+  if (channel.startsWith("flow/")) return { type: "packet", channel, packet: check(schema.packet, data, "/data") };
+  if (channel.startsWith("display/")) return { type: "display", content: check(schema.display, data, "/data") };
+  switch (channel) {
     case "cores":
-      return snapshot ? (v, p) => ({ type: "cores", cores: cores(v, p) }) : coresChanged;
+      return coresNews(snapshot, data);
     case "services":
-      if (snapshot) return (v, p) => ({ type: "services", services: services(v, p) });
-      return (v, p) => ({ type: "services_changed", services: serviceStates(v, p) });
+      return servicesNews(snapshot, data);
     case "cell/pose":
-      return (v, p) => ({ type: "cell", pose: cellPose(v, p) });
+      return { type: "cell", pose: check(schema.cellPose, data, "/data") };
+    case "log":
+      return { type: "log", entries: check(schema.logEntries, data, "/data").entries, whole: snapshot };
     default:
-      return (v, p) => ({ type: "log", entries: logEntries(v, p), whole: snapshot });
+      throw new SchemaError("/channel", "a channel of stream_message.json", channel);
   }
 }
 
-export const streamMessage: Decoder<StreamMessage> = object((f) => {
-  const channel = f.need("channel", string);
-  const kind = f.need("kind", oneOf("snapshot", "delta", "error"));
-  return { channel, sequence: f.need("sequence", number), news: f.need("data", newsOf(channel, kind)) };
-});
+export function readStreamMessage(value: unknown): StreamMessage {
+  const message = check(schema.envelope, value);
+  return { channel: message.channel, sequence: message.sequence, news: newsOf(message) };
+}

@@ -1,5 +1,5 @@
 // The text section of a drawn state (Fig. 3.2, 3.3): parameters, results, functions and actions in one line each.
-import type { JsonValue } from "../json/decode";
+import type { JsonValue } from "../json";
 import type { Parameter, State } from "./model";
 
 /** One line below a state's name; `label` is the thesis' word for it. */
@@ -7,7 +7,7 @@ export interface Line {
   readonly label: "params" | "results" | "vars" | "entry" | "exit" | "action";
   readonly text: string;
   /** The parameter, result or variable that the line is about: its live value may stand beside it. */
-  readonly slot?: string;
+  readonly name?: string;
 }
 
 /** A value in one line, as a task author would write it. */
@@ -40,9 +40,9 @@ export function codeText(code: string): string {
 
 export function describeState(state: State): readonly Line[] {
   return [
-    ...state.parameters.map((p): Line => ({ label: "params", text: parameterText(p), slot: p.name })),
-    ...state.results.map((r): Line => ({ label: "results", text: r.name, slot: r.name })),
-    ...state.variables.map((v): Line => ({ label: "vars", text: v.name, slot: v.name })),
+    ...state.parameters.map((p): Line => ({ label: "params", text: parameterText(p), name: p.name })),
+    ...state.results.map((r): Line => ({ label: "results", text: r.name, name: r.name })),
+    ...state.variables.map((v): Line => ({ label: "vars", text: v.name, name: v.name })),
     ...(state.entry === undefined ? [] : [{ label: "entry", text: codeText(state.entry) } as const]),
     ...(state.exit === undefined ? [] : [{ label: "exit", text: codeText(state.exit) } as const]),
     ...state.actions.map((a): Line => ({ label: "action", text: `[${a.when}] ${codeText(a.do)}` })),

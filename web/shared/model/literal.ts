@@ -1,6 +1,6 @@
 // A value as a literal of the function language: nothing is cut or rounded, so two values that differ read differently
 // (integers beyond 2^53 are what JavaScript has made of them).
-import type { JsonValue } from "../json/decode";
+import type { JsonValue } from "../json";
 
 /**
  * `value` as a task author could write it: None, True, False, numbers with all their digits, strings in single quotes, lists, dicts.

@@ -1,5 +1,5 @@
 // The RCM syntax (thesis 3.1) as the pages see it: the document format of core/SEMANTICS.md section 1.
-import type { JsonValue } from "../json/decode";
+import type { JsonValue } from "../json";
 
 export interface RcmDocument {
   readonly name: string;
@@ -19,7 +19,7 @@ export interface Parameter {
 }
 
 /** A result (Def. 3.3) or a variable. */
-export interface Slot {
+export interface Declaration {
   readonly name: string;
   readonly initial?: JsonValue;
 }
@@ -43,8 +43,8 @@ export interface State {
   readonly name: string;
   readonly doc?: string;
   readonly parameters: readonly Parameter[];
-  readonly results: readonly Slot[];
-  readonly variables: readonly Slot[];
+  readonly results: readonly Declaration[];
+  readonly variables: readonly Declaration[];
   readonly entry?: string;
   readonly exit?: string;
   readonly actions: readonly Action[];

@@ -1,5 +1,5 @@
 // Δ after a step: the snapshot and the delta that the server sends.
-import type { CoreDelta, RunState, Values } from "../messages/core";
+import type { CoreDelta, Names, RunState, Values } from "../../generated/messages";
 import type { ModelTree } from "../model/modelTree";
 
 function mergeFlags(now: readonly string[], changes: Readonly<Record<string, boolean>>): readonly string[] {
@@ -8,7 +8,7 @@ function mergeFlags(now: readonly string[], changes: Readonly<Record<string, boo
   return [...kept, ...Object.keys(changes).filter((entry) => changes[entry] === true && !known.has(entry))];
 }
 
-function mergeValues(now: Values, set: Values, unset: Readonly<Record<string, readonly string[]>>): Values {
+function mergeValues(now: Values, set: Values, unset: Names = {}): Values {
   const merged: Record<string, Readonly<Record<string, Values[string][string]>>> = { ...now };
   for (const [path, values] of Object.entries(set)) merged[path] = { ...merged[path], ...values };
   for (const [path, names] of Object.entries(unset)) {

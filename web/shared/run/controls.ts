@@ -1,5 +1,5 @@
 // Which commands a core takes now.
-import type { Core } from "../messages/core";
+import type { Core } from "../../generated/messages";
 
 export type Command = "start" | "pause" | "resume" | "again" | "micro" | "macro" | "until" | "stop";
 

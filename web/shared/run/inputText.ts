@@ -1,13 +1,13 @@
 // One line for what a macro step began with, and for a call.
-import type { Call, Input } from "../messages/core";
+import type { Call, Input } from "../../generated/messages";
 import { clip, valueText } from "../model/describe";
 
 export function inputText(input: Input): string {
   switch (input.kind) {
     case "event":
-      return `event ${input.service ?? ""}.${input.event ?? ""}${input.data === undefined || input.data === null ? "" : ` ${clip(valueText(input.data), 60)}`}`;
+      return `event ${input.service}.${input.event}${input.data === null ? "" : ` ${clip(valueText(input.data), 60)}`}`;
     case "response":
-      return `response ${input.service ?? ""}.${input.operation ?? ""} ${
+      return `response ${input.service}.${input.operation} ${
         input.error === undefined ? `→ ${clip(valueText(input.result ?? null), 60)}` : `✕ ${clip(valueText(input.error), 60)}`
       }`;
     default:

@@ -1,7 +1,7 @@
 // The data flows between services (thesis 4.1) as a drawing: who publishes, who subscribes, and what passes now.
 import type { Box, Point } from "../drawing/drawing";
 import type { ElkGraph, LayoutEngine } from "../drawing/elk";
-import type { Service } from "../messages/service";
+import type { HostedService } from "../../generated/messages";
 
 /** A flow from the service that offers it to one that reads it. */
 export interface Flow {
@@ -32,7 +32,7 @@ const kCharacter = 7;
 const kMargin = 8;
 
 /** All flows that a service reads, of whoever it is said to be: one that is not there offers nothing. */
-export function flowsOf(services: readonly Service[]): readonly Flow[] {
+export function flowsOf(services: readonly HostedService[]): readonly Flow[] {
   return services.flatMap((reader) =>
     reader.subscribes.map(({ service, flow, listening }) => {
       const rate = services.find((each) => each.key === service)?.publishes.find((each) => each.flow === flow)?.rate_hz ?? 0;
@@ -41,7 +41,7 @@ export function flowsOf(services: readonly Service[]): readonly Flow[] {
   );
 }
 
-export function flowShape(services: readonly Service[]): FlowShape {
+export function flowShape(services: readonly HostedService[]): FlowShape {
   const flows = flowsOf(services).map(({ id, from, flow, to }) => ({ id, from, flow, to }));
   const publishers = services.filter((service) => service.publishes.length > 0).map((service) => service.key);
   return { keys: [...new Set([...publishers, ...flows.flatMap(({ from, to }) => [from, to])])], flows };

@@ -1,5 +1,5 @@
 // Pixels of a camera's picture as a canvas takes them: red, green, blue and opacity, 8 bit each.
-import type { Picture } from "../messages/packet";
+import type { Picture } from "../../generated/messages";
 
 export type Sight = "colour" | "depth";
 

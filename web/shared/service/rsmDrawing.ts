@@ -1,7 +1,7 @@
 // A service's RSM as a drawing (Fig. 4.1): states, transitions with their operation, deferrals as dashed links between transitions.
 import type { Box, Point } from "../drawing/drawing";
 import type { ElkEdge, ElkGraph, LayoutEngine } from "../drawing/elk";
-import type { Rsm, RsmTransition } from "../messages/service";
+import type { Rsm, RsmTransition } from "../../generated/messages";
 
 export interface RsmState extends Box {
   readonly name: string;
@@ -51,25 +51,26 @@ interface Group {
 
 /** Operations that lead from a state, or from all, to where they came from share an arrow, unless a deferral or an error tells them apart. */
 function groups(rsm: Rsm): readonly Group[] {
-  const answers = new Set(rsm.transitions.flatMap((t) => t.defer));
+  const transitions = rsm.transitions ?? [];
+  const answers = new Set(transitions.flatMap((t) => t.defer ?? []));
   const found = new Map<string, RsmTransition[]>();
-  for (const t of rsm.transitions) {
-    const returns = t.src === t.dst || (t.src === undefined && rsm.states.length === 1);
-    const plain = returns && t.defer.length === 0 && t.error === undefined && t.operation !== undefined && !answers.has(t.id);
+  for (const t of transitions) {
+    const returns = t.src === t.dst || (t.src === undefined && rsm.states?.length === 1);
+    const plain = returns && (t.defer ?? []).length === 0 && t.error === undefined && t.operation !== undefined && !answers.has(t.id);
     const key = plain ? `${t.src ?? kAny} to ${t.dst}` : t.id;
     found.set(key, [...(found.get(key) ?? []), t]);
   }
-  return [...found.values()].flatMap((transitions) => {
-    const first = transitions[0];
+  return [...found.values()].flatMap((group) => {
+    const first = group[0];
     if (first === undefined) return [];
-    const text = transitions.map(transitionText).join(", ");
-    return [{ id: first.id, src: first.src ?? kAny, dst: first.dst, transitions, text }];
+    const text = group.map(transitionText).join(", ");
+    return [{ id: first.id, src: first.src ?? kAny, dst: first.dst, transitions: group, text }];
   });
 }
 
 export function rsmGraph(rsm: Rsm): ElkGraph {
-  const any = rsm.transitions.some((t) => t.src === undefined);
-  const states = rsm.states.map((s) => ({ id: s.name, width: Math.max(78, s.name.length * 8 + 30), height: 38 }));
+  const any = (rsm.transitions ?? []).some((t) => t.src === undefined);
+  const states = (rsm.states ?? []).map((s) => ({ id: s.name, width: Math.max(78, s.name.length * 8 + 30), height: 38 }));
   const edges: ElkEdge[] = groups(rsm).map((group) => ({
     id: group.id,
     sources: [group.src],
@@ -122,7 +123,7 @@ export async function drawRsm(engine: LayoutEngine, rsm: Rsm): Promise<RsmDrawin
     states: boxes.map(({ id, ...box }) => ({ ...box, name: id === kAny ? "any state" : id, kind: id === kInit ? "init" : id === kAny ? "any" : "state" })),
     arrows,
     start: pointsOf(edges.get(kInit)),
-    deferrals: rsm.transitions.flatMap((t) => t.defer.flatMap((answer) => deferral(t.id, answer, arrows, (graph.height ?? 0) / 2 + kMargin))),
+    deferrals: (rsm.transitions ?? []).flatMap((t) => (t.defer ?? []).flatMap((answer) => deferral(t.id, answer, arrows, (graph.height ?? 0) / 2 + kMargin))),
     width: (graph.width ?? 0) + 2 * kMargin,
     height: (graph.height ?? 0) + 2 * kMargin,
   };

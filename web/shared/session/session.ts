@@ -1,11 +1,8 @@
 // What a watching page knows: a value, and what each piece of news makes of it.
-import type { DocumentEntry } from "../api";
 import { assertNever } from "../assertNever";
 import { mergeSteps } from "../derivation/proof";
-import type { Core, Input, RunState } from "../messages/core";
-import type { RuleText, TraceStep } from "../messages/derivation";
-import type { Service } from "../messages/service";
-import type { LogEntry, News } from "../messages/stream";
+import type { Core, DocumentSummary, HostedService, Input, LogEntry, Rule, RunState, TraceStep } from "../../generated/messages";
+import type { News } from "../messages/stream";
 import type { RcmDocument } from "../model/model";
 import { applyDelta } from "../run/applyDelta";
 import type { Connection } from "../stream";
@@ -20,8 +17,8 @@ export interface Session {
   readonly connection: Connection;
   /** Whether the server has a cell to show. */
   readonly cell: boolean;
-  readonly documents: readonly DocumentEntry[];
-  readonly rules: ReadonlyMap<string, RuleText>;
+  readonly documents: readonly DocumentSummary[];
+  readonly rules: ReadonlyMap<string, Rule>;
   readonly cores: readonly Core[];
   /** The core that is watched. */
   readonly watched: string | undefined;
@@ -30,7 +27,7 @@ export interface Session {
   readonly fired: Fired;
   readonly lastInput: Input | undefined;
   readonly steps: readonly TraceStep[];
-  readonly services: readonly Service[];
+  readonly services: readonly HostedService[];
   readonly log: readonly LogEntry[];
   /** The latest refusal, until it is put away. */
   readonly problem: string | undefined;
@@ -39,8 +36,8 @@ export interface Session {
 export type SessionEvent =
   | { readonly type: "connection"; readonly connection: Connection }
   | { readonly type: "cell"; readonly present: boolean }
-  | { readonly type: "documents"; readonly documents: readonly DocumentEntry[] }
-  | { readonly type: "rules"; readonly rules: readonly RuleText[] }
+  | { readonly type: "documents"; readonly documents: readonly DocumentSummary[] }
+  | { readonly type: "rules"; readonly rules: readonly Rule[] }
   | { readonly type: "watched"; readonly id: string | undefined }
   | { readonly type: "model"; readonly id: string; readonly model: RcmDocument }
   | { readonly type: "past"; readonly id: string; readonly steps: readonly TraceStep[] }

@@ -1,6 +1,6 @@
 // The keys and mouse actions of the expert page, once: what its handlers act on is what its help lists. As in RAFCON and Node-RED.
 import { allowed, primary, type Command } from "../run/controls";
-import type { Core } from "../messages/core";
+import type { Core } from "../../generated/messages";
 
 export type Shortcut = "lead" | "pause" | "stop" | "micro" | "macro" | "search" | "zoom_in" | "zoom_out" | "fit" | "help" | "escape";
 

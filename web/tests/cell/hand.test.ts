@@ -1,17 +1,16 @@
-// A hand of the page, against a server that notes what it is told.
+// A hand of the page, against a server that notes what it is sent.
 import { describe, expect, it } from "vitest";
 import { createHand } from "../../shared/cell/hand";
 import { absentParts, forceText, lineEnd } from "../../shared/cell/touch";
-import type { PersonAct } from "../../shared/messages/person";
-import type { Pose } from "../../shared/messages/pose";
+import type { PersonCommand, Pose } from "../../generated/messages";
 
-function stage(answer: (act: PersonAct) => Promise<unknown> = async () => undefined) {
-  const told: PersonAct[] = [];
+function fixture(answer: (command: PersonCommand) => Promise<unknown> = () => Promise.resolve()) {
+  const sent: PersonCommand[] = [];
   const refused: unknown[] = [];
   const waiting: (() => void)[] = [];
   const hand = createHand({
     name: "mine",
-    act: (act) => (told.push(act), answer(act)),
+    send: (command) => (sent.push(command), answer(command)),
     wait: () => new Promise((resolve) => waiting.push(resolve)),
     onRefused: (error) => refused.push(error),
   });
@@ -23,12 +22,12 @@ function stage(answer: (act: PersonAct) => Promise<unknown> = async () => undefi
     waiting.splice(0).forEach((go) => go());
     await settle();
   };
-  return { hand, told, refused, tick };
+  return { hand, sent, refused, tick };
 }
 
 describe("a hand", () => {
   it("grabs, draws towards the newest target only, and lets go", async () => {
-    const { hand, told, tick } = stage();
+    const { hand, sent, tick } = fixture();
     const over = hand.grab("link_5", [0, 0, 0.1]);
     await tick();
     hand.drag([0, 0, 1]);
@@ -37,7 +36,7 @@ describe("a hand", () => {
     hand.release();
     await tick();
     await over;
-    expect(told).toEqual([
+    expect(sent).toEqual([
       { act: "grab", hand: "mine", body: "link_5", point: [0, 0, 0.1] },
       { act: "drag", hand: "mine", to: [0, 0.1, 1] },
       { act: "release", hand: "mine" },
@@ -45,35 +44,34 @@ describe("a hand", () => {
   });
 
   it("tells again and again that it is there while nothing moves", async () => {
-    const { hand, told, tick } = stage();
+    const { hand, sent, tick } = fixture();
     void hand.grab("cube", [0, 0, 0]);
     hand.drag([0, 0, 1]);
     for (let i = 0; i < 4; ++i) await tick();
-    expect(told.filter(({ act }) => act === "drag").length).toBeGreaterThanOrEqual(4);
+    expect(sent.filter(({ act }) => act === "drag").length).toBeGreaterThanOrEqual(4);
   });
 
   it("takes hold again when the server has taken the page for gone", async () => {
     let lost = true;
-    const { hand, told, refused, tick } = stage(async ({ act }) => {
-      if (act === "drag" && lost) throw new Error("the hand holds nothing");
-      if (act === "grab" && told.length > 1) lost = false;
+    const { hand, sent, refused, tick } = fixture(({ act }) => {
+      if (act === "drag" && lost) return Promise.reject(new Error("the hand holds nothing"));
+      if (act === "grab" && sent.length > 1) lost = false;
+      return Promise.resolve();
     });
     void hand.grab("cube", [0, 0, 0]);
     hand.drag([0, 0, 1]);
     await tick();
-    expect(told.map(({ act }) => act).slice(0, 4)).toEqual(["grab", "drag", "grab", "drag"]);
+    expect(sent.map(({ act }) => act).slice(0, 4)).toEqual(["grab", "drag", "grab", "drag"]);
     expect(refused).toEqual([]);
   });
 
   it("holds nothing after a refusal, and says why", async () => {
-    const { hand, told, refused, tick } = stage(async () => {
-      throw new Error("cannot be moved");
-    });
+    const { hand, sent, refused, tick } = fixture(() => Promise.reject(new Error("cannot be moved")));
     await hand.grab("table", [0, 0, 0]);
     hand.release();
     await tick();
     expect(refused).toEqual([new Error("cannot be moved")]);
-    expect(told).toHaveLength(1);
+    expect(sent).toHaveLength(1);
   });
 });
 
@@ -86,7 +84,7 @@ describe("a touch", () => {
 
   it("of a part that was taken away is none: the pose does not have it", () => {
     const pose: Pose = { position: [0, 0, 0], orientation: [0, 0, 0, 1] };
-    const body = (name: string, fixed: boolean) => ({ name, fixed, pose, shape: { kind: "sphere" as const, radius: 1 } });
+    const body = (name: string, fixed: boolean) => ({ name, fixed, pose, shape: { sphere: 1 } });
     const bodies = [body("table", true), body("cube", false), body("can", false)];
     expect(absentParts(bodies, { time: 0, joints: {}, bodies: { can: pose }, hands: [] })).toEqual(["cube"]);
   });

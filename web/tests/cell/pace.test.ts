@@ -1,7 +1,7 @@
 // When the cell is drawn again.
 import { describe, expect, it } from "vitest";
 import { looksDifferent, restAfter } from "../../shared/cell/pace";
-import type { CellPose } from "../../shared/messages/cell";
+import type { CellPose } from "../../generated/messages";
 
 const still: CellPose = {
   time: 1,

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { facts, judgement, lastFiring, leading, mergeSteps, nodeAt, notable, rowParts, size, subjectText, summary } from "../../shared/derivation/proof";
-import type { Derivation, TraceStep } from "../../shared/messages/derivation";
+import type { Derivation, TraceStep } from "../../generated/messages";
 import { caseNames, runOf } from "../conformance";
 
 const all = (node: Derivation): readonly Derivation[] => [node, ...node.premises.flatMap(all)];

@@ -1,12 +1,12 @@
 import { describe, expect, it } from "vitest";
 import { applyDisplayEvent, canAnswer, firstPage, nameOf, type DisplayEvent, type DisplayPage } from "../../shared/display/page";
-import type { Content, Question } from "../../shared/messages/display";
+import type { Display, Question } from "../../generated/messages";
 
 const after = (...events: readonly DisplayEvent[]): DisplayPage => events.reduce(applyDisplayEvent, firstPage("main"));
 const shows = (question?: Question): DisplayEvent => ({ type: "content", content: question === undefined ? { display: "main" } : { display: "main", question } });
 const open: DisplayEvent = { type: "connection", connection: "open" };
-const buttons = (id: number): Question => ({ kind: "buttons", id, text: "Go?", buttons: ["Yes"] });
-const width = (id: number): Question => ({ kind: "number", id, text: "How wide?", number: { unit: "m", min: 0, max: 1, value: 0.5 } });
+const buttons = (id: number): Question => ({ id, text: "Go?", buttons: ["Yes"] });
+const width = (id: number): Question => ({ id, text: "How wide?", number: { unit: "m", min: 0, max: 1, value: 0.5 } });
 
 describe("the name in the address", () => {
   it("is main if there is none", () => {
@@ -43,7 +43,7 @@ describe("the entry", () => {
     expect(after(shows(width(1)), key, shows()).entry).toBe("");
   });
   it("stays when something else on the display changes, or the connection is lost", () => {
-    const content: Content = { display: "main", question: width(1), message: { text: "Hurry", buttons: [] } };
+    const content: Display = { display: "main", question: width(1), message: { text: "Hurry", buttons: [] } };
     expect(after(shows(width(1)), key, { type: "content", content }).entry).toBe("0.52");
     expect(after(shows(width(1)), key, { type: "connection", connection: "lost" }, shows(width(1))).entry).toBe("0.52");
   });

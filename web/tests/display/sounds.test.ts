@@ -1,8 +1,10 @@
 import { describe, expect, it } from "vitest";
-import { lengthOf, schedule, soundList } from "../../shared/display/sounds";
-import { readJson } from "../conformance";
+import * as schema from "../../generated/validators";
+import { lengthOf, schedule, soundTable } from "../../shared/display/sounds";
+import { check } from "../../shared/messages/check";
+import { readJson } from "../files";
 
-const sounds = soundList(readJson(new URL("../../../api/sounds.json", import.meta.url)), "");
+const sounds = soundTable(check(schema.sounds, readJson(new URL("../../../api/sounds.json", import.meta.url))));
 const sound = (name: string, repeat = 1) => schedule({ id: 1, name, volume: 1, repeat });
 
 describe("api/sounds.json", () => {

@@ -3,7 +3,7 @@ import { createPool } from "../../shared/drawing/pool";
 
 /** Work that ends when it is told to. */
 function held() {
-  let end = () => {};
+  let end: () => void = () => undefined;
   const ended = new Promise<void>((resolve) => (end = resolve));
   return { ended, end };
 }

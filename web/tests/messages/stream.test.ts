@@ -1,11 +1,10 @@
 import { describe, expect, it } from "vitest";
-import { rsm } from "../../shared/messages/service";
-import { streamMessage } from "../../shared/messages/stream";
+import { readStreamMessage } from "../../shared/messages/stream";
 import { reconnectDelay, resubscriptions } from "../../shared/stream";
 
-const message = (channel: string, kind: string, data: unknown) => streamMessage({ channel, sequence: 7, kind, data }, "");
+const message = (channel: string, kind: string, data: unknown) => readStreamMessage({ channel, sequence: 7, kind, data });
 
-describe("streamMessage", () => {
+describe("readStreamMessage", () => {
   it("tells the state of a core from its derivation by the channel", () => {
     expect(message("core/12/derivation", "snapshot", { next: 4 }).news).toEqual({ type: "derivation_position", id: "12", next: 4 });
   });
@@ -22,7 +21,7 @@ describe("streamMessage", () => {
     for (const kind of ["snapshot", "delta"])
       expect(message("display/left", kind, data).news).toEqual({
         type: "display",
-        content: { display: "left", question: { kind: "number", id: 3, text: "How wide?", number } },
+        content: { display: "left", question: { id: 3, text: "How wide?", number } },
       });
     expect(() => message("display/left", "delta", { display: "left", question: { id: 3, text: "Go?" } })).toThrow("/data/question/buttons");
   });
@@ -31,11 +30,6 @@ describe("streamMessage", () => {
     expect(message("flow/camera/cloud", "delta", cloud).news).toEqual({ type: "packet", channel: "flow/camera/cloud", packet: cloud });
     const picture = { width: 1, height: 1, depth: "AAA=", colour: "AAAA" };
     expect(message("flow/camera/frame", "delta", { ...cloud, picture }).news).toMatchObject({ packet: { picture } });
-  });
-  it("reads what a service says of its flows, in words; other `meta` is its own affair", () => {
-    const flows = (meta: unknown) => rsm({ name: "camera", operations: [], events: [], meta }, "").flows;
-    expect(flows({ flows: { frame: "pictures", cloud: 3 } })).toEqual({ frame: "pictures" });
-    for (const other of [undefined, 3, "flows", { flows: "all" }, []]) expect(flows(other)).toEqual({});
   });
   it("refuses a channel that the contract does not have", () => {
     expect(() => message("weather", "snapshot", {})).toThrow("/channel");

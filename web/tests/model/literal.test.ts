@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { literal } from "../../shared/model/literal";
-import type { JsonValue } from "../../shared/json/decode";
+import type { JsonValue } from "../../shared/json";
 
 describe("literal", () => {
   it.each<[JsonValue, string]>([

@@ -1,13 +1,15 @@
 import { describe, expect, it } from "vitest";
-import { rcmDocument } from "../../shared/model/decodeModel";
+import * as schema from "../../generated/validators";
+import { check } from "../../shared/messages/check";
 import type { State } from "../../shared/model/model";
 import { withOracles } from "../../shared/model/oracles";
+import { readModel } from "../../shared/model/readModel";
 
-/** A translated model: Root with this dispatcher in front of A, as the server tells it. */
+/** A translated model: Root with this dispatcher in front of A, as the server sends it. */
 function translated(dispatcher: object): State {
   const ports = [{ name: "to_A", when: "par.choice == 'A'", to: "A" }];
   const root = { state: "Root", first: "Dispatcher", children: [{ state: "Dispatcher", ports, ...dispatcher }, { state: "A" }] };
-  return rcmDocument({ rcm: 1, root }, "").root;
+  return readModel(check(schema.native, { document: { rcm: 1, root }, origin: {} }).document).root;
 }
 const kOrigin = { Root: "Root", "Root/Dispatcher": "Root", "Root/A": "Root/A" };
 const choice = (from: string) => ({ parameters: [{ name: "choice", from }] });

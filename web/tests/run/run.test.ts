@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Core, CoreDelta, RunState, Values } from "../../shared/messages/core";
+import type { Core, CoreDelta, RunState, Values } from "../../generated/messages";
 import { buildTree } from "../../shared/model/modelTree";
 import { applyDelta, runningNow } from "../../shared/run/applyDelta";
 import { allowed, primary, statusText } from "../../shared/run/controls";
@@ -103,7 +103,7 @@ describe("words", () => {
   });
   it("say what the change of an atom would do, and what it reads", () => {
     const atom = { text: "res.w > 1", value: false, service: false, requires: [], reads: [{ text: "res.w", value: 0 }, { text: "par.x" }], blocks: true, wanted: true, together: false };
-    const why = { port: "A.p", condition: atom.text, value: false, active: false, stateActive: true, reason: "", atoms: [atom] } as const;
+    const why = { port: "A.p", condition: atom.text, value: false, active: false, state_active: true, reason: "", atoms: [atom] } as const;
     expect(atomAdvice(why, atom)).toBe("becoming true alone would fire this port");
     expect(atomAdvice(why, { ...atom, blocks: false, together: true })).toBe("becoming true would fire it, with the others marked so");
     expect(atomAdvice(why, { ...atom, blocks: false })).toBeUndefined();
@@ -111,17 +111,17 @@ describe("words", () => {
   });
   it("promise nothing from an atom of a port that cannot fire now, or has fired, and nothing from a constant", () => {
     const atom = { text: "res.w", value: false, service: false, requires: [], reads: [{ text: "res.w" }], blocks: true, wanted: true, together: false };
-    const why = { port: "A.p", condition: "res.w", value: false, active: false, stateActive: true, reason: "", atoms: [atom] } as const;
+    const why = { port: "A.p", condition: "res.w", value: false, active: false, state_active: true, reason: "", atoms: [atom] } as const;
     expect(atomAdvice(why, atom)).toBeDefined();
-    expect(atomAdvice({ ...why, stateActive: false }, atom)).toBeUndefined();
+    expect(atomAdvice({ ...why, state_active: false }, atom)).toBeUndefined();
     expect(atomAdvice({ ...why, active: true }, atom)).toBeUndefined();
     expect(atomAdvice(why, { ...atom, text: "False", reads: [] })).toBeUndefined();
   });
   describe("of a constant condition", () => {
     const atom = { text: "True", value: true, service: false, requires: [], reads: [], blocks: false, together: false };
     const reading = { ...atom, text: "par.x", reads: [{ text: "par.x", value: true }] };
-    const why = { port: "A.p", condition: "True", value: true, active: false, stateActive: false, reason: "Its state is not active.", atoms: [atom] } as const;
-    const never = { ...why, value: false, stateActive: true, reason: "It fires when `False` becomes true.", atoms: [{ ...atom, text: "False", value: false, blocks: true }] } as const;
+    const why = { port: "A.p", condition: "True", value: true, active: false, state_active: false, reason: "Its state is not active.", atoms: [atom] } as const;
+    const never = { ...why, value: false, state_active: true, reason: "It fires when `False` becomes true.", atoms: [{ ...atom, text: "False", value: false, blocks: true }] } as const;
     it("say that it is constant, why, and what follows", () => {
       expect(constantText(why)).toBe(
         "The condition is constant: it reads no parameter, result, variable, port or service data, so it is always true. Once its state is active, the port needs nothing more to fire.",
@@ -151,9 +151,9 @@ describe("words", () => {
     ]);
   });
   it("explain a port that is held back", () => {
-    const why = { port: "A.p", condition: "svc.s.e", value: true, active: false, stateActive: true, reason: "", atoms: [], held: "R9" } as const;
+    const why = { port: "A.p", condition: "svc.s.e", value: true, active: false, state_active: true, reason: "", atoms: [], held: "R9" } as const;
     expect(whyHeadline(why)).toBe("Held back by R9");
-    expect(whyHeadline({ ...why, stateActive: false })).toBe("Cannot fire: its state is not active");
+    expect(whyHeadline({ ...why, state_active: false })).toBe("Cannot fire: its state is not active");
     expect(whyHeadline({ ...why, active: true })).toBe("This port has fired");
     expect(whyHeadline({ ...why, value: null })).toBe("Does not fire");
   });

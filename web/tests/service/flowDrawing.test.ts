@@ -1,19 +1,19 @@
 import ELK from "elkjs/lib/elk.bundled.js";
 import { describe, expect, it } from "vitest";
 import type { ElkGraph, LayoutEngine } from "../../shared/drawing/elk";
-import type { Published, Service, Subscribed } from "../../shared/messages/service";
+import type { HostedService, PublishedFlow, SubscribedFlow } from "../../generated/messages";
 import { drawFlows, flowShape, flowsOf } from "../../shared/service/flowDrawing";
 
 const elk = new ELK();
 const engine: LayoutEngine = async (graph) => (await elk.layout(graph as Parameters<typeof elk.layout>[0])) as ElkGraph;
 
-function service(key: string, publishes: readonly Published[], subscribes: readonly Subscribed[]): Service {
-  const rsm = { name: key, operations: [], events: [], states: [], transitions: [], flows: {} };
+function service(key: string, publishes: readonly PublishedFlow[], subscribes: readonly SubscribedFlow[]): HostedService {
+  const rsm = { rsm: 1, name: key, operations: [], events: [] } as const;
   return { key, type: key, state: null, available: true, pending: [], violations: [], publishes, subscribes, rsm };
 }
 
 /** A camera at this rate that is read, and a service without flows. */
-function services(rate: number, listening: boolean): readonly Service[] {
+function services(rate: number, listening: boolean): readonly HostedService[] {
   return [
     service("obj_rec", [], [{ service: "camera", flow: "frame", listening }]),
     service("camera", [{ flow: "frame", watchers: 1, rate_hz: rate }], []),

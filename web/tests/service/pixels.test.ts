@@ -1,10 +1,10 @@
 import { describe, expect, it } from "vitest";
-import { streamMessage } from "../../shared/messages/stream";
+import { readStreamMessage } from "../../shared/messages/stream";
 import { depthColour, kFarthest, kNearest, pixels } from "../../shared/service/pixels";
-import { readJson } from "../conformance";
+import { readJson } from "../files";
 
 /** 2x1 pixels: 1.25 m away and not measured; (200, 10, 20) and (0, 128, 255). */
-const { news } = streamMessage(readJson(new URL("../../../api/examples/stream_message.flow_delta.json", import.meta.url)), "");
+const { news } = readStreamMessage(readJson(new URL("../../../api/examples/stream_message.flow_delta.json", import.meta.url)));
 const picture = news.type === "packet" ? news.packet.picture : undefined;
 if (picture === undefined) throw new Error("the example has no picture");
 

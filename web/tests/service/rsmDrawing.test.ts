@@ -1,29 +1,26 @@
 import ELK from "elkjs/lib/elk.bundled.js";
 import { describe, expect, it } from "vitest";
 import type { ElkGraph, LayoutEngine } from "../../shared/drawing/elk";
-import { rsm } from "../../shared/messages/service";
+import type { Rsm } from "../../generated/messages";
 import { drawRsm, splinePath } from "../../shared/service/rsmDrawing";
 
 const elk = new ELK();
 const engine: LayoutEngine = async (graph) => (await elk.layout(graph as Parameters<typeof elk.layout>[0])) as ElkGraph;
 
 /** Fig. 4.1: the simplified robot service. */
-const robot = rsm(
-  {
-    rsm: 1,
-    name: "robot",
-    operations: [{ name: "move" }, { name: "stop", safe: true }],
-    events: [{ name: "robot_state", sampled: true }],
-    states: [{ name: "Idle" }, { name: "Moving" }],
-    init: "Idle",
-    transitions: [
-      { id: "start", src: "Idle", dst: "Moving", operation: "move", defer: ["arrive"] },
-      { id: "arrive", src: "Moving", dst: "Idle" },
-      { id: "stop", dst: "Idle", operation: "stop", error: "aborted" },
-    ],
-  },
-  "",
-);
+const robot: Rsm = {
+  rsm: 1,
+  name: "robot",
+  operations: [{ name: "move" }, { name: "stop", safe: true }],
+  events: [{ name: "robot_state", sampled: true }],
+  states: [{ name: "Idle" }, { name: "Moving" }],
+  init: "Idle",
+  transitions: [
+    { id: "start", src: "Idle", dst: "Moving", operation: "move", defer: ["arrive"] },
+    { id: "arrive", src: "Moving", dst: "Idle" },
+    { id: "stop", dst: "Idle", operation: "stop", error: "aborted" },
+  ],
+};
 
 describe("drawRsm", async () => {
   const drawing = await drawRsm(engine, robot);
@@ -47,11 +44,11 @@ describe("drawRsm", async () => {
   });
   it("lets loops of a stateless service share an arrow", async () => {
     const loops = ["get", "add"].map((name) => ({ id: name, src: "Ready", dst: "Ready", operation: name }));
-    const stateless = { rsm: 1, name: "db", operations: [{ name: "get" }, { name: "add" }], events: [], states: [{ name: "Ready" }], transitions: loops };
-    const arrows = (await drawRsm(engine, rsm(stateless, ""))).arrows;
+    const stateless: Rsm = { rsm: 1, name: "db", operations: [{ name: "get" }, { name: "add" }], events: [], states: [{ name: "Ready" }], transitions: loops };
+    const arrows = (await drawRsm(engine, stateless)).arrows;
     expect(arrows.map((arrow) => [arrow.label.text, arrow.transitions])).toEqual([["get, add", ["get", "add"]]]);
     const anywhere = { ...stateless, transitions: loops.map(({ src: _, ...rest }) => rest) };
-    expect((await drawRsm(engine, rsm(anywhere, ""))).arrows.map((arrow) => arrow.label.text)).toEqual(["get, add"]);
+    expect((await drawRsm(engine, anywhere)).arrows.map((arrow) => arrow.label.text)).toEqual(["get, add"]);
   });
   it("links a deferred call with the transition that answers it", () => {
     expect(drawing.deferrals.map((link) => link.id)).toEqual(["start:arrive"]);

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Core, CoreDelta } from "../../shared/messages/core";
+import type { Core, CoreDelta } from "../../generated/messages";
 import type { News } from "../../shared/messages/stream";
 import { applyEvent, cellAway, emptySession, watchedCore, type Session } from "../../shared/session/session";
 import { applyGesture, firstView, initialView } from "../../shared/session/view";
@@ -34,7 +34,7 @@ describe("session", () => {
   });
   it("misses the cell without its server or its `robot`, whatever other services do", () => {
     const here = applyEvent(emptySession, { type: "connection", connection: "open" });
-    const rsm = { name: "x", operations: [], events: [], states: [], transitions: [], flows: {} };
+    const rsm = { rsm: 1, name: "x", operations: [], events: [] } as const;
     const service = (key: string, available: boolean) => ({ key, type: key, rsm, state: null, available, pending: [], violations: [], publishes: [], subscribes: [] });
     const cell = (robot: boolean) => cellAway(hear(here, { type: "services", services: [service("robot", robot), service("db", false)] }));
     expect([cellAway(emptySession), cellAway(here), cell(true), cell(false)]).toEqual(["the server is not there", undefined, undefined, "its process is not there"]);
@@ -47,7 +47,7 @@ describe("session", () => {
     expect([other.run, other.steps.length, other.model]).toEqual([undefined, 0, undefined]);
   });
   it("merges what changed of a service and keeps its model", () => {
-    const rsm = { name: "robot", operations: [], events: [], states: [], transitions: [], flows: {} };
+    const rsm = { rsm: 1, name: "robot", operations: [], events: [] } as const;
     const idle = { key: "robot", type: "robot", state: "Idle", available: true, pending: [], violations: [], publishes: [], subscribes: [], rsm };
     const known = hear(running, { type: "services", services: [idle] });
     const moved = hear(known, { type: "services_changed", services: [{ key: "robot", state: "Moving", available: true, pending: [], violations: [], publishes: [], subscribes: [] }] });

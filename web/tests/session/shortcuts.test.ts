@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Core } from "../../shared/messages/core";
+import type { Core } from "../../generated/messages";
 import { commandOf, keysOf, shortcutOf, shortcuts, type KeyPress } from "../../shared/session/shortcuts";
 
 const core: Core = { id: "1", document: "pick", status: "running", paused: false, stepping: false, step: 1, micro: 0, waiting: 0, arguments: {} };

@@ -1,0 +1,47 @@
+// A document as the pages see it: what may be absent in its JSON is empty here, and each node says what it is.
+import type { Document, RcmBarrier, RcmDeclaration, RcmParameter, RcmPort, RcmState } from "../../generated/messages";
+import { SchemaError } from "../messages/check";
+import type { Barrier, Declaration, Node, Parameter, Port, RcmDocument, State } from "./model";
+
+type Optional<T> = { readonly [K in keyof T]: T[K] | undefined };
+
+/** Leaves out the fields that are undefined, as optional properties demand. */
+function present<T extends object>(fields: Optional<T>): T {
+  return Object.fromEntries(Object.entries(fields).filter(([, value]) => value !== undefined)) as T;
+}
+
+const readParameter = ({ name, value, from, unit, doc }: RcmParameter): Parameter => present<Parameter>({ name, value, from, unit, doc });
+const readDeclaration = ({ name, initial }: RcmDeclaration): Declaration => present<Declaration>({ name, initial });
+const readBarrier = ({ barrier, to }: RcmBarrier): Barrier => ({ kind: "barrier", name: barrier, to });
+
+/** Only a port of a link may do without its condition, and a native model has no links. */
+function readPort({ name, when, to }: RcmPort): Port {
+  if (when === undefined) throw new SchemaError(`/${name}/when`, "the condition of a port", when);
+  return present<Port>({ name, when, to });
+}
+
+const readNode = (node: RcmState | RcmBarrier): Node => ("barrier" in node ? readBarrier(node) : readState(node));
+
+function readState(state: RcmState): State {
+  return present<State>({
+    kind: "state",
+    name: state.state,
+    doc: state.doc,
+    parameters: (state.parameters ?? []).map(readParameter),
+    results: (state.results ?? []).map(readDeclaration),
+    variables: (state.variables ?? []).map(readDeclaration),
+    entry: state.entry,
+    exit: state.exit,
+    actions: (state.actions ?? []).map((action) => ({ when: action.when, do: action.do })),
+    children: (state.children ?? []).map(readNode),
+    first: state.first,
+    ports: (state.ports ?? []).map(readPort),
+    link: state.link,
+    oracle: state.oracle?.kind,
+    dispatcher: undefined,
+  });
+}
+
+export function readModel({ name = "", services = {}, library = [], root }: Document): RcmDocument {
+  return { name, services, library: library.map(readState), root: readState(root) };
+}
