@@ -7,15 +7,15 @@
 #include <optional>
 #include <string>
 
-#include "services/component.h"
 #include "services/display/stage.h"
+#include "services/table_component.h"
 
 namespace race::audio {
 
 /// The RSM of every audio.
 const rsm::Service& model();
 
-class Audio final : public services::Component {
+class Audio final : public services::TableComponent {
  public:
   /// How long after its end a sound is still waited for [s]: the way to the browser and back.
   static constexpr services::Time kMargin = 2.0;
@@ -23,8 +23,7 @@ class Audio final : public services::Component {
   /// Plays on `speakers`, which outlive the component.
   Audio(display::Speakers& speakers, services::ServiceHost& host);
 
-  const rsm::Service& model() const override { return audio::model(); }
-  void call(const services::Call& call) override;
+  static const services::OperationTable& operations();
   void step() override;
 
  private:
@@ -37,11 +36,9 @@ class Audio final : public services::Component {
 
   void play(const services::Call& call, const Dict& arguments);
   void stop(const services::Call& call);
-  void refuse(const services::Call& call, Value error, const std::string& argument);
   void finish(const display::Playback& playback);
   void drop(std::string_view transition, std::string_view code, std::string_view message);
 
-  services::ServiceHost& host_;
   display::Speakers& speakers_;
   std::optional<Playing> playing_;
 };

@@ -2,7 +2,6 @@
 
 #include <cstring>
 
-#include "core/rsm/document.h"
 #include "services/camera/cloud.h"
 #include "services/camera/noise.h"
 #include "services/camera/view.h"
@@ -16,20 +15,6 @@ constexpr std::string_view kFrame = "frame", kCloud = "cloud";
 constexpr services::Time kLatency = 1.0 / 30;
 // In real time pictures are left out rather than piled up.
 constexpr int kMostUnderWay = 2;
-
-constexpr std::string_view kModel = R"json({
-  "rsm": 1, "name": "KinectDriver",
-  "operations": [
-    {"name": "info",
-     "result": {"record": {"width": "number", "height": "number", "fx": "number", "fy": "number", "cx": "number",
-                           "cy": "number", "nearest": "number", "farthest": "number", "rate_hz": "number"}},
-     "doc": "The pinhole [pixels], the range [m] and the rate [1/s]."}
-  ],
-  "states": [{"name": "Ready"}], "init": "Ready",
-  "transitions": [{"id": "info", "src": "Ready", "dst": "Ready", "operation": "info"}],
-  "meta": {"flows": {"frame": "depth and colour of 640x480 pixels (services/camera/README.md)",
-                     "cloud": "the points that were measured, with their colours (services/camera/README.md)"}}
-})json";
 
 Dict intrinsics_value(const Intrinsics& k) {
   return {{"width", k.width}, {"height", k.height}, {"fx", k.fx}, {"fy", k.fy}, {"cx", k.cx}, {"cy", k.cy}};
@@ -53,36 +38,30 @@ services::PacketPtr to_frame(const Measurement& picture, const Intrinsics& intri
 
 }  // namespace
 
-const rsm::Service& model() {
-  static const rsm::Service service = rsm::read_service_text(kModel, "services/camera").value();
-  return service;
-}
-
 Camera::Camera(services::ServiceHost& host, const world::World& world, std::uint64_t seed)
-    : host_(host), world_(world), mount_(world.scene().camera.value()), seed_(seed) {}
+    : TableComponent(operations(), host), world_(world), mount_(world.scene().camera.value()), seed_(seed) {}
 
-void Camera::call(const services::Call& call) {
-  host_.transition("info", call.id);
+void Camera::info(const services::Call& call) {
   Dict info = intrinsics_value(intrinsics_);
   info.set("nearest", kKinectNearest);
   info.set("farthest", kKinectFarthest);
   info.set("rate_hz", mount_.rate_hz);
-  host_.result(call.id, std::move(info));
+  host().result(call.id, std::move(info));
 }
 
 void Camera::demand_changed(std::string_view flow, bool on) {
   if (flow != kFrame && flow != kCloud) return;
-  if (wanted_.empty()) next_ = host_.now();
+  if (wanted_.empty()) next_ = host().now();
   if (on)
     wanted_.emplace(flow);
   else
     wanted_.erase(std::string(flow));
-  if (on && !worker_) worker_ = std::make_unique<services::Worker>(host_);
+  if (on && !worker_) worker_ = std::make_unique<services::Worker>(host());
 }
 
 void Camera::step() {
   constexpr services::Time kTolerance = 5e-7;
-  const services::Time now = host_.now();
+  const services::Time now = host().now();
   if (wanted_.empty() || now < next_ - kTolerance) return;
   next_ += 1 / mount_.rate_hz;
   if (next_ < now) next_ = now;
@@ -91,7 +70,7 @@ void Camera::step() {
 
 void Camera::take_picture() {
   ++under_way_;
-  const services::Time time = host_.now();
+  const services::Time time = host().now();
   // Each picture has noise of its own; seeds of neighbouring runs must not give each other's pictures.
   const std::uint64_t seed = seed_ * 0xD1342543DE82EF95U + ++pictures_;
   worker_->submit(time + kLatency, [this, time, seed, with_frame = wanted_.contains(kFrame),
@@ -102,8 +81,8 @@ void Camera::take_picture() {
     if (with_cloud) cloud = to_cloud(picture, intrinsics_, time);
     return [this, frame = std::move(frame), cloud = std::move(cloud)] {
       --under_way_;
-      if (frame && wanted_.contains(kFrame)) host_.publish(kFrame, frame);
-      if (cloud && wanted_.contains(kCloud)) host_.publish(kCloud, cloud);
+      if (frame && wanted_.contains(kFrame)) host().publish(kFrame, frame);
+      if (cloud && wanted_.contains(kCloud)) host().publish(kCloud, cloud);
     };
   });
 }

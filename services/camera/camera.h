@@ -11,8 +11,8 @@
 #include <string>
 
 #include "services/camera/intrinsics.h"
-#include "services/component.h"
 #include "services/host/worker.h"
+#include "services/table_component.h"
 #include "services/world/world.h"
 
 namespace race::camera {
@@ -20,22 +20,21 @@ namespace race::camera {
 /// The RSM of every camera.
 const rsm::Service& model();
 
-class Camera final : public services::Component {
+class Camera final : public services::TableComponent {
  public:
   /// Looks at `world` from where its scene has a camera, which it requires. All outlive the component. `seed` is that
   /// of the noise.
   Camera(services::ServiceHost& host, const world::World& world, std::uint64_t seed);
 
-  const rsm::Service& model() const override { return camera::model(); }
-  void call(const services::Call& call) override;
+  static const services::OperationTable& operations();
   void step() override;
   void demand_changed(std::string_view flow, bool on) override;
   void stop() override { worker_.reset(); }
 
  private:
+  void info(const services::Call& call);
   void take_picture();
 
-  services::ServiceHost& host_;
   const world::World& world_;
   const world::CameraMount mount_;
   const Intrinsics intrinsics_ = kinect();

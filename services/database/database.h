@@ -11,28 +11,29 @@
 // Threads: its group's.
 #pragma once
 
-#include <memory>
-
-#include "services/component.h"
 #include "services/database/store.h"
+#include "services/table_component.h"
 
 namespace race::database {
 
 /// The RSM of every database.
 const rsm::Service& model();
 
-class Database final : public services::Component {
+class Database final : public services::TableComponent {
  public:
   Database(Store store, services::ServiceHost& host);
 
-  const rsm::Service& model() const override { return database::model(); }
-  void call(const services::Call& call) override;
+  static const services::OperationTable& operations();
 
  private:
-  Expected<Value> answer(const services::Call& call);
+  void get(const services::Call& call, const Dict& arguments);
+  void add(const services::Call& call, const Dict& arguments);
+  void remove(const services::Call& call, const Dict& arguments);
+  void list(const services::Call& call, const Dict& arguments);
+  void answer(const services::Call& call, Expected<Value> value);
+  void refuse_arguments(const services::Call& call, const Error& error) override;
 
   Store store_;
-  services::ServiceHost& host_;
 };
 
 }  // namespace race::database

@@ -11,7 +11,9 @@
 #include "core/value/expected.h"
 #include "core/value/value.h"
 
-struct sqlite3;
+namespace SQLite {
+class Database;
+}
 
 namespace race::database {
 
@@ -23,6 +25,8 @@ class Store {
 
   /// Opens the file, or makes it; ":memory:" is a store that is gone with this. Errors: `io`.
   static Expected<Store> open(const std::string& path);
+  Store(Store&&) noexcept;
+  ~Store();
 
   /// Errors of all: `io`. `not_found`: no such key.
   Expected<Value> get(std::string_view key);
@@ -35,13 +39,9 @@ class Store {
   Expected<std::vector<std::string>> keys(std::string_view prefix);
 
  private:
-  struct Close {
-    void operator()(sqlite3* file) const;
-  };
-  explicit Store(sqlite3* file) : file_(file) {}
-  Error failure(std::string_view what) const;
+  explicit Store(std::unique_ptr<SQLite::Database> file);
 
-  std::unique_ptr<sqlite3, Close> file_;
+  std::unique_ptr<SQLite::Database> file_;
 };
 
 }  // namespace race::database

@@ -7,15 +7,15 @@
 #include <optional>
 #include <string>
 
-#include "services/component.h"
 #include "services/display/stage.h"
+#include "services/table_component.h"
 
 namespace race::display {
 
 /// The RSM of every display.
 const rsm::Service& model();
 
-class Display final : public services::Component {
+class Display final : public services::TableComponent {
  public:
   /// How long a question waits for its last display to come back [s]: a page that is reloaded loses nothing.
   static constexpr services::Time kPatience = 5.0;
@@ -23,7 +23,7 @@ class Display final : public services::Component {
   /// Shows on `stage`, which outlives the component. Images that are no data URLs are files of `folder`.
   Display(Stage& stage, std::string folder, services::ServiceHost& host);
 
-  const rsm::Service& model() const override { return display::model(); }
+  static const services::OperationTable& operations();
   void call(const services::Call& call) override;
   void step() override;
 
@@ -39,12 +39,11 @@ class Display final : public services::Component {
   void show(const services::Call& call, const Dict& arguments);
   void ask(const services::Call& call, const Dict& arguments);
   void clear(const services::Call& call, const Dict& arguments);
-  void refuse(const services::Call& call, const Error& error);
-  void take();
+  void refuse_arguments(const services::Call& call, const Error& error) override;
+  void take_happenings();
   void answered(const Happening& happening);
   void drop(std::string_view transition, std::string_view code, std::string_view message);
 
-  services::ServiceHost& host_;
   Stage& stage_;
   std::string folder_;
   std::optional<Waiting> waiting_;

@@ -3,8 +3,8 @@
 // Threads: its group's. step() follows the world's step and sets the force of the next one.
 #pragma once
 
-#include "services/component.h"
 #include "services/gripper/control_unit.h"
+#include "services/table_component.h"
 #include "services/world/world.h"
 
 namespace race::gripper {
@@ -12,22 +12,22 @@ namespace race::gripper {
 /// The RSM of every gripper.
 const rsm::Service& model();
 
-class Gripper final : public services::Component {
+class Gripper final : public services::TableComponent {
  public:
   /// Drives the gripper of `world`. Both outlive the component.
   Gripper(services::ServiceHost& host, world::World& world);
 
-  const rsm::Service& model() const override { return gripper::model(); }
-  void call(const services::Call& call) override;
+  static const services::OperationTable& operations();
   void step() override;
 
  private:
-  void move(const services::Call& call);
+  void grasp(const services::Call& call, const Dict& arguments);
+  void release(const services::Call& call, const Dict& arguments);
   void stop(const services::Call& call);
+  void report_state(const services::Call& call);
   void finish(Outcome outcome);
   Value state() const;
 
-  services::ServiceHost& host_;
   world::World& world_;
   ControlUnit unit_;
   services::CallId moving_ = 0;  // the grasp or release that waits for its end; 0: none

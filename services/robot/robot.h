@@ -6,8 +6,8 @@
 
 #include <optional>
 
-#include "services/component.h"
 #include "services/robot/control_unit.h"
+#include "services/table_component.h"
 #include "services/world/clearance.h"
 #include "services/world/world.h"
 
@@ -16,29 +16,27 @@ namespace race::robot {
 /// The RSM of every robot.
 const rsm::Service& model();
 
-class Robot final : public services::Component {
+class Robot final : public services::TableComponent {
  public:
   /// Drives the arm of `world`. Both outlive the component. `seed` is that of the search for free paths. Error `type`:
   /// the world's robot is no such arm.
   static Expected<std::unique_ptr<Robot>> create(services::ServiceHost& host, world::World& world, unsigned seed = 1);
 
-  const rsm::Service& model() const override { return robot::model(); }
-  void call(const services::Call& call) override;
+  static const services::OperationTable& operations();
   void step() override;
 
  private:
   Robot(services::ServiceHost& host, world::World& world, ArmModel arm, unsigned seed);
 
-  void move(const services::Call& call);
-  void carry(const std::optional<Vec3>& part);
+  void move(const services::Call& call, const Dict& arguments);
+  void set_payload(const std::optional<Vec3>& part);
   void stop(const services::Call& call);
-  void change_behavior(const services::Call& call);
-  void speed_override(const services::Call& call);
-  void record_pose(const services::Call& call);
+  void change_behavior(const services::Call& call, const Dict& arguments);
+  void speed_override(const services::Call& call, const Dict& arguments);
+  void record_pose(const services::Call& call, const Dict& arguments);
   Value place() const;
   void finish_move(const std::optional<Refusal>& failure);
 
-  services::ServiceHost& host_;
   world::World& world_;
   world::Clearance clearance_;                 // of the arm alone
   std::optional<world::Clearance> with_part_;  // of the arm and what it carries, as the last move said

@@ -9,26 +9,25 @@
 // Threads: its group's.
 #pragma once
 
-#include "services/component.h"
+#include "services/table_component.h"
 
 namespace race::timer {
 
 /// The RSM of every timer.
 const rsm::Service& model();
 
-class Timer final : public services::Component {
+class Timer final : public services::TableComponent {
  public:
   explicit Timer(services::ServiceHost& host);
 
-  const rsm::Service& model() const override { return timer::model(); }
-  void call(const services::Call& call) override;
+  static const services::OperationTable& operations();
   void step() override;
 
  private:
-  void start(const services::Call& call);
+  void start(const services::Call& call, const Dict& arguments);
   void cancel(const services::Call& call);
+  void refuse_arguments(const services::Call& call, const Error& error) override;
 
-  services::ServiceHost& host_;
   services::CallId running_ = 0;  // the start that waits; 0: none
   services::Time started_ = 0, seconds_ = 0, next_tick_ = 0;
 };

@@ -1,5 +1,6 @@
 #include "services/database/database.h"
 
+#include <SQLiteCpp/Database.h>
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -112,6 +113,21 @@ TEST(DatabaseFile, ThatCannotBeOpenedIsAnError) {
   ASSERT_FALSE(store);
   EXPECT_EQ(store.error().code, ErrorCode::io);
   EXPECT_EQ(store.error().path, "/nowhere/at/all.sqlite");
+}
+
+TEST(DatabaseFile, ThatHasLostItsTableAnswersIo) {
+  const auto path = std::filesystem::path(testing::TempDir()) / "race_database_test_broken.sqlite";
+  for (const char* suffix : {"", "-wal", "-shm"}) std::filesystem::remove(path.string() + suffix);
+  Bench bench;
+  bench.add<Database>("db", Store::open(path).value());
+  SQLite::Database(path.string(), SQLite::OPEN_READWRITE).exec("DROP TABLE entry");
+  bench.call("db", "get", {"x"});
+  bench.call("db", "add", {"x", 1});
+  bench.call("db", "remove", {"x"});
+  bench.call("db", "list");
+  EXPECT_THAT(bench.responses(), ElementsAre("db.get !> io", "db.add !> io", "db.remove !> io", "db.list !> io"));
+  EXPECT_EQ(bench.deliveries.front().data,
+            Value(Dict{{"code", "io"}, {"message", "cannot read `x`: no such table: entry"}}));
 }
 
 }  // namespace

@@ -1,0 +1,164 @@
+#include "core/value/json.h"
+#include "services/robot/behavior_value.h"
+#include "services/robot/robot.h"
+#include "services/types.h"
+
+namespace race::robot {
+namespace {
+
+namespace types = services::types;
+using services::EventRow;
+using services::OperationRow;
+
+Value joints_type() { return types::list("number", 7); }
+Value vector_type() { return types::list("number", 3); }
+Value behavior_type() { return parse_json(kBehaviorType).value(); }
+Value place_type() { return types::record({{"pose", "pose"}, {"q", joints_type()}}); }
+
+/// Of an operation that refuses arguments.
+Value error_type() {
+  return types::record({{"code", "string"}, {"message", "string"}, {"argument", types::optional("string")}});
+}
+
+/// Data of the events `contact` and `collision`.
+Value contact_type() {
+  return types::record({{"link", "string"},
+                        {"severity", types::one_of({"light", "medium", "severe"})},
+                        {"classification", types::one_of({"accidental", "intended"})},
+                        {"reaction", types::one_of({"none", "stop", "gravity_compensation", "retreat", "slow_down"})},
+                        {"f_ext_hat", vector_type()},
+                        {"m_ext_hat", vector_type()},
+                        {"tau_ext_hat", joints_type()}});
+}
+
+std::vector<services::ParameterRow> move_parameters() {
+  return {
+      {.name = "target",
+       .type = "any",
+       .doc = "{position, orientation} of the tool centre point in o [m], {joints: [7]} [rad], or {offset: [3]} from "
+              "here, along o [m]"},
+      {.name = "behavior",
+       .type = types::optional(behavior_type()),
+       .doc = "how it moves and reacts, from now on; else as it is"},
+      {.name = "kind",
+       .type = types::optional(types::one_of({"ptp", "lin", "free"})),
+       .doc = "point-to-point, linear, or around what stands in the cell; else lin for an offset, ptp for others"},
+      {.name = "speed", .type = "number", .min = 0.001, .max = 1, .value = 0.5, .doc = "share of the speed limits"},
+      {.name = "acceleration",
+       .type = "number",
+       .min = 0.001,
+       .max = 1,
+       .value = 0.5,
+       .doc = "share of the acceleration limits"},
+      {.name = "carried",
+       .type = types::optional(types::record({{"box", vector_type()}})),
+       .doc = "what the jaws hold, for free motions: edges [m] of a box around the tool centre point, along the tool's "
+              "axes"},
+  };
+}
+
+OperationRow move_row(services::Handler handler) {
+  return {.name = "move",
+          .handler = std::move(handler),
+          .parameters = move_parameters(),
+          .result = place_type(),
+          .error = types::record({{"code", "string"},
+                                  {"message", "string"},
+                                  {"argument", types::optional("string")},
+                                  {"reaction", types::optional("string")}}),
+          .doc =
+              "Moves the tool centre point and answers when it has arrived, or with the signal of the reflex that "
+              "interrupted it."};
+}
+
+EventRow robot_state_row() {
+  return {.name = "robot_state",
+          .data = types::record({{"q", joints_type()},
+                                 {"dq", joints_type()},
+                                 {"tau", joints_type()},
+                                 {"pose", "pose"},
+                                 {"f_ext_hat", vector_type()},
+                                 {"m_ext_hat", vector_type()},
+                                 {"tau_ext_hat", joints_type()}}),
+          .sampled = true,
+          .rate_hz = 100,
+          .doc = "pose and external force at the tool centre point, in o"};
+}
+
+std::vector<EventRow> events() {
+  return {
+      robot_state_row(),
+      {.name = "contact",
+       .data = contact_type(),
+       .doc = "an external joint torque has passed its threshold; `link`: where, or farther out"},
+      {.name = "collision",
+       .data = contact_type(),
+       .doc = "a contact that is accidental or more than light; again when it becomes more severe"},
+      {.name = "force_limit",
+       .data = types::record({{"reaction", "string"},
+                              {"f_ext_hat", vector_type()},
+                              {"m_ext_hat", vector_type()},
+                              {"tau_ext_hat", joints_type()}})},
+      {.name = "virtual_wall", .data = types::record({{"reaction", "string"}, {"pose", "pose"}})},
+      {.name = "joint_limit", .data = types::record({{"reaction", "string"}, {"joint", "int"}, {"q", joints_type()}})},
+  };
+}
+
+/// In each state, all events may come.
+rsm::ServiceState state(const char* name) {
+  return {name, {"robot_state", "contact", "collision", "force_limit", "virtual_wall", "joint_limit"}};
+}
+
+}  // namespace
+
+// A move that is refused takes `move` and at once `done`, which answers it with the error: nothing moves.
+const services::OperationTable& Robot::operations() {
+  static const services::OperationTable table({
+      .name = "robot",
+      .operations =
+          {
+              move_row(&Robot::move),
+              {.name = "stop",
+               .handler = &Robot::stop,
+               .safe = true,
+               .doc = "Brakes as hard as it may and holds; a move is answered `stopped`."},
+              {.name = "change_behavior",
+               .handler = &Robot::change_behavior,
+               .parameters = {{.name = "behavior", .type = "any", .doc = "as of move, or the name of a mode"}},
+               .error = error_type(),
+               .doc = "How it holds, or gives way, and reacts from now on."},
+              {.name = "speed_override",
+               .handler = &Robot::speed_override,
+               .parameters = {{.name = "share",
+                               .type = "number",
+                               .min = 0,
+                               .max = 1,
+                               .doc = "of the planned speed; 0 pauses on the path"}},
+               .error = error_type(),
+               .doc = "Scales the speed of all motions, the present one too."},
+              {.name = "record_pose",
+               .handler = &Robot::record_pose,
+               .result = place_type(),
+               .error = types::record({{"code", "string"}, {"message", "string"}}),
+               .doc = "Where a hand has led the arm: in gravity compensation."},
+          },
+      .events = events(),
+      .states = {state("Idle"), state("Moving")},
+      .init = "Idle",
+      .transitions =
+          {
+              {.id = "move", .src = "Idle", .dst = "Moving", .operation = "move", .defer = {"done"}, .refused = "done"},
+              {.id = "done", .src = "Moving", .dst = "Idle"},
+              {.id = "stop", .dst = "Idle", .operation = "stop", .error = "stopped"},
+              {.id = "change_behavior", .src = "Idle", .dst = "Idle", .operation = "change_behavior"},
+              {.id = "override", .src = "Idle", .dst = "Idle", .operation = "speed_override"},
+              {.id = "override_moving", .src = "Moving", .dst = "Moving", .operation = "speed_override"},
+              {.id = "record_pose", .src = "Idle", .dst = "Idle", .operation = "record_pose"},
+          },
+  });
+  return table;
+}
+
+const rsm::Service& model() { return Robot::operations().model(); }
+
+}  // namespace race::robot
