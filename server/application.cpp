@@ -20,9 +20,9 @@ Checked<std::unique_ptr<Application>> Application::create(const Setup& setup) {
   app->hub_ = std::make_unique<Hub>(*app->stream_pool_, setup.first_sequence,
                                     [self = app.get()](const std::string& name) { return self->find_channel(name); });
   app->displays_ = std::make_unique<Displays>(app->screens_, *app->hub_);
-  std::vector<FurtherService> further = screen_services(app->screens_, setup.demo);
-  further.insert(further.end(), setup.further.begin(), setup.further.end());
-  CellSetup cell_setup{setup.demo, data / "database.sqlite", true, std::move(further)};
+  std::vector<ExtraService> extra_services = screen_services(app->screens_, setup.demo);
+  extra_services.insert(extra_services.end(), setup.extra_services.begin(), setup.extra_services.end());
+  CellSetup cell_setup{setup.demo, data / "database.sqlite", true, std::move(extra_services)};
   cell_setup.remote = setup.remote;
   cell_setup.heartbeat = setup.heartbeat;
   auto cell = Cell::create(cell_setup, *app);

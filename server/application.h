@@ -31,7 +31,7 @@ class Application final : public CoreWatcher, public services::HostObserver {
     std::string data;  // folder for documents and the database; it exists
     std::string demo;  // folder with scene.json, database.json and *.rcm.json; may be empty
     std::int64_t first_sequence = 1;
-    std::vector<FurtherService> further = {};
+    std::vector<ExtraService> extra_services = {};
     std::optional<OperatorScript> script = {};  // begins anew with each run that is started
     std::vector<std::string> remote = {};       // as of CellSetup
     std::chrono::milliseconds heartbeat{1000};  // of their processes

@@ -11,7 +11,7 @@ namespace race::server {
 int refuse(const std::vector<Error>& errors, bool json) {
   if (json) std::printf("%s\n", to_json(semantics::errors_json(errors), 1).c_str());
   for (const Error& error : errors) std::fprintf(stderr, "%s\n", to_string(error).c_str());
-  return kBadInput;
+  return kExitBadInput;
 }
 
 int refuse(const Error& error, bool json) { return refuse(std::vector<Error>{error}, json); }
@@ -23,7 +23,7 @@ std::string usage(const Command& command) {
 
 int misused(const Command& command) {
   std::fputs(usage(command).c_str(), stderr);
-  return kBadInput;
+  return kExitBadInput;
 }
 
 namespace {
@@ -52,12 +52,12 @@ int run_command(std::span<const Command* const> commands, const std::vector<std:
   if (command && (help || std::ranges::any_of(words, asks_for_help))) {
     std::printf("%s: %s\n", std::string(command->name).c_str(), std::string(command->text).c_str());
     std::fputs(usage(*command).c_str(), stdout);
-    return kFine;
+    return kExitOk;
   }
   if (command) return command->run({words.begin() + 1, words.end()});
   const bool asked = help && words.size() == 1;
   std::fputs(overview(commands).c_str(), asked ? stdout : stderr);
-  return asked ? kFine : kBadInput;
+  return asked ? kExitOk : kExitBadInput;
 }
 
 }  // namespace race::server

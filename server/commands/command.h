@@ -12,9 +12,9 @@
 
 namespace race::server {
 
-inline constexpr int kFine = 0;
-inline constexpr int kFound = 1;  // faulted, property violated
-inline constexpr int kBadInput = 2;
+inline constexpr int kExitOk = 0;
+inline constexpr int kExitFindings = 1;  // faulted, property violated
+inline constexpr int kExitBadInput = 2;
 
 /// What a command is called by and does. All that is told of how it is used stands here.
 struct Command {
@@ -26,15 +26,16 @@ struct Command {
 extern const Command kServe, kService, kRun, kDerive, kCheck, kTranslate, kFmt;
 
 /// Prints errors as `path: code: message` to stderr, with `json` also as {"errors": [...]} to stdout. Returns
-/// kBadInput.
+/// kExitBadInput.
 int refuse(const std::vector<Error>& errors, bool json = false);
 int refuse(const Error& error, bool json = false);
 /// How a command is called, and what its options mean.
 std::string usage(const Command& command);
-/// Prints the usage to stderr. Returns kBadInput.
+/// Prints the usage to stderr. Returns kExitBadInput.
 int misused(const Command& command);
 /// Runs the command that `words` begins with, or prints to stdout how commands are used, if that is what is asked for
-/// (`help`, `--help`, `-h`, before or after a command's name). What is no command: kBadInput, and the same to stderr.
+/// (`help`, `--help`, `-h`, before or after a command's name). What is no command: kExitBadInput, and the same to
+/// stderr.
 int run_command(std::span<const Command* const> commands, const std::vector<std::string>& words);
 
 }  // namespace race::server

@@ -19,7 +19,7 @@ int derive(const std::vector<std::string>& arguments) {
   const auto document = semantics::derive_texts(*model, *script);
   if (!document) return refuse(document.error(), true);
   std::printf("%s\n", to_json(*document, 1).c_str());
-  return document->find("status")->as_string() == "faulted" ? kFound : kFine;
+  return document->find("status")->as_string() == "faulted" ? kExitFindings : kExitOk;
 }
 
 }  // namespace

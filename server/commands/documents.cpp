@@ -33,7 +33,7 @@ int translate(const std::vector<std::string>& arguments) {
   out.set("root", rcm::write_state(native->root));
   out.set("origin", std::move(origin));
   std::printf("%s\n", to_json(out, 2).c_str());
-  return kFine;
+  return kExitOk;
 }
 
 // race fmt [--write] MODEL...: the documents as files should hold them, on stdout or in place.
@@ -54,7 +54,7 @@ int format(const std::vector<std::string>& arguments) {
     out << text;
     if (!out.flush()) return refuse(Error{ErrorCode::io, "cannot be written", path});
   }
-  return kFine;
+  return kExitOk;
 }
 
 // race check MODEL [RSM...] [--json]: all violations of a document and of service descriptions.
@@ -76,7 +76,7 @@ int check(const std::vector<std::string>& arguments) {
   }
   if (!errors.empty()) return refuse(errors, json);
   if (json) std::printf("%s\n", to_json(semantics::errors_json({}), 1).c_str());
-  return kFine;
+  return kExitOk;
 }
 
 }  // namespace

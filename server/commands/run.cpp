@@ -60,7 +60,7 @@ int run_task(const std::vector<std::string>& words) {
   setup.cell.folder = options->text("--cell", std::filesystem::path(model).parent_path());
   if (setup.cell.folder.empty()) setup.cell.folder = ".";
   setup.cell.database = options->text("--database", ":memory:");
-  setup.cell.further = screen_services(screens, setup.cell.folder);
+  setup.cell.extra_services = screen_services(screens, setup.cell.folder);
   setup.fast = options->has("--fast");
   setup.limit_s = *limit;
   setup.cell.seed = static_cast<std::uint64_t>(*seed);
@@ -76,7 +76,7 @@ int run_task(const std::vector<std::string>& words) {
   });
   std::cout.flush();
   if (!status) return refuse(status.error(), json);
-  return *status == semantics::Status::ended ? kFine : kFound;
+  return *status == semantics::Status::ended ? kExitOk : kExitFindings;
 }
 
 }  // namespace

@@ -61,12 +61,12 @@ int serve(const std::vector<std::string>& words) {
   if (!app) return refuse(app.error());
   // Without clients, no pages; the interface is there all the same.
   const std::string web = options->has("--headless") ? "" : options->text("--web");
-  auto server = HttpServer::listen(static_cast<std::uint16_t>(*port), web, behind_the_door(**app));
+  auto server = HttpServer::listen(static_cast<std::uint16_t>(*port), web, make_backend(**app));
   if (!server) return refuse(server.error());
   std::printf("race listens on http://127.0.0.1:%u\n", static_cast<unsigned>((*server)->port()));
   std::fflush(stdout);
   (*server)->run();
-  return kFine;
+  return kExitOk;
 }
 
 }  // namespace

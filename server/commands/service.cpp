@@ -78,7 +78,7 @@ Expected<void> serve(remote::RemoteUnit& unit, Session& session) {
   return {};
 }
 
-int be_a_service(const std::vector<std::string>& words) {
+int run_service(const std::vector<std::string>& words) {
   const auto options = read_options(words, kService.arguments);
   if (!options) return refuse(options.error());
   if (options->rest.size() != 1 || !options->has("--server")) return misused(kService);
@@ -123,18 +123,18 @@ int be_a_service(const std::vector<std::string>& words) {
       if (auto served = serve(unit, session); !served) return refuse(served.error());
     } catch (const std::exception& failure) {
       std::fprintf(stderr, "%s: died: %s\n", name.c_str(), failure.what());
-      return kFound;
+      return kExitFindings;
     }
     if (!ended) say(name + " has lost the server: " + session.why);
   }
-  return kFine;
+  return kExitOk;
 }
 
 }  // namespace
 
 const Command kService = {
     "service", "UNIT --server URL [--folder DIR] [--database FILE]",
-    "runs one unit of a server's cell as a process, which may die", be_a_service, [] {
+    "runs one unit of a server's cell as a process, which may die", run_service, [] {
       return "  UNIT              " + unit_names() +
              "\n"
              "  --server URL      http://127.0.0.1:8080, where it runs; waits for it, and again when it was lost\n"

@@ -24,7 +24,7 @@ Dict summary(const Run& run, Cell& cell) {
   out.set("results", root_results(run));
   out.set("time", cell.clock().now());
   out.set("steps", integer(run.position()));
-  if (const InsideWorld* world = cell.inside()) out.set("cell", world->pose(cell.clock().now()));
+  if (const LocalWorld* world = cell.local_world()) out.set("cell", world->pose(cell.clock().now()));
   return out;
 }
 

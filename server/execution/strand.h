@@ -47,12 +47,12 @@ class Strand {
   /// Posts `function` and waits for its value, at most `patience`: nothing if the strand was busy for longer, in which
   /// case the function still runs, later. So it must hold what it needs. Not to be called on the strand itself.
   template <typename F>
-  auto ask(F function, std::chrono::milliseconds patience = std::chrono::seconds(5))
+  auto ask(F function, std::chrono::milliseconds timeout = std::chrono::seconds(5))
       -> std::optional<std::invoke_result_t<F>> {
     auto task = std::make_shared<std::packaged_task<std::invoke_result_t<F>()>>(std::move(function));
     auto answer = task->get_future();
     post([task] { (*task)(); });
-    if (answer.wait_for(patience) != std::future_status::ready) return std::nullopt;
+    if (answer.wait_for(timeout) != std::future_status::ready) return std::nullopt;
     try {
       return answer.get();
     } catch (const std::future_error&) {  // the pool has ended

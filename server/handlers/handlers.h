@@ -36,7 +36,7 @@ Handled get_core_journal(const Request& request, Application& app);
 Handled get_why(const Request& request, Application& app);
 Handled get_cell(const Request& request, Application& app);
 Handled get_person(const Request& request, Application& app);
-Handled act_as_person(const Request& request, Application& app);
+Handled execute_person_command(const Request& request, Application& app);
 Handled get_cell_file(const Request& request, Application& app);
 
 // For the handlers.

@@ -17,7 +17,7 @@ Value errors_json(const std::vector<Error>& errors);
 int status_of(const std::vector<Error>& errors);
 
 Reply refusal(const std::vector<Error>& errors);
-/// One error of the door itself, with a code that no document has.
+/// One error of the HTTP layer itself, with a code that no document has.
 Reply refusal(int status, const std::string& code, const std::string& message);
 
 }  // namespace race::server

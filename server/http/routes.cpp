@@ -32,7 +32,7 @@ constexpr std::array kRoutes = {
     Route{"GET", "/api/v1/cores/{id}/why", get_why},
     Route{"GET", "/api/v1/cell", get_cell},
     Route{"GET", "/api/v1/cell/person", get_person},
-    Route{"POST", "/api/v1/cell/person", act_as_person},
+    Route{"POST", "/api/v1/cell/person", execute_person_command},
     Route{"GET", "/api/v1/cell/{file}", get_cell_file},
 };
 
@@ -87,7 +87,7 @@ Reply handle(Request request, Application& app) {
   return reply;
 }
 
-Backend behind_the_door(Application& app) {
+Backend make_backend(Application& app) {
   return {[&app](Request request) { return handle(std::move(request), app); }, app.hub(), app.displays(),
           app.cell().remotes(), [&app](const std::string& text) { app.log("server", text); }};
 }

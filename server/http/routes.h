@@ -25,6 +25,6 @@ std::optional<std::map<std::string, std::string, std::less<>>> match(std::string
 /// mistake of ours) is answered 500; the server goes on.
 Reply handle(Request request, Application& app);
 /// The application as the sockets see it.
-Backend behind_the_door(Application& app);
+Backend make_backend(Application& app);
 
 }  // namespace race::server

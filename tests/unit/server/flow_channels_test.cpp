@@ -28,7 +28,7 @@ class Tap final : public services::Component {
   bool is_wanted = false;
 };
 
-class Client final : public Listener {
+class Client final : public Subscriber {
  public:
   Outbox& outbox() override { return box; }
   void wake() override {}

@@ -1,4 +1,4 @@
-#include "server/http/door.h"
+#include "server/http/request_filter.h"
 
 #include <algorithm>
 #include <charconv>
@@ -26,8 +26,8 @@ std::optional<Reply> refuse_body(const Request& request) {
       return refusal(400, "content_length", "Content-Length is no number");
   }
   if (bytes == 0) return std::nullopt;
-  if (bytes > Door::kBodyBytes)
-    return refusal(413, "too_large", "a body has at most " + std::to_string(Door::kBodyBytes) + " bytes");
+  if (bytes > RequestFilter::kBodyBytes)
+    return refusal(413, "too_large", "a body has at most " + std::to_string(RequestFilter::kBodyBytes) + " bytes");
   const std::string type = lower(request.header("content-type"));
   if (type != "application/json" && !type.starts_with("application/json;"))
     return refusal(415, "content_type", "a body is application/json");
@@ -36,7 +36,7 @@ std::optional<Reply> refuse_body(const Request& request) {
 
 }  // namespace
 
-Door::Door(std::uint16_t port) {
+RequestFilter::RequestFilter(std::uint16_t port) {
   for (const char* name : {"localhost", "127.0.0.1", "[::1]"}) {
     hosts.push_back(std::string(name) + ":" + std::to_string(port));
     if (port == 80) hosts.emplace_back(name);
@@ -44,7 +44,7 @@ Door::Door(std::uint16_t port) {
   for (const std::string& host : hosts) origins.push_back("http://" + host);
 }
 
-std::optional<Reply> Door::refuse(const Request& request, bool upgrade) const {
+std::optional<Reply> RequestFilter::refuse(const Request& request, bool upgrade) const {
   if (request.count("transfer-encoding") > 0)
     return refusal(501, "transfer_encoding", "Transfer-Encoding is not served; send Content-Length");
   if (request.count("host") != 1) return refusal(400, "host", "exactly one Host header is needed");

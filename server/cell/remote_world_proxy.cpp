@@ -1,11 +1,11 @@
-#include "server/cell/outside_world.h"
+#include "server/cell/remote_world_proxy.h"
 
 #include "server/cell/world_check.h"
 
 namespace race::server {
 namespace {
 
-Expected<remote::RemoteWorld::Rules> let_in(const Value& world) {
+Expected<remote::RemoteWorld::Rules> make_rules(const Value& world) {
   ASSIGN_OR_RETURN(WorldNames found, check_world(world));
   const auto names = std::make_shared<const WorldNames>(std::move(found));  // held by both rules
   return remote::RemoteWorld::Rules{[names](const Value& pose) { return check_pose(*names, pose); },
@@ -14,26 +14,26 @@ Expected<remote::RemoteWorld::Rules> let_in(const Value& world) {
 
 }  // namespace
 
-OutsideWorld::OutsideWorld(const services::Clock& clock)
-    : end_(clock, let_in, [this](Value pose) { publish_pose_(std::move(pose)); }) {}
+RemoteWorldProxy::RemoteWorldProxy(const services::Clock& clock)
+    : end_(clock, make_rules, [this](Value pose) { publish_pose_(std::move(pose)); }) {}
 
-Expected<Value> OutsideWorld::brought(std::string_view what) const {
+Expected<Value> RemoteWorldProxy::member(std::string_view what) const {
   const Value world = end_.world();
   if (world.is_null()) return remote::no_world();
   return *world.find(what);
 }
 
-Expected<Value> OutsideWorld::scene() const { return brought("scene"); }
+Expected<Value> RemoteWorldProxy::scene() const { return member("scene"); }
 
-Expected<std::string> OutsideWorld::file(const std::string& name) const {
-  ASSIGN_OR_RETURN(const Value files, brought("files"));
+Expected<std::string> RemoteWorldProxy::file(const std::string& name) const {
+  ASSIGN_OR_RETURN(const Value files, member("files"));
   const Value* text = files.find(name);
   if (!text) return unexpected(ErrorCode::not_found, "the scene names no such file", name);
   return text->as_string();
 }
 
-void OutsideWorld::act(const std::optional<PersonAct>& act, Wanted wanted, Done done) {
-  end_.act(act ? write_person_act(*act) : Value(), std::move(wanted), std::move(done));
+void RemoteWorldProxy::execute(const std::optional<PersonCommand>& command, Wanted wanted, Done done) {
+  end_.act(command ? write_person_command(*command) : Value(), std::move(wanted), std::move(done));
 }
 
 }  // namespace race::server

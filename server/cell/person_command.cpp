@@ -1,4 +1,4 @@
-#include "server/cell/person_act.h"
+#include "server/cell/person_command.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,35 +57,35 @@ std::string body_name(Fields& fields, const char* field) {
   return {};
 }
 
-GrabAct read_grab(Fields& fields) {
-  GrabAct act{hand_name(fields), {}};
-  world::Hold& hold = act.hold;
+GrabCommand read_grab(Fields& fields) {
+  GrabCommand command{hand_name(fields), {}};
+  world::Hold& hold = command.hold;
   hold.body = body_name(fields, "body");
   hold.point = vector(fields, "point");
   hold.stiffness = fields.number("stiffness").value_or(hold.stiffness);
   hold.damping = fields.number("damping").value_or(hold.damping);
   hold.force = fields.number("limit").value_or(hold.force);
-  return act;
+  return command;
 }
 
-DragAct read_drag(Fields& fields) {
-  DragAct act{hand_name(fields), {}};
+DragCommand read_drag(Fields& fields) {
+  DragCommand command{hand_name(fields), {}};
   const Value* to = fields.find("to");
   const Value* by = fields.find("by");
   const Value* path = fields.find("path");
   if ((to != nullptr) + (by != nullptr) + (path != nullptr) != 1)
     fields.violation(ErrorCode::missing, "must have one of `to`, `by` and `path`");
   const auto add = [&](const Value& value, const char* name) {
-    if (auto point = numbers<3>(value, name, fields)) act.drag.path.push_back(*point);
+    if (auto point = numbers<3>(value, name, fields)) command.drag.path.push_back(*point);
   };
   if (to) add(*to, "to");
   if (by) add(*by, "by");
-  act.relative = by != nullptr;
+  command.relative = by != nullptr;
   if (path && !path->is_list()) fields.violation(ErrorCode::type, "`path` must be a list of points");
   if (path && path->is_list())
     for (const Value& point : path->as_list()) add(point, "path");
-  act.drag.speed = fields.number("speed").value_or(act.drag.speed);
-  return act;
+  command.drag.speed = fields.number("speed").value_or(command.drag.speed);
+  return command;
 }
 
 world::Push read_push(Fields& fields) {
@@ -125,65 +125,65 @@ struct Performer {
   world::Person& person;
   double keep;
 
-  Expected<void> operator()(const GrabAct& act) const {
-    auto done = person.grab(act.hand, act.hold);
-    return done ? person.keep(act.hand, keep) : done;
+  Expected<void> operator()(const GrabCommand& command) const {
+    auto done = person.grab(command.hand, command.hold);
+    return done ? person.keep(command.hand, keep) : done;
   }
-  Expected<void> operator()(const DragAct& act) const {
-    world::Drag drag = act.drag;
-    if (act.relative)
+  Expected<void> operator()(const DragCommand& command) const {
+    world::Drag drag = command.drag;
+    if (command.relative)
       for (const auto& [hand, touch] : person.touches())
-        if (hand == act.hand && touch.target) drag.path.front() = drag.path.front() + *touch.target;
-    auto done = person.drag(act.hand, drag);
-    return done ? person.keep(act.hand, keep) : done;
+        if (hand == command.hand && touch.target) drag.path.front() = drag.path.front() + *touch.target;
+    auto done = person.drag(command.hand, drag);
+    return done ? person.keep(command.hand, keep) : done;
   }
-  Expected<void> operator()(const ReleaseAct& act) const {
-    person.release(act.hand);
+  Expected<void> operator()(const ReleaseCommand& command) const {
+    person.release(command.hand);
     return {};
   }
   Expected<void> operator()(const world::Push& push) const { return person.push(push); }
-  Expected<void> operator()(const PlaceAct& act) const { return person.place(act.part, act.o_t_part); }
-  Expected<void> operator()(const TakeAct& act) const { return person.take(act.part); }
+  Expected<void> operator()(const PlaceCommand& command) const { return person.place(command.part, command.o_t_part); }
+  Expected<void> operator()(const TakeCommand& command) const { return person.take(command.part); }
 };
 
 }  // namespace
 
-PersonAct read_person_act(Fields& fields, double keep) {
+PersonCommand read_person_command(Fields& fields, double keep) {
   const std::string kind = fields.text("act", Need::required).value_or("");
-  PersonAct act{ReleaseAct{}, keep};
+  PersonCommand command{ReleaseCommand{}, keep};
   if (kind == "grab" || kind == "drag") {
-    if (kind == "grab") act.what = read_grab(fields);
-    if (kind == "drag") act.what = read_drag(fields);
-    act.keep = fields.number("keep").value_or(keep);
-    if (act.keep != keep && !(act.keep >= 0 && act.keep <= kLongestKeep))
+    if (kind == "grab") command.what = read_grab(fields);
+    if (kind == "drag") command.what = read_drag(fields);
+    command.keep = fields.number("keep").value_or(keep);
+    if (command.keep != keep && !(command.keep >= 0 && command.keep <= kLongestKeep))
       fields.violation(ErrorCode::out_of_range, "`keep` must be a number from 0 to 3600 s");
   } else if (kind == "release") {
-    act.what = ReleaseAct{hand_name(fields)};
+    command.what = ReleaseCommand{hand_name(fields)};
   } else if (kind == "push") {
-    act.what = read_push(fields);
+    command.what = read_push(fields);
   } else if (kind == "place") {
-    PlaceAct place{body_name(fields, "part"), std::nullopt};
+    PlaceCommand place{body_name(fields, "part"), std::nullopt};
     place.o_t_part = read_pose(fields);
-    act.what = std::move(place);
+    command.what = std::move(place);
   } else if (kind == "take") {
-    act.what = TakeAct{body_name(fields, "part")};
+    command.what = TakeCommand{body_name(fields, "part")};
   } else {
     fields.violation(ErrorCode::type, "`act` must be `grab`, `drag`, `release`, `push`, `place` or `take`");
   }
-  return act;
+  return command;
 }
 
-Checked<PersonAct> read_person_act(const Value& json, double keep) {
+Checked<PersonCommand> read_person_command(const Value& json, double keep) {
   std::vector<Error> errors;
   Fields fields(json, "", "the act", errors);
-  PersonAct act = read_person_act(fields, keep);
+  PersonCommand command = read_person_command(fields, keep);
   fields.close();
   if (!errors.empty()) return tl::unexpected(std::move(errors));
-  return act;
+  return command;
 }
 
-Expected<void> perform(const PersonAct& act, world::Person& person) {
-  return std::visit(Performer{person, act.keep}, act.what);
+Expected<void> perform(const PersonCommand& command, world::Person& person) {
+  return std::visit(Performer{person, command.keep}, command.what);
 }
 
 }  // namespace race::server

@@ -1,11 +1,11 @@
-#include "server/http/door.h"
+#include "server/http/request_filter.h"
 
 #include <gtest/gtest.h>
 
 namespace race::server {
 namespace {
 
-struct DoorTest : testing::Test {
+struct RequestFilterTest : testing::Test {
   Request request(std::string method, std::vector<std::pair<std::string, std::string>> headers) {
     Request made;
     made.method = std::move(method);
@@ -13,17 +13,17 @@ struct DoorTest : testing::Test {
     made.headers.insert(made.headers.end(), headers.begin(), headers.end());
     return made;
   }
-  // 0: it may come in.
+  // 0: it is accepted.
   int status(const Request& request, bool upgrade = false) {
-    const auto refused = door.refuse(request, upgrade);
+    const auto refused = filter.refuse(request, upgrade);
     return refused ? refused->status : 0;
   }
-  Door door{8080};
+  RequestFilter filter{8080};
 };
 
-TEST_F(DoorTest, LetsAPlainRequestIn) { EXPECT_EQ(status(request("GET", {})), 0); }
+TEST_F(RequestFilterTest, AcceptsAPlainRequest) { EXPECT_EQ(status(request("GET", {})), 0); }
 
-TEST_F(DoorTest, KnowsItsNames) {
+TEST_F(RequestFilterTest, AcceptsItsOwnHostsAlone) {
   for (const char* host : {"localhost:8080", "127.0.0.1:8080", "[::1]:8080", "LocalHost:8080"}) {
     Request asked = request("GET", {});
     asked.headers[0].second = host;
@@ -36,19 +36,19 @@ TEST_F(DoorTest, KnowsItsNames) {
   }
 }
 
-TEST_F(DoorTest, WantsExactlyOneHost) {
+TEST_F(RequestFilterTest, RequiresExactlyOneHost) {
   EXPECT_EQ(status(request("GET", {{"host", "127.0.0.1:8080"}})), 400);
   Request none = request("GET", {});
   none.headers.clear();
   EXPECT_EQ(status(none), 400);
 }
 
-TEST_F(DoorTest, RefusesEveryTransferEncoding) {
+TEST_F(RequestFilterTest, RefusesEveryTransferEncoding) {
   EXPECT_EQ(status(request("POST", {{"transfer-encoding", "chunked"}})), 501);
   EXPECT_EQ(status(request("GET", {{"transfer-encoding", ""}})), 501);
 }
 
-TEST_F(DoorTest, LetsForeignPagesReadNothingButWhatIsPublic) {
+TEST_F(RequestFilterTest, RefusesWritesAndStreamsOfOtherOrigins) {
   const std::vector<std::pair<std::string, std::string>> foreign = {{"origin", "http://evil.example"}};
   EXPECT_EQ(status(request("GET", foreign)), 0);
   EXPECT_EQ(status(request("GET", foreign), true), 403);
@@ -58,7 +58,7 @@ TEST_F(DoorTest, LetsForeignPagesReadNothingButWhatIsPublic) {
   EXPECT_EQ(status(request("POST", {{"origin", "http://localhost:8080"}, {"origin", "http://localhost:8080"}})), 403);
 }
 
-TEST_F(DoorTest, BoundsBodiesByTheirLength) {
+TEST_F(RequestFilterTest, LimitsTheLengthAndTypeOfBodies) {
   const auto with = [&](const char* length, const char* type) {
     return status(request("POST", {{"content-length", length}, {"content-type", type}}));
   };

@@ -1,4 +1,4 @@
-#include "server/cell/waiting_acts.h"
+#include "server/cell/pending_commands.h"
 
 #include <atomic>
 #include <future>
@@ -7,9 +7,9 @@
 namespace race::server {
 namespace {
 
-// Held by who waits and by the act, which may come later than anybody waits.
+// Shared by the waiting thread and the command, which may run after the wait has timed out.
 struct Turn {
-  std::atomic<bool> decided{false};  // the act has begun, or was given up
+  std::atomic<bool> decided{false};  // the command has begun, or has timed out
   std::promise<Expected<Value>> answer;
 
   /// Whether this is the first to decide.
@@ -18,23 +18,23 @@ struct Turn {
 
 }  // namespace
 
-Expected<Value> WaitingActs::wait(const std::function<void(CellWorld::Wanted, CellWorld::Done)>& start) {
+Expected<Value> PendingCommands::wait(const std::function<void(CellWorld::Wanted, CellWorld::Done)>& start) {
   {
     std::unique_lock lock(mutex_);
-    if (!free_.wait_for(lock, patience_.place, [this] { return waiting_ < kPlaces; }))
-      return unexpected(ErrorCode::unavailable, "other acts wait for the cell already; this one is not done");
-    ++waiting_;
+    if (!free_.wait_for(lock, timeouts_.admission, [this] { return pending_ < kMaxPending; }))
+      return unexpected(ErrorCode::unavailable, "other commands wait for the cell already; this one is not done");
+    ++pending_;
   }
   const auto turn = std::make_shared<Turn>();
   auto answer = turn->answer.get_future();
   start([turn] { return turn->take(); }, [turn](Expected<Value> person) { turn->answer.set_value(std::move(person)); });
   constexpr auto kReady = std::future_status::ready;
-  bool answered = answer.wait_for(patience_.begin) == kReady;
+  bool answered = answer.wait_for(timeouts_.completion) == kReady;
   const bool given_up = !answered && turn->take();
-  if (!answered && !given_up) answered = answer.wait_for(patience_.end) == kReady;
+  if (!answered && !given_up) answered = answer.wait_for(timeouts_.grace) == kReady;
   {
     const std::lock_guard lock(mutex_);
-    --waiting_;
+    --pending_;
   }
   free_.notify_one();
   if (answered) return answer.get();

@@ -1,7 +1,7 @@
-// InsideWorld: a world in this process, with whoever stands at it. The cell of a server has one, or the process that is
-// its cell.
+// LocalWorld: a world in this process, with the person at it. Either the server's cell or the process of the unit
+// `cell` has one.
 //
-// Threads: the unit's, act() too; the other functions of CellWorld are for any.
+// Threads: the unit's, execute() too; the other functions of CellWorld are for any.
 #pragma once
 
 #include <atomic>
@@ -15,35 +15,35 @@
 
 namespace race::server {
 
-class InsideWorld final : public CellWorld {
+class LocalWorld final : public CellWorld {
  public:
   /// Reads the scene file and its URDF. Errors: `io`, and those of the files.
-  static Expected<std::unique_ptr<InsideWorld>> load(const std::string& scene_path);
+  static Expected<std::unique_ptr<LocalWorld>> load(const std::string& scene_path);
 
   /// What robot, gripper and camera act in.
   world::World& world() { return *world_; }
-  /// What a process that is a cell brings (world_check.h).
-  Value whole() const;
+  /// What the process of the unit `cell` sends to the server (world_check.h).
+  Value description() const;
   /// schemas/cell_pose.json, frozen.
   Value pose(services::Time now) const;
 
   Expected<Value> scene() const override { return scene_; }
   Expected<std::string> file(const std::string& name) const override;
   bool may_have(const std::string& body) const override { return world_->has(body); }
-  /// As act(), at once.
-  Expected<Value> perform(const std::optional<PersonAct>& act);
-  void act(const std::optional<PersonAct>& act, Wanted wanted, Done done) override {
-    if (wanted()) done(perform(act));
+  /// As execute(), at once.
+  Expected<Value> perform(const std::optional<PersonCommand>& command);
+  void execute(const std::optional<PersonCommand>& command, Wanted wanted, Done done) override {
+    if (wanted()) done(perform(command));
   }
   void watch_pose(bool on) override { watched_ = on; }
 
   /// World time goes on by 1 ms.
   void step();
   /// Publishes the pose if it is watched and one is due in this step.
-  void show(services::Time now) const;
+  void publish_pose(services::Time now) const;
 
  private:
-  InsideWorld(std::unique_ptr<world::World> world, std::string urdf);
+  LocalWorld(std::unique_ptr<world::World> world, std::string urdf);
 
   const std::unique_ptr<world::World> world_;
   world::Person person_;
