@@ -7,8 +7,8 @@
 #include "core/value/json.h"
 #include "server/cell/screen_services.h"
 #include "server/commands/command.h"
+#include "server/commands/headless.h"
 #include "server/commands/options.h"
-#include "server/execution/headless.h"
 
 namespace race::server {
 namespace {

@@ -5,11 +5,11 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "server/application.h"
+#include "server/application/application.h"
 #include "server/cell/units.h"
 #include "server/commands/command.h"
 #include "server/commands/options.h"
-#include "server/http/routes.h"
+#include "server/http/listener.h"
 
 namespace race::server {
 namespace {
@@ -61,7 +61,7 @@ int serve(const std::vector<std::string>& words) {
   if (!app) return refuse(app.error());
   // Without clients, no pages; the interface is there all the same.
   const std::string web = options->has("--headless") ? "" : options->text("--web");
-  auto server = HttpServer::listen(static_cast<std::uint16_t>(*port), web, make_backend(**app));
+  auto server = HttpServer::listen(static_cast<std::uint16_t>(*port), web, (*app)->make_backend());
   if (!server) return refuse(server.error());
   std::printf("race listens on http://127.0.0.1:%u\n", static_cast<unsigned>((*server)->port()));
   std::fflush(stdout);

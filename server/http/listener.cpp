@@ -5,7 +5,7 @@
 #include <chrono>
 
 #include "core/value/json.h"
-#include "server/http/errors.h"
+#include "server/http/refusal.h"
 #include "server/http/request_filter.h"
 #include "server/http/sessions.h"
 #include "server/http/static_files.h"

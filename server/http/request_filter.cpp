@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "server/http/errors.h"
+#include "server/http/refusal.h"
 
 namespace race::server {
 namespace {

@@ -1,14 +1,14 @@
 #include "server/stream/displays.h"
 
-#include <string_view>
 #include <utility>
+
+#include "server/wire/channel_names.h"
+#include "server/wire/path_pattern.h"
 
 namespace race::server {
 namespace {
 
-constexpr std::string_view kChannel = "display/";
-
-std::string channel_of(const std::string& display) { return std::string(kChannel) + display; }
+std::string channel_of(const std::string& display) { return fill(kDisplayChannel, {display}); }
 
 Value number(std::uint64_t n) { return static_cast<std::int64_t>(n); }
 
@@ -49,11 +49,9 @@ Value display_json(const display::Content& content) {
 Displays::Displays(display::Screens& screens, Hub& hub) : screens_(screens), hub_(hub) { screens_.watch(this); }
 Displays::~Displays() { screens_.watch(nullptr); }
 
-std::optional<Source> Displays::find_channel(const std::string& name) {
-  if (!name.starts_with(kChannel)) return std::nullopt;
-  std::string display = name.substr(kChannel.size());
+std::optional<Source> Displays::source(const std::string& display) {
   if (!screens_.content(display)) return std::nullopt;
-  return Source{true, [this, display = std::move(display)] { screens_.repeat(display); }, {}};
+  return Source{true, [this, display] { screens_.repeat(display); }, {}};
 }
 
 // Connected anew before the old one goes: a display that only learns to make sounds is never gone.

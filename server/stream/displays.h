@@ -25,8 +25,8 @@ class Displays final : public display::Watcher {
   Displays(const Displays&) = delete;
   Displays& operator=(const Displays&) = delete;
 
-  /// The channel of a display that has been connected; nothing for another name.
-  std::optional<Source> find_channel(const std::string& name);
+  /// The source of a display's channel; nothing if no such display has ever been connected.
+  std::optional<Source> source(const std::string& display);
 
   /// From now on `subscriber` is a connection of the display `name`, which may make sounds (`sound`), and gets its
   /// channel; it is none of another one any more. Errors: those of Screens::connect.

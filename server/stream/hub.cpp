@@ -1,13 +1,13 @@
 #include "server/stream/hub.h"
 
 #include "core/value/json.h"
-#include "server/http/errors.h"
+#include "server/wire/errors.h"
 
 namespace race::server {
 
 namespace {
 
-// What waits for a client under no channel's name: whatever clients ask for, there is one queue of refusals.
+// Errors are queued under no channel's name: one queue, whatever names clients ask for.
 constexpr const char* kErrorQueue = "";
 
 }  // namespace
@@ -129,7 +129,7 @@ void Hub::detach(Channel& channel, const std::shared_ptr<Subscriber>& subscriber
   const bool last = channel.subscribers.empty() && channel.waiting.empty();
   if (removed == 0 || !last || !channel.source.watched) return;
   channel.source.watched(false);
-  // What is published only while somebody listens has a gap from here on.
+  // A source that publishes only while it is watched leaves a gap from here on.
   channel.snapshot.reset();
   channel.deltas.clear();
   channel.bytes = 0;

@@ -18,8 +18,8 @@
 
 #include "core/value/expected.h"
 #include "core/value/value.h"
-#include "server/execution/strand.h"
 #include "server/stream/outbox.h"
+#include "server/threads/strand.h"
 
 namespace race::server {
 

@@ -2,8 +2,8 @@
 #include <cstdio>
 
 #include "core/rsm/document.h"
-#include "server/application.h"
-#include "server/http/routes.h"
+#include "server/application/application.h"
+#include "server/http/listener.h"
 
 namespace {
 
@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
   setup.extra_services.push_back({"rogue", "rogue", [](auto& host) { return std::make_unique<Rogue>(host); }});
   auto app = server::Application::create(setup);
   if (!app) return 2;
-  auto server = server::HttpServer::listen(0, "", server::make_backend(**app));
+  auto server = server::HttpServer::listen(0, "", (*app)->make_backend());
   if (!server) return 2;
   std::printf("rogue listens on http://127.0.0.1:%u\n", static_cast<unsigned>((*server)->port()));
   std::fflush(stdout);

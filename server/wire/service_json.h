@@ -1,4 +1,4 @@
-// A service as watchers see it.
+// Services as clients see them.
 #pragma once
 
 #include "core/value/value.h"
@@ -8,7 +8,7 @@ namespace race::server {
 
 /// schemas/service_state.json
 Value service_state_json(const services::ServiceStatus& status);
-/// An item of schemas/services.json: the same with type and RSM.
-Value service_json(const services::ServiceStatus& status);
+/// schemas/services.json, frozen: state, type and RSM of each.
+Value services_json(const std::vector<services::ServiceStatus>& services);
 
 }  // namespace race::server

@@ -1,16 +1,13 @@
-// Refusals as clients see them: {"errors": [{"path", "code", "message"}]} (schemas/errors.json), and the HTTP status.
+// Refusals of requests: errors (schemas/errors.json) with an HTTP status.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "core/value/expected.h"
-#include "core/value/value.h"
 #include "server/http/message.h"
 
 namespace race::server {
-
-Value errors_json(const std::vector<Error>& errors);
 
 /// 404 for `not_found`, 409 `conflict`, 413 `too_large`, 503 `unavailable` and `io`, 400 what is not JSON or out of
 /// range, else 422: a body that was understood and breaks a rule. The first error decides.

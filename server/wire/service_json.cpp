@@ -1,4 +1,4 @@
-#include "server/service_json.h"
+#include "server/wire/service_json.h"
 
 #include "core/rsm/document.h"
 
@@ -49,11 +49,16 @@ Value service_state_json(const services::ServiceStatus& status) {
   return json;
 }
 
-Value service_json(const services::ServiceStatus& status) {
-  Dict json = service_state_json(status).as_dict();
-  json.set("type", status.type);
-  json.set("rsm", rsm::write_service(*status.model));
-  return json;
+Value services_json(const std::vector<services::ServiceStatus>& services) {
+  List list;
+  for (const services::ServiceStatus& status : services) {
+    Dict service = service_state_json(status).as_dict();
+    service.set("type", status.type);
+    service.set("rsm", rsm::write_service(*status.model));
+    list.emplace_back(std::move(service));
+  }
+  Value json = Dict{{"services", std::move(list)}};
+  return std::move(json.freeze());
 }
 
 }  // namespace race::server

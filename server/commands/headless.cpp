@@ -1,4 +1,4 @@
-#include "server/execution/headless.h"
+#include "server/commands/headless.h"
 
 #include <algorithm>
 #include <chrono>
