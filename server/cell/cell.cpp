@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "server/cell/component_groups.h"
-#include "server/cell/outside_world.h"
+#include "server/cell/remote_world_proxy.h"
 #include "services/camera/camera.h"
 #include "services/database/database.h"
 #include "services/gripper/gripper.h"
@@ -25,13 +25,13 @@ Expected<std::unique_ptr<Cell>> Cell::create(const CellSetup& setup, services::H
   if (auto added = cell->add_remotes(setup); !added) return tl::unexpected(std::move(added).error());
   if (here("cell") && !setup.folder.empty() && fs::exists(scene)) {
     if (auto added = cell->add_world(scene, setup.seed); !added) return tl::unexpected(std::move(added).error());
-    if (auto added = cell->add_sight(setup); !added) return tl::unexpected(std::move(added).error());
+    if (auto added = cell->add_vision(setup); !added) return tl::unexpected(std::move(added).error());
   }
   if (here("database"))
     if (auto added = cell->add_database(setup); !added) return tl::unexpected(std::move(added).error());
   auto& host = cell->host_.declare("timer", "timer", cell->queue_);
   cell->host_.attach("timer", std::make_unique<timer::Timer>(host));
-  for (const FurtherService& service : setup.further) {
+  for (const ExtraService& service : setup.extra_services) {
     if (cell->host_.service(service.key)) continue;  // its process brings it
     cell->host_.attach(service.key, service.make(cell->host_.declare(service.key, service.type, cell->queue_)));
   }
@@ -44,13 +44,13 @@ Expected<void> Cell::add_remotes(const CellSetup& setup) {
     ASSIGN_OR_RETURN(const ComponentGroup* group, find_component_group(name));
     std::vector<remote::RemoteService> services = group->services;
     for (remote::RemoteService& service : services)
-      for (const FurtherService& further : setup.further)
-        if (further.key == service.key) service.host_functions = further.host_functions;
+      for (const ExtraService& extra : setup.extra_services)
+        if (extra.key == service.key) service.host_functions = extra.host_functions;
     remote::RemoteWorld* world = nullptr;
     if (group->world) {
-      auto outside = std::make_unique<OutsideWorld>(clock_);
-      world = &outside->end();
-      world_ = std::move(outside);
+      auto proxy = std::make_unique<RemoteWorldProxy>(clock_);
+      world = &proxy->end();
+      world_ = std::move(proxy);
     }
     remotes_->add(services, world);
   }
@@ -58,10 +58,10 @@ Expected<void> Cell::add_remotes(const CellSetup& setup) {
 }
 
 Expected<void> Cell::add_world(const std::string& scene_path, std::uint64_t seed) {
-  ASSIGN_OR_RETURN(auto inside, InsideWorld::load(scene_path));
-  inside_ = inside.get();
-  world_ = std::move(inside);
-  world::World& world = inside_->world();
+  ASSIGN_OR_RETURN(auto local_world, LocalWorld::load(scene_path));
+  local_world_ = local_world.get();
+  world_ = std::move(local_world);
+  world::World& world = local_world_->world();
   auto& robot_host = host_.declare("robot", "robot", queue_);
   ASSIGN_OR_RETURN(auto robot, robot::Robot::create(robot_host, world, static_cast<unsigned>(seed)));
   host_.attach("robot", std::move(robot));
@@ -70,10 +70,10 @@ Expected<void> Cell::add_world(const std::string& scene_path, std::uint64_t seed
   return {};
 }
 
-Expected<void> Cell::add_sight(const CellSetup& setup) {
-  if (!inside_->world().scene().camera) return {};
+Expected<void> Cell::add_vision(const CellSetup& setup) {
+  if (!local_world_->world().scene().camera) return {};
   auto& camera_host = host_.declare("camera", "KinectDriver", queue_);
-  host_.attach("camera", std::make_unique<camera::Camera>(camera_host, inside_->world(), setup.seed));
+  host_.attach("camera", std::make_unique<camera::Camera>(camera_host, local_world_->world(), setup.seed));
   const fs::path parts_path = fs::path(setup.folder) / "parts.json";
   const bool elsewhere = std::ranges::find(setup.remote, "recognition") != setup.remote.end();
   if (elsewhere || !fs::exists(parts_path)) return {};
@@ -96,18 +96,20 @@ Cell::~Cell() { stop(); }
 void Cell::step() {
   queue_.run();
   if (before_step_) before_step_();
-  if (inside_) inside_->step();
+  if (local_world_) local_world_->step();
   clock_.set(static_cast<double>(++steps_) * kStep);
   host_.advance(waits_);
   queue_.run();
   host_.step(queue_);
   remotes_->step();
-  if (inside_) inside_->show(clock_.now());
+  if (local_world_) local_world_->publish_pose(clock_.now());
 }
 
-Expected<Value> Cell::act(const std::optional<PersonAct>& act) {
-  return acts_.wait([&](CellWorld::Wanted wanted, CellWorld::Done done) {
-    queue_.post([this, act, wanted = std::move(wanted), done = std::move(done)] { world_->act(act, wanted, done); });
+Expected<Value> Cell::execute(const std::optional<PersonCommand>& command) {
+  return pending_commands_.wait([&](CellWorld::Wanted wanted, CellWorld::Done done) {
+    queue_.post([this, command, wanted = std::move(wanted), done = std::move(done)] {
+      world_->execute(command, wanted, done);
+    });
   });
 }
 

@@ -13,15 +13,15 @@
 
 #include "core/value/expected.h"
 #include "core/value/value.h"
-#include "server/cell/inside_world.h"
-#include "server/cell/waiting_acts.h"
+#include "server/cell/local_world.h"
+#include "server/cell/pending_commands.h"
 #include "services/host/host.h"
 #include "services/remote/remotes.h"
 
 namespace race::server {
 
 /// One more service of a cell, in its group, or in a process of its own if that is a group of CellSetup::remote.
-struct FurtherService {
+struct ExtraService {
   std::string key, type;
   std::function<std::unique_ptr<services::Component>(services::ServiceHost&)> make;
   remote::HostFunctions host_functions = {};  // what the process asks
@@ -33,9 +33,8 @@ struct CellSetup {
   // The database has a thread of its own, and world time waits for nobody. Else all services are one group, and world
   // time waits for answers that are due, so that a seed gives one run.
   bool own_threads = true;
-  std::vector<FurtherService> further = {};
-  std::vector<std::string> remote =
-      {};  // names of the groups (component_groups.h) that wait for a process of their own
+  std::vector<ExtraService> extra_services = {};
+  std::vector<std::string> remote = {};  // names of the groups (component_groups.h) that wait for a process of their own
   std::chrono::milliseconds heartbeat{1000};  // how long such a process may be silent
   std::uint64_t seed = 0;                     // of everything that is random; the same seed gives the same run
 };
@@ -60,10 +59,10 @@ class Cell {
   /// The world of the cell; none: it has no scene, and is no process.
   CellWorld* world() { return world_.get(); }
   /// The world, if it is in this process.
-  const InsideWorld* inside() const { return inside_; }
-  /// CellWorld::act(), on any thread but the group's: waits for it (waiting_acts.h). Only with a world, and after
-  /// start_real_time(). Errors: `unavailable`, those of the act.
-  Expected<Value> act(const std::optional<PersonAct>& act);
+  const LocalWorld* local_world() const { return local_world_; }
+  /// CellWorld::execute(), on any thread but the group's: waits for it (pending_commands.h). Only with a world, and
+  /// after start_real_time(). Errors: `unavailable`, those of the command.
+  Expected<Value> execute(const std::optional<PersonCommand>& command);
   /// Called at the beginning of each step(), on the group's thread. To be set before the first step.
   void before_step(std::function<void()> work) { before_step_ = std::move(work); }
 
@@ -81,15 +80,15 @@ class Cell {
   explicit Cell(services::HostObserver& observer) : host_(clock_, observer) {}
   Expected<void> add_remotes(const CellSetup& setup);
   Expected<void> add_world(const std::string& scene_path, std::uint64_t seed);
-  Expected<void> add_sight(const CellSetup& setup);
+  Expected<void> add_vision(const CellSetup& setup);
   Expected<void> add_database(const CellSetup& setup);
 
   services::WorldClock clock_;
   services::WorkQueue queue_;
   std::unique_ptr<services::WorkThread> database_queue_;
   std::unique_ptr<CellWorld> world_;
-  InsideWorld* inside_ = nullptr;  // world_, if it is in this process
-  WaitingActs acts_;
+  LocalWorld* local_world_ = nullptr;  // world_, if it is in this process
+  PendingCommands pending_commands_;
   services::Host host_;
   std::unique_ptr<remote::Remotes> remotes_;
   std::int64_t steps_ = 0;

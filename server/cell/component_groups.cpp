@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/value/json.h"
-#include "server/cell/inside_world.h"
+#include "server/cell/local_world.h"
 #include "server/store/read_file.h"
 #include "services/audio/audio.h"
 #include "services/audio/remote_speakers.h"
@@ -22,27 +22,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What the server says that somebody does; it has read the act before.
-Expected<Value> act_in(InsideWorld& world, const Value& json) {
+// Executes a command that the server sends; the server has validated it before.
+Expected<Value> execute_in(LocalWorld& world, const Value& json) {
   if (json.is_null()) return world.perform(std::nullopt);
-  const auto act = read_person_act(json, std::numeric_limits<double>::infinity());
-  if (!act) return tl::unexpected(act.error().front());
-  return world.perform(*act);
+  const auto command = read_person_command(json, std::numeric_limits<double>::infinity());
+  if (!command) return tl::unexpected(command.error().front());
+  return world.perform(*command);
 }
 
 Expected<void> make_cell(const GroupSetup& setup, remote::ProcessHost& process) {
-  ASSIGN_OR_RETURN(std::shared_ptr<InsideWorld> inside, InsideWorld::load(fs::path(setup.folder) / "scene.json"));
-  world::World& world = inside->world();
+  ASSIGN_OR_RETURN(std::shared_ptr<LocalWorld> local_world, LocalWorld::load(fs::path(setup.folder) / "scene.json"));
+  world::World& world = local_world->world();
   ASSIGN_OR_RETURN(auto robot, robot::Robot::create(process.declare("robot", "robot"), world));
   process.attach("robot", std::move(robot));
   process.attach("gripper", std::make_unique<gripper::Gripper>(process.declare("gripper", "gripper"), world));
   if (world.scene().camera)
     process.attach("camera", std::make_unique<camera::Camera>(process.declare("camera", "KinectDriver"), world, 0));
-  inside->on_pose([&process](Value pose) { process.send_pose(std::move(pose)); });
-  process.set_world({inside->whole(), [inside](const Value& act) { return act_in(*inside, act); },
-                     [inside](bool on) { inside->watch_pose(on); }});
-  process.before_step([inside] { inside->step(); });
-  process.after_step([inside, &process] { inside->show(process.clock().now()); });
+  local_world->on_pose([&process](Value pose) { process.send_pose(std::move(pose)); });
+  process.set_world({local_world->description(),
+                     [local_world](const Value& command) { return execute_in(*local_world, command); },
+                     [local_world](bool on) { local_world->watch_pose(on); }});
+  process.before_step([local_world] { local_world->step(); });
+  process.after_step([local_world, &process] { local_world->publish_pose(process.clock().now()); });
   return {};
 }
 

@@ -150,7 +150,7 @@ void Operator::hear(services::Time now) {
     }
     auto& heard = sounds_.try_emplace(name, Heard{now, content->sound->id}).first->second;
     if (heard.sound != content->sound->id) heard = {now, content->sound->id};
-    if (now - heard.since < kListen) continue;
+    if (now - heard.since < kSoundDuration) continue;
     (void)screens_.played(connection, heard.sound);  // it may have been silenced meanwhile
     heard.since = std::numeric_limits<double>::infinity();
   }
@@ -171,14 +171,14 @@ void Operator::step(services::Time now, CellWorld& world) {
   if (std::exchange(begins_, false)) {
     running_ = true;
     start_ = now;
-    looked_ = now - kLook;
+    looked_ = now - kDisplayPeriod;
     waiting_.clear();
     for (std::size_t i = 0; i < script_.acts.size(); ++i)
       if (script_.acts[i].always) waiting_.push_back(wait_for(i, now, false));
     next(now);
   }
   if (!running_) return;
-  if (!displays_.empty() && now - looked_ >= kLook - kSlack) {
+  if (!displays_.empty() && now - looked_ >= kDisplayPeriod - kSlack) {
     looked_ = now;
     look();
     hear(now);
@@ -203,18 +203,18 @@ void Operator::act(const Waiting& waiting, CellWorld& world) {
   const std::string name = "acts/" + std::to_string(waiting.act) + (scripted.doc.empty() ? "" : ": " + scripted.doc);
   log_(name);
   for (const auto& each : scripted.acts) {
-    if (const auto* by_display = std::get_if<AnswerAct>(&each)) {
+    if (const auto* by_display = std::get_if<AnswerCommand>(&each)) {
       answer(*by_display, waiting);
       continue;
     }
     const auto wanted = [] { return true; };
-    world.act(std::get<PersonAct>(each), wanted, [log = log_, name](const Expected<Value>& done) {
+    world.execute(std::get<PersonCommand>(each), wanted, [log = log_, name](const Expected<Value>& done) {
       if (!done) log(name + ": refused: " + to_string(done.error()));
     });
   }
 }
 
-void Operator::answer(const AnswerAct& act, const Waiting& waiting) {
+void Operator::answer(const AnswerCommand& act, const Waiting& waiting) {
   std::string name = act.display.empty() ? waiting.display : act.display;
   if (name.empty() && !script_.displays.empty()) name = script_.displays.front();
   const auto content = screens_.content(name);

@@ -21,8 +21,8 @@ namespace race::server {
 
 class Operator {
  public:
-  static constexpr double kLook = 0.02;   // s between two looks at the displays
-  static constexpr double kListen = 0.5;  // s until a sound counts as heard
+  static constexpr double kDisplayPeriod = 0.02;  // s between two looks at the displays
+  static constexpr double kSoundDuration = 0.5;   // s until a sound counts as heard
 
   /// A line for people: what was done, or why not. Called on any thread, as a world elsewhere answers on its own.
   using Log = std::function<void(const std::string& text)>;
@@ -65,7 +65,7 @@ class Operator {
   void hear(services::Time now);
   bool due(Waiting& waiting, services::Time now) const;
   void act(const Waiting& waiting, CellWorld& world);
-  void answer(const AnswerAct& act, const Waiting& waiting);
+  void answer(const AnswerCommand& act, const Waiting& waiting);
 
   const OperatorScript script_;
   display::Screens& screens_;

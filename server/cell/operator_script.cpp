@@ -80,13 +80,14 @@ When read_when(const Value& value, const std::string& path, std::vector<Error>& 
   return when;
 }
 
-std::variant<PersonAct, AnswerAct> read_act(const Value& value, const std::string& path, std::vector<Error>& errors) {
+std::variant<PersonCommand, AnswerCommand> read_act(const Value& value, const std::string& path,
+                                                    std::vector<Error>& errors) {
   Fields fields(value, path, "the act", errors);
   const Value* kind = value.find("act");
-  std::variant<PersonAct, AnswerAct> act;
+  std::variant<PersonCommand, AnswerCommand> act;
   if (kind && *kind == Value("answer")) {
     fields.find("act");
-    AnswerAct answer{fields.text("display").value_or(""), {}};
+    AnswerCommand answer{fields.text("display").value_or(""), {}};
     const auto button = fields.text("button");
     const auto number = fields.number("number");
     if (button.has_value() == number.has_value())
@@ -95,7 +96,7 @@ std::variant<PersonAct, AnswerAct> read_act(const Value& value, const std::strin
     if (number) answer.answer = *number;
     act = std::move(answer);
   } else {
-    act = read_person_act(fields, std::numeric_limits<double>::infinity());
+    act = read_person_command(fields, std::numeric_limits<double>::infinity());
   }
   fields.close();
   return act;
@@ -119,14 +120,14 @@ ScriptedAct read_scripted(const Value& value, const std::string& path, std::vect
   return scripted;
 }
 
-const std::string* body_of(const PersonAct& act) {
+const std::string* body_of(const PersonCommand& act) {
   struct Body {
-    const std::string* operator()(const GrabAct& act) const { return &act.hold.body; }
+    const std::string* operator()(const GrabCommand& act) const { return &act.hold.body; }
     const std::string* operator()(const world::Push& push) const { return &push.body; }
-    const std::string* operator()(const PlaceAct& act) const { return &act.part; }
-    const std::string* operator()(const TakeAct& act) const { return &act.part; }
-    const std::string* operator()(const DragAct&) const { return nullptr; }
-    const std::string* operator()(const ReleaseAct&) const { return nullptr; }
+    const std::string* operator()(const PlaceCommand& act) const { return &act.part; }
+    const std::string* operator()(const TakeCommand& act) const { return &act.part; }
+    const std::string* operator()(const DragCommand&) const { return nullptr; }
+    const std::string* operator()(const ReleaseCommand&) const { return nullptr; }
   };
   return std::visit(Body(), act.what);
 }
@@ -162,7 +163,7 @@ std::vector<Error> check_bodies(const OperatorScript& script, const CellWorld& w
   std::vector<Error> errors;
   for (std::size_t i = 0; i < script.acts.size(); ++i)
     for (const auto& act : script.acts[i].acts) {
-      const auto* person = std::get_if<PersonAct>(&act);
+      const auto* person = std::get_if<PersonCommand>(&act);
       const std::string* body = person ? body_of(*person) : nullptr;
       if (body && !world.may_have(*body))
         errors.push_back({ErrorCode::not_found, "there is no link or part `" + *body + "`", at("acts", i)});

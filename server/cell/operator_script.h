@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "server/cell/cell_world.h"
-#include "server/cell/person_act.h"
+#include "server/cell/person_command.h"
 
 namespace race::server {
 
@@ -38,15 +38,15 @@ struct When {
 };
 
 /// A button of what a display shows, or a number for its question.
-struct AnswerAct {
+struct AnswerCommand {
   std::string display;  // empty: the one that the act waited for
   Value answer;
 };
 
 struct ScriptedAct {
   When when;
-  std::vector<std::variant<PersonAct, AnswerAct>> acts;  // at once
-  bool always = false;                                   // every time from the beginning on, beside the sequence
+  std::vector<std::variant<PersonCommand, AnswerCommand>> acts;  // at once
+  bool always = false;  // every time from the beginning on, beside the sequence
   std::string doc;
 };
 

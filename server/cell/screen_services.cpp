@@ -7,7 +7,7 @@
 
 namespace race::server {
 
-std::vector<FurtherService> screen_services(display::Screens& screens, const std::string& folder) {
+std::vector<ExtraService> screen_services(display::Screens& screens, const std::string& folder) {
   const auto make_display = [&screens, folder](services::ServiceHost& host) {
     return std::make_unique<display::Display>(screens, folder, host);
   };

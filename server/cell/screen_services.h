@@ -11,6 +11,6 @@ namespace race::server {
 
 /// Both on `screens`, which outlive the cell, also where they are processes. `folder`: where `display` finds images
 /// here (CellSetup::folder).
-std::vector<FurtherService> screen_services(display::Screens& screens, const std::string& folder);
+std::vector<ExtraService> screen_services(display::Screens& screens, const std::string& folder);
 
 }  // namespace race::server

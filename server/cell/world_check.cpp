@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/value/fields.h"
-#include "server/cell/person_act.h"
+#include "server/cell/person_command.h"
 #include "services/world/person.h"
 #include "services/world/robot_model.h"
 

@@ -3,6 +3,7 @@
 #include "core/semantics/derive.h"
 
 #include <cstdio>
+#include <memory>
 
 #include "core/semantics/derivation_text.h"
 #include "core/value/json.h"
@@ -11,13 +12,10 @@
 namespace race::server {
 namespace {
 
-int derive(const std::vector<std::string>& words) {
-  std::vector<std::string> arguments = words;
-  const bool as_text = std::erase(arguments, "--text") > 0;
-  if (arguments.size() != 2) return misused(kDerive);
-  const auto model = read_file(arguments[0]);
+int derive(const std::string& model_path, const std::string& script_path, bool as_text) {
+  const auto model = read_file(model_path);
   if (!model) return refuse(model.error(), !as_text);
-  const auto script = read_file(arguments[1]);
+  const auto script = read_file(script_path);
   if (!script) return refuse(script.error(), !as_text);
   const auto document = semantics::derive_texts(*model, *script);
   if (!document) return refuse(document.error(), !as_text);
@@ -25,12 +23,23 @@ int derive(const std::vector<std::string>& words) {
     std::fputs(semantics::derivation_text(*document).c_str(), stdout);
   else
     std::printf("%s\n", to_json(*document, 1).c_str());
-  return document->find("status")->as_string() == "faulted" ? kFound : kFine;
+  return document->find("status")->as_string() == "faulted" ? kExitFindings : kExitOk;
+}
+
+std::function<int()> declare(Arguments& arguments) {
+  struct Options {
+    std::string model, script;
+    bool as_text = false;
+  };
+  const auto options = std::make_shared<Options>();
+  arguments.positional("MODEL", options->model);
+  arguments.positional("SCRIPT", options->script);
+  arguments.flag("--text", options->as_text, "as a transcript: one node a line");
+  return [options] { return derive(options->model, options->script, options->as_text); };
 }
 
 }  // namespace
 
-const Command kDerive = {"derive", "[--text] MODEL SCRIPT", "prints the derivations of a scripted run, as JSON or text",
-                         derive};
+const Command kDerive = {"derive", "prints the derivations of a scripted run, as JSON or text", declare};
 
 }  // namespace race::server

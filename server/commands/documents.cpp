@@ -1,6 +1,7 @@
 // The commands on documents: translate, fmt, check.
 #include <cstdio>
 #include <fstream>
+#include <memory>
 
 #include "core/rcm/document.h"
 #include "core/rcm/translate.h"
@@ -19,29 +20,24 @@ Checked<rcm::Document> load(const std::string& path) {
 }
 
 // race translate MODEL: the native model, without links and oracles, and where each of its elements comes from.
-int translate(const std::vector<std::string>& arguments) {
-  if (arguments.size() != 1) return misused(kTranslate);
-  const auto document = load(arguments[0]);
+int translate(const std::string& path) {
+  const auto document = load(path);
   if (!document) return refuse(document.error());
   const auto native = rcm::translate(*document);
   if (!native) return refuse(native.error());
   Dict origin;
-  for (const auto& [path, from] : native->origin) origin.set(path, from);
+  for (const auto& [element, from] : native->origin) origin.set(element, from);
   Dict out;
   out.set("rcm", 1);
   out.set("name", document->name);
   out.set("root", rcm::write_state(native->root));
   out.set("origin", std::move(origin));
   std::printf("%s\n", to_json(out, 2).c_str());
-  return kFine;
+  return kExitOk;
 }
 
-// race fmt [--write] MODEL...: the documents as files should hold them, on stdout or in place.
-int format(const std::vector<std::string>& arguments) {
-  bool write = false;
-  std::vector<std::string> paths;
-  for (const std::string& argument : arguments) argument == "--write" ? void(write = true) : paths.push_back(argument);
-  if (paths.empty()) return misused(kFmt);
+// race fmt MODEL... [--write]: the documents as files should hold them, on stdout or in place.
+int format(const std::vector<std::string>& paths, bool write) {
   for (const std::string& path : paths) {
     const auto document = load(path);
     if (!document) return refuse(document.error());
@@ -54,36 +50,61 @@ int format(const std::vector<std::string>& arguments) {
     out << text;
     if (!out.flush()) return refuse(Error{ErrorCode::io, "cannot be written", path});
   }
-  return kFine;
+  return kExitOk;
 }
 
 // race check MODEL [RSM...] [--json]: all violations of a document and of service descriptions.
-int check(const std::vector<std::string>& arguments) {
-  bool json = false;
-  std::vector<std::string> paths;
-  for (const std::string& argument : arguments) argument == "--json" ? void(json = true) : paths.push_back(argument);
-  if (paths.empty()) return misused(kCheck);
+int check(const std::string& model, const std::vector<std::string>& services, bool json) {
   std::vector<Error> errors;
-  if (const auto document = load(paths[0]); !document) errors = document.error();
-  for (std::size_t i = 1; i < paths.size(); ++i) {
-    const auto text = read_file(paths[i]);
+  if (const auto document = load(model); !document) errors = document.error();
+  for (const std::string& path : services) {
+    const auto text = read_file(path);
     if (!text) {
       errors.push_back(text.error());
       continue;
     }
-    const auto service = rsm::read_service_text(*text, paths[i]);
+    const auto service = rsm::read_service_text(*text, path);
     if (!service) errors.insert(errors.end(), service.error().begin(), service.error().end());
   }
   if (!errors.empty()) return refuse(errors, json);
   if (json) std::printf("%s\n", to_json(semantics::errors_json({}), 1).c_str());
-  return kFine;
+  return kExitOk;
+}
+
+std::function<int()> declare_translate(Arguments& arguments) {
+  const auto path = std::make_shared<std::string>();
+  arguments.positional("MODEL", *path);
+  return [path] { return translate(*path); };
+}
+
+std::function<int()> declare_format(Arguments& arguments) {
+  struct Options {
+    std::vector<std::string> paths;
+    bool write = false;
+  };
+  const auto options = std::make_shared<Options>();
+  arguments.positionals("MODEL", options->paths, true);
+  arguments.flag("--write", options->write, "writes the files instead of stdout");
+  return [options] { return format(options->paths, options->write); };
+}
+
+std::function<int()> declare_check(Arguments& arguments) {
+  struct Options {
+    std::string model;
+    std::vector<std::string> services;
+    bool json = false;
+  };
+  const auto options = std::make_shared<Options>();
+  arguments.positional("MODEL", options->model);
+  arguments.positionals("RSM", options->services, false);
+  arguments.flag("--json", options->json, "prints the errors as JSON to stdout, too");
+  return [options] { return check(options->model, options->services, options->json); };
 }
 
 }  // namespace
 
-const Command kTranslate = {"translate", "MODEL", "prints the native model, without links and oracles", translate};
-const Command kFmt = {"fmt", "[--write] MODEL...", "prints documents as files should hold them, or writes them so",
-                      format};
-const Command kCheck = {"check", "MODEL [RSM...] [--json]", "lists what is wrong with a document or a service", check};
+const Command kTranslate = {"translate", "prints the native model, without links and oracles", declare_translate};
+const Command kFmt = {"fmt", "prints documents as files should hold them, or writes them so", declare_format};
+const Command kCheck = {"check", "lists what is wrong with a document or a service", declare_check};
 
 }  // namespace race::server

@@ -2,13 +2,14 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <memory>
+#include <optional>
 
 #include "core/rcm/document.h"
 #include "core/value/json.h"
 #include "server/cell/screen_services.h"
 #include "server/commands/command.h"
-#include "server/commands/options.h"
-#include "server/execution/headless.h"
+#include "server/commands/headless.h"
 
 namespace race::server {
 namespace {
@@ -38,34 +39,33 @@ Expected<Dict> read_arguments(const std::string& text) {
   return value.as_dict();
 }
 
-int run_task(const std::vector<std::string>& words) {
-  const auto options = read_options(words, kRun.arguments);
-  if (!options) return refuse(options.error());
-  if (options->rest.size() != 1) return misused(kRun);
-  const bool json = options->has("--json");
-  const std::string& model = options->rest.front();
-  const auto seed = options->number("--seed", 0, 0, 9007199254740992.0);
-  const auto limit = options->number("--limit", 3600, 0, 1e9);
-  auto arguments = read_arguments(options->text("--arguments", "{}"));
-  const auto text = read_file(model);
-  if (!seed) return refuse(seed.error(), json);
-  if (!limit) return refuse(limit.error(), json);
+struct Options {
+  std::string model, arguments = "{}", database = ":memory:";
+  std::optional<std::string> cell, operator_script;
+  double seed = 0, limit_s = 3600;
+  bool fast = false, json = false;
+};
+
+int run_task(const Options& options) {
+  const bool json = options.json;
+  auto arguments = read_arguments(options.arguments);
+  const auto text = read_file(options.model);
   if (!arguments) return refuse(arguments.error(), json);
   if (!text) return refuse(text.error(), json);
   const auto document = rcm::read_document_text(*text);
   if (!document) return refuse(document.error(), json);
 
-  display::Screens screens;  // the operator stands before them, or nobody
+  display::Screens screens;  // the operator script answers them
   HeadlessSetup setup;
-  setup.cell.folder = options->text("--cell", std::filesystem::path(model).parent_path());
+  setup.cell.folder = options.cell.value_or(std::filesystem::path(options.model).parent_path());
   if (setup.cell.folder.empty()) setup.cell.folder = ".";
-  setup.cell.database = options->text("--database", ":memory:");
-  setup.cell.further = screen_services(screens, setup.cell.folder);
-  setup.fast = options->has("--fast");
-  setup.limit_s = *limit;
-  setup.cell.seed = static_cast<std::uint64_t>(*seed);
-  if (options->has("--operator")) {
-    auto script = read_operator_file(options->text("--operator"));
+  setup.cell.database = options.database;
+  setup.cell.extra_services = screen_services(screens, setup.cell.folder);
+  setup.fast = options.fast;
+  setup.limit_s = options.limit_s;
+  setup.cell.seed = static_cast<std::uint64_t>(options.seed);
+  if (options.operator_script) {
+    auto script = read_operator_file(*options.operator_script);
     if (!script) return refuse(script.error(), json);
     setup.script = std::move(*script);
     setup.screens = &screens;
@@ -76,25 +76,28 @@ int run_task(const std::vector<std::string>& words) {
   });
   std::cout.flush();
   if (!status) return refuse(status.error(), json);
-  return *status == semantics::Status::ended ? kFine : kFound;
+  return *status == semantics::Status::ended ? kExitOk : kExitFindings;
+}
+
+std::function<int()> declare(Arguments& arguments) {
+  constexpr double kMaxSeed = 9007199254740992.0;  // 2^53: every integer up to it is a double
+  const auto options = std::make_shared<Options>();
+  arguments.positional("MODEL", options->model);
+  arguments.flag("--fast", options->fast, "as fast as possible, else in real time");
+  arguments.number("--seed", "N", options->seed, 0, kMaxSeed,
+                   "of cameras and searches; the same seed gives the same run with --fast");
+  arguments.text("--arguments", "JSON", options->arguments, "parameters of the task, an object");
+  arguments.text("--cell", "DIR", options->cell, "the cell: scene.json, database.json ... (the folder of MODEL)");
+  arguments.text("--database", "FILE", options->database, "where values that tasks store are kept");
+  arguments.number("--limit", "SECONDS", options->limit_s, 0, 1e9, "ends a run that takes longer, in world time");
+  arguments.text("--operator", "FILE", options->operator_script, "a person at the cell who acts by this script");
+  arguments.flag("--json", options->json, "a line of JSON for each step");
+  return [options] { return run_task(*options); };
 }
 
 }  // namespace
 
-const Command kRun = {
-    "run",
-    "MODEL [--fast] [--seed N] [--arguments JSON] [--cell DIR] [--database FILE] [--limit SECONDS] [--operator FILE] "
-    "[--json]",
-    "runs a task with its own services, without clients; the last line is the outcome", run_task, [] {
-      return std::string(
-          "  --fast             as fast as possible, else in real time\n"
-          "  --seed N           of cameras and searches (0); the same seed gives the same run with --fast\n"
-          "  --arguments JSON   parameters of the task, an object ({})\n"
-          "  --cell DIR         the cell: scene.json, database.json ... (the folder of MODEL)\n"
-          "  --database FILE    keeps what tasks store; without, it is forgotten\n"
-          "  --limit SECONDS    leaves a run that has not ended then (3600)\n"
-          "  --operator FILE    somebody who acts by this script, else nobody\n"
-          "  --json             a line of JSON for each step\n");
-    }};
+const Command kRun = {"run", "runs a task with its own services, without clients; the last line is the outcome",
+                      declare};
 
 }  // namespace race::server

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
+#include <optional>
 
-#include "server/application.h"
+#include "server/application/application.h"
 #include "server/cell/component_groups.h"
 #include "server/commands/command.h"
-#include "server/commands/options.h"
-#include "server/http/routes.h"
+#include "server/http/listener.h"
 
 namespace race::server {
 namespace {
@@ -34,58 +35,57 @@ Expected<std::vector<std::string>> read_units(std::string_view text) {
   return names;
 }
 
-int serve(const std::vector<std::string>& words) {
-  const auto options = read_options(words, kServe.arguments);
-  if (!options) return refuse(options.error());
-  if (!options->rest.empty()) return misused(kServe);
-  const auto port = options->number("--port", 8080, 0, 65535);
-  if (!port) return refuse(port.error());
-  auto remote = read_units(options->text("--remote"));
-  if (!remote) return refuse(remote.error());
-  const auto heartbeat = options->number("--heartbeat", 1, 0.1, 3600);
-  if (!heartbeat) return refuse(heartbeat.error());
-  const std::string data = options->text("--data", "data");
-  std::error_code error;
-  std::filesystem::create_directories(data, error);
-  if (error) return refuse(Error{ErrorCode::io, error.message(), data});
+struct Options {
+  std::string data = "data", demo, web, remote;
+  std::optional<std::string> operator_script;
+  double port = 8080, heartbeat_s = 1;
+  bool headless = false;
+};
 
-  Application::Setup setup{data, options->text("--demo"), first_sequence()};
-  if (options->has("--operator")) {
-    auto script = read_operator_file(options->text("--operator"));
+int serve(const Options& options) {
+  auto remote = read_units(options.remote);
+  if (!remote) return refuse(remote.error());
+  std::error_code error;
+  std::filesystem::create_directories(options.data, error);
+  if (error) return refuse(Error{ErrorCode::io, error.message(), options.data});
+
+  Application::Setup setup{options.data, options.demo, first_sequence()};
+  if (options.operator_script) {
+    auto script = read_operator_file(*options.operator_script);
     if (!script) return refuse(script.error());
     setup.script = std::move(*script);
   }
   setup.remote = std::move(*remote);
-  setup.heartbeat = std::chrono::milliseconds(std::llround(*heartbeat * 1000));
+  setup.heartbeat = std::chrono::milliseconds(std::llround(options.heartbeat_s * 1000));
   auto app = Application::create(setup);
   if (!app) return refuse(app.error());
   // Without clients, no pages; the interface is there all the same.
-  const std::string web = options->has("--headless") ? "" : options->text("--web");
-  auto server = HttpServer::listen(static_cast<std::uint16_t>(*port), web, behind_the_door(**app));
+  const std::string web = options.headless ? "" : options.web;
+  auto server = HttpServer::listen(static_cast<std::uint16_t>(options.port), web, (*app)->make_backend());
   if (!server) return refuse(server.error());
   std::printf("race listens on http://127.0.0.1:%u\n", static_cast<unsigned>((*server)->port()));
   std::fflush(stdout);
   (*server)->run();
-  return kFine;
+  return kExitOk;
+}
+
+std::function<int()> declare(Arguments& arguments) {
+  const auto options = std::make_shared<Options>();
+  arguments.number("--port", "N", options->port, 0, 65535, "0: any that is free");
+  arguments.text("--data", "DIR", options->data, "where documents and values are kept");
+  arguments.text("--demo", "DIR", options->demo, "the cell and its tasks; without, there is no robot");
+  arguments.text("--web", "DIR", options->web, "the pages; without, the interface alone");
+  arguments.flag("--headless", options->headless, "no pages, whatever --web says");
+  arguments.text("--operator", "FILE", options->operator_script, "a person at the cell who acts by this script");
+  arguments.text("--remote", "UNIT,...", options->remote,
+                 "waits for processes (race service) that bring these: " + component_group_names());
+  arguments.number("--heartbeat", "SECONDS", options->heartbeat_s, 0.1, 3600,
+                   "after which such a process that is silent is lost");
+  return [options] { return serve(*options); };
 }
 
 }  // namespace
 
-const Command kServe = {
-    "serve",
-    "[--port N] [--data DIR] [--demo DIR] [--web DIR] [--headless] [--operator FILE] [--remote UNIT,...] "
-    "[--heartbeat SECONDS]",
-    "serves cores, services and the browser clients on 127.0.0.1", serve, [] {
-      return "  --port N              (8080); 0: any that is free\n"
-             "  --data DIR            where documents and values are kept (data)\n"
-             "  --demo DIR            the cell and its tasks; without, there is no robot\n"
-             "  --web DIR             the pages; without, the interface alone\n"
-             "  --headless            no pages, whatever --web says\n"
-             "  --operator FILE       somebody who acts by this script, else people do\n"
-             "  --remote UNIT,...     waits for processes (race service) that bring these: " +
-             component_group_names() +
-             "\n"
-             "  --heartbeat SECONDS   after which such a process that says nothing is lost (1)\n";
-    }};
+const Command kServe = {"serve", "serves cores, services and the browser clients on 127.0.0.1", declare};
 
 }  // namespace race::server

@@ -7,7 +7,6 @@
 
 #include "server/cell/component_groups.h"
 #include "server/commands/command.h"
-#include "server/commands/options.h"
 #include "services/remote/socket_client.h"
 
 namespace race::server {
@@ -16,16 +15,16 @@ namespace {
 using namespace std::chrono_literals;
 using std::chrono::steady_clock;
 
-constexpr auto kAgain = 500ms;  // from one try to reach the server to the next
+constexpr auto kRetryInterval = 500ms;  // between attempts to connect
 
-std::atomic<bool> ended{false};  // by SIGINT or SIGTERM
+std::atomic<bool> stop_requested{false};  // by SIGINT or SIGTERM
 
-void say(const std::string& text) {
+void print_line(const std::string& text) {
   std::printf("%s\n", text.c_str());
   std::fflush(stdout);
 }
 
-// How a connection went, as the socket's thread and the group's see it.
+// The state of a connection, shared by the threads of the socket and of the group.
 struct Session {
   std::atomic<bool> over{false};
   std::mutex mutex;
@@ -49,26 +48,27 @@ struct Session {
   }
 };
 
-// What the server says, on the socket's thread. The group may wait for a reply; all else waits for the group.
-void take(const remote::EncodedMessage& frame, remote::ProcessHost& process, Session& session,
-          const std::string& name) {
+// Handles a message of the server, on the socket's thread. The group may wait for a reply; all else is queued for the
+// group.
+void handle_message(const remote::EncodedMessage& frame, remote::ProcessHost& process, Session& session,
+                    const std::string& name) {
   auto message = remote::decode(frame, remote::Reader::process);
-  const auto unfit = [&session](const Error& error) {
+  const auto end_invalid = [&session](const Error& error) {
     session.end("the server says what does not fit: " + to_string(error));
   };
-  if (!message) return unfit(message.error());
+  if (!message) return end_invalid(message.error());
   if (message->kind == remote::Kind::refused) return session.refuse(*message);
   if (message->kind == remote::Kind::reply) return process.handle_reply(std::move(*message));
-  if (message->kind == remote::Kind::welcome) say(name + " is there");
-  process.queue().post([&process, unfit, message = std::move(*message)]() mutable {
-    if (auto handled = process.handle(std::move(message)); !handled) unfit(handled.error());
+  if (message->kind == remote::Kind::welcome) print_line(name + " is there");
+  process.queue().post([&process, end_invalid, message = std::move(*message)]() mutable {
+    if (auto handled = process.handle(std::move(message)); !handled) end_invalid(handled.error());
   });
 }
 
 // Steps the group in real time while it is connected.
 Expected<void> serve(remote::ProcessHost& process, Session& session) {
   auto next = steady_clock::now();
-  while (!ended && !session.over) {
+  while (!stop_requested && !session.over) {
     next += 1ms;
     std::this_thread::sleep_until(next);
     if (const auto now = steady_clock::now(); now - next > 100ms) next = now;
@@ -79,68 +79,72 @@ Expected<void> serve(remote::ProcessHost& process, Session& session) {
   return {};
 }
 
-int be_a_service(const std::vector<std::string>& words) {
-  const auto options = read_options(words, kService.arguments);
-  if (!options) return refuse(options.error());
-  if (options->rest.size() != 1 || !options->has("--server")) return misused(kService);
-  const std::string& name = options->rest.front();
+struct Options {
+  std::string unit, server, folder, database = ":memory:";
+};
+
+int run_service(const Options& options) {
+  const std::string& name = options.unit;
   const auto row = find_component_group(name);
   if (!row) return refuse(row.error());
-  const std::string url = options->text("--server");
+  const std::string& url = options.server;
   const auto address = remote::read_address(url);
   if (!address) return refuse(address.error());
-  const GroupSetup setup{options->text("--folder"), options->text("--database", ":memory:")};
-  std::signal(SIGINT, [](int) { ended = true; });
-  std::signal(SIGTERM, [](int) { ended = true; });
+  const GroupSetup setup{options.folder, options.database};
+  std::signal(SIGINT, [](int) { stop_requested = true; });
+  std::signal(SIGTERM, [](int) { stop_requested = true; });
 
-  bool waits = false;  // and has said so
-  while (!ended) {
-    // What was connected once is as good as dead afterwards: its services begin anew.
+  bool waiting = false;  // for the server, and has printed so
+  while (!stop_requested) {
+    // The server treats a lost process as dead: its services begin anew.
     remote::SendQueue out;
     remote::ProcessHost process;
     if (auto made = (*row)->make(setup, process); !made) return refuse(made.error());
     Session session;
     std::unique_ptr<remote::SocketClient> socket;
-    while (!ended && !socket) {
-      auto connected = remote::SocketClient::connect(
-          *address, out,
-          {[&](const remote::EncodedMessage& frame) { take(frame, process, session, name); },
-           [&](std::string why) { session.end(std::move(why)); }});
+    while (!stop_requested && !socket) {
+      auto connected =
+          remote::SocketClient::connect(*address, out,
+                                        {[&](const remote::EncodedMessage& frame) { handle_message(frame, process, session, name); },
+                                         [&](std::string why) { session.end(std::move(why)); }});
       if (connected) {
         socket = std::move(*connected);
       } else if (connected.error().code != ErrorCode::unavailable) {
         return refuse(Error{connected.error().code, connected.error().message, url});
       } else {
-        if (!std::exchange(waits, true))
-          say(name + " waits for the server at " + url + ": " + connected.error().message);
-        std::this_thread::sleep_for(kAgain);
+        if (!std::exchange(waiting, true))
+          print_line(name + " waits for the server at " + url + ": " + connected.error().message);
+        std::this_thread::sleep_for(kRetryInterval);
       }
     }
-    if (ended) break;
-    waits = false;
+    if (stop_requested) break;
+    waiting = false;
     out.push(remote::encode(process.hello()).value());
-    process.connect(out, [&] { return ended || session.over; });
+    process.connect(out, [&] { return stop_requested || session.over; });
     try {
       if (auto served = serve(process, session); !served) return refuse(served.error());
     } catch (const std::exception& failure) {
       std::fprintf(stderr, "%s: died: %s\n", name.c_str(), failure.what());
-      return kFound;
+      return kExitFindings;
     }
-    if (!ended) say(name + " has lost the server: " + session.why);
+    if (!stop_requested) print_line(name + " has lost the server: " + session.why);
   }
-  return kFine;
+  return kExitOk;
+}
+
+std::function<int()> declare(Arguments& arguments) {
+  const auto options = std::make_shared<Options>();
+  arguments.positional("UNIT", options->unit, component_group_names());
+  arguments.required_text("--server", "URL", options->server,
+                          "http://127.0.0.1:8080, where it runs; waits for it, and reconnects");
+  arguments.text("--folder", "DIR", options->folder,
+                 "the cell: scene.json, parts.json, database.json, pictures, as its unit needs them");
+  arguments.text("--database", "FILE", options->database, "of the unit database: where its values are kept");
+  return [options] { return run_service(*options); };
 }
 
 }  // namespace
 
-const Command kService = {
-    "service", "UNIT --server URL [--folder DIR] [--database FILE]",
-    "runs one unit of a server's cell as a process, which may die", be_a_service, [] {
-      return "  UNIT              " + component_group_names() +
-             "\n"
-             "  --server URL      http://127.0.0.1:8080, where it runs; waits for it, and again when it was lost\n"
-             "  --folder DIR      the cell: scene.json, parts.json, database.json, pictures, as its unit needs them\n"
-             "  --database FILE   of the unit database: keeps its values; without, they die with the process\n";
-    }};
+const Command kService = {"service", "runs one unit of a server's cell as a process, which may die", declare};
 
 }  // namespace race::server

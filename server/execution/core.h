@@ -16,17 +16,19 @@
 #include "server/execution/journal.h"
 #include "server/execution/replay.h"
 #include "server/execution/state_view.h"
-#include "server/execution/strand.h"
+#include "server/threads/strand.h"
 #include "services/host/host.h"
 
 namespace race::server {
 
-/// Where a core's news go. Called on its strand; must be quick. All values are frozen.
+/// Gets what cores report. Called on a core's strand, core_removed() on any thread; must be quick. All values are
+/// frozen.
 class CoreWatcher {
  public:
   virtual ~CoreWatcher() = default;
   /// schemas/core.json
   virtual void core_changed(const std::string& id, Value core) = 0;
+  virtual void core_removed(const std::string& id) = 0;
   virtual void state_snapshot(const std::string& id, Value state) = 0;
   virtual void state_changed(const std::string& id, Value delta) = 0;
   virtual void derivation_snapshot(const std::string& id, Value next) = 0;

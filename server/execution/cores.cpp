@@ -50,6 +50,13 @@ Checked<Value> native_json(const rcm::Document& document) {
   return native_json(document, *native);
 }
 
+Value cores_json(const Cores& cores) {
+  List list;
+  for (const auto& core : cores.all()) list.push_back(core->info());
+  Value json = Dict{{"cores", std::move(list)}};
+  return std::move(json.freeze());
+}
+
 Checked<std::shared_ptr<Core>> Cores::create(const std::string& name, const rcm::Document& document, Dict arguments) {
   if (auto errors = wrong_types(document, host_.services()); !errors.empty()) return tl::unexpected(std::move(errors));
   auto native = rcm::translate(document);
@@ -91,12 +98,22 @@ std::vector<std::shared_ptr<Core>> Cores::all() const {
   return all;
 }
 
-Expected<std::shared_ptr<Core>> Cores::remove(const std::string& id) {
+Expected<std::shared_ptr<Core>> Cores::take(const std::string& id) {
   const std::lock_guard lock(mutex_);
   const auto found = cores_.find(number_of(id));
   if (found == cores_.end()) return no_core(id);
   auto core = std::move(found->second);
   cores_.erase(found);
+  return core;
+}
+
+Expected<std::shared_ptr<Core>> Cores::remove(const std::string& id) {
+  ASSIGN_OR_RETURN(auto core, take(id));
+  const auto stopped = core->stop();
+  // `conflict`: the run is over or was never started; there is nothing to stop.
+  if (!stopped && stopped.error().code != ErrorCode::conflict) watcher_.printed(core->id(), to_string(stopped.error()));
+  core->close();
+  watcher_.core_removed(core->id());
   return core;
 }
 

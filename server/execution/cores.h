@@ -28,7 +28,7 @@ class Cores {
   Expected<std::shared_ptr<Core>> find(const std::string& id) const;
   /// In order of creation.
   std::vector<std::shared_ptr<Core>> all() const;
-  /// Takes a core out; whoever still holds it may end it. Error `not_found`.
+  /// Removes a core, stops its run and reports the removal; waits for the core. Error `not_found`.
   Expected<std::shared_ptr<Core>> remove(const std::string& id);
 
   /// An event goes to every core that names it, a response to the core whose call it answers.
@@ -37,6 +37,8 @@ class Cores {
   void close();
 
  private:
+  Expected<std::shared_ptr<Core>> take(const std::string& id);
+
   Pool& pool_;
   services::Host& host_;
   CoreWatcher& watcher_;
@@ -44,6 +46,9 @@ class Cores {
   std::map<std::uint64_t, std::shared_ptr<Core>> cores_;
   std::uint64_t next_ = 1;
 };
+
+/// schemas/cores.json, frozen.
+Value cores_json(const Cores& cores);
 
 /// schemas/native.json of a document, frozen.
 Checked<Value> native_json(const rcm::Document& document);

@@ -1,3 +1,5 @@
+#include "server/cell/cell.h"
+#include "server/execution/cores.h"
 #include "server/handlers/handlers.h"
 
 namespace race::server {
@@ -10,14 +12,14 @@ Reply ok(Value body) {
 
 tl::unexpected<std::vector<Error>> failed(Error error) { return tl::unexpected(std::vector<Error>{std::move(error)}); }
 
-Checked<std::shared_ptr<Core>> core_of(const Request& request, Application& app) {
-  auto core = app.cores().find(request.parameters.at("id"));
+Checked<std::shared_ptr<Core>> core_of(const Request& request, const Cores& cores) {
+  auto core = cores.find(request.parameters.at("id"));
   if (!core) return failed(std::move(core).error());
   return std::move(*core);
 }
 
-Checked<CellWorld*> world_of(Application& app) {
-  if (CellWorld* world = app.cell().world()) return world;
+Checked<CellWorld*> world_of(Cell& cell) {
+  if (CellWorld* world = cell.world()) return world;
   return failed({ErrorCode::not_found, "there is no world here: the server has no cell"});
 }
 

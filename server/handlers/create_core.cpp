@@ -1,11 +1,13 @@
 // POST /api/v1/cores: a core of a document and arguments, which waits to be started.
 #include "core/value/fields.h"
 #include "core/value/json.h"
+#include "server/execution/cores.h"
 #include "server/handlers/handlers.h"
+#include "server/store/documents.h"
 
 namespace race::server {
 
-Handled create_core(const Request& request, Application& app) {
+Handled create_core(const Request& request, Documents& documents, Cores& cores) {
   auto body = parse_json(request.body);
   if (!body) return failed(std::move(body).error());
   std::vector<Error> errors;
@@ -16,9 +18,9 @@ Handled create_core(const Request& request, Application& app) {
     fields.violation(ErrorCode::type, "`arguments` must be an object", "arguments");
   fields.close();
   if (!errors.empty()) return tl::unexpected(std::move(errors));
-  const auto stored = app.documents().get(*name);
+  const auto stored = documents.get(*name);
   if (!stored) return tl::unexpected(stored.error());
-  const auto core = app.cores().create(stored->name, stored->document, arguments ? arguments->as_dict() : Dict());
+  const auto core = cores.create(stored->name, stored->document, arguments ? arguments->as_dict() : Dict());
   if (!core) return tl::unexpected(core.error());
   Reply reply = ok((*core)->info());
   reply.status = 201;

@@ -2,6 +2,7 @@
 #include "core/rcm/document.h"
 
 #include "server/handlers/handlers.h"
+#include "server/store/documents.h"
 
 namespace race::server {
 
@@ -15,12 +16,12 @@ Handled entry(const Checked<StoredDocument>& stored) {
 
 }  // namespace
 
-Handled get_document(const Request& request, Application& app) {
-  return entry(app.documents().get(request.parameters.at("name")));
+Handled get_document(const Request& request, Documents& documents) {
+  return entry(documents.get(request.parameters.at("name")));
 }
 
-Handled put_document(const Request& request, Application& app) {
-  return entry(app.documents().put(request.parameters.at("name"), request.body));
+Handled put_document(const Request& request, Documents& documents) {
+  return entry(documents.put(request.parameters.at("name"), request.body));
 }
 
 }  // namespace race::server

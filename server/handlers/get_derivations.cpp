@@ -1,6 +1,7 @@
 // GET /api/v1/cores/{id}/derivations?from&to: recomputed from the journal.
 #include <charconv>
 
+#include "server/execution/cores.h"
 #include "server/handlers/handlers.h"
 
 namespace race::server {
@@ -21,8 +22,8 @@ Expected<std::size_t> step_of(const Request& request, std::string_view name) {
 
 }  // namespace
 
-Handled get_derivations(const Request& request, Application& app) {
-  const auto core = core_of(request, app);
+Handled get_derivations(const Request& request, Cores& cores) {
+  const auto core = core_of(request, cores);
   if (!core) return tl::unexpected(core.error());
   const auto from = step_of(request, "from"), to = step_of(request, "to");
   if (!from) return failed(from.error());

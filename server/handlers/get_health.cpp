@@ -1,19 +1,23 @@
 // GET /api/v1/health: the server answers, and what it hosts.
+#include "server/cell/cell.h"
+#include "server/execution/cores.h"
 #include "server/handlers/handlers.h"
+#include "server/store/documents.h"
+#include "server/wire/version.h"
 
 namespace race::server {
 
-Handled get_health(const Request&, Application& app) {
-  const auto documents = app.documents().list();
-  if (!documents) return tl::unexpected(documents.error());
+Handled get_health(const Request&, Documents& documents, Cores& cores, Cell& cell) {
+  const auto stored = documents.list();
+  if (!stored) return tl::unexpected(stored.error());
   const auto count = [](std::size_t n) { return Value(static_cast<std::int64_t>(n)); };
   return ok(Dict{{"status", "ok"},
-                 {"version", kVersion},
-                 {"time", app.cell().clock().now()},
-                 {"documents", count(documents->size())},
-                 {"cores", count(app.cores().all().size())},
-                 {"services", count(app.cell().host().services().size())},
-                 {"cell", app.cell().world() != nullptr}});
+                 {"version", version()},
+                 {"time", cell.clock().now()},
+                 {"documents", count(stored->size())},
+                 {"cores", count(cores.all().size())},
+                 {"services", count(cell.host().services().size())},
+                 {"cell", cell.world() != nullptr}});
 }
 
 }  // namespace race::server

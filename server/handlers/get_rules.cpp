@@ -4,7 +4,7 @@
 
 namespace race::server {
 
-Handled get_rules(const Request&, Application&) {
+Handled get_rules(const Request&) {
   List rules;
   for (const semantics::RuleInfo& rule : semantics::kRules)
     rules.emplace_back(

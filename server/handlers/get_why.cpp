@@ -1,6 +1,7 @@
 // GET /api/v1/cores/{id}/why?port=&step=&micro=: why a port does not fire now, or why it fired in a past micro step.
 #include <charconv>
 
+#include "server/execution/cores.h"
 #include "server/handlers/handlers.h"
 
 namespace race::server {
@@ -22,8 +23,8 @@ Expected<int> number_of(const Request& request, std::string_view name, int least
 
 }  // namespace
 
-Handled get_why(const Request& request, Application& app) {
-  const auto core = core_of(request, app);
+Handled get_why(const Request& request, Cores& cores) {
+  const auto core = core_of(request, cores);
   if (!core) return tl::unexpected(core.error());
   const auto port = request.query.find("port");
   if (port == request.query.end()) return failed({ErrorCode::missing, "which port? ?port=Root/A.success", "port"});

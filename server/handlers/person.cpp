@@ -1,27 +1,28 @@
 // GET and POST /api/v1/cell/person: what the hands at the cell hold, and what they do next.
 #include "core/value/json.h"
-#include "server/cell/person_act.h"
+#include "server/cell/cell.h"
+#include "server/cell/person_command.h"
 #include "server/handlers/handlers.h"
 
 namespace race::server {
 
 namespace {
 
-Handled at_cell(Application& app, const std::optional<PersonAct>& act) {
-  if (const auto world = world_of(app); !world) return tl::unexpected(world.error());
-  return answer(app.cell().act(act));
+Handled execute(Cell& cell, const std::optional<PersonCommand>& command) {
+  if (const auto world = world_of(cell); !world) return tl::unexpected(world.error());
+  return answer(cell.execute(command));
 }
 
 }  // namespace
 
-Handled get_person(const Request&, Application& app) { return at_cell(app, std::nullopt); }
+Handled get_person(const Request&, Cell& cell) { return execute(cell, std::nullopt); }
 
-Handled act_as_person(const Request& request, Application& app) {
+Handled execute_person_command(const Request& request, Cell& cell) {
   const auto body = parse_json(request.body);
   if (!body) return failed(body.error());
-  auto act = read_person_act(*body, kClientPatience);
-  if (!act) return tl::unexpected(std::move(act).error());
-  return at_cell(app, std::move(*act));
+  auto command = read_person_command(*body, kClientKeep);
+  if (!command) return tl::unexpected(std::move(command).error());
+  return execute(cell, std::move(*command));
 }
 
 }  // namespace race::server

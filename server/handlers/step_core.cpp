@@ -1,6 +1,7 @@
 // POST /api/v1/cores/{id}/step: one micro step, one macro step, or until a state is entered or left.
 #include "core/value/fields.h"
 #include "core/value/json.h"
+#include "server/execution/cores.h"
 #include "server/handlers/handlers.h"
 
 namespace race::server {
@@ -33,8 +34,8 @@ Checked<StepGoal> read_goal(const std::string& text) {
 
 }  // namespace
 
-Handled step_core(const Request& request, Application& app) {
-  const auto core = core_of(request, app);
+Handled step_core(const Request& request, Cores& cores) {
+  const auto core = core_of(request, cores);
   if (!core) return tl::unexpected(core.error());
   auto goal = read_goal(request.body);
   if (!goal) return tl::unexpected(std::move(goal).error());

@@ -5,8 +5,8 @@
 #include <chrono>
 
 #include "core/value/json.h"
-#include "server/http/door.h"
-#include "server/http/errors.h"
+#include "server/http/refusal.h"
+#include "server/http/request_filter.h"
 #include "server/http/sessions.h"
 #include "server/http/static_files.h"
 
@@ -17,15 +17,15 @@ using asio::ip::tcp;
 using boost::system::error_code;
 using namespace std::chrono_literals;
 
-constexpr auto kDeparture = 30s;  // for an answer to leave
-constexpr auto kLinger = 2s;      // for a client to stop sending what is refused
+constexpr auto kWriteTimeout = 30s;  // of a response
+constexpr auto kDrainTimeout = 2s;   // for a client to stop sending what is refused
 constexpr std::string_view kStream = "/api/v1/stream";
 constexpr std::string_view kComponents = "/api/v1/components";
 
 struct Context {
-  Door door;
+  RequestFilter filter;
   std::string web;
-  Backend behind;
+  Backend backend;
   Pool& handlers;
   HttpServer::Limits limits;
   int connections = 0;
@@ -48,15 +48,14 @@ Expected<Request> to_request(const http::request<http::string_body>& from) {
   return request;
 }
 
-// What an answer to a request needs besides itself.
-struct Manner {
+struct ResponseOptions {
   bool keep_alive = false;
   bool head = false;  // without the body
 };
 
-http::response<http::string_body> to_response(Reply reply, Manner manner) {
+http::response<http::string_body> to_response(Reply reply, ResponseOptions options) {
   http::response<http::string_body> response(static_cast<http::status>(reply.status), 11);
-  response.keep_alive(manner.keep_alive);
+  response.keep_alive(options.keep_alive);
   response.set(http::field::server, "race");
   response.set("X-Content-Type-Options", "nosniff");
   // A foreign page that shows ours in a frame could have its visitors press our buttons.
@@ -73,12 +72,12 @@ http::response<http::string_body> to_response(Reply reply, Manner manner) {
     response.body() = std::move(reply.text);
   }
   response.prepare_payload();
-  if (manner.head) response.body().clear();
+  if (options.head) response.body().clear();
   return response;
 }
 
 Reply answer(Request request, Context& context) {
-  if (request.path.starts_with("/api/")) return context.behind.handle(std::move(request));
+  if (request.path.starts_with("/api/")) return context.backend.handle(std::move(request));
   if (request.method == "GET")
     if (auto file = static_file(context.web, request.path)) return std::move(*file);
   return refusal(404, "not_found", "there is no such page");
@@ -101,30 +100,30 @@ awaitable<Reply> on_pool(Pool& pool, std::function<Reply()> work) {
   co_return reply;
 }
 
-// Why a header could not be read.
-std::optional<Reply> unreadable(error_code error) {
+// The response to a request that could not be read; nothing: the connection is gone.
+std::optional<Reply> read_error(error_code error) {
   if (error == http::error::header_limit || error == http::error::buffer_overflow)
-    return refusal(431, "too_large", "a header has at most " + std::to_string(Door::kHeaderBytes) + " bytes");
+    return refusal(431, "too_large", "a header has at most " + std::to_string(RequestFilter::kHeaderBytes) + " bytes");
   if (error == http::error::body_limit)
-    return refusal(413, "too_large", "a body has at most " + std::to_string(Door::kBodyBytes) + " bytes");
+    return refusal(413, "too_large", "a body has at most " + std::to_string(RequestFilter::kBodyBytes) + " bytes");
   if (error.category() == make_error_code(http::error::bad_method).category() && error != http::error::end_of_stream &&
       error != http::error::partial_message)
     return refusal(400, "http", error.message());
-  return std::nullopt;  // the connection is gone
+  return std::nullopt;
 }
 
-awaitable<bool> send(beast::tcp_stream& stream, Reply reply, Manner manner) {
-  const auto response = to_response(std::move(reply), manner);
-  stream.expires_after(kDeparture);
-  const auto [error, bytes] = co_await http::async_write(stream, response, kUse);
-  if (error || manner.keep_alive) co_return !error;
-  // A client that is still sending would lose the answer if the connection were cut: what it sends is thrown away.
+awaitable<bool> send(beast::tcp_stream& stream, Reply reply, ResponseOptions options) {
+  const auto response = to_response(std::move(reply), options);
+  stream.expires_after(kWriteTimeout);
+  const auto [error, bytes] = co_await http::async_write(stream, response, kAsTuple);
+  if (error || options.keep_alive) co_return !error;
+  // Closing while the client still sends would reset the connection before it has read the response: drain first.
   error_code ignored;
   stream.socket().shutdown(tcp::socket::shutdown_send, ignored);
-  stream.expires_after(kLinger);
+  stream.expires_after(kDrainTimeout);
   std::array<char, 65536> waste;
-  for (std::size_t drained = 0; drained < 4 * Door::kBodyBytes;) {
-    const auto [end, read] = co_await stream.async_read_some(asio::buffer(waste), kUse);
+  for (std::size_t drained = 0; drained < 4 * RequestFilter::kBodyBytes;) {
+    const auto [end, read] = co_await stream.async_read_some(asio::buffer(waste), kAsTuple);
     if (end) break;
     drained += read;
   }
@@ -138,77 +137,77 @@ Reply bad_target(const Error& error) {
   return reply;
 }
 
-// One request of a connection, whose header may take `begin` to begin: whether another may follow.
+// Serves one request of a connection; its first byte may take `begin`. Returns whether another may follow.
 awaitable<bool> serve_one(beast::tcp_stream& stream, beast::flat_buffer& buffer, Context& context,
                           std::chrono::milliseconds begin) {
   Parser parser;
-  parser.header_limit(Door::kHeaderBytes);
-  parser.body_limit(Door::kBodyBytes);
+  parser.header_limit(RequestFilter::kHeaderBytes);
+  parser.body_limit(RequestFilter::kBodyBytes);
   if (buffer.size() == 0) {
     stream.expires_after(begin);
-    const auto [error, bytes] = co_await stream.async_read_some(buffer.prepare(Door::kHeaderBytes), kUse);
+    const auto [error, bytes] = co_await stream.async_read_some(buffer.prepare(RequestFilter::kHeaderBytes), kAsTuple);
     if (error) co_return false;
     buffer.commit(bytes);
   }
-  stream.expires_after(context.limits.arrival);
-  if (const auto [error, bytes] = co_await http::async_read_header(stream, buffer, parser, kUse); error) {
-    if (auto reply = unreadable(error)) co_await send(stream, std::move(*reply), Manner());
+  stream.expires_after(context.limits.read_timeout);
+  if (const auto [error, bytes] = co_await http::async_read_header(stream, buffer, parser, kAsTuple); error) {
+    if (auto reply = read_error(error)) co_await send(stream, std::move(*reply), ResponseOptions());
     co_return false;
   }
   auto request = to_request(parser.get());
   if (!request) {
     Reply reply = bad_target(request.error());
-    co_return co_await send(stream, std::move(reply), Manner());
+    co_return co_await send(stream, std::move(reply), ResponseOptions());
   }
   const bool upgrade = websocket::is_upgrade(parser.get());
-  Manner manner{false, request->method == "HEAD"};
-  if (manner.head) request->method = "GET";
-  if (auto refused = context.door.refuse(*request, upgrade))
-    co_return co_await send(stream, std::move(*refused), manner);
-  stream.expires_after(context.limits.arrival);
-  if (const auto [error, bytes] = co_await http::async_read(stream, buffer, parser, kUse); error) {
-    if (auto reply = unreadable(error)) co_await send(stream, std::move(*reply), Manner());
+  ResponseOptions options{false, request->method == "HEAD"};
+  if (options.head) request->method = "GET";
+  if (auto refused = context.filter.refuse(*request, upgrade))
+    co_return co_await send(stream, std::move(*refused), options);
+  stream.expires_after(context.limits.read_timeout);
+  if (const auto [error, bytes] = co_await http::async_read(stream, buffer, parser, kAsTuple); error) {
+    if (auto reply = read_error(error)) co_await send(stream, std::move(*reply), ResponseOptions());
     co_return false;
   }
   if (upgrade && request->path == kStream && request->method == "GET") {
-    co_await serve_stream(std::move(stream), parser.release(), context.behind.hub, context.behind.displays);
+    co_await serve_stream(std::move(stream), parser.release(), context.backend.hub, context.backend.displays);
     co_return false;
   }
   if (upgrade && request->path == kComponents && request->method == "GET") {
-    co_await serve_components(std::move(stream), parser.release(), context.behind.remotes);
+    co_await serve_components(std::move(stream), parser.release(), context.backend.remotes);
     co_return false;
   }
   if (request->path == kStream || request->path == kComponents) {
     Reply reply = refusal(426, "upgrade", "a WebSocket is served here");
-    co_return co_await send(stream, std::move(reply), Manner());
+    co_return co_await send(stream, std::move(reply), ResponseOptions());
   }
-  manner.keep_alive = parser.keep_alive();
+  options.keep_alive = parser.keep_alive();
   request->body = std::move(parser.get().body());
   stream.expires_never();
   std::function<Reply()> work = [request = std::move(*request), &context] { return answer(request, context); };
   Reply reply = co_await on_pool(context.handlers, std::move(work));
-  co_return co_await send(stream, std::move(reply), manner);
+  co_return co_await send(stream, std::move(reply), options);
 }
 
 awaitable<void> serve(tcp::socket socket, Context& context) {
   beast::tcp_stream stream(std::move(socket));
-  beast::flat_buffer buffer(Door::kHeaderBytes + 64 * 1024);
+  beast::flat_buffer buffer(RequestFilter::kHeaderBytes + 64 * 1024);
   try {
-    bool more = co_await serve_one(stream, buffer, context, context.limits.arrival);
-    while (more) more = co_await serve_one(stream, buffer, context, context.limits.idle);
+    bool more = co_await serve_one(stream, buffer, context, context.limits.read_timeout);
+    while (more) more = co_await serve_one(stream, buffer, context, context.limits.idle_timeout);
   } catch (const std::exception& failure) {
-    context.behind.log(std::string("a connection failed: ") + failure.what());
+    context.backend.log(std::string("a connection failed: ") + failure.what());
   }
   --context.connections;
 }
 
 awaitable<void> accept(tcp::acceptor& acceptor, Context& context) {
   for (;;) {
-    auto [error, socket] = co_await acceptor.async_accept(kUse);
+    auto [error, socket] = co_await acceptor.async_accept(kAsTuple);
     if (error == asio::error::operation_aborted) co_return;
     if (error) {  // out of descriptors: others will be given back
       asio::steady_timer pause(acceptor.get_executor(), 100ms);
-      co_await pause.async_wait(kUse);
+      co_await pause.async_wait(kAsTuple);
       continue;
     }
     if (context.connections >= context.limits.connections) continue;
@@ -222,14 +221,14 @@ awaitable<void> accept(tcp::acceptor& acceptor, Context& context) {
 }  // namespace
 
 struct HttpServer::Sockets {
-  Sockets(std::string its_web, Backend behind, const Limits& limits)
+  Sockets(std::string its_web, Backend backend, const Limits& limits)
       : acceptor(io),
         handlers(std::make_unique<Pool>(4)),
-        context{Door(0), std::move(its_web), std::move(behind), *handlers, limits} {}
-  // Handlers end, and the hub lets go of its listeners, while the sockets are still there.
+        context{RequestFilter(0), std::move(its_web), std::move(backend), *handlers, limits} {}
+  // Handlers end, and the hub drops its subscribers, while the sockets are still there.
   ~Sockets() {
     handlers.reset();
-    context.behind.hub.release();
+    context.backend.hub.shut_down();
   }
 
   asio::io_context io{1};
@@ -241,9 +240,9 @@ struct HttpServer::Sockets {
 HttpServer::HttpServer(std::unique_ptr<Sockets> sockets) : sockets_(std::move(sockets)) {}
 HttpServer::~HttpServer() = default;
 
-Expected<std::unique_ptr<HttpServer>> HttpServer::listen(std::uint16_t port, std::string web, Backend behind,
+Expected<std::unique_ptr<HttpServer>> HttpServer::listen(std::uint16_t port, std::string web, Backend backend,
                                                          const Limits& limits) {
-  auto sockets = std::make_unique<Sockets>(std::move(web), std::move(behind), limits);
+  auto sockets = std::make_unique<Sockets>(std::move(web), std::move(backend), limits);
   const tcp::endpoint endpoint(asio::ip::address_v4::loopback(), port);
   try {
     sockets->acceptor.open(endpoint.protocol());
@@ -253,7 +252,7 @@ Expected<std::unique_ptr<HttpServer>> HttpServer::listen(std::uint16_t port, std
   } catch (const boost::system::system_error& failure) {
     return unexpected(ErrorCode::io, failure.code().message(), "127.0.0.1:" + std::to_string(port));
   }
-  sockets->context.door = Door(sockets->acceptor.local_endpoint().port());
+  sockets->context.filter = RequestFilter(sockets->acceptor.local_endpoint().port());
   return std::unique_ptr<HttpServer>(new HttpServer(std::move(sockets)));
 }
 

@@ -1,5 +1,5 @@
 // HttpServer: the sockets of `race serve`: HTTP and the stream on one loopback port. All of Beast is in listener.cpp
-// and sessions.cpp; what is done with a request is in door.h, static_files.h, stream/ and behind `Backend`.
+// and sessions.cpp; what is done with a request is in request_filter.h, static_files.h, stream/ and behind `Backend`.
 //
 // Threads: run() is the one that owns the sockets; handlers run on a pool of their own and may wait there.
 #pragma once
@@ -18,8 +18,8 @@
 
 namespace race::server {
 
-/// What stands behind the sockets, and outlives them. Threads: `handle` on any of the handlers' (it may wait), `log` on
-/// the sockets'.
+/// What the sockets hand requests and connections to; outlives them. Threads: `handle` on any of the handlers' (it may
+/// wait), `log` on the sockets'.
 struct Backend {
   std::function<Reply(Request)> handle;  // requests to /api/
   Hub& hub;
@@ -30,20 +30,20 @@ struct Backend {
 
 class HttpServer {
  public:
-  /// How long a connection may take, and how many there may be: others are closed. All greater than 0.
+  /// Timeouts and the number of connections; a connection beyond them is closed. All greater than 0.
   struct Limits {
-    // Of the first byte of a connection; then of the header whole; then of its body.
-    std::chrono::milliseconds arrival{30'000};
-    std::chrono::milliseconds idle{120'000};  // from an answer to the first byte of the next request
-    int connections = 512;                    // at once
+    // For the first byte of a connection; then for its header; then for the body.
+    std::chrono::milliseconds read_timeout{30'000};
+    std::chrono::milliseconds idle_timeout{120'000};  // from an answer to the first byte of the next request
+    int connections = 512;                            // at once
   };
 
   /// Listens on 127.0.0.1:`port` (0: any free one) and serves the files of `web`, if it is not empty, beside the
   /// routes. Error `io`: the port cannot be had.
-  static Expected<std::unique_ptr<HttpServer>> listen(std::uint16_t port, std::string web, Backend behind,
+  static Expected<std::unique_ptr<HttpServer>> listen(std::uint16_t port, std::string web, Backend backend,
                                                       const Limits& limits);
-  static Expected<std::unique_ptr<HttpServer>> listen(std::uint16_t port, std::string web, Backend behind) {
-    return listen(port, std::move(web), std::move(behind), Limits());
+  static Expected<std::unique_ptr<HttpServer>> listen(std::uint16_t port, std::string web, Backend backend) {
+    return listen(port, std::move(web), std::move(backend), Limits());
   }
   ~HttpServer();
 

@@ -43,14 +43,13 @@ std::size_t Request::count(std::string_view name) const {
       std::ranges::count(headers, name, [](const auto& each) -> std::string_view { return each.first; }));
 }
 
-Expected<std::pair<std::string, std::map<std::string, std::string, std::less<>>>> parse_target(
-    std::string_view target) {
+Expected<std::pair<std::string, Parameters>> parse_target(std::string_view target) {
   const auto bad = [&] { return unexpected(ErrorCode::syntax, "the request target is no /path?query", ""); };
   if (target.empty() || target.front() != '/') return bad();
   const auto mark = target.find('?');
   const auto path = decode(target.substr(0, mark), false);
   if (!path) return bad();
-  std::map<std::string, std::string, std::less<>> query;
+  Parameters query;
   std::string_view rest = mark == std::string_view::npos ? std::string_view() : target.substr(mark + 1);
   while (!rest.empty()) {
     const auto end = rest.find('&');

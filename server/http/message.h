@@ -1,7 +1,6 @@
 // Request and Reply: what the routes see of HTTP. The listener makes one from the other; sockets stay there.
 #pragma once
 
-#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -9,17 +8,18 @@
 
 #include "core/value/expected.h"
 #include "core/value/value.h"
+#include "server/wire/path_pattern.h"
 
 namespace race::server {
 
 /// A parsed request. Header names are in lower case, each header as often as it came.
 struct Request {
-  std::string method;                                     // "GET"
-  std::string path;                                       // decoded, begins with '/'
-  std::map<std::string, std::string, std::less<>> query;  // decoded; the first of equal names
+  std::string method;  // "GET"
+  std::string path;    // decoded, begins with '/'
+  Parameters query;    // decoded; the first of equal names
   std::vector<std::pair<std::string, std::string>> headers;
   std::string body;
-  std::map<std::string, std::string, std::less<>> parameters;  // of the route, such as `id`
+  Parameters parameters;  // of the route, such as `id`
 
   /// The header, empty if it is absent.
   std::string_view header(std::string_view name) const;
@@ -36,6 +36,6 @@ struct Reply {
 
 /// The path and query of a request target, decoded. Error `syntax`: it is not of the form /path?query, or is
 /// not properly encoded.
-Expected<std::pair<std::string, std::map<std::string, std::string, std::less<>>>> parse_target(std::string_view target);
+Expected<std::pair<std::string, Parameters>> parse_target(std::string_view target);
 
 }  // namespace race::server

@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-#include "server/http/door.h"
+#include "server/http/request_filter.h"
 #include "server/stream/requests.h"
 
 namespace race::server {
@@ -20,13 +20,13 @@ class Session {
     beast::get_lowest_layer(socket_).expires_never();
     socket_.read_message_max(limit);
     socket_.auto_fragment(false);
-    const auto [failed] = co_await socket_.async_accept(request, kUse);
+    const auto [failed] = co_await socket_.async_accept(request, kAsTuple);
     co_return !failed;
   }
   // Until somebody cancels waker_.
   awaitable<void> sleep() {
     waker_.expires_at(std::chrono::steady_clock::time_point::max());
-    co_await waker_.async_wait(kUse);
+    co_await waker_.async_wait(kAsTuple);
   }
   void close() { beast::get_lowest_layer(socket_).close(); }
 
@@ -37,7 +37,7 @@ class Session {
 };
 
 // One client of the stream. Held by its two coroutines, and by the hub until it leaves.
-class StreamSession final : Session, public Listener, public std::enable_shared_from_this<StreamSession> {
+class StreamSession final : Session, public Subscriber, public std::enable_shared_from_this<StreamSession> {
  public:
   StreamSession(beast::tcp_stream stream, Hub& hub, Displays& displays)
       : Session(std::move(stream)), hub_(hub), displays_(displays) {}
@@ -49,12 +49,12 @@ class StreamSession final : Session, public Listener, public std::enable_shared_
 
   awaitable<void> run(Upgrade request) {
     socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
-    if (!co_await accept(request, Door::kMessageBytes)) co_return;
+    if (!co_await accept(request, RequestFilter::kMessageBytes)) co_return;
     asio::co_spawn(
         executor_, [self = shared_from_this()] { return self->write(); }, asio::detached);
-    beast::flat_buffer buffer(Door::kMessageBytes + 1024);
+    beast::flat_buffer buffer(RequestFilter::kMessageBytes + 1024);
     for (;;) {
-      const auto [error, bytes] = co_await socket_.async_read(buffer, kUse);
+      const auto [error, bytes] = co_await socket_.async_read(buffer, kAsTuple);
       if (error) break;
       if (!socket_.got_text()) break;
       const auto data = buffer.cdata();
@@ -62,8 +62,8 @@ class StreamSession final : Session, public Listener, public std::enable_shared_
       buffer.consume(buffer.size());
     }
     over_ = true;
-    displays_.leave(*this);
-    hub_.leave(shared_from_this());
+    displays_.disconnect(*this);
+    hub_.disconnect(shared_from_this());
     waker_.cancel();
     close();
   }
@@ -72,10 +72,11 @@ class StreamSession final : Session, public Listener, public std::enable_shared_
   awaitable<void> write() {
     while (!over_) {
       while (auto text = outbox_.pop()) {
-        const auto [error, bytes] = co_await socket_.async_write(asio::buffer(**text), kUse);
+        const auto [error, bytes] = co_await socket_.async_write(asio::buffer(**text), kAsTuple);
         if (error || over_) co_return close();
       }
-      for (const std::string& channel : outbox_.take_owed()) hub_.repay(shared_from_this(), channel);
+      for (const std::string& channel : outbox_.take_stale_channels())
+        hub_.resend_snapshot(shared_from_this(), channel);
       co_await sleep();
     }
   }
@@ -102,7 +103,7 @@ class ComponentSession final : Session, public std::enable_shared_from_this<Comp
         executor_, [self = shared_from_this()] { return self->beat(); }, asio::detached);
     beast::flat_buffer buffer(remote::kMessageBytes + 1024);
     for (;;) {
-      const auto [error, bytes] = co_await socket_.async_read(buffer, kUse);
+      const auto [error, bytes] = co_await socket_.async_read(buffer, kAsTuple);
       if (error) break;
       link_.received({beast::buffers_to_string(buffer.cdata()), socket_.got_binary()});
       buffer.consume(buffer.size());
@@ -124,7 +125,7 @@ class ComponentSession final : Session, public std::enable_shared_from_this<Comp
     while (!over_) {
       while (auto frame = link_.out().pop()) {
         socket_.binary(frame->binary);
-        const auto [error, bytes] = co_await socket_.async_write(asio::buffer(frame->bytes), kUse);
+        const auto [error, bytes] = co_await socket_.async_write(asio::buffer(frame->bytes), kAsTuple);
         if (error || over_) co_return close();
       }
       if (link_.out().drained()) co_return close();
@@ -135,7 +136,7 @@ class ComponentSession final : Session, public std::enable_shared_from_this<Comp
   awaitable<void> beat() {
     while (!over_) {
       heart_.expires_after(beat_);
-      co_await heart_.async_wait(kUse);
+      co_await heart_.async_wait(kAsTuple);
       if (over_) co_return;
       link_.check_heartbeat();
       if (link_.disconnected()) co_return close();

@@ -18,7 +18,7 @@ namespace http = beast::http;
 namespace websocket = beast::websocket;
 using asio::awaitable;
 
-inline constexpr auto kUse = asio::as_tuple(asio::use_awaitable);
+inline constexpr auto kAsTuple = asio::as_tuple(asio::use_awaitable);
 
 /// A request whose header asks for a WebSocket.
 using Upgrade = http::request<http::string_body>;

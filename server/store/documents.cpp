@@ -1,6 +1,7 @@
 #include "server/store/documents.h"
 
-#include <sqlite3.h>
+#include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Statement.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -27,46 +28,48 @@ std::vector<Error> one(ErrorCode code, std::string message, std::string path) {
   return {Error{code, std::move(message), std::move(path)}};
 }
 
+// Calls `function`; what SQLite throws becomes an error `io`: "WHAT: reason".
+template <typename F>
+auto guarded(const std::string& what, F function) -> std::invoke_result_t<F> {
+  try {
+    return function();
+  } catch (const SQLite::Exception& failure) {
+    return tl::unexpected(one(ErrorCode::io, what + ": " + failure.getErrorStr(), ""));
+  }
+}
+
+constexpr const char* kCannotRead = "cannot read documents";
+
 }  // namespace
 
-void Documents::Close::operator()(sqlite3* file) const { sqlite3_close_v2(file); }
-
-std::vector<Error> Documents::failure(const std::string& what) const {
-  return one(ErrorCode::io, what + ": " + sqlite3_errmsg(file_.get()), "");
-}
+Documents::Documents(std::unique_ptr<SQLite::Database> file) : file_(std::move(file)) {}
+Documents::~Documents() = default;
 
 Expected<std::unique_ptr<Documents>> Documents::open(const std::string& path) {
-  sqlite3* file = nullptr;
-  const int opened = sqlite3_open_v2(path.c_str(), &file, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
-  std::unique_ptr<Documents> documents(new Documents(file));
-  if (opened != SQLITE_OK || sqlite3_exec(file, kSetUp, nullptr, nullptr, nullptr) != SQLITE_OK)
-    return unexpected(ErrorCode::io, documents->failure("cannot open the store").front().message, path);
-  return documents;
+  try {
+    auto file = std::make_unique<SQLite::Database>(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    file->exec(kSetUp);
+    return std::unique_ptr<Documents>(new Documents(std::move(file)));
+  } catch (const SQLite::Exception& failure) {
+    return unexpected(ErrorCode::io, std::string("cannot open the store: ") + failure.getErrorStr(), path);
+  }
 }
 
-Checked<std::vector<Documents::Row>> Documents::rows(const char* where, const std::string& name) {
-  const std::string sql = std::string("SELECT name, revision, text FROM document ") + where;
-  sqlite3_stmt* raw = nullptr;
-  sqlite3_prepare_v2(file_.get(), sql.c_str(), -1, &raw, nullptr);
-  const std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> select(raw, sqlite3_finalize);
-  if (sqlite3_bind_parameter_count(raw) > 0) sqlite3_bind_text(raw, 1, name.c_str(), -1, SQLITE_TRANSIENT);
-  const auto text = [&](int column) { return reinterpret_cast<const char*>(sqlite3_column_text(raw, column)); };
+std::vector<Documents::Row> Documents::rows(const char* where, const std::string& name) {
+  SQLite::Statement select(*file_, std::string("SELECT name, revision, text FROM document ") + where);
+  if (select.getBindParameterCount() > 0) select.bind(1, name);
   std::vector<Row> found;
-  int status = SQLITE_DONE;
-  while ((status = sqlite3_step(raw)) == SQLITE_ROW) found.push_back({text(0), text(2), sqlite3_column_int64(raw, 1)});
-  if (status != SQLITE_DONE) return tl::unexpected(failure("cannot read documents"));
+  while (select.executeStep())
+    found.push_back({select.getColumn(0), select.getColumn(2), select.getColumn(1).getInt64()});
   return found;
 }
 
-Checked<void> Documents::write(const Row& row) {
-  sqlite3_stmt* raw = nullptr;
-  sqlite3_prepare_v2(file_.get(), "INSERT OR REPLACE INTO document VALUES (?, ?, ?)", -1, &raw, nullptr);
-  const std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> insert(raw, sqlite3_finalize);
-  sqlite3_bind_text(raw, 1, row.name.c_str(), -1, SQLITE_TRANSIENT);
-  sqlite3_bind_int64(raw, 2, row.revision);
-  sqlite3_bind_text(raw, 3, row.text.c_str(), -1, SQLITE_TRANSIENT);
-  if (sqlite3_step(raw) != SQLITE_DONE) return tl::unexpected(failure("cannot store " + row.name));
-  return {};
+void Documents::write(const Row& row) {
+  SQLite::Statement insert(*file_, "INSERT OR REPLACE INTO document VALUES (?, ?, ?)");
+  insert.bind(1, row.name);
+  insert.bind(2, row.revision);
+  insert.bind(3, row.text);
+  insert.exec();
 }
 
 Checked<StoredDocument> Documents::read(const Row& row) {
@@ -77,21 +80,22 @@ Checked<StoredDocument> Documents::read(const Row& row) {
 
 Checked<std::vector<StoredDocument>> Documents::list() {
   const std::lock_guard lock(mutex_);
-  auto found = rows("ORDER BY name", "");
-  if (!found) return tl::unexpected(std::move(found).error());
-  std::vector<StoredDocument> all;
-  // A document of an older version of the format may not be one any more; it is left out and stays in the file.
-  for (const Row& row : *found)
-    if (auto document = read(row)) all.push_back(std::move(*document));
-  return all;
+  return guarded(kCannotRead, [this]() -> Checked<std::vector<StoredDocument>> {
+    std::vector<StoredDocument> all;
+    // A document that an older version of the program stored may be invalid now; it is left out and stays in the file.
+    for (const Row& row : rows("ORDER BY name", ""))
+      if (auto document = read(row)) all.push_back(std::move(*document));
+    return all;
+  });
 }
 
 Checked<StoredDocument> Documents::get(const std::string& name) {
   const std::lock_guard lock(mutex_);
-  auto found = rows("WHERE name = ?", name);
-  if (!found) return tl::unexpected(std::move(found).error());
-  if (found->empty()) return tl::unexpected(one(ErrorCode::not_found, "there is no document of this name", name));
-  return read(found->front());
+  return guarded(kCannotRead, [&]() -> Checked<StoredDocument> {
+    const auto found = rows("WHERE name = ?", name);
+    if (found.empty()) return tl::unexpected(one(ErrorCode::not_found, "there is no document of this name", name));
+    return read(found.front());
+  });
 }
 
 Checked<StoredDocument> Documents::put(const std::string& name, std::string_view text) {
@@ -100,12 +104,13 @@ Checked<StoredDocument> Documents::put(const std::string& name, std::string_view
   auto document = rcm::read_document_text(text);
   if (!document) return tl::unexpected(std::move(document).error());
   const std::lock_guard lock(mutex_);
-  auto old = rows("WHERE name = ?", name);
-  if (!old) return tl::unexpected(std::move(old).error());
-  Row row{name, rcm::format_document(*document), old->empty() ? 1 : old->front().revision};
-  if (!old->empty() && old->front().text != row.text) ++row.revision;
-  if (auto written = write(row); !written) return tl::unexpected(std::move(written).error());
-  return StoredDocument{name, row.revision, std::move(*document)};
+  return guarded("cannot store " + name, [&]() -> Checked<StoredDocument> {
+    const auto old = rows("WHERE name = ?", name);
+    Row row{name, rcm::format_document(*document), old.empty() ? 1 : old.front().revision};
+    if (!old.empty() && old.front().text != row.text) ++row.revision;
+    write(row);
+    return StoredDocument{name, row.revision, std::move(*document)};
+  });
 }
 
 Checked<void> Documents::put_demo(const std::string& folder) {
@@ -123,13 +128,19 @@ Checked<void> Documents::put_demo(const std::string& folder) {
       for (Error& each : document.error()) each.path = entry.path().string() + ": " + each.path;
       return tl::unexpected(std::move(document).error());
     }
-    const std::lock_guard lock(mutex_);
-    auto old = rows("WHERE name = ?", name);
-    if (!old) return tl::unexpected(std::move(old).error());
-    if (!old->empty() && old->front().revision > 1) continue;
-    if (auto put = write({name, rcm::format_document(*document), 1}); !put) return put;
+    if (auto put = put_unchanged(name, rcm::format_document(*document)); !put) return put;
   }
   return {};
+}
+
+// Stores the text unless somebody has changed the document since it was put.
+Checked<void> Documents::put_unchanged(const std::string& name, const std::string& text) {
+  const std::lock_guard lock(mutex_);
+  return guarded("cannot store " + name, [&]() -> Checked<void> {
+    const auto old = rows("WHERE name = ?", name);
+    if (old.empty() || old.front().revision <= 1) write({name, text, 1});
+    return {};
+  });
 }
 
 }  // namespace race::server

@@ -12,7 +12,9 @@
 #include "core/rcm/model.h"
 #include "core/value/expected.h"
 
-struct sqlite3;
+namespace SQLite {
+class Database;
+}
 
 namespace race::server {
 
@@ -24,6 +26,8 @@ struct StoredDocument {
 
 class Documents {
  public:
+  ~Documents();
+
   /// Opens the file or makes it. Error `io`.
   static Expected<std::unique_ptr<Documents>> open(const std::string& path);
 
@@ -39,21 +43,18 @@ class Documents {
   Checked<void> put_demo(const std::string& folder);
 
  private:
-  struct Close {
-    void operator()(sqlite3* file) const;
-  };
   struct Row {
     std::string name, text;
     std::int64_t revision;
   };
-  explicit Documents(sqlite3* file) : file_(file) {}
-  Checked<std::vector<Row>> rows(const char* where, const std::string& name);
-  Checked<void> write(const Row& row);
-  std::vector<Error> failure(const std::string& what) const;
+  explicit Documents(std::unique_ptr<SQLite::Database> file);
+  std::vector<Row> rows(const char* where, const std::string& name);
+  void write(const Row& row);
+  Checked<void> put_unchanged(const std::string& name, const std::string& text);
   static Checked<StoredDocument> read(const Row& row);
 
   std::mutex mutex_;
-  std::unique_ptr<sqlite3, Close> file_;
+  const std::unique_ptr<SQLite::Database> file_;
 };
 
 }  // namespace race::server

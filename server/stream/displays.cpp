@@ -1,14 +1,14 @@
 #include "server/stream/displays.h"
 
-#include <string_view>
 #include <utility>
+
+#include "server/wire/channel_names.h"
+#include "server/wire/path_pattern.h"
 
 namespace race::server {
 namespace {
 
-constexpr std::string_view kChannel = "display/";
-
-std::string channel_of(const std::string& display) { return std::string(kChannel) + display; }
+std::string channel_of(const std::string& display) { return fill(kDisplayChannel, {display}); }
 
 Value number(std::uint64_t n) { return static_cast<std::int64_t>(n); }
 
@@ -49,50 +49,48 @@ Value display_json(const display::Content& content) {
 Displays::Displays(display::Screens& screens, Hub& hub) : screens_(screens), hub_(hub) { screens_.watch(this); }
 Displays::~Displays() { screens_.watch(nullptr); }
 
-std::optional<Source> Displays::find_channel(const std::string& name) {
-  if (!name.starts_with(kChannel)) return std::nullopt;
-  std::string display = name.substr(kChannel.size());
+std::optional<Source> Displays::source(const std::string& display) {
   if (!screens_.content(display)) return std::nullopt;
-  return Source{true, [this, display = std::move(display)] { screens_.repeat(display); }, {}};
+  return Source{true, [this, display] { screens_.repeat(display); }, {}};
 }
 
 // Connected anew before the old one goes: a display that only learns to make sounds is never gone.
-Expected<void> Displays::announce(const std::shared_ptr<Listener>& listener, const std::string& name, bool sound) {
+Expected<void> Displays::announce(const std::shared_ptr<Subscriber>& subscriber, const std::string& name, bool sound) {
   const std::lock_guard lock(mutex_);
   ASSIGN_OR_RETURN(const auto id, screens_.connect(name, sound));
-  const Connection before = std::exchange(connections_[listener.get()], {id, name});
+  const Connection before = std::exchange(connections_[subscriber.get()], {id, name});
   if (before.id != 0) screens_.disconnect(before.id);
-  if (before.id != 0 && before.name != name) hub_.unsubscribe(listener, channel_of(before.name));
-  hub_.subscribe(listener, channel_of(name), std::nullopt);
+  if (before.id != 0 && before.name != name) hub_.unsubscribe(subscriber, channel_of(before.name));
+  hub_.subscribe(subscriber, channel_of(name), std::nullopt);
   return {};
 }
 
-Expected<void> Displays::answer(const Listener& listener, std::uint64_t question, Value answer) {
-  ASSIGN_OR_RETURN(const Connection connection, find(listener));
+Expected<void> Displays::answer(const Subscriber& subscriber, std::uint64_t question, Value answer) {
+  ASSIGN_OR_RETURN(const Connection connection, find(subscriber));
   return screens_.answer(connection.name, std::move(answer), question);
 }
 
-Expected<void> Displays::press(const Listener& listener, const std::string& button) {
-  ASSIGN_OR_RETURN(const Connection connection, find(listener));
+Expected<void> Displays::press(const Subscriber& subscriber, const std::string& button) {
+  ASSIGN_OR_RETURN(const Connection connection, find(subscriber));
   return screens_.press(connection.name, button);
 }
 
-Expected<void> Displays::played(const Listener& listener, std::uint64_t sound) {
-  ASSIGN_OR_RETURN(const Connection connection, find(listener));
+Expected<void> Displays::played(const Subscriber& subscriber, std::uint64_t sound) {
+  ASSIGN_OR_RETURN(const Connection connection, find(subscriber));
   return screens_.played(connection.id, sound);
 }
 
-void Displays::leave(const Listener& listener) {
+void Displays::disconnect(const Subscriber& subscriber) {
   const std::lock_guard lock(mutex_);
-  const auto known = connections_.find(&listener);
+  const auto known = connections_.find(&subscriber);
   if (known == connections_.end()) return;
   screens_.disconnect(known->second.id);
   connections_.erase(known);
 }
 
-Expected<Displays::Connection> Displays::find(const Listener& listener) const {
+Expected<Displays::Connection> Displays::find(const Subscriber& subscriber) const {
   const std::lock_guard lock(mutex_);
-  const auto known = connections_.find(&listener);
+  const auto known = connections_.find(&subscriber);
   if (known == connections_.end())
     return unexpected(ErrorCode::conflict, "this connection is no display; it announces itself first", "type");
   return known->second;

@@ -25,21 +25,21 @@ class Displays final : public display::Watcher {
   Displays(const Displays&) = delete;
   Displays& operator=(const Displays&) = delete;
 
-  /// The channel of a display that has been connected; nothing for another name.
-  std::optional<Source> find_channel(const std::string& name);
+  /// The source of a display's channel; nothing if no such display has ever been connected.
+  std::optional<Source> source(const std::string& display);
 
-  /// From now on `listener` is a connection of the display `name`, which may make sounds (`sound`), and gets its
+  /// From now on `subscriber` is a connection of the display `name`, which may make sounds (`sound`), and gets its
   /// channel; it is none of another one any more. Errors: those of Screens::connect.
-  Expected<void> announce(const std::shared_ptr<Listener>& listener, const std::string& name, bool sound);
+  Expected<void> announce(const std::shared_ptr<Subscriber>& subscriber, const std::string& name, bool sound);
 
-  // What a person did on the display that `listener` is. Errors: those of Screens; `conflict`: it is none.
+  // What a person did on the display that `subscriber` is. Errors: those of Screens; `conflict`: it is none.
 
-  Expected<void> answer(const Listener& listener, std::uint64_t question, Value answer);
-  Expected<void> press(const Listener& listener, const std::string& button);
-  Expected<void> played(const Listener& listener, std::uint64_t sound);
+  Expected<void> answer(const Subscriber& subscriber, std::uint64_t question, Value answer);
+  Expected<void> press(const Subscriber& subscriber, const std::string& button);
+  Expected<void> played(const Subscriber& subscriber, std::uint64_t sound);
 
-  /// The listener is gone.
-  void leave(const Listener& listener);
+  /// The subscriber is gone.
+  void disconnect(const Subscriber& subscriber);
 
   void changed(const display::Content& content) override;
   void forgotten(const std::string& display) override;
@@ -49,12 +49,12 @@ class Displays final : public display::Watcher {
     display::Screens::ConnectionId id = 0;
     std::string name;
   };
-  Expected<Connection> find(const Listener& listener) const;
+  Expected<Connection> find(const Subscriber& subscriber) const;
 
   display::Screens& screens_;
   Hub& hub_;
   mutable std::mutex mutex_;  // taken before that of Screens, and not by what Screens calls
-  std::map<const Listener*, Connection> connections_;
+  std::map<const Subscriber*, Connection> connections_;
 };
 
 /// schemas/display.json

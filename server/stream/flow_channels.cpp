@@ -5,14 +5,19 @@
 #include <utility>
 
 #include "server/stream/packet_json.h"
+#include "server/wire/channel_names.h"
+#include "server/wire/path_pattern.h"
 
 namespace race::server {
 
 // What one channel watches. Held by its source and, while it is watched, by the host; by the strand while a packet is
 // on its way.
 struct FlowChannels::Watch : std::enable_shared_from_this<Watch> {
-  Watch(FlowChannels& its_channels, std::string its_name, std::string its_key, std::string its_flow)
-      : channels(its_channels), name(std::move(its_name)), key(std::move(its_key)), flow(std::move(its_flow)) {}
+  Watch(FlowChannels& its_channels, std::string its_key, std::string its_flow)
+      : channels(its_channels),
+        key(std::move(its_key)),
+        flow(std::move(its_flow)),
+        name(fill(kFlowChannel, {key, flow})) {}
 
   /// Under the host's lock: what is not left out waits for the strand, in the place of an older one.
   void came(const services::PacketPtr& packet) {
@@ -42,22 +47,18 @@ struct FlowChannels::Watch : std::enable_shared_from_this<Watch> {
   }
 
   FlowChannels& channels;
-  const std::string name, key, flow;
+  const std::string key, flow, name;
   services::Flows::WatchId id = 0;  // on the hub's strand
   std::mutex mutex;
   std::optional<services::Time> last;  // of the packets that were not left out
   services::PacketPtr waiting;
 };
 
-std::optional<Source> FlowChannels::find_channel(const std::string& name) {
-  constexpr std::string_view kFlow = "flow/";
-  const auto slash = name.rfind('/');
-  if (!name.starts_with(kFlow) || slash <= kFlow.size()) return std::nullopt;
-  std::string key = name.substr(kFlow.size(), slash - kFlow.size()), flow = name.substr(slash + 1);
+std::optional<Source> FlowChannels::source(const std::string& key, const std::string& flow) {
   const auto service = host_.service(key);
   if (!service || std::ranges::find(service->publishes, flow, &services::Published::flow) == service->publishes.end())
     return std::nullopt;
-  auto watch = std::make_shared<Watch>(*this, name, std::move(key), std::move(flow));
+  auto watch = std::make_shared<Watch>(*this, key, flow);
   return Source{true, {}, [watch](bool on) {
                   if (!on) return watch->end();
                   auto came = [watch](const services::PacketPtr& packet) { watch->came(packet); };

@@ -1,5 +1,5 @@
-// FlowChannels: the channels flow/SERVICE/FLOW of the stream: packets of data flows for browsers, a few in a second. A
-// flow is watched while somebody listens to its channel, so nobody's picture is drawn for nobody.
+// FlowChannels: the channels flow/SERVICE/FLOW of the stream: packets of data flows for browsers, a few a second. A
+// flow is watched only while its channel has subscribers, so that no picture is rendered for nobody.
 //
 // Threads: any; packets are made into messages on a strand of the stream's pool, the newest alone if it is slow.
 #pragma once
@@ -8,8 +8,8 @@
 #include <optional>
 #include <string>
 
-#include "server/execution/strand.h"
 #include "server/stream/hub.h"
+#include "server/threads/strand.h"
 #include "services/host/host.h"
 
 namespace race::server {
@@ -22,8 +22,8 @@ class FlowChannels {
   /// All outlive this, and the host publishes nothing any more when the pool ends.
   FlowChannels(services::Host& host, Hub& hub, Pool& pool) : host_(host), hub_(hub), strand_(pool) {}
 
-  /// The channel of a flow that a service offers; nothing for another name.
-  std::optional<Source> find_channel(const std::string& name);
+  /// The source of a flow's channel; nothing if the service offers no such flow.
+  std::optional<Source> source(const std::string& service, const std::string& flow);
 
  private:
   struct Watch;

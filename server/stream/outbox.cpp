@@ -7,7 +7,7 @@ namespace race::server {
 
 void Outbox::push(const std::string& channel, Text text, bool sampled) {
   const std::lock_guard lock(mutex_);
-  if (owed_.contains(channel)) return;
+  if (needs_snapshot_.contains(channel)) return;
   if (sampled) {
     const auto older = std::ranges::find(items_, channel, &Item::channel);
     if (older != items_.end()) {
@@ -23,7 +23,7 @@ void Outbox::push(const std::string& channel, Text text, bool sampled) {
     const auto victim = std::ranges::find(items_, false, &Item::sampled);
     const std::string slow = victim == items_.end() ? items_.front().channel : victim->channel;
     erase(slow);
-    owed_.emplace(slow, false);
+    needs_snapshot_.emplace(slow, false);
   }
 }
 
@@ -39,16 +39,16 @@ std::optional<Text> Outbox::pop() {
 void Outbox::drop(const std::string& channel) {
   const std::lock_guard lock(mutex_);
   erase(channel);
-  owed_.erase(channel);
+  needs_snapshot_.erase(channel);
 }
 
-std::vector<std::string> Outbox::take_owed() {
+std::vector<std::string> Outbox::take_stale_channels() {
   const std::lock_guard lock(mutex_);
   if (!items_.empty()) return {};
-  std::vector<std::string> owed;
-  for (auto& [channel, taken] : owed_)
-    if (!std::exchange(taken, true)) owed.push_back(channel);
-  return owed;
+  std::vector<std::string> stale;
+  for (auto& [channel, taken] : needs_snapshot_)
+    if (!std::exchange(taken, true)) stale.push_back(channel);
+  return stale;
 }
 
 std::size_t Outbox::size() const {

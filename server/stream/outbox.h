@@ -1,8 +1,8 @@
-// Outbox: the messages that wait for one client. It never grows without bound: of a sampled channel only the newest
-// waits; when a client is too slow for a state channel, all that waits of that channel is dropped, and once the client
-// has caught up it is owed a snapshot. Until that is on its way, nothing else of the channel is: it would not follow.
+// Outbox: the queue of messages to one client. It is bounded: of a sampled channel it keeps the newest message only; if
+// a client is too slow for a state channel, all queued messages of that channel are dropped and the channel needs a
+// snapshot. Until the snapshot is pushed, other messages of that channel are dropped: the client could not apply them.
 //
-// Threads: any; what it calls is called without its lock.
+// Threads: any.
 #pragma once
 
 #include <cstddef>
@@ -24,16 +24,16 @@ class Outbox {
   static constexpr std::size_t kMessages = 256;
   static constexpr std::size_t kBytes = 8 * 1024 * 1024;
 
-  /// A message for this client. `sampled`: it replaces one of its channel that waits.
+  /// Queues a message. `sampled`: it replaces a queued one of its channel.
   void push(const std::string& channel, Text text, bool sampled);
-  /// The next message; nothing if none waits.
+  /// The next message, if there is one.
   std::optional<Text> pop();
-  /// Forgets what waits of a channel, and that it is owed a snapshot: what is pushed next is one.
+  /// Drops all messages of a channel, and that it needs a snapshot: the next message pushed is one.
   void drop(const std::string& channel);
-  /// The channels of which a client that has caught up is owed a snapshot: each once. What is pushed to them is lost
-  /// until drop().
-  std::vector<std::string> take_owed();
-  /// Messages that wait.
+  /// Once the queue is empty: the channels that need a snapshot, each once. Messages pushed to them are dropped until
+  /// drop() is called.
+  std::vector<std::string> take_stale_channels();
+  /// Number of queued messages.
   std::size_t size() const;
 
  private:
@@ -47,7 +47,7 @@ class Outbox {
   mutable std::mutex mutex_;
   std::deque<Item> items_;
   std::size_t bytes_ = 0;
-  std::map<std::string, bool> owed_;  // channel -> whether it was taken
+  std::map<std::string, bool> needs_snapshot_;  // channel -> whether it was taken
 };
 
 }  // namespace race::server

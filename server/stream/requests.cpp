@@ -10,7 +10,7 @@ namespace race::server {
 namespace {
 
 struct Client {
-  const std::shared_ptr<Listener>& listener;
+  const std::shared_ptr<Subscriber>& subscriber;
   Hub& hub;
   Displays& displays;
 };
@@ -36,20 +36,20 @@ void subscribe(Fields& fields, const Client& client, Errors& errors) {
   const std::string channel = fields.text("channel", Fields::Need::required).value_or("");
   const auto since = read_number(fields, "since", Fields::Need::optional);
   fields.close();
-  if (errors.empty()) client.hub.subscribe(client.listener, channel, since);
+  if (errors.empty()) client.hub.subscribe(client.subscriber, channel, since);
 }
 
 void unsubscribe(Fields& fields, const Client& client, Errors& errors) {
   const std::string channel = fields.text("channel", Fields::Need::required).value_or("");
   fields.close();
-  if (errors.empty()) client.hub.unsubscribe(client.listener, channel);
+  if (errors.empty()) client.hub.unsubscribe(client.subscriber, channel);
 }
 
 void announce(Fields& fields, const Client& client, Errors& errors) {
   const std::string name = fields.text("name", Fields::Need::required).value_or("");
   const bool sound = fields.boolean("sound").value_or(false);
   fields.close();
-  if (errors.empty()) report(client.displays.announce(client.listener, name, sound), errors);
+  if (errors.empty()) report(client.displays.announce(client.subscriber, name, sound), errors);
 }
 
 void answer(Fields& fields, const Client& client, Errors& errors) {
@@ -57,19 +57,19 @@ void answer(Fields& fields, const Client& client, Errors& errors) {
   const Value* answer = fields.find("answer", Fields::Need::required);
   fields.close();
   if (!errors.empty()) return;
-  report(client.displays.answer(*client.listener, static_cast<std::uint64_t>(*question), *answer), errors);
+  report(client.displays.answer(*client.subscriber, static_cast<std::uint64_t>(*question), *answer), errors);
 }
 
 void press(Fields& fields, const Client& client, Errors& errors) {
   const std::string button = fields.text("button", Fields::Need::required).value_or("");
   fields.close();
-  if (errors.empty()) report(client.displays.press(*client.listener, button), errors);
+  if (errors.empty()) report(client.displays.press(*client.subscriber, button), errors);
 }
 
 void played(Fields& fields, const Client& client, Errors& errors) {
   const auto sound = read_number(fields, "sound", Fields::Need::required);
   fields.close();
-  if (errors.empty()) report(client.displays.played(*client.listener, static_cast<std::uint64_t>(*sound)), errors);
+  if (errors.empty()) report(client.displays.played(*client.subscriber, static_cast<std::uint64_t>(*sound)), errors);
 }
 
 struct Type {
@@ -98,13 +98,13 @@ void handle(const Value& json, const Client& client, Errors& errors) {
 
 }  // namespace
 
-void handle_stream_request(std::string_view message, const std::shared_ptr<Listener>& listener, Hub& hub,
+void handle_stream_request(std::string_view message, const std::shared_ptr<Subscriber>& subscriber, Hub& hub,
                            Displays& displays) {
   const auto json = parse_json(message);
-  if (!json) return hub.refuse(listener, "", {json.error()});
+  if (!json) return hub.refuse(subscriber, "", {json.error()});
   Errors errors;
-  handle(*json, {listener, hub, displays}, errors);
-  if (!errors.empty()) hub.refuse(listener, "", std::move(errors));
+  handle(*json, {subscriber, hub, displays}, errors);
+  if (!errors.empty()) hub.refuse(subscriber, "", std::move(errors));
 }
 
 }  // namespace race::server

@@ -10,7 +10,7 @@
 namespace race::server {
 
 /// Does what the message asks for, or tells the client why not.
-void handle_stream_request(std::string_view message, const std::shared_ptr<Listener>& listener, Hub& hub,
+void handle_stream_request(std::string_view message, const std::shared_ptr<Subscriber>& subscriber, Hub& hub,
                            Displays& displays);
 
 }  // namespace race::server

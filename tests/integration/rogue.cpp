@@ -2,8 +2,8 @@
 #include <cstdio>
 
 #include "core/rsm/document.h"
-#include "server/application.h"
-#include "server/http/routes.h"
+#include "server/application/application.h"
+#include "server/http/listener.h"
 
 namespace {
 
@@ -44,10 +44,10 @@ class Rogue final : public services::Component {
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
   server::Application::Setup setup{argv[1], "", 1, {}};
-  setup.further.push_back({"rogue", "rogue", [](auto& host) { return std::make_unique<Rogue>(host); }});
+  setup.extra_services.push_back({"rogue", "rogue", [](auto& host) { return std::make_unique<Rogue>(host); }});
   auto app = server::Application::create(setup);
   if (!app) return 2;
-  auto server = server::HttpServer::listen(0, "", server::behind_the_door(**app));
+  auto server = server::HttpServer::listen(0, "", (*app)->make_backend());
   if (!server) return 2;
   std::printf("rogue listens on http://127.0.0.1:%u\n", static_cast<unsigned>((*server)->port()));
   std::fflush(stdout);

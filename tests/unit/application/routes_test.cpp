@@ -1,4 +1,4 @@
-#include "server/http/routes.h"
+#include "server/handlers/routes.h"
 
 #include <gmock/gmock.h>
 
@@ -31,18 +31,6 @@ TEST(Routes, AreThoseOfTheInterface) {
   for (const Route& route : routes()) ours.emplace(route.method, route.pattern);
   EXPECT_EQ(ours, interface());
   EXPECT_EQ(ours.size(), routes().size() + 2) << "a route stands twice";
-}
-
-TEST(Match, TakesAPartForAName) {
-  const auto parameters = match("/api/v1/cores/{id}/start", "/api/v1/cores/17/start");
-  ASSERT_TRUE(parameters);
-  EXPECT_THAT(*parameters, testing::ElementsAre(testing::Pair("id", "17")));
-}
-
-TEST(Match, TakesTheWholePathAndNoOther) {
-  for (const char* path : {"/api/v1/cores", "/api/v1/cores/", "/api/v1/cores/1/", "/api/v1/cores/1/2", "/api/v1/cor/1",
-                           "/", "", "//", "/api/v1//cores/1"})
-    EXPECT_FALSE(match("/api/v1/cores/{id}", path)) << path;
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "core/value/json.h"
-#include "server/cell/inside_world.h"
-#include "server/cell/person_act.h"
+#include "server/cell/local_world.h"
+#include "server/cell/person_command.h"
 
 namespace race::server {
 namespace {
@@ -16,13 +16,13 @@ namespace {
 using testing::HasSubstr;
 
 struct WorldCheck : testing::Test {
-  std::unique_ptr<InsideWorld> inside = InsideWorld::load(RACE_SOURCE_DIR "/deploy/demo/scene.json").value();
-  const Value whole = inside->whole();
+  std::unique_ptr<LocalWorld> local_world = LocalWorld::load(RACE_SOURCE_DIR "/deploy/demo/scene.json").value();
+  const Value whole = local_world->description();
   const WorldNames names = check_world(whole).value();
 
   Value person(const char* act) {
-    const PersonAct read = read_person_act(parse_json(act).value(), kClientPatience).value();
-    return inside->perform(read).value();
+    const PersonCommand read = read_person_command(parse_json(act).value(), kClientKeep).value();
+    return local_world->perform(read).value();
   }
 };
 
@@ -32,15 +32,15 @@ std::string error(Expected<void> (*check)(const WorldNames&, const Value&), cons
   return good ? "none" : to_string(good.error());
 }
 
-TEST_F(WorldCheck, WhatAnInsideWorldSaysFits) {
-  EXPECT_TRUE(check_person(names, inside->perform(std::nullopt).value()));
+TEST_F(WorldCheck, WhatALocalWorldSaysFits) {
+  EXPECT_TRUE(check_person(names, local_world->perform(std::nullopt).value()));
   const Value held = person(R"({"act": "grab", "body": "link_5"})");
   EXPECT_EQ(held.find("hands")->as_list().size(), 1U);
   EXPECT_TRUE(check_person(names, held));
-  const std::string part = inside->world().scene().bodies.back().name;
+  const std::string part = local_world->world().scene().bodies.back().name;
   EXPECT_TRUE(check_person(names, person((R"({"act": "take", "part": ")" + part + "\"}").c_str())));
-  inside->step();
-  const Value pose = inside->pose(1.5);
+  local_world->step();
+  const Value pose = local_world->pose(1.5);
   EXPECT_NE(pose.find("hands"), nullptr);
   EXPECT_TRUE(check_pose(names, pose));
 }
@@ -100,10 +100,10 @@ constexpr std::array kPendingCommands = {
 TEST(WritePersonAct, WhatIsWrittenIsReadAsTheSameAct) {
   for (const char* json : kPendingCommands) {
     const Value before = parse_json(json).value();
-    const Value written = write_person_act(read_person_act(before, kClientPatience).value());
-    const auto again = read_person_act(written, std::numeric_limits<double>::infinity());
+    const Value written = write_person_command(read_person_command(before, kClientKeep).value());
+    const auto again = read_person_command(written, std::numeric_limits<double>::infinity());
     ASSERT_TRUE(again) << to_json(written);
-    EXPECT_EQ(write_person_act(*again), written);
+    EXPECT_EQ(write_person_command(*again), written);
     for (const auto& [name, value] : before.as_dict()) {
       const std::string field = name.as_string();
       if (field == "to") continue;  // a path of one point
@@ -116,9 +116,10 @@ TEST(WritePersonAct, WhatIsWrittenIsReadAsTheSameAct) {
 
 TEST(WritePersonAct, AHandThatStaysUntilItIsReleasedSaysNoKeep) {
   const double forever = std::numeric_limits<double>::infinity();
-  const PersonAct act = read_person_act(parse_json(R"({"act": "drag", "to": [1, 2, 3]})").value(), forever).value();
-  EXPECT_EQ(write_person_act(act).find("keep"), nullptr);
-  EXPECT_EQ(read_person_act(write_person_act(act), forever).value().keep, forever);
+  const PersonCommand act =
+      read_person_command(parse_json(R"({"act": "drag", "to": [1, 2, 3]})").value(), forever).value();
+  EXPECT_EQ(write_person_command(act).find("keep"), nullptr);
+  EXPECT_EQ(read_person_command(write_person_command(act), forever).value().keep, forever);
 }
 
 }  // namespace

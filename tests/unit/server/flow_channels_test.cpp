@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 
 #include "core/value/json.h"
+#include "server/wire/channel_names.h"
+#include "server/wire/path_pattern.h"
 #include "services/host/work_queue.h"
 #include "tests/unit/server/bench.h"
 #include "tests/unit/services/host/bench.h"
@@ -28,7 +30,7 @@ class Tap final : public services::Component {
   bool is_wanted = false;
 };
 
-class Client final : public Listener {
+class Client final : public Subscriber {
  public:
   Outbox& outbox() override { return box; }
   void wake() override {}
@@ -71,25 +73,30 @@ struct FlowChannelsTest : testing::Test {
     return got;
   }
 
+  std::optional<Source> find(const std::string& name) {
+    const auto parameters = match(kFlowChannel, name);
+    return parameters ? channels->source(parameters->at("service"), parameters->at("flow")) : std::nullopt;
+  }
+
   NoObserver observer;
   services::WorldClock clock;
   services::WorkQueue queue;
   services::Host host{clock, observer};
   Pool pool{1};
-  Hub hub{pool, 1, [this](const std::string& name) { return channels->find_channel(name); }};
+  Hub hub{pool, 1, [this](const std::string& name) { return find(name); }};
   std::unique_ptr<FlowChannels> channels = std::make_unique<FlowChannels>(host, hub, pool);
   std::shared_ptr<Client> client = std::make_shared<Client>();
   Tap* tap = nullptr;
 };
 
 TEST_F(FlowChannelsTest, AreThoseOfTheFlowsThatServicesOffer) {
-  EXPECT_TRUE(channels->find_channel("flow/tap/water"));
+  EXPECT_TRUE(find("flow/tap/water"));
   for (const char* name :
        {"flow/tap/steam", "flow/spring/water", "flow/tap", "flow//water", "flow/tap/", "flow/", "tap/water"})
-    EXPECT_FALSE(channels->find_channel(name)) << name;
+    EXPECT_FALSE(find(name)) << name;
 }
 
-TEST_F(FlowChannelsTest, AServiceWorksOnlyWhileSomebodyListens) {
+TEST_F(FlowChannelsTest, AServiceWorksOnlyWhileItsChannelHasSubscribers) {
   EXPECT_FALSE(tap->is_wanted);
   watch(true);
   EXPECT_TRUE(tap->is_wanted);
@@ -97,9 +104,9 @@ TEST_F(FlowChannelsTest, AServiceWorksOnlyWhileSomebodyListens) {
   EXPECT_FALSE(tap->is_wanted);
 }
 
-TEST_F(FlowChannelsTest, WhoGoesWithoutAWordListensNoLonger) {
+TEST_F(FlowChannelsTest, ADisconnectedSubscriberNoLongerWatches) {
   watch(true);
-  hub.leave(client);
+  hub.disconnect(client);
   settle();
   EXPECT_FALSE(tap->is_wanted);
 }

@@ -10,7 +10,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-class Client final : public Listener {
+class Client final : public Subscriber {
  public:
   Outbox& outbox() override { return box; }
   void wake() override {}
@@ -45,8 +45,9 @@ struct HubTest : testing::Test {
   void delta(const std::string& name = "n") { hub.publish_delta(name, Value(++state)); }
   // Until the hub has done what it was asked for.
   void settle() {
-    // Each of its strands does one thing at a time in turn on the one thread; the hub has at most kKept + 10 to do.
-    for (std::size_t i = 0; i < Hub::kKept + 10; ++i) Strand(pool).ask([] { return 0; });
+    // Each of its strands does one thing at a time in turn on the one thread; the hub has at most kMaxDeltas + 10 to
+    // do.
+    for (std::size_t i = 0; i < Hub::kMaxDeltas + 10; ++i) Strand(pool).ask([] { return 0; });
   }
   std::vector<std::string> received(const std::shared_ptr<Client>& client) {
     settle();
@@ -68,7 +69,7 @@ TEST_F(HubTest, SendsASnapshotThenDeltas) {
   EXPECT_THAT(received(client), ElementsAre("snapshot 0 0", "delta 1 1", "delta 2 2"));
 }
 
-TEST_F(HubTest, ALaterListenerGetsANewSnapshotIfSomethingHasChanged) {
+TEST_F(HubTest, ALaterSubscriberGetsANewSnapshotIfSomethingHasChanged) {
   hub.subscribe(client, "n", {});
   settle();
   delta();
@@ -79,7 +80,7 @@ TEST_F(HubTest, ALaterListenerGetsANewSnapshotIfSomethingHasChanged) {
   EXPECT_EQ(refreshed, 2);
 }
 
-TEST_F(HubTest, ALaterListenerGetsTheKeptSnapshotIfNothingHasChanged) {
+TEST_F(HubTest, ALaterSubscriberGetsTheKeptSnapshotIfNothingHasChanged) {
   hub.subscribe(client, "n", {});
   settle();
   hub.subscribe(other, "n", {});
@@ -92,7 +93,7 @@ TEST_F(HubTest, ALaterListenerGetsTheKeptSnapshotIfNothingHasChanged) {
 TEST_F(HubTest, WhenWhatIsKeptDoesNotReachTheSourceIsAsked) {
   hub.subscribe(client, "n", {});
   settle();
-  for (std::size_t i = 0; i < Hub::kKept + 1; ++i) delta();
+  for (std::size_t i = 0; i < Hub::kMaxDeltas + 1; ++i) delta();
   settle();
   hub.subscribe(other, "n", {});
   EXPECT_THAT(received(other), ElementsAre("snapshot 257 257"));
@@ -104,7 +105,7 @@ TEST_F(HubTest, WhoComesAgainGetsWhatItMissed) {
   settle();
   delta();
   settle();
-  hub.leave(client);
+  hub.disconnect(client);
   delta();
   delta();
   hub.subscribe(other, "n", Client::HubFirst + 1);
@@ -124,37 +125,37 @@ TEST_F(HubTest, ANumberOfAnotherServerGetsASnapshot) {
 TEST_F(HubTest, WhoHasMissedMoreThanIsKeptGetsASnapshot) {
   hub.subscribe(client, "n", {});
   settle();
-  for (std::size_t i = 0; i < Hub::kKept + 1; ++i) delta();
+  for (std::size_t i = 0; i < Hub::kMaxDeltas + 1; ++i) delta();
   hub.subscribe(other, "n", Client::HubFirst + 1);
   const auto all = received(other);
-  ASSERT_EQ(all.size(), Hub::kKept);
+  ASSERT_EQ(all.size(), Hub::kMaxDeltas);
   EXPECT_EQ(all.front(), "delta 2 2");
   hub.subscribe(other, "n", Client::HubFirst);
   EXPECT_THAT(received(other), ElementsAre("snapshot 257 257"));
 }
 
-TEST_F(HubTest, ASlowListenerGetsNothingBeforeTheSnapshotThatItIsOwed) {
+TEST_F(HubTest, ASlowSubscriberGetsNothingBeforeTheSnapshotThatItNeeds) {
   hub.subscribe(client, "n", {});
   settle();
   for (std::size_t i = 0; i < Outbox::kMessages + 1; ++i) delta();
   EXPECT_THAT(received(client), IsEmpty());
-  EXPECT_THAT(client->box.take_owed(), ElementsAre("n"));
+  EXPECT_THAT(client->box.take_stale_channels(), ElementsAre("n"));
   delta();  // on its way when the snapshot is asked for
   EXPECT_THAT(received(client), IsEmpty());
-  hub.repay(client, "n");
+  hub.resend_snapshot(client, "n");
   settle();
   delta();
   EXPECT_THAT(received(client), ElementsAre("snapshot 258 258", "delta 259 259"));
 }
 
-TEST_F(HubTest, WhoListensNoLongerIsOwedNothing) {
+TEST_F(HubTest, AFormerSubscriberGetsNoSnapshot) {
   hub.subscribe(client, "n", {});
   settle();
   for (std::size_t i = 0; i < Outbox::kMessages + 1; ++i) delta();
   settle();
-  EXPECT_THAT(client->box.take_owed(), ElementsAre("n"));
+  EXPECT_THAT(client->box.take_stale_channels(), ElementsAre("n"));
   hub.unsubscribe(client, "n");
-  hub.repay(client, "n");
+  hub.resend_snapshot(client, "n");
   delta();
   EXPECT_THAT(received(client), IsEmpty());
 }
@@ -162,7 +163,7 @@ TEST_F(HubTest, WhoListensNoLongerIsOwedNothing) {
 TEST_F(HubTest, RefusalsComeAgainAfterTooMany) {
   for (std::size_t i = 0; i < Outbox::kMessages + 1; ++i) hub.subscribe(client, "nothing", {});
   EXPECT_THAT(received(client), IsEmpty());
-  for (const std::string& owed : client->box.take_owed()) hub.repay(client, owed);
+  for (const std::string& stale : client->box.take_stale_channels()) hub.resend_snapshot(client, stale);
   hub.subscribe(client, "nothing", {});
   EXPECT_THAT(received(client), ElementsAre("error 0 -"));
 }
@@ -187,7 +188,7 @@ TEST_F(HubTest, WhatIsPublishedOnlyWhileWatchedBeginsAnewAfterAGap) {
   settle();
   delta("seen");
   EXPECT_THAT(received(client), ElementsAre("snapshot 0 0", "delta 1 1"));
-  hub.leave(client);
+  hub.disconnect(client);
   settle();
   EXPECT_FALSE(watched);
   state = 50;
@@ -204,7 +205,7 @@ TEST_F(HubTest, AnUnknownChannelAndAnEndedOneAreErrors) {
   EXPECT_THAT(received(client), ElementsAre("snapshot 0 0", "error 1 -"));
 }
 
-TEST_F(HubTest, OneSerialisationIsSharedByAllListeners) {
+TEST_F(HubTest, OneSerialisationIsSharedByAllSubscribers) {
   hub.subscribe(client, "n", {});
   hub.subscribe(other, "n", {});
   settle();

@@ -20,7 +20,7 @@ class Connection {
  public:
   explicit Connection(std::uint16_t port) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
     const timeval patience{20, 0};
-    ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof(patience));
+    ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &timeout, sizeof(timeout));
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_port = htons(port);
@@ -151,8 +151,8 @@ TEST_F(ListenerTest, ClosesOneConnectionTooManyUntilAnotherHasEnded) {
 }
 
 TEST(Limits, AreHalfAMinuteToArriveAndTwoBetweenRequests) {
-  EXPECT_EQ(HttpServer::Limits().arrival, 30s);
-  EXPECT_EQ(HttpServer::Limits().idle, 120s);
+  EXPECT_EQ(HttpServer::Limits().read_timeout, 30s);
+  EXPECT_EQ(HttpServer::Limits().idle_timeout, 120s);
 }
 
 }  // namespace

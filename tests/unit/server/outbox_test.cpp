@@ -31,17 +31,17 @@ TEST(Outbox, OfASampledChannelOnlyTheNewestWaits) {
   EXPECT_THAT(all(outbox), ElementsAre("99", "x"));
 }
 
-TEST(Outbox, AStateChannelThatIsTooMuchIsDroppedAndOwedASnapshot) {
+TEST(Outbox, AStateChannelThatOverflowsIsDroppedAndNeedsASnapshot) {
   Outbox outbox;
   outbox.push("pose", text("p"), true);
   for (std::size_t i = 0; i < 10 * Outbox::kMessages; ++i) {
     outbox.push("a", text("x"), false);
     EXPECT_LE(outbox.size(), Outbox::kMessages);
   }
-  EXPECT_THAT(outbox.take_owed(), IsEmpty()) << "not before the client has caught up";
+  EXPECT_THAT(outbox.take_stale_channels(), IsEmpty()) << "not before the client has caught up";
   EXPECT_THAT(all(outbox), ElementsAre("p"));
-  EXPECT_THAT(outbox.take_owed(), ElementsAre("a"));
-  EXPECT_THAT(outbox.take_owed(), IsEmpty());
+  EXPECT_THAT(outbox.take_stale_channels(), ElementsAre("a"));
+  EXPECT_THAT(outbox.take_stale_channels(), IsEmpty());
   outbox.push("a", text("a delta that was on its way"), false);
   EXPECT_THAT(all(outbox), IsEmpty());
   outbox.drop("a");
@@ -57,7 +57,7 @@ TEST(Outbox, BytesCountToo) {
   outbox.push("b", large, false);
   EXPECT_EQ(outbox.size(), 1U);
   all(outbox);
-  EXPECT_THAT(outbox.take_owed(), ElementsAre("a"));
+  EXPECT_THAT(outbox.take_stale_channels(), ElementsAre("a"));
 }
 
 TEST(Outbox, OneMessageMayBeLargerThanAll) {

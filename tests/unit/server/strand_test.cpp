@@ -1,4 +1,4 @@
-#include "server/execution/strand.h"
+#include "server/threads/strand.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,99 @@
+#include "server/application/application.h"
+
+#include <filesystem>
+
+#include "server/cell/screen_services.h"
+#include "server/wire/channel_names.h"
+
+namespace race::server {
+namespace {
+
+tl::unexpected<std::vector<Error>> one(Error error) { return tl::unexpected(std::vector<Error>{std::move(error)}); }
+
+}  // namespace
+
+Checked<std::unique_ptr<Application>> Application::create(const Setup& setup) {
+  std::unique_ptr<Application> app(new Application());
+  if (auto opened = app->open_documents(setup); !opened) return tl::unexpected(std::move(opened).error());
+  app->create_stream(setup.first_sequence);
+  if (auto created = app->create_cell(setup); !created) return tl::unexpected(std::move(created).error());
+  app->create_cores();
+  if (setup.script)
+    if (auto added = app->add_operator(*setup.script); !added) return tl::unexpected(std::move(added).error());
+  app->cell_->start_real_time();
+  return app;
+}
+
+Checked<void> Application::open_documents(const Setup& setup) {
+  auto documents = Documents::open(std::filesystem::path(setup.data) / "documents.sqlite");
+  if (!documents) return one(std::move(documents).error());
+  documents_ = std::move(*documents);
+  if (setup.demo.empty()) return {};
+  return documents_->put_demo(setup.demo);
+}
+
+void Application::create_stream(std::int64_t first_sequence) {
+  stream_pool_ = std::make_unique<Pool>(1);
+  hub_ = std::make_unique<Hub>(*stream_pool_, first_sequence,
+                               [this](const std::string& name) { return find_channel(name, channel_sources()); });
+  log_ = std::make_unique<EventLog>(*hub_);
+  displays_ = std::make_unique<Displays>(screens_, *hub_);
+  core_publisher_ = std::make_unique<CorePublisher>(*hub_, *log_);
+  service_publisher_ = std::make_unique<ServicePublisher>(*hub_, *log_);
+}
+
+Checked<void> Application::create_cell(const Setup& setup) {
+  std::vector<ExtraService> extra_services = screen_services(screens_, setup.demo);
+  extra_services.insert(extra_services.end(), setup.extra_services.begin(), setup.extra_services.end());
+  CellSetup cell_setup{setup.demo, std::filesystem::path(setup.data) / "database.sqlite", true,
+                       std::move(extra_services)};
+  cell_setup.remote = setup.remote;
+  cell_setup.heartbeat = setup.heartbeat;
+  auto cell = Cell::create(cell_setup, *service_publisher_);
+  if (!cell) return one(std::move(cell).error());
+  cell_ = std::move(*cell);
+  flows_ = std::make_unique<FlowChannels>(cell_->host(), *hub_, *stream_pool_);
+  if (CellWorld* world = cell_->world())
+    world->on_pose([this](Value pose) { hub_->publish_delta(std::string(kCellPoseChannel), std::move(pose)); });
+  return {};
+}
+
+void Application::create_cores() {
+  pool_ = std::make_unique<Pool>(2);
+  cores_ = std::make_unique<Cores>(*pool_, cell_->host(), *core_publisher_);
+  core_publisher_->connect(cell_->clock(), *cores_);
+  service_publisher_->connect(*cores_);
+}
+
+Checked<void> Application::add_operator(const OperatorScript& script) {
+  CellWorld* world = cell_->world();
+  if (!world) return one({ErrorCode::not_found, "an operator script needs a cell with a world"});
+  if (auto errors = check_bodies(script, *world); !errors.empty()) return tl::unexpected(std::move(errors));
+  operator_ = std::make_unique<Operator>(script, screens_, [this](const std::string& text) { log("operator", text); });
+  core_publisher_->set_operator(*operator_);
+  service_publisher_->set_operator(*operator_);
+  cell_->before_step([this, world] { operator_->step(cell_->clock().now(), *world); });
+  return {};
+}
+
+Application::~Application() {
+  if (cores_) cores_->close();
+  if (cell_) cell_->stop();
+  pool_.reset();
+  stream_pool_.reset();
+}
+
+Backend Application::make_backend() {
+  return {[this](Request request) { return handle(std::move(request), resources()); }, *hub_, *displays_,
+          cell_->remotes(), [this](const std::string& text) { log("server", text); }};
+}
+
+void Application::log(const std::string& source, const std::string& text) {
+  log_->append(cell_->clock().now(), source, text);
+}
+
+ChannelSources Application::channel_sources() { return {*hub_, *cores_, *cell_, *displays_, *flows_, *log_}; }
+
+Resources Application::resources() { return {*documents_, *cores_, *cell_, *log_}; }
+
+}  // namespace race::server

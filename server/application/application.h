@@ -1,0 +1,73 @@
+// Application: the parts of `race serve` behind its sockets, put together: documents, cell, cores, stream, log.
+//
+// Threads: any.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "server/cell/cell.h"
+#include "server/cell/operator.h"
+#include "server/channels/channels.h"
+#include "server/channels/core_publisher.h"
+#include "server/channels/service_publisher.h"
+#include "server/execution/cores.h"
+#include "server/handlers/routes.h"
+#include "server/http/listener.h"
+#include "server/log/event_log.h"
+#include "server/store/documents.h"
+#include "server/stream/displays.h"
+#include "server/stream/flow_channels.h"
+#include "server/stream/hub.h"
+#include "server/threads/strand.h"
+#include "services/display/screens.h"
+
+namespace race::server {
+
+class Application {
+ public:
+  struct Setup {
+    std::string data;  // folder for documents and the database; it exists
+    std::string demo;  // folder with scene.json, database.json and *.rcm.json; may be empty
+    std::int64_t first_sequence = 1;
+    std::vector<ExtraService> extra_services = {};
+    std::optional<OperatorScript> script = {};  // begins anew with each run that is started
+    std::vector<std::string> remote = {};       // as of CellSetup
+    std::chrono::milliseconds heartbeat{1000};  // of their processes
+  };
+  static Checked<std::unique_ptr<Application>> create(const Setup& setup);
+  ~Application();
+
+  /// What the sockets serve; the application outlives it.
+  Backend make_backend();
+
+ private:
+  Application() = default;
+  Checked<void> open_documents(const Setup& setup);
+  void create_stream(std::int64_t first_sequence);
+  Checked<void> create_cell(const Setup& setup);
+  void create_cores();
+  Checked<void> add_operator(const OperatorScript& script);
+  void log(const std::string& source, const std::string& text);
+  ChannelSources channel_sources();
+  Resources resources();
+
+  // In the order of construction; a core's strand may still call the host while its pool ends.
+  display::Screens screens_;
+  std::unique_ptr<Pool> stream_pool_;
+  std::unique_ptr<Hub> hub_;
+  std::unique_ptr<EventLog> log_;
+  std::unique_ptr<Displays> displays_;
+  std::unique_ptr<CorePublisher> core_publisher_;
+  std::unique_ptr<ServicePublisher> service_publisher_;
+  std::unique_ptr<Documents> documents_;
+  std::unique_ptr<Pool> pool_;  // of the cores
+  std::unique_ptr<Cell> cell_;
+  std::unique_ptr<FlowChannels> flows_;
+  std::unique_ptr<Cores> cores_;
+  std::unique_ptr<Operator> operator_;  // destroyed first, when the cell that calls it has stopped
+};
+
+}  // namespace race::server

@@ -1,0 +1,93 @@
+#include "server/channels/channels.h"
+
+#include <array>
+#include <memory>
+
+#include "server/wire/channel_names.h"
+#include "server/wire/service_json.h"
+
+namespace race::server {
+namespace {
+
+using Sources = ChannelSources;
+using MaybeSource = std::optional<Source>;
+
+MaybeSource cores(const Parameters&, const Sources& sources) {
+  return Source{false,
+                [&hub = sources.hub, &cores = sources.cores] {
+                  hub.publish_snapshot(std::string(kCoresChannel), cores_json(cores));
+                },
+                {}};
+}
+
+MaybeSource services(const Parameters&, const Sources& sources) {
+  return Source{false,
+                [&hub = sources.hub, &host = sources.cell.host()] {
+                  hub.publish_snapshot(std::string(kServicesChannel), services_json(host.services()));
+                },
+                {}};
+}
+
+MaybeSource log(const Parameters&, const Sources& sources) {
+  return Source{false, [&log = sources.log] { log.publish_snapshot(); }, {}};
+}
+
+MaybeSource cell_pose(const Parameters&, const Sources& sources) {
+  CellWorld* world = sources.cell.world();
+  if (!world) return std::nullopt;
+  return Source{true, {}, [world](bool on) { world->watch_pose(on); }};
+}
+
+MaybeSource display(const Parameters& parameters, const Sources& sources) {
+  return sources.displays.source(parameters.at("name"));
+}
+
+MaybeSource flow(const Parameters& parameters, const Sources& sources) {
+  return sources.flows.source(parameters.at("service"), parameters.at("flow"));
+}
+
+// Calls `function` with the core while it exists: a channel keeps no core alive.
+template <typename F>
+auto on_core(const std::weak_ptr<Core>& core, F function) {
+  return [core, function](auto... arguments) {
+    if (const auto alive = core.lock()) function(*alive, arguments...);
+  };
+}
+
+MaybeSource core_state(const Parameters& parameters, const Sources& sources) {
+  const auto core = sources.cores.find(parameters.at("id"));
+  if (!core) return std::nullopt;
+  return Source{false, on_core(*core, [](Core& alive) { alive.watch_state(); }), {}};
+}
+
+MaybeSource core_derivation(const Parameters& parameters, const Sources& sources) {
+  const auto core = sources.cores.find(parameters.at("id"));
+  if (!core) return std::nullopt;
+  return Source{false, on_core(*core, [](Core& alive) { alive.watch_derivation(true); }),
+                on_core(*core, [](Core& alive, bool on) {
+                  if (!on) alive.watch_derivation(false);
+                })};
+}
+
+constexpr std::array kChannels = {
+    ChannelKind{kCoresChannel, cores},
+    ChannelKind{kServicesChannel, services},
+    ChannelKind{kLogChannel, log},
+    ChannelKind{kCellPoseChannel, cell_pose},
+    ChannelKind{kDisplayChannel, display},
+    ChannelKind{kFlowChannel, flow},
+    ChannelKind{kCoreStateChannel, core_state},
+    ChannelKind{kCoreDerivationChannel, core_derivation},
+};
+
+}  // namespace
+
+std::span<const ChannelKind> channels() { return kChannels; }
+
+std::optional<Source> find_channel(std::string_view name, const ChannelSources& sources) {
+  for (const ChannelKind& channel : kChannels)
+    if (const auto parameters = match(channel.pattern, name)) return channel.source(*parameters, sources);
+  return std::nullopt;
+}
+
+}  // namespace race::server

@@ -1,0 +1,24 @@
+#include "server/channels/service_publisher.h"
+
+#include <utility>
+
+#include "server/wire/channel_names.h"
+#include "server/wire/service_json.h"
+
+namespace race::server {
+
+void ServicePublisher::delivered(const services::Delivery& delivery) {
+  if (cores_) cores_->deliver(delivery);
+  if (operator_) operator_->happened(delivery);
+}
+
+void ServicePublisher::changed(const services::ServiceStatus& status) {
+  Value delta = Dict{{"services", List{service_state_json(status)}}};
+  hub_.publish_delta(std::string(kServicesChannel), std::move(delta.freeze()));
+}
+
+void ServicePublisher::logged(services::Time time, const std::string& key, const std::string& text) {
+  log_.append(time, key, text);
+}
+
+}  // namespace race::server

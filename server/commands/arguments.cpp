@@ -1,0 +1,129 @@
+#include "server/commands/arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+namespace race::server {
+namespace {
+
+bool is_flag(const CLI::Option& option) { return option.get_items_expected_min() == 0; }
+
+// "--seed N", "--fast", "MODEL", "RSM..."
+std::string label(const CLI::Option& option) {
+  if (!option.nonpositional()) return option.get_name() + (option.get_expected_max() > 1 ? "..." : "");
+  return option.get_name() + (is_flag(option) ? "" : ' ' + option.get_type_name());
+}
+
+// In the order of their declaration.
+std::vector<const CLI::Option*> arguments_of(const CLI::App& app) {
+  return app.get_options([&app](const CLI::Option* option) { return option != app.get_help_ptr(); });
+}
+
+// From low to high; no number (nan) is refused too.
+CLI::Validator within(double low, double high) {
+  const auto check = [low, high](const std::string& text) -> std::string {
+    double value = 0;
+    if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return "";
+    return "must be a number within its limits, got `" + text + "`";
+  };
+  return {check, ""};
+}
+
+bool is_option(const std::string& word) { return word.size() > 1 && word.starts_with('-'); }
+
+}  // namespace
+
+Arguments::Arguments(std::string name) : app_(std::make_unique<CLI::App>("", std::move(name))) {}
+Arguments::~Arguments() = default;
+
+void Arguments::positional(const std::string& name, std::string& value, const std::string& help) {
+  app_->add_option(name, value, help)->required();
+}
+
+void Arguments::positionals(const std::string& name, std::vector<std::string>& values, bool required) {
+  app_->add_option(name, values)->required(required);
+}
+
+void Arguments::flag(const std::string& name, bool& value, const std::string& help) {
+  app_->add_flag(name, value, help)->multi_option_policy(CLI::MultiOptionPolicy::Throw)->disable_flag_override();
+}
+
+void Arguments::text(const std::string& name, const std::string& placeholder, std::string& value,
+                     const std::string& help) {
+  app_->add_option(name, value, help)->type_name(placeholder)->capture_default_str();
+}
+
+void Arguments::text(const std::string& name, const std::string& placeholder, std::optional<std::string>& value,
+                     const std::string& help) {
+  app_->add_option_function<std::string>(
+          name, [&value](const std::string& text) { value = text; }, help)
+      ->type_name(placeholder);
+}
+
+void Arguments::required_text(const std::string& name, const std::string& placeholder, std::string& value,
+                              const std::string& help) {
+  app_->add_option(name, value, help)->type_name(placeholder)->required();
+}
+
+void Arguments::number(const std::string& name, const std::string& placeholder, double& value, double low, double high,
+                       const std::string& help) {
+  app_->add_option(name, value, help)->type_name(placeholder)->capture_default_str()->check(within(low, high));
+}
+
+// CLI11 names the option in its message alone: "--port: ...", or "fast was ..." for a flag with a value.
+Error Arguments::error_of(const std::string& message) const {
+  std::string name = message.substr(0, message.find_first_of(": "));
+  if (!name.starts_with('-')) name.insert(0, "--");
+  const CLI::Option* option = app_->get_option_no_throw(name);
+  if (!option) return {ErrorCode::type, message, ""};
+  if (option->count() > 1) return {ErrorCode::duplicate, "the option stands twice", name};
+  if (is_flag(*option)) return {ErrorCode::type, "the option takes no value", name};
+  return {ErrorCode::missing, "the option needs a value", name};
+}
+
+Expected<Arguments::Outcome> Arguments::parse(std::vector<std::string> words) {
+  std::ranges::reverse(words);  // as CLI11 expects them
+  try {
+    app_->parse(words);
+  } catch (const CLI::CallForHelp&) {
+    return Outcome::help_requested;
+  } catch (const CLI::ExtrasError&) {
+    const auto extra = app_->remaining();
+    const auto option = std::ranges::find_if(extra, is_option);
+    if (option == extra.end()) return Outcome::misused;
+    return unexpected(ErrorCode::unknown_field, "there is no such option", *option);
+  } catch (const CLI::RequiredError&) {
+    return Outcome::misused;
+  } catch (const CLI::ValidationError& failure) {
+    const std::string message = failure.what();
+    const auto end = message.find(": ");
+    return unexpected(ErrorCode::out_of_range, message.substr(end + 2), message.substr(0, end));
+  } catch (const CLI::ParseError& failure) {
+    return tl::unexpected(error_of(failure.what()));
+  }
+  return Outcome::parsed;
+}
+
+std::string Arguments::usage() const {
+  std::string line = "race " + app_->get_name();
+  for (const CLI::Option* option : arguments_of(*app_))
+    line += option->get_required() ? ' ' + label(*option) : " [" + label(*option) + ']';
+  return line;
+}
+
+std::string Arguments::help() const {
+  const auto all = arguments_of(*app_);
+  std::size_t width = 0;
+  for (const CLI::Option* option : all) width = std::max(width, label(*option).size());
+  std::string text;
+  for (const CLI::Option* option : all) {
+    if (option->get_description().empty()) continue;
+    const std::string fallback = option->get_default_str();
+    const std::string name = label(*option);
+    text += "  " + name + std::string(width - name.size() + 3, ' ') + option->get_description();
+    text += (fallback.empty() || is_flag(*option) ? "" : " (" + fallback + ')') + '\n';
+  }
+  return text;
+}
+
+}  // namespace race::server

@@ -1,0 +1,63 @@
+// Arguments: what a command accepts on its command line, bound to the command's variables. Declared once; parsing,
+// usage and help come from it (CLI11, in arguments.cpp alone).
+//
+// Threads: one.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/value/expected.h"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace race::server {
+
+class Arguments {
+ public:
+  /// Of the command `race NAME`.
+  explicit Arguments(std::string name);
+  ~Arguments();
+  Arguments(const Arguments&) = delete;
+  Arguments& operator=(const Arguments&) = delete;
+
+  // Declarations: `help` is a line for people, `placeholder` stands for the value. The variables outlive this; options
+  // that are absent leave them as they are, which is the default.
+
+  /// One word that must be there.
+  void positional(const std::string& name, std::string& value, const std::string& help = "");
+  /// All other words; at least one if `required`.
+  void positionals(const std::string& name, std::vector<std::string>& values, bool required);
+  void flag(const std::string& name, bool& value, const std::string& help);
+  void text(const std::string& name, const std::string& placeholder, std::string& value, const std::string& help);
+  void text(const std::string& name, const std::string& placeholder, std::optional<std::string>& value,
+            const std::string& help);
+  void required_text(const std::string& name, const std::string& placeholder, std::string& value,
+                     const std::string& help);
+  /// A number from `low` to `high`.
+  void number(const std::string& name, const std::string& placeholder, double& value, double low, double high,
+              const std::string& help);
+
+  enum class Outcome : std::uint8_t { parsed, help_requested, misused };
+  /// Reads the words after the command's name into the variables. `misused`: a required word or option is absent, or
+  /// there is a word too many. Errors, with the option as path: `unknown_field`, `missing` (no value), `duplicate`,
+  /// `type` (a value for a flag), `out_of_range`.
+  Expected<Outcome> parse(std::vector<std::string> words);
+
+  /// "race run MODEL [--fast] [--seed N]"
+  std::string usage() const;
+  /// A line for each argument that has a help text.
+  std::string help() const;
+
+ private:
+  Error error_of(const std::string& message) const;
+
+  std::unique_ptr<CLI::App> app_;
+};
+
+}  // namespace race::server

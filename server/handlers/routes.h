@@ -1,0 +1,32 @@
+// The table of routes: what stands in api/openapi.yaml, and nothing else, can be reached.
+//
+// Threads: any thread of the handlers' pool.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <tuple>
+
+#include "server/handlers/handlers.h"
+
+namespace race::server {
+
+class EventLog;
+
+/// What handlers use; each gets those that are its parameters.
+using Resources = std::tuple<Documents&, Cores&, Cell&, EventLog&>;
+
+struct Route {
+  std::string_view method;
+  std::string_view pattern;  // "/api/v1/cores/{id}" (server/wire/path_pattern.h)
+  Handled (*handle)(const Request&, const Resources&);
+};
+
+/// All of them. The listener serves the WebSockets itself (GET /api/v1/stream and /api/v1/components).
+std::span<const Route> routes();
+
+/// Answers a request by its route; 405 for a path with other methods, 404 for none. An exception of a handler (out of
+/// memory, a bug of ours) is logged and answered 500; the server continues.
+Reply handle(Request request, const Resources& resources);
+
+}  // namespace race::server

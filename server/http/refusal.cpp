@@ -1,0 +1,41 @@
+#include "server/http/refusal.h"
+
+#include "server/wire/errors.h"
+
+namespace race::server {
+
+int status_of(const std::vector<Error>& errors) {
+  switch (errors.front().code) {
+    case ErrorCode::not_found:
+      return 404;
+    case ErrorCode::conflict:
+      return 409;
+    case ErrorCode::too_large:
+      return 413;
+    case ErrorCode::unavailable:
+    case ErrorCode::io:
+      return 503;
+    case ErrorCode::json:
+    case ErrorCode::too_deep:
+    case ErrorCode::out_of_range:
+      return 400;
+    default:
+      return 422;
+  }
+}
+
+Reply refusal(const std::vector<Error>& errors) {
+  Reply reply;
+  reply.status = status_of(errors);
+  reply.body = errors_json(errors);
+  return reply;
+}
+
+Reply refusal(int status, const std::string& code, const std::string& message) {
+  Reply reply;
+  reply.status = status;
+  reply.body = Dict{{"errors", List{Value(Dict{{"path", ""}, {"code", code}, {"message", message}})}}};
+  return reply;
+}
+
+}  // namespace race::server

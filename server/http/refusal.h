@@ -1,0 +1,20 @@
+// Refusals of requests: errors (schemas/errors.json) with an HTTP status.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/value/expected.h"
+#include "server/http/message.h"
+
+namespace race::server {
+
+/// 404 for `not_found`, 409 `conflict`, 413 `too_large`, 503 `unavailable` and `io`, 400 what is not JSON or out of
+/// range, else 422: a body that was understood and breaks a rule. The first error decides.
+int status_of(const std::vector<Error>& errors);
+
+Reply refusal(const std::vector<Error>& errors);
+/// One error of the HTTP layer itself, with a code that no document has.
+Reply refusal(int status, const std::string& code, const std::string& message);
+
+}  // namespace race::server

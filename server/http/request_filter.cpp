@@ -1,0 +1,60 @@
+#include "server/http/request_filter.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "server/http/refusal.h"
+
+namespace race::server {
+namespace {
+
+std::string lower(std::string_view text) {
+  std::string out(text);
+  std::ranges::transform(out, out.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return out;
+}
+
+bool changes_something(const Request& request) { return request.method != "GET" && request.method != "HEAD"; }
+
+std::optional<Reply> refuse_body(const Request& request) {
+  if (request.count("content-length") > 1) return refusal(400, "content_length", "Content-Length stands twice");
+  const std::string_view length = request.header("content-length");
+  std::uint64_t bytes = 0;
+  if (!length.empty()) {
+    const auto [end, error] = std::from_chars(length.data(), length.data() + length.size(), bytes);
+    if (error != std::errc() || end != length.data() + length.size())
+      return refusal(400, "content_length", "Content-Length is no number");
+  }
+  if (bytes == 0) return std::nullopt;
+  if (bytes > RequestFilter::kBodyBytes)
+    return refusal(413, "too_large", "a body has at most " + std::to_string(RequestFilter::kBodyBytes) + " bytes");
+  const std::string type = lower(request.header("content-type"));
+  if (type != "application/json" && !type.starts_with("application/json;"))
+    return refusal(415, "content_type", "a body is application/json");
+  return std::nullopt;
+}
+
+}  // namespace
+
+RequestFilter::RequestFilter(std::uint16_t port) {
+  for (const char* name : {"localhost", "127.0.0.1", "[::1]"}) {
+    hosts.push_back(std::string(name) + ":" + std::to_string(port));
+    if (port == 80) hosts.emplace_back(name);
+  }
+  for (const std::string& host : hosts) origins.push_back("http://" + host);
+}
+
+std::optional<Reply> RequestFilter::refuse(const Request& request, bool upgrade) const {
+  if (request.count("transfer-encoding") > 0)
+    return refusal(501, "transfer_encoding", "Transfer-Encoding is not served; send Content-Length");
+  if (request.count("host") != 1) return refusal(400, "host", "exactly one Host header is needed");
+  if (std::ranges::find(hosts, lower(request.header("host"))) == hosts.end())
+    return refusal(421, "host", "this server does not answer to that name");
+  const bool guarded = upgrade || changes_something(request);
+  if (guarded && request.count("origin") > 0 &&
+      (request.count("origin") > 1 || std::ranges::find(origins, lower(request.header("origin"))) == origins.end()))
+    return refusal(403, "origin", "only pages of this server may do that");
+  return refuse_body(request);
+}
+
+}  // namespace race::server

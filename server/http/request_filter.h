@@ -1,0 +1,30 @@
+// RequestFilter: which requests are refused from their header alone, so that no byte of a refused body is read.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "server/http/message.h"
+
+namespace race::server {
+
+struct RequestFilter {
+  static constexpr std::size_t kHeaderBytes = 16 * 1024;
+  static constexpr std::uint64_t kBodyBytes = 4 * 1024 * 1024;
+  static constexpr std::size_t kMessageBytes = 64 * 1024;  // of the stream, from a client
+
+  /// Loopback: localhost, 127.0.0.1 and [::1] with this port are the names of the server.
+  explicit RequestFilter(std::uint16_t port);
+
+  /// The refusal of a request, if it is refused: Transfer-Encoding (501), not exactly one Host of the allowed ones
+  /// (400, 421), an Origin that is not the server's own on a request that changes something or opens the stream (403),
+  /// a body that is not JSON (415) or too large (413). `upgrade`: it asks for a WebSocket.
+  std::optional<Reply> refuse(const Request& request, bool upgrade) const;
+
+  std::vector<std::string> hosts;    // "localhost:8080"
+  std::vector<std::string> origins;  // "http://localhost:8080"
+};
+
+}  // namespace race::server

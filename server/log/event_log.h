@@ -1,0 +1,42 @@
+// EventLog: the last lines of the server's log, and the channel `log` of the stream (schemas/log_entry.json).
+//
+// Threads: any.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <mutex>
+#include <string>
+
+#include "core/value/value.h"
+#include "server/stream/hub.h"
+#include "services/clock.h"
+
+namespace race::server {
+
+class EventLog {
+ public:
+  static constexpr std::size_t kMaxEntries = 200;
+  static constexpr std::size_t kMaxText = 2000;  // bytes of a line; the rest is cut off
+
+  /// The hub outlives this.
+  explicit EventLog(Hub& hub) : hub_(hub) {}
+
+  /// Adds a line and publishes it. `source`: "server", "core/1", the key of a service.
+  void append(services::Time time, const std::string& source, const std::string& text);
+  /// Adds a line on the status of a core (schemas/core.json: started, ended and how, faulted and where) if it differs
+  /// from the status logged last. Returns whether it does.
+  bool append_status(services::Time time, const std::string& core_id, const Value& core);
+  /// Drops the status of a core that has been removed.
+  void drop_status(const std::string& core_id);
+  /// Publishes all lines as a snapshot of the channel.
+  void publish_snapshot() const;
+
+ private:
+  Hub& hub_;
+  mutable std::mutex mutex_;
+  std::deque<Value> entries_;                    // schemas/log_entry.json
+  std::map<std::string, std::string> statuses_;  // by core: as logged last
+};
+
+}  // namespace race::server

@@ -1,0 +1,92 @@
+#include "server/commands/arguments.h"
+
+#include <gtest/gtest.h>
+
+namespace race::server {
+namespace {
+
+struct ArgumentsTest : testing::Test {
+  ArgumentsTest() {
+    arguments.positional("FILE", file);
+    arguments.positionals("MORE", more, false);
+    arguments.text("--data", "DIR", data, "a folder");
+    arguments.text("--log", "FILE", log, "a file");
+    arguments.number("--port", "N", port, 0, 100, "a number");
+    arguments.flag("--fast", fast, "a flag");
+  }
+  ErrorCode code(const std::vector<std::string>& words) { return arguments.parse(words).error().code; }
+
+  std::string file, data = "data";
+  std::vector<std::string> more;
+  std::optional<std::string> log;
+  double port = 7;
+  bool fast = false;
+  Arguments arguments{"test"};
+};
+
+TEST_F(ArgumentsTest, StandInAnyOrder) {
+  EXPECT_EQ(arguments.parse({"a", "--port", "80", "--fast", "b", "--data=x=y", "-"}), Arguments::Outcome::parsed);
+  EXPECT_EQ(file, "a");
+  EXPECT_EQ(more, (std::vector<std::string>{"b", "-"}));
+  EXPECT_EQ(data, "x=y");
+  EXPECT_EQ(port, 80);
+  EXPECT_TRUE(fast);
+}
+
+TEST_F(ArgumentsTest, KeepTheirDefaults) {
+  EXPECT_EQ(arguments.parse({"a"}), Arguments::Outcome::parsed);
+  EXPECT_EQ(data, "data");
+  EXPECT_EQ(port, 7);
+  EXPECT_FALSE(log || fast);
+}
+
+TEST_F(ArgumentsTest, TakeJsonAndEmptyTexts) {
+  for (const char* text : {"{}", "[]", "[1, 2]", R"({"a": "b c"})", "", "--fast", "-1"}) {
+    EXPECT_EQ(arguments.parse({"a", "--data", text}), Arguments::Outcome::parsed) << text;
+    EXPECT_EQ(data, text);
+  }
+}
+
+TEST_F(ArgumentsTest, AreRefusedByName) {
+  EXPECT_EQ(code({"a", "--slow"}), ErrorCode::unknown_field);
+  EXPECT_EQ(code({"a", "-x"}), ErrorCode::unknown_field);
+  EXPECT_EQ(code({"a", "--fast=1"}), ErrorCode::type);
+  EXPECT_EQ(code({"a", "--port"}), ErrorCode::missing);
+  EXPECT_EQ(code({"a", "--port", "1", "--port", "2"}), ErrorCode::duplicate);
+  EXPECT_EQ(code({"a", "--fast", "--fast"}), ErrorCode::duplicate);
+  EXPECT_EQ(arguments.parse({"a", "--slow"}).error().path, "--slow");
+  EXPECT_EQ(arguments.parse({"a", "--port"}).error().path, "--port");
+}
+
+TEST_F(ArgumentsTest, NumbersHaveLimits) {
+  for (const char* text : {"x", "", "-1", "101", "1x", "nan"}) {
+    EXPECT_EQ(code({"a", "--port", text}), ErrorCode::out_of_range) << text;
+    EXPECT_EQ(arguments.parse({"a", "--port", text}).error().path, "--port");
+  }
+  for (const char* text : {"0", "100"}) {
+    EXPECT_EQ(arguments.parse({"a", "--port", text}), Arguments::Outcome::parsed);
+    EXPECT_EQ(port, std::stod(text));
+  }
+}
+
+TEST_F(ArgumentsTest, HelpAndMisuseAreTold) {
+  EXPECT_EQ(arguments.parse({"a", "--help"}), Arguments::Outcome::help_requested);
+  EXPECT_EQ(arguments.parse({"-h"}), Arguments::Outcome::help_requested);
+  EXPECT_EQ(arguments.parse({}), Arguments::Outcome::misused);
+  EXPECT_EQ(arguments.usage(), "race test FILE [MORE...] [--data DIR] [--log FILE] [--port N] [--fast]");
+  EXPECT_EQ(arguments.help(),
+            "  --data DIR   a folder (data)\n"
+            "  --log FILE   a file\n"
+            "  --port N     a number (7)\n"
+            "  --fast       a flag\n");
+}
+
+TEST(Arguments, AWordTooManyIsMisuse) {
+  std::string file;
+  Arguments arguments("test");
+  arguments.positional("FILE", file);
+  EXPECT_EQ(arguments.parse({"a", "b"}), Arguments::Outcome::misused);
+}
+
+}  // namespace
+}  // namespace race::server

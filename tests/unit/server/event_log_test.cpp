@@ -1,0 +1,62 @@
+#include "server/log/event_log.h"
+
+#include <gmock/gmock.h>
+
+#include "core/value/json.h"
+
+namespace race::server {
+namespace {
+
+class Client final : public Subscriber {
+ public:
+  Outbox& outbox() override { return box; }
+  void wake() override {}
+  Outbox box;
+};
+
+struct EventLogTest : testing::Test {
+  // The entries of a snapshot: "source: text".
+  std::vector<std::string> entries() {
+    const auto client = std::make_shared<Client>();
+    hub.subscribe(client, "log", {});
+    std::optional<Text> text;
+    while (!text) {  // the hub and the snapshot take their turns on the strand
+      Strand(pool).ask([] { return 0; });
+      text = client->box.pop();
+    }
+    hub.disconnect(client);
+    std::vector<std::string> lines;
+    const Value message = parse_json(**text).value();
+    for (const Value& entry : message.find("data")->find("entries")->as_list())
+      lines.push_back(entry.find("source")->as_string() + ": " + entry.find("text")->as_string());
+    return lines;
+  }
+  static Value core(const std::string& status) { return Dict{{"document", "pick"}, {"status", status}}; }
+
+  Pool pool{1};
+  Hub hub{pool, 1, [this](const std::string&) { return Source{false, [this] { log.publish_snapshot(); }, {}}; }};
+  EventLog log{hub};
+};
+
+TEST_F(EventLogTest, KeepsTheLastEntries) {
+  for (std::size_t i = 0; i < EventLog::kMaxEntries + 5; ++i) log.append(0, "server", std::to_string(i));
+  const auto lines = entries();
+  EXPECT_EQ(lines.size(), EventLog::kMaxEntries);
+  EXPECT_EQ(lines.front(), "server: 5");
+}
+
+TEST_F(EventLogTest, CutsLongTexts) {
+  log.append(0, "s", std::string(2 * EventLog::kMaxText, 'x'));
+  EXPECT_EQ(entries().front().size(), EventLog::kMaxText + 3);
+}
+
+TEST_F(EventLogTest, LogsAStatusOnlyWhenItChanges) {
+  EXPECT_TRUE(log.append_status(0, "1", core("ready")));
+  EXPECT_TRUE(log.append_status(0, "1", core("running")));
+  EXPECT_FALSE(log.append_status(0, "1", core("running")));
+  EXPECT_TRUE(log.append_status(0, "2", core("running")));
+  EXPECT_THAT(entries(), testing::ElementsAre("core/1: pick: ready", "core/1: pick: running", "core/2: pick: running"));
+}
+
+}  // namespace
+}  // namespace race::server
