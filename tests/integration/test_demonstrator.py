@@ -84,7 +84,7 @@ def serve():
     with Server("--demo", str(DEMO), "--operator", str(SCRIPT)) as server:
         began = time.monotonic()
         core = server.core(DOCUMENT)
-        ended = server.ended(core, patience=300)
+        ended = server.ended(core, timeout=300)
         lasted = time.monotonic() - began
         with server.stream() as stream:
             stream.subscribe("cell/pose")

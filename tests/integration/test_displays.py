@@ -2,7 +2,7 @@
 import unittest
 
 import models
-from client import PROJECT, Server, check
+from client import Server
 
 
 def asking(operation, name="asking"):
@@ -23,17 +23,14 @@ class DisplayCase(unittest.TestCase):
 
     def tearDown(self):
         for stream in self.streams:
-            stream.socket.close()
+            stream.close()
         self.server.stop()
-
-    def say(self, stream, message):
-        stream.send(check("stream_request", message))
 
     def display(self, name="main", sound=False):
         """A connected display, which has got what it shows at first."""
         stream = self.server.stream()
         self.streams.append(stream)
-        self.say(stream, {"type": "display", "name": name, "sound": sound})
+        stream.send_checked({"type": "display", "name": name, "sound": sound})
         first = stream.message()
         self.assertEqual((first["channel"], first["kind"]), (f"display/{name}", "snapshot"))
         return stream
@@ -58,9 +55,9 @@ class Displays(DisplayCase):
         core = self.server.core(asking("display.ask('Go?', ['Yes', 'No'])"))
         question = self.shown(left, "question")
         self.assertEqual(question, self.shown(right, "question"))
-        self.say(right, {"type": "answer", "question": question["id"], "answer": "No"})
+        right.send_checked({"type": "answer", "question": question["id"], "answer": "No"})
         self.assertEqual(self.server.ended(core)["results"]["answer"], {"answer": "No", "display": "right"})
-        self.say(left, {"type": "answer", "question": question["id"], "answer": "Yes"})
+        left.send_checked({"type": "answer", "question": question["id"], "answer": "Yes"})
         late = left.until(lambda m: m["kind"] == "error")
         self.assertEqual(late[-1]["data"]["errors"][0]["code"], "conflict")
         self.assertNotIn("question", late[-2]["data"])
@@ -70,25 +67,25 @@ class Displays(DisplayCase):
         display = self.display()
         self.server.post(f"/cores/{core}/start", None, "core")
         question = self.shown(display, "question")
-        display.socket.close()
+        display.close()
         again = self.server.stream()
         self.streams.append(again)
-        self.say(again, {"type": "display", "name": "main"})
+        again.send_checked({"type": "display", "name": "main"})
         snapshot = again.message()
         self.assertEqual((snapshot["kind"], snapshot["data"]["question"]), ("snapshot", question))
-        self.say(again, {"type": "answer", "question": question["id"], "answer": "OK"})
+        again.send_checked({"type": "answer", "question": question["id"], "answer": "OK"})
         self.assertEqual(self.server.ended(core)["outcome"], "answered")
 
     def test_a_display_that_goes_for_good_answers_the_question(self):
         display = self.display()
         core = self.server.core(asking("display.ask('Go?')"))
         self.shown(display, "question")
-        display.socket.close()
+        display.close()
         self.assertEqual(self.code(core), "display_lost")
 
     def test_a_display_is_one_name_at_a_time(self):
         display = self.display("left")
-        self.say(display, {"type": "display", "name": "right"})
+        display.send_checked({"type": "display", "name": "right"})
         self.assertEqual(display.message()["data"], {"display": "right"})
         self.assertEqual(self.code(self.server.core(asking("display.show_text('Hello', display='left')"))), "no_display")
         self.server.core(asking("display.show_text('Hello', display='right')", "shown"))
@@ -99,7 +96,7 @@ class Displays(DisplayCase):
         core = self.server.core(asking("audio.play('beep', 0.5, 2)"))
         sound = self.shown(display, "sound")
         self.assertEqual((sound["name"], sound["volume"], sound["repeat"]), ("beep", 0.5, 2))
-        self.say(display, {"type": "played", "sound": sound["id"]})
+        display.send_checked({"type": "played", "sound": sound["id"]})
         self.assertEqual(self.server.ended(core)["results"]["answer"], {"sound": "beep", "displays": ["main"]})
 
     def test_a_display_that_never_reports_does_not_hold_up_the_task(self):
@@ -113,7 +110,7 @@ class Displays(DisplayCase):
             self.assertEqual(watcher.message()["data"], {"display": "left"})
             self.server.core(asking("display.show_text('Hello')"))
             self.assertEqual(self.shown(watcher, "message")["text"], "Hello")
-            self.say(watcher, {"type": "press", "button": "Stop"})
+            watcher.send_checked({"type": "press", "button": "Stop"})
             refused = watcher.until(lambda m: m["kind"] == "error")[-1]
             self.assertEqual(refused["data"]["errors"][0]["code"], "conflict")
 

@@ -7,7 +7,7 @@ import unittest
 from pathlib import Path
 
 import models
-from client import PATIENCE, PROGRAM, PROJECT, Server, check
+from client import TIMEOUT, PROGRAM, PROJECT, Server, check
 
 DEMO = PROJECT / "deploy/demo"
 
@@ -71,7 +71,7 @@ class Person(unittest.TestCase):
 
     def test_a_hand_of_somebody_who_is_gone_lets_go(self):
         self.assertEqual(len(self.act(act="grab", body="link_5")["hands"]), 1)
-        end = time.monotonic() + PATIENCE
+        end = time.monotonic() + TIMEOUT
         while self.hands() and time.monotonic() < end:
             pass
         self.assertEqual(self.hands(), [])

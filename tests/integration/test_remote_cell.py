@@ -8,7 +8,7 @@ from pathlib import Path
 
 import test_person
 from client import PROJECT, Server, check
-from test_components import CALM, Process, Wire, service, there
+from component_process import LONG_HEARTBEAT, ComponentClient, ComponentProcess, service, wait_available
 
 DEMO = PROJECT / "deploy/demo"
 RED = {"name": "red", "shape": {"box": [0.1, 0.1, 0.1]}, "fixed": False,
@@ -29,16 +29,16 @@ def pose(time=1, **bodies):
 class Elsewhere(unittest.TestCase):
     """A server that has no scene of its own, and a cell that has."""
 
-    OPTIONS = CALM
+    OPTIONS = LONG_HEARTBEAT
 
     def setUp(self):
         self.server = Server("--remote", "cell", *self.OPTIONS)
         self.addCleanup(self.server.stop)
 
     def begin(self):
-        process = Process(self.server, "cell", "--folder", str(DEMO))
+        process = ComponentProcess(self.server, "cell", "--folder", str(DEMO))
         self.addCleanup(process.__exit__)
-        there(self.server, "robot")
+        wait_available(self.server, "robot")
         return process
 
     def away(self):
@@ -83,7 +83,7 @@ class World(Elsewhere):
             self.server.post("/cell/person", {"act": "grab", "body": "link_5", "keep": 60}, "person")
             page.until(lambda m: part not in m["data"]["bodies"] and "hands" in m["data"])
             process.kill()
-            there(self.server, "robot", False)
+            wait_available(self.server, "robot", False)
             self.away()
             self.begin()
             self.assertEqual(self.server.get("/cell/person", "person"), NOBODY)
@@ -114,7 +114,7 @@ class Hanging(Elsewhere):
         answer = self.server.post("/cell/person", {"act": "grab", "body": "link_5", "keep": 60}, status=503)
         self.assertEqual(answer["errors"][0]["message"], "the process of the cell is not there")
         process.signal(signal.SIGCONT)
-        there(self.server, "robot")
+        wait_available(self.server, "robot")
         self.assertEqual(self.server.get("/cell/person", "person"), NOBODY)
 
 
@@ -136,10 +136,10 @@ class Script(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder, "operator.json")
             path.write_text(json.dumps(script))
-            with Server("--remote", "cell", "--operator", str(path), *CALM) as server:
-                with server.stream() as log, Process(server, "cell", "--folder", str(DEMO)):
+            with Server("--remote", "cell", "--operator", str(path), *LONG_HEARTBEAT) as server:
+                with server.stream() as log, ComponentProcess(server, "cell", "--folder", str(DEMO)):
                     log.subscribe("log")
-                    there(server, "robot")
+                    wait_available(server, "robot")
                     for name in ("once", "twice"):
                         ended = server.ended(server.core(test_person.waiting(name)))
                         self.assertEqual((ended["status"], ended["outcome"]), ("ended", "done"))
@@ -151,55 +151,55 @@ class Wired(Elsewhere):
     """A cell whose other end is this test."""
 
     def hello(self, world):
-        wire = Wire(self.server.port)
-        self.addCleanup(wire.socket.close)
+        client = ComponentClient(self.server.port)
+        self.addCleanup(client.close)
         component = {"key": "gripper", "type": "gripper", "rsm": service(self.server, "gripper")["rsm"]}
-        wire.send(json.dumps({"type": "hello", "protocol": 1, "components": [component], "world": world}))
-        return wire
+        client.send(json.dumps({"type": "hello", "protocol": 1, "components": [component], "world": world}))
+        return client
 
-    def act(self, wire):
+    def act(self, client):
         """The act that somebody has asked for, for which the process is ready."""
-        wire.say({"type": "ready", "number": wire.next("offer")["number"]})
-        return wire.next("act")
+        client.send_checked({"type": "ready", "number": client.next("offer")["number"]})
+        return client.next("act")
 
     def welcome(self, world=WORLD):
-        wire = self.hello(check("component_request", {"type": "hello", "protocol": 1, "components": [
+        client = self.hello(check("component_request", {"type": "hello", "protocol": 1, "components": [
             {"key": "x", "type": "x", "rsm": {}}], "world": world})["world"])
-        wire.next("welcome")
-        there(self.server, "gripper")
-        return wire
+        client.next("welcome")
+        wait_available(self.server, "gripper")
+        return client
 
-    def refusal(self, wire):
-        error = wire.next("refused")["errors"][0]
+    def refusal(self, client):
+        error = client.next("refused")["errors"][0]
         with self.assertRaises(ConnectionError):
-            wire.message()
-        there(self.server, "gripper", False)
+            client.message()
+        wait_available(self.server, "gripper", False)
         return error["path"], error["code"]
 
     def test_poses_are_wanted_while_a_page_watches(self):
-        wire = self.welcome()
+        client = self.welcome()
         with self.server.stream() as page:
             page.subscribe("cell/pose")
-            self.assertTrue(wire.next("watch")["on"])
-            wire.say(pose(2, red=RED["pose"]))
+            self.assertTrue(client.next("watch")["on"])
+            client.say(pose(2, red=RED["pose"]))
             self.assertEqual(page.message()["data"], pose(2, red=RED["pose"])["pose"])
-        self.assertFalse(wire.next("watch")["on"])
-        wire.say(pose(3))  # that was on its way
+        self.assertFalse(client.next("watch")["on"])
+        client.say(pose(3))  # that was on its way
         again = self.server.stream()
-        self.addCleanup(again.socket.close)
+        self.addCleanup(again.close)
         again.subscribe("cell/pose")
-        self.assertTrue(wire.next("watch")["on"])
-        wire.socket.close()
-        there(self.server, "gripper", False)
+        self.assertTrue(client.next("watch")["on"])
+        client.close()
+        wait_available(self.server, "gripper", False)
         self.assertTrue(self.welcome().next("watch")["on"])
 
     def test_a_process_without_a_world_is_a_cell_without_one(self):
-        wire = self.welcome(None)
+        client = self.welcome(None)
         self.away()
         with self.server.stream() as page:
             page.subscribe("cell/pose")
-            wire.send(json.dumps(pose()))
-            self.assertEqual(self.refusal(wire), ("type", "not_found"))
+            client.send(json.dumps(pose()))
+            self.assertEqual(self.refusal(client), ("type", "not_found"))
 
     def test_a_world_that_does_not_fit_is_refused(self):
         def with_body(**changed):
@@ -222,7 +222,7 @@ class Wired(Elsewhere):
 
     def test_what_it_says_of_its_world_that_does_not_fit_loses_it_and_the_server_goes_on(self):
         page = self.server.stream()
-        self.addCleanup(page.socket.close)
+        self.addCleanup(page.close)
         page.subscribe("cell/pose")
         at = RED["pose"]
         for said, path in (
@@ -231,10 +231,10 @@ class Wired(Elsewhere):
                 ({"type": "pose", "pose": {**pose()["pose"], "hands": [{"hand": "h"}]}}, "hands/0"),
                 ({"type": "done", "number": 7, "person": NOBODY}, "number"),
                 ({"type": "failed", "number": 7, "error": {"path": "", "code": "conflict", "message": ""}}, "number")):
-            wire = self.welcome()
-            wire.next("watch")
-            wire.send(json.dumps(said))
-            got = self.refusal(wire)
+            client = self.welcome()
+            client.next("watch")
+            client.send(said)
+            got = self.refusal(client)
             self.assertIn(path, got[0], (said, got))
         self.away()
 
@@ -244,24 +244,24 @@ class Wired(Elsewhere):
                 ({"type": "failed", "error": {"path": "", "code": "tired", "message": ""}}, 503, "not there"),
                 ({"type": "done", "person": {"hands": [], "absent": ["table"]}}, 503, "not there"),
                 ({"type": "done", "person": {"hands": [], "absent": ["red"]}}, 200, "red")):
-            wire = self.welcome()
+            client = self.welcome()
             with Asking(self.server, {"act": "push", "body": "x", "force": [0, 1, 0], "duration": 1}) as asking:
-                act = self.act(wire)
+                act = self.act(client)
                 self.assertEqual((act["act"]["force"], act["act"]["body"]), ([0, 1, 0], "x"))
-                wire.send(json.dumps({**answer, "number": act["number"]}))
+                client.send(json.dumps({**answer, "number": act["number"]}))
                 got = asking.answer()
             self.assertEqual(got[0], status, answer)
             self.assertIn(said, got[1])
-            wire.socket.close()
-            there(self.server, "gripper", False)
+            client.close()
+            wait_available(self.server, "gripper", False)
 
     def test_a_hand_says_how_long_it_stays(self):
-        wire = self.welcome()
+        client = self.welcome()
         for keep in ({}, {"keep": 60}):
             with Asking(self.server, {"act": "grab", "body": "red", **keep}) as asking:
-                act = self.act(wire)
+                act = self.act(client)
                 self.assertEqual(act["act"]["keep"], keep.get("keep", 0.5))
-                wire.say({"type": "done", "number": act["number"], "person": NOBODY})
+                client.send_checked({"type": "done", "number": act["number"], "person": NOBODY})
                 self.assertEqual(asking.answer()[0], 200)
 
 

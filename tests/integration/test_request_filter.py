@@ -22,7 +22,7 @@ class Doors(unittest.TestCase):
         cls.server.stop()
 
     def status(self, data):
-        answer = self.server.raw(data)
+        answer = self.server.send_raw(data)
         self.assertTrue(answer)
         status, (method, target) = int(answer.split()[1]), data.decode("latin-1").split()[:2]
         check_listed(method, target, status, json.loads(answer.split(b"\r\n\r\n", 1)[1]))
@@ -58,9 +58,9 @@ class Doors(unittest.TestCase):
         self.assertEqual(self.status(self.head(f"Origin: http://{self.host}", first=post)), 400)  # no JSON
         self.assertEqual(self.status(self.head(f"Origin: https://{self.host}", first=post)), 403)
         self.assertEqual(self.status(self.head("Origin: http://evil.example")), 200)
-        with Stream(self.server.port, [f"Origin: http://localhost:{self.server.port}"]) as stream:
+        with Stream(self.server.port, origin=f"http://localhost:{self.server.port}") as stream:
             self.assertEqual(stream.status, 101)
-        with Stream(self.server.port, ["Origin: http://evil.example"]) as stream:
+        with Stream(self.server.port, origin="http://evil.example") as stream:
             self.assertEqual(stream.status, 403)
 
     def test_transfer_encoding_is_answered_501_before_any_body(self):
@@ -88,7 +88,7 @@ class Doors(unittest.TestCase):
 
     def test_head_is_get_without_the_body(self):
         head = self.head(first="HEAD /api/v1/health HTTP/1.1")
-        answer = self.server.raw(head + self.head("Connection: close"))
+        answer = self.server.send_raw(head + self.head("Connection: close"))
         first, rest = answer.split(b"\r\n\r\n", 1)
         self.assertRegex(first, rb"^HTTP/1.1 200[\s\S]*Content-Length: [1-9]")
         self.assertTrue(rest.startswith(b"HTTP/1.1 200"))
@@ -99,7 +99,7 @@ class Doors(unittest.TestCase):
             with Server("--web", web) as server:
                 for page in ("/", "/api/v1/health", "/nothing"):
                     request = f"GET {page} HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\nConnection: close\r\n\r\n"
-                    head = server.raw(request.encode()).split(b"\r\n\r\n")[0].decode().split("\r\n")
+                    head = server.send_raw(request.encode()).split(b"\r\n\r\n")[0].decode().split("\r\n")
                     self.assertIn("Content-Security-Policy: frame-ancestors 'none'", head, page)
                     self.assertIn("X-Frame-Options: DENY", head, page)
 
@@ -113,7 +113,7 @@ class Doors(unittest.TestCase):
                 cut = noise.randrange(5, 60)
                 data = self.head()[:cut] + data
             try:
-                self.server.raw(data)
+                self.server.send_raw(data)
             except ConnectionError:
                 pass
         self.server.get("/health", "health")
@@ -132,7 +132,7 @@ class Doors(unittest.TestCase):
                 stream.send(message)
                 paths = [error["path"] for error in stream.message()["data"]["errors"]]
                 self.assertEqual(paths, wrong)
-            stream.send_frame(1, b"x" * 70000)
+            stream.send("x" * 70000)
             with self.assertRaises(ConnectionError):
                 stream.message()
 

@@ -3,7 +3,7 @@ import math
 import unittest
 
 from cell import BODIES, DATABASE, DOCUMENT, NAMES, O_T_C, TAUGHT
-from handling import LET_GO, answer, bump, drag, gesture, lead, link, part, run, task, touch
+from scenario import LET_GO, answer, bump, drag, gesture, lead, link, part, run, task, touch
 
 ROOT = "Demonstrator/Table"
 PICK, PLACE = f"{ROOT}/Work/Task/Pick", f"{ROOT}/Work/Task/Place"

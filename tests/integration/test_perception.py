@@ -6,12 +6,12 @@ import tempfile
 import unittest
 from pathlib import Path
 
-import handling
+import scenario
 import models
 from cell import BODIES, DEMO, DOCUMENT, NAMES, O_T_C, OPERATOR, SCENE
 from client import Server, check
 from geometry import angle, turned
-from handling import link
+from scenario import link
 
 ELBOW = {"body": "link_4"}
 HANDS = [{"act": "grab", "hand": "hand", "body": "gripper", "point": [0, 0, 0.05], "damping": 60}]
@@ -21,7 +21,7 @@ def run(state, acts=(), cell=None, without=(), **parameters):
     """The library state as the root of a task, until it ends; no acts at all (None): nobody is there, and no display. `cell`: what
     a file of the cell's folder has instead; `without`: files that are not there. The database knows where the camera is."""
     document = models.document(state, link(state, "Root", **parameters), library=DOCUMENT["library"])
-    outcome = handling.run(document, *(acts or ()), displays=None if acts is None else ("phone",), limit=200, database={"o_t_c": O_T_C},
+    outcome = scenario.run(document, *(acts or ()), displays=None if acts is None else ("phone",), limit=200, database={"o_t_c": O_T_C},
                            files=cell, without=without)
     assert outcome.last["status"] == "ended", outcome.last
     return outcome
@@ -272,17 +272,17 @@ class Unwatched(unittest.TestCase):
             path = Path(folder, "operator.json")
             path.write_text(json.dumps(check("operator", script)))
             with Server("--demo", str(DEMO), "--operator", str(path)) as server, server.stream() as first:
-                first.send(check("stream_request", {"type": "display", "name": "phone", "sound": False}))
+                first.send_checked({"type": "display", "name": "phone", "sound": False})
                 core = server.core(DOCUMENT, start=False)
                 server.post(f"/cores/{core}/start", None, "core")
                 first.until(lambda m: "1 of 10 places" in m["data"].get("message", {}).get("text", ""))
-                first.socket.close()
+                first.close()
                 with server.stream() as second:
                     second.subscribe(f"core/{core}/state")
                     second.until(lambda m: m["data"].get("results", {}).get("Demonstrator/Calibration/CameraCalibration", {}).get("o_t_c"))
-                    second.send(check("stream_request", {"type": "display", "name": "tablet", "sound": False}))
+                    second.send_checked({"type": "display", "name": "tablet", "sound": False})
                     asked = second.until(lambda m: "calibration was interrupted" in m["data"].get("question", {}).get("text", ""))[-1]
-                    second.send(check("stream_request", {"type": "answer", "question": asked["data"]["question"]["id"], "answer": "Abort"}))
+                    second.send_checked({"type": "answer", "question": asked["data"]["question"]["id"], "answer": "Abort"})
                     self.assertEqual(server.ended(core)["outcome"], "abort")
                 fired = json.dumps(server.get(f"/cores/{core}/journal"))
         self.assertIn("no_display", fired)

@@ -4,8 +4,8 @@ import struct
 import unittest
 
 import models
-from client import PROJECT, Server, check
-from test_components import CALM, Process, service, there, wait
+from client import PROJECT, Server
+from component_process import LONG_HEARTBEAT, ComponentProcess, service, wait_available, wait_until
 
 DEMO = str(PROJECT / "deploy/demo")
 CHANNEL = "flow/camera/frame"
@@ -17,7 +17,7 @@ def frame(server):
 
 
 def idle(server):
-    wait(lambda: frame(server) == {"flow": "frame", "watchers": 0, "rate_hz": 0})
+    wait_until(lambda: frame(server) == {"flow": "frame", "watchers": 0, "rate_hz": 0})
 
 
 def seeing():
@@ -113,19 +113,19 @@ class Flows(unittest.TestCase):
             idle(server)
 
     def test_a_camera_in_another_process_is_watched_and_rests_the_same(self):
-        with Server("--remote", "cell", "--demo", DEMO, *CALM) as server, server.stream() as stream:
+        with Server("--remote", "cell", "--demo", DEMO, *LONG_HEARTBEAT) as server, server.stream() as stream:
             stream.subscribe(CHANNEL)  # before it is there
-            with Process(server, "cell", "--folder", DEMO) as process:
-                there(server, "camera")
+            with ComponentProcess(server, "cell", "--folder", DEMO) as process:
+                wait_available(server, "camera")
                 self.looks_like_the_cell(stream.message())
-                wait(lambda: frame(server)["rate_hz"] > 0)
+                wait_until(lambda: frame(server)["rate_hz"] > 0)
                 stream.send({"type": "unsubscribe", "channel": CHANNEL})
                 idle(server)
                 stream.subscribe(CHANNEL)
                 stream.message()
                 process.kill()
-                wait(lambda: frame(server) == {"flow": "frame", "watchers": 1, "rate_hz": 0})
-            with Process(server, "cell", "--folder", DEMO):
+                wait_until(lambda: frame(server) == {"flow": "frame", "watchers": 1, "rate_hz": 0})
+            with ComponentProcess(server, "cell", "--folder", DEMO):
                 stream.until(lambda m: m["data"]["time"] > 0)
 
 

@@ -3,7 +3,7 @@ import math
 import unittest
 
 from cell import BODIES, DATABASE, NAMES, TAUGHT
-from handling import LET_GO, answer, bump, lead, link, part, run, task, touch
+from scenario import LET_GO, answer, bump, lead, link, part, run, task, touch
 
 APPROACH, GRASP = "Root/Work/Task/Pick/Approach/Across", "Root/Work/Task/Pick/Grasp"
 CARRY = "Root/Work/Task/Place/SetDown/Approach/Across"

@@ -9,9 +9,9 @@ from pathlib import Path
 
 import cell
 import models
-from client import PATIENCE, Server, check
+from client import TIMEOUT, Server, check
+from component_process import ComponentProcess, service, wait_available, wait_until
 from geometry import angle
-from test_components import Process, service, there, wait
 
 UNITS = {"cell": ["robot", "gripper", "camera"], "recognition": ["obj_rec"], "database": ["db"], "display": ["display"], "audio": ["audio"]}
 CALIBRATION, TABLE, WORK = "Demonstrator/Calibration", "Demonstrator/Table", "Demonstrator/Table/Work"
@@ -40,27 +40,27 @@ class Mortal(unittest.TestCase):
         for unit in UNITS:
             self.begin(unit)
         self.phone = self.server.stream()
-        self.addCleanup(self.phone.socket.close)
-        self.phone.send(check("stream_request", {"type": "display", "name": "phone", "sound": sound}))
+        self.addCleanup(self.phone.close)
+        self.phone.send_checked({"type": "display", "name": "phone", "sound": sound})
 
     def go(self, begin="Table"):
         self.core = self.server.core(cell.DOCUMENT, {"begin": begin, "speed": 1.0})
 
     def begin(self, unit):
         options = {"database": ["--folder", self.folder, "--database", self.values], "audio": []}
-        self.processes[unit] = Process(self.server, unit, *map(str, options.get(unit, ["--folder", self.folder])))
+        self.processes[unit] = ComponentProcess(self.server, unit, *map(str, options.get(unit, ["--folder", self.folder])))
         self.addCleanup(self.processes[unit].__exit__)
         self.are(True, unit)
 
     def are(self, available, *units):
         for unit in units:
             for service in UNITS[unit]:
-                there(self.server, service, available)
+                wait_available(self.server, service, available)
 
     def until_active(self, state):
         with self.server.stream() as stream:
             stream.subscribe(f"core/{self.core}/state")
-            active, end = set(), time.monotonic() + 3 * PATIENCE
+            active, end = set(), time.monotonic() + 3 * TIMEOUT
             while state not in active:
                 message = stream.message()
                 if message["kind"] == "snapshot":
@@ -99,7 +99,7 @@ class Mortal(unittest.TestCase):
 
     def reply(self, question, button="Continue"):
         self.answered.add(question["id"])
-        self.phone.send(check("stream_request", {"type": "answer", "question": question["id"], "answer": button}))
+        self.phone.send_checked({"type": "answer", "question": question["id"], "answer": button})
 
     def sounds(self, name):
         """What the phone shows as it begins to play this sound; a test says when it is over, or never."""
@@ -111,7 +111,7 @@ class Mortal(unittest.TestCase):
     def played(self, name):
         """The phone plays this sound to its end; gives what it shows meanwhile."""
         shown, call = self.sounds(name), self.pending("audio", "play")
-        self.phone.send(check("stream_request", {"type": "played", "sound": shown["sound"]["id"]}))
+        self.phone.send_checked({"type": "played", "sound": shown["sound"]["id"]})
         self.assertEqual(self.response(call).get("result"), {"sound": name, "displays": ["phone"]})
         return shown
 
@@ -119,7 +119,7 @@ class Mortal(unittest.TestCase):
         """The number of the core's newest call of this operation, once it waits for its answer."""
         calls = []
         mine = lambda p: (p.get("core"), p["operation"]) == (self.core, operation)
-        wait(lambda: calls.extend(p["core_call"] for p in service(self.server, key)["pending"] if mine(p)) or calls)
+        wait_until(lambda: calls.extend(p["core_call"] for p in service(self.server, key)["pending"] if mine(p)) or calls)
         return calls[-1]
 
     def responses(self):
@@ -130,7 +130,7 @@ class Mortal(unittest.TestCase):
     def response(self, call):
         """What this call was answered, once it was."""
         found = []
-        wait(lambda: found.extend(r for r in self.responses() if r["call"] == call) or found)
+        wait_until(lambda: found.extend(r for r in self.responses() if r["call"] == call) or found)
         return found[0]
 
     def refused(self):
