@@ -1,4 +1,4 @@
-"""Components as processes: the same services, killed, stopped and started again while a core goes on."""
+"""Services as processes of their own: killed, stopped and started again while a core goes on; and a process that is this test."""
 import json
 import os
 import signal
@@ -9,7 +9,7 @@ import unittest
 
 import models
 import test_displays
-from client import PROGRAM, PROJECT, TIMEOUT, Server, check
+from client import PROGRAM, PROJECT, TIMEOUT, Server
 from component_process import LONG_HEARTBEAT, ComponentClient, ComponentProcess, service, wait_available
 
 DEMO = str(PROJECT / "deploy/demo")
@@ -20,8 +20,8 @@ def run(server, document, arguments=None):
     return server.ended(server.core(document, arguments))
 
 
-class Wired(unittest.TestCase):
-    """One connection whose other end is this test."""
+class ComponentProtocol(unittest.TestCase):
+    """The protocol of components, with this test in the role of the process."""
 
     def connect(self, server):
         client = ComponentClient(server.port)
@@ -51,7 +51,7 @@ class Wired(unittest.TestCase):
             self.assertEqual((ended["outcome"], ended["results"]), ("error", {"code": "unavailable"}))
             self.assertEqual(service(server, "db")["pending"], [])
 
-    def test_the_answer_of_a_process_is_that_of_the_service(self):
+    def test_the_answer_of_a_process_is_the_answer_of_the_service(self):
         with Server("--remote", "database", *LONG_HEARTBEAT) as server:
             client = self.welcome(server)
             core = server.core(models.reading(), {"key": "pose"})
@@ -62,7 +62,7 @@ class Wired(unittest.TestCase):
             self.assertEqual(server.ended(core)["results"], {"value": POSE})
             self.assertEqual(service(server, "db")["violations"], [])
 
-    def test_who_answers_no_ping_is_lost(self):
+    def test_a_process_that_answers_no_ping_is_disconnected(self):
         with Server("--remote", "database", "--heartbeat", "1") as server:
             client = self.welcome(server)
             core = server.core(models.calling("db", "list"))
@@ -93,7 +93,7 @@ class Wired(unittest.TestCase):
             self.assertEqual(refusal(self.hello(server)), ("db", "conflict"))
             self.assertTrue(service(server, "db")["available"])
 
-    def test_who_breaks_the_protocol_is_lost_and_the_server_goes_on(self):
+    def test_a_protocol_violation_disconnects_the_process_and_the_server_goes_on(self):
         with Server("--remote", "database", *LONG_HEARTBEAT) as server:
             for broken in ({"type": "event", "key": "robot", "name": "x", "data": 1}, {"type": "result", "key": "db"},
                            {"type": "welcome", "time": 1}):
@@ -102,7 +102,7 @@ class Wired(unittest.TestCase):
                 client.next("refused")
                 wait_available(server, "db", False)
 
-    def test_who_asks_the_screens_for_what_no_display_shows_is_lost_with_its_question(self):
+    def test_an_invalid_display_request_disconnects_the_process_and_removes_its_question(self):
         def ask(client, function, arguments):
             client.send(json.dumps({"type": "request", "key": "display", "number": 3, "function": function,
                                   "arguments": arguments}))
@@ -121,21 +121,21 @@ class Wired(unittest.TestCase):
                 ask(client, "ask", question)
                 reply = client.next("reply")
                 self.assertEqual((reply["number"], type(reply["value"])), (3, int), reply)
-                shown.until(lambda m: m["data"].get("question", {}).get("id") == reply["value"])
+                shown.until(lambda m, value=reply["value"]: m["data"].get("question", {}).get("id") == value)
                 ask(client, function, arguments)
                 self.assertEqual(client.next("refused")["errors"][0]["path"], path)
                 wait_available(server, "display", False)
                 shown.until(lambda m: "question" not in m["data"])
 
-    def test_the_door_lets_no_page_of_another_server_in(self):
+    def test_a_foreign_origin_is_refused(self):
         with Server("--remote", "database", *LONG_HEARTBEAT) as server:
-            with ComponentClient(server.port, origin="http://elsewhere.example") as elsewhere:
-                self.assertEqual(elsewhere.status, 403)
+            with ComponentClient(server.port, origin="http://foreign.example") as foreign:
+                self.assertEqual(foreign.status, 403)
             self.assertEqual(server.request("GET", "/api/v1/components")[0], 426)
 
 
-class Screens:
-    """A server whose displays and sounds are the work of two processes."""
+class RemoteDisplayServer:
+    """A server whose services display and audio are processes."""
 
     def setUp(self):
         self.server = Server("--remote", "display,audio", *self.HEARTBEAT)
@@ -155,56 +155,56 @@ class Screens:
         self.processes[name] = ComponentProcess(self.server, name)
         wait_available(self.server, name)
 
-    def gone(self, display, part):
-        """The display shows no such part any more."""
+    def wait_removed(self, display, part):
+        """Waits until the display no longer shows this part."""
         display.until(lambda m: m["kind"] != "error" and part not in m["data"])
 
 
-class ScreensElsewhere(Screens, test_displays.Displays):
-    """All that displays and sounds do, as if their services were in the server."""
+class RemoteDisplays(RemoteDisplayServer, test_displays.Displays):
+    """All tests of local displays and sounds hold for remote ones."""
 
     HEARTBEAT = LONG_HEARTBEAT
 
 
-class ScreensLost(Screens, test_displays.DisplayCase):
-    """What becomes of what is shown when the process behind it dies or hangs."""
+class RemoteDisplayFailures(RemoteDisplayServer, test_displays.DisplayCase):
+    """What displays show is removed when the process behind it dies or hangs."""
 
     HEARTBEAT = ("--heartbeat", "1")
 
-    def asked(self, display):
-        """A core that waits for an answer, and its question."""
+    def ask(self, display):
+        """Starts a core that asks; returns the core and the question."""
         core = self.server.core(test_displays.asking("display.ask('Go?')"))
         return core, self.shown(display, "question")
 
-    def answers(self, display):
-        """A question is asked and answered."""
-        core, question = self.asked(display)
+    def ask_and_answer(self, display):
+        """Asks a question and answers it."""
+        core, question = self.ask(display)
         display.send_checked({"type": "answer", "question": question["id"], "answer": "OK"})
         self.assertEqual(self.server.ended(core)["results"]["answer"], {"answer": "OK", "display": "main"})
 
-    def playing(self, display):
+    def start_sound(self, display):
         core = self.server.core(test_displays.asking("audio.play('collision', 1, 20)"))
         return core, self.shown(display, "sound")
 
-    def plays(self, display):
-        """A sound is played to its end."""
-        core, sound = self.playing(display)
+    def play_to_end(self, display):
+        """Plays a sound to its end."""
+        core, sound = self.start_sound(display)
         display.send_checked({"type": "played", "sound": sound["id"]})
         self.assertEqual(self.server.ended(core)["outcome"], "answered")
 
-    def test_the_question_of_a_killed_display_is_taken_away_and_cannot_be_answered(self):
+    def test_the_question_of_a_killed_display_is_removed_and_cannot_be_answered(self):
         display = self.display()
-        core, question = self.asked(display)
+        core, question = self.ask(display)
         self.processes["display"].kill()
         self.assertEqual(self.code(core), "unavailable")
-        self.gone(display, "question")
+        self.wait_removed(display, "question")
         display.send_checked({"type": "answer", "question": question["id"], "answer": "OK"})
         self.assertEqual(display.until(lambda m: m["kind"] == "error")[-1]["data"]["errors"][0]["code"], "conflict")
         self.start("display")
-        self.answers(display)
+        self.ask_and_answer(display)
         self.assertEqual(service(self.server, "display")["violations"], [])
 
-    def test_what_was_pressed_while_no_display_was_there_is_not_told_afterwards(self):
+    def test_buttons_pressed_without_a_display_service_are_dropped(self):
         display = self.display()
         self.server.core(test_displays.asking("display.show_text('Insert the part', ['Done', 'Stop'])"))
         self.shown(display, "message")
@@ -219,43 +219,43 @@ class ScreensLost(Screens, test_displays.DisplayCase):
             "ports": [{"name": "done", "when": "available(res.button)"}]})
         core = self.server.core(pressed)
         self.start("display")
-        self.answers(display)
+        self.ask_and_answer(display)
         display.send_checked({"type": "press", "button": "Done"})
         self.assertEqual(self.server.ended(core)["results"]["button"], "Done")
 
-    def test_a_display_that_hangs_is_lost_with_its_question_and_comes_back(self):
+    def test_a_hanging_display_loses_its_question_and_reconnects(self):
         display = self.display()
-        core, _ = self.asked(display)
+        core, _ = self.ask(display)
         self.processes["display"].signal(signal.SIGSTOP)
         self.assertEqual(self.code(core), "unavailable")
-        self.gone(display, "question")
+        self.wait_removed(display, "question")
         self.processes["display"].signal(signal.SIGCONT)
         wait_available(self.server, "display")
-        self.answers(display)
+        self.ask_and_answer(display)
 
-    def test_the_sound_of_a_killed_audio_is_silenced(self):
+    def test_the_sound_of_a_killed_audio_process_stops(self):
         display = self.display(sound=True)
-        core, _ = self.playing(display)
+        core, _ = self.start_sound(display)
         self.processes["audio"].kill()
         self.assertEqual(self.code(core), "unavailable")
-        self.gone(display, "sound")
+        self.wait_removed(display, "sound")
         self.start("audio")
-        self.plays(display)
+        self.play_to_end(display)
         self.assertEqual(service(self.server, "audio")["violations"], [])
 
-    def test_an_audio_that_hangs_is_lost_with_its_sound_and_comes_back(self):
+    def test_a_hanging_audio_process_loses_its_sound_and_reconnects(self):
         display = self.display(sound=True)
-        core, _ = self.playing(display)
+        core, _ = self.start_sound(display)
         self.processes["audio"].signal(signal.SIGSTOP)
         self.assertEqual(self.code(core), "unavailable")
-        self.gone(display, "sound")
+        self.wait_removed(display, "sound")
         self.processes["audio"].signal(signal.SIGCONT)
         wait_available(self.server, "audio")
-        self.plays(display)
+        self.play_to_end(display)
 
 
 class Processes(unittest.TestCase):
-    def test_a_database_of_its_own_answers_and_keeps_its_values_over_a_kill(self):
+    def test_a_database_process_keeps_its_values_over_a_kill(self):
         with tempfile.TemporaryDirectory() as folder, Server("--remote", "database", *LONG_HEARTBEAT) as server:
             self.assertEqual(run(server, models.calling("db", "list"))["results"], {"code": "unavailable"})
             file = os.path.join(folder, "values.sqlite")
@@ -270,7 +270,7 @@ class Processes(unittest.TestCase):
                 self.assertEqual(run(server, models.reading(), {"key": "pose"})["results"], {"value": POSE})
             self.assertEqual(service(server, "db")["violations"], [])
 
-    def test_a_process_that_hangs_is_lost_and_comes_back_when_it_goes_on(self):
+    def test_a_hanging_process_is_disconnected_and_reconnects(self):
         with Server("--remote", "database", "--heartbeat", "1") as server:
             with ComponentProcess(server, "database") as process:
                 wait_available(server, "db")
@@ -303,7 +303,7 @@ class Processes(unittest.TestCase):
                 self.assertEqual(run(server, seeing)["outcome"], "seen")
                 self.assertEqual(service(server, "obj_rec")["violations"] + service(server, "camera")["violations"], [])
 
-    def test_a_process_waits_for_its_server_and_ends_when_it_is_told(self):
+    def test_a_process_waits_for_its_server_and_ends_on_sigterm(self):
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))
             port = free.getsockname()[1]
@@ -314,7 +314,7 @@ class Processes(unittest.TestCase):
         self.assertEqual(process.wait(TIMEOUT), 0)
         process.stdout.close()
 
-    def test_what_is_wrong_is_said_and_exit_code_2(self):
+    def test_wrong_use_is_reported_with_exit_code_2(self):
         with Server(*LONG_HEARTBEAT) as server:
             url = f"http://127.0.0.1:{server.port}"
             for words, reason in ((["database", "--server", url], "no service of this key waits"),
@@ -322,11 +322,11 @@ class Processes(unittest.TestCase):
                                   (["database", "--server", "ftp://x"], "http://HOST:PORT"),
                                   (["database"], "cell, recognition, database, display, audio"),
                                   (["cell", "--server", url, "--folder", "/nowhere"], "/nowhere")):
-                ended = subprocess.run([PROGRAM, "service", *words], capture_output=True, text=True, timeout=TIMEOUT)
+                ended = subprocess.run([PROGRAM, "service", *words], capture_output=True, text=True, timeout=TIMEOUT, check=False)
                 self.assertEqual(ended.returncode, 2, words)
                 self.assertIn(reason, ended.stderr)
         ended = subprocess.run([PROGRAM, "serve", "--port", "0", "--remote", "oven"], capture_output=True, text=True,
-                               timeout=TIMEOUT)
+                               timeout=TIMEOUT, check=False)
         self.assertEqual(ended.returncode, 2)
         self.assertIn("there is no such unit", ended.stderr)
 

@@ -1,4 +1,4 @@
-"""The demonstrator with units that are processes of their own: each is killed, and hangs, in the middle; a person says go on."""
+"""The demonstrator with its services in processes of their own: each is killed or hangs during the run, and a person continues it."""
 import json
 import math
 import signal
@@ -18,44 +18,44 @@ CALIBRATION, TABLE, WORK = "Demonstrator/Calibration", "Demonstrator/Table", "De
 COLLECT, INTERRUPTED = f"{CALIBRATION}/CameraCalibration/Collect", f"{CALIBRATION}/CameraCalibration/Trouble"
 PICK, PLACE, COLLISION = f"{WORK}/Task/Pick", f"{WORK}/Task/Place", f"{WORK}/Collision"
 KILL, HANG = signal.SIGKILL, signal.SIGSTOP
-# Stands where the arm carries the first part: it is met once, and falls over.
+# Stands in the way of the first part: the arm hits it once, and it falls over.
 POST = {"name": "post", "shape": {"box": [0.04, 0.04, 0.25]}, "mass": 2.0, "friction": 0.7, "colour": "#808080",
         "pose": {"position": [0.55, 0.12, 0.125], "orientation": [0, 0, 0, 1]}}
 HIT, STUCK, GONE = "The arm has met something", "could not be picked or placed", "fingers do not hold"
 STILL, UNCALIBRATED = "The search cannot go on", "The calibration was interrupted"
 
 
-class Mortal(unittest.TestCase):
-    def here(self, parts, *bodies, database=None, sound=False):
-        """A server for these parts and bodies, all units elsewhere, and a phone that may make sounds or not."""
+class ProcessFailureTest(unittest.TestCase):
+    def start_cell(self, parts, *bodies, database=None, sound=False):
+        """Starts a server, all processes for a cell with these parts and bodies, and a phone as display, with or without sound."""
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.values, self.folder = Path(folder.name, "values.sqlite"), Path(folder.name, "cell")
         self.parts = parts
         known = {**cell.DATABASE, "o_t_c": cell.O_T_C}
-        cell.copied(self.folder, {"scene.json": cell.scene(parts, *bodies), "database.json": database or known})
+        cell.copy_cell(self.folder, {"scene.json": cell.scene(parts, *bodies), "database.json": database or known})
         self.server = Server("--remote", ",".join(UNITS), "--heartbeat", "2")
         self.addCleanup(self.server.stop)
-        self.processes, self.answered, self.heard = {}, set(), set()
+        self.processes, self.known_questions, self.known_sounds = {}, set(), set()
         for unit in UNITS:
-            self.begin(unit)
+            self.start_process(unit)
         self.phone = self.server.stream()
         self.addCleanup(self.phone.close)
         self.phone.send_checked({"type": "display", "name": "phone", "sound": sound})
 
-    def go(self, begin="Table"):
+    def start_task(self, begin="Table"):
         self.core = self.server.core(cell.DOCUMENT, {"begin": begin, "speed": 1.0})
 
-    def begin(self, unit):
+    def start_process(self, unit):
         options = {"database": ["--folder", self.folder, "--database", self.values], "audio": []}
         self.processes[unit] = ComponentProcess(self.server, unit, *map(str, options.get(unit, ["--folder", self.folder])))
         self.addCleanup(self.processes[unit].__exit__)
-        self.are(True, unit)
+        self.wait_processes(True, unit)
 
-    def are(self, available, *units):
+    def wait_processes(self, available, *units):
         for unit in units:
-            for service in UNITS[unit]:
-                wait_available(self.server, service, available)
+            for key in UNITS[unit]:
+                wait_available(self.server, key, available)
 
     def until_active(self, state):
         with self.server.stream() as stream:
@@ -71,86 +71,86 @@ class Mortal(unittest.TestCase):
                 self.assertTrue(state in active or status in ("ready", "running"), f"{status} before {state} was active")
                 self.assertLess(time.monotonic(), end, f"{state} does not become active, but {sorted(active)}")
 
-    def strike(self, how, *units, during=None):
-        """Something happens to the units while the state is active; it ends when the server knows."""
+    def break_processes(self, how, *units, during=None):
+        """Sends a signal to the processes while the state is active; returns when the server has noticed."""
         if during:
             self.until_active(during)
         for unit in units:
             self.processes[unit].signal(how)
-        self.are(False, *units)
+        self.wait_processes(False, *units)
 
-    def mend(self, *units):
-        """The units are back: another process, or the same when it goes on."""
+    def restore(self, *units):
+        """Continues the processes, or starts new ones in place of killed ones."""
         for unit in units:
             if self.processes[unit].process.poll() is None:
                 self.processes[unit].signal(signal.SIGCONT)
-                self.are(True, unit)
+                self.wait_processes(True, unit)
             else:
-                self.begin(unit)
+                self.start_process(unit)
 
-    def asked(self, text):
-        """The question of this text that has not been answered yet, once the phone shows it."""
-        new = lambda q: text in q.get("text", "") and q["id"] not in self.answered
+    def wait_question(self, text):
+        """Waits until the phone shows an unanswered question with this text; returns it."""
+        new = lambda q: text in q.get("text", "") and q["id"] not in self.known_questions
         return self.phone.until(lambda m: new(m["data"].get("question", {})))[-1]["data"]["question"]
 
     def answer(self, text, button="Continue"):
         """Answers the question of this text."""
-        self.reply(self.asked(text), button)
+        self.reply(self.wait_question(text), button)
 
     def reply(self, question, button="Continue"):
-        self.answered.add(question["id"])
+        self.known_questions.add(question["id"])
         self.phone.send_checked({"type": "answer", "question": question["id"], "answer": button})
 
-    def sounds(self, name):
-        """What the phone shows as it begins to play this sound; a test says when it is over, or never."""
-        new = lambda sound: sound.get("name") == name and sound["id"] not in self.heard
+    def wait_sound(self, name):
+        """Waits until the phone begins to play this sound; returns what it shows. The test reports the end of the sound, or never."""
+        new = lambda sound: sound.get("name") == name and sound["id"] not in self.known_sounds
         shown = self.phone.until(lambda m: new(m["data"].get("sound", {})))[-1]["data"]
-        self.heard.add(shown["sound"]["id"])
+        self.known_sounds.add(shown["sound"]["id"])
         return shown
 
-    def played(self, name):
-        """The phone plays this sound to its end; gives what it shows meanwhile."""
-        shown, call = self.sounds(name), self.pending("audio", "play")
+    def play_sound(self, name):
+        """The phone plays this sound to its end; returns what it shows meanwhile."""
+        shown, call = self.wait_sound(name), self.pending("audio", "play")
         self.phone.send_checked({"type": "played", "sound": shown["sound"]["id"]})
         self.assertEqual(self.response(call).get("result"), {"sound": name, "displays": ["phone"]})
         return shown
 
     def pending(self, key, operation):
-        """The number of the core's newest call of this operation, once it waits for its answer."""
+        """Waits until a call of this operation is pending; returns the number of the newest."""
         calls = []
-        mine = lambda p: (p.get("core"), p["operation"]) == (self.core, operation)
-        wait_until(lambda: calls.extend(p["core_call"] for p in service(self.server, key)["pending"] if mine(p)) or calls)
+        is_own = lambda p: (p.get("core"), p["operation"]) == (self.core, operation)
+        wait_until(lambda: calls.extend(p["core_call"] for p in service(self.server, key)["pending"] if is_own(p)) or calls)
         return calls[-1]
 
     def responses(self):
-        """What the calls of the core were answered so far, in order."""
+        """The responses to calls of the core so far, in order."""
         entries = self.server.get(f"/cores/{self.core}/journal")["entries"]
         return [e["input"] for e in entries if e["input"]["kind"] == "response"]
 
     def response(self, call):
-        """What this call was answered, once it was."""
+        """Waits for the response to this call; returns it."""
         found = []
         wait_until(lambda: found.extend(r for r in self.responses() if r["call"] == call) or found)
         return found[0]
 
-    def refused(self):
-        """Services of which the core has got `unavailable` so far, in order."""
+    def unavailable_services(self):
+        """Services that were `unavailable` for the core so far, in order."""
         return [r["service"] for r in self.responses() if r.get("error", {}).get("code") == "unavailable"]
 
-    def lost(self, how, unit, call):
-        """The unit is struck while this call of the core waits for it, and the call is answered `unavailable`."""
-        self.strike(how, unit)
+    def break_in_call(self, how, unit, call):
+        """Sends a signal to the process while this call is pending; the call must be answered `unavailable`."""
+        self.break_processes(how, unit)
         self.assertEqual(self.response(call).get("error", {}).get("code"), "unavailable")
 
-    def struck(self, how, *units, during, asks, missed):
-        """The units are struck; the task is refused by the service that it misses, asks, and goes on when they are back."""
-        before = len(self.refused())
-        self.strike(how, *units, during=during)
+    def break_and_restore(self, how, *units, during, asks, missed):
+        """Sends a signal to the processes; the task finds service `missed` unavailable and asks; then the processes are restored."""
+        before = len(self.unavailable_services())
+        self.break_processes(how, *units, during=during)
         self.until_active(asks)
-        self.assertIn(missed, self.refused()[before:], (units, during))
-        self.mend(*units)
+        self.assertIn(missed, self.unavailable_services()[before:], (units, during))
+        self.restore(*units)
 
-    def succeeds(self, skipped=()):
+    def assert_success(self, skipped=()):
         ended = self.server.ended(self.core, 60)
         self.assertEqual(ended.get("outcome"), "success", ended)
         self.assertEqual((sorted(part["label"] for part in ended["results"]["placed"]), ended["results"]["skipped"]),
@@ -158,209 +158,209 @@ class Mortal(unittest.TestCase):
         self.assertEqual([s["violations"] for s in self.server.get("/services", "services")["services"] if s["violations"]], [])
 
 
-class Struck(Mortal):
-    """Each time: an error port, a question, Continue, and every part is placed once."""
+class ResumedTasks(ProcessFailureTest):
+    """Each failure leads to an error port, a question and Continue; in the end every part is placed once."""
 
-    def test_the_task_goes_on_where_it_was(self):
-        self.here(["Cube", "Box"])
-        self.go()
-        self.struck(KILL, "cell", during=f"{PICK}/Approach/Across", asks=f"{WORK}/Trouble", missed="robot")
+    def test_the_task_resumes_where_it_was(self):
+        self.start_cell(["Cube", "Box"])
+        self.start_task()
+        self.break_and_restore(KILL, "cell", during=f"{PICK}/Approach/Across", asks=f"{WORK}/Trouble", missed="robot")
         self.answer(STUCK)
-        self.struck(KILL, "database", during=f"{PICK}/Retreat", asks=f"{WORK}/Trouble", missed="db")
+        self.break_and_restore(KILL, "database", during=f"{PICK}/Retreat", asks=f"{WORK}/Trouble", missed="db")
         self.answer(STUCK)
-        self.struck(HANG, "recognition", during=f"{PLACE}/SetDown/Retreat", asks=f"{TABLE}/Trouble", missed="obj_rec")
+        self.break_and_restore(HANG, "recognition", during=f"{PLACE}/SetDown/Retreat", asks=f"{TABLE}/Trouble", missed="obj_rec")
         self.answer(STILL)
-        # The person cannot even be asked until there is a display again.
-        self.struck(HANG, "database", "display", during=f"{PICK}/Retreat", asks=f"{WORK}/Trouble", missed="db")
+        # The person can be asked only when there is a display again.
+        self.break_and_restore(HANG, "database", "display", during=f"{PICK}/Retreat", asks=f"{WORK}/Trouble", missed="db")
         self.answer(STUCK)
-        self.struck(KILL, "recognition", "display", during=f"{PLACE}/SetDown/Retreat", asks=f"{TABLE}/Trouble", missed="obj_rec")
+        self.break_and_restore(KILL, "recognition", "display", during=f"{PLACE}/SetDown/Retreat", asks=f"{TABLE}/Trouble", missed="obj_rec")
         self.answer(STILL)
-        self.succeeds()
+        self.assert_success()
 
-    def test_a_part_that_is_gone_with_its_cell_is_looked_for_again(self):
-        self.here(["Cube"])
-        self.go()
-        self.struck(HANG, "cell", during=f"{PLACE}/SetDown/Approach/Across", asks=f"{WORK}/Trouble", missed="robot")
+    def test_a_part_lost_with_its_cell_is_searched_again(self):
+        self.start_cell(["Cube"])
+        self.start_task()
+        self.break_and_restore(HANG, "cell", during=f"{PLACE}/SetDown/Approach/Across", asks=f"{WORK}/Trouble", missed="robot")
         self.answer(STUCK)
         self.answer(GONE)  # a cell that is back, from whatever, begins its world anew: the part lies where it was
-        self.succeeds()
+        self.assert_success()
 
 
-class Met(Mortal):
-    """A unit is struck while the arm stands still because it has met something."""
+class FailuresAfterCollision(ProcessFailureTest):
+    """A process fails while the arm stands still after a collision."""
 
     def setUp(self):
-        self.here(["Cube"], POST)
-        self.go()
+        self.start_cell(["Cube"], POST)
+        self.start_task()
 
-    def test_with_its_cell_it_loses_what_it_held(self):
-        self.strike(KILL, "cell", during=COLLISION)
+    def test_a_held_part_is_lost_with_the_cell(self):
+        self.break_processes(KILL, "cell", during=COLLISION)
         self.answer(HIT)
         self.until_active(f"{WORK}/Trouble")
-        self.assertIn("gripper", self.refused())  # the first that is asked whether the part is still there
-        (self.folder / "scene.json").write_text(json.dumps(cell.scene(self.parts)))  # nobody has put up the post again
-        self.mend("cell")
+        self.assertIn("gripper", self.unavailable_services())  # the first service that is asked about the part
+        (self.folder / "scene.json").write_text(json.dumps(cell.scene(self.parts)))  # the post lies on its side
+        self.restore("cell")
         self.answer(STUCK)
         self.answer(GONE)
-        self.succeeds()
+        self.assert_success()
 
-    def test_a_part_is_given_up_when_its_cell_is_back(self):
+    def test_a_part_is_given_up_once_the_cell_is_back(self):
         self.answer(HIT, "Skip")
-        self.struck(KILL, "cell", during=f"{WORK}/GiveUp/Task/Back", asks=f"{WORK}/Stuck", missed="robot")
+        self.break_and_restore(KILL, "cell", during=f"{WORK}/GiveUp/Task/Back", asks=f"{WORK}/Stuck", missed="robot")
         self.answer("could not be given up")
-        self.succeeds(skipped=["Cube"])
+        self.assert_success(skipped=["Cube"])
 
     def test_a_display_that_is_back_is_asked_again(self):
         self.until_active(COLLISION)
-        self.answered.add(self.asked(HIT)["id"])  # it goes unanswered with the display
-        self.strike(KILL, "display")
+        self.known_questions.add(self.wait_question(HIT)["id"])  # it disappears with the display
+        self.break_processes(KILL, "display")
         self.until_active(f"{COLLISION}/Display/Absent")
-        self.assertEqual(set(self.refused()), {"display"})
-        self.mend("display")
+        self.assertEqual(set(self.unavailable_services()), {"display"})
+        self.restore("display")
         self.answer(HIT)
-        self.succeeds()
+        self.assert_success()
 
 
-class Begun(Mortal):
-    """A unit is not there when it is needed first."""
+class MissingAtStart(ProcessFailureTest):
+    """A process is missing when it is first needed."""
 
-    def test_the_database_may_be_back_when_a_person_says_so(self):
-        self.here([])
-        self.strike(KILL, "database")
-        self.go("Calibration")
+    def test_the_task_continues_when_a_person_confirms_the_database_is_back(self):
+        self.start_cell([])
+        self.break_processes(KILL, "database")
+        self.start_task("Calibration")
         self.until_active(f"{CALIBRATION}/Trouble")
-        self.assertIn("db", self.refused())
-        self.mend("database")
+        self.assertIn("db", self.unavailable_services())
+        self.restore("database")
         self.answer(UNCALIBRATED)
-        self.succeeds()
+        self.assert_success()
 
-    def test_a_calibration_that_nobody_can_be_led_through_is_asked_about(self):
-        self.here([], database=cell.DATABASE)
-        self.strike(KILL, "display")
-        self.go("Calibration")
+    def test_a_calibration_without_a_display_asks_once_one_is_back(self):
+        self.start_cell([], database=cell.DATABASE)
+        self.break_processes(KILL, "display")
+        self.start_task("Calibration")
         self.until_active(f"{CALIBRATION}/Trouble")
-        self.assertIn("display", self.refused())
-        self.mend("display")
+        self.assertIn("display", self.unavailable_services())
+        self.restore("display")
         stored = self.server.core(models.storing(), {"key": "o_t_c", "value": cell.O_T_C})  # another task knows it by now
         self.assertEqual(self.server.ended(stored)["outcome"], "success")
         self.answer(UNCALIBRATED)
-        self.succeeds()
+        self.assert_success()
 
 
-class Silenced(Mortal):
-    """Audio is struck while the task waits for the end of its last sound."""
+class AudioFailures(ProcessFailureTest):
+    """The audio process fails while the task waits for the end of its last sound."""
 
-    def ends_without_its_sound(self, how):
-        self.here([], sound=True)
-        self.go()
+    def check_end_without_sound(self, how):
+        self.start_cell([], sound=True)
+        self.start_task()
         self.until_active(f"{TABLE}/Beep")
-        self.lost(how, "audio", self.pending("audio", "play"))
-        self.succeeds()
-        self.assertEqual(self.refused(), ["audio"])
+        self.break_in_call(how, "audio", self.pending("audio", "play"))
+        self.assert_success()
+        self.assertEqual(self.unavailable_services(), ["audio"])
 
-    def test_the_task_ends_without_a_sound_whose_process_is_killed(self):
-        self.ends_without_its_sound(KILL)
+    def test_the_task_ends_when_the_audio_process_is_killed(self):
+        self.check_end_without_sound(KILL)
 
-    def test_the_task_ends_without_a_sound_whose_process_hangs(self):
-        self.ends_without_its_sound(HANG)
+    def test_the_task_ends_when_the_audio_process_hangs(self):
+        self.check_end_without_sound(HANG)
 
 
-def drags(text):
-    """How far each hand of the demo's operator leads the arm on when a display shows this [m]."""
+def drag_vectors(text):
+    """How far each hand of the demo's operator script moves the arm when a display shows this text [m]."""
     acts = next(act["do"] for act in cell.OPERATOR["acts"] if text in act.get("when", {}).get("display", {}).get("text", ""))
     return {act["hand"]: act["by"] for act in acts}
 
 
 GRAB = cell.OPERATOR["acts"][0]["do"]
-FROM = {place: drags(f"{place} of 10 places") for place in range(1, 10)}
-LOWER = drags("does not see")  # above the fourth place the camera sees nothing
+FROM = {place: drag_vectors(f"{place} of 10 places") for place in range(1, 10)}
+LOWER = drag_vectors("does not see")  # above the fourth place the camera sees nothing
 
 
-class Led(Mortal):
-    """Units are struck while a person leads the arm through the calibration: no sample is lost, and none counts twice."""
+class FailuresDuringCalibration(ProcessFailureTest):
+    """Processes fail while a person leads the arm through the calibration: no sample is lost and none counts twice."""
 
     def act(self, **act):
         self.server.post("/cell/person", check("person_act", act), "person")
 
-    def hold(self):
-        """All hands take the arm, once it gives way."""
+    def grab_arm(self):
+        """All hands grab the arm once it is compliant."""
         self.until_active(f"{COLLECT}/AwaitRest")
         for act in GRAB:
             self.act(**act, keep=60)
 
-    def let_go(self):
+    def release_arm(self):
         for act in GRAB:
             self.act(act="release", hand=act["hand"])
 
-    def lead(self, *ways):
-        """The hands draw the arm along the sum of these ways, and keep it there."""
+    def drag_arm(self, *ways):
+        """The hands drag the arm along the sum of these vectors and keep it there."""
         for hand in ways[0]:
-            by = [sum(axis) for axis in zip(*(way[hand] for way in ways))]
+            by = [sum(axis) for axis in zip(*(way[hand] for way in ways), strict=True)]
             self.act(act="drag", hand=hand, by=by, speed=0.25, keep=60)
 
-    def kept(self, count):
-        """Another sample: the phone says how many there are, and beeps."""
-        self.assertIn(f"{count} of 10 places. ", self.played("beep")["message"]["text"])
+    def wait_sample(self, count):
+        """Waits for another sample: the phone shows the count and beeps."""
+        self.assertIn(f"{count} of 10 places. ", self.play_sound("beep")["message"]["text"])
 
-    def silenced(self, how):
-        """Another sample, of whose beep nobody hears the end."""
-        self.sounds("beep")
-        self.lost(how, "audio", self.pending("audio", "play"))
-        self.mend("audio")
+    def wait_sample_without_sound(self, how):
+        """Waits for another sample; the audio process fails during its beep."""
+        self.wait_sound("beep")
+        self.break_in_call(how, "audio", self.pending("audio", "play"))
+        self.restore("audio")
 
-    def test_the_calibration_goes_on_with_the_samples_that_it_has(self):
-        self.here([], database=cell.DATABASE, sound=True)
-        self.go("Calibration")
-        self.kept(1)  # where the arm is
-        self.hold()
+    def test_the_calibration_keeps_its_samples_over_failures(self):
+        self.start_cell([], database=cell.DATABASE, sound=True)
+        self.start_task("Calibration")
+        self.wait_sample(1)  # where the arm is
+        self.grab_arm()
 
-        self.lead(FROM[1])
-        self.silenced(KILL)
-        self.lead(FROM[2])
-        self.kept(3)
+        self.drag_arm(FROM[1])
+        self.wait_sample_without_sound(KILL)
+        self.drag_arm(FROM[2])
+        self.wait_sample(3)
 
-        self.struck(KILL, "cell", during=f"{COLLECT}/AwaitRest", asks=INTERRUPTED, missed="robot")
+        self.break_and_restore(KILL, "cell", during=f"{COLLECT}/AwaitRest", asks=INTERRUPTED, missed="robot")
         self.answer("3 of 10 places are there")
-        self.hold()  # a cell that is back begins its world anew, with the arm at the first place
-        self.lead(FROM[1], FROM[2], FROM[3], LOWER)
-        self.kept(4)
+        self.grab_arm()  # a cell that is back begins its world anew, with the arm at the first place
+        self.drag_arm(FROM[1], FROM[2], FROM[3], LOWER)
+        self.wait_sample(4)
 
-        before = len(self.refused())
-        self.strike(KILL, "recognition", during=f"{COLLECT}/AwaitRest")
-        self.lead(FROM[4])  # it is missed at the next place
+        before = len(self.unavailable_services())
+        self.break_processes(KILL, "recognition", during=f"{COLLECT}/AwaitRest")
+        self.drag_arm(FROM[4])  # noticed at the next place
         self.until_active(INTERRUPTED)
-        self.assertIn("obj_rec", self.refused()[before:])
-        self.mend("recognition")
-        question = self.asked("4 of 10 places are there")
-        self.processes["recognition"].signal(HANG)  # nobody knows yet
+        self.assertIn("obj_rec", self.unavailable_services()[before:])
+        self.restore("recognition")
+        question = self.wait_question("4 of 10 places are there")
+        self.processes["recognition"].signal(HANG)  # not noticed yet
         self.reply(question)
-        self.lost(HANG, "recognition", self.pending("obj_rec", "start"))
+        self.break_in_call(HANG, "recognition", self.pending("obj_rec", "start"))
         self.until_active(INTERRUPTED)
-        self.mend("recognition")
+        self.restore("recognition")
         self.answer("4 of 10 places are there")
-        self.kept(5)
+        self.wait_sample(5)
 
-        before = len(self.refused())
+        before = len(self.unavailable_services())
         self.processes["display"].signal(HANG)
-        self.lead(FROM[5])
-        self.assertNotIn("6 of 10", self.played("beep")["message"]["text"])  # missed by nobody who hears the beep
-        self.assertEqual(self.refused()[before:], ["display"])
-        self.mend("display")
+        self.drag_arm(FROM[5])
+        self.assertNotIn("6 of 10", self.play_sound("beep")["message"]["text"])  # the beep is enough
+        self.assertEqual(self.unavailable_services()[before:], ["display"])
+        self.restore("display")
 
-        self.lead(FROM[6])
-        self.silenced(HANG)
+        self.drag_arm(FROM[6])
+        self.wait_sample_without_sound(HANG)
         for place in (7, 8, 9):
-            self.lead(FROM[place])
-            self.kept(place + 1)
+            self.drag_arm(FROM[place])
+            self.wait_sample(place + 1)
 
-        self.asked("Calibrated from 10 places")
-        self.let_go()
-        self.lost(HANG, "display", self.pending("display", "ask"))
+        self.wait_question("Calibrated from 10 places")
+        self.release_arm()
+        self.break_in_call(HANG, "display", self.pending("display", "ask"))
         self.until_active(f"{CALIBRATION}/Trouble")
-        self.mend("display")
+        self.restore("display")
         self.answer(UNCALIBRATED)
-        self.played("success")
-        self.succeeds()
+        self.play_sound("success")
+        self.assert_success()
         found = self.server.ended(self.core)["results"]["o_t_c"]
         self.assertLess(math.dist(found["position"], cell.O_T_C["position"]), 0.005)
         self.assertLess(angle(found["orientation"], cell.O_T_C["orientation"]), 1)
