@@ -82,7 +82,7 @@ class LostParts(unittest.TestCase):
         self.assertEqual(out.fired.count(f"{ROOT}/SearchObject.success"), 2)
         self.assertEqual(out.calls.count("robot.stop"), 1)
 
-    def test_a_part_that_was_moved_meanwhile_is_looked_for_again(self):
+    def test_a_part_that_was_moved_is_searched_again(self):
         moved = {"when": {"active": f"{PICK}/Approach"}, "do": put("Cube", 0.5, 0.1, 0.02)}
         out = clear_table(moved, answer("Continue"), parts=("Cube",))
         self.assertEqual((out.name, placed(out), len(out.asked())), ("success", ["Cube"], 1))

@@ -93,10 +93,10 @@ class Help(unittest.TestCase):
             self.assertEqual((status, errors), (0, ""))
             for words in ((command, "-h"), ("help", command), ("--help", command), (command, "DOCUMENT", "--help")):
                 self.assertEqual(race(*words), (0, lines, ""), words)
-            told = [line.split()[0] for line in lines[2:] if line.startswith("  --")]
+            explained = [line.split()[0] for line in lines[2:] if line.startswith("  --")]
             named = [word.strip("[]") for word in lines[1].split() if word.startswith(("--", "[--"))]
             if command in ("serve", "service", "run"):
-                self.assertEqual(told, named)
+                self.assertEqual(explained, named)
 
     def test_wrong_use_prints_the_usage_as_an_error(self):
         for words in (("service",), ("run",), ("derive", "x"), ("check",), ("translate",), ("fmt",), ("serve", "x")):

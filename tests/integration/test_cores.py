@@ -105,7 +105,7 @@ class Cores(unittest.TestCase):
         self.assertEqual((ended["outcome"], ended["results"]), ("error", {"code": "unavailable"}))
         theirs = self.derive(core)
         self.assertEqual(theirs["outcome"], "error")
-        # Nobody of that name, a name that is empty, an operation that is called as an event is.
+        # No such service, an empty name, an operation with the name of an event.
         for service, operation in (("oven", "heat"), ("", "heat"), ("timer", "tick")):
             core = self.server.core(models.calling(service, operation, computed=True))
             ended = self.server.ended(core)
@@ -202,7 +202,7 @@ class Cores(unittest.TestCase):
         self.assertEqual(blocking, [("par.a > 3", True)])
         waits = self.server.get(f"/cores/{core}/why?port=Root/A.wait", "why")
         self.assertEqual((waits["value"], waits["atoms"][0]["service"]), (None, True))
-        # Made so, the port fires.
+        # With that value the port fires.
         other = self.server.core(document, {"a": 4})
         self.server.wait(other, lambda c: c["step"] == 1)
         self.assertEqual(self.active(other), ["Root", "Root/B"])

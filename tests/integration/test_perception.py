@@ -212,7 +212,7 @@ class Search(unittest.TestCase):
             results, there = outcome.results, BODIES[NAMES[label]]["pose"]
             self.assertEqual((outcome.name, results["label"]), ("success", label))
             self.assertLess(math.dist(results["o_t_x"]["position"], there["position"]), 0.005, label)
-            # It is grasped from above, there, across its side x (of cubes: any side; of the Tape: from any side).
+            # The grasp is from above, across the side x of the part (cubes: any side; Tape: any direction).
             tool = results["pose"]
             self.assertLess(math.dist(tool["position"][:2], there["position"][:2]), 0.005, label)
             self.assertLess(rotate(tool["orientation"], [0, 0, 1])[2], -0.9999)
@@ -241,7 +241,7 @@ class Search(unittest.TestCase):
             outcome = run("SearchObject", [take("can_yellow"), push(force)], labels=["Tape"], pictures=15)
             self.assertEqual((outcome.name, outcome.results), (port, {}))
             self.assertLess(outcome.last["time"], 1)
-            self.assertEqual(outcome.sent[-1]["operation"], "stop")  # of recognition: its exit, though it was not done
+            self.assertEqual(outcome.sent[-1]["operation"], "stop")  # of recognition, by the exit of the preempted state
 
     def test_a_push_to_the_side_does_not_preempt_it(self):
         outcome = run("SearchObject", [take("can_yellow"), push([0, 40, 0], at=0.3)], labels=["Tape"], pictures=6)

@@ -38,7 +38,7 @@ class Interruptions(unittest.TestCase):
     def test_letting_go_is_repeated(self):
         release = "Root/Work/Task/Place/SetDown/Release"
         out = run(task(work(), pick_again()), bump(release), answer("Continue"))
-        self.assertEqual((out.fired.count("Root/Work.success"), out.name), (1, "no_part"))  # where it was, nothing is left
+        self.assertEqual((out.fired.count("Root/Work.success"), out.name), (1, "no_part"))  # no part is left at its old place
 
     def test_an_intended_touch_continues_without_a_display_and_an_accident_does_not(self):
         haptic = "Root/Work/Collision/Haptic"

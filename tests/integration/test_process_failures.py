@@ -182,7 +182,7 @@ class ResumedTasks(ProcessFailureTest):
         self.start_task()
         self.break_and_restore(HANG, "cell", during=f"{PLACE}/SetDown/Approach/Across", asks=f"{WORK}/Trouble", missed="robot")
         self.answer(STUCK)
-        self.answer(GONE)  # a cell that is back, from whatever, begins its world anew: the part lies where it was
+        self.answer(GONE)  # a restarted cell has a new world: the part is where it was at first
         self.assert_success()
 
 
@@ -198,7 +198,7 @@ class FailuresAfterCollision(ProcessFailureTest):
         self.answer(HIT)
         self.until_active(f"{WORK}/Trouble")
         self.assertIn("gripper", self.unavailable_services())  # the first service that is asked about the part
-        (self.folder / "scene.json").write_text(json.dumps(cell.scene(self.parts)))  # the post lies on its side
+        (self.folder / "scene.json").write_text(json.dumps(cell.scene(self.parts)))  # the new world has no post
         self.restore("cell")
         self.answer(STUCK)
         self.answer(GONE)
@@ -241,7 +241,7 @@ class MissingAtStart(ProcessFailureTest):
         self.until_active(f"{CALIBRATION}/Trouble")
         self.assertIn("display", self.unavailable_services())
         self.restore("display")
-        stored = self.server.core(models.storing(), {"key": "o_t_c", "value": cell.O_T_C})  # another task knows it by now
+        stored = self.server.core(models.storing(), {"key": "o_t_c", "value": cell.O_T_C})  # another task stores it meanwhile
         self.assertEqual(self.server.ended(stored)["outcome"], "success")
         self.answer(UNCALIBRATED)
         self.assert_success()
@@ -321,7 +321,7 @@ class FailuresDuringCalibration(ProcessFailureTest):
 
         self.break_and_restore(KILL, "cell", during=f"{COLLECT}/AwaitRest", asks=INTERRUPTED, missed="robot")
         self.answer("3 of 10 places are there")
-        self.grab_arm()  # a cell that is back begins its world anew, with the arm at the first place
+        self.grab_arm()  # a restarted cell has a new world, with the arm at the first place
         self.drag_arm(FROM[1], FROM[2], FROM[3], LOWER)
         self.wait_sample(4)
 
@@ -343,7 +343,7 @@ class FailuresDuringCalibration(ProcessFailureTest):
         before = len(self.unavailable_services())
         self.processes["display"].signal(HANG)
         self.drag_arm(FROM[5])
-        self.assertNotIn("6 of 10", self.play_sound("beep")["message"]["text"])  # the beep is enough
+        self.assertNotIn("6 of 10", self.play_sound("beep")["message"]["text"])  # the task needs no display here
         self.assertEqual(self.unavailable_services()[before:], ["display"])
         self.restore("display")
 

@@ -125,7 +125,7 @@ class RequestFilter(unittest.TestCase):
                             '{"type": "subscribe", "channel": "log", "since": "x"}', "[" * 1000):
                 stream.send(message)
                 self.assertEqual(stream.message()["kind"], "error")
-            # Which fields a message has depends on its type: without one, that is all that is wrong.
+            # The fields of a message depend on its type: with a wrong type only that is reported.
             for message, wrong in (('{"type": "shout", "channel": 1, "loud": true}', ["type"]),
                                    ('{"type": "subscribe", "channel": 1, "loud": true}', ["channel", "loud"])):
                 stream.send(message)
