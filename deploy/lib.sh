@@ -1,5 +1,5 @@
 # What the scripts of this folder share: sourced, with the project's folder as the working directory.
-# shellcheck shell=bash
+# shellcheck shell=bash disable=SC2034  # the scripts that source it use its variables
 
 # Where the headers of Boost are unpacked if the installed Boost is another one (deploy/install).
 readonly BOOST_UNPACKED=build/deps/boost

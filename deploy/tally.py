@@ -2,7 +2,7 @@
 """tally.py FOLDER: sums the JUnit reports below FOLDER and prints `PASSED FAILED`.
 
 A CTest report counts a program as one test; where the program left its own report in the folder `cases` beside it,
-its cases count instead. A program that fails although no case of its report did (it crashed, or a sanitizer spoke)
+its cases count instead. A program that fails although no case of its report did (it crashed, or a sanitizer reported an error)
 is one failure more.
 """
 import sys

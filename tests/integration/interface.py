@@ -1,4 +1,4 @@
-"""api/openapi.yaml, against which answers are held: the statuses of a route, their schemas, and the answers of the request filter."""
+"""api/openapi.yaml, against which answers are validated: statuses and schemas of a route, and the codes of the request filter."""
 import re
 from pathlib import Path
 
@@ -10,7 +10,7 @@ ROUTES = [(re.compile(re.sub(r"{\w+}", "[^/]+", path)), methods) for path, metho
 
 
 def responses(method, target):
-    """Status -> response, as openapi.yaml lists them for a request; nothing if there is no such route or method."""
+    """Status -> response, as openapi.yaml lists them for a request; empty if there is no such route or method."""
     path = target.partition("?")[0]
     methods = next((methods for pattern, methods in ROUTES if pattern.fullmatch(path)), {})
     operation = methods.get("get" if method == "HEAD" else method.lower(), {"responses": {}})
@@ -24,7 +24,7 @@ def resolve(response):
 
 
 def check_listed(method, target, status, answer):
-    """The status is one that openapi.yaml lists for the route, or the request filter's, with a code that the filter has for it."""
+    """Asserts that openapi.yaml lists the status for the route, or the status and code for the request filter."""
     listed = responses(method, target)
     if str(status) in listed or (status == 404 and not listed):
         return
@@ -34,6 +34,6 @@ def check_listed(method, target, status, answer):
 
 
 def schema_of(method, target, status):
-    """The name of the schema of a JSON answer; nothing for another type."""
+    """The name of the schema of a JSON answer; None for another content type."""
     content = responses(method, target)[str(status)].get("content", {}).get("application/json")
     return content and re.fullmatch(r"schemas/(\w+)\.json", content["schema"]["$ref"]).group(1)

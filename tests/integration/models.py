@@ -1,4 +1,4 @@
-"""Tasks that the tests run: small, and known by heart."""
+"""Small tasks that the tests run."""
 
 
 def document(name, root, **more):
@@ -6,7 +6,7 @@ def document(name, root, **more):
 
 
 def ticking(name="ticking", last=5):
-    """Counts ticks of the timer in two states that take turns; ends at `done` when it has seen `last`."""
+    """Counts ticks of the timer in two alternating states; ends at `done` after `last` ticks."""
     toggle = lambda me, other: {
         "state": me, "ports": [{"name": "next", "when": "svc.timer.tick", "to": other}]}
     return document(name, {
@@ -18,7 +18,7 @@ def ticking(name="ticking", last=5):
 
 
 def storing(name="storing"):
-    """Stores its argument in the database, reads it again and gives it as result."""
+    """Stores its argument in the database, reads it again and returns it as result."""
     return document(name, {
         "state": "Root", "parameters": [{"name": "key", "value": "x"}, {"name": "value"}],
         "results": [{"name": "read"}],

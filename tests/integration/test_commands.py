@@ -18,7 +18,7 @@ def race(*arguments, document=None):
         if document is not None:
             path.write_text(document if isinstance(document, str) else json.dumps(document))
         words = [str(path) if a == "DOCUMENT" else str(a) for a in arguments]
-        out = subprocess.run([PROGRAM, *words], capture_output=True, text=True, timeout=280)
+        out = subprocess.run([PROGRAM, *words], capture_output=True, text=True, timeout=280, check=False)
     return out.returncode, out.stdout.splitlines(), out.stderr
 
 
@@ -44,7 +44,7 @@ class Run(unittest.TestCase):
         last = json.loads(lines[-1])
         self.assertEqual((status, last["status"], last["fault"]["kind"]), (1, "faulted", "zero_division"))
 
-    def test_a_run_without_an_end_is_left_at_its_limit(self):
+    def test_a_run_without_an_end_stops_at_its_limit(self):
         status, lines, _ = race("run", "DOCUMENT", "--fast", "--json", "--limit", 2, document=models.chain())
         self.assertEqual((status, json.loads(lines[-1])["status"]), (1, "running"))
 
@@ -76,7 +76,7 @@ class Run(unittest.TestCase):
 class Help(unittest.TestCase):
     COMMANDS = ("serve", "service", "run", "derive", "check", "translate", "fmt")
 
-    def test_of_all_names_each_command_with_its_options(self):
+    def test_overview_names_each_command_with_its_options(self):
         status, lines, errors = race("--help")
         self.assertEqual((status, errors), (0, ""))
         calls = [line.split() for line in lines if line.startswith("  race ")]
@@ -87,18 +87,18 @@ class Help(unittest.TestCase):
             self.assertEqual(race(*words), (0, lines, ""))
         self.assertEqual(race(), (2, [], "\n".join(lines) + "\n"))
 
-    def test_of_a_command_says_what_each_option_means(self):
+    def test_help_of_a_command_explains_each_option(self):
         for command in self.COMMANDS:
             status, lines, errors = race(command, "--help")
             self.assertEqual((status, errors), (0, ""))
             for words in ((command, "-h"), ("help", command), ("--help", command), (command, "DOCUMENT", "--help")):
                 self.assertEqual(race(*words), (0, lines, ""), words)
-            told = [line.split()[0] for line in lines[2:] if line.startswith("  --")]
+            explained = [line.split()[0] for line in lines[2:] if line.startswith("  --")]
             named = [word.strip("[]") for word in lines[1].split() if word.startswith(("--", "[--"))]
             if command in ("serve", "service", "run"):
-                self.assertEqual(told, named)
+                self.assertEqual(explained, named)
 
-    def test_comes_as_an_error_after_wrong_use(self):
+    def test_wrong_use_prints_the_usage_as_an_error(self):
         for words in (("service",), ("run",), ("derive", "x"), ("check",), ("translate",), ("fmt",), ("serve", "x")):
             status, lines, errors = race(*words)
             self.assertEqual((status, lines), (2, []))
@@ -106,7 +106,7 @@ class Help(unittest.TestCase):
 
 
 class BadInput(unittest.TestCase):
-    def test_is_told_with_path_and_code_and_status_2(self):
+    def test_a_wrong_document_is_reported_with_path_and_code_and_status_2(self):
         wrong = models.document("wrong", {"state": "Root", "first": "Nowhere"})
         for words in (("run", "DOCUMENT"), ("check", "DOCUMENT"), ("translate", "DOCUMENT"), ("fmt", "DOCUMENT")):
             status, _, errors = race(*words, document=wrong)
@@ -115,7 +115,7 @@ class BadInput(unittest.TestCase):
         status, lines, _ = race("run", "DOCUMENT", "--json", document=wrong)
         self.assertEqual(json.loads("\n".join(lines))["errors"][0]["code"], "first")
 
-    def test_of_options(self):
+    def test_wrong_options_end_with_status_2(self):
         for words in (("run",), ("run", "a", "b"), ("run", "DOCUMENT", "--slow"), ("run", "DOCUMENT", "--seed"),
                       ("run", "DOCUMENT", "--seed", "x"), ("run", "DOCUMENT", "--arguments", "["),
                       ("run", "DOCUMENT", "--arguments", "[]"), ("run", "/nowhere.json"),

@@ -1,154 +1,85 @@
-"""Components as processes: the same services, killed, stopped and started again while a core goes on."""
+"""Services as processes of their own: killed, stopped and started again while a core goes on; and a process that is this test."""
 import json
 import os
 import signal
 import socket
-import struct
 import subprocess
 import tempfile
-import time
 import unittest
 
 import models
 import test_displays
-from client import PATIENCE, PROGRAM, PROJECT, Server, Stream, check
+from client import PROGRAM, PROJECT, TIMEOUT, Server
+from component_process import LONG_HEARTBEAT, ComponentClient, ComponentProcess, service, wait_available
 
 DEMO = str(PROJECT / "deploy/demo")
-CALM = ("--heartbeat", "30")  # where nothing hangs: a machine under load may be slow
 POSE = {"position": [0.1, 0.2, 0.3], "orientation": [0.0, 0.0, 0.0, 1.0]}
-
-
-class Process:
-    """`race service NAME` for a server; killed with the block."""
-
-    def __init__(self, server, name, *options):
-        command = [PROGRAM, "service", name, "--server", f"http://127.0.0.1:{server.port}", *options]
-        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        if self.process.poll() is None:
-            self.process.kill()
-        self.process.communicate()
-
-    def kill(self):
-        self.process.kill()
-        self.process.wait(PATIENCE)
-
-    def signal(self, number):
-        self.process.send_signal(number)
-
-
-class Wire(Stream):
-    """A process of components, byte by byte; what the server says is held against component_message.json."""
-
-    PATH = "/api/v1/components"
-
-    def say(self, message):
-        self.send(check("component_request", message))
-
-    def message(self):
-        first, second = self.take(2)
-        size = second & 0x7F
-        if size == 126:
-            (size,) = struct.unpack("!H", self.take(2))
-        payload = self.take(size)
-        if first & 0x0F != 1:
-            raise ConnectionError(f"closed: {payload!r}")
-        return check("component_message", json.loads(payload))
-
-    def next(self, kind):
-        """The next message of this type; pings between are answered, news ignored."""
-        while (message := self.message())["type"] != kind:
-            assert message["type"] in ("ping", "news"), message
-            if message["type"] == "ping":
-                self.say({"type": "pong", "number": message["number"]})
-        return message
-
-
-def service(server, key):
-    return next(s for s in server.get("/services", "services")["services"] if s["key"] == key)
-
-
-def wait(what, patience=PATIENCE):
-    end = time.monotonic() + patience
-    while time.monotonic() < end:
-        if what():
-            return
-        time.sleep(0.005)
-    raise AssertionError("it does not come")
-
-
-def there(server, key, available=True):
-    wait(lambda: service(server, key)["available"] == available)
 
 
 def run(server, document, arguments=None):
     return server.ended(server.core(document, arguments))
 
 
-class Wired(unittest.TestCase):
-    """One connection whose other end is this test."""
+class ComponentProtocol(unittest.TestCase):
+    """The protocol of components, with this test in the role of the process."""
 
-    def wire(self, server):
-        wire = Wire(server.port)
-        self.addCleanup(wire.socket.close)
-        return wire
+    def connect(self, server):
+        client = ComponentClient(server.port)
+        self.addCleanup(client.close)
+        return client
 
     def hello(self, server, key="db", **changed):
         component = {"key": key, "type": "database", "rsm": service(server, "db")["rsm"], **changed}
         return {"type": "hello", "protocol": 1, "components": [component]}
 
     def welcome(self, server):
-        wire = self.wire(server)
-        wire.say(self.hello(server))
-        wire.next("welcome")
-        there(server, "db")
-        return wire
+        client = self.connect(server)
+        client.send_checked(self.hello(server))
+        client.next("welcome")
+        wait_available(server, "db")
+        return client
 
     def test_a_core_takes_its_error_port_when_the_process_dies_in_a_call(self):
-        with Server("--remote", "database", *CALM) as server:
-            wire = self.welcome(server)
+        with Server("--remote", "database", *LONG_HEARTBEAT) as server:
+            client = self.welcome(server)
             core = server.core(models.calling("db", "list"))
-            call = wire.next("call")
+            call = client.next("call")
             self.assertEqual((call["key"], call["operation"]), ("db", "list"))
             self.assertEqual(service(server, "db")["pending"][0]["call"], call["call"])
-            wire.socket.close()
+            client.close()
             ended = server.ended(core)
             self.assertEqual((ended["outcome"], ended["results"]), ("error", {"code": "unavailable"}))
             self.assertEqual(service(server, "db")["pending"], [])
 
-    def test_the_answer_of_a_process_is_that_of_the_service(self):
-        with Server("--remote", "database", *CALM) as server:
-            wire = self.welcome(server)
+    def test_the_answer_of_a_process_is_the_answer_of_the_service(self):
+        with Server("--remote", "database", *LONG_HEARTBEAT) as server:
+            client = self.welcome(server)
             core = server.core(models.reading(), {"key": "pose"})
-            call = wire.next("call")
+            call = client.next("call")
             transition = next(t for t in service(server, "db")["rsm"]["transitions"] if t["operation"] == "get")
-            wire.say({"type": "transition", "key": "db", "id": transition["id"], "call": call["call"]})
-            wire.say({"type": "result", "key": "db", "call": call["call"], "value": POSE})
+            client.send_checked({"type": "transition", "key": "db", "id": transition["id"], "call": call["call"]})
+            client.send_checked({"type": "result", "key": "db", "call": call["call"], "value": POSE})
             self.assertEqual(server.ended(core)["results"], {"value": POSE})
             self.assertEqual(service(server, "db")["violations"], [])
 
-    def test_who_answers_no_ping_is_lost(self):
+    def test_a_process_that_answers_no_ping_is_disconnected(self):
         with Server("--remote", "database", "--heartbeat", "1") as server:
-            wire = self.welcome(server)
+            client = self.welcome(server)
             core = server.core(models.calling("db", "list"))
-            wire.next("call")
+            client.next("call")
             self.assertEqual(server.ended(core)["results"], {"code": "unavailable"})
             with self.assertRaises(ConnectionError):
                 while True:
-                    wire.message()
+                    client.message()
 
     def test_a_wrong_hello_is_refused_with_the_reason(self):
-        with Server("--remote", "database", *CALM) as server:
+        with Server("--remote", "database", *LONG_HEARTBEAT) as server:
             def refusal(hello):
-                wire = self.wire(server)
-                wire.send(json.dumps(hello))
-                error = wire.next("refused")["errors"][0]
+                client = self.connect(server)
+                client.send(hello)
+                error = client.next("refused")["errors"][0]
                 with self.assertRaises(ConnectionError):
-                    wire.message()
+                    client.message()
                 return error["path"], error["code"]
             rsm = service(server, "db")["rsm"]
             self.assertEqual(refusal(self.hello(server, key="robot")), ("robot", "not_found"))
@@ -162,49 +93,49 @@ class Wired(unittest.TestCase):
             self.assertEqual(refusal(self.hello(server)), ("db", "conflict"))
             self.assertTrue(service(server, "db")["available"])
 
-    def test_who_breaks_the_protocol_is_lost_and_the_server_goes_on(self):
-        with Server("--remote", "database", *CALM) as server:
+    def test_a_protocol_violation_disconnects_the_process_and_the_server_goes_on(self):
+        with Server("--remote", "database", *LONG_HEARTBEAT) as server:
             for broken in ({"type": "event", "key": "robot", "name": "x", "data": 1}, {"type": "result", "key": "db"},
                            {"type": "welcome", "time": 1}):
-                wire = self.welcome(server)
-                wire.send(json.dumps(broken))
-                wire.next("refused")
-                there(server, "db", False)
+                client = self.welcome(server)
+                client.send(broken)
+                client.next("refused")
+                wait_available(server, "db", False)
 
-    def test_who_asks_the_screens_for_what_no_display_shows_is_lost_with_its_question(self):
-        def ask(wire, function, arguments):
-            wire.send(json.dumps({"type": "request", "key": "display", "number": 3, "function": function,
+    def test_an_invalid_display_request_disconnects_the_process_and_removes_its_question(self):
+        def ask(client, function, arguments):
+            client.send(json.dumps({"type": "request", "key": "display", "number": 3, "function": function,
                                   "arguments": arguments}))
 
         question = {"question": "Go?", "buttons": ["OK"]}
-        with Server("--remote", "display", *CALM) as server, server.stream() as shown:
+        with Server("--remote", "display", *LONG_HEARTBEAT) as server, server.stream() as shown:
             for function, arguments, path in (("show_image", {"image": "/etc/passwd"}, "image"),
                                               ("ask", {"question": "x" * 2001, "buttons": ["OK"]}, "question"),
                                               ("ask", {**question, "display": "a/b"}, "display"),
                                               ("play", {"sound": "beep"}, "play"), ("take", {"all": True}, "arguments")):
-                shown.send(check("stream_request", {"type": "display", "name": "main"}))
-                wire = self.wire(server)
-                wire.say({"type": "hello", "protocol": 1, "components": [
+                shown.send_checked({"type": "display", "name": "main"})
+                client = self.connect(server)
+                client.send_checked({"type": "hello", "protocol": 1, "components": [
                     {"key": "display", "type": "display", "rsm": service(server, "display")["rsm"]}]})
-                wire.next("welcome")
-                ask(wire, "ask", question)
-                reply = wire.next("reply")
+                client.next("welcome")
+                ask(client, "ask", question)
+                reply = client.next("reply")
                 self.assertEqual((reply["number"], type(reply["value"])), (3, int), reply)
-                shown.until(lambda m: m["data"].get("question", {}).get("id") == reply["value"])
-                ask(wire, function, arguments)
-                self.assertEqual(wire.next("refused")["errors"][0]["path"], path)
-                there(server, "display", False)
+                shown.until(lambda m, value=reply["value"]: m["data"].get("question", {}).get("id") == value)
+                ask(client, function, arguments)
+                self.assertEqual(client.next("refused")["errors"][0]["path"], path)
+                wait_available(server, "display", False)
                 shown.until(lambda m: "question" not in m["data"])
 
-    def test_the_door_lets_no_page_of_another_server_in(self):
-        with Server("--remote", "database", *CALM) as server:
-            with Wire(server.port, ["Origin: http://elsewhere.example"]) as elsewhere:
-                self.assertEqual(elsewhere.status, 403)
+    def test_a_foreign_origin_is_refused(self):
+        with Server("--remote", "database", *LONG_HEARTBEAT) as server:
+            with ComponentClient(server.port, origin="http://foreign.example") as foreign:
+                self.assertEqual(foreign.status, 403)
             self.assertEqual(server.request("GET", "/api/v1/components")[0], 426)
 
 
-class Screens:
-    """A server whose displays and sounds are the work of two processes."""
+class RemoteDisplayServer:
+    """A server whose services display and audio are processes."""
 
     def setUp(self):
         self.server = Server("--remote", "display,audio", *self.HEARTBEAT)
@@ -221,66 +152,66 @@ class Screens:
     def start(self, name):
         if name in self.processes:
             self.processes[name].__exit__()
-        self.processes[name] = Process(self.server, name)
-        there(self.server, name)
+        self.processes[name] = ComponentProcess(self.server, name)
+        wait_available(self.server, name)
 
-    def gone(self, display, part):
-        """The display shows no such part any more."""
+    def wait_removed(self, display, part):
+        """Waits until the display no longer shows this part."""
         display.until(lambda m: m["kind"] != "error" and part not in m["data"])
 
 
-class ScreensElsewhere(Screens, test_displays.Displays):
-    """All that displays and sounds do, as if their services were in the server."""
+class RemoteDisplays(RemoteDisplayServer, test_displays.Displays):
+    """All tests of local displays and sounds hold for remote ones."""
 
-    HEARTBEAT = CALM
+    HEARTBEAT = LONG_HEARTBEAT
 
 
-class ScreensLost(Screens, test_displays.DisplayCase):
-    """What becomes of what is shown when the process behind it dies or hangs."""
+class RemoteDisplayFailures(RemoteDisplayServer, test_displays.DisplayCase):
+    """What displays show is removed when the process behind it dies or hangs."""
 
     HEARTBEAT = ("--heartbeat", "1")
 
-    def asked(self, display):
-        """A core that waits for an answer, and its question."""
+    def ask(self, display):
+        """Starts a core that asks; returns the core and the question."""
         core = self.server.core(test_displays.asking("display.ask('Go?')"))
         return core, self.shown(display, "question")
 
-    def answers(self, display):
-        """A question is asked and answered."""
-        core, question = self.asked(display)
-        self.say(display, {"type": "answer", "question": question["id"], "answer": "OK"})
+    def ask_and_answer(self, display):
+        """Asks a question and answers it."""
+        core, question = self.ask(display)
+        display.send_checked({"type": "answer", "question": question["id"], "answer": "OK"})
         self.assertEqual(self.server.ended(core)["results"]["answer"], {"answer": "OK", "display": "main"})
 
-    def playing(self, display):
+    def start_sound(self, display):
         core = self.server.core(test_displays.asking("audio.play('collision', 1, 20)"))
         return core, self.shown(display, "sound")
 
-    def plays(self, display):
-        """A sound is played to its end."""
-        core, sound = self.playing(display)
-        self.say(display, {"type": "played", "sound": sound["id"]})
+    def play_to_end(self, display):
+        """Plays a sound to its end."""
+        core, sound = self.start_sound(display)
+        display.send_checked({"type": "played", "sound": sound["id"]})
         self.assertEqual(self.server.ended(core)["outcome"], "answered")
 
-    def test_the_question_of_a_killed_display_is_taken_away_and_cannot_be_answered(self):
+    def test_the_question_of_a_killed_display_is_removed_and_cannot_be_answered(self):
         display = self.display()
-        core, question = self.asked(display)
+        core, question = self.ask(display)
         self.processes["display"].kill()
         self.assertEqual(self.code(core), "unavailable")
-        self.gone(display, "question")
-        self.say(display, {"type": "answer", "question": question["id"], "answer": "OK"})
+        self.wait_removed(display, "question")
+        display.send_checked({"type": "answer", "question": question["id"], "answer": "OK"})
         self.assertEqual(display.until(lambda m: m["kind"] == "error")[-1]["data"]["errors"][0]["code"], "conflict")
         self.start("display")
-        self.answers(display)
+        self.ask_and_answer(display)
         self.assertEqual(service(self.server, "display")["violations"], [])
 
-    def test_what_was_pressed_while_no_display_was_there_is_not_told_afterwards(self):
+    def test_buttons_pressed_without_a_display_service_are_dropped(self):
         display = self.display()
         self.server.core(test_displays.asking("display.show_text('Insert the part', ['Done', 'Stop'])"))
         self.shown(display, "message")
         self.processes["display"].kill()
-        there(self.server, "display", False)
-        self.say(display, {"type": "press", "button": "Stop"})
-        self.say(display, {"type": "press", "button": "none"})
+        wait_available(self.server, "display", False)
+        display.send_checked({"type": "press", "button": "Stop"})
+        display.send_checked({"type": "press", "button": "none"})
         display.until(lambda m: m["kind"] == "error")  # the server has got both
         pressed = models.document("pressed", {
             "state": "Root", "results": [{"name": "button"}],
@@ -288,91 +219,91 @@ class ScreensLost(Screens, test_displays.DisplayCase):
             "ports": [{"name": "done", "when": "available(res.button)"}]})
         core = self.server.core(pressed)
         self.start("display")
-        self.answers(display)
-        self.say(display, {"type": "press", "button": "Done"})
+        self.ask_and_answer(display)
+        display.send_checked({"type": "press", "button": "Done"})
         self.assertEqual(self.server.ended(core)["results"]["button"], "Done")
 
-    def test_a_display_that_hangs_is_lost_with_its_question_and_comes_back(self):
+    def test_a_hanging_display_loses_its_question_and_reconnects(self):
         display = self.display()
-        core, _ = self.asked(display)
+        core, _ = self.ask(display)
         self.processes["display"].signal(signal.SIGSTOP)
         self.assertEqual(self.code(core), "unavailable")
-        self.gone(display, "question")
+        self.wait_removed(display, "question")
         self.processes["display"].signal(signal.SIGCONT)
-        there(self.server, "display")
-        self.answers(display)
+        wait_available(self.server, "display")
+        self.ask_and_answer(display)
 
-    def test_the_sound_of_a_killed_audio_is_silenced(self):
+    def test_the_sound_of_a_killed_audio_process_stops(self):
         display = self.display(sound=True)
-        core, _ = self.playing(display)
+        core, _ = self.start_sound(display)
         self.processes["audio"].kill()
         self.assertEqual(self.code(core), "unavailable")
-        self.gone(display, "sound")
+        self.wait_removed(display, "sound")
         self.start("audio")
-        self.plays(display)
+        self.play_to_end(display)
         self.assertEqual(service(self.server, "audio")["violations"], [])
 
-    def test_an_audio_that_hangs_is_lost_with_its_sound_and_comes_back(self):
+    def test_a_hanging_audio_process_loses_its_sound_and_reconnects(self):
         display = self.display(sound=True)
-        core, _ = self.playing(display)
+        core, _ = self.start_sound(display)
         self.processes["audio"].signal(signal.SIGSTOP)
         self.assertEqual(self.code(core), "unavailable")
-        self.gone(display, "sound")
+        self.wait_removed(display, "sound")
         self.processes["audio"].signal(signal.SIGCONT)
-        there(self.server, "audio")
-        self.plays(display)
+        wait_available(self.server, "audio")
+        self.play_to_end(display)
 
 
 class Processes(unittest.TestCase):
-    def test_a_database_of_its_own_answers_and_keeps_its_values_over_a_kill(self):
-        with tempfile.TemporaryDirectory() as folder, Server("--remote", "database", *CALM) as server:
+    def test_a_database_process_keeps_its_values_over_a_kill(self):
+        with tempfile.TemporaryDirectory() as folder, Server("--remote", "database", *LONG_HEARTBEAT) as server:
             self.assertEqual(run(server, models.calling("db", "list"))["results"], {"code": "unavailable"})
             file = os.path.join(folder, "values.sqlite")
-            with Process(server, "database", "--database", file) as process:
-                there(server, "db")
+            with ComponentProcess(server, "database", "--database", file) as process:
+                wait_available(server, "db")
                 self.assertEqual(run(server, models.storing(), {"key": "pose", "value": POSE})["results"], {"read": POSE})
                 process.kill()
-                there(server, "db", False)
+                wait_available(server, "db", False)
                 self.assertEqual(run(server, models.calling("db", "list"))["results"], {"code": "unavailable"})
-            with Process(server, "database", "--database", file):
-                there(server, "db")
+            with ComponentProcess(server, "database", "--database", file):
+                wait_available(server, "db")
                 self.assertEqual(run(server, models.reading(), {"key": "pose"})["results"], {"value": POSE})
             self.assertEqual(service(server, "db")["violations"], [])
 
-    def test_a_process_that_hangs_is_lost_and_comes_back_when_it_goes_on(self):
+    def test_a_hanging_process_is_disconnected_and_reconnects(self):
         with Server("--remote", "database", "--heartbeat", "1") as server:
-            with Process(server, "database") as process:
-                there(server, "db")
+            with ComponentProcess(server, "database") as process:
+                wait_available(server, "db")
                 process.signal(signal.SIGSTOP)
                 self.assertEqual(run(server, models.calling("db", "list"))["results"], {"code": "unavailable"})
                 process.signal(signal.SIGCONT)
-                there(server, "db")
+                wait_available(server, "db")
                 self.assertEqual(run(server, models.calling("db", "list"))["outcome"], "result")
 
     def test_robot_and_gripper_are_one_process(self):
-        with Server("--remote", "cell", "--demo", DEMO, *CALM) as server:
-            with Process(server, "cell", "--folder", DEMO) as process:
-                there(server, "robot")
-                there(server, "gripper")
+        with Server("--remote", "cell", "--demo", DEMO, *LONG_HEARTBEAT) as server:
+            with ComponentProcess(server, "cell", "--folder", DEMO) as process:
+                wait_available(server, "robot")
+                wait_available(server, "gripper")
                 core = server.core(models.calling("gripper", "state"))
                 self.assertEqual(server.ended(core)["outcome"], "result")
                 process.kill()
-                there(server, "robot", False)
-                there(server, "gripper", False)
+                wait_available(server, "robot", False)
+                wait_available(server, "gripper", False)
 
     def test_pictures_pass_from_process_to_process(self):
         seeing = models.document("seeing", {
             "state": "Root", "entry": "svc.obj_rec.start()",
             "ports": [{"name": "seen", "when": "svc.obj_rec.recognized_objects"},
                       {"name": "error", "when": "svc.obj_rec.start.error"}]})
-        with Server("--remote", "cell,recognition", "--demo", DEMO, *CALM) as server:
-            with Process(server, "cell", "--folder", DEMO), Process(server, "recognition", "--folder", DEMO):
-                there(server, "camera")
-                there(server, "obj_rec")
+        with Server("--remote", "cell,recognition", "--demo", DEMO, *LONG_HEARTBEAT) as server:
+            with ComponentProcess(server, "cell", "--folder", DEMO), ComponentProcess(server, "recognition", "--folder", DEMO):
+                wait_available(server, "camera")
+                wait_available(server, "obj_rec")
                 self.assertEqual(run(server, seeing)["outcome"], "seen")
                 self.assertEqual(service(server, "obj_rec")["violations"] + service(server, "camera")["violations"], [])
 
-    def test_a_process_waits_for_its_server_and_ends_when_it_is_told(self):
+    def test_a_process_waits_for_its_server_and_ends_on_sigterm(self):
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))
             port = free.getsockname()[1]
@@ -380,22 +311,22 @@ class Processes(unittest.TestCase):
         process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
         self.assertIn("waits for the server", process.stdout.readline())
         process.terminate()
-        self.assertEqual(process.wait(PATIENCE), 0)
+        self.assertEqual(process.wait(TIMEOUT), 0)
         process.stdout.close()
 
-    def test_what_is_wrong_is_said_and_exit_code_2(self):
-        with Server(*CALM) as server:
+    def test_wrong_use_is_reported_with_exit_code_2(self):
+        with Server(*LONG_HEARTBEAT) as server:
             url = f"http://127.0.0.1:{server.port}"
             for words, reason in ((["database", "--server", url], "no service of this key waits"),
                                   (["oven", "--server", url], "there is no such unit"),
                                   (["database", "--server", "ftp://x"], "http://HOST:PORT"),
                                   (["database"], "cell, recognition, database, display, audio"),
                                   (["cell", "--server", url, "--folder", "/nowhere"], "/nowhere")):
-                ended = subprocess.run([PROGRAM, "service", *words], capture_output=True, text=True, timeout=PATIENCE)
+                ended = subprocess.run([PROGRAM, "service", *words], capture_output=True, text=True, timeout=TIMEOUT, check=False)
                 self.assertEqual(ended.returncode, 2, words)
                 self.assertIn(reason, ended.stderr)
         ended = subprocess.run([PROGRAM, "serve", "--port", "0", "--remote", "oven"], capture_output=True, text=True,
-                               timeout=PATIENCE)
+                               timeout=TIMEOUT, check=False)
         self.assertEqual(ended.returncode, 2)
         self.assertIn("there is no such unit", ended.stderr)
 

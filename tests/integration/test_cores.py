@@ -1,4 +1,4 @@
-"""Cores on the real server: several at once, held and led, replayed, explained."""
+"""Cores on the real server: concurrent, paused and stepped, replayed, explained."""
 import json
 import subprocess
 import tempfile
@@ -25,16 +25,16 @@ class Cores(unittest.TestCase):
         cls.server.stop()
 
     def derive(self, core):
-        """What `race derive` makes of the exported script."""
+        """The output of `race derive` for the exported script."""
         with tempfile.TemporaryDirectory() as folder:
             model, script = Path(folder, "model.json"), Path(folder, "script.json")
             model.write_text(json.dumps(self.server.get(f"/cores/{core}/native", "native")["document"]))
             script.write_text(json.dumps(self.server.get(f"/cores/{core}/script", "script")))
-            out = subprocess.run([PROGRAM, "derive", str(model), str(script)], capture_output=True, text=True)
+            out = subprocess.run([PROGRAM, "derive", str(model), str(script)], capture_output=True, text=True, check=False)
         self.assertIn(out.returncode, (0, 1), out.stderr)
         return json.loads(out.stdout)
 
-    def held(self, document, arguments=None):
+    def paused_core(self, document, arguments=None):
         """A core that is paused before its first step."""
         core = self.server.core(document, arguments, start=False)
         self.server.post(f"/cores/{core}/pause", None, "core")
@@ -48,7 +48,7 @@ class Cores(unittest.TestCase):
     def active(self, core):
         return self.server.get(f"/cores/{core}/state", "core_state")["state"]["active"]
 
-    def test_several_at_once_each_with_its_own_answers(self):
+    def test_concurrent_cores_get_their_own_answers(self):
         document = models.storing()
         self.server.put("/documents/storing", document, "document_entry")
         cores = []
@@ -70,7 +70,7 @@ class Cores(unittest.TestCase):
         self.assertEqual([strip(step) for step in ours["steps"]], theirs["steps"])
         self.assertEqual((ours["status"], ours["outcome"]), (theirs["status"], theirs["outcome"]))
 
-    def test_one_step_alone_is_the_same_as_in_the_whole(self):
+    def test_one_step_alone_equals_the_step_in_the_whole_run(self):
         core = self.server.core(models.ticking("asked", last=4))
         ended = self.server.ended(core)
         whole = self.server.get(f"/cores/{core}/derivations?from=1&to={ended['step']}", "derivations")["steps"]
@@ -82,14 +82,15 @@ class Cores(unittest.TestCase):
         self.assertEqual(self.server.ended(core)["outcome"], "success")
         journal = self.server.get(f"/cores/{core}/journal", "journal")
         self.assertEqual(journal["header"]["arguments"], {"key": "noted", "value": [1, {"two": None}]})
-        answer = lambda operation, call, result: {"kind": "response", "service": "db", "operation": operation, "call": call, "result": result}
+        answer = lambda operation, call, result: {
+            "kind": "response", "service": "db", "operation": operation, "call": call, "result": result}
         self.assertEqual(journal["entries"], [
             {"position": 1, "input": {"kind": "start"}}, {"position": 2, "input": answer("add", 1, "noted")},
             {"position": 3, "input": answer("get", 2, [1, {"two": None}])}])
         core = self.server.core(models.reading("unread"), {"key": "nobody has stored this"})
         self.assertEqual(self.server.ended(core)["outcome"], "missing")
-        told = self.server.get(f"/cores/{core}/journal", "journal")["entries"][-1]["input"]
-        self.assertEqual((told["kind"], "result" in told, told["error"]["code"]), ("response", False, "not_found"))
+        reported = self.server.get(f"/cores/{core}/journal", "journal")["entries"][-1]["input"]
+        self.assertEqual((reported["kind"], "result" in reported, reported["error"]["code"]), ("response", False, "not_found"))
 
     def test_a_fault_is_shown_and_replayed(self):
         core = self.server.core(models.faulty())
@@ -98,13 +99,13 @@ class Cores(unittest.TestCase):
         theirs = self.derive(core)
         self.assertEqual((theirs["status"], theirs["fault"]), ("faulted", ended["fault"]))
 
-    def test_calls_to_what_is_not_there_are_answered(self):
+    def test_calls_to_absent_services_are_answered_unavailable(self):
         core = self.server.core(models.calling("oven", "heat"))
         ended = self.server.ended(core)
         self.assertEqual((ended["outcome"], ended["results"]), ("error", {"code": "unavailable"}))
         theirs = self.derive(core)
         self.assertEqual(theirs["outcome"], "error")
-        # Nobody of that name, a name that is empty, an operation that is called as an event is.
+        # No such service, an empty name, an operation with the name of an event.
         for service, operation in (("oven", "heat"), ("", "heat"), ("timer", "tick")):
             core = self.server.core(models.calling(service, operation, computed=True))
             ended = self.server.ended(core)
@@ -116,7 +117,7 @@ class Cores(unittest.TestCase):
         self.assertEqual(self.server.ended(core)["results"], {"code": "not_accepted"})
 
     def test_micro_steps_one_by_one_are_the_macro_step(self):
-        core = self.held(models.chain())
+        core = self.paused_core(models.chain())
         entered = []
         for _ in range(6):
             state = self.step(core, kind="micro")
@@ -131,8 +132,8 @@ class Cores(unittest.TestCase):
         self.assertEqual(whole["micro"][:6], partial[0]["micro"])
         self.assertEqual(strip(whole), self.derive(core)["steps"][0])
 
-    def test_a_core_goes_on_until_a_state_is_entered_or_left(self):
-        core = self.held(models.ticking("until", last=100))
+    def test_a_core_runs_until_a_state_is_entered_or_left(self):
+        core = self.paused_core(models.ticking("until", last=100))
         self.step(core, kind="until", path="Root/Pong", when="entered")
         self.assertEqual(self.active(core), ["Root", "Root/Pong"])
         self.step(core, kind="until", path="Root/Pong", when="left")
@@ -144,17 +145,17 @@ class Cores(unittest.TestCase):
         self.server.post(f"/cores/{core}/step", {"kind": "until", "path": "Root/Nowhere", "when": "left"}, status=404)
 
     def test_a_step_that_needs_an_input_is_paused_until_one_comes(self):
-        core = self.held(models.chain("waiting"))
+        core = self.paused_core(models.chain("waiting"))
         with self.server.stream() as stream:
             stream.subscribe("cores")
             stream.message()
             self.assertEqual(self.step(core, kind="macro")["step"], 1)
-            told = self.server.post(f"/cores/{core}/step", {"kind": "macro"}, "core")
-            self.assertEqual((told["status"], told["paused"], told["stepping"], told["step"]), ("running", True, True, 1))
-            self.assertEqual(self.server.get(f"/cores/{core}", "core"), told)
+            reported = self.server.post(f"/cores/{core}/step", {"kind": "macro"}, "core")
+            self.assertEqual((reported["status"], reported["paused"], reported["stepping"], reported["step"]), ("running", True, True, 1))
+            self.assertEqual(self.server.get(f"/cores/{core}", "core"), reported)
             ours = lambda m: m["data"].get("core", {}).get("id") == core
-            shown = stream.until(lambda m: ours(m) and m["data"]["core"]["stepping"])[-1]["data"]["core"]
-            self.assertEqual(shown["paused"], True)
+            published = stream.until(lambda m: ours(m) and m["data"]["core"]["stepping"])[-1]["data"]["core"]
+            self.assertEqual(published["paused"], True)
         self.assertEqual(self.server.post(f"/cores/{core}/pause", None, "core")["stepping"], False)
         self.server.post(f"/cores/{core}/step", {"kind": "until", "path": "Root/S0", "when": "entered"}, "core")
         self.server.post(f"/cores/{core}/step", {"kind": "macro"}, "core")
@@ -201,12 +202,12 @@ class Cores(unittest.TestCase):
         self.assertEqual(blocking, [("par.a > 3", True)])
         waits = self.server.get(f"/cores/{core}/why?port=Root/A.wait", "why")
         self.assertEqual((waits["value"], waits["atoms"][0]["service"]), (None, True))
-        # Made so, the port fires.
+        # With that value the port fires.
         other = self.server.core(document, {"a": 4})
         self.server.wait(other, lambda c: c["step"] == 1)
         self.assertEqual(self.active(other), ["Root", "Root/B"])
 
-    def test_why_a_port_fired_is_told_from_the_atoms_of_then(self):
+    def test_why_a_port_fired_is_explained_by_the_atoms_at_that_step(self):
         document = models.document("fired", {
             "state": "Root", "variables": [{"name": "v", "initial": 1}],
             "children": [{"state": "A", "exit": "pass", "ports": [{"name": "go", "when": "var.n == 1 or False", "to": "B"}],
@@ -230,7 +231,7 @@ class Cores(unittest.TestCase):
         self.server.get(f"/cores/{core}/why?port=Root/A.go&step=1&micro=-1", status=400)
         self.server.get(f"/cores/{core}/why?port=Root/A.go&step=1", status=422)
 
-    def test_the_log_tells_what_becomes_of_runs_and_of_calls_that_nobody_answers(self):
+    def test_the_log_reports_runs_and_unanswered_calls(self):
         core = self.server.core(models.document("calling", {
             "state": "Root", "entry": "svc.nobody.help()", "ports": [{"name": "sad", "when": "svc.nobody.help.error"}]}))
         self.server.ended(core)
@@ -239,15 +240,15 @@ class Cores(unittest.TestCase):
             lines = [(line["source"], line["text"]) for line in stream.message()["data"]["entries"]]
         self.assertEqual([text for source, text in lines if source == f"core/{core}"],
                          ["calling: ready", "calling: running", "calling: ended at sad"])
-        held = self.held(models.chain("quiet"))
-        self.step(held, kind="macro")
+        paused_core = self.paused_core(models.chain("quiet"))
+        self.step(paused_core, kind="macro")
         with self.server.stream() as stream:
             stream.subscribe("log")
             lines += [(line["source"], line["text"]) for line in stream.message()["data"]["entries"]]
-        self.assertEqual([text for source, text in lines if source == f"core/{held}"], ["quiet: ready", "quiet: running"])
+        self.assertEqual([text for source, text in lines if source == f"core/{paused_core}"], ["quiet: ready", "quiet: running"])
         self.assertIn(("nobody", f"cannot answer `help` of core {core}: there is no such service"), lines)
 
-    def test_there_is_a_most_of_cores(self):
+    def test_the_number_of_cores_is_limited(self):
         self.server.put("/documents/many", models.ticking("many"), "document_entry")
         ids = []
         while True:

@@ -1,8 +1,8 @@
-"""Displays on the stream: who announces itself is one, its answers reach the task, and what it says wrong is refused."""
+"""Displays on the stream: a client announces itself as one, its answers reach the task, invalid messages are refused."""
 import unittest
 
 import models
-from client import PROJECT, Server, check
+from client import Server
 
 
 def asking(operation, name="asking"):
@@ -23,23 +23,20 @@ class DisplayCase(unittest.TestCase):
 
     def tearDown(self):
         for stream in self.streams:
-            stream.socket.close()
+            stream.close()
         self.server.stop()
 
-    def say(self, stream, message):
-        stream.send(check("stream_request", message))
-
     def display(self, name="main", sound=False):
-        """A connected display, which has got what it shows at first."""
+        """A connected display that has received its first content."""
         stream = self.server.stream()
         self.streams.append(stream)
-        self.say(stream, {"type": "display", "name": name, "sound": sound})
+        stream.send_checked({"type": "display", "name": name, "sound": sound})
         first = stream.message()
         self.assertEqual((first["channel"], first["kind"]), (f"display/{name}", "snapshot"))
         return stream
 
     def shown(self, stream, part):
-        """The part of what the display shows, once it shows one."""
+        """Waits until the display shows this part; returns it."""
         return stream.until(lambda m: part in m["data"])[-1]["data"][part]
 
     def code(self, core):
@@ -53,56 +50,56 @@ class Displays(DisplayCase):
         self.assertEqual(self.code(self.server.core(asking("display.ask('Go?')"))), "no_display")
         self.assertEqual(self.code(self.server.core(asking("audio.play('beep')"))), "no_speaker")
 
-    def test_a_question_is_answered_once_by_the_first(self):
+    def test_the_first_answer_to_a_question_counts(self):
         left, right = self.display("left"), self.display("right")
         core = self.server.core(asking("display.ask('Go?', ['Yes', 'No'])"))
         question = self.shown(left, "question")
         self.assertEqual(question, self.shown(right, "question"))
-        self.say(right, {"type": "answer", "question": question["id"], "answer": "No"})
+        right.send_checked({"type": "answer", "question": question["id"], "answer": "No"})
         self.assertEqual(self.server.ended(core)["results"]["answer"], {"answer": "No", "display": "right"})
-        self.say(left, {"type": "answer", "question": question["id"], "answer": "Yes"})
+        left.send_checked({"type": "answer", "question": question["id"], "answer": "Yes"})
         late = left.until(lambda m: m["kind"] == "error")
         self.assertEqual(late[-1]["data"]["errors"][0]["code"], "conflict")
         self.assertNotIn("question", late[-2]["data"])
 
-    def test_who_connects_again_is_shown_what_is_there(self):
+    def test_a_display_that_reconnects_gets_the_current_content(self):
         core = self.server.core(asking("display.ask('Go?')"), start=False)
         display = self.display()
         self.server.post(f"/cores/{core}/start", None, "core")
         question = self.shown(display, "question")
-        display.socket.close()
+        display.close()
         again = self.server.stream()
         self.streams.append(again)
-        self.say(again, {"type": "display", "name": "main"})
+        again.send_checked({"type": "display", "name": "main"})
         snapshot = again.message()
         self.assertEqual((snapshot["kind"], snapshot["data"]["question"]), ("snapshot", question))
-        self.say(again, {"type": "answer", "question": question["id"], "answer": "OK"})
+        again.send_checked({"type": "answer", "question": question["id"], "answer": "OK"})
         self.assertEqual(self.server.ended(core)["outcome"], "answered")
 
-    def test_a_display_that_goes_for_good_answers_the_question(self):
+    def test_a_question_to_a_lost_display_is_answered_display_lost(self):
         display = self.display()
         core = self.server.core(asking("display.ask('Go?')"))
         self.shown(display, "question")
-        display.socket.close()
+        display.close()
         self.assertEqual(self.code(core), "display_lost")
 
-    def test_a_display_is_one_name_at_a_time(self):
+    def test_a_display_has_one_name_at_a_time(self):
         display = self.display("left")
-        self.say(display, {"type": "display", "name": "right"})
+        display.send_checked({"type": "display", "name": "right"})
         self.assertEqual(display.message()["data"], {"display": "right"})
         self.assertEqual(self.code(self.server.core(asking("display.show_text('Hello', display='left')"))), "no_display")
         self.server.core(asking("display.show_text('Hello', display='right')", "shown"))
         self.assertEqual(self.shown(display, "message"), {"text": "Hello", "buttons": []})
 
-    def test_a_sound_is_over_when_the_display_says_so(self):
+    def test_a_sound_ends_when_the_display_reports_it(self):
         display = self.display(sound=True)
         core = self.server.core(asking("audio.play('beep', 0.5, 2)"))
         sound = self.shown(display, "sound")
         self.assertEqual((sound["name"], sound["volume"], sound["repeat"]), ("beep", 0.5, 2))
-        self.say(display, {"type": "played", "sound": sound["id"]})
+        display.send_checked({"type": "played", "sound": sound["id"]})
         self.assertEqual(self.server.ended(core)["results"]["answer"], {"sound": "beep", "displays": ["main"]})
 
-    def test_a_display_that_never_reports_does_not_hold_up_the_task(self):
+    def test_a_display_that_never_reports_does_not_block_the_task(self):
         self.display(sound=True)
         self.assertEqual(self.code(self.server.core(asking("audio.play('beep')"))), "speaker_lost")
 
@@ -113,11 +110,11 @@ class Displays(DisplayCase):
             self.assertEqual(watcher.message()["data"], {"display": "left"})
             self.server.core(asking("display.show_text('Hello')"))
             self.assertEqual(self.shown(watcher, "message")["text"], "Hello")
-            self.say(watcher, {"type": "press", "button": "Stop"})
+            watcher.send_checked({"type": "press", "button": "Stop"})
             refused = watcher.until(lambda m: m["kind"] == "error")[-1]
             self.assertEqual(refused["data"]["errors"][0]["code"], "conflict")
 
-    def test_what_a_display_says_wrong_is_refused(self):
+    def test_invalid_messages_of_a_display_are_refused(self):
         wrong = [({"type": "display"}, "missing"), ({"type": "display", "name": "all"}, "name"),
                  ({"type": "display", "name": "a/b"}, "name"), ({"type": "display", "name": "a", "sound": 1}, "type"),
                  ({"type": "display", "name": "a", "loud": True}, "unknown_field"), ({"type": "answer"}, "missing"),
@@ -132,7 +129,7 @@ class Displays(DisplayCase):
                 answer = stream.message()
                 self.assertEqual((answer["kind"], answer["data"]["errors"][0]["code"]), ("error", code), message)
 
-    def test_services_keep_to_their_models(self):
+    def test_services_conform_to_their_rsm(self):
         display = self.display(sound=True)
         asked = self.server.core(asking("display.ask('Go?')"))
         self.shown(display, "question")

@@ -1,4 +1,4 @@
-"""A service off its RSM is shown with rule and call, and blocks nobody (R18); one that dies answers `unavailable`."""
+"""A service that violates its RSM is reported with rule and call and blocks nobody (R18); calls of one that throws are answered."""
 import unittest
 
 import models
@@ -9,7 +9,7 @@ class Monitor(unittest.TestCase):
     def rogue(self, server):
         return next(s for s in server.get("/services", "services")["services"] if s["key"] == "rogue")
 
-    def test_violations_are_shown_with_rule_and_call(self):
+    def test_violations_are_reported_with_rule_and_call(self):
         with Server(program=ROGUE) as server, server.stream() as stream:
             stream.subscribe("services")
             stream.message()
@@ -24,7 +24,7 @@ class Monitor(unittest.TestCase):
             shown = stream.until(lambda m: len(m["data"]["services"][0]["violations"]) == 2)[-1]
             self.assertEqual(shown["data"]["services"][0]["violations"], violations)
 
-    def test_a_service_that_dies_answers_and_the_server_goes_on(self):
+    def test_a_service_that_throws_is_answered_unavailable_and_the_server_goes_on(self):
         with Server(program=ROGUE) as server:
             core = server.core(models.calling("rogue", "die"))
             self.assertEqual(server.ended(core)["results"], {"code": "unavailable"})

@@ -1,4 +1,4 @@
-"""A person at the cell of the real server: hands that the robot feels, parts that are moved, and what is refused."""
+"""A person at the cell: hands that the robot feels, parts that are moved, refused commands; operator scripts."""
 import json
 import subprocess
 import tempfile
@@ -7,7 +7,7 @@ import unittest
 from pathlib import Path
 
 import models
-from client import PATIENCE, PROGRAM, PROJECT, Server, check
+from client import TIMEOUT, PROGRAM, PROJECT, Server, check
 
 DEMO = PROJECT / "deploy/demo"
 
@@ -35,9 +35,9 @@ class Person(unittest.TestCase):
     def hands(self):
         return self.server.get("/cell/person", "person")["hands"]
 
-    def pose(self, stream, what):
-        """The first pose of the cell for which what(pose) holds."""
-        return stream.until(lambda m: what(m["data"]))[-1]["data"]
+    def pose(self, stream, condition):
+        """The first pose of the cell for which condition(pose) holds."""
+        return stream.until(lambda m: condition(m["data"]))[-1]["data"]
 
     def test_the_robot_feels_a_hand_that_drags_it(self):
         core = self.server.core(feeling())
@@ -69,18 +69,18 @@ class Person(unittest.TestCase):
             pose = self.pose(stream, lambda p: p["bodies"][self.part]["position"][2] < 0.1)
         self.assertNotIn("hands", pose)
 
-    def test_a_hand_of_somebody_who_is_gone_lets_go(self):
+    def test_a_hand_without_requests_lets_go(self):
         self.assertEqual(len(self.act(act="grab", body="link_5")["hands"]), 1)
-        end = time.monotonic() + PATIENCE
+        end = time.monotonic() + TIMEOUT
         while self.hands() and time.monotonic() < end:
             pass
         self.assertEqual(self.hands(), [])
 
     def test_a_part_is_placed_taken_and_put_back(self):
-        somewhere = {"position": [0.8, -0.4, 0.2], "orientation": [0, 0, 0, 1]}
+        place = {"position": [0.8, -0.4, 0.2], "orientation": [0, 0, 0, 1]}
         with self.server.stream() as stream:
             stream.subscribe("cell/pose")
-            self.act(act="place", part=self.part, pose=somewhere)
+            self.act(act="place", part=self.part, pose=place)
             self.pose(stream, lambda p: abs(p["bodies"][self.part]["position"][0] - 0.8) < 0.01)
             self.assertEqual(self.act(act="take", part=self.part)["absent"], [self.part])
             self.pose(stream, lambda p: self.part not in p["bodies"])
@@ -89,9 +89,9 @@ class Person(unittest.TestCase):
             self.assertEqual(self.act(act="place", part=self.part)["absent"], [])
             self.pose(stream, lambda p: self.part in p["bodies"])
 
-    def test_what_does_not_fit_is_refused_by_name_and_moves_nothing(self):
+    def test_invalid_commands_are_refused_by_field_and_move_nothing(self):
         in_the_table = {"position": [0.7, -0.2, 0], "orientation": [0, 0, 0, 1]}
-        crooked = {"position": [0.7, -0.2, 0.1], "orientation": [0, 0, 1, 1]}
+        not_unit = {"position": [0.7, -0.2, 0.1], "orientation": [0, 0, 1, 1]}
         for status, path, act in (
                 (404, "body", {"act": "grab", "body": "link_9"}),
                 (422, "body", {"act": "grab", "body": "table"}),
@@ -114,19 +114,19 @@ class Person(unittest.TestCase):
                     {"act": "grab", "body": "link_5", "hand": ""}, {"act": "push", "body": "link_5", "duration": 1},
                     {"act": "push", "body": "link_5", "force": ["1", 0, 0], "duration": 1}):
             self.act(422, **act)
-        self.act(400, act="place", part=self.part, pose=crooked)
+        self.act(400, act="place", part=self.part, pose=not_unit)
         self.act(400, act="grab", body="link_5", keep=-1)
         for number in ("1e999", "NaN"):
             status, _ = self.server.request(
                 "POST", "/api/v1/cell/person",
-                '{"act": "push", "body": "link_5", "force": [0, %s, 0], "duration": 1}' % number)
+                '{"act": "push", "body": "link_5", "force": [0, ' + number + ', 0], "duration": 1}')
             self.assertIn(status, (400, 422))
         self.assertEqual(self.hands(), [])
 
-    def test_a_server_without_a_cell_has_no_person(self):
-        with Server() as bare:
-            bare.get("/cell/person", status=404)
-            bare.post("/cell/person", {"act": "release"}, status=404)
+    def test_a_server_without_a_cell_has_no_person_route(self):
+        with Server() as plain:
+            plain.get("/cell/person", status=404)
+            plain.post("/cell/person", {"act": "release"}, status=404)
 
 
 def waiting(name="waiting"):
@@ -156,10 +156,10 @@ class Script(unittest.TestCase):
             model.write_text(json.dumps(waiting()))
             operator.write_text(json.dumps(script))
             out = subprocess.run([PROGRAM, "run", model, "--cell", DEMO, "--fast", "--json", "--operator", operator, *options],
-                                 capture_output=True, text=True, timeout=120)
+                                 capture_output=True, text=True, timeout=120, check=False)
         return out.returncode, out.stdout.splitlines(), out.stderr
 
-    def test_acts_in_turn_when_what_it_waits_for_has_come(self):
+    def test_acts_follow_in_order_as_their_conditions_come_true(self):
         check("operator", PUSHES)
         status, lines, errors = self.run_with(PUSHES, "--limit", "10", "--seed", "7")
         self.assertEqual((status, errors), (0, ""))
@@ -175,11 +175,11 @@ class Script(unittest.TestCase):
         runs = [self.run_with(PUSHES, "--limit", "10", "--seed", "7") for _ in range(2)]
         self.assertEqual(runs[0], runs[1])
 
-    def test_without_its_acts_nothing_happens(self):
+    def test_without_acts_nothing_happens(self):
         status, lines, _ = self.run_with({"operator": 1, "acts": []}, "--limit", "2")
         self.assertEqual((status, json.loads(lines[-1])["status"]), (1, "running"))
 
-    def test_an_act_that_is_refused_is_told_and_the_script_goes_on(self):
+    def test_a_refused_act_is_reported_and_the_script_goes_on(self):
         inside = {"act": "place", "part": "PART", "pose": {"position": [0.7, -0.2, 0], "orientation": [0, 0, 0, 1]}}
         part = next(b["name"] for b in json.loads((DEMO / "scene.json").read_text())["bodies"] if b["mass"] > 0)
         script = {"operator": 1, "acts": [{"do": inside | {"part": part}}, *PUSHES["acts"]]}
@@ -187,7 +187,7 @@ class Script(unittest.TestCase):
         self.assertEqual(status, 0)
         self.assertTrue(any("refused" in line and "inside `table`" in line for line in lines))
 
-    def test_what_is_no_script_is_refused_with_path_and_code(self):
+    def test_an_invalid_script_is_refused_with_path_and_code(self):
         for script, path in (
                 ({"acts": []}, "missing"), ({"operator": 2, "acts": []}, "version"), ({"operator": 1}, "missing"),
                 ({"operator": 1, "acts": [{"do": {"act": "kick"}}]}, "acts/0/do"),
@@ -202,7 +202,7 @@ class Script(unittest.TestCase):
             self.assertEqual(status, 2, script)
             self.assertIn(path, "\n".join(lines), script)
 
-    def test_the_server_does_it_with_each_run_that_is_started(self):
+    def test_the_server_runs_the_script_with_each_run(self):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder, "operator.json")
             path.write_text(json.dumps(PUSHES))

@@ -1,4 +1,4 @@
-"""What is kept is there after a restart; numbers of messages do not come again."""
+"""Documents and values survive a restart; message numbers are not used again."""
 import shutil
 import tempfile
 import unittest
@@ -28,7 +28,7 @@ class Restart(unittest.TestCase):
             core = server.core(models.reading(), {"key": "other"})
             self.assertEqual(server.ended(core)["outcome"], "missing")
 
-    def test_numbers_of_messages_go_up(self):
+    def test_message_numbers_increase_over_a_restart(self):
         numbers = []
         for _ in range(2):
             with Server(data=self.data) as server, server.stream() as stream:

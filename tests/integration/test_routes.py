@@ -1,4 +1,4 @@
-"""Every route of api/openapi.yaml answers, and answers what its schema says."""
+"""Every route of api/openapi.yaml is reachable and its answers are valid against their schemas."""
 import json
 import unittest
 
@@ -84,7 +84,7 @@ class Routes(unittest.TestCase):
             self.server.get(path + route, status=404)
         self.assertNotIn(core, [c["id"] for c in self.server.get("/cores", "cores")["cores"]])
 
-    def test_what_does_not_fit_is_refused_by_name(self):
+    def test_invalid_bodies_are_refused_by_field(self):
         self.server.post("/cores", {"document": "nothing"}, status=404)
         for body, refused in (
                 ({}, [("document", "missing")]), ([], [("", "type")]), ({"document": 1}, [("document", "type")]),
@@ -111,14 +111,14 @@ class Routes(unittest.TestCase):
                 self.assertEqual([error["path"] for error in errors], paths)
         self.server.post(f"/cores/{core}/step", "{", status=400)
 
-    def test_what_is_not_in_the_interface_is_not_there(self):
+    def test_unlisted_routes_are_not_found(self):
         self.server.get("/nothing", status=404)
         self.server.get("/cores/1/2/3", status=404)
         self.server.expect("PATCH", "/cores", {}, None, 405)
         status, _ = self.server.request("GET", "/")
         self.assertEqual(status, 404)
 
-    def test_an_answer_that_the_interface_does_not_list_would_be_noticed(self):
+    def test_check_listed_rejects_unlisted_answers(self):
         refused = {"errors": [{"path": "", "code": "conflict", "message": ""}]}
         for method, target, status in (("GET", "/api/v1/health", 204), ("GET", "/api/v1/cores/1/why?port=R.p", 409),
                                        ("POST", "/api/v1/cores", 200), ("GET", "/api/v1/health", 400),
@@ -126,7 +126,7 @@ class Routes(unittest.TestCase):
             with self.subTest(target=target, status=status), self.assertRaises(AssertionError):
                 check_listed(method, target, status, refused)
 
-    def test_every_example_is_of_its_schema(self):
+    def test_every_example_is_valid(self):
         examples = list((PROJECT / "api/examples").glob("*.json"))
         self.assertGreater(len(examples), 10)
         for example in examples:

@@ -1,4 +1,4 @@
-"""deploy/run, as a new user starts it: it builds what is missing, serves the page and the demo, and stops at Ctrl-C."""
+"""deploy/run as a new user starts it: builds what is missing, serves the page and the demo, stops at Ctrl-C."""
 import http.client
 import json
 import os
@@ -22,7 +22,7 @@ def run(*options):
 
 
 def interrupt(program):
-    """Ctrl-C in its terminal."""
+    """Sends SIGINT to the process group, as Ctrl-C in its terminal."""
     if program.poll() is None:
         os.killpg(program.pid, signal.SIGINT)
 
@@ -38,19 +38,19 @@ class Run(unittest.TestCase):
         return text
 
     def started(self, *options):
-        """A demo that says that it runs, and its port."""
+        """Starts a demo and waits until it reports that it runs; (program, port)."""
         port = free_port()
         program = run("--port", str(port), "--data", self.enterContext(tempfile.TemporaryDirectory()), *options)
         self.addCleanup(program.stdout.close)
         self.addCleanup(program.wait)
         self.addCleanup(interrupt, program)
-        said = []
+        output = []
         for line in program.stdout:
-            said.append(line)
+            output.append(line)
             if line.startswith("RACE runs at"):
                 self.assertIn(f"http://127.0.0.1:{port} ", line)
                 return program, port
-        self.fail("".join(said[-30:]))
+        raise AssertionError("".join(output[-30:]))
 
     def enterContext(self, context):
         value = context.__enter__()
@@ -71,13 +71,13 @@ class Run(unittest.TestCase):
             self.assertIn("RACE stopped", program.stdout.read())
             self.assertEqual(program.wait(20), 0)
 
-    def test_what_it_does_not_know_it_refuses_before_anything_is_built(self):
+    def test_invalid_options_are_refused_before_anything_is_built(self):
         for options in (("--port", "0"), ("--port", "x"), ("--port",), ("--data",), ("--data=",), ("--hurry",)):
             program = run(*options)
             self.assertNotEqual(program.communicate(timeout=10)[0], "")
             self.assertIn(program.returncode, (1, 2), options)
 
-    def test_an_option_has_its_value_in_either_way(self):
+    def test_option_values_may_follow_a_space_or_an_equals_sign(self):
         for options in (("--data", "x", "--port", "0"), ("--data=x", "--port=0")):
             self.assertIn("from 1 to 65535, got '0'", run(*options).communicate(timeout=10)[0])
 

@@ -1,4 +1,4 @@
-"""The stream: a snapshot, then deltas without gaps; reconnecting; slow clients; what is sent is what the run does."""
+"""The stream: a snapshot, then deltas without gaps; reconnection; slow clients; content equal to the run."""
 import unittest
 
 import models
@@ -6,7 +6,7 @@ from client import PROJECT, Server
 
 
 def apply(state, delta):
-    """A core_delta on a core_state: what a client does."""
+    """Applies a core_delta to a core_state, as a client does."""
     whole = {"core": delta["core"], "state": {key: value.copy() for key, value in state["state"].items()}}
     new = whole["state"]
     for field in ("active", "ports"):
@@ -28,13 +28,13 @@ def apply(state, delta):
     return whole
 
 
-def same(state):
-    """Without what has no order."""
+def normalized(state):
+    """The state with its unordered lists sorted."""
     return {**state, "state": {**state["state"], "active": sorted(state["state"]["active"]),
                                "ports": sorted(state["state"]["ports"])}}
 
 
-class Streaming(unittest.TestCase):
+class StreamTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.server = Server("--demo", str(PROJECT / "deploy/demo"))
@@ -57,13 +57,13 @@ class Streaming(unittest.TestCase):
         for delta in deltas:
             self.assertEqual(delta["kind"], "delta")
             state = apply(state, delta["data"])
-        self.assertEqual(same(state), same(self.server.get(f"/cores/{core}/state", "core_state")))
+        self.assertEqual(normalized(state), normalized(self.server.get(f"/cores/{core}/state", "core_state")))
         fired = [port for delta in deltas for port in delta["data"]["fired"]]
         self.assertEqual(fired, ["Root/Add.success", "Root/Get.success", "Root.success"])
         calls = [call["operation"] for delta in deltas for call in delta["data"]["calls"]]
         self.assertEqual(calls, ["add", "get"])
 
-    def test_who_comes_again_gets_what_it_missed(self):
+    def test_a_client_that_reconnects_gets_what_it_missed(self):
         core = self.server.core(models.ticking("missed", last=100000))
         channel = f"core/{core}/state"
         with self.server.stream() as stream:
@@ -78,11 +78,11 @@ class Streaming(unittest.TestCase):
             stream.subscribe(channel, since=5)  # of an earlier server
             self.assertEqual(stream.message()["kind"], "snapshot")
         with self.server.stream() as stream:
-            stream.subscribe(channel, since=first["sequence"] + 10**9)  # of nobody
+            stream.subscribe(channel, since=first["sequence"] + 10**9)  # never used
             self.assertEqual(stream.message()["kind"], "snapshot")
         self.server.expect("DELETE", f"/cores/{core}", None, "core", 200)
 
-    def test_the_second_listener_sees_the_same_from_its_snapshot_on(self):
+    def test_a_second_subscriber_sees_the_same_from_its_snapshot_on(self):
         core = self.server.core(models.ticking("both", last=100000))
         channel = f"core/{core}/state"
         with self.server.stream() as first, self.server.stream() as second:
@@ -102,7 +102,7 @@ class Streaming(unittest.TestCase):
             self.assertEqual(state["core"], theirs[-1]["data"]["core"])
         self.server.expect("DELETE", f"/cores/{core}", None, "core", 200)
 
-    def test_a_watcher_who_comes_within_a_macro_step_costs_nobody_a_change(self):
+    def test_subscribing_within_a_macro_step_loses_no_change(self):
         core = self.server.core(models.chain("within"), start=False)
         self.server.post(f"/cores/{core}/pause", None, "core")
         self.server.post(f"/cores/{core}/start", None, "core")
@@ -121,8 +121,8 @@ class Streaming(unittest.TestCase):
                 for delta in stream.until(lambda m: m["data"]["core"]["micro"] == 0):
                     self.assertEqual(delta["kind"], "delta")
                     views[number] = apply(views[number], delta["data"])
-        state = same(self.server.get(f"/cores/{core}/state", "core_state"))
-        self.assertEqual([same(view) for view in views], [state, state])
+        state = normalized(self.server.get(f"/cores/{core}/state", "core_state"))
+        self.assertEqual([normalized(view) for view in views], [state, state])
 
     def test_derivations_of_the_live_run_are_those_of_its_replay(self):
         core = self.server.core(models.ticking("derived", last=4), start=False)
@@ -169,14 +169,14 @@ class Streaming(unittest.TestCase):
                       if m["channel"] == "cores" and m["data"].get("core", {}).get("id") == core]
             self.assertEqual((states[0], states[-1]), ("ready", "ended"))
 
-    def test_the_list_of_cores_is_not_told_of_every_input(self):
+    def test_the_cores_channel_reports_status_changes_only(self):
         with self.server.stream() as stream:
             stream.subscribe("cores")
             stream.message()
             core = self.server.core(models.ticking("counted", last=6))
             ours = lambda m: m["data"].get("core", {}).get("id") == core
-            told = [m for m in stream.until(lambda m: ours(m) and m["data"]["core"]["status"] == "ended") if ours(m)]
-            self.assertEqual([m["data"]["core"]["status"] for m in told], ["ready", "running", "ended"])
+            reported = [m for m in stream.until(lambda m: ours(m) and m["data"]["core"]["status"] == "ended") if ours(m)]
+            self.assertEqual([m["data"]["core"]["status"] for m in reported], ["ready", "running", "ended"])
 
     def test_a_channel_ends_with_its_core(self):
         core = self.server.core(models.ticking("removed", last=100000))
@@ -187,7 +187,7 @@ class Streaming(unittest.TestCase):
             ended = stream.until(lambda m: m["kind"] == "error")[-1]
             self.assertEqual(ended["data"]["errors"][0]["code"], "not_found")
 
-    def test_a_run_that_is_stopped_or_deleted_calls_the_safe_operations_of_what_it_called(self):
+    def test_stopping_or_deleting_a_run_calls_the_safe_operations_of_its_services(self):
         gripping = models.document("gripping", {"state": "Root", "entry": "svc.gripper.release(width=par.width, speed=0.005)",
                                                 "parameters": [{"name": "width", "value": 0.0}]})
         gripper = lambda m: next((s for s in m["data"]["services"] if s["key"] == "gripper"), {})
@@ -213,7 +213,7 @@ class Streaming(unittest.TestCase):
             stream.send({"type": "unsubscribe", "channel": "cell/pose"})
             stream.subscribe("cores")
             poses = [first, second, *stream.until(lambda m: m["channel"] == "cores")[:-1]]
-            # Nobody looks, so nothing is made: the numbers go on where they were, half a second later.
+            # Without subscribers no poses are made: half a second later the numbers continue where they were.
             later = self.server.get("/health", "health")["time"] + 0.5
             while self.server.get("/health", "health")["time"] < later:
                 pass
@@ -222,7 +222,7 @@ class Streaming(unittest.TestCase):
             self.assertLess(again["sequence"], poses[-1]["sequence"] + 8)
 
     def test_a_client_that_does_not_read_falls_back_to_a_snapshot(self):
-        # Each macro step moves a long text, so that what waits soon exceeds what a client may leave unread.
+        # Each macro step carries a long text, so the queue soon exceeds what a client may leave unread.
         document = models.document("loud", {
             "state": "Root", "variables": [{"name": "text", "initial": ""}],
             "children": [
@@ -250,7 +250,7 @@ class Streaming(unittest.TestCase):
                     self.assertEqual(numbers[-1], numbers[-2] + 1)
         self.assertIn("snapshot", kinds)
         self.assertLess(len(kinds), 2000)
-        self.assertEqual(same(state)["state"], same(self.server.get(f"/cores/{core}/state", "core_state"))["state"])
+        self.assertEqual(normalized(state)["state"], normalized(self.server.get(f"/cores/{core}/state", "core_state"))["state"])
         self.server.expect("DELETE", f"/cores/{core}", None, "core", 200)
 
 

@@ -153,9 +153,10 @@ def run(text):
             raise MemoryError
 
     names = {
-        "res": res, "turn": turn, "math": math, "computed": computed, "stored": stored, "keyed": keyed, "no_text": no_text, "attribute": attribute,
+        "res": res, "turn": turn, "math": math, "computed": computed, "stored": stored, "keyed": keyed,
+        "no_text": no_text, "attribute": attribute,
         "enumerate": lambda *a, **k: [list(p) for p in enumerate(*a, **k)],
-        "zip": lambda *a: [list(p) for p in zip(*a)],
+        "zip": lambda *a: [list(p) for p in zip(*a, strict=False)],
         "range": lambda *a: list(range(*a)),
         "reversed": lambda a: list(reversed(a)),
     }

@@ -1,33 +1,34 @@
-"""Data flows between services: who publishes and reads, and a camera's pictures for pages, drawn only while watched."""
+"""Data flows between services: who publishes and reads them; camera pictures for pages, sent only while somebody watches."""
 import base64
+import itertools
 import struct
 import unittest
 
 import models
-from client import PROJECT, Server, check
-from test_components import CALM, Process, service, there, wait
+from client import PROJECT, Server
+from component_process import LONG_HEARTBEAT, ComponentProcess, service, wait_available, wait_until
 
 DEMO = str(PROJECT / "deploy/demo")
 CHANNEL = "flow/camera/frame"
 
 
-def frame(server):
-    """What the server says of the camera's flow."""
+def camera_flow(server):
+    """The camera's flow as the server lists it."""
     return service(server, "camera")["publishes"][0]
 
 
-def idle(server):
-    wait(lambda: frame(server) == {"flow": "frame", "watchers": 0, "rate_hz": 0})
+def wait_idle(server):
+    wait_until(lambda: camera_flow(server) == {"flow": "frame", "watchers": 0, "rate_hz": 0})
 
 
-def seeing():
-    """Lets recognition look until it is stopped."""
+def recognizing():
+    """Starts recognition and leaves it on until the task is stopped."""
     return models.document("seeing", {"state": "Root", "entry": "svc.obj_rec.start()", "exit": "svc.obj_rec.stop()",
                                       "ports": [{"name": "never", "when": "svc.timer.elapsed"}]})
 
 
-class Flows(unittest.TestCase):
-    def see(self, message):
+class DataFlows(unittest.TestCase):
+    def read_picture(self, message):
         """The depths [mm] and colours of a picture, pixel by pixel."""
         picture = message["data"]["picture"]
         count = picture["width"] * picture["height"]
@@ -37,61 +38,61 @@ class Flows(unittest.TestCase):
         self.assertEqual(len(colours), 3 * count)
         return depths, [colours[i:i + 3] for i in range(0, 3 * count, 3)]
 
-    def looks_like_the_cell(self, message):
-        depths, colours = self.see(message)
+    def assert_shows_the_cell(self, message):
+        depths, colours = self.read_picture(message)
         measured = [depth for depth in depths if depth]
         self.assertGreater(len(measured), len(depths) / 2)
-        self.assertTrue(800 <= min(measured) and max(measured) <= 4100, (min(measured), max(measured)))
+        self.assertTrue(min(measured) >= 800 and max(measured) <= 4100, (min(measured), max(measured)))
         self.assertGreater(max(measured) - min(measured), 200)
         self.assertGreater(len(set(colours)), 1000)
 
-    def test_services_tell_what_they_publish_and_read(self):
+    def test_services_list_the_flows_they_publish_and_read(self):
         with Server("--demo", DEMO) as server:
             services = {s["key"]: s for s in server.get("/services", "services")["services"]}
             self.assertEqual({key: [f["flow"] for f in s["publishes"]] for key, s in services.items() if s["publishes"]},
                              {"camera": ["frame", "cloud"]})
             self.assertEqual({key: s["subscribes"] for key, s in services.items() if s["subscribes"]},
                              {"obj_rec": [{"service": "camera", "flow": "frame", "listening": False}]})
-            idle(server)
+            wait_idle(server)
 
-    def test_a_run_makes_packets_flow_and_its_end_ends_them(self):
+    def test_packets_flow_while_a_run_needs_them(self):
         with Server("--demo", DEMO) as server, server.stream() as stream:
             stream.subscribe("services")
             stream.message()
-            core = server.core(seeing())
-            told = {}
+            core = server.core(recognizing())
+            listed = {}
             def flows(message):
                 for each in message["data"]["services"]:
-                    told[each["key"]] = each
-                return ("camera" in told and told["camera"]["publishes"][0]["rate_hz"] > 0
-                        and "obj_rec" in told and told["obj_rec"]["subscribes"][0]["listening"])
+                    listed[each["key"]] = each
+                return ("camera" in listed and listed["camera"]["publishes"][0]["rate_hz"] > 0
+                        and "obj_rec" in listed and listed["obj_rec"]["subscribes"][0]["listening"])
             stream.until(flows)
-            self.assertEqual(told["camera"]["publishes"][0]["last"]["header"]["encoding"], "depth16_mm+rgb8")
+            self.assertEqual(listed["camera"]["publishes"][0]["last"]["header"]["encoding"], "depth16_mm+rgb8")
             server.expect("POST", f"/cores/{core}/stop", None, "core", 200)
             stream.until(lambda m: not flows(m))
-            idle(server)
+            wait_idle(server)
 
-    def test_pictures_come_while_somebody_watches_and_the_camera_rests_else(self):
+    def test_the_camera_publishes_only_while_somebody_watches(self):
         with Server("--demo", DEMO) as server:
             with server.stream() as one, server.stream() as other:
                 one.subscribe(CHANNEL)
-                self.looks_like_the_cell(one.message())
+                self.assert_shows_the_cell(one.message())
                 other.subscribe(CHANNEL)
                 other.message()
-                self.assertEqual(frame(server)["watchers"], 1)  # the channel, for all its listeners
+                self.assertEqual(camera_flow(server)["watchers"], 1)  # the channel, for all its subscribers
                 one.send({"type": "unsubscribe", "channel": CHANNEL})
                 other.message()
-                self.assertGreater(frame(server)["rate_hz"], 0)
-            idle(server)
+                self.assertGreater(camera_flow(server)["rate_hz"], 0)
+            wait_idle(server)
 
-    def test_a_page_gets_five_pictures_in_a_second_at_most(self):
+    def test_a_page_gets_at_most_five_pictures_a_second(self):
         with Server("--demo", DEMO) as server, server.stream() as stream:
             stream.subscribe(CHANNEL)
             times = [stream.message()["data"]["time"] for _ in range(6)]
-            for before, after in zip(times, times[1:]):
+            for before, after in itertools.pairwise(times):
                 self.assertGreaterEqual(after - before, 0.19)
 
-    def test_a_slow_page_gets_the_newest_picture_alone(self):
+    def test_a_slow_page_gets_only_the_newest_picture(self):
         with Server("--demo", DEMO) as server, server.stream() as slow, server.stream() as quick:
             quick.subscribe(CHANNEL)
             slow.subscribe(CHANNEL)
@@ -100,7 +101,7 @@ class Flows(unittest.TestCase):
             seen = [m["sequence"] for m in slow.until(lambda m: m["sequence"] >= last)]
             self.assertLess(len(seen), last - first)
 
-    def test_what_no_service_offers_is_refused(self):
+    def test_unknown_flows_are_refused(self):
         with Server("--demo", DEMO) as server, server.stream() as stream:
             for channel in ("flow/camera/sound", "flow/oven/frame", "flow/obj_rec/frame"):
                 stream.subscribe(channel)
@@ -110,22 +111,22 @@ class Flows(unittest.TestCase):
             for channel in ("flow/camera", "flow//frame", "flow/"):
                 stream.send({"type": "subscribe", "channel": channel})
                 self.assertEqual(stream.message()["data"]["errors"][0]["code"], "not_found")
-            idle(server)
+            wait_idle(server)
 
-    def test_a_camera_in_another_process_is_watched_and_rests_the_same(self):
-        with Server("--remote", "cell", "--demo", DEMO, *CALM) as server, server.stream() as stream:
+    def test_a_camera_in_another_process_behaves_the_same(self):
+        with Server("--remote", "cell", "--demo", DEMO, *LONG_HEARTBEAT) as server, server.stream() as stream:
             stream.subscribe(CHANNEL)  # before it is there
-            with Process(server, "cell", "--folder", DEMO) as process:
-                there(server, "camera")
-                self.looks_like_the_cell(stream.message())
-                wait(lambda: frame(server)["rate_hz"] > 0)
+            with ComponentProcess(server, "cell", "--folder", DEMO) as process:
+                wait_available(server, "camera")
+                self.assert_shows_the_cell(stream.message())
+                wait_until(lambda: camera_flow(server)["rate_hz"] > 0)
                 stream.send({"type": "unsubscribe", "channel": CHANNEL})
-                idle(server)
+                wait_idle(server)
                 stream.subscribe(CHANNEL)
                 stream.message()
                 process.kill()
-                wait(lambda: frame(server) == {"flow": "frame", "watchers": 1, "rate_hz": 0})
-            with Process(server, "cell", "--folder", DEMO):
+                wait_until(lambda: camera_flow(server) == {"flow": "frame", "watchers": 1, "rate_hz": 0})
+            with ComponentProcess(server, "cell", "--folder", DEMO):
                 stream.until(lambda m: m["data"]["time"] > 0)
 
 

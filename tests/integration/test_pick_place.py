@@ -1,9 +1,9 @@
-"""The handling states of the demonstrator: picked, placed, taught, and interrupted by collisions, in the demo's cell."""
+"""Pick, Place and TeachPose of the demonstrator in the demo's cell, also interrupted by collisions."""
 import math
 import unittest
 
 from cell import BODIES, DATABASE, NAMES, TAUGHT
-from handling import LET_GO, answer, bump, lead, link, part, run, task, touch
+from scenario import LET_GO, answer, bump, lead, link, part, run, task, touch
 
 APPROACH, GRASP = "Root/Work/Task/Pick/Approach/Across", "Root/Work/Task/Pick/Grasp"
 CARRY = "Root/Work/Task/Place/SetDown/Approach/Across"
@@ -13,12 +13,12 @@ def work(label="Cube", **parameters):
     return link("Work", **part(label), speed=1.0, **parameters)
 
 
-def again(label="Cube"):
+def pick_again(label="Cube"):
     return link("Pick", "Again", **part(label), speed=1.0)
 
 
-class Interrupted(unittest.TestCase):
-    def test_approach_is_begun_again_from_where_the_arm_is(self):
+class Interruptions(unittest.TestCase):
+    def test_approach_restarts_from_where_the_arm_is(self):
         out = run(task(work()), bump(APPROACH), answer("Continue"))
         self.assertEqual(out.name, "success")
         self.assertEqual([p for p in out.fired if "/Pick/Dispatcher." in p],
@@ -37,10 +37,10 @@ class Interrupted(unittest.TestCase):
 
     def test_letting_go_is_repeated(self):
         release = "Root/Work/Task/Place/SetDown/Release"
-        out = run(task(work(), again()), bump(release), answer("Continue"))
-        self.assertEqual((out.fired.count("Root/Work.success"), out.name), (1, "no_part"))  # where it was, nothing is left
+        out = run(task(work(), pick_again()), bump(release), answer("Continue"))
+        self.assertEqual((out.fired.count("Root/Work.success"), out.name), (1, "no_part"))  # no part is left at its old place
 
-    def test_a_meant_touch_goes_on_without_a_display_and_an_accident_does_not(self):
+    def test_an_intended_touch_continues_without_a_display_and_an_accident_does_not(self):
         haptic = "Root/Work/Collision/Haptic"
         out = run(task(work()), bump(APPROACH), bump(f"{haptic}/Touch"), touch(f"{haptic}/Touch", 1.0), displays=())
         self.assertEqual((out.name, [c["classification"] for c in out.events("contact")]),
@@ -50,25 +50,25 @@ class Interrupted(unittest.TestCase):
         self.assertEqual(felt["classification"], "intended")
         self.assertLess(max(abs(force) for force in left["f_ext_hat"]), 12)
 
-    def test_nobody_is_waited_for_longer_than_told(self):
+    def test_waiting_for_a_person_ends_after_patience(self):
         out = run(task(work(patience=3.0)), bump(APPROACH), displays=())
         self.assertEqual(out.name, "error")
         self.assertAlmostEqual(out.time("Root/Work.error") - out.time("Root/Work/Task.collision"), 3.1, delta=0.2)
 
     def test_skip_leaves_open_fingers_and_the_part_where_it_was(self):
         for state, after, way in ((APPROACH, 0.1, "Up"), (GRASP, 0.1, "Up"), (GRASP, 0.8, "Back")):
-            out = run(task(work(), again(), after="skip"), bump(state, after), answer("Skip"))
+            out = run(task(work(), pick_again(), after="skip"), bump(state, after), answer("Skip"))
             self.assertEqual((out.name, out.fired.count("Root/Work.skip")), ("success", 1), (state, after))
             self.assertEqual(out.fired.count(f"Root/Work/GiveUp/Task/{way}.success"), 1, (state, after))
 
     def test_skip_brings_a_part_that_is_held_back(self):
-        out = run(task(work(), again(), after="skip"), bump(CARRY, force=-40.0), answer("Skip"))
+        out = run(task(work(), pick_again(), after="skip"), bump(CARRY, force=-40.0), answer("Skip"))
         self.assertEqual((out.name, out.fired.count("Root/Work/GiveUp/Task/Back.success")), ("success", 1))
         self.assertAlmostEqual(out.results["Again_actual_width"], 0.04, delta=0.002)
 
     def test_a_collision_while_a_part_is_given_up_is_answered_too(self):
         back = "Root/Work/GiveUp/Task/Back/Approach/Across"
-        out = run(task(work(), again(), after="skip"), bump(CARRY, force=-40.0), answer("Skip"), bump(back), answer("Continue"))
+        out = run(task(work(), pick_again(), after="skip"), bump(CARRY, force=-40.0), answer("Skip"), bump(back), answer("Continue"))
         self.assertEqual((out.name, out.fired.count("Root/Work/GiveUp/Task.collision")), ("success", 1))
 
     def test_abort_stands_still_and_keeps_what_is_held(self):
@@ -79,19 +79,19 @@ class Interrupted(unittest.TestCase):
             self.assertNotIn("robot.move", out.calls[collision:], state)
 
 
-class Taught(unittest.TestCase):
+class Teaching(unittest.TestCase):
     TEACH = "Root/Work/Task/Place/TeachPose"
     HELD = {"when": {"active": f"{TEACH}/Grip", "after": 0.2},
             "do": [{"act": "grab", "hand": "hand", "body": "gripper", "keep": 60}, {"act": "answer", "button": "Done"}]}
 
-    def test_a_place_is_led_to_stored_and_used(self):
+    def test_a_taught_place_is_stored_and_used(self):
         stored = link("GetPose", "Stored", key=f"o_t_place_{TAUGHT}")
         ways = [[-0.28, 0.15, 0.05], [0, 0, -0.196]]
         out = run(task(work(TAUGHT), stored), *lead(self.TEACH, *ways))
         self.assertEqual((out.name, out.calls.count("db.add")), ("success", 1))
         place = out.results["Work_o_t_x"]
         self.assertEqual(out.results["Stored_pose"]["position"], place["position"])
-        led = [a + b for a, b in zip(BODIES[NAMES[TAUGHT]]["pose"]["position"], (ways[0][0], ways[0][1]))]
+        led = [a + b for a, b in zip(BODIES[NAMES[TAUGHT]]["pose"]["position"][:2], ways[0][:2], strict=True)]
         self.assertLess(math.dist(led, place["position"][:2]), 0.02)
         found = run(task(work(TAUGHT), link("Pick", "Again", label=TAUGHT, o_t_x=place, speed=1.0)), *lead(self.TEACH, *ways))
         self.assertAlmostEqual(found.results["Again_actual_width"], 0.04, delta=0.002)
@@ -105,19 +105,19 @@ class Taught(unittest.TestCase):
         self.assertAlmostEqual(out.results["Pick_actual_width"], 0.04, delta=0.002)
         self.assertLess(math.dist(out.results["Stored_pose"]["position"], (0, 0, 0)), 0.01)
 
-    def test_a_bump_into_an_arm_that_gives_way_ends_no_teaching(self):
+    def test_a_bump_into_a_compliant_arm_does_not_end_teaching(self):
         out = run(task(work(TAUGHT)), self.HELD, bump(f"{self.TEACH}/Lead"), answer("Cancel", {"after": 0.5}), answer("Abort"))
         self.assertEqual([c["reaction"] for c in out.events("collision")], ["none"])
         self.assertEqual((out.name, out.fired.count("Root/Work/Task.collision")), ("abort", 0))
         self.assertEqual(out.fired.count("Root/Work/Task/Place/TeachPose.error"), 1)
 
-    def test_the_arm_gives_way_only_to_somebody_who_holds_it(self):
+    def test_the_arm_becomes_compliant_only_when_somebody_holds_it(self):
         out = run(task(work(TAUGHT, patience=2.0)), displays=("phone",))
         self.assertIn(f"{self.TEACH}/Grip.error", out.fired)
         self.assertNotIn("robot.change_behavior", out.calls[:out.calls.index("display.clear")])
         self.assertGreater(out.results["pose"]["position"][2], 0.195)
 
-    def test_cancel_and_silence_are_errors_that_store_nothing_and_hold_the_arm(self):
+    def test_cancel_and_timeout_are_errors_that_store_nothing_and_hold_the_arm(self):
         teach, held = link("TeachPose", key="new", patience=2.0), answer("Done", {"active": "Root/TeachPose/Grip", "after": 0.2})
         cancel = answer("Cancel", {"active": "Root/TeachPose/Lead", "after": 0.5})
         for acts, way in (([], "Grip"), ([held], "Lead"), ([held, cancel], "Lead")):
@@ -132,11 +132,11 @@ class Taught(unittest.TestCase):
         self.assertLess(out.last["time"], 0.1)
 
 
-class Failed(unittest.TestCase):
-    """What fails in Work is a person's decision."""
+class Failures(unittest.TestCase):
+    """After a failure in Work a person decides."""
     TAKEN = {"do": {"act": "take", "part": NAMES["Cube"]}}
 
-    def test_continue_without_a_part_in_the_fingers_means_to_look_for_it_again(self):
+    def test_continue_without_a_part_in_the_fingers_searches_again(self):
         out = run(task(work()), self.TAKEN, answer("Continue"))
         self.assertEqual((out.name, out.fired.count("Root/Work/Task.lost")), ("lost", 1))
         self.assertEqual(out.asked(), ["The fingers do not hold the part Cube. Continue looks for it again. " + LET_GO])
@@ -145,18 +145,19 @@ class Failed(unittest.TestCase):
         for button, outcome in (("Skip", "skip"), ("Abort", "abort")):
             self.assertEqual(run(task(work()), self.TAKEN, answer(button)).name, outcome)
 
-    def test_nobody_is_waited_for_for_ever(self):
+    def test_waiting_for_an_answer_times_out(self):
         out = run(task(link("Trouble", text="?", patience=5.0)), displays=())
         self.assertEqual(out.name, "error")
         self.assertGreater(out.calls.count("display.ask"), 1, "a display may come")
 
-    def test_who_has_mended_the_cause_lets_it_look_again(self):
+    def test_the_search_can_be_repeated_when_the_cause_is_repaired(self):
         far = {"position": [2.0, 0.0, 0.02], "orientation": [0, 0, 0, 1]}
         out = run(task(link("Work", label="Cube", o_t_x=far)), answer("Look again"))
-        self.assertEqual((out.name, out.asked()), ("lost", ["Part Cube could not be picked or placed (robot.move: unreachable). " + LET_GO]))
+        self.assertEqual((out.name, out.asked()),
+                         ("lost", ["Part Cube could not be picked or placed (robot.move: unreachable). " + LET_GO]))
 
 
-class Missing(unittest.TestCase):
+class MissingParts(unittest.TestCase):
     def test_without_a_part_the_arm_retreats_first(self):
         nowhere = {"position": [0.45, 0.0, 0.02], "orientation": [0, 0, 0, 1]}
         out = run(task(link("Pick", label="Cube", o_t_x=nowhere, speed=1.0)))

@@ -1,4 +1,4 @@
-"""Library states of the demonstrator as tasks of their own in the demo's cell, and what a person does at it meanwhile."""
+"""Scenarios: library states of the demonstrator run headless as tasks in the demo's cell, with a scripted person."""
 import json
 import math
 import subprocess
@@ -6,7 +6,7 @@ import tempfile
 from pathlib import Path
 
 import models
-from cell import BODIES, DATABASE, DOCUMENT, FALSE, NAMES, copied, scene
+from cell import BODIES, DATABASE, DOCUMENT, DECOY, NAMES, copy_cell, scene
 from client import PROGRAM, check
 
 LET_GO = "Let go of the arm before you answer: it may move. What is to be done?"
@@ -22,8 +22,8 @@ def link(of, name=None, **parameters):
 
 
 def task(*links, after="success", library=()):
-    """Library states one after the other, the first left through `after`, the others through `success`; each other port, and those of
-    the last, end the task. Results: where the tool is (`pose`), what the gripper does (`gripper`), those of the links (`Pick_at`).
+    """A task of library states in sequence: the first is left through port `after`, the others through `success`; every other port, and
+    those of the last, end the task. Results: pose of the tool (`pose`), state of the gripper (`gripper`), those of the links (`Pick_at`).
     `library`: further states that may be linked."""
     library = [*DOCUMENT["library"], *library]
     known = {state["state"]: state for state in library}
@@ -46,7 +46,7 @@ def task(*links, after="success", library=()):
 
 
 class Outcome:
-    """What `race run` told: the summary, and what happened in order of time."""
+    """The output of `race run`: the summary and all reports in order of time."""
 
     def __init__(self, lines):
         self.reports = [json.loads(line) for line in lines]
@@ -67,18 +67,18 @@ class Outcome:
         return [c for c in self.sent if (c["service"], c["operation"]) == (service, operation)]
 
     def texts(self):
-        """What displays were to show, in order."""
+        """The texts sent to displays, in order."""
         return [c["args"][0] for c in self.called("display", "show_text")]
 
     def asked(self):
-        """The questions that displays were to ask, in order."""
+        """The questions sent to displays, in order."""
         return [c["args"][0] for c in self.sent if c["service"] == "display" and c["operation"] in ("ask", "choose")]
 
 
 def run(document, *acts, displays=("phone",), limit=120, arguments=None, database=DATABASE, parts=tuple(NAMES), files=None, without=()):
-    """Runs the task headless with these acts of a person, at a table with these parts. `displays` None: nobody is
-    there. `files`, `without`: of the cell, as copied() has them."""
-    files = {"database.json": database, "scene.json": scene(parts, BODIES[FALSE])} | (files or {})
+    """Runs the task headless with these acts of a person and these parts on the table. `displays` None: no person. `files`, `without`:
+    changes of the cell, see copy_cell()."""
+    files = {"database.json": database, "scene.json": scene(parts, BODIES[DECOY])} | (files or {})
     words = ["--fast", "--json", "--seed", "7", "--limit", str(limit), "--arguments", json.dumps(arguments or {})]
     with tempfile.TemporaryDirectory() as folder:
         model, operator = Path(folder, "model.rcm.json"), Path(folder, "operator.json")
@@ -86,26 +86,26 @@ def run(document, *acts, displays=("phone",), limit=120, arguments=None, databas
         if displays is not None:
             operator.write_text(json.dumps(check("operator", {"operator": 1, "displays": list(displays), "acts": list(acts)})))
             words += ["--operator", operator]
-        out = subprocess.run([PROGRAM, "run", model, "--cell", copied(Path(folder, "cell"), files, without), *words],
-                             capture_output=True, text=True, timeout=280)
+        out = subprocess.run([PROGRAM, "run", model, "--cell", copy_cell(Path(folder, "cell"), files, without), *words],
+                             capture_output=True, text=True, timeout=280, check=False)
     assert out.returncode in (0, 1) and "refused" not in out.stdout, out.stderr + out.stdout[-2000:]
     return Outcome(out.stdout.splitlines())
 
 
 def bump(state, after=0.1, force=40.0, count=1):
-    """An accident while the state is active: some ms of force."""
+    """An accidental collision while the state is active: a short force."""
     return {"when": {"active": state, "after": after, "count": count},
             "do": {"act": "push", "body": "link_6", "force": [0, force, 0], "duration": 0.06, "rise": 0.005}}
 
 
 def touch(state, after=0.5, force=25, count=1):
-    """Meant: the force rises and falls slowly."""
+    """An intended touch: the force rises and falls slowly."""
     return {"when": {"active": state, "after": after, "count": count},
             "do": {"act": "push", "body": "gripper", "point": [0, 0, 0.05], "force": [0, force, 0], "duration": 0.8, "rise": 0.3}}
 
 
 def gesture(state, force):
-    """The arm is pushed up or down, as is meant, while the state is active."""
+    """An intended push up or down while the state is active."""
     return {"when": {"active": state, "after": 0.05},
             "do": {"act": "push", "body": "gripper", "point": [0, 0, 0.15], "force": [0, 0, force], "duration": 0.6, "rise": 0.2}}
 
@@ -118,16 +118,16 @@ HANDS = {"left": [0, 0.07, 0.05], "right": [0, -0.07, 0.05], "third": [0, 0, 0.1
 
 
 def drag(by, speed=0.3):
-    """All hands lead the gripper, so that it does not turn."""
+    """All hands drag the gripper, so that it does not turn."""
     return [{"act": "drag", "hand": h, "by": by, "speed": speed} for h in HANDS]
 
 
 def lead(state, *ways):
-    """Three hands take hold of the gripper, lead it and let go when it holds itself."""
+    """Three hands grab the gripper, lead it along `ways` and release it when it holds its position."""
     grab = [{"act": "grab", "hand": h, "body": "gripper", "point": p, "keep": 60} for h, p in HANDS.items()]
     acts = [{"when": {"active": f"{state}/Grip", "after": 0.2}, "do": [*grab, {"act": "answer", "button": "Done"}]},
             {"when": {"active": f"{state}/Lead", "after": 0.2}, "do": drag(ways[0])}]
-    for way, before in zip([*ways[1:], None], ways):
+    for way, before in zip([*ways[1:], None], ways, strict=True):
         pause = {"after": 1.2 + math.hypot(*before) / 0.3}
         acts.append({"when": pause, "do": drag(way)} if way else answer("Done", pause))
     return [*acts, {"when": {"active": f"{state}/LetGo", "after": 0.2}, "do": [{"act": "release", "hand": h} for h in HANDS]},

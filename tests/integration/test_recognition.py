@@ -1,4 +1,4 @@
-"""Camera and recognition in a run: a task that looks for a part in the demonstrator's cell."""
+"""Camera and recognition in a run: a task that searches a part in the demo's cell."""
 import json
 import math
 import unittest
@@ -11,7 +11,7 @@ DEMO = PROJECT / "deploy/demo"
 SCENE = json.loads((DEMO / "scene.json").read_text())
 
 
-def looking():
+def searching():
     """Starts recognition of `label`: `found` with the part's pose in o, or `refused`."""
     take = ("for o in svc.obj_rec.recognized_objects.objects:\n"
             "    if o.label == par.label:\n"
@@ -25,28 +25,28 @@ def looking():
                   {"name": "refused", "when": "svc.obj_rec.start.error"}]})
 
 
-def look(label, seed=7):
+def search(label, seed=7):
     arguments = json.dumps({"label": label})
     status, lines, errors = race("run", "DOCUMENT", "--fast", "--json", "--cell", DEMO, "--seed", seed, "--limit", 5,
-                                 "--arguments", arguments, document=looking())
+                                 "--arguments", arguments, document=searching())
     assert lines, errors
     return status, lines, json.loads(lines[-1])
 
 
-class Sight(unittest.TestCase):
+class Recognition(unittest.TestCase):
     def test_a_part_is_found_where_the_scene_has_it(self):
         body = next(b for b in SCENE["bodies"] if b["name"] == "can_yellow")
-        status, _, last = look("Tape")
+        status, _, last = search("Tape")
         self.assertEqual((status, last["outcome"]), (0, "found"))
         self.assertLess(math.dist(last["results"]["o_t_x"]["position"], body["pose"]["position"]), 0.005)
 
-    def test_a_seed_gives_one_run(self):
-        first = look("Cube")[1]
-        self.assertEqual(first, look("Cube")[1])
-        self.assertNotEqual(first, look("Cube", seed=8)[1])
+    def test_the_same_seed_gives_the_same_run(self):
+        first = search("Cube")[1]
+        self.assertEqual(first, search("Cube")[1])
+        self.assertNotEqual(first, search("Cube", seed=8)[1])
 
     def test_an_unknown_label_is_refused(self):
-        status, lines, last = look("Spoon")
+        status, lines, last = search("Spoon")
         self.assertEqual((status, last["outcome"]), (0, "refused"))
         self.assertIn("there is no part `Spoon`", "\n".join(lines))
 

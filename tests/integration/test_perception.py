@@ -1,4 +1,4 @@
-"""The perception half of the demonstrator: calibration led by hand, gestures, and the search by eye or hand."""
+"""Perception in the demonstrator: calibration by leading the arm, gestures, search by recognition or by a person."""
 import functools
 import json
 import math
@@ -6,29 +6,29 @@ import tempfile
 import unittest
 from pathlib import Path
 
-import handling
+import scenario
 import models
 from cell import BODIES, DEMO, DOCUMENT, NAMES, O_T_C, OPERATOR, SCENE
 from client import Server, check
-from geometry import angle, turned
-from handling import link
+from geometry import angle, rotate
+from scenario import link
 
 ELBOW = {"body": "link_4"}
 HANDS = [{"act": "grab", "hand": "hand", "body": "gripper", "point": [0, 0, 0.05], "damping": 60}]
 
 
 def run(state, acts=(), cell=None, without=(), **parameters):
-    """The library state as the root of a task, until it ends; no acts at all (None): nobody is there, and no display. `cell`: what
-    a file of the cell's folder has instead; `without`: files that are not there. The database knows where the camera is."""
+    """Runs the library state as the root of a task until it ends. `acts` None: no person and no display. `cell`: replaced files of the
+    cell's folder; `without`: missing files. The database knows the pose of the camera."""
     document = models.document(state, link(state, "Root", **parameters), library=DOCUMENT["library"])
-    outcome = handling.run(document, *(acts or ()), displays=None if acts is None else ("phone",), limit=200, database={"o_t_c": O_T_C},
+    outcome = scenario.run(document, *(acts or ()), displays=None if acts is None else ("phone",), limit=200, database={"o_t_c": O_T_C},
                            files=cell, without=without)
     assert outcome.last["status"] == "ended", outcome.last
     return outcome
 
 
 def push(force, at=0.5, duration=0.6, **where):
-    """Somebody pushes the tool, or `where`, meaning it: the force rises for a fifth of a second."""
+    """An intended push at the tool, or at `where`: the force rises for 0.2 s."""
     where = where or {"body": "gripper", "point": [0, 0, 0.15]}
     return {"when": {"time": at}, "do": {"act": "push", "force": force, "duration": duration, "rise": 0.2, **where}}
 
@@ -39,7 +39,7 @@ def take(*names):
 
 @functools.cache
 def calibration(attempt=1):
-    """With the demonstrator's operator, in a cell that knows nothing of its camera."""
+    """A calibration with the demonstrator's operator script and an unknown camera."""
     return run("CameraCalibration", OPERATOR["acts"], cell={"database.json": {}})
 
 
@@ -55,14 +55,14 @@ class Calibration(unittest.TestCase):
         stored = [c["args"] for c in run.called("db", "add") if c["args"][0] == "o_t_c"]
         self.assertEqual(stored, [["o_t_c", found]])
 
-    def test_it_takes_ten_places_far_apart_and_says_how_well_they_agree(self):
+    def test_it_takes_ten_places_far_apart_and_reports_the_residual(self):
         results = calibration().results
         self.assertGreaterEqual(results["samples"], 10)
         self.assertGreaterEqual(results["spread"], 0.3)
         self.assertTrue(0 < results["residual_position"] < 0.01, results)
         self.assertTrue(0 < results["residual_angle"] < 0.0175, results)
 
-    def test_it_beeps_for_each_sample_and_tells_where_nothing_is_seen(self):
+    def test_it_beeps_for_each_sample_and_reports_where_nothing_is_seen(self):
         run = calibration()
         self.assertEqual([c["args"][0] for c in run.called("audio", "play")], ["beep"] * run.results["samples"] + ["question"])
         texts = run.texts()
@@ -75,7 +75,7 @@ class Calibration(unittest.TestCase):
         self.assertEqual(len(run.called("obj_rec", "start")), len(looks))
         self.assertEqual(len(run.called("obj_rec", "stop")), len(looks))
 
-    def test_a_seed_gives_one_run(self):
+    def test_the_same_seed_gives_the_same_run(self):
         self.assertEqual(calibration(1).reports, calibration(2).reports)
 
     def test_an_arm_that_never_rests_gives_no_sample(self):
@@ -106,7 +106,7 @@ class Calibration(unittest.TestCase):
         self.assertEqual([p for p in outcome.fired if p in ("Root/Collect/Look.seen", "Root/Collect.error")],
                          ["Root/Collect/Look.seen", "Root/Collect.error"])
 
-    def test_places_that_stay_too_near_are_told_as_such_and_are_a_persons_decision(self):
+    def test_places_that_stay_too_near_are_reported_for_a_person_to_decide(self):
         drag = lambda text: {"when": {"display": {"text": text}}, "do": {"act": "drag", "hand": "hand", "by": [0, 0.05, 0]}}
         decide = lambda button: {"when": {"display": {"text": "3 of 1 places are there, only 0."}, "after": 0.2},
                                  "do": {"act": "answer", "button": button}}
@@ -124,7 +124,8 @@ class Calibration(unittest.TestCase):
 
     def test_samples_are_kept_when_a_person_goes_on_after_an_error(self):
         resume = {"when": {"display": {"text": "1 of 2 places are there"}, "after": 0.2}, "do": {"act": "answer", "button": "Continue"}}
-        lead = {"when": {"active": "Root/Collect", "after": 0.3, "count": 1}, "do": [*HANDS, {"act": "drag", "hand": "hand", "by": [0, 0.1, 0]}]}
+        lead = {"when": {"active": "Root/Collect", "after": 0.3, "count": 1},
+                "do": [*HANDS, {"act": "drag", "hand": "hand", "by": [0, 0.1, 0]}]}
         done = {"when": {"display": {"text": "Let go of the arm, it moves"}, "after": 0.5},
                 "do": [{"act": "release", "hand": "hand"}, {"act": "answer", "button": "Done"}]}
         outcome = run("CameraCalibration", [resume, lead, done], samples=2, spread=0.05, patience=4)
@@ -173,29 +174,29 @@ class Gesture(unittest.TestCase):
             self.assertEqual((outcome.results["axis"], outcome.name[0]), (axis, axis[0]), force)
             self.assertEqual(outcome.name[1:], {"+": "_plus", "-": "_minus"}[axis[1]])
 
-    def test_a_push_at_the_elbow_is_the_force_at_the_tool_that_the_joints_feel_alike(self):
-        """What is promised is an axis of f_ext_hat, which is at the tool centre point. Only joints 1 to 3 feel the elbow, so
-        forwards and sideways it takes more to be felt, and up is not told from back: both turn joint 2 alike."""
+    def test_a_push_at_the_elbow_is_felt_as_the_equivalent_force_at_the_tool(self):
+        """The result is an axis of f_ext_hat at the tool centre point. Only joints 1 to 3 feel the elbow, so forwards and sideways
+        more force is needed, and up cannot be distinguished from back: both turn joint 2."""
         for force, axis in (([40, 0, 0], "x+"), ([-40, 0, 0], "x-"), ([0, 70, 0], "y+"), ([0, -70, 0], "y-"),
                             ([0, 0, 150], "x-"), ([0, 0, -150], "x+")):
             self.assertEqual(run("HapticGesture", [push(force, **ELBOW)]).results["axis"], axis, force)
         for force in ([0, 40, 0], [0, 0, 70]):
             self.assertEqual(run("HapticGesture", [push(force, **ELBOW)], timeout=2).name, "timeout", force)
 
-    def test_where_z_alone_counts_the_elbow_must_not_be_pushed_forwards(self):
-        """The equivalent force is not along an axis, and its z is what is left. The tool is where a person shall push."""
+    def test_pushing_the_elbow_forwards_is_taken_for_a_vertical_gesture(self):
+        """The equivalent force is not along an axis and has a z component. People must push the tool."""
         for force, port in (([40, 0, 0], "abort"), ([-40, 0, 0], "by_hand")):
             outcome = run("SearchObject", [take("can_yellow"), push(force, **ELBOW)], labels=["Tape"], pictures=15)
             self.assertEqual(outcome.name, port, force)
 
-    def test_passes_over_pushes_that_are_too_light_and_axes_that_are_not_asked_for(self):
+    def test_ignores_light_pushes_and_axes_not_asked_for(self):
         pushes = [push([0, 0, -8], at=0.3), push([0, 0, -25], at=1), push([0, 60, 0], at=2), push([0, 0, 45], at=3)]
         outcome = run("HapticGesture", pushes, f_min=32.0, axes=["x", "z"])
         self.assertEqual(outcome.results["axis"], "z+")
         self.assertEqual(outcome.fired.count("Root/WaitContact.contact"), 3)  # 8 N are no contact
         self.assertEqual(outcome.fired.count("Root/GetAxis.none"), 2)
 
-    def test_does_not_wait_for_ever(self):
+    def test_times_out(self):
         outcome = run("HapticGesture", timeout=1.5)
         self.assertEqual(outcome.name, "timeout")
         self.assertAlmostEqual(outcome.last["time"], 1.5, delta=0.2)
@@ -205,29 +206,29 @@ class Gesture(unittest.TestCase):
 
 
 class Search(unittest.TestCase):
-    def test_by_eye_finds_every_part_where_the_scene_has_it(self):
+    def test_finds_every_part_where_the_scene_has_it(self):
         for label in NAMES:
             outcome = run("SearchObject", labels=[label])
             results, there = outcome.results, BODIES[NAMES[label]]["pose"]
             self.assertEqual((outcome.name, results["label"]), ("success", label))
             self.assertLess(math.dist(results["o_t_x"]["position"], there["position"]), 0.005, label)
-            # It is grasped from above, there, across its side x (of cubes: any side; of the Tape: from any side).
+            # The grasp is from above, across the side x of the part (cubes: any side; Tape: any direction).
             tool = results["pose"]
             self.assertLess(math.dist(tool["position"][:2], there["position"][:2]), 0.005, label)
-            self.assertLess(turned(tool["orientation"], [0, 0, 1])[2], -0.9999)
-            across, x = turned(tool["orientation"], [0, 1, 0]), turned(there["orientation"], [1, 0, 0])
+            self.assertLess(rotate(tool["orientation"], [0, 0, 1])[2], -0.9999)
+            across, x = rotate(tool["orientation"], [0, 1, 0]), rotate(there["orientation"], [1, 0, 0])
             self.assertLess(angle(tool["orientation"], [1, 0, 0, 0]), 91, label)
             if label in ("Block", "Bar"):
-                self.assertGreater(abs(sum(a * b for a, b in zip(across, x))), math.cos(math.radians(3)), label)
+                self.assertGreater(abs(sum(a * b for a, b in zip(across, x, strict=True))), math.cos(math.radians(3)), label)
             self.assertEqual(outcome.called("db", "add")[-1]["args"], ["object_pose", tool])
             self.assertGreater(outcome.results["confidence"], 0.6)
 
-    def test_never_finds_the_false_part(self):
+    def test_never_finds_the_decoy(self):
         outcome = run("SearchObject", [take(*NAMES.values())])
-        self.assertEqual(outcome.name, "clear")  # the false one is still there
+        self.assertEqual(outcome.name, "clear")  # the decoy is still there
         self.assertEqual((outcome.results, outcome.called("db", "add")), ({}, []))
 
-    def test_what_has_been_placed_or_lies_elsewhere_does_not_count(self):
+    def test_ignores_parts_already_placed_or_outside_the_area(self):
         x, y, _ = BODIES[NAMES["Box"]]["pose"]["position"]
         around = {"min": [x - 0.05, y - 0.05], "max": [x + 0.05, y + 0.05]}
         beside = {"min": [x + 0.05, -0.55], "max": [0.95, 0.55]}
@@ -240,9 +241,9 @@ class Search(unittest.TestCase):
             outcome = run("SearchObject", [take("can_yellow"), push(force)], labels=["Tape"], pictures=15)
             self.assertEqual((outcome.name, outcome.results), (port, {}))
             self.assertLess(outcome.last["time"], 1)
-            self.assertEqual(outcome.sent[-1]["operation"], "stop")  # of recognition: its exit, though it was not done
+            self.assertEqual(outcome.sent[-1]["operation"], "stop")  # of recognition, by the exit of the preempted state
 
-    def test_a_push_to_the_side_does_not(self):
+    def test_a_push_to_the_side_does_not_preempt_it(self):
         outcome = run("SearchObject", [take("can_yellow"), push([0, 40, 0], at=0.3)], labels=["Tape"], pictures=6)
         self.assertEqual(outcome.name, "clear")
         self.assertIn("Root/HapticGesture/WaitContact.contact", outcome.fired)
@@ -259,30 +260,31 @@ class Search(unittest.TestCase):
             self.assertLess(outcome.last["time"], 1)
 
 
-class Unwatched(unittest.TestCase):
-    """On the server, in real time: the display goes while the arm is led, and somebody else's comes in the end."""
+class LostDisplay(unittest.TestCase):
+    """On the server, in real time: the display disconnects while the arm is led, and another one connects at the end."""
 
-    def test_a_display_that_is_gone_is_missed_by_nobody_who_hears_or_feels_when_to_go_on(self):
+    def test_the_calibration_goes_on_while_the_display_is_gone(self):
         led = [act for act in OPERATOR["acts"] if "of 10 places" in act.get("when", {}).get("display", {}).get("text", "")]
         seen = [{**act, "when": {"fires": "Demonstrator/Calibration/CameraCalibration/Collect/Look.seen", "after": 0.3}} for act in led]
         below = [act for act in OPERATOR["acts"] if act.get("when", {}).get("display", {}).get("text") == "does not see"]
         low = [{**act, "when": {"fires": "Demonstrator/Calibration/CameraCalibration/Collect/Look.unseen", "after": 0.5}} for act in below]
-        script = {"operator": 1, "acts": [{"when": {"active": "Demonstrator/Calibration/CameraCalibration/Collect"}, "do": OPERATOR["acts"][0]["do"]}, *seen, *low]}
+        grab = {"when": {"active": "Demonstrator/Calibration/CameraCalibration/Collect"}, "do": OPERATOR["acts"][0]["do"]}
+        script = {"operator": 1, "acts": [grab, *seen, *low]}
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder, "operator.json")
             path.write_text(json.dumps(check("operator", script)))
             with Server("--demo", str(DEMO), "--operator", str(path)) as server, server.stream() as first:
-                first.send(check("stream_request", {"type": "display", "name": "phone", "sound": False}))
+                first.send_checked({"type": "display", "name": "phone", "sound": False})
                 core = server.core(DOCUMENT, start=False)
                 server.post(f"/cores/{core}/start", None, "core")
                 first.until(lambda m: "1 of 10 places" in m["data"].get("message", {}).get("text", ""))
-                first.socket.close()
+                first.close()
                 with server.stream() as second:
                     second.subscribe(f"core/{core}/state")
                     second.until(lambda m: m["data"].get("results", {}).get("Demonstrator/Calibration/CameraCalibration", {}).get("o_t_c"))
-                    second.send(check("stream_request", {"type": "display", "name": "tablet", "sound": False}))
+                    second.send_checked({"type": "display", "name": "tablet", "sound": False})
                     asked = second.until(lambda m: "calibration was interrupted" in m["data"].get("question", {}).get("text", ""))[-1]
-                    second.send(check("stream_request", {"type": "answer", "question": asked["data"]["question"]["id"], "answer": "Abort"}))
+                    second.send_checked({"type": "answer", "question": asked["data"]["question"]["id"], "answer": "Abort"})
                     self.assertEqual(server.ended(core)["outcome"], "abort")
                 fired = json.dumps(server.get(f"/cores/{core}/journal"))
         self.assertIn("no_display", fired)
