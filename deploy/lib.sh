@@ -8,6 +8,9 @@ readonly PCL_UNPACKED=build/deps/pcl
 # Where OpenCV's aruco module and the headers it needs are unpacked (the same).
 readonly OPENCV_UNPACKED=build/deps/opencv
 
+# ccache may use precompiled headers although it cannot see the macros in them: they are made from the same command lines.
+export CCACHE_SLOPPINESS=pch_defines,time_macros
+
 # die MESSAGE...: says what is wrong and leaves with status 1.
 die() {
   printf '%s: %s\n' "${0##*/}" "$*" >&2

@@ -1,9 +1,21 @@
-# race_test(NAME SOURCES file... [LIBS target...] [LABELS label...] [TIMEOUT seconds]): a GoogleTest program NAME,
-# registered with CTest as one test. Its cases see RACE_SOURCE_DIR (the project's folder) as a string literal.
+# race_test(NAME SOURCES file... [LIBS target...] [LABELS label...] [TIMEOUT seconds] [OPTIMIZED]): a GoogleTest program
+# NAME, registered with CTest as one test. Its cases see RACE_SOURCE_DIR (the project's folder) as a string literal.
+#
+# Test files are compiled without optimization, as they are compiled more often than they run; what they test is
+# optimized. OPTIMIZED: these, which do much themselves, are too.
 #
 # Labels: the room under test (`core`, `services`, `server`, `application`; by default that of the folder tests/unit/ROOM)
 # and `slow` for what takes more than some seconds. A room's test programs are built together by the target tests_ROOM.
 find_package(GTest REQUIRED)
+
+# race_test_main: main() of the test programs, and their precompiled header.
+add_library(race_test_main STATIC ${RACE_SOURCE_DIR}/tests/unit/main.cpp)
+target_link_libraries(race_test_main PUBLIC race_options GTest::gtest GTest::gmock)
+target_compile_options(race_test_main PRIVATE -O0)
+target_precompile_headers(race_test_main PRIVATE <gmock/gmock.h> <gtest/gtest.h> <algorithm> <array> <atomic> <chrono>
+  <cmath> <cstdint> <deque> <filesystem> <fstream> <functional> <future> <limits> <map> <memory> <mutex> <optional>
+  <random> <set> <span> <sstream> <string> <string_view> <thread> <utility> <variant> <vector>
+  ${RACE_SOURCE_DIR}/core/value/json.h)
 
 set(RACE_TEST_ROOMS core services server application)
 set(RACE_TEST_LABELS ${RACE_TEST_ROOMS} slow)
@@ -11,14 +23,23 @@ foreach(room ${RACE_TEST_ROOMS})
   add_custom_target(tests_${room})
 endforeach()
 
+# race_compile_as_test(TARGET): compiles TARGET as race_test does, without optimization.
+function(race_compile_as_test target)
+  target_compile_options(${target} PRIVATE -O0)
+  target_precompile_headers(${target} REUSE_FROM race_test_main)
+endfunction()
+
 function(race_test name)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBS;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "OPTIMIZED" "TIMEOUT" "SOURCES;LIBS;LABELS" ${ARGN})
   if(CMAKE_CURRENT_SOURCE_DIR MATCHES "/tests/unit/([a-z]+)")
     list(APPEND ARG_LABELS ${CMAKE_MATCH_1})
     list(REMOVE_DUPLICATES ARG_LABELS)
   endif()
   add_executable(${name} ${ARG_SOURCES})
-  target_link_libraries(${name} PRIVATE race_options ${ARG_LIBS} GTest::gtest GTest::gmock GTest::gtest_main)
+  target_link_libraries(${name} PRIVATE race_test_main ${ARG_LIBS})
+  if(NOT ARG_OPTIMIZED)
+    race_compile_as_test(${name})
+  endif()
   target_compile_definitions(${name} PRIVATE RACE_SOURCE_DIR="${RACE_SOURCE_DIR}")
   add_test(NAME ${name} COMMAND ${name})
   if(NOT ARG_TIMEOUT)
