@@ -12,7 +12,7 @@
 #include "services/camera/camera.h"
 #include "services/database/database.h"
 #include "services/display/display.h"
-#include "services/display/remote_stage.h"
+#include "services/display/remote_display_backend.h"
 #include "services/gripper/gripper.h"
 #include "services/recognition/object_recognition.h"
 #include "services/robot/robot.h"
@@ -60,7 +60,7 @@ Expected<void> make_database(const UnitSetup& setup, remote::RemoteUnit& unit) {
 }
 
 // How a component asks its desk in the server.
-display::AskServer asking(remote::RemoteUnit& unit, const char* key) {
+display::ServerRequest asking(remote::RemoteUnit& unit, const char* key) {
   return [&unit, key](std::string_view function, Dict arguments) {
     return unit.request(key, function, std::move(arguments));
   };
@@ -68,9 +68,9 @@ display::AskServer asking(remote::RemoteUnit& unit, const char* key) {
 
 Expected<void> make_display(const UnitSetup& setup, remote::RemoteUnit& unit) {
   services::ServiceHost& host = unit.declare("display", "display");
-  auto stage = std::make_shared<display::RemoteStage>(asking(unit, "display"));
-  unit.attach("display", std::make_unique<display::Display>(*stage, setup.folder, host));
-  unit.on_news("display", [stage] { stage->news(); });
+  auto backend = std::make_shared<display::RemoteDisplayBackend>(asking(unit, "display"));
+  unit.attach("display", std::make_unique<display::Display>(*backend, setup.folder, host));
+  unit.on_news("display", [backend] { backend->invalidate(); });
   return {};
 }
 
@@ -78,7 +78,7 @@ Expected<void> make_audio(const UnitSetup&, remote::RemoteUnit& unit) {
   services::ServiceHost& host = unit.declare("audio", "audio");
   auto speakers = std::make_shared<audio::RemoteSpeakers>(asking(unit, "audio"));
   unit.attach("audio", std::make_unique<audio::Audio>(*speakers, host));
-  unit.on_news("audio", [speakers] { speakers->news(); });
+  unit.on_news("audio", [speakers] { speakers->invalidate(); });
   return {};
 }
 
