@@ -12,7 +12,7 @@
 #include "services/camera/camera.h"
 #include "services/database/database.h"
 #include "services/display/display.h"
-#include "services/display/remote_stage.h"
+#include "services/display/remote_display_backend.h"
 #include "services/gripper/gripper.h"
 #include "services/recognition/object_recognition.h"
 #include "services/robot/robot.h"
@@ -61,7 +61,7 @@ Expected<void> make_database(const GroupSetup& setup, remote::ProcessHost& proce
 }
 
 // How a component calls its host functions in the server.
-display::AskServer asking(remote::ProcessHost& process, const char* key) {
+display::ServerRequest asking(remote::ProcessHost& process, const char* key) {
   return [&process, key](std::string_view function, Dict arguments) {
     return process.request(key, function, std::move(arguments));
   };
@@ -69,9 +69,9 @@ display::AskServer asking(remote::ProcessHost& process, const char* key) {
 
 Expected<void> make_display(const GroupSetup& setup, remote::ProcessHost& process) {
   services::ServiceHost& host = process.declare("display", "display");
-  auto stage = std::make_shared<display::RemoteStage>(asking(process, "display"));
-  process.attach("display", std::make_unique<display::Display>(*stage, setup.folder, host));
-  process.on_host_change("display", [stage] { stage->news(); });
+  auto backend = std::make_shared<display::RemoteDisplayBackend>(asking(process, "display"));
+  process.attach("display", std::make_unique<display::Display>(*backend, setup.folder, host));
+  process.on_host_change("display", [backend] { backend->invalidate(); });
   return {};
 }
 
@@ -79,7 +79,7 @@ Expected<void> make_audio(const GroupSetup&, remote::ProcessHost& process) {
   services::ServiceHost& host = process.declare("audio", "audio");
   auto speakers = std::make_shared<audio::RemoteSpeakers>(asking(process, "audio"));
   process.attach("audio", std::make_unique<audio::Audio>(*speakers, host));
-  process.on_host_change("audio", [speakers] { speakers->news(); });
+  process.on_host_change("audio", [speakers] { speakers->invalidate(); });
   return {};
 }
 

@@ -3,7 +3,7 @@
 #include "services/audio/audio.h"
 #include "services/audio/remote_speakers.h"
 #include "services/display/display.h"
-#include "services/display/remote_stage.h"
+#include "services/display/remote_display_backend.h"
 
 namespace race::server {
 
@@ -14,20 +14,20 @@ std::vector<ExtraService> screen_services(display::Screens& screens, const std::
   const auto make_audio = [&screens](services::ServiceHost& host) {
     return std::make_unique<audio::Audio>(screens, host);
   };
-  const auto doings = [&screens] { return screens.doings(); };
-  const remote::HostFunctions stage{[&screens](const std::string& function, const Dict& arguments) {
-                                      return display::answer_stage(screens, function, arguments);
-                                    },
-                                    doings,
-                                    [&screens] {
-                                      screens.withdraw();
-                                      screens.take();
-                                    }};
+  const auto revision = [&screens] { return screens.revision(); };
+  const remote::HostFunctions backend{[&screens](const std::string& function, const Dict& arguments) {
+                               return display::answer_display_request(screens, function, arguments);
+                             },
+                             revision,
+                             [&screens] {
+                               screens.withdraw();
+                               screens.take();
+                             }};
   const remote::HostFunctions speakers{[&screens](const std::string& function, const Dict& arguments) {
-                                         return audio::answer_speakers(screens, function, arguments);
-                                       },
-                                       doings, [&screens] { screens.silence(); }};
-  return {{"display", "display", make_display, stage}, {"audio", "audio", make_audio, speakers}};
+                                return audio::answer_audio_request(screens, function, arguments);
+                              },
+                              revision, [&screens] { screens.silence(); }};
+  return {{"display", "display", make_display, backend}, {"audio", "audio", make_audio, speakers}};
 }
 
 }  // namespace race::server

@@ -48,7 +48,7 @@ void Audio::step() {
   if (playback.waiting == 0 || over) finish(playback);
 }
 
-// A display that does not report in time counts as one that has gone.
+// A display that does not report in time counts as disconnected.
 void Audio::finish(const display::Playback& playback) {
   speakers_.silence();
   if (playback.reported.empty())
@@ -61,7 +61,7 @@ void Audio::finish(const display::Playback& playback) {
   host().event("finished", outcome);
 }
 
-// The sound that is played, if there is one, will not be finished any more.
+// Ends the sound that is playing, if there is one, with an error.
 void Audio::drop(std::string_view transition, std::string_view code, std::string_view message) {
   const auto playing = std::exchange(playing_, std::nullopt);
   if (!playing) return;

@@ -1,13 +1,13 @@
 // Audio: the service `audio`: plays named sounds on the displays that may make sounds and answers when they are over.
 // Operations, events, limits: README.md.
 //
-// Threads: its group's. Displays report elsewhere, through Screens; step() looks how far they are.
+// Threads: its group's. Displays report on other threads, through Screens; step() polls their progress.
 #pragma once
 
 #include <optional>
 #include <string>
 
-#include "services/display/stage.h"
+#include "services/display/display_backend.h"
 #include "services/table_component.h"
 
 namespace race::audio {
@@ -17,7 +17,7 @@ const rsm::Service& model();
 
 class Audio final : public services::TableComponent {
  public:
-  /// How long after its end a sound is still waited for [s]: the way to the browser and back.
+  /// How long after the end of a sound a report may still arrive [s]: the round trip to the browser.
   static constexpr services::Time kMargin = 2.0;
 
   /// Plays on `speakers`, which outlive the component.

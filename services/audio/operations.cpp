@@ -5,8 +5,8 @@ namespace race::audio {
 
 namespace types = services::types;
 
-// One sound at a time: another one takes its place. A `play` that is refused takes `refused` at once, or `refuse_play`
-// while a sound is played, which goes on.
+// One sound plays at a time; a new one replaces it. A refused `play` takes `refused` at once, or `refuse_play` while
+// another sound plays, which continues.
 const services::OperationTable& Audio::operations() {
   static const services::OperationTable table({
       .name = "audio",

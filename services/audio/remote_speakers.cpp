@@ -18,7 +18,7 @@ std::optional<display::Playback> read_playback(const Value& json) {
   return playback;
 }
 
-// ---- The functions, at the server.
+// ---- Functions that the server answers.
 
 Expected<Value> play(display::Speakers& speakers, const Dict& arguments) {
   const std::string& sound = arguments.find("sound")->as_string();
@@ -48,24 +48,24 @@ constexpr std::array kFunctions = {Function{"play", play}, Function{"silence", s
 }  // namespace
 
 Expected<std::uint64_t> RemoteSpeakers::play(const std::string& target, display::Sound sound) {
-  news();
+  invalidate();
   return services::read_id(server_(
       "play", {{"sound", sound.name}, {"volume", sound.volume}, {"repeat", sound.repeat}, {"display", target}}));
 }
 
 void RemoteSpeakers::silence() {
-  news();
+  invalidate();
   (void)server_("silence", {});
 }
 
-// Without an answer nobody has reported yet: the sound is waited for.
+// Without an answer, no display counts as having reported: the component waits on.
 display::Playback RemoteSpeakers::playback() {
   if (playback_) return *playback_;
   if (const auto answer = server_("playback", {})) playback_ = read_playback(*answer);
   return playback_.value_or(display::Playback{1, {}});
 }
 
-Expected<Value> answer_speakers(display::Speakers& speakers, std::string_view function, const Dict& arguments) {
+Expected<Value> answer_audio_request(display::Speakers& speakers, std::string_view function, const Dict& arguments) {
   return services::call_host_function(model(), kFunctions, speakers, function, arguments);
 }
 

@@ -1,35 +1,36 @@
-// RemoteSpeakers: the Speakers of an `audio` in a process of its own; answer_speakers(): what the server does with its
-// questions: play, as the operation of the RSM, silence and playback without arguments. As a display's stage
-// (services/display/remote_stage.h).
+// RemoteSpeakers: the Speakers of an `audio` component that runs in its own process. It sends requests to the server,
+// which answers them with answer_audio_request(): `play`, with the parameters of the operation, `silence` and
+// `playback` without arguments. RemoteDisplayBackend (services/display/remote_display_backend.h) does the same for
+// `display`.
 //
-// Threads: the component's; answer_speakers() any.
+// Threads: the component's; answer_audio_request() any.
 #pragma once
 
 #include <optional>
 #include <string_view>
 
-#include "services/display/stage.h"
+#include "services/display/display_backend.h"
 
 namespace race::audio {
 
 class RemoteSpeakers final : public display::Speakers {
  public:
-  explicit RemoteSpeakers(display::AskServer server) : server_(std::move(server)) {}
+  explicit RemoteSpeakers(display::ServerRequest server) : server_(std::move(server)) {}
 
-  /// A display has reported, come or gone: what was known of it is so no more.
-  void news() { playback_.reset(); }
+  /// Discards the cached playback: a display has reported, connected or disconnected.
+  void invalidate() { playback_.reset(); }
 
   Expected<std::uint64_t> play(const std::string& target, display::Sound sound) override;
   void silence() override;
   display::Playback playback() override;
 
  private:
-  display::AskServer server_;
-  std::optional<display::Playback> playback_;  // as far as it is known
+  display::ServerRequest server_;
+  std::optional<display::Playback> playback_;  // cached; nothing: to be requested
 };
 
-/// Asks `speakers`. What they refuse (`not_found`) is a good answer; errors: those of a question that no component
-/// asks.
-Expected<Value> answer_speakers(display::Speakers& speakers, std::string_view function, const Dict& arguments);
+/// Answers a request by `speakers`. Their refusal (`not_found`) is an answer; errors: a request that no component
+/// makes.
+Expected<Value> answer_audio_request(display::Speakers& speakers, std::string_view function, const Dict& arguments);
 
 }  // namespace race::audio

@@ -1,8 +1,8 @@
 // Camera: the service `camera` (thesis, appendix A: KinectDriver): colour and depth pictures of the world, and their
 // points, as two data flows. Operations, the flows' formats and limits: README.md.
 //
-// Threads: its group's, which is the world's: step() follows the world's step and notes what is to be seen. Pictures
-// are drawn on a thread of its own.
+// Threads: its group's, which is the world's: step() follows the world's step and records the poses. Pictures are
+// rendered on a thread of its own.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +22,8 @@ const rsm::Service& model();
 
 class Camera final : public services::TableComponent {
  public:
-  /// Looks at `world` from where its scene has a camera, which it requires. All outlive the component. `seed` is that
-  /// of the noise.
+  /// Renders `world` from the camera of its scene, which must have one. All outlive the component. `seed` is that of
+  /// the noise.
   Camera(services::ServiceHost& host, const world::World& world, std::uint64_t seed);
 
   static const services::OperationTable& operations();
@@ -41,7 +41,7 @@ class Camera final : public services::TableComponent {
   std::uint64_t seed_;
   std::uint64_t pictures_ = 0;  // taken so far
   int under_way_ = 0;
-  std::set<std::string, std::less<>> wanted_;  // flows that somebody listens to
+  std::set<std::string, std::less<>> wanted_;  // flows with a listener
   services::Time next_ = 0;                    // picture
   std::unique_ptr<services::Worker> worker_;
 };

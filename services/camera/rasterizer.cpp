@@ -76,7 +76,7 @@ void draw(Canvas& canvas, const std::array<Vec3, 3>& corners, Rgb colour) {
   if (length == 0) return;
   normal = (1 / length) * normal;
   const double offset = dot(normal, corners[0]);
-  if (offset >= 0) return;  // looks away
+  if (offset >= 0) return;  // faces away
   const std::vector<Vec3> seen = clip(corners);
   if (seen.empty()) return;
 

@@ -23,7 +23,7 @@ class Store {
   static constexpr std::size_t kValueBytes = 16 * 1024 * 1024;  // of its JSON
   static constexpr std::size_t kValueDepth = 64;
 
-  /// Opens the file, or makes it; ":memory:" is a store that is gone with this. Errors: `io`.
+  /// Opens the file, or makes it; ":memory:" is a store in memory. Errors: `io`.
   static Expected<Store> open(const std::string& path);
   Store(Store&&) noexcept;
   ~Store();

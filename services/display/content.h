@@ -1,4 +1,4 @@
-// What a display shows: a message, a question on top of it, a sound. Values; nothing here knows who shows them.
+// What a display shows: a message, a question on top of it, a sound. Values.
 #pragma once
 
 #include <cstdint>

@@ -89,8 +89,8 @@ std::vector<TransitionRow> transitions() {
 
 }  // namespace
 
-// One question waits at a time, for all cores: another one takes its place. A question that is refused takes `refused`
-// at once, or `refuse_...` while another waits, which goes on waiting.
+// One question waits at a time, for all cores; a new one replaces it. A refused question takes `refused` at once, or
+// `refuse_...` while another waits, which goes on waiting.
 const services::OperationTable& Display::operations() {
   static const services::OperationTable table({
       .name = "display",

@@ -29,7 +29,7 @@ bool is_display_name(std::string_view name) {
   const auto fits = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
   };
-  return !name.empty() && name.size() <= kLength && std::ranges::all_of(name, fits) && name != kEvery;
+  return !name.empty() && name.size() <= kLength && std::ranges::all_of(name, fits) && name != kAllDisplays;
 }
 
 Expected<Screens::ConnectionId> Screens::connect(const std::string& display, bool sound) {
@@ -43,11 +43,11 @@ Expected<Screens::ConnectionId> Screens::connect(const std::string& display, boo
     displays_[display].message = everywhere_;
   }
   const ConnectionId id = next_id_++;
-  ++doings_;
+  ++revision_;
   connections_[id] = {display, sound};
   auto& all = displays_[display].connections;
   all.insert(id);
-  if (all.size() == 1) (void)note({Happening::Kind::connected, display});
+  if (all.size() == 1) (void)enqueue({DisplayEvent::Kind::connected, display});
   return id;
 }
 
@@ -57,11 +57,11 @@ void Screens::disconnect(ConnectionId connection) {
   if (known == connections_.end()) return;
   const std::string display = known->second.display;
   connections_.erase(known);
-  ++doings_;
+  ++revision_;
   playing_.erase(connection);
   auto& rest = displays_[display].connections;
   rest.erase(connection);
-  if (rest.empty()) (void)note({Happening::Kind::disconnected, display});
+  if (rest.empty()) (void)enqueue({DisplayEvent::Kind::disconnected, display});
 }
 
 Expected<void> Screens::answer(const std::string& display, Value answer, std::optional<std::uint64_t> question) {
@@ -71,9 +71,10 @@ Expected<void> Screens::answer(const std::string& display, Value answer, std::op
   if (!shows_question(display, *shown) || (question && *question != question_->id))
     return unexpected(ErrorCode::conflict, "the display does not show this question, or not any more", "question");
   if (auto fits = check_answer(*question_, answer); !fits) return fits;
-  if (auto noted = note({Happening::Kind::answered, display, std::move(answer), question_->id}); !noted) return noted;
+  if (auto enqueued = enqueue({DisplayEvent::Kind::answered, display, std::move(answer), question_->id}); !enqueued)
+    return enqueued;
   question_.reset();
-  tell(question_target_);
+  notify_watcher(question_target_);
   return {};
 }
 
@@ -83,7 +84,7 @@ Expected<void> Screens::press(const std::string& display, const std::string& but
   if (!shown->message || std::ranges::count(shown->message->buttons, button) == 0)
     return unexpected(ErrorCode::conflict, "the display does not show this button, or not any more", "button");
   Value value(button);
-  return note({Happening::Kind::pressed, display, std::move(value.freeze())});
+  return enqueue({DisplayEvent::Kind::pressed, display, std::move(value.freeze())});
 }
 
 Expected<void> Screens::played(ConnectionId connection, std::uint64_t sound) {
@@ -92,7 +93,7 @@ Expected<void> Screens::played(ConnectionId connection, std::uint64_t sound) {
   if (known == connections_.end() || !sound_ || sound_->id != sound || playing_.erase(connection) == 0)
     return unexpected(ErrorCode::conflict, "the sound is not played here, or not any more", "sound");
   played_.insert(known->second.display);
-  ++doings_;
+  ++revision_;
   return {};
 }
 
@@ -124,31 +125,31 @@ void Screens::repeat(const std::string& display) {
 
 Expected<void> Screens::show(const std::string& target, Message message) {
   const std::lock_guard lock(mutex_);
-  if (auto there = require(target); !there) return there;
+  if (auto connected = require_connected(target); !connected) return connected;
   for (auto& [name, display] : displays_)
     if (reaches(target, name)) display.message = message;
-  if (target == kEvery) everywhere_ = std::move(message);
-  tell(target);
+  if (target == kAllDisplays) everywhere_ = std::move(message);
+  notify_watcher(target);
   return {};
 }
 
 Expected<std::uint64_t> Screens::ask(const std::string& target, Question question) {
   const std::lock_guard lock(mutex_);
-  if (auto there = require(target); !there) return tl::unexpected(std::move(there).error());
-  if (std::exchange(question_, std::nullopt)) tell(question_target_);
+  if (auto connected = require_connected(target); !connected) return tl::unexpected(std::move(connected).error());
+  if (std::exchange(question_, std::nullopt)) notify_watcher(question_target_);
   question.id = next_id_++;
   question_ = std::move(question);
   question_target_ = target;
   for (auto& [name, display] : displays_) display.without_question = false;
-  tell(target);
+  notify_watcher(target);
   return question_->id;
 }
 
 Expected<bool> Screens::clear(const std::string& target) {
   const std::lock_guard lock(mutex_);
-  if (target != kEvery && !displays_.contains(target))
-    if (auto there = require(target); !there) return tl::unexpected(std::move(there).error());
-  if (target == kEvery) everywhere_.reset();
+  if (target != kAllDisplays && !displays_.contains(target))
+    if (auto connected = require_connected(target); !connected) return tl::unexpected(std::move(connected).error());
+  if (target == kAllDisplays) everywhere_.reset();
   for (auto& [name, display] : displays_) {
     if (!reaches(target, name)) continue;
     display.message.reset();
@@ -158,13 +159,13 @@ Expected<bool> Screens::clear(const std::string& target) {
       std::ranges::any_of(displays_, [&](const auto& each) { return shows_question(each.first, each.second); });
   const bool gone = question_ && !shown;
   if (gone) question_.reset();
-  tell(target);
+  notify_watcher(target);
   return gone;
 }
 
 void Screens::withdraw() {
   const std::lock_guard lock(mutex_);
-  if (std::exchange(question_, std::nullopt)) tell(question_target_);
+  if (std::exchange(question_, std::nullopt)) notify_watcher(question_target_);
 }
 
 bool Screens::asking() {
@@ -174,9 +175,9 @@ bool Screens::asking() {
   });
 }
 
-std::vector<Happening> Screens::take() {
+std::vector<DisplayEvent> Screens::take() {
   const std::lock_guard lock(mutex_);
-  return std::exchange(happenings_, {});
+  return std::exchange(events_, {});
 }
 
 Expected<std::uint64_t> Screens::play(const std::string& target, Sound sound) {
@@ -187,13 +188,13 @@ Expected<std::uint64_t> Screens::play(const std::string& target, Sound sound) {
   if (speakers.empty())
     return unexpected(ErrorCode::not_found, "no display that may make sounds is connected as " + quoted(target),
                       "display");
-  if (std::exchange(sound_, std::nullopt)) tell(sound_target_);
+  if (std::exchange(sound_, std::nullopt)) notify_watcher(sound_target_);
   sound.id = next_id_++;
   sound_ = std::move(sound);
   sound_target_ = target;
   playing_ = std::move(speakers);
   played_.clear();
-  tell(target);
+  notify_watcher(target);
   return sound_->id;
 }
 
@@ -201,7 +202,7 @@ void Screens::silence() {
   const std::lock_guard lock(mutex_);
   playing_.clear();
   played_.clear();
-  if (std::exchange(sound_, std::nullopt)) tell(sound_target_);
+  if (std::exchange(sound_, std::nullopt)) notify_watcher(sound_target_);
 }
 
 Playback Screens::playback() {
@@ -210,7 +211,7 @@ Playback Screens::playback() {
 }
 
 bool Screens::reaches(const std::string& target, const std::string& display) const {
-  return target == kEvery || target == display;
+  return target == kAllDisplays || target == display;
 }
 
 bool Screens::shows_question(const std::string& name, const Display& display) const {
@@ -224,7 +225,7 @@ Content Screens::content_of(const std::string& name, const Display& display) con
   return content;
 }
 
-void Screens::tell(const std::string& target) const {
+void Screens::notify_watcher(const std::string& target) const {
   if (!watcher_) return;
   for (const auto& [name, display] : displays_)
     if (reaches(target, name)) watcher_->changed(content_of(name, display));
@@ -247,19 +248,19 @@ Expected<Screens::Display*> Screens::find_connected(const std::string& display) 
   return &known->second;
 }
 
-Expected<void> Screens::require(const std::string& target) const {
+Expected<void> Screens::require_connected(const std::string& target) const {
   for (const auto& [name, display] : displays_)
     if (reaches(target, name) && !display.connections.empty()) return {};
-  const std::string what = target == kEvery ? "no display" : "no display named " + quoted(target);
+  const std::string what = target == kAllDisplays ? "no display" : "no display named " + quoted(target);
   return unexpected(ErrorCode::not_found, what + " is connected", "display");
 }
 
 // Comings and goings follow from what is connected, so they may be lost; what people do is refused instead.
-Expected<void> Screens::note(Happening happening) {
-  if (happenings_.size() >= kHappenings)
+Expected<void> Screens::enqueue(DisplayEvent event) {
+  if (events_.size() >= kMaxPendingEvents)
     return unexpected(ErrorCode::conflict, "too much waits for the service; try again");
-  happenings_.push_back(std::move(happening));
-  ++doings_;
+  events_.push_back(std::move(event));
+  ++revision_;
   return {};
 }
 

@@ -1,12 +1,11 @@
-// Screens: the one door between the services `display` and `audio` and whoever shows what they want shown: browsers
-// behind the server's stream, an operator script, a test. It holds the displays by name, what each shows, and what
-// people did with them until the services take it.
+// Screens: the displays by name, what each shows, and their input until the services take it. The services `display`
+// and `audio` write to it; browsers (through the server's stream), operator scripts and tests show its content.
 //
-// A display is there while at least one connection has its name; connections of one name show the same. What a display
-// showed stays when its last connection goes, so that it is there when it comes back. The name "all" (kEvery) means
-// every display, also one that connects later.
+// A display is connected while at least one connection has its name; connections of one name show the same. A display
+// keeps its content when its last connection ends, and shows it again after a reconnect. The name "all" (kAllDisplays)
+// means every display, also one that connects later.
 //
-// Who stands before a display (an operator script, say) connects once and then, on any thread:
+// A client (such as an operator script) connects once and then, on any thread:
 //
 //   const auto me = screens.connect("main", true);           // ConnectionId: it also makes sounds
 //   const auto shown = screens.content("main");              // what to react to
@@ -31,11 +30,11 @@
 #include "core/value/expected.h"
 #include "core/value/value.h"
 #include "services/display/content.h"
-#include "services/display/stage.h"
+#include "services/display/display_backend.h"
 
 namespace race::display {
 
-inline constexpr std::string_view kEvery = "all";
+inline constexpr std::string_view kAllDisplays = "all";
 
 /// Letters, digits, `_` and `-`, 1 to 32 of them, and not "all".
 bool is_display_name(std::string_view name);
@@ -50,17 +49,17 @@ class Watcher {
   virtual void forgotten(const std::string& display) = 0;
 };
 
-class Screens final : public Stage, public Speakers {
+class Screens final : public DisplayBackend, public Speakers {
  public:
   using ConnectionId = std::uint64_t;
-  static constexpr std::size_t kDisplays = 64;     // names that are remembered
-  static constexpr std::size_t kHappenings = 256;  // that wait for the service
+  static constexpr std::size_t kDisplays = 64;           // names that are remembered
+  static constexpr std::size_t kMaxPendingEvents = 256;  // that wait for the service
 
   Screens() = default;
   Screens(const Screens&) = delete;
   Screens& operator=(const Screens&) = delete;
 
-  // ---- The side of those who show.
+  // ---- For clients that show the content.
 
   /// A connection of `display`, which may make sounds. Errors: `name`, `conflict` (kDisplays are connected).
   Expected<ConnectionId> connect(const std::string& display, bool sound);
@@ -84,48 +83,48 @@ class Screens final : public Stage, public Speakers {
   /// Tells the watcher what `display` shows as if it had changed, in order with real changes.
   void repeat(const std::string& display);
 
-  // ---- The side of the services (stage.h).
+  // ---- For the services (display_backend.h).
 
   Expected<void> show(const std::string& target, Message message) override;
   Expected<std::uint64_t> ask(const std::string& target, Question question) override;
   Expected<bool> clear(const std::string& target) override;
   void withdraw() override;
   bool asking() override;
-  std::vector<Happening> take() override;
+  std::vector<DisplayEvent> take() override;
   Expected<std::uint64_t> play(const std::string& target, Sound sound) override;
   void silence() override;
   Playback playback() override;
 
-  /// Counts what those who show have done: as long as it stays, the services learn nothing new by asking.
-  std::uint64_t doings() const { return doings_; }
+  /// Changes with each input and connection: while it is the same, the services need not ask again.
+  std::uint64_t revision() const { return revision_; }
 
  private:
   struct Display {
     std::set<ConnectionId> connections;
     std::optional<Message> message;
-    bool without_question = false;  // the question was cleared here
+    bool without_question = false;  // the question was cleared on this display
   };
   struct Connection {
     std::string display;
     bool sound = false;
   };
 
-  // All need the lock.
+  // All require the lock.
   bool reaches(const std::string& target, const std::string& display) const;
   Content content_of(const std::string& name, const Display& display) const;
-  void tell(const std::string& target) const;
+  void notify_watcher(const std::string& target) const;
   bool make_room();
   Expected<Display*> find_connected(const std::string& display);
-  Expected<void> require(const std::string& target) const;
-  Expected<void> note(Happening happening);
+  Expected<void> require_connected(const std::string& target) const;
+  Expected<void> enqueue(DisplayEvent event);
   bool shows_question(const std::string& name, const Display& display) const;
 
   mutable std::mutex mutex_;
   Watcher* watcher_ = nullptr;
   std::map<std::string, Display> displays_;
   std::map<ConnectionId, Connection> connections_;
-  std::vector<Happening> happenings_;
-  std::optional<Message> everywhere_;  // what a display that comes anew shows
+  std::vector<DisplayEvent> events_;
+  std::optional<Message> everywhere_;  // what a new display shows
   std::optional<Question> question_;
   std::string question_target_;
   std::optional<Sound> sound_;
@@ -133,7 +132,7 @@ class Screens final : public Stage, public Speakers {
   std::set<ConnectionId> playing_;
   std::set<std::string> played_;
   std::uint64_t next_id_ = 1;
-  std::atomic<std::uint64_t> doings_{0};
+  std::atomic<std::uint64_t> revision_{0};
 };
 
 }  // namespace race::display

@@ -16,7 +16,7 @@ constexpr double kTolerance = 0.002;     // m that the fingers may pass the widt
 constexpr double kThinnest = 0.001;      // m; closer than that the fingers meet each other, not a part
 constexpr double kArrived = 0.0005;      // m
 constexpr double kStanding = 0.002;      // m/s
-constexpr double kLost = 0.005;          // m that the fingers close further when a part has gone
+constexpr double kLost = 0.005;          // m that the fingers close further when a part is lost
 constexpr int kStall = 60;               // ms without motion that count as an obstacle
 constexpr int kClamping = 150;           // ms until the force is on and the part lies still
 

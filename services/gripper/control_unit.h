@@ -40,7 +40,7 @@ class ControlUnit {
 
   /// How the last grasp or release ended, once.
   std::optional<Outcome> take_outcome();
-  /// A held part has gone from between the fingers, once.
+  /// Whether a held part was lost since the last call.
   bool take_loss();
 
   bool holding() const { return phase_ == Phase::hold; }

@@ -63,7 +63,7 @@ Transform refine(const Model& model, const std::vector<ColouredPoints>& seen, Tr
   return c_t_x;
 }
 
-Fit assess(const Model& model, const std::vector<ColouredPoints>& seen, const Transform& c_t_x, const Frame& frame,
+Fit assess(const Model& model, const std::vector<ColouredPoints>& seen, const Transform& c_t_x, const RgbdImage& image,
            const std::vector<std::uint8_t>& colours, const std::optional<Plane>& plane) {
   Fit fit;
   double points = 0, on_surface = 0, squares = 0;
@@ -88,13 +88,13 @@ Fit assess(const Model& model, const std::vector<ColouredPoints>& seen, const Tr
       const Vector p = c_t_x * sample.point;
       if (plane) fit.sunk = std::max(fit.sunk, -plane->height(p.x(), p.y(), p.z()));
       if (p.z() <= 0 || -(c_t_x.linear() * sample.normal).dot(p.normalized()) < kLeastFacing) continue;
-      const int u = static_cast<int>(std::lround(frame.cx + frame.fx * p.x() / p.z()));
-      const int v = static_cast<int>(std::lround(frame.cy + frame.fy * p.y() / p.z()));
-      const double measured = frame.depth(u, v);
+      const int u = static_cast<int>(std::lround(image.cx + image.fx * p.x() / p.z()));
+      const int v = static_cast<int>(std::lround(image.cy + image.fy * p.y() / p.z()));
+      const double measured = image.depth(u, v);
       const double tolerance = 3 * deviation(p.z()) + kSpacing;
       if (measured == 0 || measured < p.z() - tolerance) continue;  // nothing known, or hidden behind something
       const bool there = measured < p.z() + tolerance &&
-                         (colours[frame.index(u, v)] == model.colours[i] || is_printed(model.part, sample.point));
+                         (colours[image.index(u, v)] == model.colours[i] || is_printed(model.part, sample.point));
       ++(there ? supported : refuted);
     }
   }

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "services/recognition/cloud.h"
-#include "services/recognition/frame.h"
 #include "services/recognition/geometry_internal.h"
+#include "services/recognition/rgbd_image.h"
 #include "services/recognition/symmetry.h"
 
 namespace race::recognition {
@@ -39,7 +39,7 @@ struct Fit {
   double sunk = 0;     // m that it reaches below the plane that things stand on
   double confidence() const { return inliers * covered; }
 };
-Fit assess(const Model& model, const std::vector<ColouredPoints>& seen, const Transform& c_t_x, const Frame& frame,
+Fit assess(const Model& model, const std::vector<ColouredPoints>& seen, const Transform& c_t_x, const RgbdImage& image,
            const std::vector<std::uint8_t>& colours, const std::optional<Plane>& plane);
 
 }  // namespace race::recognition

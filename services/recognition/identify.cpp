@@ -6,13 +6,13 @@
 namespace race::recognition {
 namespace {
 
-using Corners = std::array<Spot, 4>;
+using Corners = std::array<ImagePoint, 4>;
 
-double apart(const Spot& a, const Spot& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
+double apart(const ImagePoint& a, const ImagePoint& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
 
-Spot middle(const Corners& corners) {
-  Spot sum{};
-  for (const Spot& corner : corners) sum = {sum[0] + corner[0] / 4, sum[1] + corner[1] / 4};
+ImagePoint middle(const Corners& corners) {
+  ImagePoint sum{};
+  for (const ImagePoint& corner : corners) sum = {sum[0] + corner[0] / 4, sum[1] + corner[1] / 4};
   return sum;
 }
 
@@ -25,8 +25,8 @@ double apart(const Corners& a, const Corners& b) {
 
 double mean_edge(const Corners& corners) { return apart(corners, {corners[1], corners[2], corners[3], corners[0]}); }
 
-/// Where a marker is in the picture; none if it looks away.
-std::optional<Corners> drawn(const Marker& marker, const Transform& c_t_x, const Frame& frame) {
+/// Where a marker is in the picture; none if it faces away.
+std::optional<Corners> drawn(const Marker& marker, const Transform& c_t_x, const RgbdImage& image) {
   const Transform c_t_marker = c_t_x * to_eigen(marker.x_t_marker);
   if (c_t_marker.linear().col(2).dot(c_t_marker.translation()) >= 0) return std::nullopt;
   const double h = marker.side / 2;
@@ -35,7 +35,7 @@ std::optional<Corners> drawn(const Marker& marker, const Transform& c_t_x, const
   for (std::size_t i = 0; i < out.size(); ++i) {
     const Vector p = c_t_marker * corners[i];
     if (p.z() <= 0) return std::nullopt;
-    out[i] = {frame.cx + frame.fx * p.x() / p.z(), frame.cy + frame.fy * p.y() / p.z()};
+    out[i] = {image.cx + image.fx * p.x() / p.z(), image.cy + image.fy * p.y() / p.z()};
   }
   return out;
 }
@@ -47,11 +47,12 @@ struct Agreement {
   bool wrong = false;  // another marker, or one turned otherwise, is where one should be
 };
 
-Agreement agreement(const Part& part, const Transform& c_t_x, const std::vector<SeenMarker>& seen, const Frame& frame) {
+Agreement agreement(const Part& part, const Transform& c_t_x, const std::vector<SeenMarker>& seen,
+                    const RgbdImage& image) {
   constexpr double kApart = 0.25;  // of an edge: a quarter turn moves the corners by a whole one
   Agreement out;
   for (const Marker& marker : part.markers) {
-    const auto expected = drawn(marker, c_t_x, frame);
+    const auto expected = drawn(marker, c_t_x, image);
     if (!expected) continue;
     const double edge = mean_edge(*expected);
     for (const SeenMarker& each : seen) {
@@ -71,12 +72,12 @@ Agreement agreement(const Part& part, const Transform& c_t_x, const std::vector<
 }  // namespace
 
 std::optional<Transform> identify(const Model& model, const Transform& c_t_x, const std::vector<SeenMarker>& seen,
-                                  const Frame& frame) {
+                                  const RgbdImage& image) {
   std::optional<Transform> best;
   Agreement of_best;
   for (const Quaternion& turn : model.symmetry.turns()) {
     const Transform turned = c_t_x * Transform(rotation(turn));
-    const Agreement here = agreement(model.part, turned, seen, frame);
+    const Agreement here = agreement(model.part, turned, seen, image);
     if (here.wrong || here.markers == 0) continue;
     if (best && (here.markers < of_best.markers || (here.markers == of_best.markers && here.apart >= of_best.apart)))
       continue;

@@ -13,11 +13,11 @@ constexpr int kEnlarged = 5;    // a marker of 40 mm has some 20 pixels at 1 m, 
 constexpr int kLargest = 4096;  // pixels of the enlarged picture along one side
 
 /// The region as brightness: the brightest channel, in which all that is colourful is bright beside black.
-cv::Mat brightness(const Frame& frame, const Region& region) {
+cv::Mat brightness(const RgbdImage& image, const Region& region) {
   cv::Mat out(region.bottom - region.top, region.right - region.left, CV_8UC1);
   for (int v = region.top; v < region.bottom; ++v)
     for (int u = region.left; u < region.right; ++u)
-      out.at<std::uint8_t>(v - region.top, u - region.left) = std::ranges::max(frame.colour[frame.index(u, v)]);
+      out.at<std::uint8_t>(v - region.top, u - region.left) = std::ranges::max(image.colour[image.index(u, v)]);
   return out;
 }
 
@@ -54,14 +54,14 @@ Detected detect(const cv::Mat& picture) {
 
 }  // namespace
 
-std::vector<SeenMarker> find_markers(const Frame& frame, Region region) {
-  region = {std::max(region.left, 0), std::max(region.top, 0), std::min(region.right, frame.width),
-            std::min(region.bottom, frame.height)};
+std::vector<SeenMarker> find_markers(const RgbdImage& image, Region region) {
+  region = {std::max(region.left, 0), std::max(region.top, 0), std::min(region.right, image.width),
+            std::min(region.bottom, image.height)};
   if (region.left >= region.right || region.top >= region.bottom) return {};
   const int side = std::max(region.right - region.left, region.bottom - region.top);
   const int enlarged = std::clamp(kLargest / side, 1, kEnlarged);
   cv::Mat picture;
-  cv::resize(brightness(frame, region), picture, {}, enlarged, enlarged, cv::INTER_CUBIC);
+  cv::resize(brightness(image, region), picture, {}, enlarged, enlarged, cv::INTER_CUBIC);
   const auto [ids, corners] = detect(picture);
   std::vector<SeenMarker> markers;
   for (std::size_t i = 0; i < ids.size(); ++i) {

@@ -1,11 +1,11 @@
-// Markers: the printed squares (services/marker.h) in a region of a picture. OpenCV's aruco module reads them; nobody
-// else sees it. A function; any thread; the same picture gives the same answer.
+// Markers: the printed squares (services/marker.h) in a region of a picture. OpenCV's aruco module reads them;
+// no other file includes it. A function; any thread; the same picture gives the same answer.
 #pragma once
 
 #include <array>
 #include <vector>
 
-#include "services/recognition/frame.h"
+#include "services/recognition/rgbd_image.h"
 
 namespace race::recognition {
 
@@ -15,14 +15,14 @@ struct Region {
 };
 
 /// A point of the picture [pixels].
-using Spot = std::array<double, 2>;
+using ImagePoint = std::array<double, 2>;
 
 struct SeenMarker {
   int id = 0;
-  std::array<Spot, 4> corners{};  // of the black square, clockwise from the top left of what is printed
+  std::array<ImagePoint, 4> corners{};  // of the black square, clockwise from the top left of what is printed
 };
 
 /// The markers of services::kMarkerDictionary that lie wholly in the region. The region may reach out of the picture.
-std::vector<SeenMarker> find_markers(const Frame& frame, Region region);
+std::vector<SeenMarker> find_markers(const RgbdImage& image, Region region);
 
 }  // namespace race::recognition

@@ -74,12 +74,12 @@ void ObjectRecognition::listen(bool on) {
 
 void ObjectRecognition::packet(std::string_view, std::string_view, const services::PacketPtr& packet) {
   if (busy_ || labels_.empty()) return;
-  auto frame = read_frame(*packet);
-  if (!frame) return host().log("a frame that cannot be read: " + to_string(frame.error()));
+  auto image = read_rgbd_image(*packet);
+  if (!image) return host().log("a frame that cannot be read: " + to_string(image.error()));
   busy_ = true;
-  worker_->submit(host().now() + kLatency, [this, session = session_, labels = labels_, frame = std::move(*frame)] {
-    auto detections = recognizer_.recognize(frame, labels);
-    return [this, session, time = frame.time, detections = std::move(detections)] {
+  worker_->submit(host().now() + kLatency, [this, session = session_, labels = labels_, image = std::move(*image)] {
+    auto detections = recognizer_.recognize(image, labels);
+    return [this, session, time = image.time, detections = std::move(detections)] {
       busy_ = false;
       if (session == session_) report(time, detections);
     };

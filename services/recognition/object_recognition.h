@@ -1,7 +1,7 @@
-// ObjectRecognition: the service `obj_rec` (thesis, appendix A): while it is started, it tells where parts are, from
-// the pictures of the service `camera` alone. Operations, events and limits: README.md.
+// ObjectRecognition: the service `obj_rec` (thesis, appendix A): while it is started, it reports the poses of
+// parts, from the pictures of the service `camera` alone. Operations, events and limits: README.md.
 //
-// Threads: its group's; pictures are looked at on a thread of its own.
+// Threads: its group's; pictures are processed on a thread of its own.
 #pragma once
 
 #include <memory>

@@ -5,7 +5,7 @@ namespace race::recognition {
 
 namespace types = services::types;
 
-// A refused `start` ends what was going on: whoever starts anew wants other labels.
+// A refused `start` ends the recognition that was running: its caller wants other labels.
 const services::OperationTable& ObjectRecognition::operations() {
   static const services::OperationTable table({
       .name = "ObjectRecognition",

@@ -1,4 +1,4 @@
-// The door of part files.
+// Reads and checks part files.
 #include "services/recognition/part.h"
 
 #include <algorithm>

@@ -41,16 +41,16 @@ std::array<std::uint8_t, 256> colour_of_hue(const std::vector<Colour>& palette) 
 
 }  // namespace
 
-std::vector<std::uint8_t> classify(const Frame& frame, const std::vector<Colour>& palette) {
+std::vector<std::uint8_t> classify(const RgbdImage& image, const std::vector<Colour>& palette) {
   const auto table = colour_of_hue(palette);
   // OpenCV reads through a pointer that is not const; it does not write.
-  const cv::Mat rgb(frame.height, frame.width, CV_8UC3, const_cast<Colour*>(frame.colour.data()));
+  const cv::Mat rgb(image.height, image.width, CV_8UC3, const_cast<Colour*>(image.colour.data()));
   const cv::Mat hsv = to_hsv(rgb);
-  std::vector<std::uint8_t> out(frame.colour.size(), kNoColour);
-  for (int v = 0; v < frame.height; ++v) {
+  std::vector<std::uint8_t> out(image.colour.size(), kNoColour);
+  for (int v = 0; v < image.height; ++v) {
     const cv::Vec3b* row = hsv.ptr<cv::Vec3b>(v);
-    for (int u = 0; u < frame.width; ++u)
-      if (row[u][1] >= kLeastSaturation && row[u][2] >= kLeastValue) out[frame.index(u, v)] = table[row[u][0]];
+    for (int u = 0; u < image.width; ++u)
+      if (row[u][1] >= kLeastSaturation && row[u][2] >= kLeastValue) out[image.index(u, v)] = table[row[u][0]];
   }
   return out;
 }

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "services/recognition/frame.h"
+#include "services/recognition/rgbd_image.h"
 
 namespace race::recognition {
 
@@ -16,7 +16,7 @@ inline constexpr std::uint8_t kNoColour = 255;
 
 /// For each pixel the index of the colour in `palette` (at most 254 of them) that it has: the one of nearest hue, if
 /// that is within 10 degrees and the pixel is colourful; else kNoColour. Light and shadow make no difference.
-std::vector<std::uint8_t> classify(const Frame& frame, const std::vector<Colour>& palette);
+std::vector<std::uint8_t> classify(const RgbdImage& image, const std::vector<Colour>& palette);
 
 /// A rectangle in a plane: its middle, the direction [rad] of its first edge, and its edges.
 struct Rectangle {

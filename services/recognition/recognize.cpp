@@ -27,23 +27,23 @@ struct Cluster {
   Vector middle = Vector::Zero();
 };
 
-/// What a picture holds, before any part is looked for.
-struct Seen {
-  const Frame& frame;
+/// What is measured in a picture before any part is fitted.
+struct Observation {
+  const RgbdImage& image;
   std::vector<std::uint8_t> colours;  // of each pixel
   std::optional<Plane> plane;
   std::vector<Cluster> clusters;
   std::vector<SeenMarker> markers;  // on what can be a part with markers
 };
 
-Cloud to_cloud(const Frame& frame) {
-  constexpr int kEvery = 2;  // pixels: enough for a plane
+Cloud to_cloud(const RgbdImage& image) {
+  constexpr int kStride = 2;  // pixels: enough for a plane
   Cloud cloud;
-  for (int v = 0; v < frame.height; v += kEvery) {
-    for (int u = 0; u < frame.width; u += kEvery) {
-      const double z = frame.depth(u, v);
+  for (int v = 0; v < image.height; v += kStride) {
+    for (int u = 0; u < image.width; u += kStride) {
+      const double z = image.depth(u, v);
       if (z <= 0 || z > kFarthest) continue;
-      const auto p = frame.point(u, v);
+      const auto p = image.point(u, v);
       cloud.push_back({static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])});
     }
   }
@@ -51,14 +51,14 @@ Cloud to_cloud(const Frame& frame) {
 }
 
 /// The points of each colour that do not belong to the plane.
-std::vector<Cloud> coloured_clouds(const Seen& seen, std::size_t colours) {
+std::vector<Cloud> coloured_clouds(const Observation& seen, std::size_t colours) {
   std::vector<Cloud> clouds(colours);
-  for (int v = 0; v < seen.frame.height; ++v) {
-    for (int u = 0; u < seen.frame.width; ++u) {
-      const std::uint8_t colour = seen.colours[seen.frame.index(u, v)];
-      const double z = seen.frame.depth(u, v);
+  for (int v = 0; v < seen.image.height; ++v) {
+    for (int u = 0; u < seen.image.width; ++u) {
+      const std::uint8_t colour = seen.colours[seen.image.index(u, v)];
+      const double z = seen.image.depth(u, v);
       if (colour == kNoColour || z <= 0 || z > kFarthest) continue;
-      const auto p = seen.frame.point(u, v);
+      const auto p = seen.image.point(u, v);
       if (seen.plane && seen.plane->height(p[0], p[1], p[2]) < kAbovePlane) continue;
       clouds[colour].push_back({static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])});
     }
@@ -76,12 +76,12 @@ Cluster to_cluster(std::size_t colour, const Cloud& cloud) {
   return cluster;
 }
 
-Seen look(const Frame& frame, const std::vector<Colour>& palette) {
-  Seen seen{frame,
-            classify(frame, palette),
-            find_plane(voxels(to_cloud(frame), kPlaneLeaf), kPlaneTolerance, kPlaneShare),
-            {},
-            {}};
+Observation observe(const RgbdImage& image, const std::vector<Colour>& palette) {
+  Observation seen{image,
+                   classify(image, palette),
+                   find_plane(voxels(to_cloud(image), kPlaneLeaf), kPlaneTolerance, kPlaneShare),
+                   {},
+                   {}};
   const auto clouds = coloured_clouds(seen, palette.size());
   for (std::size_t colour = 0; colour < clouds.size(); ++colour)
     for (const Cloud& cluster : clusters(voxels(clouds[colour], kPartLeaf), kGap, kLeastPoints))
@@ -90,10 +90,10 @@ Seen look(const Frame& frame, const std::vector<Colour>& palette) {
 }
 
 /// The region of the picture around a cluster, with room for sides that are hidden under a marker.
-Region region_of(const Cluster& cluster, const Frame& frame) {
-  double left = frame.width, top = frame.height, right = 0, bottom = 0;
+Region region_of(const Cluster& cluster, const RgbdImage& image) {
+  double left = image.width, top = image.height, right = 0, bottom = 0;
   for (const Vector& p : cluster.points) {
-    const double u = frame.cx + frame.fx * p.x() / p.z(), v = frame.cy + frame.fy * p.y() / p.z();
+    const double u = image.cx + image.fx * p.x() / p.z(), v = image.cy + image.fy * p.y() / p.z();
     left = std::min(left, u);
     right = std::max(right, u);
     top = std::min(top, v);
@@ -105,7 +105,7 @@ Region region_of(const Cluster& cluster, const Frame& frame) {
 }
 
 /// Up, seen from the camera: away from the plane, or, without one, towards the camera.
-Vector up_of(const Seen& seen) { return seen.plane ? to_eigen(seen.plane->normal) : Vector(-Vector::UnitZ()); }
+Vector up_of(const Observation& seen) { return seen.plane ? to_eigen(seen.plane->normal) : Vector(-Vector::UnitZ()); }
 
 /// First poses of a part of one colour: its bounding box laid into that of the cluster, in each way in which one of its
 /// sides can be up.
@@ -158,22 +158,22 @@ struct Candidate {
   Fit fit;
 };
 
-std::vector<ColouredPoints> points_of(const Seen& seen, const std::vector<std::size_t>& clusters) {
+std::vector<ColouredPoints> points_of(const Observation& seen, const std::vector<std::size_t>& clusters) {
   std::vector<ColouredPoints> all;
   for (const std::size_t i : clusters) all.push_back({seen.clusters[i].colour, seen.clusters[i].points});
   return all;
 }
 
 /// The better of what there is and what `start` leads to, if that is no other part by its markers.
-void try_pose(const Model& model, const Seen& seen, const Transform& start, Candidate& best) {
+void try_pose(const Model& model, const Observation& seen, const Transform& start, Candidate& best) {
   const auto points = points_of(seen, best.clusters);
   Transform c_t_x = refine(model, points, start);
   if (!model.part.markers.empty()) {
-    const auto identified = identify(model, c_t_x, seen.markers, seen.frame);
+    const auto identified = identify(model, c_t_x, seen.markers, seen.image);
     if (!identified) return;
     c_t_x = *identified;
   }
-  const Fit fit = assess(model, points, c_t_x, seen.frame, seen.colours, seen.plane);
+  const Fit fit = assess(model, points, c_t_x, seen.image, seen.colours, seen.plane);
   if (fit.confidence() <= best.fit.confidence()) return;
   best.c_t_x = c_t_x;
   best.fit = fit;
@@ -204,7 +204,7 @@ Vector middle_of_piece(const Piece& piece, const Cluster& cluster) {
 }
 
 /// All ways to give each piece a cluster of its colour that are arranged as the part is.
-void try_arrangements(const Model& model, const Seen& seen, std::size_t part, Candidate partial, Points middles,
+void try_arrangements(const Model& model, const Observation& seen, std::size_t part, Candidate partial, Points middles,
                       std::vector<Candidate>& out) {
   const std::size_t next = partial.clusters.size();
   if (next == model.part.pieces.size()) {
@@ -247,19 +247,19 @@ struct Recognizer::Knowledge {
   }
 
   /// The markers on what has a colour of a part that is sought by its markers.
-  std::vector<SeenMarker> markers(const Seen& seen, const std::vector<std::string>& among) const {
+  std::vector<SeenMarker> markers(const Observation& seen, const std::vector<std::string>& among) const {
     std::vector<SeenMarker> out;
     for (const Cluster& cluster : seen.clusters) {
       bool asked = false;
       for (std::size_t part = 0; part < models.size(); ++part)
         asked = asked || (sought(part, among) && !models[part].part.markers.empty() &&
                           std::ranges::find(models[part].colours, cluster.colour) != models[part].colours.end());
-      if (asked) std::ranges::copy(find_markers(seen.frame, region_of(cluster, seen.frame)), std::back_inserter(out));
+      if (asked) std::ranges::copy(find_markers(seen.image, region_of(cluster, seen.image)), std::back_inserter(out));
     }
     return out;
   }
 
-  std::vector<Candidate> candidates(std::size_t part, const Seen& seen) const {
+  std::vector<Candidate> candidates(std::size_t part, const Observation& seen) const {
     const Model& model = models[part];
     std::vector<Candidate> out;
     const bool one_colour = std::ranges::all_of(model.colours, [&](auto c) { return c == model.colours.front(); });
@@ -291,8 +291,8 @@ Recognizer::~Recognizer() = default;
 
 const std::vector<std::string>& Recognizer::labels() const { return knowledge_->labels; }
 
-std::vector<Detection> Recognizer::recognize(const Frame& frame, const std::vector<std::string>& labels) const {
-  Seen seen = look(frame, knowledge_->palette);
+std::vector<Detection> Recognizer::recognize(const RgbdImage& image, const std::vector<std::string>& labels) const {
+  Observation seen = observe(image, knowledge_->palette);
   seen.markers = knowledge_->markers(seen, labels);
   std::vector<Candidate> candidates;
   for (std::size_t part = 0; part < knowledge_->models.size(); ++part) {

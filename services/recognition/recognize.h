@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "services/recognition/frame.h"
 #include "services/recognition/part.h"
+#include "services/recognition/rgbd_image.h"
 
 namespace race::recognition {
 
@@ -30,7 +30,7 @@ class Recognizer {
   /// In the order of the parts file.
   const std::vector<std::string>& labels() const;
   /// What is seen of the parts with these labels, by confidence.
-  std::vector<Detection> recognize(const Frame& frame, const std::vector<std::string>& labels) const;
+  std::vector<Detection> recognize(const RgbdImage& image, const std::vector<std::string>& labels) const;
 
  private:
   struct Knowledge;

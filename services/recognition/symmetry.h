@@ -1,4 +1,4 @@
-// Symmetry: the turns that change nothing about a part, as a group. Two orientations that differ by one are the same.
+// Symmetry: the rotations that map a part onto itself, as a group. Two orientations that differ by one are the same.
 // Immutable; any thread.
 #pragma once
 

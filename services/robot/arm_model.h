@@ -1,6 +1,6 @@
 // ArmModel: kinematics and rigid-body dynamics of the seven-joint arm up to its tool centre point (KDL inside).
 //
-// Threads: one at a time; its functions are const to the eye but share scratch memory.
+// Threads: one at a time; its const functions share scratch memory.
 #pragma once
 
 #include <array>

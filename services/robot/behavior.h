@@ -1,4 +1,4 @@
-// Behavior: how the robot acts while it follows a command, and how it reacts before anyone is asked (thesis 2.5: an
+// Behavior: how the robot acts while it follows a command, and how it reacts by itself (thesis 2.5: an
 // action is a tuple of command and behavior, a behavior is operational and reflex behavior). Values, no functions of
 // time. As tasks write it: behavior_value.h.
 #pragma once
@@ -68,9 +68,9 @@ struct Behavior {
 /// where the hand that leads the arm must not.
 Behavior usual_behavior(Mode mode);
 
-/// What acts when the arm has to hold by position and nobody has said how. A behavior of `position` stays as it is; of
-/// another mode stays what limits, its speed and its reflexes, but for those on collisions: they were meant for an arm
-/// that gives way, and those of usual_behavior(Mode::position) take their place.
+/// The behavior of an arm that has to hold by position without a behavior given for it. A behavior of `position` stays
+/// as it is; of another mode stays what limits, its speed and its reflexes, but for those on collisions: they were
+/// meant for an arm that gives way, and those of usual_behavior(Mode::position) take their place.
 Behavior held_by_position(const Behavior& behavior);
 
 std::string_view name(Mode mode);

@@ -74,7 +74,7 @@ Read read_vector(const Value& value, const std::string& field, Vec3& out) {
   return {};
 }
 
-/// Refuses a field that says nothing here.
+/// Refuses a field that has no meaning here.
 Read only_with(const Value& record, std::string_view field, bool fits, const std::string& what) {
   if (fits || !given(record, field)) return {};
   return refuse("type", "`" + std::string(field) + "` is only for " + what);

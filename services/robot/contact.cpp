@@ -27,7 +27,7 @@ Touch ContactDetector::update(const Joints& external_torques, double dt) {
 
   if (touching_ && worst < kRearm) {
     touching_ = false;
-    told_.reset();
+    reported_.reset();
   }
   Touch touch;
   const bool begins = !touching_ && worst > 1;
@@ -40,8 +40,8 @@ Touch ContactDetector::update(const Joints& external_torques, double dt) {
   contact.severity = severity_of(worst);
   if (begins) touch.contact = contact;
   const bool collides = accidental_ || contact.severity > Severity::light;
-  if (collides && (!told_ || contact.severity > *told_)) {
-    told_ = contact.severity;
+  if (collides && (!reported_ || contact.severity > *reported_)) {
+    reported_ = contact.severity;
     touch.collision = contact;
   }
   return touch;

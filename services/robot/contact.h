@@ -1,4 +1,4 @@
-// From external torques to contacts and collisions: when one begins, how severe it is, whether somebody meant it.
+// From external torques to contacts and collisions: when one begins, how severe it is, whether it is intended.
 // After S. Haddadin, A. De Luca, A. Albu-Schäffer, "Robot collisions: a survey on detection, isolation, and
 // identification", IEEE T-RO 33(6), 2017: thresholds per joint on the momentum residual (III), the outermost joint that
 // feels it (IV), accidental contacts rise fast and intended ones slowly (VI).
@@ -12,8 +12,9 @@
 namespace race::robot {
 
 struct Contact {
-  std::size_t joint = 0;  // the outermost joint that feels it: the contact is on its link or farther out
-  Joints torques{};       // Nm
+  std::size_t joint =
+      0;             // the outermost joint with a torque above its threshold: the contact is on its link or farther out
+  Joints torques{};  // Nm
   Severity severity = Severity::light;
   bool accidental = false;  // rose fast
 };
@@ -46,7 +47,7 @@ class ContactDetector {
   Joints thresholds_;
   double onset_ = 0;  // s since the torques were last below kFelt
   bool touching_ = false, accidental_ = false;
-  std::optional<Severity> told_;  // of the collision of this contact
+  std::optional<Severity> reported_;  // of the collision of this contact
 };
 
 }  // namespace race::robot

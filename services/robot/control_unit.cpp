@@ -13,9 +13,9 @@ constexpr double kFollowingError = 0.03;  // rad; more means that something push
 constexpr double kArrived = 0.005;        // rad; the weight of a carried part costs up to 0.003
 constexpr double kArrivedSoftly = 0.1;    // rad, with an impedance: it may be pushed
 constexpr double kStanding = 0.02;        // rad/s
-constexpr double kPatience = 1.0;         // s that an arrival may take longer than planned
+constexpr double kArrivalTimeout = 1.0;   // s that an arrival may take longer than planned
 constexpr double kSlowLasts = 0.5;        // s that a reflex slows down after its signal has ended
-constexpr double kPassOver = 0.2;         // s from one control law to the next
+constexpr double kBlendTime = 0.2;        // s from one control law to the next
 
 double largest_difference(const Joints& a, const Joints& b) {
   double largest = 0;
@@ -123,7 +123,7 @@ void ControlUnit::set_behavior(const Behavior& behavior) {
   behavior_ = behavior;
   reflexes_.set(behavior.reflexes);
   offset_.reset();
-  offset_left_ = kPassOver;
+  offset_left_ = kBlendTime;
 }
 
 const Joints& ControlUnit::control(const Joints& q, const Joints& dq) {
@@ -141,7 +141,7 @@ const Joints& ControlUnit::control(const Joints& q, const Joints& dq) {
     slow_ = 1;
   }
   Joints torques = law(q, dq);
-  pass_over(torques);
+  blend_torques(torques);
   for (std::size_t i = 0; i < kJoints; ++i)
     torques_[i] = std::clamp(torques[i], -arm_.limits().effort[i], arm_.limits().effort[i]);
   return torques_;
@@ -166,10 +166,10 @@ void ControlUnit::react(const Incident& incident) {
 }
 
 void ControlUnit::interrupt(const Refusal& why) {
-  const bool told = moving();
+  const bool was_moving = moving();
   const std::optional<Refusal> earlier = returning_;
   brake_and_hold();
-  if (told) outcome_.emplace(earlier ? *earlier : why);
+  if (was_moving) outcome_.emplace(earlier ? *earlier : why);
 }
 
 bool ControlUnit::can_retreat() const {
@@ -206,13 +206,13 @@ Joints ControlUnit::position_law(const Joints& q, const Joints& dq, const Refere
   return arm_.inverse_dynamics(q, dq, command);
 }
 
-void ControlUnit::pass_over(Joints& torques) {
+void ControlUnit::blend_torques(Joints& torques) {
   if (offset_left_ <= 0) return;
   if (!offset_) {
     offset_ = torques_;
     add(*offset_, torques, -1);
   }
-  const double left = offset_left_ / kPassOver;
+  const double left = offset_left_ / kBlendTime;
   add(torques, *offset_, left * left * (3 - 2 * left));
   offset_left_ -= kPeriod;
 }
@@ -245,12 +245,12 @@ Reference ControlUnit::follow_path(const Joints& q, const Joints& dq) {
   if (stiff && largest_difference(reference.q, q) > kFollowingError) {
     interrupt({"following_error", "", "something pushes the arm off its path"});
   } else if (path_->at_end()) {
-    judge_arrival(q, dq);
+    check_arrival(q, dq);
   }
   return reference;
 }
 
-void ControlUnit::judge_arrival(const Joints& q, const Joints& dq) {
+void ControlUnit::check_arrival(const Joints& q, const Joints& dq) {
   const bool stiff = behavior_.operational.mode == Mode::position;
   const Joints& goal = path_->trajectory().goal();
   const bool arrived = largest_difference(goal, q) < (stiff ? kArrived : kArrivedSoftly);
@@ -259,7 +259,7 @@ void ControlUnit::judge_arrival(const Joints& q, const Joints& dq) {
     brake_ = Braking(goal, Joints{}, settings_.braking);
     activity_ = Activity::hold;
     outcome_.emplace(std::nullopt);
-  } else if (overtime_ > kPatience) {
+  } else if (overtime_ > kArrivalTimeout) {
     interrupt({"not_reached", "", "something keeps the arm from its goal"});
   }
 }

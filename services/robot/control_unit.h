@@ -1,5 +1,5 @@
 // ControlUnit: what runs in the robot's controller at 1 kHz (thesis 2.5): follows paths by one of four control laws,
-// observes external forces, and reacts by reflex before anybody is asked. It knows torques, positions and speeds of
+// observes external forces, and reacts by reflex, without a task. It knows torques, positions and speeds of
 // joints and where the arm keeps clear; no world, no RACE.
 //
 // Threads: one, its unit's.
@@ -59,11 +59,11 @@ class ControlUnit {
   tl::expected<void, Refusal> move(const MoveCommand& command, const std::optional<Behavior>& behavior = {});
 
   /// Brakes with the largest deceleration and holds position, whatever it did, with held_by_position() of its behavior.
-  /// A motion is forgotten, without an outcome.
+  /// A motion ends without an outcome.
   void stop();
 
-  /// Changes the behavior: brakes if it moves by hand, then holds where it is, or gives way. Torques pass over
-  /// gradually. Requires that it is not moving.
+  /// Changes the behavior: brakes if it moves by hand, then holds where it is, or gives way. Torques
+  /// blend gradually. Requires that it is not moving.
   void set_behavior(const Behavior& behavior);
   const Behavior& behavior() const { return behavior_; }
 
@@ -99,11 +99,11 @@ class ControlUnit {
   Reference next_reference(const Joints& q, const Joints& dq);
   Reference follow_path(const Joints& q, const Joints& dq);
   Reference go_back(const Joints& q);
-  void judge_arrival(const Joints& q, const Joints& dq);
+  void check_arrival(const Joints& q, const Joints& dq);
   double rate() const;
   Joints law(const Joints& q, const Joints& dq);
   Joints position_law(const Joints& q, const Joints& dq, const Reference& reference) const;
-  void pass_over(Joints& torques);
+  void blend_torques(Joints& torques);
 
   ArmModel arm_;
   ControlSettings settings_;

@@ -1,6 +1,6 @@
 // FreePath: searches a way for the arm around what stands in the cell, by RRT-Connect (J. Kuffner, S. LaValle,
 // "RRT-Connect: an efficient approach to single-query path planning", ICRA 2000), and shortens and smooths it. It works
-// in slices, so that a control loop can carry it along; the same seed searches the same way.
+// in slices, so that it can run within a control loop; the same seed searches the same way.
 #pragma once
 
 #include <functional>

@@ -30,7 +30,7 @@ Robot::Robot(services::ServiceHost& host, world::World& world, ArmModel arm, uns
       world_(world),
       clearance_(world.model(), world.scene()),
       unit_(std::move(arm), seeded(seed), world.q(), [this](const Joints& q, double margin) {
-        return (with_part_ ? *with_part_ : clearance_).keeps(q, margin);
+        return (clearance_with_payload_ ? *clearance_with_payload_ : clearance_).keeps(q, margin);
       }) {
   world_.set_torques(unit_.control(world_.q(), world_.dq()));
 }
@@ -45,12 +45,12 @@ void Robot::move(const services::Call& call, const Dict& arguments) {
 }
 
 void Robot::set_payload(const std::optional<Vec3>& part) {
-  with_part_.reset();
+  clearance_with_payload_.reset();
   if (!part) return;
   world::RobotModel loaded = world_.model();
   loaded.links[static_cast<std::size_t>(loaded.link("tcp"))].collisions.push_back(
       {{world::Shape::Kind::box, *part}, Pose{}});
-  with_part_.emplace(loaded, world_.scene());
+  clearance_with_payload_.emplace(loaded, world_.scene());
 }
 
 void Robot::finish_move(const std::optional<Refusal>& failure) {

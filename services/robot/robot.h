@@ -38,8 +38,8 @@ class Robot final : public services::TableComponent {
   void finish_move(const std::optional<Refusal>& failure);
 
   world::World& world_;
-  world::Clearance clearance_;                 // of the arm alone
-  std::optional<world::Clearance> with_part_;  // of the arm and what it carries, as the last move said
+  world::Clearance clearance_;                              // of the arm without payload
+  std::optional<world::Clearance> clearance_with_payload_;  // of the arm and the payload of the last move
   ControlUnit unit_;
   services::CallId moving_ = 0;  // the move that waits for its end; 0: none
 };

@@ -20,7 +20,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 struct AudioTest : display::ScreensBench<RemoteSpeakers> {
-  explicit AudioTest(bool elsewhere) : ScreensBench("audio", answer_speakers) {
+  explicit AudioTest(bool elsewhere) : ScreensBench("audio", answer_audio_request) {
     bench.add<Audio>("audio", elsewhere ? static_cast<display::Speakers&>(remote) : screens);
   }
   Screens::ConnectionId connect(const std::string& display, bool sound = true) {
@@ -38,7 +38,7 @@ struct AudioTest : display::ScreensBench<RemoteSpeakers> {
   }
 };
 
-/// Calls without a fault: the monitor has nothing to say.
+/// Correct calls: the monitor must find no violation.
 struct AudioInOrder : AudioTest, testing::WithParamInterface<bool> {
   AudioInOrder() : AudioTest(GetParam()) {}
   ~AudioInOrder() override {
@@ -186,13 +186,13 @@ INSTANTIATE_TEST_SUITE_P(
                         Wrong{{"beep", "loud"}, "type", "volume"}, Wrong{{"beep", 1, 0}, "out_of_range", "repeat"},
                         Wrong{{"beep", 1, 21}, "out_of_range", "repeat"}, Wrong{{"beep", 1, 1.5}, "type", "repeat"})));
 
-// What no audio asks is refused at the door, and plays nothing.
+// The server refuses a request that no audio component makes, and plays nothing.
 TEST(AnswerSpeakers, RefusesWhatNoAudioAsks) {
   Screens screens;
   ASSERT_TRUE(screens.connect("main", true));
   const auto error = [&](const char* function, const char* arguments) {
     const Value json = parse_json(arguments).value();
-    const auto answer = answer_speakers(screens, function, json.as_dict());
+    const auto answer = answer_audio_request(screens, function, json.as_dict());
     return answer ? "none" : answer.error().path + ": " + std::string(name(answer.error().code));
   };
   EXPECT_EQ(error("ask", "{}"), "ask: not_found");

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/value/json.h"
-#include "services/display/remote_stage.h"
+#include "services/display/remote_display_backend.h"
 #include "tests/unit/services/display/screens_bench.h"
 
 namespace race::display {
@@ -17,9 +17,9 @@ using services::Delivery;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-struct DisplayTest : ScreensBench<RemoteStage> {
-  explicit DisplayTest(bool elsewhere) : ScreensBench("display", answer_stage) {
-    bench.add<Display>("display", elsewhere ? static_cast<Stage&>(remote) : screens, std::string());
+struct DisplayTest : ScreensBench<RemoteDisplayBackend> {
+  explicit DisplayTest(bool elsewhere) : ScreensBench("display", answer_display_request) {
+    bench.add<Display>("display", elsewhere ? static_cast<DisplayBackend&>(remote) : screens, std::string());
   }
 
   void connect(const std::string& display) {
@@ -51,7 +51,7 @@ struct DisplayTest : ScreensBench<RemoteStage> {
   std::map<std::string, Screens::ConnectionId> connections;
 };
 
-/// Calls without a fault: the monitor has nothing to say.
+/// Correct calls: the monitor must find no violation.
 struct DisplayInOrder : DisplayTest, testing::WithParamInterface<bool> {
   DisplayInOrder() : DisplayTest(GetParam()) {}
   ~DisplayInOrder() override {
@@ -199,10 +199,10 @@ TEST_P(DisplayInOrder, AQuestionWhoseLastDisplayStaysAwayIsLost) {
   connect("right");
   call("ask", {"Go?"});
   disconnect("left");
-  pass(2 * Display::kPatience);
+  pass(2 * Display::kReconnectTimeout);
   EXPECT_THAT(bench.responses(), IsEmpty());
   disconnect("right");
-  pass(Display::kPatience - 0.01);
+  pass(Display::kReconnectTimeout - 0.01);
   EXPECT_THAT(bench.responses(), IsEmpty());
   pass(0.02);
   EXPECT_THAT(bench.responses(), ElementsAre("display.ask !> display_lost"));
@@ -216,7 +216,7 @@ TEST_P(DisplayInOrder, ADisplayThatIsBackInTimeStillShowsItsQuestion) {
   call("ask", {"Go?"});
   for (int i = 0; i < 3; ++i) {
     disconnect("main");
-    pass(Display::kPatience * 0.9);
+    pass(Display::kReconnectTimeout * 0.9);
     connect("main");
   }
   answer("main", "OK");

@@ -1,5 +1,5 @@
-// A service whose screens are here, or elsewhere: then all that it asks and is answered passes as JSON, and it is told
-// when there is news.
+// A service whose Screens are in the same process, or behind a remote backend: then requests and answers pass as JSON,
+// and the backend is invalidated when the Screens change.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,26 +14,25 @@
 
 namespace race::display {
 
-/// `Remote`: RemoteStage or audio's RemoteSpeakers.
+/// `Remote`: RemoteDisplayBackend or audio's RemoteSpeakers.
 template <typename Remote>
 struct ScreensBench : testing::Test {
   using Answer = std::function<Expected<Value>(Screens&, std::string_view function, const Dict& arguments)>;
 
-  /// `key`: the service's; `its_answer`: what the server does with its questions.
-  ScreensBench(std::string key, Answer its_answer)
-      : service(std::move(key)), call_host_function(std::move(its_answer)) {}
+  /// `key`: the service's; `its_answer`: how the server answers its requests.
+  ScreensBench(std::string key, Answer its_answer) : service(std::move(key)), call_host_function(std::move(its_answer)) {}
 
   void call(const std::string& operation, List args = {}, Dict kwargs = {}) {
-    look();
+    refresh();
     bench.call(service, operation, std::move(args), std::move(kwargs));
   }
   void pass(double seconds) {
-    look();
+    refresh();
     bench.pass(seconds);
   }
-  void look() {
-    const auto doings = screens.doings();
-    if (std::exchange(seen, doings) != doings) remote.news();
+  void refresh() {
+    const auto revision = screens.revision();
+    if (std::exchange(seen, revision) != revision) remote.invalidate();
   }
 
   std::string service;

@@ -81,7 +81,7 @@ TEST_F(ScreensTest, TheFirstAnswerCountsAndTakesTheQuestionAway) {
   screens.take();
   ASSERT_TRUE(screens.answer("right", "No", question));
   EXPECT_EQ(screens.answer("left", "Yes", question).error().code, ErrorCode::conflict);
-  EXPECT_THAT(screens.take(), ElementsAre(Happening{Happening::Kind::answered, "right", "No", question}));
+  EXPECT_THAT(screens.take(), ElementsAre(DisplayEvent{DisplayEvent::Kind::answered, "right", "No", question}));
   EXPECT_EQ(question_on("left"), "");
   EXPECT_FALSE(screens.asking());
 }
@@ -111,7 +111,7 @@ TEST_F(ScreensTest, ANumberIsFiniteAndWithinItsLimits) {
   EXPECT_EQ(screens.answer("left", "2").error().code, ErrorCode::type);
   screens.take();
   ASSERT_TRUE(screens.answer("left", 4));
-  EXPECT_THAT(screens.take(), ElementsAre(Happening{Happening::Kind::answered, "left", 4, question}));
+  EXPECT_THAT(screens.take(), ElementsAre(DisplayEvent{DisplayEvent::Kind::answered, "left", 4, question}));
 }
 
 TEST_F(ScreensTest, OnlyButtonsThatAreShownCanBePressed) {
@@ -152,7 +152,7 @@ TEST_F(ScreensTest, TwoConnectionsOfOneNameAreOneDisplay) {
   screens.connect("left", false).value();
   screens.disconnect(first);
   EXPECT_THAT(screens.connected(), ElementsAre("left"));
-  EXPECT_THAT(screens.take(), ElementsAre(Happening{Happening::Kind::connected, "left", {}, 0}));
+  EXPECT_THAT(screens.take(), ElementsAre(DisplayEvent{DisplayEvent::Kind::connected, "left", {}, 0}));
 }
 
 TEST_F(ScreensTest, ASoundGoesToThoseWhoMayMakeSounds) {
@@ -201,9 +201,9 @@ TEST_F(ScreensTest, WhatWaitsForTheServiceIsBounded) {
   screens.connect("left", false).value();
   ASSERT_TRUE(screens.show("left", {"", "", {"Stop"}}));
   screens.take();
-  for (std::size_t i = 0; i < Screens::kHappenings; ++i) ASSERT_TRUE(screens.press("left", "Stop"));
+  for (std::size_t i = 0; i < Screens::kMaxPendingEvents; ++i) ASSERT_TRUE(screens.press("left", "Stop"));
   EXPECT_EQ(screens.press("left", "Stop").error().code, ErrorCode::conflict);
-  EXPECT_EQ(screens.take().size(), Screens::kHappenings);
+  EXPECT_EQ(screens.take().size(), Screens::kMaxPendingEvents);
   EXPECT_TRUE(screens.press("left", "Stop"));
 }
 

@@ -38,16 +38,16 @@ inline world::Body& body(world::Scene& scene, const std::string& name) {
 inline std::array<double, 4> yaw(double angle) { return {0, 0, std::sin(angle / 2), std::cos(angle / 2)}; }
 
 /// What a Kinect measures of these things.
-inline Frame measured(const std::vector<camera::Item>& items, std::uint64_t seed) {
+inline RgbdImage measured(const std::vector<camera::Item>& items, std::uint64_t seed) {
   const camera::Intrinsics k = camera::kinect();
   const auto picture = camera::measure(camera::rasterize(items, k), seed);
-  Frame frame{0, k.width, k.height, k.fx, k.fy, k.cx, k.cy, picture.depth_mm, {}};
-  for (const camera::Rgb& c : picture.colour) frame.colour.push_back({c.r, c.g, c.b});
-  return frame;
+  RgbdImage image{0, k.width, k.height, k.fx, k.fy, k.cx, k.cy, picture.depth_mm, {}};
+  for (const camera::Rgb& c : picture.colour) image.colour.push_back({c.r, c.g, c.b});
+  return image;
 }
 
 /// What the camera measures of the world now.
-inline Frame measured(const world::World& world, std::uint64_t seed) {
+inline RgbdImage measured(const world::World& world, std::uint64_t seed) {
   return measured(camera::view(world, world.scene().camera->o_t_c), seed);
 }
 

@@ -16,14 +16,14 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 /// Camera and recognition of the demonstrator, with time that passes and a world that stands still.
-struct Sight {
-  explicit Sight(std::uint64_t seed = 1) : world(build(demo_scene())) {
+struct Fixture {
+  explicit Fixture(std::uint64_t seed = 1) : world(build(demo_scene())) {
     auto& eye = bench.host.declare("camera", "KinectDriver", bench.queue);
     bench.host.attach("camera", std::make_unique<camera::Camera>(eye, *world, seed));
     auto& mind = bench.host.declare("obj_rec", "ObjectRecognition", bench.queue);
     bench.host.attach("obj_rec", std::make_unique<ObjectRecognition>(mind, demo_parts()));
   }
-  ~Sight() { bench.host.stop(); }
+  ~Fixture() { bench.host.stop(); }
   /// The labels of each event so far.
   std::vector<std::vector<std::string>> labels() const {
     std::vector<std::vector<std::string>> all;
@@ -40,36 +40,36 @@ struct Sight {
 };
 
 TEST(ObjectRecognition, IsIdleAndSilentUntilItIsStarted) {
-  Sight sight;
-  sight.bench.pass(0.5);
-  EXPECT_EQ(sight.bench.host.service("obj_rec")->state, "Idle");
-  EXPECT_THAT(sight.labels(), IsEmpty());
+  Fixture fixture;
+  fixture.bench.pass(0.5);
+  EXPECT_EQ(fixture.bench.host.service("obj_rec")->state, "Idle");
+  EXPECT_THAT(fixture.labels(), IsEmpty());
 }
 
 TEST(ObjectRecognition, TellsOfThePartsThatWereAskedForAndStopsWhenTold) {
-  Sight sight;
-  sight.bench.call("obj_rec", "start", {List{Value("Tape")}});
-  EXPECT_EQ(sight.bench.host.service("obj_rec")->state, "Recognizing");
-  sight.bench.pass(0.45);
-  EXPECT_THAT(sight.labels(), ElementsAre(ElementsAre("Tape"), ElementsAre("Tape")));
-  sight.bench.call("obj_rec", "stop");
-  const auto before = sight.labels().size();
-  sight.bench.pass(0.5);
-  EXPECT_EQ(sight.labels().size(), before);
-  EXPECT_THAT(sight.bench.responses(), ElementsAre("obj_rec.start -> null", "obj_rec.stop -> null"));
-  EXPECT_THAT(sight.bench.violations("obj_rec"), IsEmpty());
+  Fixture fixture;
+  fixture.bench.call("obj_rec", "start", {List{Value("Tape")}});
+  EXPECT_EQ(fixture.bench.host.service("obj_rec")->state, "Recognizing");
+  fixture.bench.pass(0.45);
+  EXPECT_THAT(fixture.labels(), ElementsAre(ElementsAre("Tape"), ElementsAre("Tape")));
+  fixture.bench.call("obj_rec", "stop");
+  const auto before = fixture.labels().size();
+  fixture.bench.pass(0.5);
+  EXPECT_EQ(fixture.labels().size(), before);
+  EXPECT_THAT(fixture.bench.responses(), ElementsAre("obj_rec.start -> null", "obj_rec.stop -> null"));
+  EXPECT_THAT(fixture.bench.violations("obj_rec"), IsEmpty());
 }
 
 TEST(ObjectRecognition, NeedsNoPicturesWhileItIsStopped) {
-  Sight sight;
-  sight.bench.call("obj_rec", "start");
-  sight.bench.call("obj_rec", "stop");
+  Fixture fixture;
+  fixture.bench.call("obj_rec", "start");
+  fixture.bench.call("obj_rec", "stop");
   int pictures = 0;
-  sight.bench.pass(0.3);
-  const auto watch = sight.bench.host.watch("camera", "frame", [&](const auto&) { ++pictures; });
-  sight.bench.queue.run();
-  sight.bench.host.unwatch(watch);
-  sight.bench.pass(0.3);
+  fixture.bench.pass(0.3);
+  const auto watch = fixture.bench.host.watch("camera", "frame", [&](const auto&) { ++pictures; });
+  fixture.bench.queue.run();
+  fixture.bench.host.unwatch(watch);
+  fixture.bench.pass(0.3);
   EXPECT_EQ(pictures, 0);
 }
 
@@ -81,23 +81,23 @@ TEST(ObjectRecognition, RefusesWrongArgumentsAndIsIdleThen) {
                                                             {List{Value(3)}, "type"},
                                                             {Value(std::numeric_limits<double>::quiet_NaN()), "type"}};
   for (const auto& [labels, code] : cases) {
-    Sight sight;
-    sight.bench.call("obj_rec", "start", {labels});
-    ASSERT_THAT(sight.bench.responses(), ElementsAre("obj_rec.start !> " + code));
-    EXPECT_EQ(sight.bench.deliveries[0].data.find("argument")->as_string(), "labels");
-    EXPECT_EQ(sight.bench.host.service("obj_rec")->state, "Idle");
-    sight.bench.pass(0.3);
-    EXPECT_THAT(sight.labels(), IsEmpty());
+    Fixture fixture;
+    fixture.bench.call("obj_rec", "start", {labels});
+    ASSERT_THAT(fixture.bench.responses(), ElementsAre("obj_rec.start !> " + code));
+    EXPECT_EQ(fixture.bench.deliveries[0].data.find("argument")->as_string(), "labels");
+    EXPECT_EQ(fixture.bench.host.service("obj_rec")->state, "Idle");
+    fixture.bench.pass(0.3);
+    EXPECT_THAT(fixture.labels(), IsEmpty());
   }
 }
 
 TEST(ObjectRecognition, GivesTheSameEventsForTheSameSeedOnly) {
   const auto events = [](std::uint64_t seed) {
-    Sight sight(seed);
-    sight.bench.call("obj_rec", "start");
-    sight.bench.pass(0.6);
+    Fixture fixture(seed);
+    fixture.bench.call("obj_rec", "start");
+    fixture.bench.pass(0.6);
     std::string all;
-    for (const auto& delivery : sight.bench.deliveries)
+    for (const auto& delivery : fixture.bench.deliveries)
       all += std::to_string(delivery.time) + to_json(delivery.data) + "\n";
     return all;
   };

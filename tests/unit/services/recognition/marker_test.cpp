@@ -20,33 +20,33 @@ using testing::IsEmpty;
 using testing::UnorderedElementsAre;
 
 /// A camera that looks down at 45 degrees on the middle of the table, `distance` [m] away from it.
-world::Pose looking_from(double distance) {
+world::Pose camera_pose(double distance) {
   world::Pose o_t_c = demo_scene().camera->o_t_c;
   o_t_c.position = {0.65 + distance * std::sqrt(0.5), 0, distance * std::sqrt(0.5)};
   return o_t_c;
 }
 
 /// Where the corners of a marker are in the picture, from the world's truth.
-std::array<Spot, 4> corners(const world::Marker& marker, const world::Pose& c_t_body, const Frame& frame) {
+std::array<ImagePoint, 4> corners(const world::Marker& marker, const world::Pose& c_t_body, const RgbdImage& image) {
   const double h = marker.side / 2;
   const world::Vec3 in_marker[] = {{-h, h, 0}, {h, h, 0}, {h, -h, 0}, {-h, -h, 0}};
   const world::Pose c_t_marker = camera::compose(c_t_body, marker.body_t_marker);
-  std::array<Spot, 4> out;
+  std::array<ImagePoint, 4> out;
   for (std::size_t i = 0; i < 4; ++i) {
     const world::Vec3 p = camera::transform(c_t_marker, in_marker[i]);
-    out[i] = {frame.cx + frame.fx * p[0] / p[2], frame.cy + frame.fy * p[1] / p[2]};
+    out[i] = {image.cx + image.fx * p[0] / p[2], image.cy + image.fy * p[1] / p[2]};
   }
   return out;
 }
 
-double farthest(const std::array<Spot, 4>& a, const std::array<Spot, 4>& b) {
+double farthest(const std::array<ImagePoint, 4>& a, const std::array<ImagePoint, 4>& b) {
   double most = 0;
   for (std::size_t i = 0; i < 4; ++i) most = std::max(most, std::hypot(a[i][0] - b[i][0], a[i][1] - b[i][1]));
   return most;
 }
 
 /// Around a marker with these corners, twice as wide.
-Region around(const std::array<Spot, 4>& corners) {
+Region around(const std::array<ImagePoint, 4>& corners) {
   const double u = (corners[0][0] + corners[2][0]) / 2, v = (corners[0][1] + corners[2][1]) / 2;
   const double room = std::hypot(corners[0][0] - corners[2][0], corners[0][1] - corners[2][1]);
   return {static_cast<int>(u - room), static_cast<int>(v - room), static_cast<int>(u + room),
@@ -61,9 +61,9 @@ TEST(Markers, OfEveryIdAreReadAsTheyAreDrawnAndWhereTheyAre) {
     std::vector<camera::Item> items{
         {{world::Shape::Kind::box, {0.1, 0.1, 1e-4}}, c_t_card, camera::parse_colour("#2f6fd0")}};
     camera::add_marker(marker, c_t_card, items);
-    const Frame frame = measured(items, static_cast<std::uint64_t>(id));
-    const auto truth = corners(marker, c_t_card, frame);
-    const auto seen = find_markers(frame, around(truth));
+    const RgbdImage image = measured(items, static_cast<std::uint64_t>(id));
+    const auto truth = corners(marker, c_t_card, image);
+    const auto seen = find_markers(image, around(truth));
     ASSERT_EQ(seen.size(), 1U) << "id and seed " << id;
     EXPECT_EQ(seen[0].id, id);
     EXPECT_LT(farthest(seen[0].corners, truth), 1.0) << "pixels; id and seed " << id;
@@ -104,13 +104,13 @@ TEST(Markers, OfFortyMillimetresAreReadAtAMetreAndNoneIsMistaken) {
   for (int seed = 1; seed <= kScenes; ++seed) {
     const auto world = build(marked(static_cast<std::uint64_t>(seed)));
     for (const double distance : {1.0, 1.5, 2.0}) {
-      const world::Pose o_t_c = looking_from(distance);
-      const Frame frame = measured(camera::view(*world, o_t_c), static_cast<std::uint64_t>(seed));
+      const world::Pose o_t_c = camera_pose(distance);
+      const RgbdImage image = measured(camera::view(*world, o_t_c), static_cast<std::uint64_t>(seed));
       for (const char* name : {"cube_red", "cube_blue", "block_green"}) {
         const world::Marker marker = marker_of(*world, name);
-        const auto truth = corners(marker, camera::compose(camera::inverse(o_t_c), world->pose(name)), frame);
+        const auto truth = corners(marker, camera::compose(camera::inverse(o_t_c), world->pose(name)), image);
         Rate& rate = rates[{distance, marker.side}];
-        for (const SeenMarker& each : find_markers(frame, around(truth))) {
+        for (const SeenMarker& each : find_markers(image, around(truth))) {
           ++(each.id == marker.id ? rate.found : rate.wrong);
           rate.worst = std::max(rate.worst, farthest(each.corners, truth));
         }
@@ -129,17 +129,18 @@ TEST(Markers, AreNotSeenWhereThereAreNone) {
     const auto world = build(demo_scene());
     EXPECT_THAT(find_markers(measured(*world, seed), {200, 150, 440, 400}), IsEmpty()) << "seed " << seed;
   }
-  const Frame frame = measured(std::vector<camera::Item>{}, 1);
-  EXPECT_THAT(find_markers(frame, {-50, -50, 0, 100}), IsEmpty()) << "outside of the picture";
+  const RgbdImage image = measured(std::vector<camera::Item>{}, 1);
+  EXPECT_THAT(find_markers(image, {-50, -50, 0, 100}), IsEmpty()) << "outside of the picture";
 }
 
 TEST(Markers, MayBeLookedForInAnyPictureHoweverSmall) {
-  Frame frame = measured(std::vector<camera::Item>{}, 1);
+  RgbdImage image = measured(std::vector<camera::Item>{}, 1);
   std::mt19937_64 random(1);  // the seed
   for (int size = 1; size <= 40; ++size) {
-    for (auto& pixel : frame.colour) pixel.fill(random() % 2 ? 240 : 20);
-    for (const SeenMarker& each : find_markers(frame, {300, 200, 300 + size, 200 + size}))
-      for (const Spot& corner : each.corners) EXPECT_TRUE(corner[0] > 299 && corner[0] < 301 + size) << "size " << size;
+    for (auto& pixel : image.colour) pixel.fill(random() % 2 ? 240 : 20);
+    for (const SeenMarker& each : find_markers(image, {300, 200, 300 + size, 200 + size}))
+      for (const ImagePoint& corner : each.corners)
+        EXPECT_TRUE(corner[0] > 299 && corner[0] < 301 + size) << "size " << size;
   }
 }
 
@@ -155,7 +156,7 @@ Part blue_box(const std::string& label, std::optional<int> id) {
 /// The table with two blue boxes somewhere on it: the scene's, and one in the place of the green block.
 world::Scene two_boxes(std::uint64_t seed, std::vector<world::Marker> on_first, std::vector<world::Marker> on_second) {
   world::Scene scene = demo_scene();
-  scene.camera->o_t_c = looking_from(1.0);
+  scene.camera->o_t_c = camera_pose(1.0);
   std::mt19937_64 random(seed);
   const auto in = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
   world::Body &first = body(scene, "cube_blue"), &second = body(scene, "block_green");

@@ -1,4 +1,4 @@
-// The door of part files.
+// Reading part files: what is accepted, which errors are reported.
 #include "services/recognition/part.h"
 
 #include <gtest/gtest.h>

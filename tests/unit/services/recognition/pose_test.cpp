@@ -76,9 +76,9 @@ TEST(Pose, OfEveryPartIsWithinFiveMillimetresAndThreeDegrees) {
   double seconds = 0;
   for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
     const auto world = build(scattered(seed));
-    const Frame frame = measured(*world, seed);
+    const RgbdImage image = measured(*world, seed);
     const auto begin = std::chrono::steady_clock::now();
-    const auto detections = recognizer.recognize(frame, recognizer.labels());
+    const auto detections = recognizer.recognize(image, recognizer.labels());
     seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     for (const Detection& detection : detections) {
       const auto name = bodies_of_labels().find(detection.label);
@@ -133,25 +133,25 @@ TEST(FalsePart, IsRejectedThoughItHasTheColour) {
 TEST(Recognizer, FindsOnlyWhatIsAskedFor) {
   const Recognizer recognizer(demo_parts());
   const auto world = build(demo_scene());
-  const Frame frame = measured(*world, 1);
-  EXPECT_THAT(labels_in(recognizer.recognize(frame, {"Bar"})), testing::ElementsAre("Bar"));
-  EXPECT_THAT(labels_in(recognizer.recognize(frame, {})), IsEmpty());
-  EXPECT_THAT(labels_in(recognizer.recognize(frame, recognizer.labels())),
+  const RgbdImage image = measured(*world, 1);
+  EXPECT_THAT(labels_in(recognizer.recognize(image, {"Bar"})), testing::ElementsAre("Bar"));
+  EXPECT_THAT(labels_in(recognizer.recognize(image, {})), IsEmpty());
+  EXPECT_THAT(labels_in(recognizer.recognize(image, recognizer.labels())),
               testing::UnorderedElementsAre("Cube", "Box", "Block", "Tape", "Bar", "Tool"));
 }
 
 TEST(Recognizer, FindsNothingInAnEmptyPicture) {
   const Recognizer recognizer(demo_parts());
-  Frame frame = measured(*build(demo_scene()), 1);
-  std::ranges::fill(frame.depth_mm, 0);
-  EXPECT_THAT(recognizer.recognize(frame, recognizer.labels()), IsEmpty());
+  RgbdImage image = measured(*build(demo_scene()), 1);
+  std::ranges::fill(image.depth_mm, 0);
+  EXPECT_THAT(recognizer.recognize(image, recognizer.labels()), IsEmpty());
 }
 
 TEST(Recognizer, GivesTheSameForTheSamePicture) {
   const Recognizer recognizer(demo_parts());
-  const Frame frame = measured(*build(demo_scene()), 3);
-  const auto first = recognizer.recognize(frame, recognizer.labels());
-  const auto second = recognizer.recognize(frame, recognizer.labels());
+  const RgbdImage image = measured(*build(demo_scene()), 3);
+  const auto first = recognizer.recognize(image, recognizer.labels());
+  const auto second = recognizer.recognize(image, recognizer.labels());
   ASSERT_EQ(first.size(), second.size());
   for (std::size_t i = 0; i < first.size(); ++i) {
     EXPECT_EQ(first[i].c_t_x.position, second[i].c_t_x.position);

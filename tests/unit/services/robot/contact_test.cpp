@@ -9,7 +9,7 @@ namespace {
 constexpr Joints kThresholds = {10, 10, 10, 10, 10, 10, 10};
 constexpr double kDt = 0.001;
 
-/// Feeds a torque of joint 3 that rises to `size` [Nm] within `seconds` and stays; everything that was told.
+/// Feeds a torque of joint 3 that rises to `size` [Nm] within `seconds` and stays; all reports.
 struct Told {
   std::vector<Contact> contacts, collisions;
 

@@ -1,4 +1,4 @@
-// The external torques that the control unit feels, against forces that the test knows.
+// The external torques that the control unit estimates, against forces that the test applies.
 #include "tests/unit/services/robot/rig.h"
 
 namespace race::robot {

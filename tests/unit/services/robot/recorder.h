@@ -1,4 +1,4 @@
-// A host for one component: keeps what it says, and holds it against its RSM with the project's monitor.
+// A host for one component: records its announcements and checks them against its RSM with the monitor.
 #pragma once
 
 #include <map>

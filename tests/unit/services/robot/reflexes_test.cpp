@@ -1,4 +1,4 @@
-// Each signal and each reaction on the real world: first the robot reacts, then it is told.
+// Each signal and each reaction on the real world: first the robot reacts, then it reports.
 #include "services/robot/reflexes.h"
 
 #include <array>
@@ -111,8 +111,8 @@ struct Reacting {
 
 class Latency : public testing::TestWithParam<double> {};
 
-// The same arm without a reflex runs beside them: all feel the same and have the same torques, to the last bit, until a
-// reflex acts.
+// The same arm without a reflex runs beside them: both have the same contact and the same torques, to the last bit,
+// until a reflex acts.
 TEST_P(Latency, FromThresholdToChangedCommandIsAtMostTwoCyclesForEveryReaction) {
   const MoveCommand command{.target = Offset{{0, 0.5, 0}}, .kind = MotionKind::linear, .speed = GetParam()};
   Rig without(column_scene());

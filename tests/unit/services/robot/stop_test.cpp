@@ -1,5 +1,5 @@
 // What a stop, or a reflex that ends leading by hand, leaves of a behavior: the next move, without one of its own, must
-// not run into somebody with reflexes that were meant for another mode.
+// not run into a person with reflexes that were meant for another mode.
 #include "tests/unit/services/robot/crash.h"
 
 namespace race::robot {

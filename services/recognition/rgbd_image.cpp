@@ -1,4 +1,4 @@
-#include "services/recognition/frame.h"
+#include "services/recognition/rgbd_image.h"
 
 #include <cmath>
 #include <cstring>
@@ -22,28 +22,28 @@ Expected<double> number(const Value& header, std::string_view key, double least,
 
 }  // namespace
 
-Expected<Frame> read_frame(const services::Packet& packet) {
-  Frame frame;
-  frame.time = packet.time;
+Expected<RgbdImage> read_rgbd_image(const services::Packet& packet) {
+  RgbdImage image;
+  image.time = packet.time;
   const Value* encoding = packet.header.find("encoding");
   if (!encoding || *encoding != Value(services::kDepthAndColour))
     return unexpected(ErrorCode::type, "expected " + std::string(services::kDepthAndColour), "encoding");
   ASSIGN_OR_RETURN(const double width, number(packet.header, "width", 1, kLargest));
   ASSIGN_OR_RETURN(const double height, number(packet.header, "height", 1, kLargest));
-  ASSIGN_OR_RETURN(frame.fx, number(packet.header, "fx", 1, 1e5));
-  ASSIGN_OR_RETURN(frame.fy, number(packet.header, "fy", 1, 1e5));
-  ASSIGN_OR_RETURN(frame.cx, number(packet.header, "cx", 0, kLargest));
-  ASSIGN_OR_RETURN(frame.cy, number(packet.header, "cy", 0, kLargest));
-  frame.width = static_cast<int>(width);
-  frame.height = static_cast<int>(height);
-  const auto pixels = static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
+  ASSIGN_OR_RETURN(image.fx, number(packet.header, "fx", 1, 1e5));
+  ASSIGN_OR_RETURN(image.fy, number(packet.header, "fy", 1, 1e5));
+  ASSIGN_OR_RETURN(image.cx, number(packet.header, "cx", 0, kLargest));
+  ASSIGN_OR_RETURN(image.cy, number(packet.header, "cy", 0, kLargest));
+  image.width = static_cast<int>(width);
+  image.height = static_cast<int>(height);
+  const auto pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
   if (packet.bytes.size() != pixels * 5)
     return unexpected(ErrorCode::type, "expected " + std::to_string(pixels * 5) + " bytes", "bytes");
-  frame.depth_mm.resize(pixels);
-  frame.colour.resize(pixels);
-  std::memcpy(frame.depth_mm.data(), packet.bytes.data(), pixels * 2);
-  std::memcpy(frame.colour.data(), packet.bytes.data() + pixels * 2, pixels * 3);
-  return frame;
+  image.depth_mm.resize(pixels);
+  image.colour.resize(pixels);
+  std::memcpy(image.depth_mm.data(), packet.bytes.data(), pixels * 2);
+  std::memcpy(image.colour.data(), packet.bytes.data() + pixels * 2, pixels * 3);
+  return image;
 }
 
 }  // namespace race::recognition

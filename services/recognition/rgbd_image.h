@@ -1,4 +1,5 @@
-// Frame: a packet of the flow `camera.frame` (services/camera/README.md), checked and read.
+// RgbdImage: depth and colour of one exposure, read from a packet of the flow `camera.frame`
+// (services/camera/README.md). A frame in this room is a coordinate frame.
 #pragma once
 
 #include <array>
@@ -10,7 +11,7 @@
 
 namespace race::recognition {
 
-struct Frame {
+struct RgbdImage {
   services::Time time = 0;
   int width = 0, height = 0;
   double fx = 0, fy = 0, cx = 0, cy = 0;            // pixels
@@ -34,6 +35,6 @@ struct Frame {
 
 /// Errors: `missing`, `type`, `out_of_range` (a header that cannot be); `type` for another encoding or
 /// number of bytes.
-Expected<Frame> read_frame(const services::Packet& packet);
+Expected<RgbdImage> read_rgbd_image(const services::Packet& packet);
 
 }  // namespace race::recognition

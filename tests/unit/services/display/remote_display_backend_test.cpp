@@ -1,5 +1,5 @@
-// What a display in a process of its own may ask of the server, and what becomes of all else.
-#include "services/display/remote_stage.h"
+// Which requests of a display process the server answers, and which it refuses.
+#include "services/display/remote_display_backend.h"
 
 #include <gmock/gmock.h>
 
@@ -16,23 +16,23 @@ struct Asked {
   std::string function, arguments, error;  // the path and the code
 };
 
-struct AnswerStage : testing::TestWithParam<Asked> {
-  AnswerStage() { (void)screens.connect("main", true); }
+struct AnswerDisplayRequest : testing::TestWithParam<Asked> {
+  AnswerDisplayRequest() { (void)screens.connect("main", true); }
   std::string error(const std::string& function, const std::string& arguments) {
     const Value json = parse_json(arguments).value();
-    const auto answer = answer_stage(screens, function, json.as_dict());
+    const auto answer = answer_display_request(screens, function, json.as_dict());
     return answer ? "none" : answer.error().path + ": " + std::string(name(answer.error().code));
   }
   Screens screens;
 };
 
-TEST_P(AnswerStage, RefusesWhatNoDisplayAsks) {
+TEST_P(AnswerDisplayRequest, RefusesWhatNoDisplayAsks) {
   EXPECT_EQ(error(GetParam().function, GetParam().arguments), GetParam().error);
   EXPECT_EQ(screens.content("main"), (Content{"main", {}, {}, {}}));
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Wrong, AnswerStage,
+    Wrong, AnswerDisplayRequest,
     testing::Values(Asked{"sing", "{}", "sing: not_found"}, Asked{"choose", "{}", "choose: not_found"},
                     Asked{"play", R"({"sound": "beep"})", "play: not_found"},
                     Asked{"take", R"({"all": true})", "arguments: unknown_field"},
@@ -46,9 +46,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Asked{"ask_number", R"({"question": "n?", "min": 2, "max": 1})", "max: out_of_range"},
                     Asked{"clear", R"({"display": ""})", "display: name"}));
 
-TEST_F(AnswerStage, AnswersWhatIsNotConnectedAsTheScreensDo) {
-  RemoteStage remote{
-      [this](std::string_view function, const Dict& arguments) { return answer_stage(screens, function, arguments); }};
+TEST_F(AnswerDisplayRequest, AnswersWhatIsNotConnectedAsTheScreensDo) {
+  RemoteDisplayBackend remote{[this](std::string_view function, const Dict& arguments) {
+    return answer_display_request(screens, function, arguments);
+  }};
   const auto there = remote.ask("nobody", {0, "Go?", {"OK"}, {}}), here = screens.ask("nobody", {0, "Go?", {"OK"}, {}});
   ASSERT_FALSE(there);
   EXPECT_EQ(there.error(), here.error());
@@ -56,12 +57,12 @@ TEST_F(AnswerStage, AnswersWhatIsNotConnectedAsTheScreensDo) {
   EXPECT_EQ(remote.clear("nobody").error(), screens.clear("nobody").error());
 }
 
-// Asked anew only when something may have changed: a display steps 1000 times a second.
-TEST_F(AnswerStage, IsAskedOnceUntilThereIsNews) {
+// Requests are sent only when something may have changed: a display steps 1000 times a second.
+TEST_F(AnswerDisplayRequest, IsAskedOnceUntilThereIsNews) {
   std::vector<std::string> asked;
-  RemoteStage remote{[&](std::string_view function, const Dict& arguments) {
+  RemoteDisplayBackend remote{[&](std::string_view function, const Dict& arguments) {
     asked.emplace_back(function);
-    return answer_stage(screens, function, arguments);
+    return answer_display_request(screens, function, arguments);
   }};
   for (int i = 0; i < 3; ++i) EXPECT_EQ(remote.take().size(), i == 0 ? 1U : 0U) << "the one that is connected";
   for (int i = 0; i < 3; ++i) EXPECT_FALSE(remote.asking());
@@ -69,13 +70,13 @@ TEST_F(AnswerStage, IsAskedOnceUntilThereIsNews) {
   ASSERT_TRUE(remote.ask("all", {0, "Go?", {"OK"}, {}}));
   EXPECT_TRUE(remote.asking());
   ASSERT_TRUE(screens.answer("main", "OK"));
-  remote.news();
+  remote.invalidate();
   EXPECT_FALSE(remote.asking());
-  EXPECT_THAT(remote.take(), ElementsAre(Happening{Happening::Kind::answered, "main", "OK", 2}));
+  EXPECT_THAT(remote.take(), ElementsAre(DisplayEvent{DisplayEvent::Kind::answered, "main", "OK", 2}));
 }
 
-TEST_F(AnswerStage, WithoutAServerNothingHappens) {
-  RemoteStage remote{
+TEST_F(AnswerDisplayRequest, WithoutAServerNothingHappens) {
+  RemoteDisplayBackend remote{
       [](std::string_view, const Dict&) -> Expected<Value> { return unexpected(ErrorCode::unavailable, "gone"); }};
   EXPECT_THAT(remote.take(), IsEmpty());
   EXPECT_FALSE(remote.asking());

@@ -1,4 +1,4 @@
-#include "services/display/remote_stage.h"
+#include "services/display/remote_display_backend.h"
 
 #include <algorithm>
 #include <array>
@@ -13,67 +13,67 @@ namespace {
 
 using services::refusal_reply;
 
-constexpr std::array<std::string_view, 4> kHappenings = {"answered", "pressed", "connected", "disconnected"};
+constexpr std::array<std::string_view, 4> kEventKinds = {"answered", "pressed", "connected", "disconnected"};
 
 List texts(const std::vector<std::string>& from) { return {from.begin(), from.end()}; }
 
-Value happening_json(const Happening& happening) {
-  return Dict{{"kind", kHappenings[static_cast<std::size_t>(happening.kind)]},
-              {"display", happening.display},
-              {"value", happening.value},
-              {"question", static_cast<std::int64_t>(happening.question)}};
+Value event_json(const DisplayEvent& event) {
+  return Dict{{"kind", kEventKinds[static_cast<std::size_t>(event.kind)]},
+              {"display", event.display},
+              {"value", event.value},
+              {"question", static_cast<std::int64_t>(event.question)}};
 }
 
-std::optional<Happening> read_happening(const Value& json) {
+std::optional<DisplayEvent> read_event(const Value& json) {
   const Value *kind = json.find("kind"), *display = json.find("display"), *value = json.find("value"),
               *question = json.find("question");
   if (!kind || !kind->is_string() || !display || !display->is_string() || !value || !question ||
       !question->is_integer())
     return std::nullopt;
-  const auto known = std::ranges::find(kHappenings, kind->as_string());
-  if (known == kHappenings.end()) return std::nullopt;
-  return Happening{static_cast<Happening::Kind>(known - kHappenings.begin()), display->as_string(), *value,
-                   static_cast<std::uint64_t>(question->as_integer())};
+  const auto known = std::ranges::find(kEventKinds, kind->as_string());
+  if (known == kEventKinds.end()) return std::nullopt;
+  return DisplayEvent{static_cast<DisplayEvent::Kind>(known - kEventKinds.begin()), display->as_string(), *value,
+                      static_cast<std::uint64_t>(question->as_integer())};
 }
 
 // ---- The functions, at the server. What a process asks is held to what its component lets through.
 
 Value id_json(std::uint64_t id) { return static_cast<std::int64_t>(id); }
 
-Expected<Value> show(Stage& stage, const Dict& arguments) {
+Expected<Value> show(DisplayBackend& backend, const Dict& arguments) {
   ASSIGN_OR_RETURN(const std::string target, read_target(arguments));
   ASSIGN_OR_RETURN(Message message, read_message(arguments, ""));
-  const auto shown = stage.show(target, std::move(message));
+  const auto shown = backend.show(target, std::move(message));
   return shown ? Value() : refusal_reply(shown.error());
 }
 
-Expected<Value> ask(Stage& stage, const Dict& arguments) {
+Expected<Value> ask(DisplayBackend& backend, const Dict& arguments) {
   ASSIGN_OR_RETURN(const std::string target, read_target(arguments));
   ASSIGN_OR_RETURN(Question question, read_question(arguments));
-  const auto id = stage.ask(target, std::move(question));
+  const auto id = backend.ask(target, std::move(question));
   return id ? id_json(*id) : refusal_reply(id.error());
 }
 
-Expected<Value> clear(Stage& stage, const Dict& arguments) {
+Expected<Value> clear(DisplayBackend& backend, const Dict& arguments) {
   ASSIGN_OR_RETURN(const std::string target, read_target(arguments));
-  const auto gone = stage.clear(target);
+  const auto gone = backend.clear(target);
   return gone ? Value(*gone) : refusal_reply(gone.error());
 }
 
-Expected<Value> withdraw(Stage& stage, const Dict&) {
-  stage.withdraw();
+Expected<Value> withdraw(DisplayBackend& backend, const Dict&) {
+  backend.withdraw();
   return Value();
 }
 
-Expected<Value> asking(Stage& stage, const Dict&) { return Value(stage.asking()); }
+Expected<Value> asking(DisplayBackend& backend, const Dict&) { return Value(backend.asking()); }
 
-Expected<Value> take(Stage& stage, const Dict&) {
+Expected<Value> take(DisplayBackend& backend, const Dict&) {
   List all;
-  for (const Happening& happening : stage.take()) all.push_back(happening_json(happening));
+  for (const DisplayEvent& event : backend.take()) all.push_back(event_json(event));
   return Value(std::move(all));
 }
 
-using Function = services::HostFunction<Stage>;
+using Function = services::HostFunction<DisplayBackend>;
 
 constexpr std::array kFunctions = {
     Function{"show_text", show},       Function{"show_image", show},  Function{"ask", ask},
@@ -83,19 +83,19 @@ constexpr std::array kFunctions = {
 
 }  // namespace
 
-void RemoteStage::news() {
+void RemoteDisplayBackend::invalidate() {
   taken_ = false;
   asking_.reset();
 }
 
 // What it changes, changes what is known, too.
-Expected<Value> RemoteStage::command(std::string_view function, Dict arguments) {
+Expected<Value> RemoteDisplayBackend::command(std::string_view function, Dict arguments) {
   auto answer = services::read_reply(server_(function, std::move(arguments)));
-  news();
+  invalidate();
   return answer;
 }
 
-Expected<void> RemoteStage::show(const std::string& target, Message message) {
+Expected<void> RemoteDisplayBackend::show(const std::string& target, Message message) {
   Dict arguments{{"text", message.text}, {"buttons", texts(message.buttons)}, {"display", target}};
   if (!message.image.empty()) arguments.set("image", message.image);
   auto shown = command(message.image.empty() ? "show_text" : "show_image", std::move(arguments));
@@ -103,7 +103,7 @@ Expected<void> RemoteStage::show(const std::string& target, Message message) {
   return {};
 }
 
-Expected<std::uint64_t> RemoteStage::ask(const std::string& target, Question question) {
+Expected<std::uint64_t> RemoteDisplayBackend::ask(const std::string& target, Question question) {
   Dict arguments{{"question", question.text}, {"display", target}};
   if (!question.number) {
     arguments.set("buttons", texts(question.buttons));
@@ -116,33 +116,33 @@ Expected<std::uint64_t> RemoteStage::ask(const std::string& target, Question que
   return services::read_id(command("ask_number", std::move(arguments)));
 }
 
-Expected<bool> RemoteStage::clear(const std::string& target) {
+Expected<bool> RemoteDisplayBackend::clear(const std::string& target) {
   ASSIGN_OR_RETURN(const Value gone, command("clear", {{"display", target}}));
   return gone.is_bool() && gone.as_bool();
 }
 
-void RemoteStage::withdraw() { (void)command("withdraw", {}); }
+void RemoteDisplayBackend::withdraw() { (void)command("withdraw", {}); }
 
-bool RemoteStage::asking() {
+bool RemoteDisplayBackend::asking() {
   if (asking_) return *asking_;
   const auto answer = server_("asking", {});
   if (answer && answer->is_bool()) asking_ = answer->as_bool();
   return asking_.value_or(false);
 }
 
-std::vector<Happening> RemoteStage::take() {
-  std::vector<Happening> all;
+std::vector<DisplayEvent> RemoteDisplayBackend::take() {
+  std::vector<DisplayEvent> all;
   if (taken_) return all;
   const auto answer = server_("take", {});
   if (!answer || !answer->is_list()) return all;
   taken_ = true;
   for (const Value& json : answer->as_list())
-    if (auto happening = read_happening(json)) all.push_back(std::move(*happening));
+    if (auto event = read_event(json)) all.push_back(std::move(*event));
   return all;
 }
 
-Expected<Value> answer_stage(Stage& stage, std::string_view function, const Dict& arguments) {
-  return services::call_host_function(model(), kFunctions, stage, function, arguments);
+Expected<Value> answer_display_request(DisplayBackend& backend, std::string_view function, const Dict& arguments) {
+  return services::call_host_function(model(), kFunctions, backend, function, arguments);
 }
 
 }  // namespace race::display
