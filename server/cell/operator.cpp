@@ -45,7 +45,7 @@ Operator::~Operator() {
 }
 
 void Operator::begin() {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   begins_ = true;
 }
 
@@ -70,7 +70,7 @@ void Operator::set_active(const std::string& core, const std::string& path, bool
 }
 
 void Operator::changed(const std::string& core, const Dict& active, const List& fired) {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   for (const auto& [path, on] : active) set_active(core, path.as_string(), on.as_bool());
   for (const Value& port : fired)
     note([&](const When& when) {
@@ -80,7 +80,7 @@ void Operator::changed(const std::string& core, const Dict& active, const List& 
 }
 
 void Operator::state(const std::string& core, const List& active) {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   std::set<std::string> now;
   for (const Value& path : active) now.insert(path.as_string());
   const std::set<std::string> before = active_[core];
@@ -91,7 +91,7 @@ void Operator::state(const std::string& core, const List& active) {
 
 void Operator::happened(const services::Delivery& event) {
   if (event.kind != services::Delivery::Kind::event) return;
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   note([&](const When& when) {
     const auto* on = std::get_if<OnEvent>(&when.what);
     if (!on || on->service != event.key || on->event != event.name) return false;
@@ -167,7 +167,7 @@ bool Operator::due(Waiting& waiting, services::Time now) const {
 }
 
 void Operator::step(services::Time now, CellWorld& world) {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   if (std::exchange(begins_, false)) {
     running_ = true;
     start_ = now;

@@ -7,7 +7,6 @@
 #include <deque>
 #include <functional>
 #include <map>
-#include <mutex>
 #include <set>
 #include <string>
 
@@ -16,6 +15,7 @@
 #include "services/clock.h"
 #include "services/display/screens.h"
 #include "services/host/host.h"
+#include "services/mutex.h"
 
 namespace race::server {
 
@@ -34,16 +34,16 @@ class Operator {
   Operator& operator=(const Operator&) = delete;
 
   /// The script begins (anew) with the next step.
-  void begin();
+  void begin() EXCLUDES(mutex_);
 
   /// Of a core's state: nodes that became active or inactive, ports that fired (as schemas/core_delta.json).
-  void changed(const std::string& core, const Dict& active, const List& fired);
+  void changed(const std::string& core, const Dict& active, const List& fired) EXCLUDES(mutex_);
   /// The nodes that are active now.
-  void state(const std::string& core, const List& active);
-  void happened(const services::Delivery& event);
+  void state(const std::string& core, const List& active) EXCLUDES(mutex_);
+  void happened(const services::Delivery& event) EXCLUDES(mutex_);
 
   /// Acts as of `now`. Before each step of the world.
-  void step(services::Time now, CellWorld& world);
+  void step(services::Time now, CellWorld& world) EXCLUDES(mutex_);
 
  private:
   /// An act of the script whose turn it is.
@@ -55,15 +55,14 @@ class Operator {
     std::string display = {}, shown = {};  // where it was seen last, and what
   };
 
-  // All below: with the lock, or on the group's thread of what belongs to it alone.
-  void note(const std::function<bool(const When&)>& fits);
-  void set_active(const std::string& core, const std::string& path, bool on);
-  Waiting wait_for(std::size_t act, services::Time now, bool anew) const;
-  void next(services::Time now);
-  void look();
-  void look(Waiting& waiting, const display::Content& content);
-  void hear(services::Time now);
-  bool due(Waiting& waiting, services::Time now) const;
+  void note(const std::function<bool(const When&)>& fits) REQUIRES(mutex_);
+  void set_active(const std::string& core, const std::string& path, bool on) REQUIRES(mutex_);
+  Waiting wait_for(std::size_t act, services::Time now, bool anew) const REQUIRES(mutex_);
+  void next(services::Time now) REQUIRES(mutex_);
+  void look() REQUIRES(mutex_);
+  void look(Waiting& waiting, const display::Content& content) REQUIRES(mutex_);
+  void hear(services::Time now) REQUIRES(mutex_);
+  bool due(Waiting& waiting, services::Time now) const REQUIRES(mutex_);
   void act(const Waiting& waiting, CellWorld& world);
   void answer(const AnswerCommand& act, const Waiting& waiting);
 
@@ -72,18 +71,19 @@ class Operator {
   const Log log_;
   std::map<std::string, display::Screens::ConnectionId> displays_;
 
-  std::mutex mutex_;
-  bool begins_ = false, running_ = false;
-  services::Time start_ = 0;
-  std::vector<Waiting> waiting_;  // those that act always, then the one of the sequence, if one is left
-  std::map<std::string, std::set<std::string>> active_;  // by core
-  std::set<std::string> left_;                           // nodes that were active once
-  services::Time looked_ = 0;
+  services::Mutex mutex_;
+  bool begins_ GUARDED_BY(mutex_) = false, running_ GUARDED_BY(mutex_) = false;
+  services::Time start_ GUARDED_BY(mutex_) = 0;
+  std::vector<Waiting> waiting_
+      GUARDED_BY(mutex_);  // those that act always, then the one of the sequence, if one is left
+  std::map<std::string, std::set<std::string>> active_ GUARDED_BY(mutex_);  // by core
+  std::set<std::string> left_ GUARDED_BY(mutex_);                           // nodes that were active once
+  services::Time looked_ GUARDED_BY(mutex_) = 0;
   struct Heard {
     services::Time since;
     std::uint64_t sound;
   };
-  std::map<std::string, Heard> sounds_;  // by display: the one that is played
+  std::map<std::string, Heard> sounds_ GUARDED_BY(mutex_);  // by display: the one that is played
 };
 
 }  // namespace race::server

@@ -20,8 +20,8 @@ struct Turn {
 
 Expected<Value> PendingCommands::wait(const std::function<void(CellWorld::Wanted, CellWorld::Done)>& start) {
   {
-    std::unique_lock lock(mutex_);
-    if (!free_.wait_for(lock, timeouts_.admission, [this] { return pending_ < kMaxPending; }))
+    const services::MutexLock lock(mutex_);
+    if (!free_.wait_for(mutex_, timeouts_.admission, [this]() REQUIRES(mutex_) { return pending_ < kMaxPending; }))
       return unexpected(ErrorCode::unavailable, "other commands wait for the cell already; this one is not done");
     ++pending_;
   }
@@ -33,7 +33,7 @@ Expected<Value> PendingCommands::wait(const std::function<void(CellWorld::Wanted
   const bool given_up = !answered && turn->take();
   if (!answered && !given_up) answered = answer.wait_for(timeouts_.grace) == kReady;
   {
-    const std::lock_guard lock(mutex_);
+    const services::MutexLock lock(mutex_);
     --pending_;
   }
   free_.notify_one();

@@ -5,11 +5,10 @@
 #pragma once
 
 #include <chrono>
-#include <condition_variable>
 #include <functional>
-#include <mutex>
 
 #include "server/cell/cell_world.h"
+#include "services/mutex.h"
 
 namespace race::server {
 
@@ -28,13 +27,13 @@ class PendingCommands {
 
   /// Calls `start` on this thread and waits for the result. Errors: those of the command; `unavailable`: kMaxPending
   /// others are pending, or the command timed out before it began (it will not execute) or after (it may execute).
-  Expected<Value> wait(const std::function<void(CellWorld::Wanted, CellWorld::Done)>& start);
+  Expected<Value> wait(const std::function<void(CellWorld::Wanted, CellWorld::Done)>& start) EXCLUDES(mutex_);
 
  private:
   const Timeouts timeouts_;
-  std::mutex mutex_;
-  std::condition_variable free_;
-  int pending_ = 0;
+  services::Mutex mutex_;
+  services::ConditionVariable free_;
+  int pending_ GUARDED_BY(mutex_) = 0;
 };
 
 }  // namespace race::server

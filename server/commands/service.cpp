@@ -2,11 +2,11 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
-#include <mutex>
 #include <thread>
 
 #include "server/cell/component_groups.h"
 #include "server/commands/command.h"
+#include "services/mutex.h"
 #include "services/remote/socket_client.h"
 
 namespace race::server {
@@ -27,14 +27,18 @@ void print_line(const std::string& text) {
 // The state of a connection, shared by the threads of the socket and of the group.
 struct Session {
   std::atomic<bool> over{false};
-  std::mutex mutex;
-  std::string why;               // it ended
-  std::optional<Error> refused;  // by the server, for good
+  services::Mutex mutex;
+  std::string why GUARDED_BY(mutex);               // it ended
+  std::optional<Error> refused GUARDED_BY(mutex);  // by the server, for good
 
   void end(std::string reason) {
-    const std::lock_guard lock(mutex);
+    const services::MutexLock lock(mutex);
     if (why.empty()) why = std::move(reason);
     over = true;
+  }
+  std::string reason() {
+    const services::MutexLock lock(mutex);
+    return why;
   }
   void refuse(const remote::Message& message) {
     const Value reason = message.value.as_list().empty() ? Value() : message.value.as_list().front();
@@ -42,7 +46,7 @@ struct Session {
       const Value* value = reason.find(field);
       return value && value->is_string() ? value->as_string() : std::string();
     };
-    const std::lock_guard lock(mutex);
+    const services::MutexLock lock(mutex);
     refused = Error{ErrorCode::conflict, "the server refuses: " + text("message"), text("path")};
     over = true;
   }
@@ -74,7 +78,7 @@ Expected<void> serve(remote::ProcessHost& process, Session& session) {
     if (const auto now = steady_clock::now(); now - next > 100ms) next = now;
     process.step();
   }
-  const std::lock_guard lock(session.mutex);
+  const services::MutexLock lock(session.mutex);
   if (session.refused) return tl::unexpected(*session.refused);
   return {};
 }
@@ -127,7 +131,7 @@ int run_service(const Options& options) {
       std::fprintf(stderr, "%s: died: %s\n", name.c_str(), failure.what());
       return kExitFindings;
     }
-    if (!stop_requested) print_line(name + " has lost the server: " + session.why);
+    if (!stop_requested) print_line(name + " has lost the server: " + session.reason());
   }
   return kExitOk;
 }

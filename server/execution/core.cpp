@@ -23,7 +23,6 @@ Expected<std::shared_ptr<Core>> Core::create(std::string id, std::string documen
   // Held by the registry, and by work on its way through the strand.
   std::shared_ptr<Core> core(
       new Core(std::move(id), std::move(document), std::move(header), std::move(run), pool, host, watcher));
-  core->info_ = core->info_json();
   return core;
 }
 
@@ -41,7 +40,9 @@ Core::Core(std::string id, std::string document, JournalHeader header, Run run, 
       host_(host),
       watcher_(watcher),
       run_(std::move(run)),
-      replay_(std::make_shared<Replay>(header_)) {}
+      replay_(std::make_shared<Replay>(header_)) {
+  info_ = info_json();
+}
 
 template <typename F>
 auto Core::on_strand(F function) -> std::invoke_result_t<F> {
@@ -51,13 +52,13 @@ auto Core::on_strand(F function) -> std::invoke_result_t<F> {
 }
 
 Value Core::info() const {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   return info_;
 }
 
 void Core::deliver(const services::Delivery& delivery) {
   {
-    const std::lock_guard lock(mutex_);
+    const services::MutexLock lock(mutex_);
     inbox_.push_back(delivery);
     if (inbox_.size() > 1) return;  // who put the first one has woken it
   }
@@ -228,7 +229,7 @@ void Core::advance() {
 void Core::take_inbox() {
   std::vector<services::Delivery> inbox;
   {
-    const std::lock_guard lock(mutex_);
+    const services::MutexLock lock(mutex_);
     inbox.swap(inbox_);
   }
   if (!started_) return;  // before the start, nothing is an input
@@ -358,7 +359,7 @@ void Core::publish(bool complete) {
 void Core::publish_info() {
   Value info = info_json();
   {
-    const std::lock_guard lock(mutex_);
+    const services::MutexLock lock(mutex_);
     info_ = info;
   }
   // Counters move with every input; the list of cores hears of what else changes.

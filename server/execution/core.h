@@ -8,7 +8,6 @@
 
 #include <atomic>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 
@@ -18,6 +17,7 @@
 #include "server/execution/state_view.h"
 #include "server/threads/strand.h"
 #include "services/host/host.h"
+#include "services/mutex.h"
 
 namespace race::server {
 
@@ -55,10 +55,10 @@ class Core : public std::enable_shared_from_this<Core> {
   const semantics::Program& program() const { return *header_.program; }
   const JournalHeader& header() const { return header_; }
   /// As published last (schemas/core.json).
-  Value info() const;
+  Value info() const EXCLUDES(mutex_);
 
   /// A service said something that may concern this core.
-  void deliver(const services::Delivery& delivery);
+  void deliver(const services::Delivery& delivery) EXCLUDES(mutex_);
 
   // Commands: wait, and give the core as it is then. Error `conflict`: it is not in the state for it.
   Expected<Value> start();
@@ -129,9 +129,9 @@ class Core : public std::enable_shared_from_this<Core> {
   services::Host& host_;
   CoreWatcher& watcher_;
 
-  mutable std::mutex mutex_;  // of the two below
-  std::vector<services::Delivery> inbox_;
-  Value info_;
+  mutable services::Mutex mutex_;
+  std::vector<services::Delivery> inbox_ GUARDED_BY(mutex_);
+  Value info_ GUARDED_BY(mutex_);
   std::atomic<bool> derivation_watched_{false}, closed_{false};
 
   semantics::Run run_;

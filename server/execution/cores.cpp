@@ -69,7 +69,7 @@ Checked<std::shared_ptr<Core>> Cores::create(const std::string& name, const rcm:
   JournalHeader header{native_json(document, *native), std::move(*program), std::move(arguments), {}};
   std::uint64_t number = 0;
   {
-    const std::lock_guard lock(mutex_);
+    const services::MutexLock lock(mutex_);
     if (cores_.size() >= kMost)
       return tl::unexpected(std::vector<Error>{
           {ErrorCode::conflict, "there are " + std::to_string(kMost) + " cores already; delete one"}});
@@ -78,28 +78,28 @@ Checked<std::shared_ptr<Core>> Cores::create(const std::string& name, const rcm:
   auto core = Core::create(std::to_string(number), name, std::move(header), pool_, host_, watcher_);
   if (!core) return tl::unexpected(std::vector<Error>{std::move(core).error()});
   // Under the lock: who finds the core and removes it is heard after this.
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   cores_.emplace(number, *core);
   (*core)->announce();
   return *core;
 }
 
 Expected<std::shared_ptr<Core>> Cores::find(const std::string& id) const {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   const auto found = cores_.find(number_of(id));
   if (found == cores_.end()) return no_core(id);
   return found->second;
 }
 
 std::vector<std::shared_ptr<Core>> Cores::all() const {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   std::vector<std::shared_ptr<Core>> all;
   for (const auto& [number, core] : cores_) all.push_back(core);
   return all;
 }
 
 Expected<std::shared_ptr<Core>> Cores::take(const std::string& id) {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   const auto found = cores_.find(number_of(id));
   if (found == cores_.end()) return no_core(id);
   auto core = std::move(found->second);
@@ -118,7 +118,7 @@ Expected<std::shared_ptr<Core>> Cores::remove(const std::string& id) {
 }
 
 void Cores::deliver(const services::Delivery& delivery) {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   if (delivery.kind == services::Delivery::Kind::response) {
     const auto found = cores_.find(number_of(delivery.caller.core));
     if (found != cores_.end()) found->second->deliver(delivery);

@@ -5,12 +5,12 @@
 
 #include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
 #include "core/rcm/model.h"
 #include "server/execution/core.h"
+#include "services/mutex.h"
 
 namespace race::server {
 
@@ -42,9 +42,9 @@ class Cores {
   Pool& pool_;
   services::Host& host_;
   CoreWatcher& watcher_;
-  mutable std::mutex mutex_;
-  std::map<std::uint64_t, std::shared_ptr<Core>> cores_;
-  std::uint64_t next_ = 1;
+  mutable services::Mutex mutex_;
+  std::map<std::uint64_t, std::shared_ptr<Core>> cores_ GUARDED_BY(mutex_);
+  std::uint64_t next_ GUARDED_BY(mutex_) = 1;
 };
 
 /// schemas/cores.json, frozen.

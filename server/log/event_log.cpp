@@ -26,7 +26,7 @@ void EventLog::append(services::Time time, const std::string& source, const std:
   Value entry = Dict{{"time", time}, {"source", source}, {"text", text.substr(0, kMaxText)}};
   entry.freeze();
   {
-    const std::lock_guard lock(mutex_);
+    const services::MutexLock lock(mutex_);
     entries_.push_back(entry);
     if (entries_.size() > kMaxEntries) entries_.pop_front();
   }
@@ -37,7 +37,7 @@ void EventLog::append(services::Time time, const std::string& source, const std:
 bool EventLog::append_status(services::Time time, const std::string& core_id, const Value& core) {
   const std::string status = text_of(core, "status");
   {
-    const std::lock_guard lock(mutex_);
+    const services::MutexLock lock(mutex_);
     std::string& last = statuses_[core_id];
     if (std::exchange(last, status) == status) return false;
   }
@@ -46,14 +46,14 @@ bool EventLog::append_status(services::Time time, const std::string& core_id, co
 }
 
 void EventLog::drop_status(const std::string& core_id) {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   statuses_.erase(core_id);
 }
 
 void EventLog::publish_snapshot() const {
   List entries;
   {
-    const std::lock_guard lock(mutex_);
+    const services::MutexLock lock(mutex_);
     entries.assign(entries_.begin(), entries_.end());
   }
   Value snapshot = Dict{{"entries", std::move(entries)}};

@@ -5,12 +5,12 @@
 
 #include <deque>
 #include <map>
-#include <mutex>
 #include <string>
 
 #include "core/value/value.h"
 #include "server/stream/hub.h"
 #include "services/clock.h"
+#include "services/mutex.h"
 
 namespace race::server {
 
@@ -23,20 +23,20 @@ class EventLog {
   explicit EventLog(Hub& hub) : hub_(hub) {}
 
   /// Adds a line and publishes it. `source`: "server", "core/1", the key of a service.
-  void append(services::Time time, const std::string& source, const std::string& text);
+  void append(services::Time time, const std::string& source, const std::string& text) EXCLUDES(mutex_);
   /// Adds a line on the status of a core (schemas/core.json: started, ended and how, faulted and where) if it differs
   /// from the status logged last. Returns whether it does.
-  bool append_status(services::Time time, const std::string& core_id, const Value& core);
+  bool append_status(services::Time time, const std::string& core_id, const Value& core) EXCLUDES(mutex_);
   /// Drops the status of a core that has been removed.
-  void drop_status(const std::string& core_id);
+  void drop_status(const std::string& core_id) EXCLUDES(mutex_);
   /// Publishes all lines as a snapshot of the channel.
-  void publish_snapshot() const;
+  void publish_snapshot() const EXCLUDES(mutex_);
 
  private:
   Hub& hub_;
-  mutable std::mutex mutex_;
-  std::deque<Value> entries_;                    // schemas/log_entry.json
-  std::map<std::string, std::string> statuses_;  // by core: as logged last
+  mutable services::Mutex mutex_;
+  std::deque<Value> entries_ GUARDED_BY(mutex_);                    // schemas/log_entry.json
+  std::map<std::string, std::string> statuses_ GUARDED_BY(mutex_);  // by core: as logged last
 };
 
 }  // namespace race::server

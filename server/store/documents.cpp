@@ -28,17 +28,9 @@ std::vector<Error> one(ErrorCode code, std::string message, std::string path) {
   return {Error{code, std::move(message), std::move(path)}};
 }
 
-// Calls `function`; what SQLite throws becomes an error `io`: "WHAT: reason".
-template <typename F>
-auto guarded(const std::string& what, F function) -> std::invoke_result_t<F> {
-  try {
-    return function();
-  } catch (const SQLite::Exception& failure) {
-    return tl::unexpected(one(ErrorCode::io, what + ": " + failure.getErrorStr(), ""));
-  }
+tl::unexpected<std::vector<Error>> failure(const std::string& what, const SQLite::Exception& exception) {
+  return tl::unexpected(one(ErrorCode::io, what + ": " + exception.getErrorStr(), ""));
 }
-
-constexpr const char* kCannotRead = "cannot read documents";
 
 }  // namespace
 
@@ -78,39 +70,39 @@ Checked<StoredDocument> Documents::read(const Row& row) {
   return StoredDocument{row.name, row.revision, std::move(*document)};
 }
 
-Checked<std::vector<StoredDocument>> Documents::list() {
-  const std::lock_guard lock(mutex_);
-  return guarded(kCannotRead, [this]() -> Checked<std::vector<StoredDocument>> {
-    std::vector<StoredDocument> all;
-    // A document that an older version of the program stored may be invalid now; it is left out and stays in the file.
-    for (const Row& row : rows("ORDER BY name", ""))
-      if (auto document = read(row)) all.push_back(std::move(*document));
-    return all;
-  });
+Checked<std::vector<StoredDocument>> Documents::list() try {
+  const services::MutexLock lock(mutex_);
+  std::vector<StoredDocument> all;
+  // A document that an older version of the program stored may be invalid now; it is left out and stays in the file.
+  for (const Row& row : rows("ORDER BY name", ""))
+    if (auto document = read(row)) all.push_back(std::move(*document));
+  return all;
+} catch (const SQLite::Exception& exception) {
+  return failure("cannot read documents", exception);
 }
 
-Checked<StoredDocument> Documents::get(const std::string& name) {
-  const std::lock_guard lock(mutex_);
-  return guarded(kCannotRead, [&]() -> Checked<StoredDocument> {
-    const auto found = rows("WHERE name = ?", name);
-    if (found.empty()) return tl::unexpected(one(ErrorCode::not_found, "there is no document of this name", name));
-    return read(found.front());
-  });
+Checked<StoredDocument> Documents::get(const std::string& name) try {
+  const services::MutexLock lock(mutex_);
+  const auto found = rows("WHERE name = ?", name);
+  if (found.empty()) return tl::unexpected(one(ErrorCode::not_found, "there is no document of this name", name));
+  return read(found.front());
+} catch (const SQLite::Exception& exception) {
+  return failure("cannot read documents", exception);
 }
 
-Checked<StoredDocument> Documents::put(const std::string& name, std::string_view text) {
+Checked<StoredDocument> Documents::put(const std::string& name, std::string_view text) try {
   if (!is_document_name(name))
     return tl::unexpected(one(ErrorCode::name, "a document's name is 1 to 64 of A-Z a-z 0-9 _ -", name));
   auto document = rcm::read_document_text(text);
   if (!document) return tl::unexpected(std::move(document).error());
-  const std::lock_guard lock(mutex_);
-  return guarded("cannot store " + name, [&]() -> Checked<StoredDocument> {
-    const auto old = rows("WHERE name = ?", name);
-    Row row{name, rcm::format_document(*document), old.empty() ? 1 : old.front().revision};
-    if (!old.empty() && old.front().text != row.text) ++row.revision;
-    write(row);
-    return StoredDocument{name, row.revision, std::move(*document)};
-  });
+  const services::MutexLock lock(mutex_);
+  const auto old = rows("WHERE name = ?", name);
+  Row row{name, rcm::format_document(*document), old.empty() ? 1 : old.front().revision};
+  if (!old.empty() && old.front().text != row.text) ++row.revision;
+  write(row);
+  return StoredDocument{name, row.revision, std::move(*document)};
+} catch (const SQLite::Exception& exception) {
+  return failure("cannot store " + name, exception);
 }
 
 Checked<void> Documents::put_demo(const std::string& folder) {
@@ -134,13 +126,13 @@ Checked<void> Documents::put_demo(const std::string& folder) {
 }
 
 // Stores the text unless somebody has changed the document since it was put.
-Checked<void> Documents::put_unchanged(const std::string& name, const std::string& text) {
-  const std::lock_guard lock(mutex_);
-  return guarded("cannot store " + name, [&]() -> Checked<void> {
-    const auto old = rows("WHERE name = ?", name);
-    if (old.empty() || old.front().revision <= 1) write({name, text, 1});
-    return {};
-  });
+Checked<void> Documents::put_unchanged(const std::string& name, const std::string& text) try {
+  const services::MutexLock lock(mutex_);
+  const auto old = rows("WHERE name = ?", name);
+  if (old.empty() || old.front().revision <= 1) write({name, text, 1});
+  return {};
+} catch (const SQLite::Exception& exception) {
+  return failure("cannot store " + name, exception);
 }
 
 }  // namespace race::server

@@ -5,12 +5,12 @@
 
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
 #include "core/rcm/model.h"
 #include "core/value/expected.h"
+#include "services/mutex.h"
 
 namespace SQLite {
 class Database;
@@ -32,12 +32,12 @@ class Documents {
   static Expected<std::unique_ptr<Documents>> open(const std::string& path);
 
   /// In order of name. Error of all: `io`.
-  Checked<std::vector<StoredDocument>> list();
+  Checked<std::vector<StoredDocument>> list() EXCLUDES(mutex_);
   /// `not_found`: there is none.
-  Checked<StoredDocument> get(const std::string& name);
+  Checked<StoredDocument> get(const std::string& name) EXCLUDES(mutex_);
   /// Checks and stores a text; a document that is the same keeps its revision. Errors: every violation; `name`: not 1
   /// to 64 of A-Z, a-z, 0-9, `_`, `-`.
-  Checked<StoredDocument> put(const std::string& name, std::string_view text);
+  Checked<StoredDocument> put(const std::string& name, std::string_view text) EXCLUDES(mutex_);
   /// Puts every *.rcm.json of `folder` that is not there or that nobody has changed since it was put. Errors name the
   /// file.
   Checked<void> put_demo(const std::string& folder);
@@ -48,13 +48,13 @@ class Documents {
     std::int64_t revision;
   };
   explicit Documents(std::unique_ptr<SQLite::Database> file);
-  std::vector<Row> rows(const char* where, const std::string& name);
-  void write(const Row& row);
-  Checked<void> put_unchanged(const std::string& name, const std::string& text);
+  std::vector<Row> rows(const char* where, const std::string& name) REQUIRES(mutex_);
+  void write(const Row& row) REQUIRES(mutex_);
+  Checked<void> put_unchanged(const std::string& name, const std::string& text) EXCLUDES(mutex_);
   static Checked<StoredDocument> read(const Row& row);
 
-  std::mutex mutex_;
-  const std::unique_ptr<SQLite::Database> file_;
+  services::Mutex mutex_;
+  const std::unique_ptr<SQLite::Database> file_ PT_GUARDED_BY(mutex_);
 };
 
 }  // namespace race::server

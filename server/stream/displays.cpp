@@ -56,7 +56,7 @@ std::optional<Source> Displays::source(const std::string& display) {
 
 // Connected anew before the old one goes: a display that only learns to make sounds is never gone.
 Expected<void> Displays::announce(const std::shared_ptr<Subscriber>& subscriber, const std::string& name, bool sound) {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   ASSIGN_OR_RETURN(const auto id, screens_.connect(name, sound));
   const Connection before = std::exchange(connections_[subscriber.get()], {id, name});
   if (before.id != 0) screens_.disconnect(before.id);
@@ -81,7 +81,7 @@ Expected<void> Displays::played(const Subscriber& subscriber, std::uint64_t soun
 }
 
 void Displays::disconnect(const Subscriber& subscriber) {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   const auto known = connections_.find(&subscriber);
   if (known == connections_.end()) return;
   screens_.disconnect(known->second.id);
@@ -89,7 +89,7 @@ void Displays::disconnect(const Subscriber& subscriber) {
 }
 
 Expected<Displays::Connection> Displays::find(const Subscriber& subscriber) const {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   const auto known = connections_.find(&subscriber);
   if (known == connections_.end())
     return unexpected(ErrorCode::conflict, "this connection is no display; it announces itself first", "type");

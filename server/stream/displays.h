@@ -8,12 +8,12 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 
 #include "core/value/expected.h"
 #include "server/stream/hub.h"
 #include "services/display/screens.h"
+#include "services/mutex.h"
 
 namespace race::server {
 
@@ -49,12 +49,12 @@ class Displays final : public display::Watcher {
     display::Screens::ConnectionId id = 0;
     std::string name;
   };
-  Expected<Connection> find(const Subscriber& subscriber) const;
+  Expected<Connection> find(const Subscriber& subscriber) const EXCLUDES(mutex_);
 
   display::Screens& screens_;
   Hub& hub_;
-  mutable std::mutex mutex_;  // taken before that of Screens, and not by what Screens calls
-  std::map<const Subscriber*, Connection> connections_;
+  mutable services::Mutex mutex_;  // locked before that of Screens; callbacks of Screens do not lock it
+  std::map<const Subscriber*, Connection> connections_ GUARDED_BY(mutex_);
 };
 
 /// schemas/display.json

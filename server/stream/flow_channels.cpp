@@ -1,12 +1,12 @@
 #include "server/stream/flow_channels.h"
 
 #include <algorithm>
-#include <mutex>
 #include <utility>
 
 #include "server/stream/packet_json.h"
 #include "server/wire/channel_names.h"
 #include "server/wire/path_pattern.h"
+#include "services/mutex.h"
 
 namespace race::server {
 
@@ -22,7 +22,7 @@ struct FlowChannels::Watch : std::enable_shared_from_this<Watch> {
   /// Under the host's lock: what is not left out waits for the strand, in the place of an older one.
   void came(const services::PacketPtr& packet) {
     {
-      const std::lock_guard lock(mutex);
+      const services::MutexLock lock(mutex);
       if (last && packet->time >= *last && packet->time < *last + kPeriod - kTolerance) return;
       last = packet->time;
       if (std::exchange(waiting, packet)) return;
@@ -33,7 +33,7 @@ struct FlowChannels::Watch : std::enable_shared_from_this<Watch> {
   void publish() {
     services::PacketPtr packet;
     {
-      const std::lock_guard lock(mutex);
+      const services::MutexLock lock(mutex);
       packet = std::exchange(waiting, nullptr);
     }
     if (packet) channels.hub_.publish_delta(name, packet_json(*packet));
@@ -41,7 +41,7 @@ struct FlowChannels::Watch : std::enable_shared_from_this<Watch> {
 
   void end() {
     channels.host_.unwatch(std::exchange(id, 0));
-    const std::lock_guard lock(mutex);
+    const services::MutexLock lock(mutex);
     waiting = nullptr;
     last.reset();
   }
@@ -49,9 +49,9 @@ struct FlowChannels::Watch : std::enable_shared_from_this<Watch> {
   FlowChannels& channels;
   const std::string key, flow, name;
   services::Flows::WatchId id = 0;  // on the hub's strand
-  std::mutex mutex;
-  std::optional<services::Time> last;  // of the packets that were not left out
-  services::PacketPtr waiting;
+  services::Mutex mutex;
+  std::optional<services::Time> last GUARDED_BY(mutex);  // of the packets that were not left out
+  services::PacketPtr waiting GUARDED_BY(mutex);
 };
 
 std::optional<Source> FlowChannels::source(const std::string& key, const std::string& flow) {

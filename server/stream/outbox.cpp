@@ -6,7 +6,7 @@
 namespace race::server {
 
 void Outbox::push(const std::string& channel, Text text, bool sampled) {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   if (needs_snapshot_.contains(channel)) return;
   if (sampled) {
     const auto older = std::ranges::find(items_, channel, &Item::channel);
@@ -28,7 +28,7 @@ void Outbox::push(const std::string& channel, Text text, bool sampled) {
 }
 
 std::optional<Text> Outbox::pop() {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   if (items_.empty()) return std::nullopt;
   Text text = std::move(items_.front().text);
   items_.pop_front();
@@ -37,13 +37,13 @@ std::optional<Text> Outbox::pop() {
 }
 
 void Outbox::drop(const std::string& channel) {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   erase(channel);
   needs_snapshot_.erase(channel);
 }
 
 std::vector<std::string> Outbox::take_stale_channels() {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   if (!items_.empty()) return {};
   std::vector<std::string> stale;
   for (auto& [channel, taken] : needs_snapshot_)
@@ -52,12 +52,12 @@ std::vector<std::string> Outbox::take_stale_channels() {
 }
 
 std::size_t Outbox::size() const {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   return items_.size();
 }
 
 void Outbox::erase(const std::string& channel) {
-  std::erase_if(items_, [&](const Item& item) {
+  std::erase_if(items_, [&](const Item& item) REQUIRES(mutex_) {
     if (item.channel != channel) return false;
     bytes_ -= item.text->size();
     return true;

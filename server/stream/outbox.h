@@ -9,10 +9,11 @@
 #include <deque>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "services/mutex.h"
 
 namespace race::server {
 
@@ -25,16 +26,16 @@ class Outbox {
   static constexpr std::size_t kBytes = 8 * 1024 * 1024;
 
   /// Queues a message. `sampled`: it replaces a queued one of its channel.
-  void push(const std::string& channel, Text text, bool sampled);
+  void push(const std::string& channel, Text text, bool sampled) EXCLUDES(mutex_);
   /// The next message, if there is one.
-  std::optional<Text> pop();
+  std::optional<Text> pop() EXCLUDES(mutex_);
   /// Drops all messages of a channel, and that it needs a snapshot: the next message pushed is one.
-  void drop(const std::string& channel);
+  void drop(const std::string& channel) EXCLUDES(mutex_);
   /// Once the queue is empty: the channels that need a snapshot, each once. Messages pushed to them are dropped until
   /// drop() is called.
-  std::vector<std::string> take_stale_channels();
+  std::vector<std::string> take_stale_channels() EXCLUDES(mutex_);
   /// Number of queued messages.
-  std::size_t size() const;
+  std::size_t size() const EXCLUDES(mutex_);
 
  private:
   struct Item {
@@ -42,12 +43,12 @@ class Outbox {
     Text text;
     bool sampled;
   };
-  void erase(const std::string& channel);
+  void erase(const std::string& channel) REQUIRES(mutex_);
 
-  mutable std::mutex mutex_;
-  std::deque<Item> items_;
-  std::size_t bytes_ = 0;
-  std::map<std::string, bool> needs_snapshot_;  // channel -> whether it was taken
+  mutable services::Mutex mutex_;
+  std::deque<Item> items_ GUARDED_BY(mutex_);
+  std::size_t bytes_ GUARDED_BY(mutex_) = 0;
+  std::map<std::string, bool> needs_snapshot_ GUARDED_BY(mutex_);  // channel -> whether it was taken
 };
 
 }  // namespace race::server

@@ -10,7 +10,7 @@ Pool::Pool(unsigned threads) {
 
 Pool::~Pool() {
   {
-    const std::lock_guard lock(mutex_);
+    const services::MutexLock lock(mutex_);
     stop_ = true;
   }
   posted_.notify_all();
@@ -19,27 +19,28 @@ Pool::~Pool() {
 
 void Pool::post(Work work) {
   {
-    const std::lock_guard lock(mutex_);
+    const services::MutexLock lock(mutex_);
     work_.push_back(std::move(work));
   }
   posted_.notify_one();
 }
 
 void Pool::run() {
-  for (;;) {
-    std::unique_lock lock(mutex_);
-    posted_.wait(lock, [this] { return stop_ || !work_.empty(); });
-    if (work_.empty()) return;
-    const Work work = std::move(work_.front());
-    work_.pop_front();
-    lock.unlock();
-    work();
-  }
+  while (const auto work = next()) (*work)();
+}
+
+std::optional<Work> Pool::next() {
+  const services::MutexLock lock(mutex_);
+  posted_.wait(mutex_, [this]() REQUIRES(mutex_) { return stop_ || !work_.empty(); });
+  if (work_.empty()) return std::nullopt;
+  Work work = std::move(work_.front());
+  work_.pop_front();
+  return work;
 }
 
 void Strand::Queue::post(const std::shared_ptr<Queue>& queue, Work work) {
   {
-    const std::lock_guard lock(queue->mutex);
+    const services::MutexLock lock(queue->mutex);
     queue->work.push_back(std::move(work));
     if (std::exchange(queue->scheduled, true)) return;
   }
@@ -50,14 +51,14 @@ void Strand::Queue::post(const std::shared_ptr<Queue>& queue, Work work) {
 void Strand::Queue::run_one(const std::shared_ptr<Queue>& queue) {
   Work work;
   {
-    const std::lock_guard lock(queue->mutex);
+    const services::MutexLock lock(queue->mutex);
     work = std::move(queue->work.front());
     queue->work.pop_front();
   }
   work();
   work = nullptr;
   {
-    const std::lock_guard lock(queue->mutex);
+    const services::MutexLock lock(queue->mutex);
     if (queue->work.empty()) {
       queue->scheduled = false;
       return;

@@ -1,19 +1,19 @@
-// Pool and Strand: threads that do work, and an order of work. What is posted to a strand runs in order, never two at a
-// time, on some thread of its pool. A core lives on a strand; so do the stream and what recomputes derivations.
+// Pool and Strand: worker threads, and sequences of work on them. Work posted to a strand runs in order, one at a time,
+// on any thread of its pool. Each core has a strand; so do the stream and replays.
 //
 // Threads: post() and ask() on any.
 #pragma once
 
 #include <chrono>
-#include <condition_variable>
 #include <deque>
 #include <functional>
 #include <future>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <thread>
 #include <vector>
+
+#include "services/mutex.h"
 
 namespace race::server {
 
@@ -22,19 +22,21 @@ using Work = std::function<void()>;
 class Pool {
  public:
   explicit Pool(unsigned threads);
-  /// Does what was posted, and what that posts; so whoever posts to itself has been stopped before.
+  /// Finishes all posted work, and the work that it posts: work must not post itself for ever.
   ~Pool();
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
-  void post(Work work);
+  void post(Work work) EXCLUDES(mutex_);
 
  private:
   void run();
+  /// Waits for work; nothing: the pool ends.
+  std::optional<Work> next() EXCLUDES(mutex_);
 
-  std::mutex mutex_;
-  std::condition_variable posted_;
-  std::deque<Work> work_;
-  bool stop_ = false;
+  services::Mutex mutex_;
+  services::ConditionVariable posted_;
+  std::deque<Work> work_ GUARDED_BY(mutex_);
+  bool stop_ GUARDED_BY(mutex_) = false;
   std::vector<std::thread> threads_;
 };
 
@@ -67,9 +69,9 @@ class Strand {
     static void post(const std::shared_ptr<Queue>& queue, Work work);
     static void run_one(const std::shared_ptr<Queue>& queue);
     Pool& pool;
-    std::mutex mutex;
-    std::deque<Work> work;
-    bool scheduled = false;
+    services::Mutex mutex;
+    std::deque<Work> work GUARDED_BY(mutex);
+    bool scheduled GUARDED_BY(mutex) = false;
   };
   std::shared_ptr<Queue> queue_;
 };
