@@ -13,8 +13,8 @@
 
 #include "core/language/explain.h"
 #include "core/semantics/context.h"
-#include "core/semantics/derivation.h"
 #include "core/semantics/program.h"
+#include "core/semantics/recorder.h"
 
 namespace race::semantics {
 
@@ -74,6 +74,12 @@ class Run {
   template <Recorder R>
   bool micro(R& recorder);
   /// A whole macro step with the first waiting input.
+  //
+  // Quiesc (3.32): micro steps until none changes anything (R14).
+  //
+  //   Σ ⊢ Δ ⟹* Δ'    Δ' is ⟹-normal-form
+  //   ────────────────────────────────────
+  //   Σ ⊢ Δ ⟹↓ Δ'
   template <Recorder R>
   void macro_step(R& recorder) {
     begin(take_input());
@@ -113,9 +119,9 @@ class Run {
  private:
   struct Body;
   explicit Run(std::unique_ptr<Body> body);
-  template <Recorder R>
-  void micro_transition(R& recorder, bool& changed);
+  void complete_micro_step();
   void fail(RunFault fault);
+  void fail_by_divergence();
   void call_safe_operations();
   std::unique_ptr<Body> body_;
 };
