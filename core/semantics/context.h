@@ -1,5 +1,5 @@
-// The contexts of thesis 3.4.1 as values: Δ (what the model is in) and Σ (the snapshot of its environment), and what
-// lies below the rules to make them fast: lists of active children, and marks that say which states have to look again.
+// The contexts of thesis 3.4.1 as values: Δ (the present state of the model) and Σ (the snapshot of its environment),
+// and what lies below the rules to make them fast: lists of active children, and the work set (work_set.h).
 //
 // All of it is plain data: copying a RunState copies the run.
 #pragma once
@@ -15,15 +15,16 @@
 
 namespace race::semantics {
 
-/// What a state has in Δ besides its values and its flag. Hot fields first: a visit reads one cache line.
+/// What a state has in Δ besides its values and its flag. The fields that every visit reads stand first, in one cache
+/// line.
 struct Live {
   // Active children in order of declaration, as a list through `next` and `previous` of the children.
   StateId first_active = kNoState, last_active = kNoState;
   StateId next = kNoState, previous = kNoState;
-  bool dirty = false;              // something that its conditions or actions read has changed since it looked
-  bool looking = false;            // it was dirty when the present visit began
+  bool dirty = false;              // something that its conditions or actions read has changed since its last visit
+  bool reevaluating = false;       // it was dirty when the present visit began
   bool touched = false;            // has values that differ from "never active"
-  bool recheck = false;            // looks again in the next macro step
+  bool recheck = false;            // is dirty again in the next macro step
   std::uint64_t activated_in = 0;  // macro step (epoch) of the last activation, R21
   std::uint64_t activated_at = 0;  // tick of the last activation, R19
   std::uint64_t calls_before = 0;  // calls of the run before the last activation, R20
@@ -32,10 +33,10 @@ struct Live {
   std::uint32_t left_during = 0;  // in which activation of its parent
   std::uint64_t resolved_in = 0;  // transition in which its parameters were resolved, R23
 
-  std::vector<PortId> pending;     // active ports of children, with destination
-  std::vector<PortId> lingering;   // and without
-  std::vector<BarrierId> open;     // active child barriers
-  std::vector<BarrierId> waiting;  // inactive child barriers with arrivals
+  std::vector<PortId> active_ports;         // of children, with destination: active_ports(Δ,s) of 3.28
+  std::vector<PortId> unconnected_ports;    // active ones of children, without destination
+  std::vector<BarrierId> active_barriers;   // active_barriers(Δ,s) of 3.29
+  std::vector<BarrierId> partial_barriers;  // inactive child barriers with arrivals
   std::vector<StateId> touched_children;
 };
 
@@ -76,14 +77,14 @@ struct RunState {
   explicit RunState(const Program& program);
 
   // Δ
-  std::vector<Value> values;            // Π, Ξ, Λ by Slot
+  std::vector<Value> values;            // Π, Ξ, Λ by ValueIndex
   std::vector<std::uint8_t> flags;      // Φ by Flag
   std::vector<std::uint8_t> arrived;    // activated(b), by inbound port
   std::vector<Live> live;               // by StateId
   std::vector<std::uint32_t> arrivals;  // how many of the inbound ports have arrived, by BarrierId
-  // OPTIMIZATION: the states that have something to look at: dirty, or with ports or barriers to lead on. Any other
-  // active state would take an SProp without effect.
-  StateSet hot;
+  // OPTIMIZATION: the states that have work: dirty, or with active ports or barriers of children. Any other active
+  // state would take an SProp without effect.
+  StateSet work_set;
   std::uint32_t active_states = 0;
   bool small_budget = false;  // even a short condition may exceed it: all are evaluated
 
@@ -100,25 +101,15 @@ struct RunState {
   std::vector<std::vector<CallRecord>> calls;            // by OperationId, latest last
   std::uint64_t call_count = 0;
 
-  std::vector<StateId> recheck;  // states that look again in the next macro step
+  std::vector<StateId> recheck;  // states that are dirty again in the next macro step
   bool started = false;          // the root has been activated
   std::deque<Input> waiting;
   std::vector<std::string> services_called;  // in order of first call
 };
 
-/// `s` looks again, in this micro step if it comes later in tree order, else in the next.
-inline void wake(RunState& run, StateId s) {
-  run.live[index(s)].dirty = true;
-  run.hot.add(s);
-}
-
-/// Every active state whose conditions or actions read the event, or a response of the operation, looks again.
-void wake_event_readers(RunState& run, const Program& program, EventId event);
-void wake_response_readers(RunState& run, const Program& program, OperationId operation);
-
 /// Everything in Δ as never active, for a state that is entered (R8): results and variables of `s` initial, parameters
 /// too of its descendants. `log` takes the old values.
-using ValueLog = std::vector<std::pair<Slot, Value>>;
+using ValueLog = std::vector<std::pair<ValueIndex, Value>>;
 void reset_values(RunState& run, const Program& program, StateId s, ValueLog& log);
 
 }  // namespace race::semantics

@@ -1,7 +1,5 @@
 #include "core/semantics/derivation.h"
 
-#include <algorithm>
-
 namespace race::semantics {
 
 void Derivation::clear() {
@@ -10,23 +8,6 @@ void Derivation::clear() {
   calls.clear();
   required.clear();
   micro.clear();
-}
-
-NodeValue node_value(language::Truth truth) {
-  if (truth == language::Truth::yes) return NodeValue::yes;
-  return truth == language::Truth::no ? NodeValue::no : NodeValue::unknown;
-}
-
-void EvaluationRecord::atom(bool service, language::Truth value, SourceRange) {
-  parts.push_back({service ? Rule::CondBD : Rule::CondBE, node_value(value), kNone});
-}
-
-void EvaluationRecord::statement(bool service, SourceRange) {
-  parts.push_back({service ? Rule::FuncSD : Rule::FuncST, NodeValue::none, kNone});
-}
-
-void EvaluationRecord::require(RequiredDatum datum) {
-  if (std::ranges::find(required, datum) == required.end()) required.push_back(datum);
 }
 
 namespace {

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <ranges>
 
+#include "core/semantics/work_set.h"
+
 namespace race::semantics {
 namespace {
 
 const Value kUnknown = Value::unknown();
 
-const Value& shown(const CallRecord& record, bool error) {
+const Value& visible_response(const CallRecord& record, bool error) {
   return record.answered && record.is_error == error ? record.response : kUnknown;
 }
 
@@ -27,23 +29,23 @@ const Value& StepEnvironment::response(OperationId operation, std::string_view s
   for (const CallRecord& record : std::views::reverse(run_.calls[operation])) {
     if (record.number <= before) break;
     if (own && (index(record.caller) < index(state_) || index(record.caller) >= info.end)) continue;
-    if (record.service == service) return shown(record, error);
+    if (record.service == service) return visible_response(record, error);
   }
   return kUnknown;
 }
 
-void StepEnvironment::write(Slot slot, Value value) {
-  const std::uint8_t readers = program_.slot_readers[slot];
-  const StateId owner = program_.slot_state[slot];
-  if (readers & kOwner) wake(run_, owner);
-  if (readers & kParent) wake(run_, program_[owner].parent);
-  log_.emplace_back(slot, std::move(run_.values[slot]));
-  run_.values[slot] = std::move(value);
+void StepEnvironment::write(ValueIndex at, Value value) {
+  const std::uint8_t readers = program_.value_readers[at];
+  const StateId owner = program_.value_owner[at];
+  if (readers & kOwner) mark_dirty(run_, owner);
+  if (readers & kParent) mark_dirty(run_, program_[owner].parent);
+  log_.emplace_back(at, std::move(run_.values[at]));
+  run_.values[at] = std::move(value);
 }
 
 void StepEnvironment::call(OperationId operation, std::string_view service, std::string_view name, List args,
                            Dict kwargs) {
-  if (record) record->parts.push_back({Rule::FuncSC, NodeValue::none, static_cast<std::uint32_t>(calls.size())});
+  evaluation.statements.push_back({Statement::Kind::service_call, calls.size()});
   calls.push_back({operation, std::string(service), std::string(name), std::move(args), std::move(kwargs)});
 }
 

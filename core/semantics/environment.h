@@ -7,7 +7,7 @@
 
 #include "core/language/interface/environment.h"
 #include "core/semantics/context.h"
-#include "core/semantics/derivation.h"
+#include "core/semantics/evaluation_record.h"
 
 namespace race::semantics {
 
@@ -39,14 +39,14 @@ class StepEnvironment final : public language::Environment {
   }
 
   const Value& response(OperationId operation, std::string_view service, bool error) override;
-  void write(Slot slot, Value value) override;
+  void write(ValueIndex at, Value value) override;
   void call(OperationId operation, std::string_view service, std::string_view name, List args, Dict kwargs) override;
   const language::ServiceTable& services() const override { return program_.services; }
   void print(std::string text) override { printed.push_back(std::move(text)); }
 
-  std::vector<BufferedCall> calls;     // of the function that is being evaluated
-  std::vector<std::string> printed;    // by functions of this macro step, for people
-  EvaluationRecord* record = nullptr;  // where a tree is recorded
+  std::vector<BufferedCall> calls;   // of the function that is being evaluated
+  std::vector<std::string> printed;  // by functions of this macro step, for people
+  EvaluationRecord evaluation;       // of the last evaluation; without a trace, of its calls alone
 
  private:
   const Program& program_;

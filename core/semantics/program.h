@@ -27,7 +27,7 @@ using language::EventId;
 using language::Flag;
 using language::kNone;
 using language::OperationId;
-using language::Slot;
+using ValueIndex = language::Slot;
 
 template <typename Id>
 constexpr std::uint32_t index(Id id) {
@@ -99,14 +99,14 @@ struct StateInfo {
   Range<ActionId> actions;
   std::uint64_t own_mask = 0;  // service data that its conditions and actions read, as bits of a small filter
   std::uint64_t subtree_mask = 0;
-  bool waits = false;                     // no actions, and no port can fire without an occurrence
-  bool bare = false;                      // nothing that R8 could reset: no results, variables or child states
-  bool watched = false;                   // its parent reads a parameter or result of it
+  bool needs_occurrence = false;          // no actions, and no port can fire without an occurrence
+  bool stateless = false;                 // nothing that R8 could reset: no results, variables or child states
+  bool read_by_parent = false;            // its parent reads a parameter or result of it
   bool keeps = false, keeps_any = false;  // R8
   NodeRef first;
   Code entry, exit;
-  Slot parameter_slot = 0, result_slot = 0, variable_slot = 0;
-  std::vector<ParameterInfo> parameters;  // slots from `parameter_slot` on; likewise below
+  ValueIndex first_parameter = 0, first_result = 0, first_variable = 0;
+  std::vector<ParameterInfo> parameters;  // slots from `first_parameter` on; likewise below
   std::vector<std::string> results, variables;
   std::vector<NodeRef> children;
   std::vector<PortId> keep_ports;
@@ -114,8 +114,8 @@ struct StateInfo {
   std::string name, path;
 };
 
-/// Who has to look again when a place in Δ changes.
-enum Reader : std::uint8_t { kNobody = 0, kOwner = 1, kParent = 2 };
+/// Whose conditions and actions read a place in Δ: the state that it belongs to, or that state's parent.
+enum Reader : std::uint8_t { kNoReader = 0, kOwner = 1, kParent = 2 };
 
 class Program {
  public:
@@ -131,6 +131,7 @@ class Program {
   Flag flag(StateId s) const { return index(s); }
   Flag flag(BarrierId b) const { return first_barrier_flag + index(b); }
   Flag flag(PortId p) const { return first_port_flag + index(p); }
+  Flag flag(NodeRef x) const { return x.barrier ? flag(x.as_barrier()) : flag(x.state()); }
   std::size_t flag_count() const { return states.size() + barriers.size() + ports.size(); }
 
   /// `Root/A.success`
@@ -155,9 +156,9 @@ class Program {
   std::vector<BarrierInfo> barriers;
   std::vector<PortInfo> ports;  // of one state together, siblings in order
   std::vector<ActionInfo> actions;
-  std::vector<Value> initial;                            // by Slot; unknown = has no value
-  std::vector<std::uint8_t> slot_readers, flag_readers;  // Reader bits
-  std::vector<StateId> slot_state;                       // whose parameter, result or variable it is
+  std::vector<Value> initial;                             // by ValueIndex; unknown = has no value
+  std::vector<std::uint8_t> value_readers, flag_readers;  // Reader bits
+  std::vector<StateId> value_owner;                       // whose parameter, result or variable it is
   language::ServiceTable services;
   std::vector<std::uint8_t> sampled;  // by EventId
   std::vector<std::uint8_t> event_named, response_named;

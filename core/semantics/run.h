@@ -14,8 +14,8 @@
 #include "core/language/evaluate/explain.h"
 #include "core/language/evaluate/interpreter.h"
 #include "core/semantics/context.h"
-#include "core/semantics/derivation.h"
 #include "core/semantics/program.h"
+#include "core/semantics/recorder.h"
 
 namespace race::semantics {
 
@@ -75,6 +75,12 @@ class Run {
   template <Recorder R>
   bool micro(R& recorder);
   /// A whole macro step with the first waiting input.
+  //
+  // Quiesc (3.32): micro steps until none changes anything (R14).
+  //
+  //   Σ ⊢ Δ ⟹* Δ'    Δ' is ⟹-normal-form
+  //   ────────────────────────────────────
+  //   Σ ⊢ Δ ⟹↓ Δ'
   template <Recorder R>
   void macro_step(R& recorder) {
     begin(take_input());
@@ -114,9 +120,9 @@ class Run {
  private:
   struct Body;
   explicit Run(std::unique_ptr<Body> body);
-  template <Recorder R>
-  void micro_transition(R& recorder, bool& changed);
+  void complete_micro_step();
   void fail(RunFault fault);
+  void fail_by_divergence();
   void call_safe_operations();
   std::unique_ptr<Body> body_;
 };

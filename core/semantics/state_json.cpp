@@ -29,10 +29,10 @@ class Writer {
       if (is_on(p_.flag(port))) ports_.emplace_back(p_.address(port));
     Dict parameters;
     for (std::size_t i = 0; i < info.parameters.size(); ++i)
-      add(parameters, info.parameters[i].name, info.parameter_slot + static_cast<Slot>(i));
+      add(parameters, info.parameters[i].name, info.first_parameter + static_cast<ValueIndex>(i));
     store(parameters_, info.path, std::move(parameters));
-    store(results_, info.path, named(info.results, info.result_slot));
-    store(variables_, info.path, named(info.variables, info.variable_slot));
+    store(results_, info.path, named(info.results, info.first_result));
+    store(variables_, info.path, named(info.variables, info.first_variable));
     for (const NodeRef child : info.children) child.barrier ? barrier(child.as_barrier()) : node(child.state());
   }
 
@@ -45,12 +45,12 @@ class Writer {
     if (!arrived.empty()) activated_.set(info.path, std::move(arrived));
   }
 
-  void add(Dict& out, const std::string& name, Slot slot) const {
-    if (!r_.values[slot].is_unknown()) out.set(name, r_.values[slot]);
+  void add(Dict& out, const std::string& name, ValueIndex at) const {
+    if (!r_.values[at].is_unknown()) out.set(name, r_.values[at]);
   }
-  Dict named(const std::vector<std::string>& names, Slot first) const {
+  Dict named(const std::vector<std::string>& names, ValueIndex first) const {
     Dict out;
-    for (std::size_t i = 0; i < names.size(); ++i) add(out, names[i], first + static_cast<Slot>(i));
+    for (std::size_t i = 0; i < names.size(); ++i) add(out, names[i], first + static_cast<ValueIndex>(i));
     return out;
   }
   static void store(Dict& where, const std::string& path, Dict values) {

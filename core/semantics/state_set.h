@@ -61,7 +61,7 @@ class StateSet {
       std::uint64_t& word = words_[levels_[level] + (i >> 6)];
       const std::uint64_t before = word;
       word |= bit(i);
-      if (before != 0) return;  // the summaries know of this word
+      if (before != 0) return;  // the summaries have this word already
     }
   }
   [[gnu::noinline]] void remove_summaries(std::uint32_t i) {

@@ -21,18 +21,18 @@ Dict& entry(Dict& dict, const std::string& key) {
   return dict.find(name)->mutable_dict();
 }
 
-// Whose value a slot is: field of the delta, path, name.
+// Which value it is: field of the delta, path, name.
 struct Place {
   const char* field;
   const std::string &path, &name;
 };
-Place place(const Program& program, semantics::Slot slot) {
-  const semantics::StateInfo& state = program[program.slot_state[slot]];
-  if (slot - state.parameter_slot < state.parameters.size())
-    return {"parameters", state.path, state.parameters[slot - state.parameter_slot].name};
-  if (slot - state.result_slot < state.results.size())
-    return {"results", state.path, state.results[slot - state.result_slot]};
-  return {"variables", state.path, state.variables[slot - state.variable_slot]};
+Place place(const Program& program, semantics::ValueIndex at) {
+  const semantics::StateInfo& state = program[program.value_owner[at]];
+  if (at - state.first_parameter < state.parameters.size())
+    return {"parameters", state.path, state.parameters[at - state.first_parameter].name};
+  if (at - state.first_result < state.results.size())
+    return {"results", state.path, state.results[at - state.first_result]};
+  return {"variables", state.path, state.variables[at - state.first_variable]};
 }
 
 }  // namespace
@@ -104,11 +104,11 @@ void StateView::add_arrivals(const Run& run, Dict& out) const {
 void StateView::add_values(const Run& run, Dict& out) const {
   const auto& values = run.state().values;
   Dict set{{"parameters", Dict()}, {"results", Dict()}, {"variables", Dict()}}, unset;
-  for (std::size_t slot = 0; slot < values.size(); ++slot) {
-    if (values[slot].identical(values_[slot])) continue;
-    const auto [field, path, name] = place(run.program(), static_cast<semantics::Slot>(slot));
-    if (!values[slot].is_unknown()) {
-      entry(entry(set, field), path).set(name, values[slot]);
+  for (std::size_t at = 0; at < values.size(); ++at) {
+    if (values[at].identical(values_[at])) continue;
+    const auto [field, path, name] = place(run.program(), static_cast<semantics::ValueIndex>(at));
+    if (!values[at].is_unknown()) {
+      entry(entry(set, field), path).set(name, values[at]);
       continue;
     }
     Dict& of_field = entry(unset, field);

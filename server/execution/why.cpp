@@ -92,7 +92,7 @@ Value root_results(const Run& run) {
   Dict results;
   const semantics::StateInfo& root = run.program()[semantics::Program::root];
   for (std::size_t i = 0; i < root.results.size(); ++i) {
-    const Value& value = run.state().values[root.result_slot + i];
+    const Value& value = run.state().values[root.first_result + i];
     if (!value.is_unknown()) results.set(root.results[i], value);
   }
   return results;

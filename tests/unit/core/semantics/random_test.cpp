@@ -27,12 +27,16 @@ std::string violation(const semantics::Run& run) {
     const bool parent_active = s.parent == kNoState || r.flags[index(s.parent)] != 0;
     if (active && !parent_active) return s.path + " is active, its parent is not";
     for (std::size_t k = 0; active && k < s.parameters.size(); ++k)
-      if (r.values[s.parameter_slot + k].is_unknown()) return s.path + " is active without " + s.parameters[k].name;
+      if (r.values[s.first_parameter + k].is_unknown()) return s.path + " is active without " + s.parameters[k].name;
     for (const PortId port : s.ports)
       if (r.flags[p.flag(port)] && (active || !parent_active)) return p.address(port) + " is active at the wrong time";
   }
-  for (const BarrierInfo& b : p.barriers) {
+  for (std::size_t i = 0; i < p.barriers.size(); ++i) {
+    const BarrierInfo& b = p.barriers[i];
     const bool parent_active = r.flags[index(b.parent)] != 0;
+    const auto arrived = std::ranges::count_if(b.in, [&](PortId port) { return r.arrived[index(port)] != 0; });
+    if (run.status() == Status::running && r.arrivals[i] != static_cast<std::size_t>(arrived))
+      return b.path + " counts its arrivals wrongly";
     for (const PortId port : b.in)
       if (r.arrived[index(port)] && !parent_active) return b.path + " keeps arrivals in an inactive parent";
   }

@@ -1,0 +1,132 @@
+// The inputs of a run: how they wait, and how a macro step takes one.
+#include <algorithm>
+#include <cassert>
+#include <ranges>
+
+#include "core/semantics/run_internal.h"
+#include "core/semantics/work_set.h"
+
+namespace race::semantics {
+
+bool Run::post_event(std::string_view service, std::string_view event, Value data) {
+  const EventId id = body_->program->services.find_event(service, event);
+  return id != kNone && post_event(id, std::move(data));
+}
+
+bool Run::post_event(EventId event, Value data) {
+  if (body_->status != Status::running || !body_->program->names_event(event)) return false;
+  std::deque<Input>& waiting = body_->state.waiting;
+  // REFINEMENT R5: inputs wait in order of arrival; of a sampled event only the newest, at the end.
+  if (body_->program->sampled[event])
+    std::erase_if(waiting, [&](const Input& i) { return i.kind == Input::Kind::event && i.number == event; });
+  Input& input = waiting.emplace_back();
+  input.number = event;
+  input.data = std::move(data);
+  return true;
+}
+
+namespace {
+
+// The record that a response to call `number` would answer: only the latest call of each caller can be, once.
+CallRecord* answerable(RunState& run, OperationId operation, std::uint64_t number) {
+  for (CallRecord& record : run.calls[operation])
+    if (record.number == number && !record.answered) return &record;
+  return nullptr;
+}
+
+const std::string& callee(const Program& program, OperationId operation, const CallRecord& record) {
+  return program.services.is_open(operation) ? record.service : program.services.operations()[operation].service;
+}
+
+}  // namespace
+
+std::uint64_t Run::find_call(std::string_view service, std::string_view operation, std::uint64_t number) const {
+  const OperationId id = body_->program->services.dynamic_operation(service, operation);
+  if (id == kNone) return 0;
+  for (const CallRecord& record : std::views::reverse(body_->state.calls[id]))
+    if (callee(*body_->program, id, record) == service && (number == 0 || record.number == number))
+      return record.number;
+  return 0;
+}
+
+bool Run::post_response(std::uint64_t number, bool is_error, Value data) {
+  if (body_->status != Status::running) return false;
+  for (OperationId o = 0; o < body_->state.calls.size(); ++o) {
+    const CallRecord* record = answerable(body_->state, o, number);
+    if (!record) continue;
+    if (!body_->program->names_response(o)) return false;
+    body_->state.waiting.push_back({Input::Kind::response, o, record->service, number, is_error, std::move(data)});
+    return true;
+  }
+  return false;
+}
+
+// REFINEMENT R7: a lost service answers every unanswered call with `unavailable`, in order of call.
+void Run::post_lost(std::string_view service) {
+  std::vector<std::uint64_t> unanswered;
+  for (OperationId o = 0; o < body_->state.calls.size(); ++o)
+    for (const CallRecord& record : body_->state.calls[o])
+      if (!record.answered && callee(*body_->program, o, record) == service) unanswered.push_back(record.number);
+  std::ranges::sort(unanswered);
+  for (const std::uint64_t number : unanswered) post_response(number, true, Dict{{"code", "unavailable"}});
+}
+
+bool Run::has_input() const {
+  if (body_->status != Status::running) return false;
+  if (!body_->state.started) return true;
+  return std::ranges::any_of(body_->state.waiting, [&](const Input& input) {
+    return input.kind == Input::Kind::event || answerable(body_->state, input.number, input.call);
+  });
+}
+
+// REFINEMENT R5, R6: the first waiting input that counts; a response that another call has overtaken does not.
+std::optional<Input> Run::take_input() {
+  std::deque<Input>& waiting = body_->state.waiting;
+  while (!waiting.empty()) {
+    Input input = std::move(waiting.front());
+    waiting.pop_front();
+    if (input.kind == Input::Kind::event || answerable(body_->state, input.number, input.call)) return input;
+  }
+  return std::nullopt;
+}
+
+// Macro (4.19): the snapshot, then quiescence (Run::macro_step).
+//
+//   Σ' = Ω if updated(Ω,Σ), else Σ    Σ' ⊢ Δ ⟹↓ε Δ',Ω'
+//   ───────────────────────────────────────────────────
+//   Ω ⊢ (Σ,Δ) ∗→ (Σ',Δ'),Ω'
+//
+// REFINEMENT R5: an input is the update. REFINEMENT R15: missing requirements ε do not block it.
+void Run::begin(std::optional<Input> input) {
+  assert(body_->status == Status::running);
+  RunState& run = body_->state;
+  const Program& program = *body_->program;
+  body_->micro_steps = 0;
+  ++body_->position;
+  if (!input) return;
+  ++run.epoch;  // `executed`, `triggered` and the states activated in this macro step are empty
+  const bool active = run.flags[program.flag(Program::root)] != 0;
+  for (const StateId s : run.recheck) {
+    run.live[index(s)].recheck = false;
+    if (run.flags[program.flag(s)]) mark_dirty(run, s);
+  }
+  run.recheck.clear();
+  const EventId before = std::exchange(run.occurrence, kNone);
+  if (input->kind == Input::Kind::event) {
+    run.occurrence = input->number;
+    run.event_data[input->number] = std::move(input->data);
+    run.event_tick[input->number] = ++run.tick;
+    if (active) mark_event_readers(run, program, input->number);
+  } else {
+    CallRecord* record = answerable(run, input->number, input->call);
+    assert(record);
+    record->answered = true;
+    record->is_error = input->is_error;
+    record->response = std::move(input->data);
+    run.response_tick[input->number] = ++run.tick;
+    if (active) mark_response_readers(run, program, input->number);
+  }
+  if (active && before != kNone && before != run.occurrence) mark_event_readers(run, program, before);
+}
+
+}  // namespace race::semantics
