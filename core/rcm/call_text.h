@@ -1,5 +1,5 @@
-// The call of an external oracle (thesis 3.3.2), such as `svc.Oracle.decide(par, res, var)`, taken apart: its arguments
-// belong to the scope of the composite, the call itself to the dispatcher.
+// The call of an external oracle (thesis 3.3.2), such as `svc.Oracle.decide(par, res, var)`, split into its parts: its
+// arguments belong to the scope of the composite, the call itself to the dispatcher.
 #pragma once
 
 #include <optional>
@@ -20,8 +20,8 @@ struct CallText {
   bool operator==(const CallText&) const = default;
 };
 
-/// The parts of `text`; nothing if it is not one call `svc.SERVICE.OPERATION(arguments)`. The expressions are not
-/// looked into, except for brackets and strings.
+/// The parts of `text`; nothing if it is not one call `svc.SERVICE.OPERATION(arguments)`. Of the expressions, only
+/// brackets and strings are parsed.
 std::optional<CallText> parse_call(std::string_view text);
 
 }  // namespace race::rcm

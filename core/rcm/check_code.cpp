@@ -59,8 +59,8 @@ class CodeCheck {
     }
   }
 
-  /// The expressions of a library state itself: their scope is that of the states that link it, so names wait for
-  /// those.
+  /// The expressions of a library state itself: their scope is that of the states that link it, so their
+  /// names are checked there.
   void check_open_parameters(const State& state, const std::string& path) {
     for (const Parameter& parameter : state.parameters) {
       if (parameter.from)
@@ -119,7 +119,7 @@ class CodeCheck {
       check("oracle, argument `" + argument.expression + "`", argument.expression, CodeKind::expression, symbols, path);
   }
 
-  /// `which`: how messages call this text of the element at `path`.
+  /// `which`: the name of this text of the element at `path`, for messages.
   void check(const std::string& which, std::string_view text, CodeKind kind, const Symbols& symbols,
              const std::string& path) {
     report(which, language::check(text, kind, symbols), path, Names::checked);

@@ -10,7 +10,7 @@
 namespace race::rcm {
 namespace {
 
-/// The paths of nameless nodes of which reading has said already that the name is missing or no text.
+/// The paths of nodes without a name, for which reading has already reported a violation.
 std::set<std::string_view> said_nameless(const std::vector<Error>& errors) {
   std::set<std::string_view> out;
   for (const Error& error : errors) {

@@ -1,4 +1,4 @@
-// The two halves of the constraints; only constraints.cpp uses this.
+// The constraints in two parts, used by constraints.cpp alone.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@ namespace race::rcm {
 /// Violations of structure, appended to `errors`. Without a root that could be read, only the library is checked.
 void check_structure(const Document& document, bool has_root, const Library& library, std::vector<Error>& errors);
 
-/// Violations of code, appended to `errors`. `names`: whether names are checked, which takes a sound structure.
+/// Violations of code, appended to `errors`. `names`: whether names are checked, which requires a valid structure.
 void check_code(const Document& document, const Library& library, bool names, std::vector<Error>& errors);
 
 }  // namespace race::rcm

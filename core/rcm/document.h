@@ -1,5 +1,5 @@
 // The RCM codec: documents (core/SEMANTICS.md, section 1) from JSON and back. A document is rejected as a whole, with
-// every violation listed; what has the right shape can be kept as a draft, whatever else is wrong with it.
+// every violation listed. A draft keeps what has the right shape, even if it breaks other constraints.
 // Pure functions.
 #pragma once
 

@@ -8,7 +8,7 @@
 namespace race::rcm {
 namespace {
 
-constexpr std::size_t kElement = 16;  // bytes that a parameter, port or action counts, besides its text
+constexpr std::size_t kElement = 16;  // bytes for a parameter, port or action, besides its text
 
 std::size_t bytes_of(const std::optional<std::string>& text) { return text ? text->size() : 0; }
 
@@ -35,7 +35,7 @@ class Counter {
  public:
   explicit Counter(const Library& library) : library_(library) {}
 
-  /// `level`: how deep the recursion is; beyond kMaxDepth it only says that this is too deep.
+  /// `level`: the depth of the recursion; beyond kMaxDepth the result only says that it is too deep.
   Extent count(const State& state, std::size_t level) {
     if (level > kMaxDepth) return {1, 0, kMaxDepth + 1};
     if (state.link) {

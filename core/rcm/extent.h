@@ -1,4 +1,4 @@
-// How large a document's native model becomes, found without making it: links to links multiply.
+// The size of a document's native model, computed without building it: links to links multiply.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,14 @@
 namespace race::rcm {
 
 struct Extent {
-  // Both stop to count soon after their limits (constraints.h).
+  // Counting of states and bytes stops soon after their limits (constraints.h).
   std::size_t states = 0;  // states and barriers
-  std::size_t bytes = 0;   // of names and code; an element without text counts a little
+  std::size_t bytes = 0;   // of names and code; an element without text counts a few
   std::size_t depth = 0;   // levels of states, each link counted as a level
 };
 
-/// The larger extent of the root and of each state of the library. Requires links that lead somewhere and not in
-/// circles.
+/// The larger extent of the root and of each state of the library. Requires that every link leads to a state
+/// and that there are no cycles.
 Extent extent_of(const Document& document, const Library& library);
 
 }  // namespace race::rcm

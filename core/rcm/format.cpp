@@ -1,4 +1,4 @@
-// The text of a document: what is small stands on one line, so that a change in a model is a change of few lines.
+// The text of a document: small values take one line, so that a change of a model changes few lines.
 #include <algorithm>
 
 #include "core/rcm/document.h"

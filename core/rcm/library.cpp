@@ -87,7 +87,7 @@ Library::Library(const Document& document) : document_(document), behaviours_(do
   }
 }
 
-/// Finds the behaviour of a state and of all on the way to it; `known` marks those that are found already.
+/// Finds the behaviour of a state and of all states in its chain of links; `known` marks those already found.
 void Library::resolve(std::size_t start, std::vector<bool>& known) {
   std::vector<std::size_t> way;
   const State* behaviour = nullptr;
@@ -96,7 +96,7 @@ void Library::resolve(std::size_t start, std::vector<bool>& known) {
       behaviour = behaviours_[at];
       break;
     }
-    known[at] = true;  // in a circle, that is the end: nullptr
+    known[at] = true;  // ends a cycle with nullptr
     way.push_back(at);
     const State& state = document_.library[at];
     if (!state.link) behaviour = &state;

@@ -16,11 +16,11 @@ class Library {
  public:
   explicit Library(const Document& document);
 
-  /// The library's state `name` (the first, if the name stands twice); nullptr if there is none.
+  /// The library's state `name` (the first of duplicates); nullptr if there is none.
   const State* find(std::string_view name) const;
 
-  /// The state whose behaviour `state` has: itself, or the end of its links. nullptr if a link leads to nothing or in a
-  /// circle.
+  /// The state whose behaviour `state` has: itself, or the end of its chain of links. nullptr if a link leads to
+  /// nothing or into a cycle.
   const State* behaviour(const State& state) const;
 
   /// What a link to the library's state `name` may override: the names of its behaviour. nullptr if it has none.
@@ -33,8 +33,8 @@ class Library {
   /// it has one), its type, texts and meta where it has them. Requires behaviour(state).
   std::vector<Parameter> parameters(const State& state) const;
 
-  /// The links in circles, each as the names on the way, from the first in order of the library. Every circle has at
-  /// least one state in common with one of these.
+  /// Cycles of links, each as its names, from the first in order of the library. Every cycle shares at least one state
+  /// with one of these.
   std::vector<std::vector<std::string>> cycles() const;
 
  private:

@@ -44,7 +44,7 @@ std::string pass_arguments(const CallText& call, std::vector<Parameter>& paramet
   return "svc." + call.service + "." + call.operation + "(" + out + ")";
 }
 
-/// The dispatcher of an external oracle asks on entry and stores the answer.
+/// The dispatcher of an external oracle calls on entry and stores the result.
 void ask(const CallText& call, State& dispatcher) {
   const std::string operation = "svc." + call.service + "." + call.operation;
   dispatcher.entry = pass_arguments(call, dispatcher.parameters);

@@ -1,5 +1,5 @@
-// Dynamic oracles (thesis 3.3.2, Figures 3.9 and 3.10): a composite that decides which of its children to enter, in
-// basic RCM syntax. What the thesis shows as a Dispatcher state is made here.
+// Dynamic oracles (thesis 3.3.2, Figures 3.9 and 3.10): a composite that decides which of its children to enter,
+// translated to basic RCM syntax: the Dispatcher state of the thesis.
 #pragma once
 
 #include <string_view>
@@ -16,8 +16,8 @@ inline constexpr std::string_view kLastActive = "last_active";
 /// functions.
 State dispatcher(const State& composite);
 
-/// Replaces the oracle of `composite` by its dispatcher and, for `history`, by what remembers the child. Requires an
-/// oracle without violations.
+/// Replaces the oracle of `composite` by its dispatcher and, for `history`, by the variable and actions that store the
+/// last child. Requires an oracle without violations.
 void translate_oracle(State& composite);
 
 }  // namespace race::rcm

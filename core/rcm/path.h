@@ -1,5 +1,5 @@
 // Paths: how documents, derivations and violations name a node (`Root/Pick/Grasp`, `library/Grasp/Close`) or a port
-// (`Root/Pick.success`). A name that is missing shows as `?`.
+// (`Root/Pick.success`). A missing name is shown as `?`.
 #pragma once
 
 #include <string>

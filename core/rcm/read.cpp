@@ -1,4 +1,4 @@
-// Reading documents: the shape. One function for each element of the format; each gets the path of what holds it.
+// Reading documents: the shape. One function for each element of the format; each gets the path of its parent.
 #include "core/rcm/constraints.h"
 #include "core/rcm/document.h"
 #include "core/rcm/path.h"

@@ -52,7 +52,7 @@ class Structure {
     errors_.push_back(Error{code, std::move(message), path});
   }
 
-  /// Each name of one kind stands once; whether it is a name is said where it stands.
+  /// Names of one kind are unique; whether each is a valid name is checked elsewhere.
   void declare(std::string_view what, const std::string& name, Names& names, const std::string& path) {
     if (!name.empty() && !names.insert(name).second)
       add(ErrorCode::duplicate, path, std::string(what) + " " + quoted(name) + " is declared twice");
@@ -158,7 +158,7 @@ class Structure {
     if (!library_.find(*state.link))
       return add(ErrorCode::link_unknown, path, "the library has no state " + quoted(*state.link));
     const Library::Interface* linked = library_.interface(*state.link);
-    if (!linked) return;  // a link further on leads nowhere or back, which is said there
+    if (!linked) return;  // a later link leads nowhere or back, which is reported there
     for (const Parameter& parameter : state.parameters) {
       if (!linked->parameters.contains(parameter.name))
         add(ErrorCode::link_parameter, path, quoted(*state.link) + " has no parameter " + quoted(parameter.name));
@@ -185,7 +185,7 @@ class Structure {
     check_made_names(state, path, level, history);
   }
 
-  /// What translation adds must not be there.
+  /// The names that translation adds must be free.
   void check_made_names(const State& state, const std::string& path, const Level& level, bool history) {
     if (level.has(kDispatcher))
       add(ErrorCode::duplicate, path, "child `Dispatcher`: the oracle makes a state of this name");

@@ -12,7 +12,7 @@ class Translation {
  public:
   Translation(const Document& document, NativeModel& model) : library_(document), origin_(model.origin) {}
 
-  /// The native form of the state that stands at `from` in the document and at `path` in the native model.
+  /// The native form of the state with the path `from` in the document and `path` in the native model.
   State translate_state(const State& state, const std::string& path, const std::string& from) {
     return state.link ? follow_link(state, path, from) : expand(state, path, from);
   }

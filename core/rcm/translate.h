@@ -7,9 +7,9 @@
 
 namespace race::rcm {
 
-/// The native model of `document`, with the origin of every node and port: of a linking state and the ports that it
-/// names, itself; of what a link takes over, the place in the library; of what an oracle makes, the composite. A
-/// document with violations does not translate: they are what is returned.
+/// The native model of `document`, with the origin of every node and port. The origin of a linking state and of the
+/// ports that it names is itself; of what a link takes over, the element of the library; of what an oracle is
+/// translated to, the composite. Returns the violations of a document that has some.
 Checked<NativeModel> translate(const Document& document);
 
 }  // namespace race::rcm

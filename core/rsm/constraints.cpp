@@ -1,5 +1,5 @@
 // The constraints of Definitions 4.1 to 4.3: names, unique declarations, and references to what is declared. An empty
-// name stands for one that could not be read; that it is missing has been said.
+// name is one that could not be read; that it is missing has been reported.
 #include <set>
 
 #include "core/rsm/document.h"

@@ -15,7 +15,7 @@ std::string element(std::string_view what, const Value& json, std::string_view k
   return std::string(what) + (name && name->is_string() ? " `" + name->as_string() + "`" : "");
 }
 
-/// A required name; that it is missing or empty is said here, once.
+/// A required name; that it is missing or empty is reported here alone.
 std::string read_name(Fields& fields, std::string_view key) {
   const auto name = fields.text(key, Need::required);
   if (name && name->empty()) fields.violation(ErrorCode::name, "`" + std::string(key) + "` is empty");

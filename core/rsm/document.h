@@ -12,7 +12,7 @@
 
 namespace race::rsm {
 
-/// Reads a service, or a mere interface (operations and events alone), from JSON. `rsm` and `name` may be absent, as in
+/// Reads a service, or an interface (operations and events alone), from JSON. `rsm` and `name` may be absent, as in
 /// a script, where the service has a key. Every violation has the path `path`, such as `services/robot`; codes:
 /// `version`, `type`, `missing`, `unknown_field`, `constant`, and those of violations().
 Checked<Service> read_service(const Value& json, const std::string& path);

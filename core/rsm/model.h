@@ -63,7 +63,7 @@ struct Service {
   std::vector<Operation> operations;
   std::vector<Event> events;
   std::vector<Uses> subscribes, calls;  // data-flow between services (4.1)
-  std::vector<ServiceState> states;     // none in a mere interface (operations and events only)
+  std::vector<ServiceState> states;     // none in an interface (operations and events only)
   std::string init;
   std::vector<Transition> transitions;
   Value meta;

@@ -17,7 +17,7 @@ bool contains(const std::vector<std::string>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Each argument that fits no parameter, each that is not of its type, each parameter that nothing supplies.
+/// Violations: arguments without a parameter, arguments of another type, parameters without an argument.
 void check_arguments(const Operation& operation, const List& args, const Dict& kwargs, Monitor::CallId call,
                      Monitor::Violations& out) {
   const auto& parameters = operation.parameters;
@@ -48,7 +48,7 @@ Monitor::Monitor(Service service) : service_(std::move(service)), instance_(init
 void Monitor::restarted() {
   instance_ = initial(service_);
   open_.clear();
-  owed_.clear();
+  unannounced_.clear();
   last_transition_.clear();
 }
 
@@ -80,9 +80,9 @@ Monitor::Violations Monitor::called(CallId call, std::string_view name, const Li
   } else {
     add(out, "declared", "there is no operation " + quoted(name), call);
   }
-  // What an interface does with a call is its own: each may be answered at once.
-  const auto stage = service_.is_interface() ? Open::Stage::resolved : Open::Stage::handed;
-  open_[call] = Open{std::string(name), stage, std::nullopt};
+  // An interface declares no transitions: each call may be answered at once.
+  const auto progress = service_.is_interface() ? OpenCall::Progress::resolved : OpenCall::Progress::delivered;
+  open_[call] = OpenCall{std::string(name), progress, std::nullopt};
   return out;
 }
 
@@ -109,7 +109,7 @@ void Monitor::check_source(const Transition& t, CallId call, Violations& out) co
     return;
   }
   const auto open = open_.find(call);
-  if (open == open_.end() || open->second.stage != Open::Stage::handed) {
+  if (open == open_.end() || open->second.progress != OpenCall::Progress::delivered) {
     add(out, rule, quoted(t.id) + " was taken on no call that waits", call);
   } else if (open->second.operation != *t.operation) {
     add(out, rule,
@@ -120,36 +120,36 @@ void Monitor::check_source(const Transition& t, CallId call, Violations& out) co
   }
 }
 
-// Trans1 and Trans2, the conclusion: cur = t.dst, and what t resolves may be answered.
+// Trans1 and Trans2, the conclusion: cur = t.dst, and the calls that t resolves may be answered.
 void Monitor::follow(const Transition& t, CallId call) {
   instance_.current = t.dst;
   last_transition_ = t.id;
-  owed_.insert(t.events.begin(), t.events.end());
+  unannounced_.insert(t.events.begin(), t.events.end());
   if (t.operation && open_.contains(call)) {
     const auto earlier = instance_.pending.find(t.id);
     // REFINEMENT R17: the earlier call that took t has no response any more.
     if (earlier != instance_.pending.end() && earlier->second != call) open_.erase(earlier->second);
     instance_.pending[t.id] = call;
-    open_[call].stage = Open::Stage::deferred;
+    open_[call].progress = OpenCall::Progress::deferred;
   }
   for (const Answer& answer : respond(service_, instance_, t)) {
     const auto open = open_.find(answer.call);
-    if (open == open_.end()) continue;  // answered too early, which has been said
-    open->second.stage = Open::Stage::resolved;
+    if (open == open_.end()) continue;  // answered too early, which has been reported
+    open->second.progress = OpenCall::Progress::resolved;
     if (answer.is_error) open->second.error_code = answer.error_code;
   }
 }
 
 void Monitor::check_unannounced(Violations& out) {
-  for (const std::string& name : owed_)
+  for (const std::string& name : unannounced_)
     add(out, "put", quoted(last_transition_) + " puts the event " + quoted(name) + ", which was not announced", 0);
-  owed_.clear();
+  unannounced_.clear();
 }
 
 Monitor::Violations Monitor::rejected(CallId call) {
   Violations out;
   const auto open = open_.find(call);
-  if (open == open_.end() || open->second.stage == Open::Stage::deferred) {
+  if (open == open_.end() || open->second.progress == OpenCall::Progress::deferred) {
     add(out, "R7", "rejected a call that does not wait", call);
   } else if (const Transition* t = taken_on(service_, instance_, open->second.operation)) {
     add(out, "R7", "rejected a call that " + quoted(instance_.current) + " takes by " + quoted(t->id), call);
@@ -158,18 +158,18 @@ Monitor::Violations Monitor::rejected(CallId call) {
   return out;
 }
 
-std::optional<Monitor::Open> Monitor::answer(CallId call, Violations& out) {
+std::optional<Monitor::OpenCall> Monitor::answer(CallId call, Violations& out) {
   const auto found = open_.find(call);
   if (found == open_.end()) {
     add(out, "respond",
         "response to a call that is not open (answered already, superseded by a later one (R17), or none)", call);
     return std::nullopt;
   }
-  Open open = std::move(found->second);
+  OpenCall open = std::move(found->second);
   open_.erase(found);
-  if (open.stage == Open::Stage::handed)
+  if (open.progress == OpenCall::Progress::delivered)
     add(out, "respond", "response to " + quoted(open.operation) + " before a transition took the call", call);
-  if (open.stage == Open::Stage::deferred)
+  if (open.progress == OpenCall::Progress::deferred)
     add(out, "respond", "response to " + quoted(open.operation) + ", which is deferred and not resolved yet", call);
   return open;
 }
@@ -212,8 +212,8 @@ Monitor::Violations Monitor::event(std::string_view name, const Value& data) {
     return out;
   }
   if (const auto reason = mismatch(event->data, data)) add(out, "type", "event " + quoted(name) + ": " + *reason, 0);
-  if (const auto owed = owed_.find(name); owed != owed_.end()) {
-    owed_.erase(owed);
+  if (const auto announced = unannounced_.find(name); announced != unannounced_.end()) {
+    unannounced_.erase(announced);
   } else if (!service_.is_interface() && !contains(Stutter(service_, instance_).events, name)) {
     add(out, "Stutter", quoted(instance_.current) + " does not emit the event " + quoted(name), 0);
   }

@@ -1,6 +1,6 @@
-// Monitor: holds a live service against its RSM (R18). It is told what the service announces, in order, follows it and
-// says what does not fit; it never blocks, changes or answers anything. After a violation it goes on from what was
-// announced. Lives where the service's host lives, on one thread.
+// Monitor: checks a live service against its RSM (R18). The host reports what the service announces, in order; the
+// monitor follows the transitions and returns violations. It never blocks, changes or answers anything. After a
+// violation it continues from what was announced. Used by the service's host, on one thread.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@
 
 namespace race::rsm {
 
-/// What does not fit: by which rule (`Trans1`, `Trans2`, `Stutter`, `R7`, `R17`, `type`, `declared`, `respond`, `put`),
-/// why, and in which call (0: none).
+/// A violation: which rule (`Trans1`, `Trans2`, `Stutter`, `R7`, `R17`, `type`, `declared`, `respond`, `put`), why, and
+/// in which call (0: none).
 struct Violation {
   std::string rule, message;
   std::uint64_t call = 0;
@@ -29,12 +29,12 @@ class Monitor {
   using CallId = std::uint64_t;
   using Violations = std::vector<Violation>;
 
-  /// A service in its initial state. Keeps a copy of the description. A mere interface has no transitions: of it,
-  /// names, types and that each call is answered once are held.
+  /// A service in its initial state. Keeps a copy of the description. An interface has no transitions: only
+  /// names, types and that each call is answered once are checked.
   explicit Monitor(Service service);
 
-  /// A call was handed to the service. Violations are the caller's: an undeclared operation, arguments that it does not
-  /// have or that are not of their type.
+  /// A call was delivered to the service. Violations are the caller's: an undeclared operation, or arguments that are
+  /// undeclared or of another type.
   Violations called(CallId call, std::string_view operation, const List& args, const Dict& kwargs);
   /// The service took transition `id`, on `call` or spontaneously (0).
   Violations transition(std::string_view id, CallId call);
@@ -44,35 +44,35 @@ class Monitor {
   /// An error response, a dict with at least `code`.
   Violations error(CallId call, const Value& value);
   Violations event(std::string_view name, const Value& data);
-  /// The service is gone; a new one starts in its initial state, and no call is open.
+  /// The service has ended and a new one starts in its initial state; no call is open.
   void restarted();
 
-  /// The current state as announced; empty for a mere interface.
+  /// The current state as announced; empty for an interface.
   const std::string& current() const { return instance_.current; }
   /// Calls without a response, in order.
   std::vector<CallId> open_calls() const;
 
  private:
-  /// A call without a response, and how far it is.
-  struct Open {
+  /// A call without a response.
+  struct OpenCall {
     std::string operation;
-    enum class Stage { handed, deferred, resolved } stage = Stage::handed;
+    enum class Progress { delivered, deferred, resolved } progress = Progress::delivered;
     std::optional<std::string> error_code;  // resolved by a transition with this `error`
   };
 
   void follow(const Transition& t, CallId call);
   void check_source(const Transition& t, CallId call, Violations& out) const;
   void check_unannounced(Violations& out);
-  /// The call that a response is for, removed; nothing if there is none, or it has no response yet.
-  std::optional<Open> answer(CallId call, Violations& out);
+  /// Removes and returns the open call that a response is for; nothing if there is none.
+  std::optional<OpenCall> answer(CallId call, Violations& out);
   const Operation* operation(std::string_view name) const;
   const Event* declared_event(std::string_view name) const;
 
   Service service_;
   Instance instance_;
-  std::map<CallId, Open> open_;
+  std::map<CallId, OpenCall> open_;
   std::string last_transition_;
-  std::multiset<std::string, std::less<>> owed_;  // events of the last transition that were not announced yet
+  std::multiset<std::string, std::less<>> unannounced_;  // events of the last transition
 };
 
 }  // namespace race::rsm

@@ -9,7 +9,7 @@
 
 namespace race::rsm {
 
-/// Why `type` is no TYPE; nothing if it is one.
+/// Why `type` is not a TYPE; nothing if it is one.
 std::optional<std::string> malformed(const Value& type);
 
 /// Where and why `value` is not of `type`, such as "`position[2]`: expected a number, got a string"; nothing if it is.

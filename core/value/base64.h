@@ -7,7 +7,7 @@
 namespace race {
 
 std::string base64(std::string_view bytes);
-/// Whether it can be read back: not empty, of whole blocks of four characters.
+/// Whether `text` is base64: not empty, in blocks of four characters.
 bool is_base64(std::string_view text);
 
 }  // namespace race

@@ -1,5 +1,5 @@
-// Expected<T>: a value or an Error. An Error says what was expected, what came, and where; it is for what a task
-// author, a client or a device can cause. What only our own mistake can cause is an assert.
+// Expected<T>: a value or an Error. An Error says what was expected, what was found, and where. It reports what a task
+// author, a client or a device can cause; our own mistakes are asserts.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace race {
 
-/// What a program branches on. The names of the first block are the codes of a rejected document (core/SEMANTICS.md),
-/// the second block holds the kinds of faults, the rest are the doors'. `name(code)` gives the text that users see.
+/// What a program branches on. The first block holds the codes of a rejected document (core/SEMANTICS.md), the second
+/// those of requests and files. `name(code)` gives the text that users see.
 enum class ErrorCode {
   // documents and code
   json,
@@ -41,7 +41,7 @@ enum class ErrorCode {
   effect,
   service_call,
   unknown_name,
-  // doors
+  // requests and files
   too_large,
   too_deep,
   out_of_range,
@@ -57,7 +57,7 @@ std::string_view name(ErrorCode code);
 /// The code of this name, if there is one.
 std::optional<ErrorCode> code_of(std::string_view name);
 
-/// A stretch of a code text: lines and columns count from 1, `end_column` is one past the last character. Line 0: none.
+/// A range of a code text: lines and columns count from 1, `end_column` is one past the last character. Line 0: none.
 struct SourceRange {
   int line = 0;
   int column = 0;
@@ -81,7 +81,7 @@ std::string to_string(const Error& error);
 template <typename T>
 using Expected = tl::expected<T, Error>;
 
-/// For doors that list every violation of what was handed in.
+/// For checks that list every violation of their input.
 template <typename T>
 using Checked = tl::expected<T, std::vector<Error>>;
 

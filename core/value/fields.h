@@ -1,7 +1,7 @@
-// Fields: reads a JSON object field by field at a door. What is missing, of the wrong type, out of range or unknown
-// becomes a violation with the path of the element that the object stands for, or of the field itself where the object
-// stands for none (Paths); reading goes on, so that all of them are listed at once. Used for one object, on one thread;
-// borrows the object and the list of violations.
+// Fields: reads and validates a JSON object field by field. A field that is missing, of the wrong type, out of range or
+// unknown becomes a violation. Its path is that of the element that the object describes, or of the field itself
+// (Paths). Reading continues, so that all violations are listed at once. Used for one object, on one thread; borrows
+// the object and the list of violations.
 #pragma once
 
 #include <optional>
@@ -29,7 +29,7 @@ class Fields {
   enum class Paths { element, field };
 
   /// `what` names the element in messages, such as "port `done`". If `json` is no object, that is a violation (`type`)
-  /// and the object counts as empty without missing anything.
+  /// and the object counts as empty, without violations for missing fields.
   Fields(const Value& json, std::string path, std::string what, std::vector<Error>& errors,
          Paths paths = Paths::element);
   Fields(const Fields&) = delete;
@@ -40,7 +40,7 @@ class Fields {
   /// Of the object, or of its field `key`.
   void violation(ErrorCode code, std::string message, std::string_view key = {});
 
-  /// The value of `key` (nullptr if absent), which is known from now on. A required one that is absent is a violation.
+  /// The value of `key` (nullptr if absent); marks the field as known. A required one that is absent is a violation.
   const Value* find(std::string_view key, Need need = Need::optional);
   /// A string; nothing if it is absent or of another type.
   std::optional<std::string> text(std::string_view key, Need need = Need::optional);
@@ -54,7 +54,7 @@ class Fields {
   /// Any JSON; a number out of range is a violation (`constant`).
   std::optional<Value> constant(std::string_view key, Need need = Need::optional);
 
-  /// Every field that nothing asked for is a violation (`unknown_field`).
+  /// Every field that was not read is a violation (`unknown_field`).
   void close();
 
  private:

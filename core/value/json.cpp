@@ -8,7 +8,8 @@
 namespace race {
 namespace {
 
-// Builds a Value from nlohmann's events, so that depth, doubled keys and numbers out of range are seen while reading.
+// Builds a Value from nlohmann's SAX events, so that depth, duplicate keys and numbers out of range are checked while
+// reading.
 class Builder final : public nlohmann::json_sax<nlohmann::json> {
  public:
   explicit Builder(const JsonLimits& limits) : limits_(limits) {}
@@ -21,7 +22,7 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
     return add(Value(static_cast<std::int64_t>(v)));
   }
   bool number_float(number_float_t v, const string_t& text) override {
-    // nlohmann hands integers that fit no 64 bits over as doubles; their text has no sign of one.
+    // nlohmann reports integers that do not fit into 64 bits as doubles; their text has no `.` and no exponent.
     if (!std::isfinite(v) || text.find_first_of(".eE") == string_t::npos) return out_of_range();
     return add(Value(v));
   }
@@ -32,7 +33,7 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
   bool start_array(std::size_t) override { return open(Value(List())); }
   bool end_array() override { return close(); }
   bool key(string_t& v) override {
-    if (stack_.back().find(v)) return fail(ErrorCode::json, "the key \"" + v + "\" stands twice in one object");
+    if (stack_.back().find(v)) return fail(ErrorCode::json, "the key \"" + v + "\" is a duplicate in its object");
     keys_.back() = std::move(v);
     return true;
   }
@@ -41,7 +42,7 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
     if (e.id == kNumberOverflow) return fail(ErrorCode::constant, kOutOfRange);
     std::string text = e.what();
     if (const auto start = text.find("] "); start != std::string::npos) text = text.substr(start + 2);
-    // What it quotes of the input need not be text.
+    // The part of the input that it quotes may be invalid UTF-8.
     text = text.substr(0, text.find("; last read"));
     return fail(ErrorCode::json, "not JSON at byte " + std::to_string(position) + ": " + text);
   }

@@ -1,4 +1,4 @@
-// JSON in and out: the one place where text becomes a Value and a Value text. nlohmann stays in json.cpp.
+// JSON: reads a text as a Value and writes a Value as text. The only user of nlohmann is json.cpp.
 #pragma once
 
 #include <cstddef>
@@ -10,16 +10,16 @@
 
 namespace race {
 
-/// What a door accepts.
+/// Limits of a text that is read.
 struct JsonLimits {
   std::size_t depth = 64;                // levels of lists and dicts
   std::size_t bytes = 16 * 1024 * 1024;  // of text
-  /// A number outside of int64 or double is an error `constant`; if kept, an int is read as the unknown value, for a
-  /// reader that says where in a document it stands (1e999, which has no value at all, remains an error).
+  /// A number out of the range of int64 or double is an error `constant`. If this is true, an integer out of range is
+  /// read as the unknown value, so that the reader of the document can report its path; 1e999 remains an error.
   bool keep_out_of_range = false;
 };
 
-/// Reads one JSON document (UTF-8). Errors: `json` (not JSON, bad UTF-8, text after it, a key twice), `too_deep`,
+/// Reads one JSON document (UTF-8). Errors: `json` (not JSON, bad UTF-8, text after it, a duplicate key), `too_deep`,
 /// `too_large`, `constant`.
 Expected<Value> parse_json(std::string_view text, const JsonLimits& limits = {});
 

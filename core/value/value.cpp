@@ -124,7 +124,7 @@ Dict::Dict(std::initializer_list<std::pair<std::string_view, Value>> entries) {
 
 namespace {
 
-// OPTIMIZATION: names are short; comparing them in line costs less than a call of memcmp.
+// OPTIMIZATION: names are short; an inlined comparison costs less than a call of memcmp.
 bool same(const std::string& a, const std::string& b) noexcept {
   const std::size_t size = a.size();
   if (size != b.size()) return false;
@@ -135,7 +135,7 @@ bool same(const std::string& a, const std::string& b) noexcept {
 
 }  // namespace
 
-// Where the index holds `key`, or the free place where it would stand.
+// The position of `key` in the index, or the free position for it.
 std::size_t Dict::probe(std::string_view key) const noexcept {
   const std::size_t mask = index_.size() - 1;
   std::size_t at = std::hash<std::string_view>{}(key)&mask;

@@ -6,7 +6,7 @@
 // to share: from then on its counters are atomic, and a change copies. What leaves a core's strand is frozen first.
 //
 // The eighth kind, `unknown`, is "no value": a slot of Δ that is not set, missing service data (core/SEMANTICS.md, R2).
-// It never stands inside a list or dict and never leaves the core.
+// It is never an element of a list or dict and never leaves the core.
 #pragma once
 
 #include <concepts>
@@ -49,7 +49,7 @@ class Value {
     if (counted()) retain();
   }
   Value(Value&& other) noexcept : kind_(other.kind_), integer_(other.integer_) { other.kind_ = Kind::null; }
-  // Both assignments let go of the old value last: `other` may stand inside it.
+  // Both assignments release the old value last: `other` may be an element of it.
   Value& operator=(const Value& other) noexcept {
     Value old(other);
     swap(old);
@@ -93,7 +93,7 @@ class Value {
   /// An int or a double as a double. Requires is_numeric().
   double to_double() const noexcept { return is_integer() ? static_cast<double>(integer_) : number_; }
 
-  // For changing in place: copies first if somebody else holds it too. Each requires its kind. The reference is good
+  // For changing in place: copies first if the value is shared. Each requires its kind. The reference is good
   // until this value is copied again.
   List& mutable_list();
   Dict& mutable_dict();
@@ -149,7 +149,7 @@ class Value {
 };
 static_assert(sizeof(Value) == 16);
 
-/// The entries of a dict in order of insertion, as in Python. Small dicts are searched in line, large ones through an
+/// The entries of a dict in order of insertion, as in Python. Small dicts are searched linearly, large ones through an
 /// index.
 class Dict {
  public:

@@ -64,7 +64,7 @@ class Checker {
     if (name.substr(0, 2) == "__") report(ErrorCode::forbidden, "names that begin with __", e);
   }
 
-  // A place that gets a value; `read` if its old value is used.
+  // A target of an assignment; `read` if its old value is used.
   void target(const Expr& e, bool read) {
     switch (e.kind) {
       case ExprKind::tuple:

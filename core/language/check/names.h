@@ -1,5 +1,5 @@
 // Names: what a name or a path of names in code means (SEMANTICS.md section 2, Scopes). Used by the checker, which
-// reports what is wrong with it, and by the compiler, which turns it into a place.
+// reports problems, and by the compiler, which needs the index in Δ.
 #pragma once
 
 #include <string>

@@ -17,8 +17,8 @@
 
 namespace race::language {
 
-/// What a Code can read and do, found at compile time: the ground for R9, R19, R21, for skipping conditions whose
-/// inputs did not change, and for verification. Sorted, without repetition. `svc[expr].x` counts as x of every service
+/// What a Code can read, write and call, found at compile time. Used for R9, R19, R21, to skip conditions whose inputs
+/// did not change, and for verification. Sorted, without repetition. `svc[expr].x` counts as x of every service
 /// of the table and as the open operation x.
 struct Mentions {
   bool svc = false;                    // `svc` occurs, calls included
@@ -26,15 +26,15 @@ struct Mentions {
   std::vector<EventId> latest;         // read through `.latest`
   std::vector<OperationId> responses;  // .result or .error is read
   std::vector<OperationId> calls;
-  std::vector<Slot> reads, writes;  // of Δ; a bare par/res/var reads all of its slots
+  std::vector<Slot> reads, writes;  // of Δ; par, res or var as a whole reads all of its slots
   std::vector<Flag> flags;
   bool needs_occurrence = false;  // a condition that is never true, and no fault, while no event occurs (kSmallBudget)
 };
 
-/// A budget of so many steps is enough for every condition with `needs_occurrence`.
+/// A budget of this many steps is enough for every condition with `needs_occurrence`.
 inline constexpr std::uint64_t kSmallBudget = 64;
 
-class Program;  // the compiled form, internal to this room
+class Program;  // the compiled form (program.h)
 
 /// A compiled code. Copies share it.
 class Code {

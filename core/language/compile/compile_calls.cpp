@@ -53,7 +53,7 @@ bool Compiler::bind(const Expr& call, std::string_view parameters, std::vector<N
            !(known.parameters[i].by_name && known.parameters[i].name == call.keywords[k]))
       ++i;
     if (i == known.parameters.size()) {
-      // Only dict() has names of its own: they follow as pairs.
+      // Only dict() takes any keywords: they follow as pairs.
       arguments.push_back(emit(Opcode::constant, call.at, name_constant(call.keywords[k])));
       arguments.push_back(given[positional + k]);
     } else if (arguments[i] != kNone) {
@@ -89,7 +89,7 @@ NodeId Compiler::method_call(const Expr& e) {
     arguments = operands(parts);
   }
   if (!e.keywords.empty()) {
-    // Keywords exist only in methods of one type; put them in their places behind the object.
+    // Keywords exist only in methods of one type; put them into the order of its parameters, after the object.
     const Signature known = signature(method.parameters());
     const std::size_t first = in_place ? 0 : 1;
     const std::size_t positional = arguments.size() - e.keywords.size();

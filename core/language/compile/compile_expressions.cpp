@@ -3,7 +3,7 @@
 
 namespace race::language {
 
-// Operands of and, or, not; tests; filters; a whole condition: there a bare svc.S.ev asks for presence.
+// Operands of and, or, not; tests; filters; a whole condition: there svc.S.ev by itself asks for presence.
 NodeId Compiler::boolean(const Expr& e) {
   const Reference r = resolve(e, program_->kind, symbols_);
   if (r.meaning == Meaning::other) return expression(e);

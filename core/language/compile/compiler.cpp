@@ -1,4 +1,4 @@
-// Compiling: the syntax tree becomes a Program, names become places. Here are the entry point and the making of nodes.
+// Compiling: translates the syntax tree to a Program and resolves names. The entry point and the creation of nodes.
 #include <algorithm>
 
 #include "core/language/check/checker.h"
@@ -47,7 +47,7 @@ NodeId Compiler::emit_run(Opcode op, Span at, const std::vector<std::uint32_t>& 
   return id;
 }
 
-// Compiles parts that are evaluated one after the other. What a later one may change is copied by the earlier one.
+// Compiles parts that are evaluated one after the other. A value that a later part may change is copied.
 std::vector<NodeId> Compiler::operands(const std::vector<const Expr*>& parts) {
   std::vector<bool> changes_later(parts.size() + 1, false);
   for (std::size_t i = parts.size(); i-- > 0;)

@@ -65,8 +65,8 @@ class Compiler {
   ServiceTable& services_;
   std::shared_ptr<Program> program_;
   std::map<std::string, std::uint32_t, std::less<>> names_;   // constants that are strings
-  std::vector<std::pair<std::string, std::uint32_t>> scope_;  // locals that are visible; the last one counts
-  bool service_ = false;                                      // svc was seen in what is being compiled
+  std::vector<std::pair<std::string, std::uint32_t>> scope_;  // visible locals; a later one hides an earlier one
+  bool service_ = false;                                      // the expression being compiled contains svc
   std::set<EventId> events_, latest_;
   std::set<OperationId> responses_, calls_;
   std::set<Slot> reads_, writes_;

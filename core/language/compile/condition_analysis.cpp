@@ -22,7 +22,7 @@ Comparison comparison_of(const Program& condition) {
 
 namespace {
 
-// What is certain about a part while no event occurs. Unknown is neither true nor false.
+// What is certain about a part of a condition if no event occurs. Unknown is neither true nor false.
 struct Certain {
   bool not_true = false, not_false = false;
   bool no_fault = false;

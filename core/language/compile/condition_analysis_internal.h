@@ -1,4 +1,4 @@
-// What the form of a condition tells before it is evaluated. All of it is for speed alone: evaluating says the same.
+// Static analysis of conditions, for speed alone: the results of evaluation are the same without it.
 #pragma once
 
 #include "core/language/compile/program.h"

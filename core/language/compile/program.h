@@ -1,5 +1,5 @@
-// Program: the compiled form of a code, internal to this room. A tree of small nodes in one array; a node names its
-// parts by number. Names are places, constants are frozen, and nothing in it changes after compiling.
+// Program: the compiled form of a code, used in core/language alone. A tree of small nodes in one array; a node refers
+// to its parts by number. Names are places, constants are frozen, and nothing in it changes after compiling.
 #pragma once
 
 #include <string>

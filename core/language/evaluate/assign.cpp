@@ -92,7 +92,7 @@ Machine::Flow Machine::augment_place(const Node& n, NodeId id) {
     return root == nullptr ? nullptr : find(*root, scope.arguments().first(place.steps.size()), id);
   };
   if (Value looked; locate(looked) == nullptr)
-    return Flow::halt;  // what is not there is a fault before the value is one
+    return Flow::halt;  // a missing target is a fault before the value is evaluated
   Value out;
   const Value by = evaluate(n.b, out);
   if (stopped_) return Flow::halt;
@@ -105,7 +105,7 @@ Machine::Flow Machine::augment_place(const Node& n, NodeId id) {
   return Flow::next;
 }
 
-// value op= by; a list takes every iterable on `+=`. Stands `levels` deep in what it is part of.
+// value op= by; a list takes every iterable on `+=`. `levels` is the depth of `value` in what it is part of.
 bool Machine::augmented(BinaryOperator op, Value& value, const Value& by, int levels) {
   if (op != BinaryOperator::add || !value.is_list()) {
     value = arithmetic(context_, op, value, by);
@@ -133,7 +133,7 @@ bool Machine::keys_of(const Place& place) {
   return true;
 }
 
-// What stands at the root of a place, to be changed: the local itself, or a copy of the slot's value.
+// The root of a place, writable: the local itself, or a copy of the slot's value.
 Value* Machine::root_of(const Place& place, Value& copy, NodeId id) {
   if (place.local) {
     if (!locals_[place.root].is_unknown()) return &locals_[place.root];

@@ -26,8 +26,8 @@ inline bool holds(Opcode op, Number a, Number b) {
   }
 }
 
-/// OPTIMIZATION: the truth of a Comparison. Nothing where evaluating would meet anything but numbers.
-/// Requires that nobody traces and that the budget allows Comparison::kUnits.
+/// OPTIMIZATION: the truth of a Comparison; nothing if an operand is not a number of the kind of the bound.
+/// Requires that there is no trace and that the budget allows Comparison::kUnits.
 inline std::optional<Truth> decide(const Program& condition, const Environment& environment) {
   const Comparison& c = condition.comparison;
   if (c.datum == Opcode::event && environment.occurrence != c.number && environment.sampled[c.number] == 0)

@@ -22,7 +22,7 @@ inline void Machine::begin(const Program& program, Environment& environment, boo
   if (!program.locals.empty()) locals_.assign(program.locals.size(), Value::unknown());
 }
 
-// OPTIMIZATION: reading a leaf takes a unit of the budget without looking; so an evaluation looks again at its end.
+// OPTIMIZATION: reading a leaf takes a unit of the budget without a check, so an evaluation checks again at its end.
 inline bool Machine::over_budget() {
   if (budget_left_ < 0) fail_over_budget(program_->root);
   return stopped_;

@@ -72,7 +72,7 @@ const Value& Machine::method_call(const Node& n, NodeId id, Value& out) {
   return checked(overload->mutate(context_, temporary, scope.arguments()), id, out);
 }
 
-// place.method(arguments), which changes what stands there
+// place.method(arguments), which mutates the value of the place
 const Value& Machine::mutate(const Node& n, NodeId id, Value& out) {
   const MethodCall& call = program_->methods[n.b];
   const Place& place = program_->places[call.place];

@@ -48,7 +48,7 @@ Truth Machine::test(NodeId id) {
   }
 }
 
-// Kleene's and: no if one is no, else unknown if one is unknown. Those behind a no are not evaluated.
+// Kleene's and: no if one is no, else unknown if one is unknown. Parts after a no are not evaluated.
 Truth Machine::all_of(const Node& n) {
   const std::uint32_t* parts = program_->run(n);
   Truth result = Truth::yes;
@@ -73,7 +73,7 @@ Truth Machine::any_of(const Node& n) {
   return result;
 }
 
-// As test(), telling the trace each atom: each maximal part without and, or, not.
+// As test(); records each atom in the trace: each maximal part without and, or, not.
 Truth Machine::test_traced(NodeId id) {
   const Node& n = nodes_[id];
   if (n.op == Opcode::logical_not) {
@@ -98,7 +98,7 @@ Truth Machine::test_traced(NodeId id) {
   return result;
 }
 
-// and, or as values: the operand that decides. An unknown operand before it leaves only its truth.
+// and, or as values: the operand that decides. After an unknown operand only its truth is known.
 const Value& Machine::logical(const Node& n, Value& out) {
   const bool decides = n.op == Opcode::logical_or;
   const std::uint32_t* parts = program_->run(n);
@@ -133,7 +133,7 @@ Truth Machine::compare_node(const Node& n, NodeId id) {
   if (l.is_unknown() && stopped_) return Truth::fault;
   const Value& r = operand(n.b, right_out);
   if (l.is_unknown() || r.is_unknown()) return stopped_ ? Truth::fault : Truth::unknown;
-  // OPTIMIZATION: two numbers of one kind need no look at the others.
+  // OPTIMIZATION: two numbers of one kind are compared here.
   const auto decide = [&](auto a, auto b) { return holds(n.op, a, b); };
   bool result = false;
   if (n.op <= Opcode::not_equal && l.is_integer() && r.is_integer()) {

@@ -35,7 +35,7 @@ const Value& Machine::response(OperationId operation, std::string_view service, 
   return presence ? kTrue : data;
 }
 
-// svc[e].ev; a service or event that nobody has is missing data.
+// svc[e].ev; an unknown service or event is missing data.
 const Value& Machine::dynamic_event(const Node& n, NodeId id) {
   Value out;
   const Value& service = evaluate(n.a, out);

@@ -106,7 +106,7 @@ Machine::Flow Machine::for_loop(const Node& n, NodeId id) {
   return Flow::next;
 }
 
-// OPTIMIZATION: `for i in range(...)` counts and makes no list; the list's bounds hold for it all the same.
+// OPTIMIZATION: `for i in range(...)` counts without a list; the limits of a list apply all the same.
 Machine::Flow Machine::for_range(const Node& n, const Node& range) {
   --budget_left_;
   std::optional<Range> counted;

@@ -52,7 +52,7 @@ class Explainer {
     made_.atoms.push_back(std::move(atom));
   }
 
-  // What nodes [first, last] read. A part stands before the whole, so a path `a.b` follows its `a` and takes its place.
+  // What nodes [first, last] read. A part precedes the whole, so a path `a.b` follows its `a` and replaces it.
   std::vector<Explanation::Read> reads(NodeId first, NodeId last) {
     std::vector<NodeId> found;
     for (NodeId id = first; id <= last; ++id) {
@@ -103,8 +103,8 @@ class Explainer {
       if (made_.atoms[i].text == made_.atoms[atom].text) values[i] = to ? Truth::yes : Truth::no;
   }
 
-  // The fewest changes of atoms that make a part `wanted`, nothing if none do; right because every atom stands in one
-  // place.
+  // The fewest changes of atoms that make a part `wanted`; nothing if there are none. Correct because every atom occurs
+  // once.
   using Changes = std::vector<std::pair<std::size_t, bool>>;
   std::optional<Changes> changes(NodeId id, bool wanted) const {
     const Opcode op = program_.nodes[id].op;

@@ -26,7 +26,7 @@ struct Explanation {
   };
 
   Truth value = Truth::unknown;  // of the whole condition
-  std::vector<Atom> atoms;       // in the order of the text, also those that evaluation passes over
+  std::vector<Atom> atoms;       // in the order of the text, also those that are not evaluated
   /// Numbers of atoms. Of a condition that is not True: each one whose change alone would make it True; if none would,
   /// the smallest set that would by changing `together`. Atoms that read nothing cannot change. Empty if nothing would
   /// (`a and not a`, `1 > 2`), or if it is True.
@@ -34,7 +34,7 @@ struct Explanation {
   bool together = false;
 };
 
-/// Explains a condition as it stands now. Atoms of the same text are one and change at once.
+/// Explains a condition in its present state. Atoms with the same text are one atom.
 Explanation explain(const Code& condition, Environment& environment);
 
 }  // namespace race::language

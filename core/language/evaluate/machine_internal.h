@@ -1,8 +1,8 @@
-// Machine: evaluates a Program. Results are references where a value already stands somewhere (a slot, a local, a
-// constant, data of an event), so that reading costs no counter; what is computed goes into the caller's scratch.
+// Machine: evaluates a Program. A result is a reference if the value is stored somewhere (a slot, a local, a constant,
+// data of an event), so that reading needs no reference count; a computed value goes into the caller's `out`.
 //
-// Unknown and faults travel as the value `unknown`: whoever gets one looks at `stopped_` before going on. In a function
-// (`strict_`) reading something unknown stops the evaluation, except within available().
+// Unknown and faults are both returned as the value `unknown`; `stopped_` distinguishes them. In a function (`strict_`)
+// reading something unknown stops the evaluation, except within available().
 #pragma once
 
 #include "core/language/compile/program.h"
@@ -12,7 +12,7 @@
 
 namespace race::language {
 
-// Takes what a call has put on the stack of arguments off again.
+// The arguments of one call on the stack; removes them at the end of the scope.
 class ArgumentScope {
  public:
   explicit ArgumentScope(std::vector<Value>& stack) : stack_(stack), base_(stack.size()) {}
@@ -44,8 +44,8 @@ class Machine {
 
   // evaluate.cpp: references and operators
   void begin(const Program& program, Environment& environment, bool strict);
-  void fail_over_budget(NodeId id);  // the budget is
-  bool over_budget();                // after an evaluation: whether it went over its budget
+  void fail_over_budget(NodeId id);
+  bool over_budget();  // after an evaluation: whether it exceeded its budget, or stopped
   const Value& operand(NodeId id, Value& out);
   const Value& evaluate(NodeId id, Value& out);
   Truth test(NodeId id);
@@ -112,7 +112,7 @@ class Machine {
 
   // Faults.
   const Value& unknown(NodeId id);       // something that was read has no value
-  const Value& locate_fault(NodeId id);  // after a fault in the Context: where it was
+  const Value& locate_fault(NodeId id);  // after a fault in the Context: sets its position
   const Value& fail(FaultKind kind, std::string message, NodeId id);
   const Value& checked(Value value, NodeId id, Value& out);  // a computed value, or the fault of computing it
 
@@ -138,7 +138,7 @@ inline const Value& Machine::read_local(const Node& n, NodeId id) {
   return v.is_unknown() ? fail(FaultKind::name, program_->locals[n.a], id) : v;
 }
 
-// OPTIMIZATION: a leaf is read in line. It takes its unit of the budget without looking: what is evaluated next looks.
+// OPTIMIZATION: reading a leaf is inlined. It takes its unit of the budget without a check: the next evaluation checks.
 inline const Value& Machine::operand(NodeId id, Value& out) {
   const Node& n = nodes_[id];
   if (n.op == Opcode::constant) {

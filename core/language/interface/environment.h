@@ -15,14 +15,14 @@ namespace race::language {
 /// Kleene's three values, and the fault.
 enum class Truth : std::uint8_t { no, yes, unknown, fault };
 
-/// What an evaluation touched, for derivations and explanations. Called only if an Environment has one.
+/// Records what an evaluation read, for derivations. Called only if an Environment has one.
 class EvaluationTrace {
  public:
   virtual ~EvaluationTrace() = default;
-  /// An atom of a condition (a maximal part without and/or/not), in evaluation order: `service` tells CondBD (4.10)
-  /// from CondBE (4.11). `value` is its truth.
+  /// An atom of a condition (a maximal part without and/or/not), in evaluation order: `service` distinguishes CondBD
+  /// (4.10) from CondBE (4.11). `value` is its truth.
   virtual void atom(bool service, Truth value, SourceRange where) = 0;
-  /// A top-level statement of a function that is no call: `service` tells FuncSD (4.13) from FuncST (4.15).
+  /// A top-level statement of a function that is no call: `service` distinguishes FuncSD (4.13) from FuncST (4.15).
   virtual void statement(bool service, SourceRange where) = 0;
   /// Service data was read, found or not.
   virtual void required_event(EventId event) = 0;
@@ -31,7 +31,7 @@ class EvaluationTrace {
 };
 
 /// What code sees and does when it is evaluated: Δ and Σ for reading, writes and calls through functions. Writes and
-/// calls are buffered by the owner and undone when the function turns out unmet or faulty.
+/// calls are buffered by the owner and undone if the function ends unmet or with a fault.
 class Environment {
  public:
   virtual ~Environment() = default;

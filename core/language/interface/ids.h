@@ -5,9 +5,9 @@
 
 namespace race::language {
 
-/// Where a parameter, result or variable has its value in Δ.
+/// The index of the value of a parameter, result or variable in Δ.
 using Slot = std::uint32_t;
-/// Where `active` of a node or a port stands in Δ.
+/// The index of `active` of a node or a port in Δ.
 using Flag = std::uint32_t;
 using EventId = std::uint32_t;
 using OperationId = std::uint32_t;

@@ -15,7 +15,7 @@ namespace race::language {
 /// declarations), extended by `event()` and `operation()` with names that no declaration has.
 ///
 /// `svc[expr].op` may name an operation that the table does not have. For these there is one entry per name, the *open*
-/// operation `op`: it stands for all services without an entry of that name.
+/// operation `op`: it represents all services without an entry of that name.
 class ServiceTable {
  public:
   struct Event {
@@ -29,7 +29,7 @@ class ServiceTable {
     bool declared = false;
     bool open = false;
   };
-  /// Adds a declared event or operation; returns its number (the old one, updated, if it is there).
+  /// Adds a declared event or operation; returns its number (the existing one, updated, if there is one).
   EventId declare_event(std::string_view service, std::string_view name, bool sampled);
   OperationId declare_operation(std::string_view service, std::string_view name, bool safe);
   /// The number of a name, added undeclared (not sampled, not safe) if it is new.

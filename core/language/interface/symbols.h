@@ -1,4 +1,4 @@
-// Symbols: the names that code may use, each with its place in Δ; and the three kinds of code.
+// Symbols: the names that code may use, each with its index in Δ; and the three kinds of code.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ enum class CodeKind : std::uint8_t {
   function,    // CODE: entry, exit, actions
 };
 
-/// The names that code of one state may use (SEMANTICS.md section 2, Scopes), each with its place in Δ. The checker
+/// The names that code of one state may use (SEMANTICS.md section 2, Scopes), each with its index in Δ. The checker
 /// uses the names alone.
 struct ChildSymbols {
   bool barrier = false;  // a barrier has `active` and `name` only

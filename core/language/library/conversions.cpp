@@ -13,7 +13,7 @@ namespace race::language::library {
 namespace {
 
 // The text of a number: without space around it, other decimal digits as ASCII ones, without underscores between
-// digits. Nothing if underscores stand elsewhere.
+// digits. Nothing if there are underscores elsewhere.
 std::optional<std::string> number_text(const std::string& text) {
   std::u32string points = utf8::decode(text);
   while (!points.empty() && unicode::is_space(points.back())) points.pop_back();

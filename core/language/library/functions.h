@@ -1,5 +1,5 @@
-// The functions and methods of the language: what they are called, which arguments they take, and what computes them.
-// The tables are in functions.cpp; the functions in builtins.cpp, math.cpp, geo.cpp and the methods of each type.
+// The functions and methods of the language: their names, parameters and implementations. The tables are in
+// functions.cpp; the functions in builtins.cpp, math.cpp, geo.cpp and the methods of each type.
 #pragma once
 
 #include <cstdint>
@@ -38,7 +38,8 @@ struct Method {
   std::string_view parameters() const;
 };
 
-/// Builtins by name, `math.name` and `geo.name`; null if there is none. `available` is none: the interpreter knows it.
+/// Builtins by name, `math.name` and `geo.name`; null if there is none. `available` is not one of them: the interpreter
+/// implements it.
 const Function* find_function(std::string_view module, std::string_view name);
 const Method* find_method(std::string_view name);
 /// math.pi and the like; null if there is none.

@@ -1,5 +1,5 @@
 // The module geo: poses {"position": [x, y, z], "orientation": [qx, qy, qz, qw]}, metres and radians. A pose a_t_b is
-// where b stands, seen from a; compose(a_t_b, b_t_c) is a_t_c. Quaternions are normalised when they are read.
+// the pose of b, seen from a; compose(a_t_b, b_t_c) is a_t_c. Quaternions are normalised when they are read.
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <cmath>

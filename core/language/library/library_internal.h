@@ -1,4 +1,4 @@
-// Every function and method of the language, by file. What they take stands in functions.cpp.
+// Every function and method of the language, by file. Their parameters are in functions.cpp.
 #pragma once
 
 #include "core/language/library/functions.h"

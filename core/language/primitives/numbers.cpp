@@ -11,7 +11,7 @@ __extension__ using Wide = unsigned __int128;
 
 int bits(std::uint64_t v) { return v == 0 ? 0 : 64 - __builtin_clzll(v); }
 
-// Whether a decimal number that is out of range is too small: by the place of its first digit that counts.
+// Whether a decimal number that is out of range is too small: by the position of its first significant digit.
 bool underflows(std::string_view text) {
   const std::size_t e = text.find_first_of("eE");
   const std::string_view mantissa = text.substr(0, e);

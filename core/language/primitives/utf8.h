@@ -22,7 +22,7 @@ std::size_t length(std::string_view text);
 /// The byte at which code point `index` begins; the size of the text if there are not so many.
 std::size_t offset(std::string_view text, std::size_t index);
 
-/// The code point that begins at byte `at`; `at` moves behind it.
+/// The code point that begins at byte `at`; `at` moves to the next one.
 char32_t next(std::string_view text, std::size_t& at);
 
 void append(char32_t point, std::string& out);

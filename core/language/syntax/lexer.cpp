@@ -135,7 +135,7 @@ class Lexer {
     return std::find(kPrefixes.begin(), kPrefixes.end(), lower) != kPrefixes.end();
   }
 
-  // at_ stands on the opening quote, `begin` on the prefix.
+  // at_ is the position of the opening quote, `begin` that of the prefix.
   void string(std::size_t begin) {
     const char quote = peek();
     const bool triple = peek(1) == quote && peek(2) == quote;

@@ -17,7 +17,7 @@ struct Token {
   std::string_view text;  // a piece of the source
 };
 
-/// Where and why reading a text failed, or what in it the language does not have.
+/// A syntax error, or a construct that the language does not have.
 struct Problem {
   ErrorCode code = ErrorCode::syntax;
   std::string message;

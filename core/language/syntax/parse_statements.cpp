@@ -49,7 +49,7 @@ Stmt Parser::simple_statement() {
     return s;
   }
   if (forbidden_statement()) {
-    // The rest of the line is gone with it; what ended it stands again before the parser.
+    // The rest of the line was skipped; the token that ended it is read again.
     if (position_ > 0 && !failed_) --position_;
     return s;
   }

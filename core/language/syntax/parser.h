@@ -1,5 +1,5 @@
 // The parser: tokens to a syntax tree. Recursive descent, one function for each production. It knows Python's grammar
-// beyond the function language, so that it can say `forbidden` where Python goes on and `syntax` where it ends.
+// beyond the function language, so that it reports `forbidden` for other Python and `syntax` for what is not Python.
 #pragma once
 
 #include <string_view>

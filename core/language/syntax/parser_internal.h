@@ -1,7 +1,7 @@
 // The parser's class; its expressions are in parse_expressions.cpp, its statements in parse_statements.cpp.
 //
-// After a syntax error the parser stands at the end of its tokens and returns what it has: every loop ends there, and
-// no function needs to look. After a forbidden construct it goes on, to find the others.
+// After a syntax error the parser moves to the end of its tokens, where every loop ends, and returns what it has: no
+// function needs to check for errors. After a forbidden construct it continues, to find the others.
 #pragma once
 
 #include "core/language/syntax/parser.h"
@@ -14,7 +14,8 @@ class Parser {
 
   ExprPtr eval_input();
   Block file_input();
-  /// The expression of a replacement field of an f-string; see fstring.cpp. Stops before `=`, `!`, `:` or the end.
+  /// The expression of a replacement field of an f-string; see string_literal.cpp. Stops before `=`, `!`, `:` or the
+  /// end.
   ExprPtr field_input();
 
  private:

@@ -1,4 +1,4 @@
-// Source: one code text, and stretches of it. Spans count bytes; positions for people count lines and code points.
+// Source: ranges of a code text. Spans count bytes; positions for people count lines and code points.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct Span {
   std::uint32_t end = 0;
 };
 
-/// The lines and columns (in code points, from 1) of a stretch of `text`.
+/// The lines and columns (in code points, from 1) of a span of `text`.
 SourceRange range_of(std::string_view text, Span span);
 
 /// The piece of `text`.

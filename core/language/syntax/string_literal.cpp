@@ -35,7 +35,7 @@ void Parser::string_literal(const Token& token, std::vector<ExprPtr>& parts) {
   }
 }
 
-// The text of a literal; with `braces`, {{ and }} stand for one brace.
+// The text of a literal; with `braces`, {{ and }} are one brace.
 std::string Parser::unescape(Span body, bool raw, bool braces) {
   std::string out;
   for (std::uint32_t at = body.begin; at < body.end && !failed_;) {
@@ -53,7 +53,8 @@ std::string Parser::unescape(Span body, bool raw, bool braces) {
 }
 
 // escape → '\' (NEWLINE | one of \ ' " a b f n r t v | 1 to 3 octal digits | 'x' HH | 'u' HHHH | 'U' HHHHHHHH)
-// `at` stands behind the backslash; returns where the text goes on. Others keep their backslash, as in Python.
+// `at` is the position after the backslash; returns the position after the escape. Unknown escapes keep their
+// backslash.
 std::uint32_t Parser::escape(std::uint32_t at, Span body, std::string& out) {
   static constexpr std::string_view kLetters = "\\'\"abfnrtv";
   static constexpr std::string_view kMeanings = "\\'\"\a\b\f\n\r\t\v";

@@ -16,14 +16,14 @@ struct Context {
   std::uint64_t value_units = 1'000'000;
   Environment* environment = nullptr;  // for print
   bool failed = false;
-  int levels = 0;  // in how many lists and dicts the object of a changing method stands
+  int levels = 0;  // depth of the object of a mutating method in lists and dicts
   Fault fault;
 
   /// Keeps the first fault; returns unknown, for `return context.fail(...)`.
   Value fail(FaultKind kind, std::string message);
 };
 
-/// The arguments in the order of the parameters; unknown stands for one that was not given. The arguments of `*`
+/// The arguments in the order of the parameters; one that was not given is unknown. The arguments of `*`
 /// follow the named ones.
 using Arguments = std::span<const Value>;
 

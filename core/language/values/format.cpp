@@ -99,7 +99,7 @@ std::string group(std::string digits, char separator, std::size_t size, std::int
   return out;
 }
 
-// Puts sign and prefix, digits and what follows them together and pads them.
+// Joins sign, prefix, digits and the rest, and pads them.
 Value laid_out(Context& context, const Specification& s, std::string before, std::string digits, std::string after) {
   const std::size_t size = s.type == 'b' || s.type == 'o' || s.type == 'x' || s.type == 'X' ? 4 : 3;
   const bool zeros = s.fill == "0" && s.align == '=';

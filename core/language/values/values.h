@@ -33,7 +33,7 @@ Value sign(Context& context, UnaryOperator op, const Value& a);
 const Value* element(Context& context, const Value& a, const Value& key, Value& out);
 /// The place of a[key] for changing it; null on a fault. With `create`, a key that a dict does not have is added.
 Value* element(Context& context, Value& a, const Value& key, bool create);
-/// a[low:high:step]; unknown stands for a part that is not there.
+/// a[low:high:step]; a missing part is unknown.
 Value slice_of(Context& context, const Value& a, const Value& low, const Value& high, const Value& step);
 
 /// The elements of a list, keys of a dict or characters of a string, as a list; unknown on a fault.
@@ -42,7 +42,7 @@ Value elements(Context& context, const Value& v);
 /// An int (or bool) argument; nothing and a type fault otherwise.
 std::optional<std::int64_t> integer(Context& context, const Value& v);
 
-/// What a value weighs: elements plus string bytes (SEMANTICS.md section 8), levels of nesting, and whether every
+/// The size of a value: elements plus string bytes (SEMANTICS.md section 8), levels of nesting, and whether every
 /// double in it is finite. Stops counting above `limit`.
 struct Measure {
   std::uint64_t units = 0;
@@ -63,11 +63,11 @@ inline constexpr int kMaxValueDepth = 50;  // levels of lists and dicts in each 
 
 /// `v`, or a budget fault if it is larger or deeper than values may be.
 Value within_limits(Context& context, Value v);
-/// After `added` has become an element of `container`, which stands `levels` deep in what it belongs to: whether that
-/// is still allowed. Small additions are counted now and then only, so that growing one by one stays cheap: a value may
-/// pass the bound by as much again before it is noticed, and never in Δ (see check_storable).
+/// Whether `container` is within its limits after `added` has become an element; `levels` is the depth of `container`
+/// in the value that it belongs to. OPTIMIZATION: small additions are measured at powers of two only, so that appending
+/// one by one stays cheap. A value may exceed the limit twofold before it is found, but never in Δ (check_storable).
 bool check_growth(Context& context, const Value& container, const Value& added, int levels);
-/// Whether a string of `bytes` may be made; a budget fault otherwise.
+/// Whether a value of `units` is within the limit; a budget fault otherwise.
 bool check_units(Context& context, std::uint64_t units);
 
 /// Whether `v` may be stored in Δ or sent: not too large, and finite; a fault otherwise.

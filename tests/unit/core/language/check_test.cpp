@@ -1,4 +1,4 @@
-// What is no code of the function language, by the code of its violation.
+// Texts that are not code of the function language, by the code of their violation.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -209,14 +209,14 @@ TEST(Check, UnknownNamesAreWhatTheScopeDoesNotHave) {
       << "having no value yet is a fault, not a violation";
 }
 
-TEST(Check, SaysWhere) {
+TEST(Check, ReportsThePosition) {
   const State state;
   const auto errors = check("res.x = 1\nvar.s = 'äö' + nope", CodeKind::function, state.symbols);
   ASSERT_EQ(errors.size(), 1U);
   EXPECT_EQ(errors[0].where, (SourceRange{2, 16, 2, 20}));
 }
 
-TEST(Check, BoundsWhatItReads) {
+TEST(Check, LimitsTheSizeOfTheText) {
   EXPECT_THAT(in_condition(std::string(150, '(') + "1" + std::string(150, ')')), IsEmpty());
   EXPECT_THAT(in_condition(std::string(5000, '(') + "1" + std::string(5000, ')')), ElementsAre("syntax"));
   EXPECT_THAT(in_condition(std::string(5000, '-') + "1"), ElementsAre("syntax"));

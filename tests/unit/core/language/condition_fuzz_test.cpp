@@ -1,4 +1,4 @@
-// Random conditions in random states: what holds of every one, however it came about.
+// Random conditions in random states: properties that every condition has.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -101,7 +101,7 @@ TEST(RandomCondition, HasTheTruthOfItsExplanation) {
   });
 }
 
-TEST(RandomCondition, WaitsForAnOccurrenceIfItSaysSo) {
+TEST(RandomCondition, IsNotTrueWithoutAnOccurrenceIfItNeedsOne) {
   int waiting = 0;
   for_random_conditions([&](Runner& r, const std::string&, const Code& code) {
     if (!code.mentions().needs_occurrence) return;
@@ -113,7 +113,7 @@ TEST(RandomCondition, WaitsForAnOccurrenceIfItSaysSo) {
   EXPECT_GT(waiting, 20);
 }
 
-TEST(RandomCondition, SaysTheSameWithLessBudgetOrIsAFault) {
+TEST(RandomCondition, HasTheSameTruthWithLessBudgetOrIsAFault) {
   for_random_conditions([](Runner& r, const std::string&, const Code& code) {
     const Truth truth = r.interpreter.condition(code, r.state);
     bool enough = false;

@@ -1,4 +1,4 @@
-// Conditions: Kleene's three values (R2), faults (R4), and what a trace hears.
+// Conditions: Kleene's three values (R2), faults (R4), and what a trace records.
 #include <gtest/gtest.h>
 
 #include "core/language/evaluate/explain.h"
@@ -71,7 +71,7 @@ TEST(Condition, AFaultWinsOverUnknown) {
   EXPECT_EQ(r.condition("1 // 0 if res.unset else 1"), "unknown");
 }
 
-TEST(Condition, ABareEventAsksForItsOccurrence) {
+TEST(Condition, AnEventByItselfAsksForItsOccurrence) {
   Runner r;
   EXPECT_EQ(r.condition("svc.t.data"), "unknown");
   EXPECT_EQ(r.condition("available(svc.t.data)"), "False");
@@ -163,7 +163,7 @@ class Listener final : public EvaluationTrace {
   std::string heard;
 };
 
-TEST(Trace, HearsAtomsInOrderWithWhatTheyRequire) {
+TEST(Trace, RecordsAtomsInOrderWithWhatTheyRequire) {
   Runner r;
   Listener listener;
   r.state.trace = &listener;
@@ -175,7 +175,7 @@ TEST(Trace, HearsAtomsInOrderWithWhatTheyRequire) {
   EXPECT_EQ(listener.heard, "error0 BD2@1 event0 BD1@19 ");
 }
 
-TEST(Trace, HearsNothingOfAnExplanation) {
+TEST(Trace, RecordsNothingOfAnExplanation) {
   Runner r;
   Listener listener;
   r.state.trace = &listener;
@@ -186,7 +186,7 @@ TEST(Trace, HearsNothingOfAnExplanation) {
   EXPECT_EQ(listener.heard, "BE0@1 ") << "but what comes after it";
 }
 
-TEST(Trace, HearsStatementsButNotCalls) {
+TEST(Trace, RecordsStatementsButNotCalls) {
   Runner r;
   Listener listener;
   r.state.trace = &listener;

@@ -79,7 +79,7 @@ class State final : public Environment {
   std::vector<std::uint8_t> flags_, sampled_flags_;
 };
 
-/// What became of a code: a value or truth as text, "unknown", "unmet", or "fault KIND".
+/// The result of a code: a value or truth as text, "unknown", "unmet", or "fault KIND".
 class Runner {
  public:
   Runner() = default;
@@ -126,7 +126,7 @@ class Runner {
         return fault();
     }
   }
-  /// res.out after a function, or what stopped it.
+  /// res.out after a function, or why it stopped.
   std::string out(std::string_view text) {
     const std::string stopped = function(text);
     if (!stopped.empty()) return stopped;

@@ -1,4 +1,4 @@
-// Why a condition is not fulfilled, and that the named change fulfils it.
+// Explanations: why a condition is not fulfilled, and which change fulfils it.
 #include "core/language/evaluate/explain.h"
 
 #include <gmock/gmock.h>

@@ -35,7 +35,7 @@ TEST(Function, ChangesPlaces) {
   EXPECT_EQ(r.out("d = {}\nd['a'] += 1 // 0"), "fault missing") << "what is changed is looked up before the value";
 }
 
-TEST(Function, ControlsItsFlow) {
+TEST(Function, HasControlFlow) {
   Runner r;
   EXPECT_EQ(
       r.out("s = 0\nfor i in range(10):\n    if i == 3: continue\n    if i == 6: break\n    s += i\nres.out = [s, i]"),
@@ -76,7 +76,7 @@ TEST(Function, IsUnmetAtTheFirstUseOfUnknown) {
   EXPECT_EQ(r.function("if not available(res.unset) and res.unset: pass"), "unmet");
 }
 
-TEST(Function, FaultsSayWhatAndWhere) {
+TEST(Function, FaultsHaveAMessageAndAPosition) {
   Runner r;
   for (const auto& [text, fault] : std::initializer_list<std::pair<const char*, const char*>>{
            {"res.x = 1 + 'a'", "fault type"},

@@ -1,4 +1,4 @@
-// Token soup: whatever text comes in, checking ends with an answer; what is accepted compiles, runs and ends.
+// Random texts: checking always ends with a result; accepted code compiles, runs and ends.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -114,7 +114,7 @@ constexpr const char* kPieces[] = {" ",
                                    "[x for x in y]",
                                    "x[1:2]"};
 
-std::string soup(std::mt19937& random) {
+std::string random_tokens(std::mt19937& random) {
   std::string text;
   const std::size_t pieces = 1 + random() % 40;
   for (std::size_t i = 0; i < pieces; ++i) {
@@ -138,7 +138,7 @@ std::string damaged(std::mt19937& random) {
 
 constexpr Interpreter::Limits kLimits = {.steps = 2000, .value_units = 10'000};
 
-// What has been stored keeps the bounds of values, and reads back as it is printed.
+// Stored values are within the limits, and read back as they are printed.
 void stored_well(const Value& v, const std::string& text) {
   if (v.is_unknown()) return;
   const Measure size = measure(v, kLimits.value_units);
@@ -176,13 +176,13 @@ void run(const std::string& text, CodeKind kind) {
   explain(*code, r.state);
 }
 
-TEST(Fuzz, TokenSoupIsAnsweredNotFeared) {
+TEST(Fuzz, RandomTokensAreCheckedAndRun) {
   std::cout << "seed " << kSeed << "\n";
   std::mt19937 random(kSeed);
-  for (int i = 0; i < 30'000; ++i) run(soup(random), static_cast<CodeKind>(random() % 3));
+  for (int i = 0; i < 30'000; ++i) run(random_tokens(random), static_cast<CodeKind>(random() % 3));
 }
 
-TEST(Fuzz, DamagedProgramsAreAnswered) {
+TEST(Fuzz, DamagedProgramsAreCheckedAndRun) {
   std::cout << "seed " << kSeed << "\n";
   std::mt19937 random(kSeed);
   for (int i = 0; i < 3'000; ++i) run(damaged(random), CodeKind::function);

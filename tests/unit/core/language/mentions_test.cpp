@@ -1,4 +1,4 @@
-// What code mentions: the ground for R9, R19 and R21.
+// What code mentions; R9, R19 and R21 use it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -55,7 +55,7 @@ TEST(Mentions, OfADynamicServiceAreThoseOfAllServices) {
   EXPECT_EQ(state.table.dynamic_operation("nobody", "op"), 2U);
 }
 
-// What the semantics then does not evaluate must not be true, nor a fault, while nothing occurs.
+// The semantics does not evaluate these conditions without an occurrence, so they must be neither true nor a fault.
 TEST(Mentions, KnowTheConditionsThatNeedAnOccurrence) {
   Runner r;
   r.state.set(State::res_x, Value("text"));
@@ -77,7 +77,7 @@ TEST(Mentions, KnowTheConditionsThatNeedAnOccurrence) {
     EXPECT_FALSE(of(r.state, text, CodeKind::condition).needs_occurrence) << text;
 }
 
-TEST(Compile, WantsAPlaceForEveryVariable) {
+TEST(Compile, RequiresASlotForEveryVariable) {
   State state;
   EXPECT_TRUE(check("var.other", CodeKind::condition, state.symbols).empty());
   EXPECT_FALSE(compile("var.other", CodeKind::condition, state.symbols, state.table));

@@ -1,4 +1,4 @@
-// Makes programs of the function language by chance, mostly well typed, for comparing two implementations. Loops end,
+// Generates random programs of the function language, mostly well typed, to compare two implementations. Loops end,
 // numbers of repetitions are small, and the last statement stores what every name holds in res.out.
 #pragma once
 

@@ -1,4 +1,4 @@
-// The call of an external oracle, taken apart.
+// The call of an external oracle, split into its parts.
 #include "core/rcm/call_text.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The documents of tests/conformance: those that are rejected, with which violations; the others are taken and
+// The documents of tests/conformance: the rejected ones have the expected violations, the others are valid and
 // translate.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// The constraints on documents: for each code what breaks it, with the path, and what comes close and does not.
+// The constraints on documents: for each code, documents that violate it, with the path, and similar valid ones.
 #include "core/rcm/constraints.h"
 
 #include <gmock/gmock.h>
@@ -143,7 +143,7 @@ TEST(Link, OverridesWhatTheLibraryStateHas) {
       << "through links of links";
 }
 
-TEST(LinkCycle, StandsAtItsFirstStateAndIsNamed) {
+TEST(LinkCycle, IsReportedAtItsFirstStateWithItsNames) {
   const auto* library = R"({"state": "Use", "link": "Y"}, {"state": "X", "children": [{"state": "A", "link": "Y"}]},
                            {"state": "Y", "link": "X"})";
   EXPECT_THAT(rejected(R"({"state": "P", "link": "X"})", library), ElementsAre("library/X: link_cycle"));
@@ -185,7 +185,7 @@ TEST(Extent, OfLongChainsIsBounded) {
   EXPECT_THAT(rejected(R"({"state": "P"})", library), ElementsAre(": too_deep"));
 }
 
-TEST(Link, OfALongChainToNothingIsSaidOnceWhereItBreaks) {
+TEST(Link, OfALongChainToNothingIsReportedOnceWhereItBreaks) {
   std::string library;
   for (int i = 0; i < 20'000; ++i)
     library += (i == 0 ? "" : ", ") + std::string(R"({"state": "L)") + std::to_string(i) + R"(", "link": "L)" +
@@ -217,7 +217,7 @@ TEST(Oracle, ResumesThroughPortsOfTheState) {
               ElementsAre("P/O: keep"));
 }
 
-TEST(Oracle, DoesNotMakeWhatIsThere) {
+TEST(Oracle, RequiresTheNamesThatItAddsToBeFree) {
   EXPECT_THAT(rejected_children(R"({"state": "A", "children": [{"state": "Dispatcher"}],
                                     "oracle": {"kind": "expr", "expr": "1"}})"),
               ElementsAre("P/A: duplicate"));
@@ -228,7 +228,7 @@ TEST(Oracle, DoesNotMakeWhatIsThere) {
 
 // Code
 
-TEST(Code, IsCheckedWhereverItStands) {
+TEST(Code, IsCheckedInEveryField) {
   EXPECT_THAT(rejected(R"({"state": "P", "entry": "x ="})"), ElementsAre("P: syntax"));
   EXPECT_THAT(rejected(R"({"state": "P", "exit": "import os"})"), ElementsAre("P: forbidden"));
   EXPECT_THAT(rejected(R"json({"state": "P", "actions": [{"when": "svc.a.b()", "do": "pass"}]})json"),
@@ -283,7 +283,7 @@ TEST(Code, OfALibraryStatesParameterHasTheScopeOfTheLink) {
               ElementsAre("library/L: scope"));
 }
 
-TEST(Code, HasItsNamesCheckedOnlyInASoundStructure) {
+TEST(Code, HasItsNamesCheckedOnlyInAValidStructure) {
   EXPECT_THAT(rejected(R"({"state": "P", "first": "N", "entry": "x = nobody", "exit": "par.a = 1"})"),
               ElementsAre("P: first"));
   EXPECT_THAT(rejected(R"({"state": "P", "first": "N", "entry": "x =", "exit": "import os"})"),

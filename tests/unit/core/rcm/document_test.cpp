@@ -68,7 +68,7 @@ TEST(WriteDocument, HasItsFieldsInOneOrder) {
   EXPECT_EQ(to_json(write_document(document.value())), R"({"rcm":1,"name":"n","root":{"state":"R","doc":"d"}})");
 }
 
-TEST(ReadDraft, KeepsWhatHasTheRightShapeWhateverElseIsWrong) {
+TEST(ReadDraft, KeepsWhatHasTheRightShapeDespiteViolations) {
   const Draft draft =
       read_draft(parse_json(R"({"rcm": 1, "root": {"state": "R", "first": "Nobody", "entry": "while"}})").value());
   EXPECT_TRUE(draft.errors.empty());
@@ -129,7 +129,7 @@ TEST(ReadDocument, RejectsWrongTypes) {
   EXPECT_THAT(rejected_root(R"("ports": [{"name": "p", "when": true}])"), testing::Contains("R.p: type"));
 }
 
-TEST(ReadDocument, RejectsUnknownFieldsWhereTheyStand) {
+TEST(ReadDocument, RejectsUnknownFieldsWithTheirPath) {
   EXPECT_THAT(rejected_root(R"("x": 1)"), ElementsAre("R: unknown_field"));
   EXPECT_THAT(rejected_root(R"("parameters": [{"name": "p", "initial": 1}])"), ElementsAre("R: unknown_field"));
   EXPECT_THAT(rejected_root(R"("ports": [{"name": "p", "when": "True", "do": ""}])"),

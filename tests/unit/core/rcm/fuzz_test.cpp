@@ -102,7 +102,7 @@ std::vector<Value> valid_models() {
   return out;
 }
 
-/// Whether the document was taken.
+/// Whether the document was accepted.
 bool hold(const Value& json) {
   const auto document = read_document(json);
   if (!document) {

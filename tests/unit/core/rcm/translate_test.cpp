@@ -100,7 +100,7 @@ TEST(ExprOracle, WithoutFirstHasNoOtherwiseAndLeadsToStatesOnly) {
   EXPECT_EQ(child(model.root, "Dispatcher").ports[0].name, "to_A");
 }
 
-TEST(ExternalOracle, AsksOnEntryWithArgumentsOfTheComposite) {
+TEST(ExternalOracle, CallsOnEntryWithArgumentsOfTheComposite) {
   expect_state(child(child(native_case("oracle-external").root, "Task"), "Dispatcher"), R"json({
     "state": "Dispatcher",
     "parameters": [{"name": "arg0", "from": "par"}, {"name": "arg1", "from": "res"}, {"name": "arg2", "from": "var"},
@@ -143,7 +143,7 @@ TEST(HistoryOracle, RemembersTheChildAndKeeps) {
   EXPECT_TRUE(child(native_case("oracle-history").root, "Task").keep->any) << "without `resume`, through any port";
 }
 
-TEST(HistoryOracle, StandsBehindTheCompositesOwnVariablesAndActions) {
+TEST(HistoryOracle, FollowsTheCompositesOwnVariablesAndActions) {
   const NativeModel model = native(R"({"rcm": 1, "root": {"state": "R", "first": "A", "children": [{"state": "A"}],
       "variables": [{"name": "v"}], "actions": [{"when": "False", "do": "pass"}], "oracle": {"kind": "history"}}})");
   EXPECT_EQ(model.root.variables[1].name, "last_active");

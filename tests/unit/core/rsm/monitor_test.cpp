@@ -1,4 +1,5 @@
-// The monitor on the robot service of Fig. 4.1: silent while the service does what it declares, and what it says else.
+// The monitor on the robot service of Fig. 4.1: no violation while the service does what it declares, and each kind of
+// violation.
 #include "core/rsm/monitor.h"
 
 #include <gmock/gmock.h>
@@ -174,7 +175,7 @@ TEST_F(RobotMonitor, ReportsAnEventThatATransitionShouldHavePut) {
   EXPECT_THAT(monitor.transition("arrive", 0), ElementsAre(Breaks("put", 0)));
 }
 
-TEST_F(RobotMonitor, BeginsAnewWithANewService) {
+TEST_F(RobotMonitor, RestartsWithTheService) {
   move(1);
   monitor.restarted();
   EXPECT_EQ(monitor.current(), "Idle");
@@ -182,7 +183,7 @@ TEST_F(RobotMonitor, BeginsAnewWithANewService) {
   EXPECT_THAT(monitor.event("robot_state", 1), IsEmpty());
 }
 
-TEST(InterfaceMonitor, HoldsNamesTypesAndThatACallIsAnsweredOnce) {
+TEST(InterfaceMonitor, ChecksNamesTypesAndThatACallIsAnsweredOnce) {
   Monitor monitor{
       read_service_text(R"({"operations": [{"name": "op", "result": "int"}], "events": [{"name": "e"}]})", "services/S")
           .value()};

@@ -1,4 +1,4 @@
-// TYPE: what is one, and which values are of it.
+// TYPE: which texts are types, and which values they have.
 #include "core/rsm/type.h"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ TEST(Type, FitsValuesOfItsKind) {
   EXPECT_FALSE(fits(R"({"optional": "string"})", "1"));
 }
 
-TEST(Type, TellsWhereAValueDoesNotFit) {
+TEST(Type, ReportsWhereAValueDoesNotFit) {
   EXPECT_EQ(reason(R"({"list": "int", "size": 2})", "[1]"), "expected 2 items, got 1");
   EXPECT_EQ(reason(R"({"list": "int"})", R"([1, "x"])"), "`[1]`: expected an int, got a string");
   EXPECT_EQ(reason(R"({"record": {"a": {"list": "int"}}})", R"({"a": [null]})"), "`a[0]`: expected an int, got null");

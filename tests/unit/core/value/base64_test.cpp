@@ -20,7 +20,7 @@ TEST(Base64, HasAllBytesAndDigits) {
   EXPECT_TRUE(is_base64("AP/+"));
 }
 
-TEST(Base64, IsNotWhatIsEmptyBrokenOffOrHasOtherCharacters) {
+TEST(Base64, RejectsTextThatIsEmptyTruncatedOrHasOtherCharacters) {
   for (const char* text : {"", "Zg", "Zg=", "Zm9vY", "Z g=", "Zg_-", "Z=g=", "====", "A===", "Zm9v===="})
     EXPECT_FALSE(is_base64(text)) << text;
 }

@@ -1,4 +1,4 @@
-// Dict keeps the order of insertion, small (searched in line) and large (through its index) alike.
+// Dict keeps the order of insertion, both small (searched linearly) and large (through its index).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -53,7 +53,7 @@ TEST(Dict, FindsByTextByEqualStringAndByTheSameString) {
   EXPECT_EQ(dict.find(Value("other")), nullptr);
 }
 
-TEST(Dict, TellsKeysWithZeroBytesApart) {
+TEST(Dict, DistinguishesKeysWithZeroBytes) {
   using namespace std::string_literals;
   Dict dict;
   dict.set("a\0x"s, 1);
@@ -62,7 +62,7 @@ TEST(Dict, TellsKeysWithZeroBytesApart) {
   EXPECT_EQ(find(dict, "a\0x"s)->as_integer(), 1);
 }
 
-TEST(Dict, AClearedDictIsAsGoodAsNew) {
+TEST(Dict, AClearedDictCanBeUsedAgain) {
   Dict dict;
   for (int i = 0; i < 50; ++i) dict.set(std::to_string(i), i);
   dict.clear();

@@ -1,4 +1,4 @@
-// Fields lists every violation of an object, each with the code and the path of the element it stands for.
+// Fields lists every violation of an object, each with its code and the path of the element.
 #include "core/value/fields.h"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ TEST_F(FieldsOf, EveryViolationIsListedAtOnce) {
                                                       "unknown_field Root/A"}));
 }
 
-TEST_F(FieldsOf, WhatStandsForNoElementNamesTheFieldItself) {
+TEST_F(FieldsOf, WithoutAnElementThePathIsThatOfTheField) {
   const Value json = parse_json(R"({"kind": 1, "far": ["x", 2], "more": null})").value();
   Fields fields(json, "", "the step", errors_, Fields::Paths::field);
   fields.text("kind");

@@ -1,4 +1,4 @@
-// The JSON door, rule by rule: what is read, what is refused and with which code, and how values are written.
+// JSON, rule by rule: what is read, what is rejected and with which code, and how values are written.
 #include "core/value/json.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ TEST(ReadJson, KeepsTheOrderOfKeys) {
 
 TEST(ReadJson, KeepsZeroBytesInStrings) { EXPECT_EQ(read(R"("a\u0000b")"), Value("a\0b"s)); }
 
-TEST(ReadJson, TellsIntegersFromDoublesUpToTheirLimits) {
+TEST(ReadJson, DistinguishesIntegersAndDoublesUpToTheirLimits) {
   EXPECT_EQ(read("9223372036854775807"), Value(std::numeric_limits<std::int64_t>::max()));
   EXPECT_EQ(read("-9223372036854775808"), Value(std::numeric_limits<std::int64_t>::min()));
   EXPECT_EQ(read("9223372036854775808.0"), Value(9223372036854775808.0));
@@ -72,7 +72,7 @@ TEST(ReadJson, ReadsIntegersOutOfRangeAsUnknownIfAskedTo) {
   EXPECT_EQ(refusal("1e999", {.keep_out_of_range = true}), "constant");
 }
 
-TEST(ReadJson, RefusesAKeyThatStandsTwiceInOneObject) {
+TEST(ReadJson, RefusesADuplicateKey) {
   EXPECT_EQ(refusal(R"({"a":1,"b":2,"a":1})"), "json");
   EXPECT_EQ(refusal(R"({"a":1,"\u0061":2})"), "json");
   EXPECT_EQ(refusal(R"([{"x":{"a":1,"a":2}}])"), "json");
@@ -108,7 +108,7 @@ TEST(ReadJson, RefusesBadUtf8AndLoneSurrogates) {
   }
 }
 
-TEST(ReadJson, SaysWhereItStopped) {
+TEST(ReadJson, ReportsThePositionOfTheError) {
   const auto value = parse_json("[1, oops]");
   ASSERT_FALSE(value);
   EXPECT_NE(value.error().message.find("byte 5"), std::string::npos) << value.error().message;

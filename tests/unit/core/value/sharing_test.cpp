@@ -1,4 +1,4 @@
-// Copy-on-write and freezing: a change is seen by nobody who holds a copy, and what is frozen may cross threads.
+// Copy-on-write and freezing: a change does not affect copies, and frozen values may cross threads.
 #include <gtest/gtest.h>
 
 #include <thread>

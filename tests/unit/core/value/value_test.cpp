@@ -24,7 +24,7 @@ TEST(Value, KeepsWhatItWasMadeOf) {
   EXPECT_EQ(Value(Dict{{"width", 0.05}}).find("width")->as_number(), 0.05);
 }
 
-TEST(Value, TellsTrueOneAndOnePointZeroApart) {
+TEST(Value, DistinguishesTrueOneAndOnePointZero) {
   EXPECT_NE(Value(true), Value(1));
   EXPECT_NE(Value(1), Value(1.0));
   EXPECT_NE(Value(false), Value());
