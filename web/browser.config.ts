@@ -1,4 +1,4 @@
-// Browser tests: the built pages in Chromium on a real server. One after the other: each has the machine for itself.
+// Browser tests: the built pages in Chromium on a real server. They run one after the other, as they are sensitive to load.
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vitest/config";
 
@@ -8,7 +8,7 @@ export default defineConfig({
   root: here(".."),
   cacheDir: here("node_modules/.vite"),
   resolve: { alias: { "playwright-core": here("node_modules/playwright-core/index.mjs") } },
-  // The tests live beside this package, not in it.
+  // The tests are beside this package, not in it.
   server: { fs: { strict: false } },
   test: { globals: true, include: ["tests/browser/**/*.test.ts"], fileParallelism: false, testTimeout: 120_000, hookTimeout: 60_000 },
 });

@@ -1,4 +1,4 @@
-// npm run picture -- URL FILE: a picture of the expert page while the demo task runs, as the README shows it.
+// npm run picture -- URL FILE: a screenshot of the expert page while the demo task runs, for the README.
 import { chromium } from "playwright-core";
 
 const [url = "http://127.0.0.1:8080", file = "pro.png"] = process.argv.slice(2);

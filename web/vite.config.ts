@@ -25,8 +25,8 @@ export default defineConfig({
       },
     },
   },
-  // A loaded machine may be slow: no test is about how long it takes.
+  // A loaded machine may be slow, and no test measures time.
   test: { include: ["tests/**/*.test.ts"], testTimeout: 60_000 },
-  // The list of sounds lives in api/.
+  // The list of sounds is in api/.
   server: { fs: { allow: [here("."), here("../api")] }, proxy: { "/api": { target: server, ws: true, changeOrigin: true } } },
 });

@@ -1,7 +1,7 @@
-// Which states of the drawing turn active while a test looks elsewhere.
+// Records which states of the drawing become active.
 import type { Page } from "playwright-core";
 
-/** From now on, notes each state of the drawing in the order in which it turns active. */
+/** Starts to record the states of the drawing in the order in which they become active. */
 export async function noteActivations(page: Page): Promise<void> {
   await page.evaluate(() => {
     const order: string[] = [];

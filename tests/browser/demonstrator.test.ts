@@ -1,26 +1,26 @@
-// The demonstrator (thesis, appendix A) with its operator by script: what a person sees of it until it has survived a collision.
+// The demonstrator (thesis, appendix A) with its operator by script: what the pages show until it has handled a collision.
 import { join } from "node:path";
 import { devices, type Page } from "playwright-core";
 import { activations, noteActivations } from "./activations";
-import { demo, openStage, settled, type Stage } from "./stage";
+import { demo, openFixture, settled, type Fixture } from "./fixture";
 
-let stage: Stage;
+let fixture: Fixture;
 let task: Page;
 let services: Page;
 let phone: Page;
 let core: string;
-/** What the pages' consoles complain of. */
+/** Errors on the consoles of the pages. */
 const complaints: string[] = [];
 
 beforeAll(async () => {
-  stage = await openStage("--operator", join(demo, "operator.json"));
-  const browser = stage.page.context().browser();
+  fixture = await openFixture("--operator", join(demo, "operator.json"));
+  const browser = fixture.page.context().browser();
   if (browser === null) throw new Error("there is no browser");
   phone = await (await browser.newContext({ ...devices["Pixel 7"] })).newPage();
-  await phone.goto(`${stage.url}/display/?name=second`);
+  await phone.goto(`${fixture.url}/display/?name=second`);
   await phone.getByRole("status", { name: "Connection" }).filter({ hasText: "Connected" }).waitFor();
-  task = await stage.another({ width: 1280, height: 800 });
-  services = await stage.another({ width: 1280, height: 800 });
+  task = await fixture.openPage({ width: 1280, height: 800 });
+  services = await fixture.openPage({ width: 1280, height: 800 });
   await services.getByRole("tab", { name: "Services" }).click();
   for (const page of [task, services, phone]) {
     page.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
@@ -36,7 +36,7 @@ beforeAll(async () => {
   core = await task.getByRole("combobox", { name: "Watched run" }).inputValue();
   await noteActivations(task);
 });
-afterAll(() => stage.close());
+afterAll(() => fixture.close());
 
 const kLong = { timeout: 60_000 };
 const state = (path: string) => task.locator(`[data-path="Demonstrator/${path}"]`);
@@ -44,32 +44,32 @@ const turns = (path: string, active: boolean) => expect.poll(() => state(path).g
 const running = () => task.getByRole("region", { name: "Running now" });
 
 async function serverStep(): Promise<number> {
-  const found = (await (await fetch(`${stage.url}/api/v1/cores/${core}`)).json()) as { readonly step: number };
+  const found = (await (await fetch(`${fixture.url}/api/v1/cores/${core}`)).json()) as { readonly step: number };
   return found.step;
 }
 const shownStep = async () => Number(/step (\d+)/.exec(await task.getByRole("status", { name: "Run status" }).innerText())?.[1]);
 
-/** The page knows soon what the server knows now. */
+/** Waits until the page shows the current state of the server. */
 async function keepsUp(): Promise<void> {
   const step = await serverStep();
   await expect.poll(shownStep, { timeout: 5000 }).toBeGreaterThanOrEqual(step);
 }
 
 describe("the demonstrator with an operator by script", () => {
-  it("calibrates first, and says on every display what to do", async () => {
+  it("calibrates first, with instructions on every display", async () => {
     await task.getByRole("button", { name: "Start", exact: true }).click();
     await turns("Calibration", true);
     expect(await state("Table").getAttribute("data-active")).toBe("false");
     await phone.getByText(/Lead the arm/).waitFor();
     await running().getByText(/Calibration\/CameraCalibration/).waitFor();
-    await stage.picture("demonstrator-calibration", task);
+    await fixture.screenshot("demonstrator-calibration", task);
   });
 
-  it("lets recognition look at the camera's pictures meanwhile", async () => {
+  it("sends pictures of the camera to recognition meanwhile", async () => {
     const flow = services.locator('[data-flow="camera.frame:obj_rec"]');
     await expect.poll(() => flow.getAttribute("class"), kLong).toBe("flow is-flowing");
     await expect.poll(() => flow.locator("text").textContent(), kLong).toMatch(/^frame \d+\.\d\/s$/);
-    await stage.picture("demonstrator-services", services);
+    await fixture.screenshot("demonstrator-services", services);
   });
 
   it("is followed by the page while it also draws the cell, large and small", async () => {
@@ -77,7 +77,7 @@ describe("the demonstrator with an operator by script", () => {
     await task.getByRole("tab", { name: "Cell" }).click();
     await task.getByText(/^cell time/).waitFor();
     await keepsUp();
-    await stage.picture("demonstrator-cell", task);
+    await fixture.screenshot("demonstrator-cell", task);
     await task.getByRole("tab", { name: "Task" }).click();
     await state("Table/Work/Collision").waitFor();
     await noteActivations(task);
@@ -89,11 +89,11 @@ describe("the demonstrator with an operator by script", () => {
     await turns("Table/Work", true);
   });
 
-  it("shows a collision and asks on every display, and survives it when somebody answers", async () => {
+  it("shows a collision, asks on every display, and continues after an answer", async () => {
     await phone.getByRole("heading", { name: "What is to be done?" }).waitFor(kLong);
     for (const name of ["Continue", "Skip", "Abort"]) expect(await phone.getByRole("button", { name, exact: true }).isEnabled()).toBe(true);
-    await stage.picture("demonstrator-question", phone);
-    await stage.picture("demonstrator-collision", task);
+    await fixture.screenshot("demonstrator-question", phone);
+    await fixture.screenshot("demonstrator-collision", task);
     await phone.getByRole("heading").waitFor({ state: "detached" });
     await turns("Table/Work/Collision", false);
     await turns("Table/Work/Task", true);
@@ -101,7 +101,7 @@ describe("the demonstrator with an operator by script", () => {
     await keepsUp();
   });
 
-  it("ends at a word, and no page had anything to complain of", async () => {
+  it("ends on demand, without an error on any page", async () => {
     await task.getByRole("button", { name: "Stop", exact: true }).click();
     await expect.poll(() => task.getByRole("status", { name: "Run status" }).innerText()).toMatch(/Stopped/);
     expect(complaints).toEqual([]);

@@ -1,19 +1,19 @@
-// The display page on the real server, on a phone: tasks ask, fingers answer, the core goes on.
+// The display page on the real server, on a phone: tasks ask, taps answer, the core continues.
 import { devices, type Page } from "playwright-core";
-import { openStage, type Stage } from "./stage";
+import { openFixture, type Fixture } from "./fixture";
 
-let stage: Stage;
+let fixture: Fixture;
 
 beforeAll(async () => {
-  stage = await openStage();
+  fixture = await openFixture();
 });
-afterAll(() => stage.close());
+afterAll(() => fixture.close());
 
 type Json = Readonly<Record<string, unknown>>;
 
 async function request(method: string, path: string, body?: Json): Promise<Json> {
   const init = body === undefined ? { method } : { method, body: JSON.stringify(body), headers: { "content-type": "application/json" } };
-  const answer = await fetch(`${stage.url}/api/v1${path}`, init);
+  const answer = await fetch(`${fixture.url}/api/v1${path}`, init);
   const json = (await answer.json()) as Json;
   if (!answer.ok) throw new Error(JSON.stringify(json));
   return json;
@@ -63,7 +63,7 @@ async function outcome(core: string): Promise<unknown> {
 }
 
 const browser = () => {
-  const found = stage.page.context().browser();
+  const found = fixture.page.context().browser();
   if (found === null) throw new Error("there is no browser");
   return found;
 };
@@ -72,7 +72,7 @@ const browser = () => {
 async function phone(name?: string, colorScheme: "light" | "dark" = "light"): Promise<Page> {
   const context = await browser().newContext({ ...devices["Pixel 7"], colorScheme });
   const page = await context.newPage();
-  await page.goto(`${stage.url}/display/${name === undefined ? "" : `?name=${name}`}`);
+  await page.goto(`${fixture.url}/display/${name === undefined ? "" : `?name=${name}`}`);
   await status(page, "Connected");
   return page;
 }
@@ -88,14 +88,14 @@ describe("a phone as display", () => {
     page = await phone();
     const core = await run("display.ask('The arm has touched something. What now?', ['Continue', 'Skip this part', 'Abort'])");
     await button(page, "Skip this part").waitFor();
-    await stage.picture("display-question", page);
+    await fixture.screenshot("display-question", page);
     await button(page, "Skip this part").tap();
     expect(await outcome(core)).toEqual({ answer: "Skip this part", display: "main" });
     await page.getByText("main", { exact: true }).nth(1).waitFor();
     expect(await page.getByRole("region", { name: "Question" }).count()).toBe(0);
   });
 
-  it("has buttons that a thumb meets, all within the screen", async () => {
+  it("has buttons large enough for a thumb, all within the screen", async () => {
     page = await phone();
     await run("display.ask_number('How wide is the part?', -0.5, 0.11, 'm')");
     const keys = page.getByRole("region", { name: "Question" }).getByRole("button");
@@ -117,12 +117,12 @@ describe("a phone as display", () => {
     await page.getByText("At most 0.11 m").waitFor();
     expect(await button(page, "OK").isDisabled()).toBe(true);
     for (const key of ["Delete", "0", "4"]) await button(page, key).tap();
-    await stage.picture("display-number", page);
+    await fixture.screenshot("display-number", page);
     await button(page, "OK").tap();
     expect(await outcome(core)).toEqual({ answer: 0.04, display: "main" });
   });
 
-  it("shows an image with its text, and tells each press of its buttons", async () => {
+  it("shows an image with its text, and reports each press of its buttons", async () => {
     page = await phone();
     const drawing = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 200"><rect width="400" height="200" fill="#d8e6dc"/><circle cx="200" cy="100" r="60" fill="#e0b100"/></svg>`;
     const url = `data:image/svg+xml;base64,${Buffer.from(drawing).toString("base64")}`;
@@ -130,7 +130,7 @@ describe("a phone as display", () => {
     await expect.poll(() => page.locator("img").evaluate((image) => image instanceof HTMLImageElement && image.naturalWidth)).toBeGreaterThan(0);
     const core = await run("display.ask('Confirm it.')");
     await button(page, "OK").waitFor();
-    await stage.picture("display-image", page);
+    await fixture.screenshot("display-image", page);
     const listening = await listen();
     await button(page, "Help").tap();
     expect(await outcome(listening)).toEqual({ button: "Help", display: "main" });
@@ -179,7 +179,7 @@ describe("several displays", () => {
 });
 
 describe("sounds", () => {
-  it("are played after the first touch, and the core hears of their end", async () => {
+  it("are played after the first touch, and the core gets their end", async () => {
     const page = await phone();
     await page.getByText("Touch the screen once to hear sounds.").waitFor();
     expect(await outcome(await run("audio.play('beep')"))).toBe("no_speaker");
@@ -191,17 +191,17 @@ describe("sounds", () => {
 });
 
 describe("a lost connection", () => {
-  it("is said on the page, and over when the server is back", async () => {
+  it("is shown on the page until the server is back", async () => {
     const page = await phone();
     await run("display.ask('Go on?')");
     await button(page, "OK").waitFor();
-    await stage.kill();
+    await fixture.kill();
     await status(page, "Connection lost");
     expect(await button(page, "OK").isDisabled()).toBe(true);
-    await stage.picture("display-lost", page);
-    await stage.revive();
+    await fixture.screenshot("display-lost", page);
+    await fixture.restart();
     await status(page, "Connected");
-    // The new server knows nothing of the question.
+    // The new server does not know the question.
     await page.getByText("Go on?").waitFor({ state: "detached" });
     const core = await run("display.ask('And now?')");
     await button(page, "OK").tap();
@@ -209,10 +209,10 @@ describe("a lost connection", () => {
     await page.context().close();
   });
 
-  it("cannot come of a name that is none", async () => {
+  it("is not reported for an invalid name", async () => {
     const context = await browser().newContext({ ...devices["Pixel 7"] });
     const page = await context.newPage();
-    await page.goto(`${stage.url}/display/?name=all`);
+    await page.goto(`${fixture.url}/display/?name=all`);
     await page.getByText("The name of a display").waitFor();
     await context.close();
   });

@@ -1,13 +1,13 @@
-// Drawings that fail, and drawings that take so long that a person leaves them. The page's workers are held by the test.
+// Drawings that fail, and long drawings that the user cancels. The test delays the workers of the page.
 import type { Page } from "playwright-core";
-import { openStage, settled, type Stage } from "./stage";
+import { openFixture, settled, type Fixture } from "./fixture";
 
-let stage: Stage;
+let fixture: Fixture;
 let page: Page;
 
 beforeAll(async () => {
-  stage = await openStage();
-  page = stage.page;
+  fixture = await openFixture();
+  page = fixture.page;
   await page.addInitScript(() => {
     const Real = Worker;
     const kept: (() => void)[] = [];
@@ -30,7 +30,7 @@ beforeAll(async () => {
     });
   });
 });
-afterAll(() => stage.close());
+afterAll(() => fixture.close());
 
 const hold = (on: boolean) => page.evaluate((on) => {
     (Reflect.get(window, "hold") as (on: boolean) => void)(on);
@@ -44,13 +44,13 @@ async function load(document: string): Promise<void> {
   const runs = page.getByRole("combobox", { name: "Watched run" });
   const before = await runs.inputValue();
   await button("Load").click();
-  // Only then the drawing of the run before is gone.
+  // Only then the drawing of the previous run is removed.
   await expect.poll(() => runs.inputValue()).not.toBe(before);
 }
 
-describe("a drawing whose worker does not come", () => {
-  it("is said to have failed, and to be made no more", async () => {
-    await page.goto(`${stage.url}/pro/`);
+describe("a drawing whose worker cannot be loaded", () => {
+  it("is reported as failed, and not as in progress", async () => {
+    await page.goto(`${fixture.url}/pro/`);
     await page.evaluate(() => sessionStorage.setItem("lost", ""));
     await load("pick");
     await page.getByRole("alert").getByText("the layout does not start").waitFor();
@@ -58,7 +58,7 @@ describe("a drawing whose worker does not come", () => {
     expect(await page.getByText("Drawing the model…").count()).toBe(0);
   });
 
-  it("is made when it is asked for again, and the worker comes", async () => {
+  it("is made on a new request once the worker can be loaded", async () => {
     await page.evaluate(() => sessionStorage.clear());
     await button("Dismiss").click();
     await load("pick");
@@ -86,6 +86,6 @@ describe("a drawing that takes long", () => {
     await inside().first().waitFor();
   };
 
-  it("is left with Esc; what was drawn stays, and it can be made after all", () => leave("Calibration", () => page.keyboard.press("Escape")));
-  it("is left with its button just so", () => leave("Table", () => progress().getByRole("button", { name: "Cancel" }).click()));
+  it("is cancelled by Esc; the previous drawing stays, and a new request succeeds", () => leave("Calibration", () => page.keyboard.press("Escape")));
+  it("is cancelled by its button in the same way", () => leave("Table", () => progress().getByRole("button", { name: "Cancel" }).click()));
 });

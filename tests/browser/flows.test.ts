@@ -1,21 +1,21 @@
-// Data flows on the expert page, on the real server: who publishes to whom, and what the camera sees while it is watched.
-import { openStage, type Stage } from "./stage";
+// Data flows on the expert page, on the real server: publishers, subscribers, and the camera's picture while it is watched.
+import { openFixture, type Fixture } from "./fixture";
 
-let stage: Stage;
+let fixture: Fixture;
 
 beforeAll(async () => {
-  stage = await openStage();
-  await stage.page.setViewportSize({ width: 1280, height: 800 });
-  await stage.page.goto(`${stage.url}/pro/`);
-  await stage.page.getByRole("tab", { name: /Services/ }).click();
+  fixture = await openFixture();
+  await fixture.page.setViewportSize({ width: 1280, height: 800 });
+  await fixture.page.goto(`${fixture.url}/pro/`);
+  await fixture.page.getByRole("tab", { name: /Services/ }).click();
   await edge().waitFor();
 });
-afterAll(() => stage.close());
+afterAll(() => fixture.close());
 
 const kSoon = { timeout: 20_000 };
-const edge = () => stage.page.locator('[data-flow="camera.frame:obj_rec"]');
-const opener = (flow = "frame") => stage.page.getByRole("button", { name: `Watch camera.${flow}` });
-const panel = (flow = "frame") => stage.page.getByRole("region", { name: `Packets of camera.${flow}` });
+const edge = () => fixture.page.locator('[data-flow="camera.frame:obj_rec"]');
+const opener = (flow = "frame") => fixture.page.getByRole("button", { name: `Watch camera.${flow}` });
+const panel = (flow = "frame") => fixture.page.getByRole("region", { name: `Packets of camera.${flow}` });
 const canvas = () => panel().locator("canvas");
 
 interface Published {
@@ -24,13 +24,13 @@ interface Published {
   readonly rate_hz: number;
 }
 async function frame(): Promise<Published | undefined> {
-  const { services } = (await (await fetch(`${stage.url}/api/v1/services`)).json()) as { readonly services: readonly { readonly key: string; readonly publishes: readonly Published[] }[] };
+  const { services } = (await (await fetch(`${fixture.url}/api/v1/services`)).json()) as { readonly services: readonly { readonly key: string; readonly publishes: readonly Published[] }[] };
   return services.find(({ key }) => key === "camera")?.publishes[0];
 }
 const idle = () => expect.poll(frame, kSoon).toEqual({ flow: "frame", watchers: 0, rate_hz: 0 });
 
 async function post(path: string, body?: unknown, method = "POST"): Promise<{ readonly id: string }> {
-  const answer = await fetch(`${stage.url}/api/v1${path}`, { method, body: body === undefined ? null : JSON.stringify(body), headers: { "content-type": "application/json" } });
+  const answer = await fetch(`${fixture.url}/api/v1${path}`, { method, body: body === undefined ? null : JSON.stringify(body), headers: { "content-type": "application/json" } });
   if (!answer.ok) throw new Error(`${path}: ${answer.status} ${await answer.text()}`);
   return (await answer.json()) as { readonly id: string };
 }
@@ -49,22 +49,22 @@ function difference(a: readonly number[], b: readonly number[]): number {
 }
 
 describe("data flows", () => {
-  it("lead from the camera to recognition, and are at rest when nobody looks", async () => {
+  it("lead from the camera to recognition, and are idle when nobody subscribes", async () => {
     expect(await edge().locator("text").textContent()).toBe("frame");
     expect(await edge().getAttribute("class")).toBe("flow");
-    expect(await stage.page.getByRole("img", { name: /camera publishes frame to obj_rec, no packets now/ }).count()).toBe(1);
+    expect(await fixture.page.getByRole("img", { name: /camera publishes frame to obj_rec, no packets now/ }).count()).toBe(1);
     await idle();
-    await stage.picture("flows-idle");
+    await fixture.screenshot("flows-idle");
   });
 
-  it("are thick, with their rate, while a run lets recognition look", async () => {
+  it("are thick, with their rate, while a run uses recognition", async () => {
     const root = { state: "Root", entry: "svc.obj_rec.start()", exit: "svc.obj_rec.stop()", ports: [{ name: "never", when: "svc.timer.elapsed" }] };
     await post("/documents/seeing", { rcm: 1, name: "seeing", root }, "PUT");
     const core = await post("/cores", { document: "seeing", arguments: {} });
     await post(`/cores/${core.id}/start`);
     await expect.poll(() => edge().getAttribute("class"), kSoon).toBe("flow is-flowing");
     await expect.poll(() => edge().locator("text").textContent(), kSoon).toMatch(/^frame \d+\.\d\/s$/);
-    await stage.picture("flows-flowing");
+    await fixture.screenshot("flows-flowing");
     await post(`/cores/${core.id}/stop`);
     await expect.poll(() => edge().getAttribute("class"), kSoon).toBe("flow");
     await idle();
@@ -72,44 +72,44 @@ describe("data flows", () => {
 
   it("show the camera's picture by the keyboard, in colour and in depth", async () => {
     await opener().focus();
-    await stage.page.keyboard.press("Enter");
+    await fixture.page.keyboard.press("Enter");
     await canvas().waitFor();
     await expect.poll(async () => coloursOf(await pixels()), kSoon).toBeGreaterThan(1000);
     const colour = await pixels();
     await expect.poll(() => panel().locator("footer").innerText(), kSoon).toMatch(/^\d+\.\d\d s\s+\d+\.\d packets\/s of world time$/);
-    await stage.picture("flows-colour");
+    await fixture.screenshot("flows-colour");
     await panel().getByRole("radio", { name: "Colour" }).focus();
-    await stage.page.keyboard.press("ArrowRight");
+    await fixture.page.keyboard.press("ArrowRight");
     await expect.poll(async () => difference(colour, await pixels()), kSoon).toBeGreaterThan(0.5);
     expect(coloursOf(await pixels())).toBeGreaterThan(100);
-    await stage.picture("flows-depth");
-    await stage.page.keyboard.press("ArrowLeft");
+    await fixture.screenshot("flows-depth");
+    await fixture.page.keyboard.press("ArrowLeft");
     await expect.poll(async () => difference(colour, await pixels()), kSoon).toBeLessThan(0.1);
   });
 
-  it("show of packets that are no pictures what they say, and offer neither colour nor depth", async () => {
+  it("show the header of packets without a picture, and offer neither colour nor depth", async () => {
     const says = { frame: /depth and colour of 640x480 pixels/, cloud: /points that were measured/ };
-    for (const [flow, text] of Object.entries(says)) expect(await stage.page.locator(".data-flows li").filter({ has: opener(flow) }).innerText()).toMatch(text);
+    for (const [flow, text] of Object.entries(says)) expect(await fixture.page.locator(".data-flows li").filter({ has: opener(flow) }).innerText()).toMatch(text);
     await opener("cloud").click();
     await expect.poll(() => panel("cloud").getByLabel("Newest packet").innerText(), kSoon).toMatch(/points\s+\d{4,}[^]*encoding\s+'xyz32f_m\+rgb8'/);
     expect(await panel("cloud").locator("canvas, input").count()).toBe(0);
-    await stage.picture("flows-cloud");
+    await fixture.screenshot("flows-cloud");
     await opener().click();
     await canvas().waitFor();
     expect(await panel().getByRole("radio").count()).toBe(2);
   });
 
-  it("go on with new pictures, and fit a window of 1280x800", async () => {
+  it("update the picture, and fit a window of 1280x800", async () => {
     const time = async () => Number.parseFloat(await panel().locator(".flow-time").innerText());
     const before = await time();
     await expect.poll(time, kSoon).toBeGreaterThan(before + 1);
     const box = await canvas().boundingBox();
     expect((box?.y ?? 800) + (box?.height ?? 0)).toBeLessThan(800);
-    expect(await stage.page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(1280);
+    expect(await fixture.page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(1280);
   });
 
-  it("let the camera rest when the picture is closed, by a key or a click, or the page turned", async () => {
-    await stage.page.keyboard.press("Escape");
+  it("stop when the picture is closed by key or click, or another tab is opened", async () => {
+    await fixture.page.keyboard.press("Escape");
     expect(await panel().count()).toBe(0);
     expect(await opener().evaluate((element) => element === document.activeElement)).toBe(true);
     await idle();
@@ -119,7 +119,7 @@ describe("data flows", () => {
     await idle();
     await opener().click();
     await canvas().waitFor();
-    await stage.page.getByRole("tab", { name: "Task" }).click();
+    await fixture.page.getByRole("tab", { name: "Task" }).click();
     await idle();
   });
 });

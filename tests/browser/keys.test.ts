@@ -1,23 +1,23 @@
-// What hands are used to: the help that lists every key, and zooming by keys.
+// Keys: the help that lists them, and zooming.
 import type { Page } from "playwright-core";
-import { openStage, type Stage } from "./stage";
+import { openFixture, type Fixture } from "./fixture";
 
-let stage: Stage;
+let fixture: Fixture;
 let page: Page;
 
 beforeAll(async () => {
-  stage = await openStage();
-  page = stage.page;
-  await page.goto(`${stage.url}/pro/`);
+  fixture = await openFixture();
+  page = fixture.page;
+  await page.goto(`${fixture.url}/pro/`);
   await page.getByRole("combobox", { name: "Document" }).selectOption("pick");
   await page.getByRole("button", { name: "Load" }).click();
   await page.getByRole("group", { name: "State Pick/Release" }).waitFor();
 });
-afterAll(() => stage.close());
+afterAll(() => fixture.close());
 
 const help = () => page.getByRole("dialog", { name: "Keys and mouse" });
 
-/** Width of a state on the screen [px], once the drawing stands still. */
+/** Width of a state on the screen [px], once the drawing no longer moves. */
 async function shownWidth(): Promise<number> {
   const width = async () => (await page.getByRole("group", { name: "State Pick/Release" }).boundingBox())?.width ?? 0;
   let before = -1;
@@ -38,7 +38,7 @@ describe("the help", () => {
     const keys = await help().locator("kbd").allInnerTexts();
     expect(keys).toEqual(expect.arrayContaining(["F5", "F7", "F8", "F4", "Shift+F4", "Ctrl++", "Ctrl+-", "Ctrl+0", "Ctrl+Space", "Ctrl+F", "?", "Esc"]));
     for (const gesture of ["Wheel", "Click a port", "Double click a composite state"]) expect(await help().innerText()).toContain(gesture);
-    await stage.picture("help");
+    await fixture.screenshot("help");
     await page.keyboard.press("Escape");
     await expect.poll(() => help().count()).toBe(0);
   });
@@ -63,7 +63,7 @@ describe("the help", () => {
     await expect.poll(() => help().count()).toBe(0);
   });
 
-  it("leaves the ? to a search in which it is typed", async () => {
+  it("does not open by a ? that is typed into a search", async () => {
     const search = page.getByRole("searchbox", { name: "Search the model" });
     await page.keyboard.press("Control+f");
     await page.keyboard.press("?");
@@ -88,7 +88,7 @@ describe("zoom", () => {
     await expect.poll(shownWidth).toBeCloseTo(fitted, 0);
   });
 
-  it("takes its keys from the browser, which would zoom the whole page, and leaves it others", async () => {
+  it("prevents the browser's own zoom, and leaves other keys to the browser", async () => {
     await page.evaluate(() => {
       const taken: Record<string, boolean> = {};
       addEventListener("keydown", (event) => Object.assign(taken, { [event.key]: event.defaultPrevented }));

@@ -1,4 +1,4 @@
-// Where things of the 3D view are, as the pointer tells.
+// Finds things in the 3D view by moving the pointer.
 import type { Page } from "playwright-core";
 
 export interface Place {
@@ -11,7 +11,7 @@ export type Region = readonly [left: number, right: number, top: number, bottom:
 
 export const view = (page: Page) => page.getByLabel("3D view of the cell").first();
 
-/** A place [px] in a region of the view where the pointer would hold something `wanted`: it says so by its title. Pulling must be on. */
+/** A position [px] in a region of the view at which the pointer would grab something `wanted`, by the title of the view. Pulling must be on. */
 export async function find(page: Page, wanted: RegExp, [left, right, top, bottom]: Region): Promise<Place> {
   const box = await view(page).boundingBox();
   if (box === null) throw new Error("the view has no size");

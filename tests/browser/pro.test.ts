@@ -6,16 +6,16 @@ import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { activations, noteActivations } from "./activations";
 import { expectedCard, expectedLines, shownCard, shownLines, type RawNode, type RawStep } from "./proofText";
-import { binary, openStage, type Stage } from "./stage";
+import { binary, openFixture, type Fixture } from "./fixture";
 
-let stage: Stage;
+let fixture: Fixture;
 let page: Page;
 
 beforeAll(async () => {
-  stage = await openStage();
-  page = stage.page;
+  fixture = await openFixture();
+  page = fixture.page;
 });
-afterAll(() => stage.close());
+afterAll(() => fixture.close());
 
 /** Loads the document `pick` as a new run, and gives its id. */
 async function load(): Promise<string> {
@@ -34,7 +34,7 @@ const ended = () => expect.poll(() => status().innerText(), { timeout: 90_000 })
 /** `race derive` of the run as the server exports it. */
 async function derive(id: string): Promise<readonly RawStep[]> {
   const folder = mkdtempSync(join(tmpdir(), "race-derive-"));
-  const get = async (path: string): Promise<unknown> => (await fetch(`${stage.url}/api/v1/cores/${id}/${path}`)).json();
+  const get = async (path: string): Promise<unknown> => (await fetch(`${fixture.url}/api/v1/cores/${id}/${path}`)).json();
   const native = (await get("native")) as { readonly document: unknown };
   writeFileSync(join(folder, "model.json"), JSON.stringify(native.document));
   writeFileSync(join(folder, "script.json"), JSON.stringify(await get("script")));
@@ -47,7 +47,7 @@ const preorder = (node: RawNode): readonly RawNode[] => [node, ...node.premises.
 
 describe("RACE Pro", () => {
   it("leads from the address of the server to the page", async () => {
-    await page.goto(stage.url);
+    await page.goto(fixture.url);
     await page.waitForURL("**/pro/");
     await expect.poll(() => page.getByText("Connected").isVisible()).toBe(true);
   });
@@ -57,12 +57,12 @@ describe("RACE Pro", () => {
     await noteActivations(page);
     await page.getByRole("button", { name: "Start" }).click();
     await expect.poll(() => activations(page), { timeout: 20_000 }).toContain("Pick/Approach");
-    await stage.picture("running");
+    await fixture.screenshot("running");
     await ended();
     await expect.poll(() => status().innerText()).toContain("Ended: success");
     const leaves = (await activations(page)).filter((path) => /^Pick\/[A-Za-z]+$/.test(path));
     expect(leaves).toEqual(["Release", "GetPose", "Approach", "Grasp", "Retreat", "CheckPart"].map((name) => `Pick/${name}`));
-    await stage.picture("ended");
+    await fixture.screenshot("ended");
   });
 
   it("opens the derivation of a micro step and finds PTrans1 (3.28) in it", async () => {
@@ -74,7 +74,7 @@ describe("RACE Pro", () => {
     const card = page.getByRole("complementary", { name: "Inference" });
     await expect.poll(() => card.innerText()).toContain("3.28");
     await expect.poll(() => card.getByRole("figure").innerText()).toContain("Pick′, Δ′");
-    await stage.picture("derivation");
+    await fixture.screenshot("derivation");
   });
 
   it("shows every node of the run's derivation whole, as `race derive` gives it for the exported script", async () => {
@@ -113,7 +113,7 @@ describe("RACE Pro", () => {
     await page.getByRole("button", { name: "Port Pick/Release.success", exact: true }).click();
     const why = page.getByRole("region", { name: "Why" });
     await expect.poll(() => why.innerText()).toMatch(/svc\.gripper\.release\.result/);
-    await stage.picture("why");
+    await fixture.screenshot("why");
   });
 
   it("fires the port once what the explanation names has changed", async () => {
@@ -138,7 +138,7 @@ describe("RACE Pro", () => {
     const fired = page.getByRole("region", { name: "Why it fired" });
     await expect.poll(() => fired.innerText()).toMatch(/Fired in macro step \d+, micro step \d+/);
     await expect.poll(() => fired.getByRole("listitem").allInnerTexts()).toEqual([expect.stringMatching(/available\(res\.pose\)\s+true/)]);
-    await stage.picture("fired");
+    await fixture.screenshot("fired");
   });
 
   it("writes everything so that it can be read, and shows the whole task on demand", async () => {
@@ -148,7 +148,7 @@ describe("RACE Pro", () => {
     await expect.poll(() => code.innerText()).toContain("svc.gripper.release()");
     await expect.poll(() => canvas.getAttribute("data-zoom")).toBe("near");
     await expect.poll(() => code.isVisible()).toBe(true);
-    await stage.picture("everything");
+    await fixture.screenshot("everything");
     const root = page.getByRole("group", { name: "State Pick", exact: true });
     await page.keyboard.press("Control+Space");
     await expect
@@ -174,40 +174,40 @@ describe("RACE Pro", () => {
       await service.getByRole("img", { name: /, now in \w+/ }).waitFor();
       expect(await service.locator(".rsm-state.is-active").count()).toBe(1);
     }
-    await stage.picture("services");
+    await fixture.screenshot("services");
   });
 
   it("shows the cell in 3D", async () => {
     await page.getByRole("tab", { name: "Cell" }).click();
     await expect.poll(() => page.locator(".cell-clock").innerText(), { timeout: 20_000 }).toMatch(/cell time \d/);
-    await stage.picture("cell");
+    await fixture.screenshot("cell");
   });
 
   it("needs no sideways scrolling on a narrow screen", async () => {
     await page.getByRole("tab", { name: "Task" }).click();
     await page.setViewportSize({ width: 412, height: 915 });
     await expect.poll(() => page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(412);
-    await stage.picture("narrow");
+    await fixture.screenshot("narrow");
     await page.setViewportSize({ width: 1600, height: 1000 });
   });
 
   it("watches the newest run from the first moment, however long the server has been up", async () => {
     await load();
     const id = await load();
-    const second = await stage.another();
+    const second = await fixture.openPage();
     await expect.poll(() => second.getByRole("combobox", { name: "Watched run" }).inputValue()).toBe(id);
     await second.close();
   });
 
-  it("says that the server is gone, comes back with it, and runs again", async () => {
-    await stage.kill();
+  it("shows a lost connection, reconnects, and starts a new run", async () => {
+    await fixture.kill();
     await expect.poll(() => page.getByText("Connection lost").isVisible()).toBe(true);
-    await stage.picture("gone");
-    await stage.revive();
+    await fixture.screenshot("gone");
+    await fixture.restart();
     await expect.poll(() => page.getByText("Connected").isVisible(), { timeout: 20_000 }).toBe(true);
     await expect.poll(() => page.getByRole("combobox", { name: "Watched run" }).inputValue()).toBe("");
     await load();
-    // Release ends in a fifth of a second, where the gripper is half open: too short for a glance.
+    // Release ends in a fifth of a second, when the gripper is half open: too short to observe.
     await noteActivations(page);
     await page.getByRole("button", { name: "Start" }).click();
     await expect.poll(() => activations(page)).toContain("Pick/Release");

@@ -1,10 +1,10 @@
 // Derivations as text, one line for each node, premises indented beneath: once from the JSON of `race derive`, once from what the page shows.
-// The two share one function of the page, `literal` (held to by web/tests/model/literal.test.ts); all else is written here anew.
+// The two share one function of the page, `literal` (tested by web/tests/model/literal.test.ts); all else is written here independently.
 import type { Locator } from "playwright-core";
 import type { JsonValue } from "../../web/shared/json";
 import { literal } from "../../web/shared/model/literal";
 
-/** A node as `race derive` prints it: not decoded, so that what the page overlooks is still here. */
+/** A node as `race derive` prints it: not checked, so that fields that the page ignores are kept. */
 export interface RawNode {
   readonly rule: string;
   readonly equation: string;
@@ -27,7 +27,7 @@ export interface RawStep {
   readonly micro: readonly RawNode[];
 }
 
-/** What stands behind the path of a node: its port, parameter, action or function; for a node that was led to, the port that leads there. */
+/** The suffix of a node's path: its port, parameter, action or function; for the target of a transition, the port that leads there. */
 function suffix({ port, parameter, action, of }: RawNode): string {
   if (parameter !== undefined) return `.par.${parameter}`;
   if (port !== undefined) return port.includes("/") ? ` by ${port}` : `.${port}`;
@@ -41,11 +41,11 @@ function callOf({ service, operation, args, kwargs }: RawNode): string | undefin
   return `${service}.${operation ?? "?"}(${texts.join(", ")})`;
 }
 
-/** A line for each node, in pre-order. A field that this function does not know is an error: it would go unseen. */
+/** A line for each node, in pre-order. A field that this function does not know is an error. */
 export function expectedLines(node: RawNode, depth = 0): readonly string[] {
   const { rule, equation, at, premises, port: _p, action: _a, parameter: _q, of: _o, service: _s, operation: _n, args: _r, kwargs: _k, ...rest } = node;
   const { value, requires, refinement, ...unknown } = rest;
-  if (Object.keys(unknown).length > 0) throw new Error(`${rule} at ${at} has fields that nobody shows: ${Object.keys(unknown).join(", ")}`);
+  if (Object.keys(unknown).length > 0) throw new Error(`${rule} at ${at} has fields that the page does not show: ${Object.keys(unknown).join(", ")}`);
   const subject = `${at.split("/").at(-1) ?? ""}${suffix(node)}`;
   const parts = [
     rule,

@@ -1,12 +1,12 @@
-// A page that shows a cell in a process of its own: the process comes later than the page, dies, and another one comes with another scene.
+// A cell in a process of its own: the process starts after the page, is killed, and another one starts with another scene.
 import { spawn, type ChildProcess } from "node:child_process";
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { find, view, type Place, type Region } from "./pointer";
-import { binary, demo, openStage, type Stage } from "./stage";
+import { binary, demo, openFixture, type Fixture } from "./fixture";
 
-let stage: Stage;
+let fixture: Fixture;
 let process: ChildProcess | undefined;
 /** The demo's robot and table, and nothing on it but a crate. */
 const crated = mkdtempSync(join(tmpdir(), "race-crate-"));
@@ -22,17 +22,17 @@ beforeAll(async () => {
   cpSync(demo, crated, { recursive: true });
   writeFileSync(join(crated, "scene.json"), JSON.stringify({ ...scene, bodies: [...scene.bodies.filter(({ mass }) => mass === 0), crate] }));
   // A machine under load may be slow: no process is lost because of that.
-  stage = await openStage("--remote", "cell", "--heartbeat", "30");
-  await stage.page.setViewportSize({ width: 1000, height: 640 });
-  await stage.page.goto(`${stage.url}/pro/`);
-  await stage.page.getByRole("tab", { name: "Cell" }).click();
-  await view(stage.page).waitFor(kSoon);
+  fixture = await openFixture("--remote", "cell", "--heartbeat", "30");
+  await fixture.page.setViewportSize({ width: 1000, height: 640 });
+  await fixture.page.goto(`${fixture.url}/pro/`);
+  await fixture.page.getByRole("tab", { name: "Cell" }).click();
+  await view(fixture.page).waitFor(kSoon);
   await button("Parts").click();
   await button("Pull").click();
 });
 afterAll(async () => {
   await end();
-  await stage.close();
+  await fixture.close();
   rmSync(crated, { recursive: true, force: true });
 });
 
@@ -41,13 +41,13 @@ const kTable: Region = [0.42, 0.68, 0.56, 0.78];
 const kCrate: Region = [0.48, 0.54, 0.6, 0.75];
 /** Where a part of the demo is [px]. */
 let place: Place;
-const button = (name: string) => stage.page.getByRole("button", { name, exact: true });
-const away = () => stage.page.getByText("The cell cannot be shown: its process is not there", { exact: true });
-const listed = () => stage.page.getByRole("list", { name: "Parts" }).locator("span").allInnerTexts();
-const clock = () => stage.page.getByText(/^cell time/);
+const button = (name: string) => fixture.page.getByRole("button", { name, exact: true });
+const away = () => fixture.page.getByText("The cell cannot be shown: its process is not there", { exact: true });
+const listed = () => fixture.page.getByRole("list", { name: "Parts" }).locator("span").allInnerTexts();
+const clock = () => fixture.page.getByText(/^cell time/);
 
 function begin(folder: string): void {
-  process = spawn(binary, ["service", "cell", "--server", stage.url, "--folder", folder], { stdio: ["ignore", "ignore", "inherit"] });
+  process = spawn(binary, ["service", "cell", "--server", fixture.url, "--folder", folder], { stdio: ["ignore", "ignore", "inherit"] });
 }
 
 async function end(): Promise<void> {
@@ -57,38 +57,38 @@ async function end(): Promise<void> {
 }
 
 describe("a cell that is a process", () => {
-  it("is missed by a page that was there before it", async () => {
+  it("is reported as missing before it starts", async () => {
     await away().waitFor(kSoon);
     expect(await listed()).toEqual([]);
   });
 
-  it("is shown as soon as it comes, without a touch of the page", async () => {
+  it("is shown as soon as it is connected, without a reload", async () => {
     begin(demo);
     await expect.poll(listed, kSoon).toEqual(parts);
     await away().waitFor({ ...kSoon, state: "detached" });
     await clock().waitFor(kSoon);
     await button("Parts").click();
-    place = await find(stage.page, new RegExp(`^(${parts.join("|")})$`), kTable);
+    place = await find(fixture.page, new RegExp(`^(${parts.join("|")})$`), kTable);
     await button("Parts").click();
   });
 
-  it("is gone from the page when it dies", async () => {
+  it("is removed from the page when its process is killed", async () => {
     await end();
     await away().waitFor(kSoon);
     expect(await listed()).toEqual([]);
     expect(await clock().count()).toBe(0);
-    await stage.picture("cell-away");
+    await fixture.screenshot("cell-away");
   });
 
-  it("is shown anew when another one comes: its parts, and none of the last", async () => {
+  it("is replaced when another process is connected", async () => {
     begin(crated);
     await expect.poll(listed, kSoon).toEqual(["crate"]);
     await clock().waitFor(kSoon);
     await button("Parts").click();
-    await find(stage.page, /^crate$/, kCrate);
-    await stage.page.mouse.move(place.x, place.y);
-    expect(parts).not.toContain(await view(stage.page).getAttribute("title"));
+    await find(fixture.page, /^crate$/, kCrate);
+    await fixture.page.mouse.move(place.x, place.y);
+    expect(parts).not.toContain(await view(fixture.page).getAttribute("title"));
     expect(await button("Put back crate").count()).toBe(0);
-    await stage.picture("cell-crate");
+    await fixture.screenshot("cell-crate");
   });
 });

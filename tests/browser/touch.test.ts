@@ -1,25 +1,25 @@
 // The cell under fingers, on a phone: a long press opens a part's menu, a drag pulls, and all parts are in a list. On the real server.
 import { devices, type CDPSession, type Page } from "playwright-core";
 import { find, view, type Place, type Region } from "./pointer";
-import { openStage, type Stage } from "./stage";
+import { openFixture, type Fixture } from "./fixture";
 
-let stage: Stage;
+let fixture: Fixture;
 let phone: Page;
 let fingers: CDPSession;
 
 beforeAll(async () => {
-  stage = await openStage();
-  const browser = stage.page.context().browser();
+  fixture = await openFixture();
+  const browser = fixture.page.context().browser();
   if (browser === null) throw new Error("there is no browser");
   const context = await browser.newContext({ ...devices["Pixel 7"] });
   phone = await context.newPage();
   fingers = await context.newCDPSession(phone);
-  await phone.goto(`${stage.url}/pro/`);
+  await phone.goto(`${fixture.url}/pro/`);
   await phone.getByRole("tab", { name: "Cell" }).tap();
   await view(phone).waitFor({ timeout: 45_000 });
   await button("Pull").tap();
 });
-afterAll(() => stage.close());
+afterAll(() => fixture.close());
 
 const kSoon = { timeout: 20_000 };
 const button = (name: string) => phone.getByRole("button", { name, exact: true });
@@ -29,9 +29,9 @@ interface Person {
   readonly hands: readonly { readonly body: string; readonly force: readonly number[] }[];
   readonly absent: readonly string[];
 }
-const person = async () => (await (await fetch(`${stage.url}/api/v1/cell/person`)).json()) as Person;
+const person = async () => (await (await fetch(`${fixture.url}/api/v1/cell/person`)).json()) as Person;
 async function parts(): Promise<readonly string[]> {
-  const scene = (await (await fetch(`${stage.url}/api/v1/cell`)).json()) as { readonly bodies: readonly { readonly name: string; readonly fixed: boolean }[] };
+  const scene = (await (await fetch(`${fixture.url}/api/v1/cell`)).json()) as { readonly bodies: readonly { readonly name: string; readonly fixed: boolean }[] };
   return scene.bodies.filter(({ fixed }) => !fixed).map(({ name }) => name);
 }
 
@@ -54,11 +54,11 @@ describe("the cell under fingers", () => {
     expect(await menu().count()).toBe(0);
   });
 
-  it("opens the menu of a part that is pressed long, and holds it no more; a tap takes it away", async () => {
+  it("opens the menu of a part on a long press and releases the part; a tap removes it", async () => {
     place = await find(phone, new RegExp(`^(${(await parts()).join("|")})$`), kTable);
     await touch("touchStart", place);
     await menu().waitFor(kSoon);
-    await stage.picture("touch-menu", phone);
+    await fixture.screenshot("touch-menu", phone);
     await expect.poll(async () => (await person()).hands, kSoon).toEqual([]);
     await touch("touchEnd");
     expect(await menu().count()).toBe(1);
@@ -74,7 +74,7 @@ describe("the cell under fingers", () => {
     await touch("touchStart", { x, y });
     for (let i = 1; i <= 4; i++) await touch("touchMove", { x: x + 5 * i, y: y - 5 * i });
     await expect.poll(async () => (await person()).hands.length, kSoon).toBe(1);
-    // By the page's own clock, so that a press that counted would have been one.
+    // Waits by the page's own clock, longer than a long press.
     await phone.evaluate(() => new Promise((resolve) => setTimeout(resolve, 700)));
     expect(await menu().count()).toBe(0);
     expect(await parts()).toContain((await person()).hands[0]?.body);
@@ -91,10 +91,10 @@ describe("the cell under fingers", () => {
     await button(`Take away ${first}`).tap();
     await expect.poll(async () => (await person()).absent, kSoon).toEqual([first]);
     await button(`Put back ${first}`).waitFor();
-    await stage.picture("touch-parts", phone);
+    await fixture.screenshot("touch-parts", phone);
     const box = await list.boundingBox();
     expect(box !== null && box.x >= 0 && box.x + box.width <= (phone.viewportSize()?.width ?? 0)).toBe(true);
-    // Above the list is what a finger needs besides it, uncovered; the hint comes back with the view.
+    // The buttons above the list stay visible; the hint returns when the list is closed.
     for (const name of ["Pull", "Parts"]) {
       const tool = await button(name).boundingBox();
       expect((tool?.y ?? Infinity) + (tool?.height ?? 0), name).toBeLessThanOrEqual(box?.y ?? 0);

@@ -1,18 +1,18 @@
-// What the expert page shows of waiting, on the real server: a barrier that lacks a port, a call that has no answer yet, and the log.
-import { openStage, type Stage } from "./stage";
+// What the expert page shows while a task waits: a barrier that lacks a port, a pending call, and the log.
+import { openFixture, type Fixture } from "./fixture";
 
-let stage: Stage;
+let fixture: Fixture;
 
 beforeAll(async () => {
-  stage = await openStage();
-  await stage.page.setViewportSize({ width: 1280, height: 800 });
+  fixture = await openFixture();
+  await fixture.page.setViewportSize({ width: 1280, height: 800 });
 });
-afterAll(() => stage.close());
+afterAll(() => fixture.close());
 
 const kSoon = { timeout: 20_000 };
 
 async function post(path: string, body?: unknown, method = "POST"): Promise<{ readonly id: string }> {
-  const answer = await fetch(`${stage.url}/api/v1${path}`, { method, body: body === undefined ? null : JSON.stringify(body), headers: { "content-type": "application/json" } });
+  const answer = await fetch(`${fixture.url}/api/v1${path}`, { method, body: body === undefined ? null : JSON.stringify(body), headers: { "content-type": "application/json" } });
   if (!answer.ok) throw new Error(`${path}: ${answer.status} ${await answer.text()}`);
   return (await answer.json()) as { readonly id: string };
 }
@@ -39,52 +39,52 @@ const waiting = {
   ports: [never],
 };
 
-const bar = () => stage.page.locator('button[data-path="Root/Join"]');
-const pending = () => stage.page.getByRole("region", { name: "Pending calls of timer" });
+const bar = () => fixture.page.locator('button[data-path="Root/Join"]');
+const pending = () => fixture.page.getByRole("region", { name: "Pending calls of timer" });
 
 describe("waiting", () => {
-  it("is written at the barrier: how many have arrived, and who has not", async () => {
+  it("is shown at the barrier: how many ports have arrived, and which have not", async () => {
     await start("waiting", waiting);
-    await stage.page.goto(`${stage.url}/pro/`);
+    await fixture.page.goto(`${fixture.url}/pro/`);
     await bar().waitFor();
     await expect.poll(() => bar().getAttribute("aria-label"), kSoon).toBe("Barrier Root/Join, waits for Root/B.done");
-    expect(await stage.page.locator(".barrier-note").allInnerTexts()).toEqual(["1/2"]);
+    expect(await fixture.page.locator(".barrier-note").allInnerTexts()).toEqual(["1/2"]);
     await bar().click();
-    const list = stage.page.getByRole("region", { name: "Waits for" });
+    const list = fixture.page.getByRole("region", { name: "Waits for" });
     expect(await list.getByRole("heading").innerText()).toBe("1 of 2 inbound ports have arrived");
     expect((await list.getByRole("listitem").allInnerTexts()).map((text) => text.split(/\s+/))).toEqual([["Root/A.done", "arrived"], ["Root/B.done", "waits"]]);
-    await stage.picture("waiting-barrier");
+    await fixture.screenshot("waiting-barrier");
   });
 
-  it("is written at the service: which call of which run has no answer yet", async () => {
-    await stage.page.getByRole("tab", { name: /Services/ }).click();
+  it("is shown at the service: the pending call and its run", async () => {
+    await fixture.page.getByRole("tab", { name: /Services/ }).click();
     await expect.poll(() => pending().innerText(), kSoon).toMatch(/start\s*call \d+ of run 1 · since \d+\.\d\d s/);
     expect(await pending().getByRole("listitem").count()).toBe(1);
     await pending().scrollIntoViewIfNeeded();
-    await stage.picture("waiting-pending");
+    await fixture.screenshot("waiting-pending");
   });
 
   it("ends with the answer: the call is gone and the barrier has opened", async () => {
     await start("cancelling", { state: "Root", entry: "print('nobody waits so long')\nsvc.timer.cancel()", ports: [never] });
     await expect.poll(() => pending().innerText(), kSoon).toMatch(/None\./);
-    await stage.page.getByRole("tab", { name: "Task" }).click();
-    await stage.page.getByRole("combobox", { name: "Watched run" }).selectOption("1");
-    await expect.poll(() => stage.page.locator('[data-path="Root/End"]').getAttribute("data-active"), kSoon).toBe("true");
+    await fixture.page.getByRole("tab", { name: "Task" }).click();
+    await fixture.page.getByRole("combobox", { name: "Watched run" }).selectOption("1");
+    await expect.poll(() => fixture.page.locator('[data-path="Root/End"]').getAttribute("data-active"), kSoon).toBe("true");
     expect(await bar().getAttribute("aria-label")).toBe("Barrier Root/Join, 2 inbound ports");
-    expect(await stage.page.locator(".barrier-note").count()).toBe(0);
+    expect(await fixture.page.locator(".barrier-note").count()).toBe(0);
   });
 
   it("leaves what the tasks printed in the log, which a filter searches", async () => {
-    await stage.page.getByRole("tab", { name: "Log" }).click();
-    const line = stage.page.getByRole("log").locator(".log-line").filter({ hasText: "nobody waits so long" });
+    await fixture.page.getByRole("tab", { name: "Log" }).click();
+    const line = fixture.page.getByRole("log").locator(".log-line").filter({ hasText: "nobody waits so long" });
     await line.waitFor(kSoon);
     expect((await line.innerText()).split(/\n+/)).toEqual([expect.stringMatching(/^\d+\.\d{3} s$/), "core/2", "nobody waits so long"]);
-    const filter = stage.page.getByRole("searchbox", { name: "Filter the log" });
+    const filter = fixture.page.getByRole("searchbox", { name: "Filter the log" });
     await filter.fill("CORE/2");
     await expect.poll(() => line.count()).toBe(1);
-    expect(await stage.page.locator(".log-line b").allInnerTexts()).not.toContain("core/1");
-    await stage.picture("waiting-log");
+    expect(await fixture.page.locator(".log-line b").allInnerTexts()).not.toContain("core/1");
+    await fixture.screenshot("waiting-log");
     await filter.fill("no such word");
-    await stage.page.getByText("No lines.").waitFor();
+    await fixture.page.getByText("No lines.").waitFor();
   });
 });

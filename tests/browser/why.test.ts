@@ -1,6 +1,6 @@
 // Explanations of conditions that nothing can change: the panel says that they are constant, and why.
 import type { Page } from "playwright-core";
-import { openStage, type Stage } from "./stage";
+import { openFixture, type Fixture } from "./fixture";
 
 const kTask = {
   rcm: 1,
@@ -15,23 +15,23 @@ const kTask = {
   },
 };
 
-let stage: Stage;
+let fixture: Fixture;
 let page: Page;
 
 async function send(method: string, path: string, body: object): Promise<void> {
-  const answer = await fetch(`${stage.url}/api/v1${path}`, { method, headers: { "content-type": "application/json" }, body: JSON.stringify(body) });
+  const answer = await fetch(`${fixture.url}/api/v1${path}`, { method, headers: { "content-type": "application/json" }, body: JSON.stringify(body) });
   if (!answer.ok) throw new Error(`${path}: ${await answer.text()}`);
 }
 
 beforeAll(async () => {
-  stage = await openStage();
-  page = stage.page;
+  fixture = await openFixture();
+  page = fixture.page;
   await send("PUT", "/documents/constant", kTask);
   await send("POST", "/cores", { document: "constant" });
-  await page.goto(`${stage.url}/pro/`);
+  await page.goto(`${fixture.url}/pro/`);
   await page.getByRole("group", { name: "State Root/A" }).waitFor();
 });
-afterAll(() => stage.close());
+afterAll(() => fixture.close());
 
 const ask = (port: string) => page.getByRole("button", { name: `Port ${port}`, exact: true }).click();
 const told = (region: string) => expect.poll(() => page.getByRole("region", { name: region, exact: true }).innerText());
@@ -43,7 +43,7 @@ describe("why, of a constant condition", () => {
     expect(await page.getByRole("list", { name: "Atoms of the condition" }).getByRole("listitem").allInnerTexts()).toEqual([
       expect.stringMatching(/True\s+true\s+a constant: it reads nothing/),
     ]);
-    await stage.picture("constant");
+    await fixture.screenshot("constant");
   });
 
   it("says of a port that has fired that nothing but its state was needed", async () => {
@@ -52,7 +52,7 @@ describe("why, of a constant condition", () => {
     await told("Why it fired").toMatch(/Fired in macro step 1[^]*The condition is constant/);
   });
 
-  it("promises nothing of a port that never fires", async () => {
+  it("names no atom to change for a port that never fires", async () => {
     await ask("Root/B.done");
     await told("Why").toMatch(/Never fires[^]*always false. The port can never fire/);
     await told("Why").not.toMatch(/It fires when|would fire/);

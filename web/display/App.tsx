@@ -1,4 +1,4 @@
-// The whole page: what is shown, the question, and whether anybody listens.
+// The whole page: message, question, and state of the connection.
 import { canAnswer, type DisplayPage } from "../shared/display/page";
 import type { DisplayMessage, Question } from "../generated/messages";
 import type { Actions } from "./client";

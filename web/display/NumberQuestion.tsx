@@ -1,4 +1,4 @@
-// A question that asks for a number: a keypad for fingers, and what is still wrong with what was entered.
+// A question for a number: a keypad for touch, and why the entry is not valid yet.
 import { canAnswer, type DisplayPage } from "../shared/display/page";
 import { limits, read, type Key } from "../shared/display/numberText";
 import type { Question } from "../generated/messages";

@@ -1,4 +1,4 @@
-// The page's one connection: what the server shows goes into the page's state, what a person does goes to the server.
+// The page's one connection: messages of the server change the page's state, actions of the user are sent to the server.
 import { applyDisplayEvent, canAnswer, firstPage, type DisplayEvent, type DisplayPage } from "../shared/display/page";
 import { schedule } from "../shared/display/sounds";
 import { keyOf, type Key } from "../shared/display/numberText";
@@ -6,17 +6,17 @@ import type { Sound } from "../generated/messages";
 import { openStream } from "../shared/stream";
 import { createPlayer } from "./player";
 
-/** What a person can do. */
+/** What the user can do. */
 export interface Actions {
   readonly answer: (question: number, answer: string | number) => void;
   readonly press: (button: string) => void;
   readonly key: (key: Key) => void;
 }
 
-/** Longer than a tap takes from the finger's lift to its click [ms]. */
+/** Longer than the delay between the end of a touch and its click event [ms]. */
 const kTap = 400;
 
-/** Runs for as long as the document lives; `draw` gets each new state. */
+/** Runs until the page is closed; `draw` gets each new state. */
 export function connect(name: string, draw: (page: DisplayPage, actions: Actions) => void): void {
   let page = firstPage(name);
   let playing: number | undefined;
@@ -29,9 +29,9 @@ export function connect(name: string, draw: (page: DisplayPage, actions: Actions
 
   const actions: Actions = {
     answer: (question, answer) => {
-      if (canAnswer(page) && stream.say({ type: "answer", question, answer })) dispatch({ type: "sent" });
+      if (canAnswer(page) && stream.sendAction({ type: "answer", question, answer })) dispatch({ type: "sent" });
     },
-    press: (button) => void stream.say({ type: "press", button }),
+    press: (button) => void stream.sendAction({ type: "press", button }),
     key: (key) => dispatch({ type: "key", key }),
   };
 
@@ -39,26 +39,26 @@ export function connect(name: string, draw: (page: DisplayPage, actions: Actions
   const stream = openStream(`${scheme}://${location.host}/api/v1/stream`, {
     onConnection: (connection) => dispatch({ type: "connection", connection }),
     onMalformed: (error) => dispatch({ type: "problem", text: error.message }),
-    onNews: (news) => {
-      if (news.type === "display") {
-        dispatch({ type: "content", content: news.content });
-        play(news.content.sound);
-      } else if (news.type === "refused" && page.content === undefined) {
-        dispatch({ type: "problem", text: news.errors.map((error) => error.message).join("; ") });
+    onUpdate: (update) => {
+      if (update.type === "display") {
+        dispatch({ type: "content", content: update.content });
+        play(update.content.sound);
+      } else if (update.type === "refused" && page.content === undefined) {
+        dispatch({ type: "problem", text: update.errors.map((error) => error.message).join("; ") });
       }
     },
   });
 
-  /** Each sound once; one that is taken away falls silent, one that comes before the first touch is not heard. */
+  /** Plays each sound once. A sound that the server removes is stopped; one before the first touch is not played. */
   function play(sound: Sound | undefined): void {
     if (sound?.id === playing) return;
     playing = sound?.id;
     player.silence();
     if (sound === undefined || !page.sound) return;
-    player.play(schedule(sound), sound.volume, () => stream.say({ type: "played", sound: sound.id }));
+    player.play(schedule(sound), sound.volume, () => stream.sendAction({ type: "played", sound: sound.id }));
   }
 
-  // Browsers make no sound before a person has touched the page. The hint goes when the tap is over: nothing moves under
+  // Browsers play no sound before the first touch. The hint is removed after the tap, so that nothing moves under
   // the finger.
   const unlock = () => {
     void player.unlock().then(() => setTimeout(soundsAllowed, kTap));
@@ -66,7 +66,7 @@ export function connect(name: string, draw: (page: DisplayPage, actions: Actions
   function soundsAllowed(): void {
     if (page.sound) return;
     dispatch({ type: "sound" });
-    stream.announce(name, true);
+    stream.announceDisplay(name, true);
   }
   for (const touch of ["pointerup", "keydown"]) document.addEventListener(touch, unlock, { once: true });
   document.addEventListener("keydown", (event) => {
@@ -74,6 +74,6 @@ export function connect(name: string, draw: (page: DisplayPage, actions: Actions
     if (key !== undefined && page.content?.question !== undefined && "number" in page.content.question) actions.key(key);
   });
 
-  stream.announce(name, false);
+  stream.announceDisplay(name, false);
   draw(page, actions);
 }

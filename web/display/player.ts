@@ -3,7 +3,7 @@ import type { Note } from "../generated/messages";
 import { lengthOf } from "../shared/display/sounds";
 
 export interface Player {
-  /** To be called on a touch; resolves when sounds may be made. */
+  /** To be called on a touch; resolves when sounds may be played. */
   readonly unlock: () => Promise<void>;
   /** `ended` is called when the last note is over, unless it was silenced before. */
   readonly play: (notes: readonly Note[], volume: number, ended: () => void) => void;
@@ -54,7 +54,7 @@ export function createPlayer(): Player {
       output = new GainNode(audio, { gain: volume * kLevel });
       output.connect(audio.destination);
       for (const note of notes) sound(audio, note, start, output);
-      // By the clock of the sound itself: a page that may not sound now has not played it.
+      // Uses the audio clock: it stands still while the browser does not let the page play.
       const end = start + lengthOf(notes);
       const check = () => {
         const rest = end - audio.currentTime;

@@ -4,7 +4,7 @@ import type { CellPose, Core, Packet, StepRequest, TraceStep } from "../generate
 import { foldedAtFirst } from "../shared/model/folding";
 import { buildTree } from "../shared/model/modelTree";
 import { isOver, type Command } from "../shared/run/controls";
-import { applyEvent, cellAway, emptySession, watchedCore, type Session, type SessionEvent } from "../shared/session/session";
+import { applyEvent, cellUnavailable, emptySession, watchedCore, type Session, type SessionEvent } from "../shared/session/session";
 import { applyGesture, firstView, type Gesture, type View } from "../shared/session/view";
 import { openStream, type Stream } from "../shared/stream";
 import { createStore, useSelected } from "./store";
@@ -15,10 +15,10 @@ export const session = createStore<Session, SessionEvent>(emptySession, applyEve
 export const view = createStore<View, Gesture>(firstView({ width: innerWidth, height: innerHeight }), applyGesture);
 export const api = createApi("/api/v1", (input, init) => fetch(input, init));
 
-/** The newest pose of the cell: many per second, so it goes past the session, straight to who draws it. */
+/** The newest pose of the cell. It changes many times a second, so it bypasses the session. */
 export const cellPose = createStore<CellPose | undefined, CellPose | undefined>(undefined, (_, pose) => pose);
-// A world that comes back is not where the last one was.
-session.listen(() => cellAway(session.get()) !== undefined && cellPose.dispatch(undefined));
+// After an interruption the old pose is not valid.
+session.listen(() => cellUnavailable(session.get()) !== undefined && cellPose.dispatch(undefined));
 
 export const useSession = <T>(select: (state: Session) => T): T => useSelected(session, select);
 export const useView = <T>(select: (state: View) => T): T => useSelected(view, select);
@@ -27,13 +27,13 @@ export const useCore = (): Core | undefined => useSession(watchedCore);
 let stream: Stream | undefined;
 const flowWatchers = new Map<string, (packet: Packet) => void>();
 
-/** Shows what went wrong until a person puts it away. */
+/** Shows an error until the user dismisses it. */
 export function problem(error: unknown): void {
   const text = error instanceof RefusedError || error instanceof Error ? error.message : String(error);
   session.dispatch({ type: "problem", text });
 }
 
-/** Derivations wait this long for others, so that a run of a hundred steps in a second does not draw the list as often [ms]. */
+/** Derivations are collected for this time, so that a run of a hundred steps in a second does not redraw the list as often [ms]. */
 const kGather = 100;
 let gathered: { readonly id: string; readonly steps: TraceStep[] } | undefined;
 
@@ -45,11 +45,11 @@ function gather(id: string, steps: readonly TraceStep[]): void {
   const begun = (gathered = { id, steps: [...steps] });
   setTimeout(() => {
     if (gathered === begun) gathered = undefined;
-    session.dispatch({ type: "news", news: { type: "derivations", ...begun } });
+    session.dispatch({ type: "update", update: { type: "derivations", ...begun } });
   }, kGather);
 }
 
-/** Opens the stream and asks for what never changes; the page lives as long as the document. */
+/** Opens the stream and loads what never changes; the connection stays until the page is closed. */
 export function connect(): void {
   const scheme = location.protocol === "https:" ? "wss" : "ws";
   stream = openStream(`${scheme}://${location.host}/api/v1/stream`, {
@@ -58,13 +58,13 @@ export function connect(): void {
       if (connection === "open") void loadLists();
     },
     onMalformed: problem,
-    onNews: (news) => {
-      if (news.type === "cell") cellPose.dispatch(news.pose);
-      else if (news.type === "packet") flowWatchers.get(news.channel)?.(news.packet);
-      else if (news.type === "derivations") gather(news.id, news.steps);
-      else session.dispatch({ type: "news", news });
-      if (news.type === "derivation_position") void loadPast(news.id, news.next);
-      if (news.type === "cores" || news.type === "core") watchSomething();
+    onUpdate: (update) => {
+      if (update.type === "cell") cellPose.dispatch(update.pose);
+      else if (update.type === "packet") flowWatchers.get(update.channel)?.(update.packet);
+      else if (update.type === "derivations") gather(update.id, update.steps);
+      else session.dispatch({ type: "update", update });
+      if (update.type === "derivation_position") void loadPast(update.id, update.next);
+      if (update.type === "cores" || update.type === "core") watchSomething();
     },
   });
   for (const channel of ["cores", "services", "log", "cell/pose"]) stream.subscribe(channel);
@@ -89,7 +89,7 @@ async function loadPast(id: string, next: number): Promise<void> {
   }
 }
 
-/** Without a choice of the person, the page watches the core that runs, or else the newest. */
+/** Unless the user has chosen a core, the page watches the running one, else the newest. */
 function watchSomething(): void {
   const { cores, watched } = session.get();
   if (watched !== undefined && cores.some((core) => core.id === watched)) return;
@@ -116,7 +116,7 @@ export function watch(id: string | undefined): void {
   }, problem);
 }
 
-/** Watches a data flow until the answer is called: its service works for it meanwhile. One watch of a flow at a time. */
+/** Watches a data flow; the result ends that. Its service produces packets meanwhile. A flow has at most one watcher here. */
 export function watchFlow(service: string, flow: string, came: (packet: Packet) => void): () => void {
   const channel = `flow/${service}/${flow}`;
   flowWatchers.set(channel, came);
@@ -131,7 +131,7 @@ export function watchFlow(service: string, flow: string, came: (packet: Packet) 
 export async function newRun(document: string, start: boolean, args: Core["arguments"] = {}): Promise<void> {
   try {
     const core = await api.createCore(document, args);
-    session.dispatch({ type: "news", news: { type: "core", core } });
+    session.dispatch({ type: "update", update: { type: "core", core } });
     watch(core.id);
     if (start) await api.start(core.id);
   } catch (error) {
@@ -166,7 +166,7 @@ export async function run(command: Command, until?: Extract<StepRequest, { reado
   }
 }
 
-/** A core that was not started is held first, so that it does this step and no more. */
+/** A core that was not started is paused first, so that it does this step and no more. */
 async function stepFrom(core: Core, step: StepRequest): Promise<void> {
   if (core.status === "ready") {
     if (!core.paused) await api.pause(core.id);

@@ -1,4 +1,4 @@
-// A store around a pure function: holds a value, tells its listeners when it changed, and a hook that reads a part of it.
+// A store around a pure function: holds a value, notifies its listeners of changes; with a hook that selects a part of it.
 import { useSyncExternalStore } from "react";
 
 export interface Store<State, Event> {

@@ -1,4 +1,4 @@
-// Acts on the keys of the page. A key that a handler takes is not the browser's any more.
+// Keyboard shortcuts of the page. The browser's default action of a handled key is prevented.
 import { useEffect, useEffectEvent } from "react";
 import { shortcutOf, type Shortcut } from "../shared/session/shortcuts";
 
@@ -6,7 +6,7 @@ function isTyping(target: EventTarget | null): boolean {
   return target instanceof HTMLElement && (target.isContentEditable || target.matches("input:not([type=checkbox]), textarea, select"));
 }
 
-/** `act` says whether it took the shortcut. */
+/** `act` returns whether it handled the shortcut. */
 export function useShortcuts(act: (shortcut: Shortcut) => boolean): void {
   const latest = useEffectEvent(act);
   useEffect(() => {

@@ -1,4 +1,4 @@
-// Requests to the server. Each answer is checked against its schema before anyone sees it.
+// Requests to the server. Each answer is checked against its schema.
 import type {
   Core,
   CoreCreate,

@@ -1,26 +1,26 @@
-// The stream's client: keeps one WebSocket open, tells the server which channels are wanted and what was seen of them last.
+// The stream's client: keeps one WebSocket open and subscribes the wanted channels from their last known message.
 import type { StreamRequest } from "../generated/messages";
 import { SchemaError } from "./messages/check";
-import { readStreamMessage, type News } from "./messages/stream";
+import { readStreamMessage, type StreamUpdate } from "./messages/stream";
 
 type DisplayRequest = Exclude<StreamRequest, { readonly type: "subscribe" | "unsubscribe" }>;
 
 export type Connection = "connecting" | "open" | "lost";
 
 export interface StreamHandlers {
-  readonly onNews: (news: News) => void;
+  readonly onUpdate: (update: StreamUpdate) => void;
   readonly onConnection: (connection: Connection) => void;
-  /** A message that does not have the agreed shape. */
+  /** A message that breaks its schema. */
   readonly onMalformed: (error: SchemaError) => void;
 }
 
 export interface Stream {
   subscribe(channel: string): void;
   unsubscribe(channel: string): void;
-  /** From now on, and whenever the connection is back, this page is a display; its channel comes with that. */
-  announce(name: string, sound: boolean): void;
-  /** Says what a person did on this display; false if the connection is lost. */
-  say(request: Exclude<DisplayRequest, { readonly type: "display" }>): boolean;
+  /** Makes this page a display, now and after each reconnect; its channel is subscribed with that. */
+  announceDisplay(name: string, sound: boolean): void;
+  /** Sends an action of the user on this display; false if the connection is lost. */
+  sendAction(request: Exclude<DisplayRequest, { readonly type: "display" }>): boolean;
   close(): void;
 }
 
@@ -29,7 +29,7 @@ export function reconnectDelay(attempt: number): number {
   return Math.min(8000, 500 * 2 ** attempt);
 }
 
-/** What to say when the socket opens: every wanted channel, with the number of the last message that was seen of it. */
+/** The requests when the socket opens: each wanted channel, with the number of its last known message. */
 export function resubscriptions(wanted: ReadonlySet<string>, seen: ReadonlyMap<string, number>): readonly StreamRequest[] {
   return [...wanted].map((channel): StreamRequest => {
     const since = seen.get(channel);
@@ -51,8 +51,8 @@ export function openStream(url: string, handlers: StreamHandlers): Stream {
     return true;
   };
 
-  /** A display also hears why a request of its own was refused, which is of no channel. */
-  const concerns = (channel: string): boolean => {
+  /** A display also gets refusals of its own requests, which have no channel. */
+  const isWanted = (channel: string): boolean => {
     if (wanted.has(channel)) return true;
     return display !== undefined && (channel === `display/${display.name}` || channel === "");
   };
@@ -60,9 +60,9 @@ export function openStream(url: string, handlers: StreamHandlers): Stream {
   const receive = (text: string) => {
     try {
       const message = readStreamMessage(JSON.parse(text));
-      if (!concerns(message.channel)) return;
+      if (!isWanted(message.channel)) return;
       seen.set(message.channel, message.sequence);
-      handlers.onNews(message.news);
+      handlers.onUpdate(message.update);
     } catch (error) {
       if (!(error instanceof SchemaError)) throw error;
       handlers.onMalformed(error);
@@ -98,11 +98,11 @@ export function openStream(url: string, handlers: StreamHandlers): Stream {
       seen.delete(channel);
       send({ type: "unsubscribe", channel });
     },
-    announce(name, sound) {
+    announceDisplay(name, sound) {
       display = { type: "display", name, sound };
       send(display);
     },
-    say: send,
+    sendAction: send,
     close() {
       closed = true;
       socket?.close();

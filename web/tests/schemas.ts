@@ -1,4 +1,4 @@
-// The schemas of api/ as they stand, each with a validator: what the generated ones are held to.
+// Validators of the unchanged schemas of api/, which also refuse unknown fields.
 import { readdirSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { Ajv2020 } from "ajv/dist/2020.js";

@@ -1,4 +1,4 @@
-// Where the canvas is in the hierarchy; each part leads up again.
+// The path of the shown state in the hierarchy; a click on a part goes up to it.
 import { ancestry, nameOf, type ModelTree } from "../../shared/model/modelTree";
 import { useView, view } from "../client";
 

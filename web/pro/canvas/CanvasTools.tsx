@@ -1,4 +1,4 @@
-// What the canvas can be asked: how much it writes, and to collapse or expand everything.
+// Tools of the canvas: the level of detail, collapse all, expand all.
 import type { Detail } from "../../shared/drawing/measure";
 import type { ModelTree } from "../../shared/model/modelTree";
 import { useSession, useView, view } from "../client";

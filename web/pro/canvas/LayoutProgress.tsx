@@ -1,11 +1,11 @@
-// Says that a drawing takes long, and lets a person leave it: then what was drawn before is what the view shows again.
+// Shows the progress of a long layout and cancels it: the view then returns to the previous drawing.
 import { view } from "../client";
 import { useShortcuts } from "../useShortcuts";
 import type { Laid, Progress } from "./useDrawing";
 
 interface Props {
   readonly progress: Progress;
-  /** What is drawn meanwhile. */
+  /** The drawing that stays meanwhile. */
   readonly laid: Laid;
 }
 

@@ -1,4 +1,4 @@
-// The canvas: the laid out model with zoom, pan, breadcrumb and the light of the run.
+// The canvas: the laid out model with zoom, pan, breadcrumb and the state of the run.
 import { Background, BackgroundVariant, MiniMap, ReactFlow, ReactFlowProvider, useReactFlow, useStore, type NodeTypes, type EdgeTypes } from "@xyflow/react";
 import { memo, useEffect, useEffectEvent, useMemo, useRef, type CSSProperties, type RefObject } from "react";
 import { fit, fitReadable } from "../../shared/drawing/fit";
@@ -94,21 +94,21 @@ const Flow = memo(function Flow({ laid, tree }: { readonly laid: Laid; readonly 
       <Background variant={BackgroundVariant.Dots} gap={22} size={1.2} color="#dde2de" />
       <ZoomControls laid={laid} movedRef={movedRef} />
       {laid.drawing.nodes.length > 30 && <MiniMap pannable zoomable position="bottom-right" nodeColor={(node: StateFlowNode | BarrierFlowNode) => (node.data.drawn.depth === 0 ? "#f1f4f2" : "#c9d6cf")} maskColor="#f5f6f4cc" />}
-      <Sight laid={laid} movedRef={movedRef} />
+      <Viewport laid={laid} movedRef={movedRef} />
     </ReactFlow>
   );
 });
 
-/** The library would let clicks through nodes that can neither be dragged nor selected by it. */
+/** React Flow disables pointer events of nodes that it neither drags nor selects. */
 const kTouchable = { pointerEvents: "all" } as const;
-interface SightProps {
+interface ViewportProps {
   readonly laid: Laid;
-  /** A person has moved or zoomed the drawing: then it stays where it is. */
+  /** The user has moved or zoomed the drawing, so it is not fitted again. */
   readonly movedRef: RefObject<boolean>;
 }
 
-/** Keeps the drawing in sight: fits it when it is new and, unless it was moved, when the canvas changes; moves to what a jump selected, and writes larger when zoomed far out. */
-function Sight({ laid, movedRef }: SightProps) {
+/** The visible part of the drawing: fits a new drawing and, unless the user has moved it, a resized canvas; moves to the target of a jump; enlarges names when zoomed out. */
+function Viewport({ laid, movedRef }: ViewportProps) {
   const { fitView, setViewport } = useReactFlow();
   const width = useStore((s) => s.width);
   const height = useStore((s) => s.height);

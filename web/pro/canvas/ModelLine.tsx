@@ -11,7 +11,7 @@ export type LineFlowEdge = Edge<{ readonly line: DrawnLine }, "line">;
 export function ModelLine({ id, data }: EdgeProps<LineFlowEdge>) {
   const line = data?.line;
   const state = useLive((live) => (line === undefined ? "idle" : lineState(line, live)));
-  const beat = useLive((live) => (state === "fired" ? live.beat : 0));
+  const fireCount = useLive((live) => (state === "fired" ? live.fireCount : 0));
   const touched = useView(
     (v) =>
       line !== undefined &&
@@ -24,7 +24,7 @@ export function ModelLine({ id, data }: EdgeProps<LineFlowEdge>) {
   const start = line.points[0];
   const marker = line.kind === "exit" || line.kind === "nowhere" ? "open" : state === "fired" ? "fired" : "plain";
   return (
-    <g className={`line line-${line.kind} is-${state}${touched ? " is-touched" : ""}`} key={beat}>
+    <g className={`line line-${line.kind} is-${state}${touched ? " is-touched" : ""}`} key={fireCount}>
       <BaseEdge id={id} path={roundedPath(line.points, 7)} markerEnd={`url(#arrow-${marker})`} interactionWidth={0} />
       {line.kind === "first" && start !== undefined && <circle className="line-start" cx={start.x} cy={start.y} r={4} />}
     </g>

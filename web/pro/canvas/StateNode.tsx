@@ -45,7 +45,7 @@ export function StateNode({ data: { drawn } }: NodeProps<StateFlowNode>) {
   );
 }
 
-/** Of a dispatcher: it goes on where its parent was left, or where it is told. */
+/** The sign of a dispatcher: by history, or by an expression or a service. */
 const kSigns = { history: "H", choice: "?" } as const;
 
 const titleOf = ({ dispatcher, name }: DrawnNode): string => (dispatcher === undefined ? name : `${name} of the oracle: which state is entered first`);
@@ -95,13 +95,13 @@ function LineText({ path, line }: { readonly path: string; readonly line: Line }
 
 function PortBox({ port, origin }: { readonly port: DrawnPort; readonly origin: DrawnNode }) {
   const selected = useView((v) => v.selection?.kind === "port" && v.selection.address === port.address);
-  const beat = useLive((live) => (live.fired.has(port.address) ? live.beat : 0));
+  const fireCount = useLive((live) => (live.fired.has(port.address) ? live.fireCount : 0));
   const active = useLive((live) => live.ports.has(port.address));
-  const fired = beat > 0;
+  const fired = fireCount > 0;
   const classes = ["port", active && "is-active", selected && "is-selected", fired && "is-fired", port.exits && "is-exit"];
   return (
     <button
-      key={beat}
+      key={fireCount}
       type="button"
       className={classes.filter(Boolean).join(" ")}
       aria-label={`Port ${port.address}`}

@@ -10,7 +10,7 @@ const kMoment = { duration: 150 };
 
 interface Props {
   readonly laid: Laid;
-  /** Whether a person has moved or zoomed the drawing. */
+  /** Whether the user has moved or zoomed the drawing. */
   readonly movedRef: RefObject<boolean>;
 }
 

@@ -4,10 +4,10 @@ import workerUrl from "elkjs/lib/elk-worker.min.js?url";
 import type { ElkGraph, LayoutEngine } from "../../shared/drawing/elk";
 import { createPool } from "../../shared/drawing/pool";
 
-/** More would cost more to start than they give. */
+/** Starting more workers costs more time than they save. */
 const kWorkers = Math.max(1, Math.min(4, navigator.hardwareConcurrency - 1));
 
-/** With an answer of the worker, which says nothing if its file does not come. */
+/** Resolves with the first answer of the worker: a worker whose file cannot be loaded never answers. */
 async function load(): Promise<ELK> {
   const { default: Elk } = await import("elkjs/lib/elk-api");
   const worker = new Worker(workerUrl);
@@ -21,7 +21,7 @@ async function load(): Promise<ELK> {
 
 const withWorker = createPool(load, kWorkers);
 
-/** Work that is not wanted any more, but waits for a worker, is not begun: `signal` says so. */
+/** Work that waits for a worker when `signal` is aborted is not started. */
 export function layoutInWorkers(signal?: AbortSignal): LayoutEngine {
   return (graph) =>
     withWorker(async (elk) => {

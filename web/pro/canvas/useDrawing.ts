@@ -3,7 +3,7 @@ import { useEffect, useMemo, useState } from "react";
 import type { Drawing } from "../../shared/drawing/drawing";
 import { readable } from "../../shared/drawing/fit";
 import { layoutModel } from "../../shared/drawing/layout";
-import { layoutMemory } from "../../shared/drawing/layoutMemory";
+import { layoutCache } from "../../shared/drawing/layoutCache";
 import { details, type Detail, type Size } from "../../shared/drawing/measure";
 import type { State } from "../../shared/model/model";
 import { buildTree, stateAt, type ModelTree } from "../../shared/model/modelTree";
@@ -14,15 +14,15 @@ import { layoutInWorkers } from "./layoutEngine";
 export interface Laid {
   readonly drawing: Drawing;
   readonly detail: Detail;
-  /** What of the view it shows. */
+  /** The part of the view that it shows. */
   readonly shows: Shown;
-  /** The detail was asked for, so it must be large enough to be read at first. */
+  /** The user chose the detail, so the first view must be readable. */
   readonly asked: boolean;
-  /** What the canvas fits itself to: changes with the model, the focus and the detail. */
+  /** A new key makes the canvas fit the drawing: it changes with the model, the focus and the detail. */
   readonly key: string;
 }
 
-/** How far the next drawing is: composites laid out, of how many. */
+/** Progress of the next drawing: composites laid out, and their total. */
 export interface Progress {
   readonly done: number;
   readonly of: number;
@@ -30,11 +30,11 @@ export interface Progress {
 
 export interface CanvasDrawing {
   readonly laid: Laid | undefined;
-  /** None: what is drawn is what the view shows. */
+  /** None: the drawing is up to date. */
   readonly progress: Progress | undefined;
   /** The latest drawing did not succeed. */
   readonly failed: boolean;
-  /** Another drawing, or one with more detail, may still come. */
+  /** Another drawing, or one with more detail, may follow. */
   readonly busy: boolean;
 }
 
@@ -43,7 +43,7 @@ export function useTree(): ModelTree | undefined {
   return useMemo(() => (model === undefined ? undefined : buildTree(model.root)), [model]);
 }
 
-const memory = layoutMemory();
+const memory = layoutCache();
 
 /** The canvas' size when the focus was chosen: it decides the first arrangement, and later changes do not rearrange the drawing. */
 function useFrame(canvas: Size | undefined, focus: string | undefined): Size | undefined {

@@ -1,11 +1,11 @@
-// The run's light, for nodes and lines: each reads the part that it shows, so a step redraws only what it changed.
-import { liveOf, still, type Live } from "../../shared/drawing/live";
+// The live state of the run for nodes and lines: each selects the part that it shows, so a step redraws only what it changed.
+import { liveOf, kNoRun, type Live } from "../../shared/drawing/live";
 import { emptySession, watchedCore, type Session } from "../../shared/session/session";
 import { useSession } from "../client";
 
-let latest: { readonly session: Session; readonly live: Live } = { session: emptySession, live: still };
+let latest: { readonly session: Session; readonly live: Live } = { session: emptySession, live: kNoRun };
 
-/** Made once per change of the session, however many nodes ask. */
+/** Computed once per change of the session, for all nodes. */
 function liveFor(session: Session): Live {
   if (latest.session !== session) latest = { session, live: liveOf(session.run, session.fired, watchedCore(session)?.fault) };
   return latest.live;

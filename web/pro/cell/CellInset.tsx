@@ -1,4 +1,4 @@
-// The cell beside the task: a small 3D view below the properties, where there is room for it.
+// The cell beside the task: a small 3D view below the properties, if there is room.
 import { lazy, Suspense, useSyncExternalStore } from "react";
 import { useSession, useView, view } from "../client";
 

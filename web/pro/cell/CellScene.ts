@@ -22,11 +22,11 @@ import {
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import URDFLoader, { type URDFRobot } from "urdf-loader";
 import type { Hand } from "../../shared/cell/hand";
-import { looksDifferent } from "../../shared/cell/pace";
+import { looksDifferent } from "../../shared/cell/redraw";
 import type { Body, CellPose, Pose, Shape } from "../../generated/messages";
 import { Grabbing } from "./Grabbing";
 import { HandLines } from "./HandLines";
-import { Pace } from "./Pace";
+import { FrameThrottle } from "./FrameThrottle";
 
 export interface RobotModel {
   readonly name: string;
@@ -67,7 +67,7 @@ export class CellScene {
   private robots: URDFRobot[] = [];
   private readonly observer: ResizeObserver;
   private shown: CellPose | undefined;
-  private readonly pace = new Pace(() => {
+  private readonly throttle = new FrameThrottle(() => {
     this.renderer.render(this.scene, this.camera);
     this.hands.placeLabels(this.camera);
   });
@@ -90,24 +90,24 @@ export class CellScene {
     });
     this.controls = new OrbitControls(this.camera, this.renderer.domElement);
     this.controls.target.set(0.25, 0, 0.3);
-    this.controls.addEventListener("change", () => this.pace.ask());
+    this.controls.addEventListener("change", () => this.throttle.request());
     this.light();
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(host);
     this.controls.update();
   }
 
-  /** Puts in what the scene describes, and nothing else. */
+  /** Replaces the contents by these bodies and robots. */
   fill(bodies: readonly Body[], robots: readonly RobotModel[]): void {
     this.empty();
     for (const body of bodies) this.addBody(body);
     this.robots = robots.map((model) => this.addRobot(model));
     const lowest = new Box3().setFromObject(this.contents).min.z;
     this.floor.position.z = Number.isFinite(lowest) ? Math.min(0, lowest) - 0.002 : 0;
-    this.pace.ask();
+    this.throttle.request();
   }
 
-  /** Joints and bodies as the cell says; names that the scene does not have are left alone. */
+  /** Applies a pose; names that the scene does not have are ignored. */
   move(pose: CellPose): void {
     if (this.shown !== undefined && !looksDifferent(this.shown, pose)) return;
     this.shown = pose;
@@ -120,11 +120,11 @@ export class CellScene {
     }
     for (const name of this.movable) this.bodies.get(name)?.traverse((each) => (each.visible = name in pose.bodies));
     this.hands.show(pose.hands ?? []);
-    this.pace.ask();
+    this.throttle.request();
   }
 
   dispose(): void {
-    this.pace.stop();
+    this.throttle.stop();
     this.observer.disconnect();
     this.grabbing.dispose();
     this.hands.dispose();
@@ -186,6 +186,6 @@ export class CellScene {
     this.camera.aspect = clientWidth / clientHeight;
     this.camera.updateProjectionMatrix();
     this.renderer.setSize(clientWidth, clientHeight);
-    this.pace.ask();
+    this.throttle.request();
   }
 }

@@ -1,4 +1,4 @@
-// The cell in 3D, as the server's poses move it; hands pull on it, parts are taken away and put back.
+// The cell in 3D, moved by the poses of the server. The user pulls links and parts, removes parts and puts them back.
 import { useEffect, useEffectEvent, useRef, useState } from "react";
 import { absentParts } from "../../shared/cell/touch";
 import { createHand } from "../../shared/cell/hand";
@@ -14,7 +14,7 @@ interface Menu {
   readonly y: number;
 }
 
-/** So that the finger does not cover it [px]. */
+/** Distance of the menu above the finger, which would cover it [px]. */
 const kAboveFinger = 60;
 
 function after(milliseconds: number, act: () => void): () => void {
@@ -72,7 +72,7 @@ export function CellView() {
     setRefused(undefined);
     api.command({ act: kind, part }).catch((error: unknown) => setRefused(textOf(error)));
   };
-  /** The menu of the part at a place of the window [px], if there is one. */
+  /** Opens the menu of the part at a position of the window [px], if there is one. */
   const openMenu = (x: number, y: number, above = 0) => {
     const found = shown.current?.grabbing.find(x, y);
     const box = frame.current?.getBoundingClientRect();
@@ -113,7 +113,7 @@ export function CellView() {
         onPointerMoveCapture={(event) => touch(event, "move")}
         onPointerUpCapture={lift}
         onPointerCancelCapture={lift}
-        // The finger that opened the menu does not choose from it when it is lifted.
+        // Lifting the finger that opened the menu does not select an entry.
         onTouchEnd={(event) => long.current && event.preventDefault()}
       />
       {problem !== undefined && <p className="cell-note">The cell cannot be shown: {problem}</p>}

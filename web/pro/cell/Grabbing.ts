@@ -1,5 +1,5 @@
-// Mouse and finger in the cell: finds the link or part below the pointer and draws its point along a plane that faces
-// the camera. A pointer that finds nothing to hold turns the camera, as ever.
+// Mouse and touch in the cell: finds the link or part below the pointer and drags its point in a plane that faces
+// the camera. A pointer that hits nothing turns the camera.
 import { Plane, Raycaster, Vector2, Vector3, type Object3D, type PerspectiveCamera } from "three";
 import type { Hand } from "../../shared/cell/hand";
 import type { Vector } from "../../generated/messages";
@@ -37,7 +37,7 @@ export class Grabbing {
     private readonly hand: Hand,
     private readonly onHolding: (holding: boolean) => void,
   ) {
-    // Before the camera's own listener, which is told that this pointer is taken.
+    // Runs before the camera's own listener, so that it can stop the event.
     surface.addEventListener("pointerdown", this.down, { capture: true });
     surface.addEventListener("pointermove", this.move);
     for (const over of ["pointerup", "pointercancel", "lostpointercapture"] as const) surface.addEventListener(over, this.up);
@@ -50,7 +50,7 @@ export class Grabbing {
     this.hand.release();
   }
 
-  /** What can be held at a place of the window [px]. */
+  /** The link or part at a position of the window [px]. */
   find(x: number, y: number): Found | undefined {
     this.aim(x, y);
     const hit = this.ray.intersectObject(this.contents, true)[0];
@@ -59,7 +59,7 @@ export class Grabbing {
     return { body: found.frame.name, part: found.part, local: found.frame.worldToLocal(hit.point.clone()), at: hit.point };
   }
 
-  /** Says by the pointer's form, and by name, what it would hold. */
+  /** Shows by cursor and title what the pointer would grab. */
   private hint(event: PointerEvent): void {
     const found = event.buttons === 0 && (this.always || event.shiftKey) ? this.find(event.clientX, event.clientY) : undefined;
     this.surface.style.cursor = found === undefined ? "" : "grab";
@@ -96,7 +96,7 @@ export class Grabbing {
     if (event.pointerId === this.pointer) this.letGo();
   };
 
-  /** Holds nothing any more, whatever the pointer does. */
+  /** Releases the hold, also while the pointer is down. */
   letGo(): void {
     if (this.pointer === undefined) return;
     this.pointer = undefined;

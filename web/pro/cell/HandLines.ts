@@ -1,4 +1,4 @@
-// Draws hands and pushes: a line to where they draw, a dot where they touch, the force beside it.
+// Draws hands and pushes: a line to the target, a dot at the contact point, the force beside it.
 import { BufferAttribute, BufferGeometry, Group, Line, LineBasicMaterial, Mesh, MeshBasicMaterial, SphereGeometry, Vector3, type Camera } from "three";
 import { apart } from "../../shared/cell/labels";
 import { forceText, lineEnd } from "../../shared/cell/touch";
@@ -33,7 +33,7 @@ export class HandLines {
     });
   }
 
-  /** Puts the labels where the lines end on the screen, none over another. */
+  /** Places the labels at the ends of the lines, without overlap. */
   placeLabels(camera: Camera): void {
     const view = { width: this.host.clientWidth, height: this.host.clientHeight };
     const shown = this.touches.flatMap((touch, i) => {

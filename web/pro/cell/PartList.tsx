@@ -1,4 +1,4 @@
-// The parts of the cell by name, each to be taken away or put back: for fingers and keys, and where a part cannot be seen.
+// The parts of the cell by name, with buttons to remove them and put them back: for touch and keyboard, and for hidden parts.
 import type { Body } from "../../generated/messages";
 
 interface Props {

@@ -1,7 +1,7 @@
-// What the cell looks like: asked for when its world is there, and again when it has come back, as it may be another one.
+// The scene of the cell: loaded when its world is available, and again after each interruption, as it may be another world.
 import { useEffect, useState } from "react";
 import type { Body } from "../../generated/messages";
-import { cellAway } from "../../shared/session/session";
+import { cellUnavailable } from "../../shared/session/session";
 import { api, useSession } from "../client";
 import type { RobotModel } from "./CellScene";
 
@@ -21,9 +21,9 @@ async function load(): Promise<World> {
   return { bodies, robots: await Promise.all(robots.map(async (robot) => ({ ...robot, text: await textOf(robot.urdf) }))) };
 }
 
-/** The world; without one, why there is none, as soon as that is known. */
+/** The world, or why there is none. */
 export function useWorld(): { readonly world: World | undefined; readonly problem: string | undefined } {
-  const away = useSession(cellAway);
+  const away = useSession(cellUnavailable);
   const [world, setWorld] = useState<World>();
   const [refused, setRefused] = useState<string>();
   useEffect(() => {

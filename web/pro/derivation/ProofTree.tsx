@@ -1,4 +1,4 @@
-// One derivation as a tree that can be unfolded: a row says all that its node holds, its premises stand beneath it in order.
+// One derivation as a tree that can be unfolded: a row shows all fields of its node, with its premises below in order.
 import { useState, type KeyboardEvent } from "react";
 import { notable, premiseCount, rowParts, subjectText, type ProofPath, type RowPart } from "../../shared/derivation/proof";
 import type { Derivation } from "../../generated/messages";
@@ -8,7 +8,7 @@ interface Props {
   readonly micro: number;
   readonly picked: ProofPath | undefined;
   readonly onPick: (path: ProofPath) => void;
-  /** Every node stands open, not only those at which something happens. */
+  /** Unfolds every node, not only those at which something happens. */
   readonly unfolded: boolean;
 }
 

@@ -7,10 +7,10 @@ import { constantText } from "../../shared/run/whyText";
 import { api, useCore, useSession, view } from "../client";
 import { Atoms, WhyView } from "./WhyView";
 
-/** An answer of the server, or what it said instead. */
+/** An explanation of the server, or its error. */
 type Answer = { readonly why: Why } | { readonly failed: string } | undefined;
 
-/** Asks anew when `moment` changes; the answer before stays until then. */
+/** Asks again when `moment` changes; the previous answer stays until the next one arrives. */
 function useWhy(address: string, moment: unknown, before?: MicroStep): Answer {
   const id = useCore()?.id;
   const [answer, setAnswer] = useState<Answer>();

@@ -1,4 +1,4 @@
-// What lies below the run bar: the derivation or the log.
+// The panel below the run bar: the derivation or the log.
 import { DerivationPanel } from "../derivation/DerivationPanel";
 import { useView } from "../client";
 import { LogPanel } from "./LogPanel";

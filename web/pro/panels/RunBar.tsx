@@ -1,4 +1,4 @@
-// The run bar: start, pause, step, stop, and how the run stands.
+// The run bar: start, pause, step, stop, and the status of the run.
 import { allowed, primary, statusText, type Command } from "../../shared/run/controls";
 import { keysOf, type Shortcut } from "../../shared/session/shortcuts";
 import type { Drawer } from "../../shared/session/view";

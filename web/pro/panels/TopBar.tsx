@@ -1,4 +1,4 @@
-// Top bar: what is watched, how to start something new, which page is shown, whether the server listens, and the help.
+// Top bar: the watched run, a new run, the tabs, the state of the connection, and the help.
 import { useState } from "react";
 import { statusText } from "../../shared/run/controls";
 import { keysOf } from "../../shared/session/shortcuts";

@@ -1,4 +1,4 @@
-// Names with their live values; a name without a value shows what it would be, dimmed.
+// Names with their live values; a name without a value is dimmed.
 import type { JsonValue } from "../../shared/json";
 import { valueText } from "../../shared/model/describe";
 
@@ -6,7 +6,7 @@ interface Props {
   readonly title: string;
   readonly names: readonly string[];
   readonly values: Readonly<Record<string, JsonValue>> | undefined;
-  /** What stands in the model for a name: a source expression, a unit. */
+  /** Notes of the model on a name: a source expression, a unit. */
   readonly notes?: Readonly<Record<string, string>>;
 }
 

@@ -1,4 +1,4 @@
-// The data flows between services (thesis 4.1), past the cores: drawn, listed, and one of them watched.
+// The data flows between services (thesis 4.1), which bypass the cores: a drawing, a list, and the packets of one of them.
 import { useRef, useState } from "react";
 import type { HostedService } from "../../generated/messages";
 import { flowText } from "../../shared/service/flowText";
@@ -33,7 +33,7 @@ export function DataFlows({ services }: { readonly services: readonly HostedServ
           {offered.map(({ service, published, name }) => (
             <li key={name}>
               <code>{name}</code>
-              <span className="quiet flow-says">{flowText(service.rsm, published.flow)}</span>
+              <span className="quiet flow-description">{flowText(service.rsm, published.flow)}</span>
               <span className="quiet">{published.rate_hz > 0 ? `${published.rate_hz.toFixed(1)} packets/s` : service.available ? "idle" : "unavailable"}</span>
               <button
                 className="flow-open"

@@ -9,7 +9,7 @@ const rateText = (flow: Flow) => (flow.flowing ? `${flow.flow} ${flow.rate.toFix
 const sentence = (flow: Flow) => `${flow.from} publishes ${flow.flow} to ${flow.to}, ${flow.flowing ? `${flow.rate.toFixed(1)} packets per second` : "no packets now"}`;
 const path = (points: readonly Point[]) => points.map(({ x, y }, i) => `${i === 0 ? "M" : "L"} ${x} ${y}`).join(" ");
 
-/** Laid out anew when a service or a flow comes or goes, not with every packet. */
+/** Laid out again when a service or a flow is added or removed, not with every packet. */
 function useFlowDrawing(services: readonly HostedService[]): FlowDrawing | undefined {
   const [drawing, setDrawing] = useState<FlowDrawing>();
   const text = useMemo(() => JSON.stringify(flowShape(services)), [services]);

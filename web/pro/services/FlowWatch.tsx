@@ -1,9 +1,9 @@
-// What passes on a data flow: pictures in colour or depth, of other packets what they say of themselves. The flow is
-// watched as long as this is there.
+// The packets of a data flow: pictures in colour or depth, of other packets the header. The flow is
+// watched while this component is mounted.
 import { useEffect, useRef, useState } from "react";
 import type { Packet, Picture, PublishedFlow } from "../../generated/messages";
 import { valueText } from "../../shared/model/describe";
-import { depthScale, kFarthest, kNearest, pixels, type Sight } from "../../shared/service/pixels";
+import { depthScale, kFarthest, kNearest, pixels, type ImageKind } from "../../shared/service/pixels";
 import { watchFlow } from "../client";
 
 interface Props {
@@ -12,15 +12,15 @@ interface Props {
   readonly onClose: () => void;
 }
 
-const kSights: readonly { readonly sight: Sight; readonly name: string }[] = [
-  { sight: "colour", name: "Colour" },
-  { sight: "depth", name: "Depth" },
+const kImageKinds: readonly { readonly kind: ImageKind; readonly name: string }[] = [
+  { kind: "colour", name: "Colour" },
+  { kind: "depth", name: "Depth" },
 ];
 
 const metres = (mm: number) => `${(mm / 1000).toFixed(1)} m`;
 
 export function FlowWatch({ service, published, onClose }: Props) {
-  const [sight, setSight] = useState<Sight>("colour");
+  const [kind, setKind] = useState<ImageKind>("colour");
   const [packet, setPacket] = useState<Packet>();
   const name = `${service}.${published.flow}`;
   const picture = packet?.picture;
@@ -31,9 +31,9 @@ export function FlowWatch({ service, published, onClose }: Props) {
         <h3>{name}</h3>
         {picture !== undefined && (
           <fieldset aria-label="What is shown">
-            {kSights.map((each) => (
-              <label key={each.sight}>
-                <input type="radio" name={`sight of ${name}`} checked={sight === each.sight} onChange={() => setSight(each.sight)} />
+            {kImageKinds.map((each) => (
+              <label key={each.kind}>
+                <input type="radio" name={`image kind of ${name}`} checked={kind === each.kind} onChange={() => setKind(each.kind)} />
                 {each.name}
               </label>
             ))}
@@ -44,12 +44,12 @@ export function FlowWatch({ service, published, onClose }: Props) {
         </button>
       </header>
       {packet === undefined && <p className="quiet flow-wait">Waiting for a packet…</p>}
-      {picture !== undefined && <PictureView service={service} picture={picture} sight={sight} />}
+      {picture !== undefined && <PictureView service={service} picture={picture} kind={kind} />}
       {packet !== undefined && picture === undefined && <HeaderTable header={packet.header} />}
       <footer>
         <span className="flow-time">{packet === undefined ? "" : `${packet.time.toFixed(2)} s`}</span>
         <span>{published.rate_hz > 0 ? `${published.rate_hz.toFixed(1)} packets/s of world time` : "no packets"}</span>
-        {picture !== undefined && sight === "depth" && (
+        {picture !== undefined && kind === "depth" && (
           <span className="flow-scale">
             {metres(kNearest)} <i style={{ background: depthScale }} /> {metres(kFarthest)}; dark: not measured
           </span>
@@ -62,15 +62,15 @@ export function FlowWatch({ service, published, onClose }: Props) {
 interface PictureProps {
   readonly service: string;
   readonly picture: Picture;
-  readonly sight: Sight;
+  readonly kind: ImageKind;
 }
 
-function PictureView({ service, picture, sight }: PictureProps) {
+function PictureView({ service, picture, kind }: PictureProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   useEffect(() => {
-    canvas.current?.getContext("2d")?.putImageData(new ImageData(pixels(picture, sight), picture.width, picture.height), 0, 0);
-  }, [picture, sight]);
-  const label = `What ${service} sees, ${sight === "depth" ? "depth in false colours" : "in colour"}`;
+    canvas.current?.getContext("2d")?.putImageData(new ImageData(pixels(picture, kind), picture.width, picture.height), 0, 0);
+  }, [picture, kind]);
+  const label = `What ${service} sees, ${kind === "depth" ? "depth in false colours" : "in colour"}`;
   return <canvas ref={canvas} width={picture.width} height={picture.height} role="img" aria-label={label} />;
 }
 

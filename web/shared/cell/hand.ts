@@ -1,22 +1,22 @@
-// A hand of this page: grabs, draws towards the newest target about 30 times a second, lets go. One request at a time, so
-// that they arrive in order; each tells the server that the hand is still there.
+// A hand of this page: grabs, drags to the newest target about 30 times a second, releases. One request at a time, so
+// that they arrive in order; each keeps the hand alive on the server.
 import type { PersonCommand, Vector } from "../../generated/messages";
 
 export interface HandOptions {
-  /** Its name at the cell; no other page has it. */
+  /** Its name at the cell, unique to this page. */
   readonly name: string;
   readonly send: (command: PersonCommand) => Promise<unknown>;
   readonly wait: (milliseconds: number) => Promise<void>;
-  /** The server said no; the hand holds nothing. */
+  /** The server refused a command; the hand holds nothing. */
   readonly onRefused: (error: unknown) => void;
 }
 
 const kPeriod = 33; // ms
 
 export interface Hand {
-  /** Takes hold of a point [m, in the body's frame]; what it held before it lets go. */
+  /** Grabs a point [m, in the body's frame] and releases what it held before. */
   readonly grab: (body: string, point: Vector) => Promise<void>;
-  /** Where it draws that point [m, in o]. */
+  /** Sets the target of that point [m, in o]. */
   readonly drag: (to: Vector) => void;
   readonly release: () => void;
 }
@@ -43,7 +43,7 @@ export function createHand({ name, send, wait, onRefused }: HandOptions): Hand {
         await inTurn(take);
         while (held === mine) {
           const to = newest();
-          // A page that was too slow for a moment was taken for gone: it takes hold again, once.
+          // The server releases the hand of a page that was too slow: grab again, once.
           if (to !== undefined) await inTurn(() => draw(to).catch(() => take().then(() => draw(to))));
           await wait(kPeriod);
         }

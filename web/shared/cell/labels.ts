@@ -1,7 +1,7 @@
-// Places for labels that would cover each other in a small view.
+// Positions of labels that would overlap in a small view.
 
 export interface Label {
-  /** Where it would stand: its left edge and its top [px]. */
+  /** Its preferred position: left edge and top [px]. */
   readonly x: number;
   readonly y: number;
   readonly width: number;

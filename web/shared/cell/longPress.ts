@@ -1,8 +1,8 @@
-// A long press of a finger: it stays where it is for a while, alone. One that moves is a drag, two are a zoom.
+// A long press: one finger that stays in place for a while. A finger that moves is a drag, two fingers are a zoom.
 
 /** How long a finger stays, as on phones [ms]. */
 const kLong = 500;
-/** A finger is never quite still [px]. */
+/** Movement of a finger that still counts as staying [px]. */
 const kStill = 10;
 
 export interface Finger {
@@ -14,9 +14,9 @@ export interface Finger {
 }
 
 export interface LongPressOptions {
-  /** Does something later [ms]; what it answers prevents that. */
+  /** Schedules a callback [ms]; the result cancels it. */
   readonly after: (milliseconds: number, act: () => void) => () => void;
-  /** A finger has been here long enough. */
+  /** Called at the position of a long press. */
   readonly onPress: (x: number, y: number) => void;
 }
 

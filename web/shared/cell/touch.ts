@@ -1,4 +1,4 @@
-// What a viewer shows of hands and of parts that were taken away.
+// How hands and removed parts are shown.
 import type { Body, CellPose, Touch, Vector } from "../../generated/messages";
 
 const kPushLength = 0.002; // m of the drawn line for each newton of a push
@@ -6,7 +6,7 @@ const kPushLength = 0.002; // m of the drawn line for each newton of a push
 /** How strong a force is, as "25 N". */
 export const forceText = ({ force }: Touch): string => `${Math.hypot(...force).toFixed(0)} N`;
 
-/** The far end of the line that stands for a touch: where a hand draws, or along a push [m, in o]. */
+/** The end of the line of a touch: the target of a hand, or a point along a push [m, in o]. */
 export function lineEnd({ at, force, target }: Touch): Vector {
   return target ?? [at[0] + kPushLength * force[0], at[1] + kPushLength * force[1], at[2] + kPushLength * force[2]];
 }

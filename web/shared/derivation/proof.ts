@@ -22,7 +22,7 @@ export function subjectText(node: Derivation): string {
   return node.of === undefined ? subject : `${subject}.${node.of}`;
 }
 
-/** A part of a node's row; `full` says it where the text is the short form of it. */
+/** A part of a node's row; `full` is the whole text where `text` is a short form. */
 export interface RowPart {
   readonly kind: "rule" | "equation" | "subject" | "call" | "value" | "reads" | "refinement";
   readonly text: string;
@@ -112,7 +112,7 @@ export function facts(node: Derivation): readonly { readonly name: string; reado
 
 const kQuiet: ReadonlySet<string> = new Set(["Active", "Act", "Deact", "Cond", "CondBE", "CondBD", "SDeact1", "Action2", "Action3"]);
 
-/** Whether something of note happens in this subtree: then it stands open at first. */
+/** Whether something notable happens in this subtree: then it is unfolded at first. */
 export function notable(node: Derivation): boolean {
   if (kQuiet.has(node.rule)) return false;
   return node.rule !== "SProp" && node.rule !== "Micro" ? true : node.premises.some(notable);
@@ -132,7 +132,7 @@ export function summary(root: Derivation): string {
   return found.length === 0 ? "nothing new" : found.join(" · ");
 }
 
-/** The first inference at which something of note happens: the rules above it only lead there. */
+/** The first inference at which something notable happens; the rules above it only lead there. */
 export function leading(root: Derivation): ProofPath {
   if (root.rule !== "Micro" && root.rule !== "SProp") return [];
   const next = root.premises.findIndex(notable);

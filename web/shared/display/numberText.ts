@@ -1,11 +1,11 @@
-// Entering a number by keys, and what it must be: decisions of the numeric keypad, without a page.
+// Entry of a number by keys, and its limits: the logic of the numeric keypad.
 import type { NumberEntry } from "../../generated/messages";
 
 export type Key = "0" | "1" | "2" | "3" | "4" | "5" | "6" | "7" | "8" | "9" | "." | "sign" | "back";
 
 const kLength = 12;
 
-/** The text after `key`; a key that makes no sense changes nothing. */
+/** The text after `key`; a key that is not valid here changes nothing. */
 export function press(text: string, key: Key): string {
   if (key === "back") return text.slice(0, -1);
   if (key === "sign") return text.startsWith("-") ? text.slice(1) : `-${text}`;
@@ -23,7 +23,7 @@ export function keyOf(name: string): Key | undefined {
   return name === "Backspace" ? "back" : undefined;
 }
 
-/** The number that `text` says, if it is within the limits; else why not, for people. */
+/** The number in `text` if it is within the limits, else the problem as a text for the user. */
 export function read(text: string, entry: NumberEntry): { readonly value: number } | { readonly problem: string } {
   if (!/\d/.test(text)) return { problem: "Enter a number" };
   const value = Number(text);
@@ -32,7 +32,7 @@ export function read(text: string, entry: NumberEntry): { readonly value: number
   return { value };
 }
 
-/** What stands in the field at first. */
+/** The initial text of the field. */
 export const proposed = (entry: NumberEntry): string => (entry.value === undefined ? "" : String(entry.value));
 
 export const limits = (entry: NumberEntry): string => `${entry.min} to ${withUnit(entry.max, entry)}`;

@@ -1,4 +1,4 @@
-// What a display page knows: a value, and what each thing that happens makes of it.
+// The state of a display page as a value, and the function that applies an event to it.
 import { assertNever } from "../assertNever";
 import type { Display } from "../../generated/messages";
 import type { Connection } from "../stream";
@@ -10,11 +10,11 @@ export interface DisplayPage {
   readonly content: Display | undefined;
   /** What has been entered for the question that asks for a number. */
   readonly entry: string;
-  /** An answer is on its way: the question does not take a second one. */
+  /** An answer was sent: the question takes no second one. */
   readonly sent: boolean;
-  /** A person has touched the page, so that the browser lets it make sounds. */
+  /** The page was touched, so the browser lets it play sounds. */
   readonly sound: boolean;
-  /** Why the server does not take this page as a display. */
+  /** Why the server refuses this page as a display. */
   readonly problem: string | undefined;
 }
 
@@ -63,7 +63,7 @@ export function applyDisplayEvent(page: DisplayPage, event: DisplayEvent): Displ
   }
 }
 
-/** A question that stays keeps what was entered for it. */
+/** The entry is kept while the question stays the same. */
 function withContent(page: DisplayPage, content: Display): DisplayPage {
   const question = content.question;
   const shown = { ...page, content, problem: undefined };
@@ -71,5 +71,5 @@ function withContent(page: DisplayPage, content: Display): DisplayPage {
   return { ...shown, sent: false, entry: question !== undefined && "number" in question ? proposed(question.number) : "" };
 }
 
-/** Whether the person can answer now. */
+/** Whether the user can answer now. */
 export const canAnswer = (page: DisplayPage): boolean => page.connection === "open" && !page.sent;

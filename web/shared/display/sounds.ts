@@ -1,4 +1,4 @@
-// The sounds of api/sounds.json: notes in time, as a synthesiser wants them. The server knows the same file.
+// The sounds of api/sounds.json: notes in time for the synthesiser. The server uses the same file.
 import list from "../../../api/sounds.json";
 import type { Note, Sound, Sounds } from "../../generated/messages";
 import * as schema from "../../generated/validators";

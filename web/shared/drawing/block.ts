@@ -1,4 +1,4 @@
-// A laid out subtree, and how it is put elsewhere.
+// A laid out subtree, and its copy at another path.
 import type { Box, DrawnLine, DrawnNode, Point } from "./drawing";
 import type { Size } from "./measure";
 
@@ -19,7 +19,7 @@ export function shift(block: Block, by: Point): Block {
   };
 }
 
-/** The same picture at another place of the model: every path, address and id of a block begins with its root's path. */
+/** The same block at another path of the model: every path, address and id of a block begins with its root's path. */
 export function rebase(block: Block, path: string, depth: number): Block {
   const root = block.nodes[0];
   if (root === undefined || (root.path === path && root.depth === depth)) return block;

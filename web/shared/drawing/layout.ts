@@ -5,7 +5,7 @@ import { shift, rebase, type Block } from "./block";
 import { compositeGraph, inletOf, linesOf, type Arrangement, type ChildBox } from "./compositeGraph";
 import type { Box, DrawnLine, DrawnNode, DrawnPort, Drawing, Point, Side } from "./drawing";
 import type { ElkEdge, ElkGraph, LayoutEngine } from "./elk";
-import { layoutMemory, type LayoutMemory } from "./layoutMemory";
+import { layoutCache, type LayoutCache } from "./layoutCache";
 import { badgeText, barrierSize, conditionText, drawnLines, headSize, leafBoxes, portInset, type Detail, type Size } from "./measure";
 
 export interface LayoutRequest {
@@ -17,7 +17,7 @@ export interface LayoutRequest {
   readonly detail: Detail;
   /** Width by height of the canvas. */
   readonly aspect: number;
-  /** Nobody waits for the drawing any more: its promise is refused with the signal's reason. */
+  /** Aborted when the drawing is no longer wanted: its promise is rejected with the signal's reason. */
   readonly signal?: AbortSignal;
   /** How many composites are laid out, of how many. */
   readonly onProgress?: (done: number, of: number) => void;
@@ -27,7 +27,7 @@ export interface LayoutRequest {
  *  this the work would double with every level. */
 interface Job extends LayoutRequest {
   readonly begun: Map<string, Promise<Block>>;
-  readonly memory: LayoutMemory;
+  readonly memory: LayoutCache;
   /** A composite is laid out. */
   readonly done: () => void;
 }
@@ -39,10 +39,10 @@ const kMany = 40;
 const kThorough = 40;
 const kUpper = 2;
 
-export async function layoutModel(engine: LayoutEngine, request: LayoutRequest, memory = layoutMemory()): Promise<Drawing> {
+export async function layoutModel(engine: LayoutEngine, request: LayoutRequest, memory = layoutCache()): Promise<Drawing> {
   let count = 0;
   const job: Job = { ...request, begun: new Map(), memory, done: () => request.onProgress?.(++count, of) };
-  // Whatever is known already: the same request gives the same drawing.
+  // Independent of the cache: the same request gives the same drawing.
   const levels = looksOf(job, Infinity, () => false).size <= kThorough ? Infinity : kUpper;
   const of = looksOf(job, levels, (look) => memory.find(look) !== undefined).size;
   request.onProgress?.(0, of);
@@ -108,7 +108,7 @@ async function layoutOnce(engine: LayoutEngine, job: Job, state: State, path: st
         return [childPath, await layoutNode(engine, job, child, childPath, sideIn(direction), depth + 1, beneathIt(levels))] as const;
       });
       const children = new Map(await Promise.all(placed));
-      // An arrangement may fail, as ELK may; but not because nobody waits for it.
+      // An arrangement may fail in ELK; an abort is passed on.
       const attempt = (arrangement: Arrangement) =>
         arrange(engine, job, state, path, side, depth, arrangement, children).catch((error: unknown) => {
           job.signal?.throwIfAborted();
@@ -137,7 +137,7 @@ function wrapped(direction: Arrangement["direction"], children: number, aspect: 
   return children > kMany ? [once] : [once, { ...once, aspect: aspect * 1.6 }];
 }
 
-/** How far the eye has to travel along a line, on average: long ways around cost readability. */
+/** Average length of the lines: long detours are hard to read. */
 function travel(lines: readonly DrawnLine[]): number {
   const length = (points: readonly Point[]) =>
     points.reduce((sum, p, i) => sum + Math.hypot(p.x - (points[i - 1] ?? p).x, p.y - (points[i - 1] ?? p).y), 0);

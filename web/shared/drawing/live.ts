@@ -1,4 +1,4 @@
-// What a run lights up in a drawing: pure look-ups, made once per change of the run.
+// The live state of a run in a drawing: look-up tables, made once per change of the run.
 import type { Fault, RunState } from "../../generated/messages";
 import type { JsonValue } from "../json";
 import type { DrawnLine } from "./drawing";
@@ -9,23 +9,23 @@ export interface Live {
   readonly ports: ReadonlySet<string>;
   readonly fired: ReadonlySet<string>;
   /** Grows with every step in which a port fired. */
-  readonly beat: number;
+  readonly fireCount: number;
   readonly activated: Readonly<Record<string, readonly string[]>>;
   readonly run: RunState | undefined;
   readonly faultAt: string | undefined;
 }
 
-export const still: Live = {
-  active: new Set(), ports: new Set(), fired: new Set(), beat: 0, activated: {}, run: undefined, faultAt: undefined,
+export const kNoRun: Live = {
+  active: new Set(), ports: new Set(), fired: new Set(), fireCount: 0, activated: {}, run: undefined, faultAt: undefined,
 };
 
-export function liveOf(run: RunState | undefined, fired: { readonly beat: number; readonly ports: readonly string[] }, fault: Fault | undefined): Live {
-  if (run === undefined) return still;
+export function liveOf(run: RunState | undefined, fired: { readonly fireCount: number; readonly ports: readonly string[] }, fault: Fault | undefined): Live {
+  if (run === undefined) return kNoRun;
   return {
     active: new Set(run.active),
     ports: new Set(run.ports),
     fired: new Set(fired.ports),
-    beat: fired.beat,
+    fireCount: fired.fireCount,
     activated: run.activated,
     run,
     faultAt: fault?.at,
@@ -47,7 +47,7 @@ export function liveValue(live: Live, path: string, line: Line): JsonValue | und
   }
 }
 
-/** How a line looks now: `fired` where its port just fired, `active` where its port waits to be taken. */
+/** How a line looks now: `fired` where its port just fired, `active` where its port is active. */
 export function lineState(line: DrawnLine, live: Live): "fired" | "active" | "idle" {
   if (live.fired.has(line.from)) return "fired";
   return live.ports.has(line.from) ? "active" : "idle";

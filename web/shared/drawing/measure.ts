@@ -1,4 +1,4 @@
-// Sizes of what is drawn, from the length of its text: the fonts of the drawing have known widths, so no browser is asked.
+// Sizes of what is drawn, from the length of its text: the fonts of the drawing have known widths, so no browser is needed.
 import { clip, describeState, type Line } from "../model/describe";
 import type { Port, State } from "../model/model";
 import type { Box, DrawnNode, DrawnPort, Side } from "./drawing";
@@ -34,7 +34,7 @@ export function nameWidth(name: string, size: number): number {
 }
 
 const kNameSize = 13;
-/** Far out, names are written larger than at zoom 1 (canvas.css): so much larger they still fit. */
+/** When zoomed out, names are drawn larger than at zoom 1 (canvas.css), by at most this factor. */
 const kGrowth = 1.25;
 const kPortGrowth = 1.15;
 const kPortNameSize = 11;
@@ -81,7 +81,7 @@ export function drawnLines(state: State, detail: Detail): readonly Line[] {
 const kBadgeLimit = 24;
 const kBadgeCharacter = 5.6;
 
-/** What stands beside a state's name: that it is another state's link, or what its oracle goes by. */
+/** The note beside a state's name: its link, or its oracle. */
 export function badgeText(state: State): string | undefined {
   if (state.link !== undefined) return `link ${state.link}`;
   return state.oracle === undefined ? undefined : clip(`oracle ${state.oracle}`, kBadgeLimit);
@@ -100,7 +100,7 @@ export function headSize(state: State, detail: Detail): Size {
   };
 }
 
-/** How long a condition may be where its port stands: enough to tell `svc.gripper.release.result` from `.error`. */
+/** The longest condition beside a port: enough to tell `svc.gripper.release.result` from `.error`. */
 const kConditionLimit = 28;
 
 export function conditionText(port: Port): string {
@@ -115,14 +115,14 @@ export function portSize(port: Port, detail: Detail): Size {
   };
 }
 
-/** How far a port reaches into its state: it stands on the border, most of it outside. */
+/** How far a port reaches into its state: it is on the border, most of it outside. */
 export const portInset = kPortInset;
 
 /** Across, and along the border. */
 const kDot = { depth: 20, length: 12, gap: 5 };
 const kDispatcher = 40;
 
-/** A dispatcher is a round sign with a dot for each way; where they lead says their names. */
+/** A dispatcher is a round sign with a dot for each port; the targets show their names. */
 function dispatcherBoxes(state: State, side: Side): { readonly size: Size; readonly ports: readonly Box[] } {
   const pitch = kDot.length + kDot.gap;
   const length = Math.max(kDispatcher, state.ports.length * pitch + kDot.gap);

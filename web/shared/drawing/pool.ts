@@ -1,6 +1,6 @@
-// A few workers for many pieces of work: each does one at a time; another is made while all are busy and there may be more.
+// A worker pool: each worker does one job at a time; while all are busy, another is created up to a limit.
 
-/** Answers what hands a piece of work to a free worker, and gives its result. If no worker can be made, it says why. */
+/** Returns a function that runs a job on a free worker and gives its result. It rejects if no worker can be created. */
 export function createPool<Worker>(make: () => Promise<Worker>, most: number): <T>(work: (worker: Worker) => Promise<T>) => Promise<T> {
   const free: Worker[] = [];
   const waiting: (() => void)[] = [];

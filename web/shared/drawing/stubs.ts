@@ -1,4 +1,4 @@
-// Dashed stubs: a port without a destination that no parent's condition names leads to nowhere, and the drawing shows it.
+// Dashed stubs: they mark ports without a destination that no condition of the parent names.
 import type { DrawnLine, Drawing } from "./drawing";
 
 const kStub = 22;

@@ -17,7 +17,7 @@ import * as schema from "../../generated/validators";
 import { check, SchemaError } from "./check";
 
 /** What a message of the stream means. */
-export type News =
+export type StreamUpdate =
   | { readonly type: "cores"; readonly cores: readonly Core[] }
   | { readonly type: "core"; readonly core: Core }
   | { readonly type: "core_removed"; readonly id: string }
@@ -36,10 +36,10 @@ export type News =
 export interface StreamMessage {
   readonly channel: string;
   readonly sequence: number;
-  readonly news: News;
+  readonly update: StreamUpdate;
 }
 
-function coreNews(id: string, subject: string, snapshot: boolean, data: unknown): News {
+function coreUpdate(id: string, subject: string, snapshot: boolean, data: unknown): StreamUpdate {
   if (subject === "state") {
     if (snapshot) return { type: "state", id, state: check(schema.coreState, data, "/data") };
     return { type: "state_changed", id, delta: check(schema.coreDelta, data, "/data") };
@@ -48,29 +48,29 @@ function coreNews(id: string, subject: string, snapshot: boolean, data: unknown)
   return { type: "derivations", id, steps: check(schema.derivationSteps, data, "/data").steps };
 }
 
-function coresNews(snapshot: boolean, data: unknown): News {
+function coresUpdate(snapshot: boolean, data: unknown): StreamUpdate {
   if (snapshot) return { type: "cores", cores: check(schema.cores, data, "/data").cores };
   const change = check(schema.coresDelta, data, "/data");
   return "removed" in change ? { type: "core_removed", id: change.removed } : { type: "core", core: change.core };
 }
 
-function servicesNews(snapshot: boolean, data: unknown): News {
+function servicesUpdate(snapshot: boolean, data: unknown): StreamUpdate {
   if (snapshot) return { type: "services", services: check(schema.services, data, "/data").services };
   return { type: "services_changed", services: check(schema.servicesDelta, data, "/data").services };
 }
 
-function newsOf({ channel, kind, data }: Envelope): News {
+function updateOf({ channel, kind, data }: Envelope): StreamUpdate {
   if (kind === "error") return { type: "refused", channel, errors: check(schema.errors, data, "/data").errors };
   const snapshot = kind === "snapshot";
   const [, id, subject] = /^core\/([^/]+)\/(state|derivation)$/.exec(channel) ?? [];
-  if (id !== undefined && subject !== undefined) return coreNews(id, subject, snapshot, data);
+  if (id !== undefined && subject !== undefined) return coreUpdate(id, subject, snapshot, data);
   if (channel.startsWith("flow/")) return { type: "packet", channel, packet: check(schema.packet, data, "/data") };
   if (channel.startsWith("display/")) return { type: "display", content: check(schema.display, data, "/data") };
   switch (channel) {
     case "cores":
-      return coresNews(snapshot, data);
+      return coresUpdate(snapshot, data);
     case "services":
-      return servicesNews(snapshot, data);
+      return servicesUpdate(snapshot, data);
     case "cell/pose":
       return { type: "cell", pose: check(schema.cellPose, data, "/data") };
     case "log":
@@ -82,5 +82,5 @@ function newsOf({ channel, kind, data }: Envelope): News {
 
 export function readStreamMessage(value: unknown): StreamMessage {
   const message = check(schema.envelope, value);
-  return { channel: message.channel, sequence: message.sequence, news: newsOf(message) };
+  return { channel: message.channel, sequence: message.sequence, update: updateOf(message) };
 }

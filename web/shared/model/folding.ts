@@ -1,7 +1,7 @@
-// What stands folded at first: a large task is shown by its first level, so that it is drawn at once and can be read.
+// The initial folding: of a large task only the first level is shown, so that it is drawn fast and readable.
 import type { ModelTree } from "./modelTree";
 
-/** So many nodes are drawn whole. */
+/** Models with more nodes are folded. */
 const kWhole = 60;
 
 /** Composites below the root that are folded when a model is first shown. */

@@ -1,10 +1,10 @@
-// A value as a literal of the function language: nothing is cut or rounded, so two values that differ read differently
-// (integers beyond 2^53 are what JavaScript has made of them).
+// A value as a literal of the function language: nothing is cut or rounded, so two different values have different texts
+// (but JavaScript rounds integers beyond 2^53).
 import type { JsonValue } from "../json";
 
 /**
  * `value` as a task author could write it: None, True, False, numbers with all their digits, strings in single quotes, lists, dicts.
- * Keys stand in JavaScript's order: whole numbers first. An integer and a float of the same value read alike: JavaScript does not keep them apart.
+ * Keys are in JavaScript's order: whole numbers first. An integer and a float of the same value have the same text.
  */
 export function literal(value: JsonValue): string {
   if (value === null) return "None";

@@ -53,7 +53,7 @@ export interface State {
   readonly ports: readonly Port[];
   /** Library state that this one takes over (3.3.1). */
   readonly link?: string;
-  /** What its dynamic oracle (3.3.2) goes by; of a document that is not translated, the kind. */
+  /** The expression, call or `history` of its dynamic oracle (3.3.2); of a document that is not translated, the kind. */
   readonly oracle?: string;
   /** Made by the translation of an oracle: decides which sibling is entered first. */
   readonly dispatcher?: true;

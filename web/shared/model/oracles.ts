@@ -1,17 +1,17 @@
 // Dynamic oracles (thesis 3.3.2) in a translated model: the state in front of a composite's children that was not written by
-// the author is its dispatcher, and what it goes by is the oracle.
+// the author is its dispatcher, which implements the oracle.
 import type { Node, State } from "./model";
 
 /** Path in the native model -> path in the document that it was translated from (api/schemas: native). */
 export type Origin = Readonly<Record<string, string>>;
 
-/** `history`, or the expression or call that says where to begin. */
+/** `history`, or the expression or call that chooses the first child. */
 function oracleOf(dispatcher: State): string {
   const choice = dispatcher.parameters.find(({ name }) => name === "choice")?.from;
   return choice === "var.last_active" ? "history" : (choice ?? dispatcher.entry ?? "external");
 }
 
-/** The model with its dispatchers marked, and in the states that have one what it goes by. */
+/** The model with its dispatchers marked, and the oracles in the states that have one. */
 export function withOracles(root: State, origin: Origin): State {
   const mark = (state: State, path: string): State => {
     const first = state.children.find((child) => child.name === state.first);

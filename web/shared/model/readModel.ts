@@ -1,4 +1,4 @@
-// A document as the pages see it: what may be absent in its JSON is empty here, and each node says what it is.
+// A document as the pages use it: lists that may be absent in its JSON are empty here, and each node has its kind.
 import type { Document, RcmBarrier, RcmDeclaration, RcmParameter, RcmPort, RcmState } from "../../generated/messages";
 import { SchemaError } from "../messages/check";
 import type { Barrier, Declaration, Node, Parameter, Port, RcmDocument, State } from "./model";

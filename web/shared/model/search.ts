@@ -1,4 +1,4 @@
-// Search over a model: nodes and ports by name, and by what their code says.
+// Search over a model: nodes and ports by name and by code.
 import type { ModelTree } from "./modelTree";
 
 export interface Hit {

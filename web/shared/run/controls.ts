@@ -7,7 +7,7 @@ export function isOver(core: Core): boolean {
   return core.status === "ended" || core.status === "faulted" || core.status === "aborted";
 }
 
-/** The commands that make sense for this core; nothing without a core. */
+/** The commands that this core accepts; none without a core. */
 export function allowed(core: Core | undefined): ReadonlySet<Command> {
   if (core === undefined) return new Set();
   if (isOver(core)) return new Set<Command>(["again"]);
@@ -23,7 +23,7 @@ export function primary(core: Core | undefined): Command | undefined {
   return (["start", "resume", "again"] as const).find((command) => commands.has(command));
 }
 
-/** One line about how a core stands. */
+/** The status of a core in one line. */
 export function statusText(core: Core): string {
   switch (core.status) {
     case "ready":

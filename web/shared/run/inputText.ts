@@ -1,4 +1,4 @@
-// One line for what a macro step began with, and for a call.
+// The input of a macro step, and a call, in one line each.
 import type { Call, Input } from "../../generated/messages";
 import { clip, valueText } from "../model/describe";
 

@@ -1,4 +1,4 @@
-// The headline of an explanation, and the word for a truth value.
+// The texts of an explanation (api/schemas/why.json).
 import { valueText } from "../model/describe";
 import type { Truth, Why, WhyAtom } from "../../generated/messages";
 
@@ -6,12 +6,12 @@ export function truthText(value: Truth): "true" | "false" | "unknown" {
   return value === null ? "unknown" : value ? "true" : "false";
 }
 
-/** Whether an atom is made of constants alone: it reads nothing that could change. */
+/** Whether an atom is constant: it reads nothing. */
 function isConstant(atom: WhyAtom): boolean {
   return (atom.reads ?? []).length === 0 && (atom.requires ?? []).length === 0 && !atom.service;
 }
 
-/** That a condition reads nothing, and what follows from it; nothing where one of its atoms reads something. */
+/** The explanation of a constant condition; undefined if one of its atoms reads something. */
 export function constantText(why: Why): string | undefined {
   if (why.atoms.length === 0 || !why.atoms.every(isConstant)) return undefined;
   const cause = "The condition is constant: it reads no parameter, result, variable, port or service data";
@@ -29,14 +29,14 @@ export function whyHeadline(why: Why): string {
   return "Does not fire";
 }
 
-/** The sentences that explain it. Of constants the server's own says what would change, which they cannot. */
+/** The sentences that explain the port. The reason of the server names atoms that would have to change, so it is left out for constants. */
 export function whySentences(why: Why): readonly string[] {
   const constant = constantText(why);
   if (constant === undefined) return [why.reason];
   return why.active || !why.state_active || why.value === true ? [why.reason, constant] : [constant];
 }
 
-/** What the change of an atom would do to the port, if it would do anything: nothing, where its state is not active or it has fired. */
+/** The effect of a change of an atom on the port. None if the port has fired or its state is not active. */
 export function atomAdvice(why: Why, atom: WhyAtom): string | undefined {
   if (why.active || !why.state_active || (atom.reads ?? []).length === 0) return undefined;
   if (!atom.blocks && atom.together !== true) return undefined;
@@ -44,12 +44,12 @@ export function atomAdvice(why: Why, atom: WhyAtom): string | undefined {
   return atom.blocks ? `${become} alone would fire this port` : `${become} would fire it, with the others marked so`;
 }
 
-/** A text of the server in pieces: what stands between backticks is code. */
+/** Splits a text of the server: the parts between backticks are code. */
 export function codePieces(text: string): readonly { readonly code: boolean; readonly text: string }[] {
   return text.split("`").map((piece, i) => ({ code: i % 2 === 1, text: piece }));
 }
 
-/** What an atom reads, with the values that are there. */
+/** The names that an atom reads, with their values. */
 export function readsText(atom: WhyAtom): string | undefined {
   if (isConstant(atom)) return "a constant: it reads nothing";
   if (atom.reads === undefined || atom.reads.length === 0) return undefined;

@@ -31,7 +31,7 @@ export interface FlowShape {
 const kCharacter = 7;
 const kMargin = 8;
 
-/** All flows that a service reads, of whoever it is said to be: one that is not there offers nothing. */
+/** All flows that a service reads, also from services that do not exist. */
 export function flowsOf(services: readonly HostedService[]): readonly Flow[] {
   return services.flatMap((reader) =>
     reader.subscribes.map(({ service, flow, listening }) => {

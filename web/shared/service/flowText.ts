@@ -1,4 +1,4 @@
-// What the packets of a data flow are, in the words of the service that offers it.
+// The description of a data flow by the service that offers it.
 import type { Rsm } from "../../generated/messages";
 import type { JsonValue } from "../json";
 

@@ -1,17 +1,17 @@
-// Pixels of a camera's picture as a canvas takes them: red, green, blue and opacity, 8 bit each.
+// Pixels of a camera's picture in the format of a canvas: red, green, blue and opacity, 8 bit each.
 import type { Picture } from "../../generated/messages";
 
-export type Sight = "colour" | "depth";
+export type ImageKind = "colour" | "depth";
 
-/** What false colours tell apart [mm]: the range of the first Kinect. */
+/** The range of the false colours [mm]: that of the first Kinect. */
 export const kNearest = 800;
 export const kFarthest = 4000;
-/** Where nothing was measured. */
+/** The colour of pixels that were not measured. */
 const kUnmeasured = [38, 42, 41] as const;
 
 type Rgb = readonly [number, number, number];
 
-/** From near, warm and light, to far, cold and dark; lightness alone tells them apart too. */
+/** From near, warm and light, to far, cold and dark; the lightness is monotonic. */
 const kStops: readonly Rgb[] = [
   [252, 230, 120],
   [244, 150, 70],
@@ -42,13 +42,13 @@ export function depthColour(depth: number): Rgb {
 /** The false colours from near to far, as CSS has them. */
 export const depthScale = `linear-gradient(to right, ${kStops.map((rgb) => `rgb(${rgb.join(" ")})`).join(", ")})`;
 
-/** All pixels; black where the picture is shorter than it says. */
-export function pixels(picture: Picture, sight: Sight): Uint8ClampedArray<ArrayBuffer> {
+/** All pixels; black where the picture has less data than its size needs. */
+export function pixels(picture: Picture, kind: ImageKind): Uint8ClampedArray<ArrayBuffer> {
   const count = picture.width * picture.height;
   const rgba = new Uint8ClampedArray(count * 4).fill(255);
-  const data = bytes(sight === "depth" ? picture.depth : picture.colour);
+  const data = bytes(kind === "depth" ? picture.depth : picture.colour);
   for (let i = 0; i < count; i++) {
-    const rgb = sight === "depth" ? depthColour((data[2 * i] ?? 0) | ((data[2 * i + 1] ?? 0) << 8)) : data.subarray(3 * i, 3 * i + 3);
+    const rgb = kind === "depth" ? depthColour((data[2 * i] ?? 0) | ((data[2 * i + 1] ?? 0) << 8)) : data.subarray(3 * i, 3 * i + 3);
     for (let c = 0; c < 3; c++) rgba[4 * i + c] = rgb[c] ?? 0;
   }
   return rgba;

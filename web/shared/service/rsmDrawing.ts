@@ -32,10 +32,10 @@ const kAny = "#any";
 const kCharacter = 6.6;
 const kMargin = 30;
 const kArc = 34;
-/** Between labels that are farther apart than this [px] another one stands. */
+/** Labels that are farther apart than this [px] have another one between them. */
 const kFar = 44;
 
-/** What stands on an arrow: the operation, or the transition's name where none is needed; codes of errors after a slash. */
+/** The label of an arrow: the operation, or the name of a spontaneous transition; codes of errors after a slash. */
 export function transitionText(transition: RsmTransition): string {
   const trigger = transition.operation ?? transition.id;
   return transition.error === undefined ? trigger : `${trigger} / ${transition.error}`;

@@ -1,15 +1,15 @@
-// What a watching page knows: a value, and what each piece of news makes of it.
+// The state of the expert page as a value, and the function that applies an event to it.
 import { assertNever } from "../assertNever";
 import { mergeSteps } from "../derivation/proof";
 import type { Core, DocumentSummary, HostedService, Input, LogEntry, Rule, RunState, TraceStep } from "../../generated/messages";
-import type { News } from "../messages/stream";
+import type { StreamUpdate } from "../messages/stream";
 import type { RcmDocument } from "../model/model";
 import { applyDelta } from "../run/applyDelta";
 import type { Connection } from "../stream";
 
-/** Ports that fired in the latest step; `beat` grows so that the same port can flash twice. */
+/** Ports that fired in the latest step; `fireCount` counts the steps in which ports fired, so that the same port can flash twice. */
 export interface Fired {
-  readonly beat: number;
+  readonly fireCount: number;
   readonly ports: readonly string[];
 }
 
@@ -29,7 +29,7 @@ export interface Session {
   readonly steps: readonly TraceStep[];
   readonly services: readonly HostedService[];
   readonly log: readonly LogEntry[];
-  /** The latest refusal, until it is put away. */
+  /** The latest error, until the user dismisses it. */
   readonly problem: string | undefined;
 }
 
@@ -41,7 +41,7 @@ export type SessionEvent =
   | { readonly type: "watched"; readonly id: string | undefined }
   | { readonly type: "model"; readonly id: string; readonly model: RcmDocument }
   | { readonly type: "past"; readonly id: string; readonly steps: readonly TraceStep[] }
-  | { readonly type: "news"; readonly news: News }
+  | { readonly type: "update"; readonly update: StreamUpdate }
   | { readonly type: "problem"; readonly text: string | undefined };
 
 const kLogLines = 500;
@@ -55,7 +55,7 @@ export const emptySession: Session = {
   watched: undefined,
   model: undefined,
   run: undefined,
-  fired: { beat: 0, ports: [] },
+  fired: { fireCount: 0, ports: [] },
   lastInput: undefined,
   steps: [],
   services: [],
@@ -67,8 +67,8 @@ export function watchedCore(session: Session): Core | undefined {
   return session.cores.find((core) => core.id === session.watched);
 }
 
-/** Why the cell cannot be asked for what it looks like now: it goes with the server, and with the process of `robot`. */
-export function cellAway({ connection, services }: Session): string | undefined {
+/** Why the scene of the cell cannot be loaded now: the server or the process of `robot` is not connected. */
+export function cellUnavailable({ connection, services }: Session): string | undefined {
   if (connection !== "open") return "the server is not there";
   return services.some(({ key, available }) => key === "robot" && !available) ? "its process is not there" : undefined;
 }
@@ -89,8 +89,8 @@ export function applyEvent(session: Session, event: SessionEvent): Session {
       return event.id === session.watched ? { ...session, model: event.model } : session;
     case "past":
       return event.id === session.watched ? { ...session, steps: mergeSteps(event.steps, session.steps) } : session;
-    case "news":
-      return applyNews(session, event.news);
+    case "update":
+      return applyUpdate(session, event.update);
     case "problem":
       return { ...session, problem: event.text };
     default:
@@ -104,42 +104,42 @@ function withCore(cores: readonly Core[], core: Core): readonly Core[] {
     : [...cores, core];
 }
 
-function applyNews(session: Session, news: News): Session {
-  switch (news.type) {
+function applyUpdate(session: Session, update: StreamUpdate): Session {
+  switch (update.type) {
     case "cores":
-      return { ...session, cores: news.cores };
+      return { ...session, cores: update.cores };
     case "core":
-      return { ...session, cores: withCore(session.cores, news.core) };
+      return { ...session, cores: withCore(session.cores, update.core) };
     case "core_removed":
-      return { ...session, cores: session.cores.filter((core) => core.id !== news.id) };
+      return { ...session, cores: session.cores.filter((core) => core.id !== update.id) };
     case "state":
-      if (news.id !== session.watched) return session;
-      return { ...session, cores: withCore(session.cores, news.state.core), run: news.state.state };
+      if (update.id !== session.watched) return session;
+      return { ...session, cores: withCore(session.cores, update.state.core), run: update.state.state };
     case "state_changed": {
-      if (news.id !== session.watched || session.run === undefined) return session;
-      const fired = news.delta.fired.length === 0 ? session.fired : { beat: session.fired.beat + 1, ports: news.delta.fired };
-      const cores = withCore(session.cores, news.delta.core);
-      return { ...session, cores, run: applyDelta(session.run, news.delta), fired, lastInput: news.delta.input ?? session.lastInput };
+      if (update.id !== session.watched || session.run === undefined) return session;
+      const fired = update.delta.fired.length === 0 ? session.fired : { fireCount: session.fired.fireCount + 1, ports: update.delta.fired };
+      const cores = withCore(session.cores, update.delta.core);
+      return { ...session, cores, run: applyDelta(session.run, update.delta), fired, lastInput: update.delta.input ?? session.lastInput };
     }
     case "derivations":
-      return news.id === session.watched ? { ...session, steps: mergeSteps(session.steps, news.steps) } : session;
+      return update.id === session.watched ? { ...session, steps: mergeSteps(session.steps, update.steps) } : session;
     case "services":
-      return { ...session, services: news.services };
+      return { ...session, services: update.services };
     case "services_changed":
       return {
         ...session,
-        services: session.services.map((service) => ({ ...service, ...news.services.find((change) => change.key === service.key) })),
+        services: session.services.map((service) => ({ ...service, ...update.services.find((change) => change.key === service.key) })),
       };
     case "log":
-      return { ...session, log: [...(news.whole ? [] : session.log), ...news.entries].slice(-kLogLines) };
+      return { ...session, log: [...(update.whole ? [] : session.log), ...update.entries].slice(-kLogLines) };
     case "refused":
-      return { ...session, problem: news.errors.map((error) => error.message).join("; ") };
+      return { ...session, problem: update.errors.map((error) => error.message).join("; ") };
     case "derivation_position":
     case "cell":
     case "display":
     case "packet":
       return session;
     default:
-      return assertNever(news);
+      return assertNever(update);
   }
 }

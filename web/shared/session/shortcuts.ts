@@ -1,4 +1,4 @@
-// The keys and mouse actions of the expert page, once: what its handlers act on is what its help lists. As in RAFCON and Node-RED.
+// The keys and mouse actions of the expert page: its handlers and its help use this table. As in RAFCON and Node-RED.
 import { allowed, primary, type Command } from "../run/controls";
 import type { Core } from "../../generated/messages";
 
@@ -61,7 +61,7 @@ export const gestures: readonly { readonly where: string; readonly list: readonl
   },
 ];
 
-/** What of a keyboard event says which keys are down. */
+/** The part of a keyboard event that identifies the keys. */
 export type KeyPress = Pick<KeyboardEvent, "key" | "code" | "ctrlKey" | "metaKey" | "shiftKey" | "altKey">;
 
 /** The press as `shortcuts` writes it. Shift counts with letters and named keys; of signs it is only the way to type them. */
@@ -71,7 +71,7 @@ function pressText({ key, code, ctrlKey, metaKey, shiftKey }: KeyPress): string 
   return `${ctrlKey || metaKey ? "Ctrl+" : ""}${shifts ? "Shift+" : ""}${name}`;
 }
 
-/** What a press means; while text is typed, a sign is just that sign. */
+/** The shortcut of a key press; while text is typed, a character is only that character. */
 export function shortcutOf(press: KeyPress, typing: boolean): Shortcut | undefined {
   if (press.altKey) return undefined;
   const text = pressText(press);

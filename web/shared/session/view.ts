@@ -1,4 +1,4 @@
-// How a person looks at the task: what is selected, opened and shown. A value, and what each gesture makes of it.
+// The view of the task (selection, folding, panels) as a value, and the function that applies a gesture to it.
 import { assertNever } from "../assertNever";
 import type { Detail } from "../drawing/measure";
 import { ancestry, splitAddress } from "../model/modelTree";
@@ -17,7 +17,7 @@ export interface View {
   readonly collapsed: ReadonlySet<string>;
   /** `auto`: as much detail as can be read at first fit. */
   readonly detail: "auto" | Detail;
-  /** Grows when the canvas shall bring the selection into sight. */
+  /** Increases when the canvas has to reveal the selection. */
   readonly reveal: number;
   /** The macro step whose derivation is shown; none: the latest. */
   readonly step: number | undefined;
@@ -27,7 +27,7 @@ export interface View {
   readonly help: boolean;
 }
 
-/** What of a view a drawing depends on. */
+/** The part of a view on which a drawing depends. */
 export type Shown = Pick<View, "focus" | "collapsed" | "detail">;
 
 export type Gesture =

@@ -1,4 +1,4 @@
-// A hand of the page, against a server that notes what it is sent.
+// A hand of the page, against a server that records commands.
 import { describe, expect, it } from "vitest";
 import { createHand } from "../../shared/cell/hand";
 import { absentParts, forceText, lineEnd } from "../../shared/cell/touch";
@@ -26,7 +26,7 @@ function fixture(answer: (command: PersonCommand) => Promise<unknown> = () => Pr
 }
 
 describe("a hand", () => {
-  it("grabs, draws towards the newest target only, and lets go", async () => {
+  it("grabs, drags to the newest target only, and releases", async () => {
     const { hand, sent, tick } = fixture();
     const over = hand.grab("link_5", [0, 0, 0.1]);
     await tick();
@@ -43,7 +43,7 @@ describe("a hand", () => {
     ]);
   });
 
-  it("tells again and again that it is there while nothing moves", async () => {
+  it("repeats its target while nothing moves", async () => {
     const { hand, sent, tick } = fixture();
     void hand.grab("cube", [0, 0, 0]);
     hand.drag([0, 0, 1]);
@@ -51,7 +51,7 @@ describe("a hand", () => {
     expect(sent.filter(({ act }) => act === "drag").length).toBeGreaterThanOrEqual(4);
   });
 
-  it("takes hold again when the server has taken the page for gone", async () => {
+  it("grabs again when the server has released it", async () => {
     let lost = true;
     const { hand, sent, refused, tick } = fixture(({ act }) => {
       if (act === "drag" && lost) return Promise.reject(new Error("the hand holds nothing"));
@@ -82,7 +82,7 @@ describe("a touch", () => {
     expect(forceText({ hand: "h", body: "b", at: [0, 0, 0], force: [0, 3, 4] })).toBe("5 N");
   });
 
-  it("of a part that was taken away is none: the pose does not have it", () => {
+  it("cannot be of a part that was removed: the pose does not have it", () => {
     const pose: Pose = { position: [0, 0, 0], orientation: [0, 0, 0, 1] };
     const body = (name: string, fixed: boolean) => ({ name, fixed, pose, shape: { sphere: 1 } });
     const bodies = [body("table", true), body("cube", false), body("can", false)];

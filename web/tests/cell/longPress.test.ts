@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { createLongPress } from "../../shared/cell/longPress";
 
-/** A press whose time passes when the test says so. */
+/** A press with a clock of the test. */
 function press() {
   const pressed: (readonly [number, number])[] = [];
   const due: (() => void)[] = [];
@@ -15,7 +15,7 @@ function press() {
 const finger = (x: number, y: number, id = 1) => ({ id, x, y });
 
 describe("createLongPress", () => {
-  it("is told where a finger stayed, though it trembled", () => {
+  it("is reported at the position of a finger that stays, with small movements", () => {
     const { down, move, pass, pressed } = press();
     down(finger(100, 50));
     move(finger(104, 47));
@@ -23,7 +23,7 @@ describe("createLongPress", () => {
     pass();
     expect(pressed).toEqual([[100, 50]]);
   });
-  it("is none when the finger moves away, even if it comes back", () => {
+  it("is cancelled when the finger moves away, even if it returns", () => {
     const { down, move, pass, pressed } = press();
     down(finger(100, 50));
     move(finger(111, 50));
@@ -31,14 +31,14 @@ describe("createLongPress", () => {
     pass();
     expect(pressed).toEqual([]);
   });
-  it("is none when the finger is lifted before", () => {
+  it("is cancelled when the finger is lifted early", () => {
     const { down, up, pass, pressed } = press();
     down(finger(100, 50));
     up(1);
     pass();
     expect(pressed).toEqual([]);
   });
-  it("is none of two fingers, nor of the second when the first goes", () => {
+  it("needs a single finger, also after one of two is lifted", () => {
     const { down, up, pass, pressed } = press();
     down(finger(100, 50));
     down(finger(200, 50, 2));
@@ -51,7 +51,7 @@ describe("createLongPress", () => {
     pass();
     expect(pressed).toEqual([[70, 70]]);
   });
-  it("leaves a finger alone that only moves about", () => {
+  it("ignores a finger that only moves", () => {
     const { down, move, pass, pressed } = press();
     down(finger(100, 50));
     move(finger(190, 50, 2));

@@ -36,7 +36,7 @@ describe("lastFiring", () => {
     expect(lastFiring(steps, "R/A.p")).toEqual({ step: 2, micro: 1 });
     expect(lastFiring(steps, "R/A.q")).toEqual({ step: 3, micro: 2 });
   });
-  it("knows nothing of a port that did not fire", () => {
+  it("is undefined for a port that did not fire", () => {
     expect(lastFiring([step(1, 0, [fires("p")])], "R/B.p")).toBeUndefined();
     expect(lastFiring([], "R/A.p")).toBeUndefined();
   });
@@ -102,13 +102,13 @@ describe("a proof tree", () => {
   it("counts its nodes as they are", () => {
     for (const root of collision.flatMap((s) => s.micro)) expect(size(root)).toBe(all(root).length);
   });
-  it("opens what happened and folds what was only looked at", () => {
+  it("unfolds notable inferences and folds the others", () => {
     expect(notable(micro)).toBe(true);
     expect(notable(node("Cond"))).toBe(false);
     const idle: Derivation = { rule: "SProp", equation: "3.30", at: "Root", premises: [{ rule: "Active", equation: "3.8", at: "Root", premises: [], value: true }] };
     expect(notable(idle)).toBe(false);
   });
-  it("says in a few words what a micro step did", () => {
+  it("summarizes a micro step", () => {
     expect(summary(micro)).toBe("Pick.collision fires");
   });
   it("leads to the first inference at which something happens", () => {

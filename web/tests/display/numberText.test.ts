@@ -22,7 +22,7 @@ describe("the keypad", () => {
   it("does not grow without end", () => {
     expect(typed(Array.from({ length: 40 }, (): Key => "9")).length).toBe(12);
   });
-  it("understands a keyboard", () => {
+  it("maps keys of a keyboard", () => {
     expect(["7", ",", ".", "-", "Backspace", "a", "Enter"].map(keyOf)).toEqual(["7", ".", ".", "sign", "back", undefined, undefined]);
   });
 });

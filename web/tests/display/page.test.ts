@@ -19,7 +19,7 @@ describe("the name in the address", () => {
 });
 
 describe("a question", () => {
-  it("can be answered once, while the server listens", () => {
+  it("can be answered once, while the page is connected", () => {
     expect(canAnswer(after(shows(buttons(1))))).toBe(false);
     expect(canAnswer(after(open, shows(buttons(1))))).toBe(true);
     expect(canAnswer(after(open, shows(buttons(1)), { type: "sent" }))).toBe(false);

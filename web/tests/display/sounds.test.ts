@@ -22,7 +22,7 @@ describe("schedule", () => {
     expect(lengthOf(twice)).toBeCloseTo(2 * lengthOf(once));
     expect(twice[once.length]?.at).toBeCloseTo(lengthOf(once));
   });
-  it("has nothing to play of a sound that this page does not know", () => {
+  it("is empty for an unknown sound", () => {
     expect(sound("trumpet")).toEqual([]);
     expect(lengthOf([])).toBe(0);
   });

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { createPool } from "../../shared/drawing/pool";
 
-/** Work that ends when it is told to. */
+/** Work that the test ends. */
 function held() {
   let end: () => void = () => undefined;
   const ended = new Promise<void>((resolve) => (end = resolve));
@@ -9,7 +9,7 @@ function held() {
 }
 
 describe("createPool", () => {
-  it("gives each worker one piece at a time, and makes no more workers than it may", async () => {
+  it("gives each worker one job at a time, and respects the limit of workers", async () => {
     let made = 0;
     const busy = new Map<number, number>();
     let most = 0;
@@ -25,18 +25,18 @@ describe("createPool", () => {
     const workers = await Promise.all(Array.from({ length: 9 }, work));
     expect([made, most, new Set(workers).size]).toEqual([2, 1, 2]);
   });
-  it("makes no worker while one is free", async () => {
+  it("creates no worker while one is free", async () => {
     let made = 0;
     const pool = createPool(() => Promise.resolve(++made), 4);
     for (let i = 0; i < 3; i++) await pool(() => Promise.resolve());
     expect(made).toBe(1);
   });
-  it("goes on after work that failed", async () => {
+  it("continues after a job that failed", async () => {
     const pool = createPool(() => Promise.resolve(0), 1);
     await expect(pool(() => Promise.reject(new Error("no layout")))).rejects.toThrow("no layout");
     expect(await pool(() => Promise.resolve("done"))).toBe("done");
   });
-  it("leaves nobody waiting for a worker that could not be made", async () => {
+  it("rejects work if no worker can be created", async () => {
     const first = held();
     const pool = createPool(() => first.ended.then(() => Promise.reject(new Error("no worker"))), 1);
     const answers = Promise.allSettled([1, 2, 3].map(() => pool(() => Promise.resolve())));

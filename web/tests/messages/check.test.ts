@@ -18,7 +18,7 @@ describe("check", () => {
     expect(() => check(schema.health, null)).toThrow("/: expected object, got null");
   });
   it("lists the words that a field may have", () => {
-    const envelope = { channel: "log", sequence: 1, kind: "news", data: {} };
+    const envelope = { channel: "log", sequence: 1, kind: "change", data: {} };
     expect(() => check(schema.envelope, envelope)).toThrow('/kind: expected "snapshot" | "delta" | "error", got string');
   });
   it("of alternatives checks the one that is meant", () => {

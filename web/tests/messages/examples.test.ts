@@ -32,7 +32,7 @@ const readers: Readonly<Record<string, (value: unknown) => unknown>> = {
   why: by(schema.why),
 };
 
-/** What the pages write, and what concerns others alone. */
+/** Messages that the pages write, and messages between other programs. */
 const unread = new Set(["component_message", "component_request", "core_create", "operator", "person_command", "step_request", "stream_request"]);
 
 describe("api/examples", () => {

@@ -21,7 +21,7 @@ describe("withOracles", () => {
     expect(dispatchers(root)).toEqual([true, false]);
     expect(root.oracle).toBe("par.begin");
   });
-  it("tells history from an expression and from a service", () => {
+  it("distinguishes history, an expression and a service", () => {
     expect(withOracles(translated(choice("var.last_active")), kOrigin).oracle).toBe("history");
     expect(withOracles(translated({ entry: "svc.display.choose(par.arg0)" }), kOrigin).oracle).toBe("svc.display.choose(par.arg0)");
   });

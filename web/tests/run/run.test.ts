@@ -51,7 +51,7 @@ describe("applyDelta", () => {
       expect(sorted(state)).toEqual(sorted(step.state));
     }
   });
-  it("forgets a value that is not set any more, and nothing else", () => {
+  it("removes a value that is unset, and nothing else", () => {
     const before: RunState = { ...empty, results: { A: { x: 1, y: null } } };
     const after = applyDelta(before, { ...deltaBetween(before, before), results: {}, unset: { parameters: {}, results: { A: ["x"] }, variables: {} } });
     expect(after.results).toEqual({ A: { y: null } });
@@ -67,25 +67,25 @@ describe("runningNow", () => {
 });
 
 describe("controls", () => {
-  it("let a running core be paused and stopped, not stepped", () => {
+  it("allow to pause and stop a running core, not to step it", () => {
     expect([...allowed(core)].sort()).toEqual(["pause", "stop"]);
   });
-  it("let a paused core go on, step and stop", () => {
+  it("allow to resume, step and stop a paused core", () => {
     expect([...allowed({ ...core, paused: true })].sort()).toEqual(["macro", "micro", "resume", "stop", "until"]);
   });
-  it("let a step that waits for an input be called off, or another take its place", () => {
+  it("allow to cancel or replace a step that waits for an input", () => {
     expect([...allowed({ ...core, paused: true, stepping: true })].sort()).toEqual(["macro", "micro", "pause", "resume", "stop", "until"]);
   });
   it("offer nothing but another run when a core is over", () => {
     for (const status of ["ended", "faulted", "aborted"] as const) expect([...allowed({ ...core, status })]).toEqual(["again"]);
   });
-  it("give the first button the command that makes sense", () => {
+  it("give the first button its command", () => {
     expect(primary({ ...core, status: "ready" })).toBe("start");
     expect(primary({ ...core, paused: true })).toBe("resume");
     expect(primary({ ...core, status: "ended" })).toBe("again");
     expect(primary(core)).toBeUndefined();
   });
-  it("say how a core stands", () => {
+  it("give the status of a core", () => {
     expect(statusText({ ...core, status: "ended", outcome: "success" })).toBe("Ended: success");
     expect(statusText({ ...core, paused: true })).toBe("Paused");
     expect(statusText({ ...core, paused: true, stepping: true })).toBe("Paused, its step waits for an input");
@@ -93,15 +93,15 @@ describe("controls", () => {
   });
 });
 
-describe("words", () => {
-  it("tell a result from an error", () => {
+describe("texts", () => {
+  it("distinguish a result from an error", () => {
     expect(inputText({ kind: "response", service: "db", operation: "get", call: 1, result: 3 })).toBe("response db.get → 3");
     expect(inputText({ kind: "response", service: "db", operation: "get", call: 1, error: "no" })).toBe("response db.get ✕ 'no'");
   });
-  it("show a call as it stands in code", () => {
+  it("show a call as code", () => {
     expect(callText({ service: "robot", operation: "move", args: [[1, 2]], kwargs: { speed: 0.5 } })).toBe("robot.move([1, 2], speed=0.5)");
   });
-  it("say what the change of an atom would do, and what it reads", () => {
+  it("give the effect of a change of an atom, and what it reads", () => {
     const atom = { text: "res.w > 1", value: false, service: false, requires: [], reads: [{ text: "res.w", value: 0 }, { text: "par.x" }], blocks: true, wanted: true, together: false };
     const why = { port: "A.p", condition: atom.text, value: false, active: false, state_active: true, reason: "", atoms: [atom] } as const;
     expect(atomAdvice(why, atom)).toBe("becoming true alone would fire this port");
@@ -109,7 +109,7 @@ describe("words", () => {
     expect(atomAdvice(why, { ...atom, blocks: false })).toBeUndefined();
     expect(readsText(atom)).toBe("res.w is 0, par.x has no value yet");
   });
-  it("promise nothing from an atom of a port that cannot fire now, or has fired, and nothing from a constant", () => {
+  it("give no effect for a port that cannot fire now or has fired, and none for a constant", () => {
     const atom = { text: "res.w", value: false, service: false, requires: [], reads: [{ text: "res.w" }], blocks: true, wanted: true, together: false };
     const why = { port: "A.p", condition: "res.w", value: false, active: false, state_active: true, reason: "", atoms: [atom] } as const;
     expect(atomAdvice(why, atom)).toBeDefined();
@@ -117,12 +117,12 @@ describe("words", () => {
     expect(atomAdvice({ ...why, active: true }, atom)).toBeUndefined();
     expect(atomAdvice(why, { ...atom, text: "False", reads: [] })).toBeUndefined();
   });
-  describe("of a constant condition", () => {
+  describe("texts of a constant condition", () => {
     const atom = { text: "True", value: true, service: false, requires: [], reads: [], blocks: false, together: false };
     const reading = { ...atom, text: "par.x", reads: [{ text: "par.x", value: true }] };
     const why = { port: "A.p", condition: "True", value: true, active: false, state_active: false, reason: "Its state is not active.", atoms: [atom] } as const;
     const never = { ...why, value: false, state_active: true, reason: "It fires when `False` becomes true.", atoms: [{ ...atom, text: "False", value: false, blocks: true }] } as const;
-    it("say that it is constant, why, and what follows", () => {
+    it("say that it is constant, why, and the consequence", () => {
       expect(constantText(why)).toBe(
         "The condition is constant: it reads no parameter, result, variable, port or service data, so it is always true. Once its state is active, the port needs nothing more to fire.",
       );
@@ -130,12 +130,12 @@ describe("words", () => {
       expect(constantText({ ...never, value: null })).toMatch(/its evaluation fails every time\.$/);
       expect(readsText(atom)).toBe("a constant: it reads nothing");
     });
-    it("stand beside what the server says, but never beside the promise of a change", () => {
+    it("are shown beside the server's reason, unless that names a change", () => {
       expect(whySentences(why)).toEqual([why.reason, constantText(why)]);
       expect(whySentences(never)).toEqual([constantText(never)]);
       expect(whyHeadline(never)).toBe("Never fires");
     });
-    it("are not said of a condition of which one atom reads something", () => {
+    it("are not used if one atom of the condition reads something", () => {
       const mixed = { ...why, condition: "True or par.x", atoms: [atom, reading] };
       expect(constantText(mixed)).toBeUndefined();
       expect(whySentences(mixed)).toEqual([why.reason]);
@@ -143,7 +143,7 @@ describe("words", () => {
       expect(constantText({ ...why, atoms: [] })).toBeUndefined();
     });
   });
-  it("tell code from words", () => {
+  it("distinguish code from words", () => {
     expect(codePieces("It fires when `a` becomes true.")).toEqual([
       { code: false, text: "It fires when " },
       { code: true, text: "a" },

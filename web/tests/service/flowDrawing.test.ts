@@ -29,7 +29,7 @@ describe("flowsOf", () => {
   });
   it("does not flow to a reader that does not listen, though the page watches", () => expect(flowsOf(services(10, false))[0]?.flowing).toBe(false));
   it("does not flow while no packets pass", () => expect(flowsOf(services(0, true))[0]?.flowing).toBe(false));
-  it("names a service that is not there, and says that nothing comes from it", () => {
+  it("shows a service that does not exist, without packets", () => {
     const alone = flowsOf(services(10, true).slice(0, 1))[0];
     expect([alone?.from, alone?.rate, alone?.flowing]).toEqual(["camera", 0, false]);
   });

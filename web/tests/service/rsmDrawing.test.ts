@@ -35,14 +35,14 @@ describe("drawRsm", async () => {
     });
     expect(sources).toEqual(["Idle", "Moving", "any state"]);
   });
-  it("labels a transition with its operation and tells spontaneous ones apart", () => {
+  it("labels a transition with its operation and marks spontaneous ones", () => {
     expect(drawing.arrows.map((arrow) => [arrow.label.text, arrow.label.spontaneous])).toEqual([
       ["move", false],
       ["arrive", true],
       ["stop / aborted", false],
     ]);
   });
-  it("lets loops of a stateless service share an arrow", async () => {
+  it("merges loops of a stateless service into one arrow", async () => {
     const loops = ["get", "add"].map((name) => ({ id: name, src: "Ready", dst: "Ready", operation: name }));
     const stateless: Rsm = { rsm: 1, name: "db", operations: [{ name: "get" }, { name: "add" }], events: [], states: [{ name: "Ready" }], transitions: loops };
     const arrows = (await drawRsm(engine, stateless)).arrows;

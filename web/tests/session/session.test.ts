@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Core, CoreDelta } from "../../generated/messages";
-import type { News } from "../../shared/messages/stream";
-import { applyEvent, cellAway, emptySession, watchedCore, type Session } from "../../shared/session/session";
+import type { StreamUpdate } from "../../shared/messages/stream";
+import { applyEvent, cellUnavailable, emptySession, watchedCore, type Session } from "../../shared/session/session";
 import { applyGesture, firstView, initialView } from "../../shared/session/view";
 import { runOf } from "../conformance";
 
@@ -9,9 +9,9 @@ const core: Core = { id: "1", document: "pick", status: "running", paused: false
 const first = runOf("thesis-pick").steps[0];
 if (first === undefined) throw new Error("the recorded run is empty");
 
-const hear = (session: Session, ...news: readonly News[]): Session => news.reduce((s, n) => applyEvent(s, { type: "news", news: n }), session);
+const receive = (session: Session, ...updates: readonly StreamUpdate[]): Session => updates.reduce((s, update) => applyEvent(s, { type: "update", update }), session);
 const watching = applyEvent(emptySession, { type: "watched", id: "1" });
-const running = hear(watching, { type: "state", id: "1", state: { core, state: first.state } });
+const running = receive(watching, { type: "state", id: "1", state: { core, state: first.state } });
 
 const delta = (fired: readonly string[]): CoreDelta => ({
   core: { ...core, step: 2 }, active: {}, ports: {}, activated: {}, parameters: {}, results: {}, variables: {},
@@ -19,25 +19,25 @@ const delta = (fired: readonly string[]): CoreDelta => ({
 });
 
 describe("session", () => {
-  it("takes state news of the watched core only", () => {
+  it("takes state updates of the watched core only", () => {
     expect(watchedCore(running)?.step).toBe(1);
-    expect(hear(running, { type: "state_changed", id: "2", delta: delta([]) })).toBe(running);
+    expect(receive(running, { type: "state_changed", id: "2", delta: delta([]) })).toBe(running);
   });
   it("ignores a delta before the snapshot", () => {
-    expect(hear(watching, { type: "state_changed", id: "1", delta: delta(["A.p"]) })).toBe(watching);
+    expect(receive(watching, { type: "state_changed", id: "1", delta: delta(["A.p"]) })).toBe(watching);
   });
-  it("flashes a port again when it fires again, and keeps still when nothing fires", () => {
-    const once = hear(running, { type: "state_changed", id: "1", delta: delta(["A.p"]) });
-    const twice = hear(once, { type: "state_changed", id: "1", delta: delta(["A.p"]) });
-    expect([once.fired.beat, twice.fired.beat]).toEqual([1, 2]);
-    expect(hear(twice, { type: "state_changed", id: "1", delta: delta([]) }).fired).toBe(twice.fired);
+  it("counts each step in which a port fires, and no other", () => {
+    const once = receive(running, { type: "state_changed", id: "1", delta: delta(["A.p"]) });
+    const twice = receive(once, { type: "state_changed", id: "1", delta: delta(["A.p"]) });
+    expect([once.fired.fireCount, twice.fired.fireCount]).toEqual([1, 2]);
+    expect(receive(twice, { type: "state_changed", id: "1", delta: delta([]) }).fired).toBe(twice.fired);
   });
-  it("misses the cell without its server or its `robot`, whatever other services do", () => {
+  it("reports the cell as unavailable without the server or `robot`, regardless of other services", () => {
     const here = applyEvent(emptySession, { type: "connection", connection: "open" });
     const rsm = { rsm: 1, name: "x", operations: [], events: [] } as const;
     const service = (key: string, available: boolean) => ({ key, type: key, rsm, state: null, available, pending: [], violations: [], publishes: [], subscribes: [] });
-    const cell = (robot: boolean) => cellAway(hear(here, { type: "services", services: [service("robot", robot), service("db", false)] }));
-    expect([cellAway(emptySession), cellAway(here), cell(true), cell(false)]).toEqual(["the server is not there", undefined, undefined, "its process is not there"]);
+    const cell = (robot: boolean) => cellUnavailable(receive(here, { type: "services", services: [service("robot", robot), service("db", false)] }));
+    expect([cellUnavailable(emptySession), cellUnavailable(here), cell(true), cell(false)]).toEqual(["the server is not there", undefined, undefined, "its process is not there"]);
   });
   it("does not take past derivations of another core", () => {
     expect(applyEvent(running, { type: "past", id: "7", steps: [] })).toBe(running);
@@ -49,15 +49,15 @@ describe("session", () => {
   it("merges what changed of a service and keeps its model", () => {
     const rsm = { rsm: 1, name: "robot", operations: [], events: [] } as const;
     const idle = { key: "robot", type: "robot", state: "Idle", available: true, pending: [], violations: [], publishes: [], subscribes: [], rsm };
-    const known = hear(running, { type: "services", services: [idle] });
-    const moved = hear(known, { type: "services_changed", services: [{ key: "robot", state: "Moving", available: true, pending: [], violations: [], publishes: [], subscribes: [] }] });
+    const known = receive(running, { type: "services", services: [idle] });
+    const moved = receive(known, { type: "services_changed", services: [{ key: "robot", state: "Moving", available: true, pending: [], violations: [], publishes: [], subscribes: [] }] });
     expect(moved.services[0]).toMatchObject({ state: "Moving", rsm });
   });
   it("starts the log anew with a snapshot and goes on with a delta", () => {
     const entry = (text: string) => ({ time: 0, source: "server", text });
-    const told = hear(running, { type: "log", whole: true, entries: [entry("a")] }, { type: "log", whole: false, entries: [entry("b")] });
-    expect(told.log.map((line) => line.text)).toEqual(["a", "b"]);
-    expect(hear(told, { type: "log", whole: true, entries: [entry("c")] }).log.length).toBe(1);
+    const logged = receive(running, { type: "log", whole: true, entries: [entry("a")] }, { type: "log", whole: false, entries: [entry("b")] });
+    expect(logged.log.map((line) => line.text)).toEqual(["a", "b"]);
+    expect(receive(logged, { type: "log", whole: true, entries: [entry("c")] }).log.length).toBe(1);
   });
 });
 
@@ -87,7 +87,7 @@ describe("view", () => {
   ])("opens in a window of %d by %d with the drawer %s: a low one is for the task", (width, height, drawer) => {
     expect(firstView({ width, height }).drawer).toBe(drawer);
   });
-  it("lets Esc close the help first, and only then select nothing", () => {
+  it("closes the help by Esc first, and clears the selection only then", () => {
     const selection = { kind: "node", path: "Root" } as const;
     const helped = applyGesture({ ...initialView, selection }, { type: "help", shown: true });
     const once = applyGesture(helped, { type: "escape" });

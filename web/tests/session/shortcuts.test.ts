@@ -29,7 +29,7 @@ describe("shortcutOf", () => {
     ["what AltGr types", press("?", { ctrlKey: true, altKey: true }), undefined],
   ])("reads %s", (_, key, shortcut) => expect(shortcutOf(key, false)).toBe(shortcut));
 
-  it("leaves signs to whoever types, and keeps the keys that type nothing", () => {
+  it("ignores characters while the user types, and keeps keys that type nothing", () => {
     expect(shortcutOf(press("?", { shiftKey: true }), true)).toBeUndefined();
     expect(shortcutOf(press("Escape"), true)).toBe("escape");
     expect(shortcutOf(press("0", ctrl), true)).toBe("fit");
@@ -64,7 +64,7 @@ describe("commandOf", () => {
     expect(commandOf("pause", core)).toBe("pause");
     expect(commandOf("stop", undefined)).toBeUndefined();
   });
-  it("makes no command of what is for the page", () => {
+  it("makes no command of shortcuts of the page", () => {
     for (const shortcut of ["search", "zoom_in", "zoom_out", "fit", "help", "escape"] as const) expect(commandOf(shortcut, core)).toBeUndefined();
   });
 });

@@ -1,11 +1,11 @@
-// Layouts that are known: of subtrees that look the same (states linked twice, a task that is drawn again with one state
-// more open) only one is laid out. A look is what a layout depends on, whatever the path.
+// Cache of layouts: subtrees that look the same (states linked twice, a task that is drawn again with one state
+// more open) are laid out once. A look is the key: all that a layout depends on, without the path.
 import type { Node } from "../model/model";
 import type { Block } from "./block";
 import type { Side } from "./drawing";
 import { drawnLines, type Detail } from "./measure";
 
-/** So many blocks are kept, and so many words, most of which are of states without children; then they begin anew. */
+/** Capacity: blocks, and words (most are of states without children). A table that is full is cleared. */
 const kMost = { blocks: 2000, words: 20_000 };
 
 /** How a subtree is to be drawn; one object for one drawing. */
@@ -15,15 +15,15 @@ export interface LookRequest {
   readonly aspect: number;
 }
 
-export interface LayoutMemory {
-  /** One word never for two subtrees that look different; of the same look, the same word, unless it was forgotten meanwhile.
-   *  With rows that are wrapped on so many `levels`, from the subtree's own down. */
+export interface LayoutCache {
+  /** The key of a subtree. Subtrees that look different never have the same key; the same look has the same key until the table is cleared.
+   *  Rows are wrapped on so many `levels`, from the subtree's own down. */
   readonly look: (node: Node, path: string, side: Side, levels: number, request: LookRequest) => string;
   readonly find: (look: string) => Block | undefined;
   readonly keep: (look: string, block: Block) => void;
 }
 
-export function layoutMemory(most = kMost): LayoutMemory {
+export function layoutCache(most = kMost): LayoutCache {
   const words = new Map<string, number>();
   const blocks = new Map<string, Block>();
   let latest = 0;
@@ -35,7 +35,7 @@ export function layoutMemory(most = kMost): LayoutMemory {
     words.set(text, ++latest);
     return latest;
   };
-  // A subtree is a part of all above it: without this it would be read as often.
+  // Memoized: a subtree is a part of the key of each of its ancestors.
   const shapes = new WeakMap<LookRequest, Map<string, number>>();
   const shape = (node: Node, path: string, request: LookRequest): number => {
     const known = shapes.get(request) ?? new Map<string, number>();

@@ -3,7 +3,7 @@ import ELK from "elkjs/lib/elk.bundled.js";
 import { describe, expect, it } from "vitest";
 import type { ElkGraph, LayoutEngine } from "../../shared/drawing/elk";
 import { layoutModel, type LayoutRequest } from "../../shared/drawing/layout";
-import { layoutMemory } from "../../shared/drawing/layoutMemory";
+import { layoutCache } from "../../shared/drawing/layoutCache";
 import type { State } from "../../shared/model/model";
 import { buildTree } from "../../shared/model/modelTree";
 
@@ -27,10 +27,10 @@ const part: State = { ...empty, name: "Part", first: "Go", children: [step("Go",
 const both: State = { ...empty, children: [part, { ...empty, name: "Box", children: [part] }] };
 const request = (state: State, more: Partial<LayoutRequest> = {}): LayoutRequest => ({ state, path: state.name, collapsed: new Set(), detail: "slim", aspect: 1.6, ...more });
 
-describe("layoutMemory", () => {
+describe("layoutCache", () => {
   it("has a state that is linked twice laid out once, and draws each with its own paths and depths", async () => {
     const [one, two] = [counting(), counting()];
-    const memory = layoutMemory();
+    const memory = layoutCache();
     await layoutModel(one.engine, request(both), memory);
     await layoutModel(two.engine, request({ ...both, children: both.children.slice(1) }));
     expect(one.counts.layouts).toBe(two.counts.layouts);
@@ -43,9 +43,9 @@ describe("layoutMemory", () => {
     }
     expect(new Set(drawing.lines.map(({ id }) => id)).size).toBe(drawing.lines.length);
   });
-  it("knows a drawing that was there before, and of another only what is new in it", async () => {
+  it("reuses a known drawing, and lays out only the new parts of another one", async () => {
     const { counts, engine } = counting();
-    const memory = layoutMemory();
+    const memory = layoutCache();
     const first = await layoutModel(engine, request(part), memory);
     counts.layouts = 0;
     expect(await layoutModel(engine, request(part), memory)).toEqual(first);
@@ -54,9 +54,9 @@ describe("layoutMemory", () => {
     await layoutModel(engine, request(part, { collapsed: new Set([`${part.name}/Pick`]), onProgress: (_, of) => work.push(of) }), memory);
     expect(work[0]).toBe(1);
   });
-  it("tells details, collapsed states and names apart", async () => {
+  it("distinguishes details, collapsed states and names", async () => {
     const { counts, engine } = counting();
-    const memory = layoutMemory();
+    const memory = layoutCache();
     await layoutModel(engine, request(part), memory);
     for (const other of [request(part, { detail: "ports" }), request(part, { aspect: 1 }), request(named("Renamed", part))]) {
       counts.layouts = 0;
@@ -71,7 +71,7 @@ describe("layoutMemory", () => {
     expect(of).toBeGreaterThan(2);
     expect(steps).toEqual(Array.from({ length: of + 1 }, (_, done) => [done, of]));
   });
-  it("draws a part of a drawing that is too large for care as if the whole had never been seen, and the other way round", async () => {
+  it("draws a part of a very large drawing the same with and without the whole in the cache", async () => {
     // Rows of four, which are worth wrapping, on three levels; no two composites look alike.
     const row = (name: string, levels: number, to?: string): State => {
       const names = ["A", "B", "C", "D"].map((letter) => name + letter);
@@ -83,14 +83,14 @@ describe("layoutMemory", () => {
     const { engine } = counting();
     const fresh = (state: State) => layoutModel(engine, request(state, { onProgress: (_, of) => expect(of, state.name).toBeGreaterThan(40) }));
     const alone = [await fresh(whole), await fresh(inner)] as const;
-    const [once, otherwise] = [layoutMemory(), layoutMemory()];
+    const [once, otherwise] = [layoutCache(), layoutCache()];
     await layoutModel(engine, request(whole), once);
     expect(await layoutModel(engine, request(inner), once)).toEqual(alone[1]);
     await layoutModel(engine, request(inner), otherwise);
     expect(await layoutModel(engine, request(whole), otherwise)).toEqual(alone[0]);
   });
-  it("forgets words when there are many, and never gives one twice", () => {
-    const memory = layoutMemory({ blocks: 10, words: 10 });
+  it("clears its table when it is full, and never gives a key twice", () => {
+    const memory = layoutCache({ blocks: 10, words: 10 });
     const look = (state: State) => memory.look(state, state.name, "EAST", 1, request(state));
     const [first, again] = [look(step("S0")), look(step("S0"))];
     expect(again).toBe(first);
@@ -99,8 +99,8 @@ describe("layoutMemory", () => {
     expect(later).not.toBe(first);
     expect(new Set([first, later, ...others]).size).toBe(27);
   });
-  it("stops when nobody waits any more, and keeps nothing that was chosen from less", async () => {
-    const memory = layoutMemory();
+  it("stops when it is aborted, and keeps no incomplete choice", async () => {
+    const memory = layoutCache();
     const left = new AbortController();
     const { counts, engine } = counting();
     const leaving: LayoutEngine = (graph) => {

@@ -1,14 +1,14 @@
-// What is seen before anything is touched, in windows of usual size: the whole task, with conditions that can be read.
+// The initial view in windows of usual size: the whole task, with readable conditions.
 import type { Page } from "playwright-core";
-import { openStage, type Stage } from "./stage";
+import { openFixture, type Fixture } from "./fixture";
 
-let stage: Stage;
+let fixture: Fixture;
 
 beforeAll(async () => {
-  stage = await openStage();
-  await fetch(`${stage.url}/api/v1/cores`, { method: "POST", headers: { "content-type": "application/json" }, body: JSON.stringify({ document: "pick" }) });
+  fixture = await openFixture();
+  await fetch(`${fixture.url}/api/v1/cores`, { method: "POST", headers: { "content-type": "application/json" }, body: JSON.stringify({ document: "pick" }) });
 });
-afterAll(() => stage.close());
+afterAll(() => fixture.close());
 
 /** Height of a condition's letters on the screen [px]: their size, as far as the drawing is zoomed. */
 const letters = (page: Page) =>
@@ -34,7 +34,7 @@ describe.each([
   { width: 1440, height: 900 },
 ])("in a window of $width by $height", (size) => {
   it("shows all of Pick with its conditions; the derivation and readable conditions beside it are a click away", async () => {
-    const page = await stage.another(size);
+    const page = await fixture.openPage(size);
     await page.getByRole("button", { name: "Conditions", pressed: true }).waitFor();
     await expect.poll(() => letters(page)).toBeGreaterThan(7);
     await expect.poll(() => isWhole(page)).toBe(true);
@@ -42,15 +42,15 @@ describe.each([
     expect(await port("success").locator("code").innerText()).toBe("svc.gripper.release.result");
     expect(await port("error").locator("code").innerText()).toBe("svc.gripper.release.error");
     expect(await page.getByRole("region", { name: "Derivation" }).count()).toBe(0);
-    await stage.picture(`first-${size.width}`, page);
+    await fixture.screenshot(`first-${size.width}`, page);
     await page.getByRole("tab", { name: "Derivation" }).click();
     await page.getByRole("region", { name: "Derivation" }).waitFor();
-    await stage.picture(`first-${size.width}-derivation`, page);
-    // There the whole task is too small to read; asked for, its beginning is as large as the width allows.
+    await fixture.screenshot(`first-${size.width}-derivation`, page);
+    // There the whole task is too small to read; on request its beginning is as large as the width allows.
     await page.getByRole("button", { name: "Names" }).click();
     await page.getByRole("button", { name: "Conditions", pressed: false }).click();
     await expect.poll(() => letters(page)).toBeGreaterThan(7);
-    await stage.picture(`conditions-${size.width}`, page);
+    await fixture.screenshot(`conditions-${size.width}`, page);
     await page.close();
   });
 });

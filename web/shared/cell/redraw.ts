@@ -1,17 +1,17 @@
-// How often the cell is worth drawing: not when nothing has moved, and seldom where a frame takes long.
+// When to redraw the cell: not if nothing has moved, and seldom if a frame takes long.
 import type { CellPose, Pose } from "../../generated/messages";
 
-/** A frame that takes longer is made without a GPU, by the processor that the rest of the page needs too [ms]. */
+/** A slower frame is rendered without a GPU, by the CPU that the rest of the page needs [ms]. */
 const kSlow = 25;
-/** Even then the cell moves once in this time [ms]. */
+/** The longest pause [ms]. */
 const kLongest = 1000;
 
-/** How long to rest after a frame that took so long, so that drawing gets at most a third of the time [ms]. */
-export function restAfter(took: number): number {
+/** The pause after a frame that `took` so long, so that drawing gets at most a third of the time [ms]. */
+export function pauseAfter(took: number): number {
   return took < kSlow ? 0 : Math.min(kLongest, 2 * took);
 }
 
-/** What is less is no pixel: angles [rad] and parts of a quaternion, and lengths [m]. */
+/** Smaller changes are not visible: angles [rad] and parts of a quaternion, and lengths [m]. */
 const kTurn = 2e-4;
 const kShift = 1e-4;
 

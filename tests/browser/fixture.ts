@@ -1,4 +1,4 @@
-// What a browser test needs: a server of its own on a free port, and a page in Chromium.
+// The fixture of a browser test: its own server on a free port, and a page in Chromium.
 import { spawn, type ChildProcess } from "node:child_process";
 import { mkdirSync, mkdtempSync, rmSync } from "node:fs";
 import { createServer } from "node:net";
@@ -11,22 +11,23 @@ export const project = fileURLToPath(new URL("../../", import.meta.url));
 export const binary = process.env["RACE_BINARY"] ?? join(project, "build/release/race");
 export const demo = process.env["RACE_DEMO"] ?? join(project, "deploy/demo");
 const web = process.env["RACE_WEB"] ?? join(project, "web/dist");
-const pictures = join(project, "build/test/browser");
+const screenshots = join(project, "build/test/browser");
 
-export interface Stage {
+export interface Fixture {
   readonly url: string;
   readonly page: Page;
-  /** A picture to look at, build/test/browser/NAME.png. */
-  readonly picture: (name: string, of?: Page) => Promise<void>;
+  /** Writes build/test/browser/NAME.png. */
+  readonly screenshot: (name: string, of?: Page) => Promise<void>;
   /** A second browser window on the expert page, of this size if it is given [px]. */
-  readonly another: (size?: ViewportSize) => Promise<Page>;
-  /** The server dies without a word, and another one takes its port and its data. */
+  readonly openPage: (size?: ViewportSize) => Promise<Page>;
+  /** Ends the server by SIGKILL. */
   readonly kill: () => Promise<void>;
-  readonly revive: () => Promise<void>;
+  /** Starts a server on the same port with the same data. */
+  readonly restart: () => Promise<void>;
   readonly close: () => Promise<void>;
 }
 
-/** No QUIC, no updates, no GPU: the tests run without a network and without a screen. */
+/** The tests run without network, GPU and screen. */
 const kFlags = [
   "--no-sandbox",
   "--disable-gpu",
@@ -58,8 +59,8 @@ async function healthy(url: string, server: ChildProcess): Promise<void> {
   }
 }
 
-/** With `further` options of `race serve`. */
-export async function openStage(...further: readonly string[]): Promise<Stage> {
+/** Starts `race serve` with these `further` options. */
+export async function openFixture(...further: readonly string[]): Promise<Fixture> {
   const port = await freePort();
   const data = mkdtempSync(join(tmpdir(), "race-browser-"));
   const options = ["serve", "--port", String(port), "--data", data, "--demo", demo, "--web", web, ...further];
@@ -85,23 +86,23 @@ export async function openStage(...further: readonly string[]): Promise<Stage> {
     const opened = await chromium.launch({ executablePath: process.env["CHROMIUM"] ?? "/usr/bin/chromium", args: kFlags });
     browser = opened;
     const page = await opened.newPage({ viewport: { width: 1600, height: 1000 } });
-    mkdirSync(pictures, { recursive: true });
-    const picture = async (name: string, of = page) => void (await of.screenshot({ path: join(pictures, `${name}.png`) }));
-    const another = async (size?: ViewportSize) => {
+    mkdirSync(screenshots, { recursive: true });
+    const screenshot = async (name: string, of = page) => void (await of.screenshot({ path: join(screenshots, `${name}.png`) }));
+    const openPage = async (size?: ViewportSize) => {
       const second = await opened.newPage(size === undefined ? {} : { viewport: size });
       await second.goto(`${url}/pro/`);
       return second;
     };
-    const revive = async () => {
+    const restart = async () => {
       server = await launch();
       await healthy(url, server);
     };
-    return { url, page, picture, another, kill: () => end("SIGKILL"), revive, close };
+    return { url, page, screenshot, openPage, kill: () => end("SIGKILL"), restart, close };
   } catch (error) {
     await close();
     throw error;
   }
 }
 
-/** The model is drawn, and what is drawn stays where it is: a click on a drawing that is replaced meanwhile is lost. */
+/** Waits until the drawing is final: a click on a drawing that is then replaced is lost. */
 export const settled = (page: Page) => page.locator('.canvas[aria-busy="false"]:has(.react-flow)').waitFor();
