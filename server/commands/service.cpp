@@ -50,9 +50,9 @@ struct Session {
 };
 
 // What the server says, on the socket's thread. The group may wait for a reply; all else waits for the group.
-void take(const remote::EncodedMessage& frame, remote::ProcessHost& process, Session& session,
+void take(const remote::EncodedMessage& encoded, remote::ProcessHost& process, Session& session,
           const std::string& name) {
-  auto message = remote::decode(frame, remote::Reader::process);
+  auto message = remote::decode(encoded, remote::Reader::process);
   const auto unfit = [&session](const Error& error) {
     session.end("the server says what does not fit: " + to_string(error));
   };
@@ -104,7 +104,7 @@ int be_a_service(const std::vector<std::string>& words) {
     while (!ended && !socket) {
       auto connected = remote::SocketClient::connect(
           *address, out,
-          {[&](const remote::EncodedMessage& frame) { take(frame, process, session, name); },
+          {[&](const remote::EncodedMessage& encoded) { take(encoded, process, session, name); },
            [&](std::string why) { session.end(std::move(why)); }});
       if (connected) {
         socket = std::move(*connected);

@@ -163,7 +163,7 @@ TEST_F(HostTest, WhatWasMeantForTheLostDoesNotReachItsSuccessor) {
 
 TEST_F(HostTest, OnlySoManyViolationsAreKept) {
   for (int i = 0; i < 150; ++i) lamp.host.event("unheard_of", i);
-  EXPECT_EQ(bench.violations("lamp").size(), Host::kViolationsKept);
+  EXPECT_EQ(bench.violations("lamp").size(), CallLedger::kViolationsKept);
 }
 
 TEST_F(HostTest, ALostServiceAnswersItsPendingCallsInOrderAndFallsSilent) {

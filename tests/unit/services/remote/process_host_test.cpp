@@ -37,7 +37,7 @@ struct RemoteUnitTest : testing::Test {
   }
   std::vector<std::string> said() {
     std::vector<std::string> all;
-    while (auto frame = server.pop()) all.push_back(frame->bytes);
+    while (auto encoded = server.pop()) all.push_back(encoded->bytes);
     return all;
   }
   SendQueue server;
@@ -130,9 +130,9 @@ TEST_F(RemoteUnitTest, AsksTheServerAndWaitsForItsReply) {
   std::atomic<bool> answered = false;
   process.connect(server, [&] { return ++looks < 0; });
   std::thread there([&] {
-    std::optional<EncodedMessage> frame;
-    while (!(frame = server.pop())) std::this_thread::yield();
-    asked = frame->bytes;
+    std::optional<EncodedMessage> encoded;
+    while (!(encoded = server.pop())) std::this_thread::yield();
+    asked = encoded->bytes;
     for (const int number : {7, 1}) {
       Message reply;
       reply.kind = Kind::reply;

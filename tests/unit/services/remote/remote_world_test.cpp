@@ -17,7 +17,7 @@ using testing::IsEmpty;
 
 std::vector<std::string> all_of(SendQueue& queue) {
   std::vector<std::string> all;
-  while (auto frame = queue.pop()) all.push_back(frame->bytes);
+  while (auto encoded = queue.pop()) all.push_back(encoded->bytes);
   return all;
 }
 
@@ -149,11 +149,11 @@ TEST_F(RemoteWorldTest, WhatDoesNotFitIsAnErrorAndAnswersNobody) {
 
 TEST_F(RemoteWorldTest, AFewActsWaitNoMore) {
   come(process);
-  for (std::size_t i = 0; i < RemoteWorld::kPendingCommands; ++i) act("push");
+  for (std::size_t i = 0; i < RemoteWorld::kMaxPendingCommands; ++i) act("push");
   EXPECT_THAT(answers, IsEmpty());
   act("push");
   EXPECT_THAT(answers, ElementsAre(HasSubstr("unavailable: 100 acts wait for the cell already")));
-  EXPECT_EQ(said().size(), RemoteWorld::kPendingCommands);
+  EXPECT_EQ(said().size(), RemoteWorld::kMaxPendingCommands);
 }
 
 TEST_F(RemoteWorldTest, PosesAreWantedWhileSomebodyWatchesFromEachProcessThatComes) {
