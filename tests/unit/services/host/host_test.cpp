@@ -56,7 +56,7 @@ struct HostTest : testing::Test {
   Lamp& lamp;
 };
 
-TEST_F(HostTest, AComponentIsCalledOnItsUnitOnly) {
+TEST_F(HostTest, AComponentIsCalledOnItsQueueOnly) {
   bench.host.call({"1", 1}, "lamp", "on", {}, {});
   EXPECT_THAT(lamp.calls, IsEmpty());
   bench.queue.run();

@@ -62,7 +62,7 @@ class Seen final : public services::HostObserver {
   std::vector<std::string> all_, log_;
 };
 
-// A process with lamps: its unit, and the server's end of its connection.
+// A process with lamps: its host, and the server's end of its connection.
 struct Process {
   explicit Process(Remotes& remotes, std::vector<std::string> keys = {"lamp"}) : link(remotes) {
     for (const std::string& key : keys) {
