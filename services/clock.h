@@ -17,7 +17,7 @@ class Clock {
   virtual Time now() const = 0;
 };
 
-/// World time: whoever steps the world sets it.
+/// World time: set by the thread that steps the world.
 class WorldClock final : public Clock {
  public:
   Time now() const override { return now_.load(std::memory_order_acquire); }

@@ -33,9 +33,9 @@ struct Call {
 using Time = double;
 
 /// What a service gives to other services on one of its flows (thesis 4.1: data-flow), past all cores: images, clouds.
-/// Immutable once it is published, and shared by all who get it; the header is frozen.
+/// Immutable once it is published, and shared by its subscribers; the header is frozen.
 struct Packet {
-  Time time = 0;  // what it shows was so then
+  Time time = 0;  // when its content was measured
   Value header;
   std::vector<std::byte> bytes;
 };
@@ -61,12 +61,12 @@ class ServiceHost {
 
   // Data flows and answers that are due. A host without other services may do nothing with them.
 
-  /// Hands a packet to all who listen to `flow` of this service.
+  /// Hands a packet to all subscribers of `flow` of this service.
   virtual void publish(std::string_view /*flow*/, PacketPtr /*packet*/) {}
-  /// Listens, or listens no longer, to `flow` of the service `key`, which this component's RSM lists in `subscribes`.
+  /// Subscribes, or no longer, to `flow` of the service `key`, which this component's RSM lists in `subscribes`.
   virtual void subscribe(std::string_view /*key*/, std::string_view /*flow*/, bool /*on*/) {}
   /// Announces an answer as of world time `at`, which another thread will prepare: where world time can wait, it does
-  /// not pass `at` before fulfil(), so a run does not depend on how fast that thread is. In real time nobody waits.
+  /// not pass `at` before fulfil(), so a run does not depend on how fast that thread is. In real time it does not wait.
   virtual ReservationId reserve(Time /*at*/) { return 0; }
   /// Ends a reservation: `answer` runs on the component's group at its time, or at once if that has passed; an empty
   /// one gives the time back. On any thread, once.
@@ -85,11 +85,11 @@ class Component {
   virtual void call(const Call& call) = 0;
   /// World time has advanced by one step of the group (1 ms in a cell). Only components that need time override it.
   virtual void step() {}
-  /// A packet came of a flow that the component listens to. One that comes while another still waits replaces it.
+  /// A packet came of a flow that the component subscribes to. One that comes while another still waits replaces it.
   virtual void packet(std::string_view /*key*/, std::string_view /*flow*/, const PacketPtr& /*packet*/) {}
-  /// From now on somebody, or nobody any more, listens to `flow` of this service. At first, nobody does.
+  /// `flow` of this service has subscribers from now on, or none any more. At first it has none.
   virtual void demand_changed(std::string_view /*flow*/, bool /*on*/) {}
-  /// The host is going away; nothing may be called on it afterwards.
+  /// The host is about to end; nothing may be called on it afterwards.
   virtual void stop() {}
 };
 

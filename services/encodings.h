@@ -1,5 +1,5 @@
-// Encodings of packets: what the field `encoding` of a header says of the bytes behind it. Whoever writes such packets
-// and whoever reads them have no other room in common. The layouts are in services/camera/README.md.
+// Encodings of packets: what the field `encoding` of a header says of the bytes behind it. Services that write such
+// packets and those that read them have no other header in common. The layouts are in services/camera/README.md.
 #pragma once
 
 #include <string_view>

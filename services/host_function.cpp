@@ -21,14 +21,14 @@ tl::unexpected<Error> unknown_function(const rsm::Service& service, std::string_
 
 Value refusal_reply(const Error& error) { return Dict{{"not_found", error.message}}; }
 
-Expected<Value> read_reply(Expected<Value> answer) {
-  const Value* absent = answer ? answer->find("not_found") : nullptr;
+Expected<Value> read_reply(Expected<Value> reply) {
+  const Value* absent = reply ? reply->find("not_found") : nullptr;
   if (absent && absent->is_string()) return unexpected(ErrorCode::not_found, absent->as_string(), "display");
-  return answer;
+  return reply;
 }
 
-Expected<std::uint64_t> read_id(Expected<Value> answer) {
-  ASSIGN_OR_RETURN(const Value id, read_reply(std::move(answer)));
+Expected<std::uint64_t> read_id(Expected<Value> reply) {
+  ASSIGN_OR_RETURN(const Value id, read_reply(std::move(reply)));
   if (!id.is_integer()) return unexpected(ErrorCode::type, "the server gives no id");
   return static_cast<std::uint64_t>(id.as_integer());
 }

@@ -1,5 +1,6 @@
-// What a process asks the desk of its component (services/remote/desk.h), as a table of functions, and how the answers
-// look on both ends. Of `display` and `audio`: their screens stay in the server.
+// HostFunction: a function of the server that a component calls from a process of its own (services/remote,
+// host_functions.h), as a row of a table; and the form of the replies, for both ends. For `display` and `audio`, whose
+// screens stay in the server.
 //
 // Threads: any.
 #pragma once
@@ -16,39 +17,39 @@
 
 namespace race::services {
 
-/// A function that a process may ask of `HostFunctions`.
-template <typename HostFunctions>
+/// One function of `Backend`, which a process may call.
+template <typename Backend>
 struct HostFunction {
   std::string_view name;
-  Expected<Value> (*answer)(HostFunctions& desk, const Dict& arguments);
+  Expected<Value> (*answer)(Backend& backend, const Dict& arguments);
   bool operation = true;  // of the RSM, with its parameters; else without any
 };
 
-/// The arguments of a question, held to what the operation of this name lets through; those that are absent have their
-/// declared values. Errors: those of bind_arguments().
+/// The arguments of a call, checked as those of the operation of this name; absent ones have their declared values.
+/// Errors: those of bind_arguments().
 Expected<Dict> read_operation(const rsm::Service& service, std::string_view function, const Dict& arguments);
-/// Of a function without any. Error `unknown_field`: there are some.
+/// Those of a function without any. Error `unknown_field`: there are some.
 Expected<Dict> read_no_arguments(std::string_view function, const Dict& arguments);
 /// Error `not_found`, with the function as its path.
 tl::unexpected<Error> unknown_function(const rsm::Service& service, std::string_view function);
 
-/// Asks `desk` one of `functions` of its `service`. Errors are those of a question that no component asks.
-template <typename HostFunctions, std::size_t kSize>
+/// Calls one of `functions` of the `service`. The errors are those of a call that no component makes.
+template <typename Backend, std::size_t kSize>
 Expected<Value> call_host_function(const rsm::Service& service,
-                                   const std::array<HostFunction<HostFunctions>, kSize>& functions, HostFunctions& desk,
+                                   const std::array<HostFunction<Backend>, kSize>& functions, Backend& backend,
                                    std::string_view function, const Dict& arguments) {
-  const auto known = std::ranges::find(functions, function, &HostFunction<HostFunctions>::name);
+  const auto known = std::ranges::find(functions, function, &HostFunction<Backend>::name);
   if (known == functions.end()) return unknown_function(service, function);
   ASSIGN_OR_RETURN(const Dict bound, known->operation ? read_operation(service, function, arguments)
                                                       : read_no_arguments(function, arguments));
-  return known->answer(desk, bound);
+  return known->answer(backend, bound);
 }
 
-/// What a desk refuses for a reason that a task can meet, a good answer: {"not_found": why}.
+/// The reply of a function that refuses for a reason that a task can meet: {"not_found": why}.
 Value refusal_reply(const Error& error);
-/// The answer, or what it refuses: an error `not_found` of `display`.
-Expected<Value> read_reply(Expected<Value> answer);
-/// An id in an answer.
-Expected<std::uint64_t> read_id(Expected<Value> answer);
+/// The reply, or, if it refuses, an error `not_found` of `display`.
+Expected<Value> read_reply(Expected<Value> reply);
+/// The id that a reply is.
+Expected<std::uint64_t> read_id(Expected<Value> reply);
 
 }  // namespace race::services

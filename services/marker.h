@@ -1,4 +1,4 @@
-// Marker: the printed square markers that things can carry, so that an eye tells them apart: black squares of 6 by 6
+// Marker: the printed square markers that things can carry, so that a camera can identify them: black squares of 6 by 6
 // cells, the inner 4 by 4 of them a code, black or white. Scene and part files name them, the camera draws them,
 // recognition reads them (with OpenCV's dictionary of this name; a test reads all that the camera draws).
 #pragma once

@@ -15,6 +15,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <utility>
 
 #ifdef __clang__
 #define RACE_ATTRIBUTE(attribute) __attribute__((attribute))
@@ -28,15 +29,9 @@
 /// Of a function: its caller holds the mutexes, or holds none of them.
 #define REQUIRES(...) RACE_ATTRIBUTE(requires_capability(__VA_ARGS__))
 #define EXCLUDES(...) RACE_ATTRIBUTE(locks_excluded(__VA_ARGS__))
-/// Of a mutex: both are taken in this order (checked by -Wthread-safety-beta).
-#define ACQUIRED_BEFORE(...) RACE_ATTRIBUTE(acquired_before(__VA_ARGS__))
 /// Of a function: it takes or gives back the mutex; without an argument, the object itself.
 #define ACQUIRE(...) RACE_ATTRIBUTE(acquire_capability(__VA_ARGS__))
 #define RELEASE(...) RACE_ATTRIBUTE(release_capability(__VA_ARGS__))
-/// Of a function: it returns a reference to the mutex.
-#define RETURN_CAPABILITY(mutex) RACE_ATTRIBUTE(lock_returned(mutex))
-/// Of a function whose body cannot be checked; a comment says why it is right.
-#define NO_THREAD_SAFETY_ANALYSIS RACE_ATTRIBUTE(no_thread_safety_analysis)
 
 namespace race::services {
 

@@ -21,7 +21,7 @@ Expected<std::unique_ptr<Cell>> Cell::create(const CellSetup& setup, services::H
   std::unique_ptr<Cell> cell(new Cell(observer));
   cell->waits_ = !setup.own_threads;
   const fs::path scene = fs::path(setup.folder) / "scene.json";
-  const auto here = [&](const char* unit) { return std::ranges::find(setup.remote, unit) == setup.remote.end(); };
+  const auto here = [&](const char* group) { return std::ranges::find(setup.remote, group) == setup.remote.end(); };
   if (auto added = cell->add_remotes(setup); !added) return tl::unexpected(std::move(added).error());
   if (here("cell") && !setup.folder.empty() && fs::exists(scene)) {
     if (auto added = cell->add_world(scene, setup.seed); !added) return tl::unexpected(std::move(added).error());

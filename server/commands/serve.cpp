@@ -21,7 +21,7 @@ std::int64_t first_sequence() {
   return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count() * 1000;
 }
 
-// The units that run as processes: "cell,database".
+// The component groups that run as processes: "cell,database".
 Expected<std::vector<std::string>> read_units(std::string_view text) {
   std::vector<std::string> names;
   while (!text.empty()) {

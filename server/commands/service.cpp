@@ -54,9 +54,9 @@ struct Session {
 
 // Handles a message of the server, on the socket's thread. The group may wait for a reply; all else is queued for the
 // group.
-void handle_message(const remote::EncodedMessage& frame, remote::ProcessHost& process, Session& session,
+void handle_message(const remote::EncodedMessage& encoded, remote::ProcessHost& process, Session& session,
                     const std::string& name) {
-  auto message = remote::decode(frame, remote::Reader::process);
+  auto message = remote::decode(encoded, remote::Reader::process);
   const auto end_invalid = [&session](const Error& error) {
     session.end("the server says what does not fit: " + to_string(error));
   };
@@ -109,7 +109,7 @@ int run_service(const Options& options) {
     while (!stop_requested && !socket) {
       auto connected =
           remote::SocketClient::connect(*address, out,
-                                        {[&](const remote::EncodedMessage& frame) { handle_message(frame, process, session, name); },
+                                        {[&](const remote::EncodedMessage& encoded) { handle_message(encoded, process, session, name); },
                                          [&](std::string why) { session.end(std::move(why)); }});
       if (connected) {
         socket = std::move(*connected);

@@ -5,6 +5,7 @@
 
 #include "server/http/request_filter.h"
 #include "server/stream/requests.h"
+#include "services/remote/process_link.h"
 
 namespace race::server {
 namespace {
@@ -123,9 +124,9 @@ class ComponentSession final : Session, public std::enable_shared_from_this<Comp
       });
     });
     while (!over_) {
-      while (auto frame = link_.out().pop()) {
-        socket_.binary(frame->binary);
-        const auto [error, bytes] = co_await socket_.async_write(asio::buffer(frame->bytes), kAsTuple);
+      while (auto encoded = link_.out().pop()) {
+        socket_.binary(encoded->binary);
+        const auto [error, bytes] = co_await socket_.async_write(asio::buffer(encoded->bytes), kAsTuple);
         if (error || over_) co_return close();
       }
       if (link_.out().drained()) co_return close();

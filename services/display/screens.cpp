@@ -36,7 +36,7 @@ Expected<Screens::ConnectionId> Screens::connect(const std::string& display, boo
   if (!is_display_name(display))
     return unexpected(ErrorCode::name, "a display's name has 1 to 32 letters, digits, `_` or `-`, and is not `all`",
                       "name");
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   if (!displays_.contains(display)) {
     if (!make_room())
       return unexpected(ErrorCode::conflict, std::to_string(kDisplays) + " displays are connected already", "name");
@@ -52,7 +52,7 @@ Expected<Screens::ConnectionId> Screens::connect(const std::string& display, boo
 }
 
 void Screens::disconnect(ConnectionId connection) {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   const auto known = connections_.find(connection);
   if (known == connections_.end()) return;
   const std::string display = known->second.display;
@@ -66,7 +66,7 @@ void Screens::disconnect(ConnectionId connection) {
 
 Expected<void> Screens::answer(const std::string& display, Value answer, std::optional<std::uint64_t> question) {
   answer.freeze();
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   ASSIGN_OR_RETURN(const Display* shown, find_connected(display));
   if (!shows_question(display, *shown) || (question && *question != question_->id))
     return unexpected(ErrorCode::conflict, "the display does not show this question, or not any more", "question");
@@ -79,7 +79,7 @@ Expected<void> Screens::answer(const std::string& display, Value answer, std::op
 }
 
 Expected<void> Screens::press(const std::string& display, const std::string& button) {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   ASSIGN_OR_RETURN(const Display* shown, find_connected(display));
   if (!shown->message || std::ranges::count(shown->message->buttons, button) == 0)
     return unexpected(ErrorCode::conflict, "the display does not show this button, or not any more", "button");
@@ -88,7 +88,7 @@ Expected<void> Screens::press(const std::string& display, const std::string& but
 }
 
 Expected<void> Screens::played(ConnectionId connection, std::uint64_t sound) {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   const auto known = connections_.find(connection);
   if (known == connections_.end() || !sound_ || sound_->id != sound || playing_.erase(connection) == 0)
     return unexpected(ErrorCode::conflict, "the sound is not played here, or not any more", "sound");
@@ -98,7 +98,7 @@ Expected<void> Screens::played(ConnectionId connection, std::uint64_t sound) {
 }
 
 std::vector<std::string> Screens::connected() const {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   std::vector<std::string> names;
   for (const auto& [name, display] : displays_)
     if (!display.connections.empty()) names.push_back(name);
@@ -106,25 +106,25 @@ std::vector<std::string> Screens::connected() const {
 }
 
 std::optional<Content> Screens::content(const std::string& display) const {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   const auto known = displays_.find(display);
   if (known == displays_.end()) return std::nullopt;
   return content_of(known->first, known->second);
 }
 
 void Screens::watch(Watcher* watcher) {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   watcher_ = watcher;
 }
 
 void Screens::repeat(const std::string& display) {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   const auto known = displays_.find(display);
   if (known != displays_.end() && watcher_) watcher_->changed(content_of(known->first, known->second));
 }
 
 Expected<void> Screens::show(const std::string& target, Message message) {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   if (auto connected = require_connected(target); !connected) return connected;
   for (auto& [name, display] : displays_)
     if (reaches(target, name)) display.message = message;
@@ -134,7 +134,7 @@ Expected<void> Screens::show(const std::string& target, Message message) {
 }
 
 Expected<std::uint64_t> Screens::ask(const std::string& target, Question question) {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   if (auto connected = require_connected(target); !connected) return tl::unexpected(std::move(connected).error());
   if (std::exchange(question_, std::nullopt)) notify_watcher(question_target_);
   question.id = next_id_++;
@@ -146,7 +146,7 @@ Expected<std::uint64_t> Screens::ask(const std::string& target, Question questio
 }
 
 Expected<bool> Screens::clear(const std::string& target) {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   if (target != kAllDisplays && !displays_.contains(target))
     if (auto connected = require_connected(target); !connected) return tl::unexpected(std::move(connected).error());
   if (target == kAllDisplays) everywhere_.reset();
@@ -155,8 +155,8 @@ Expected<bool> Screens::clear(const std::string& target) {
     display.message.reset();
     display.without_question = true;
   }
-  const bool shown =
-      std::ranges::any_of(displays_, [&](const auto& each) { return shows_question(each.first, each.second); });
+  const bool shown = std::ranges::any_of(
+      displays_, [&](const auto& each) REQUIRES(mutex_) { return shows_question(each.first, each.second); });
   const bool gone = question_ && !shown;
   if (gone) question_.reset();
   notify_watcher(target);
@@ -164,24 +164,24 @@ Expected<bool> Screens::clear(const std::string& target) {
 }
 
 void Screens::withdraw() {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   if (std::exchange(question_, std::nullopt)) notify_watcher(question_target_);
 }
 
 bool Screens::asking() {
-  const std::lock_guard lock(mutex_);
-  return std::ranges::any_of(displays_, [&](const auto& each) {
+  const services::MutexLock lock(mutex_);
+  return std::ranges::any_of(displays_, [&](const auto& each) REQUIRES(mutex_) {
     return !each.second.connections.empty() && shows_question(each.first, each.second);
   });
 }
 
 std::vector<DisplayEvent> Screens::take() {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   return std::exchange(events_, {});
 }
 
 Expected<std::uint64_t> Screens::play(const std::string& target, Sound sound) {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   std::set<ConnectionId> speakers;
   for (const auto& [id, connection] : connections_)
     if (connection.sound && reaches(target, connection.display)) speakers.insert(id);
@@ -199,14 +199,14 @@ Expected<std::uint64_t> Screens::play(const std::string& target, Sound sound) {
 }
 
 void Screens::silence() {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   playing_.clear();
   played_.clear();
   if (std::exchange(sound_, std::nullopt)) notify_watcher(sound_target_);
 }
 
 Playback Screens::playback() {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   return {playing_.size(), {played_.begin(), played_.end()}};
 }
 

@@ -21,7 +21,6 @@
 #include <atomic>
 #include <cstdint>
 #include <map>
-#include <mutex>
 #include <optional>
 #include <set>
 #include <string>
@@ -31,6 +30,7 @@
 #include "core/value/value.h"
 #include "services/display/content.h"
 #include "services/display/display_backend.h"
+#include "services/mutex.h"
 
 namespace race::display {
 
@@ -109,29 +109,28 @@ class Screens final : public DisplayBackend, public Speakers {
     bool sound = false;
   };
 
-  // All require the lock.
   bool reaches(const std::string& target, const std::string& display) const;
-  Content content_of(const std::string& name, const Display& display) const;
-  void notify_watcher(const std::string& target) const;
-  bool make_room();
-  Expected<Display*> find_connected(const std::string& display);
-  Expected<void> require_connected(const std::string& target) const;
-  Expected<void> enqueue(DisplayEvent event);
-  bool shows_question(const std::string& name, const Display& display) const;
+  Content content_of(const std::string& name, const Display& display) const REQUIRES(mutex_);
+  void notify_watcher(const std::string& target) const REQUIRES(mutex_);
+  bool make_room() REQUIRES(mutex_);
+  Expected<Display*> find_connected(const std::string& display) REQUIRES(mutex_);
+  Expected<void> require_connected(const std::string& target) const REQUIRES(mutex_);
+  Expected<void> enqueue(DisplayEvent event) REQUIRES(mutex_);
+  bool shows_question(const std::string& name, const Display& display) const REQUIRES(mutex_);
 
-  mutable std::mutex mutex_;
-  Watcher* watcher_ = nullptr;
-  std::map<std::string, Display> displays_;
-  std::map<ConnectionId, Connection> connections_;
-  std::vector<DisplayEvent> events_;
-  std::optional<Message> everywhere_;  // what a new display shows
-  std::optional<Question> question_;
-  std::string question_target_;
-  std::optional<Sound> sound_;
-  std::string sound_target_;
-  std::set<ConnectionId> playing_;
-  std::set<std::string> played_;
-  std::uint64_t next_id_ = 1;
+  mutable services::Mutex mutex_;
+  Watcher* watcher_ GUARDED_BY(mutex_) = nullptr;
+  std::map<std::string, Display> displays_ GUARDED_BY(mutex_);
+  std::map<ConnectionId, Connection> connections_ GUARDED_BY(mutex_);
+  std::vector<DisplayEvent> events_ GUARDED_BY(mutex_);
+  std::optional<Message> everywhere_ GUARDED_BY(mutex_);  // what a new display shows
+  std::optional<Question> question_ GUARDED_BY(mutex_);
+  std::string question_target_ GUARDED_BY(mutex_);
+  std::optional<Sound> sound_ GUARDED_BY(mutex_);
+  std::string sound_target_ GUARDED_BY(mutex_);
+  std::set<ConnectionId> playing_ GUARDED_BY(mutex_);
+  std::set<std::string> played_ GUARDED_BY(mutex_);
+  std::uint64_t next_id_ GUARDED_BY(mutex_) = 1;
   std::atomic<std::uint64_t> revision_{0};
 };
 

@@ -39,11 +39,18 @@ std::vector<std::string> Flows::demanded(std::string_view key) const {
   return flows;
 }
 
+std::vector<Flows::Subscription> Flows::subscriptions_of(std::size_t service) const {
+  std::vector<Subscription> all;
+  std::ranges::copy_if(subscriptions_, std::back_inserter(all),
+                       [&](const auto& each) { return is_service(each, service); });
+  return all;
+}
+
 void Flows::set_subscription(std::size_t service, std::string_view key, std::string_view flow, bool on) {
   const auto same = [&](const Subscription& each) { return is_service(each, service) && is_of(each, key, flow); };
   if (!on) {
     std::erase_if(subscriptions_, same);
-    drop_undemanded();
+    if (!has_demand(key, flow)) traffic_.reset(key, flow);
   } else if (std::ranges::none_of(subscriptions_, same)) {
     subscriptions_.push_back({std::string(key), std::string(flow), service, {}, 0, {}});
   }
@@ -59,7 +66,7 @@ Flows::Subscription Flows::unwatch(WatchId id) {
   if (id == 0 || found == subscriptions_.end()) return {};
   Subscription removed = std::move(*found);
   subscriptions_.erase(found);
-  drop_undemanded();
+  if (!has_demand(removed.key, removed.flow)) traffic_.reset(removed.key, removed.flow);
   return removed;
 }
 
@@ -82,64 +89,11 @@ PacketPtr Flows::take(std::size_t service, std::string_view key, std::string_vie
   return nullptr;
 }
 
-bool Flows::record(std::string_view key, std::string_view flow, const Packet& packet, Time now) {
-  constexpr Time kReportPeriod = 1;
-  auto passed =
-      std::ranges::find_if(traffic_, [&](const Traffic& each) { return each.key == key && each.flow == flow; });
-  if (passed == traffic_.end())
-    passed = traffic_.insert(traffic_.end(), {std::string(key), std::string(flow), {}, {}, now});
-  passed->last = {packet.time, packet.header};
-  passed->times.push_back(now);
-  if (passed->times.size() > kCounted) passed->times.pop_front();
-  if (passed->times.size() > 2 && now - passed->reported < kReportPeriod) return false;
-  passed->reported = now;
-  return true;
-}
-
-Time Flows::Traffic::period() const {
-  return times.size() < 2 ? 0 : (times.back() - times.front()) / static_cast<double>(times.size() - 1);
-}
-
-bool Flows::Traffic::has_stopped(Time now) const {
-  constexpr Time kTolerance = 1;  // beside three periods
-  return period() > 0 && now - times.back() > 3 * period() + kTolerance;
-}
-
-Published Flows::traffic(std::string_view key, std::string_view flow, Time now) const {
-  Published traffic{std::string(flow), 0, 0, {}};
-  for (const Subscription& each : subscriptions_)
-    if (each.watch != 0 && is_of(each, key, flow)) ++traffic.watchers;
-  const auto passed =
-      std::ranges::find_if(traffic_, [&](const Traffic& each) { return each.key == key && each.flow == flow; });
-  if (passed == traffic_.end()) return traffic;
-  traffic.last = passed->last;
-  if (const Time period = passed->period(); period > 0 && !passed->has_stopped(now)) traffic.rate_hz = 1 / period;
-  return traffic;
-}
-
-std::vector<std::string> Flows::stopped(Time now) {
-  std::vector<std::string> keys;
-  for (Traffic& each : traffic_) {
-    if (!each.has_stopped(now)) continue;
-    each.times.clear();
-    keys.push_back(each.key);
-  }
-  return keys;
-}
-
-void Flows::reset(std::string_view key) {
-  std::erase_if(traffic_, [&](const Traffic& each) { return each.key == key; });
-}
-
-void Flows::drop_undemanded() {
-  std::erase_if(traffic_, [&](const Traffic& each) { return !has_demand(each.key, each.flow); });
-}
-
-std::vector<Flows::Subscription> Flows::subscriptions_of(std::size_t service) const {
-  std::vector<Subscription> all;
-  std::ranges::copy_if(subscriptions_, std::back_inserter(all),
-                       [&](const auto& each) { return is_service(each, service); });
-  return all;
+Published Flows::published(std::string_view key, std::string_view flow, Time now) const {
+  Published published = traffic_.read(key, flow, now);
+  published.watchers = static_cast<std::size_t>(std::ranges::count_if(
+      subscriptions_, [&](const Subscription& each) { return each.watch != 0 && is_of(each, key, flow); }));
+  return published;
 }
 
 }  // namespace race::services

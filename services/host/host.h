@@ -1,18 +1,19 @@
-// Host: hosts components and stands between them and the cores. It gives calls their ids and hands them to the group of
-// their service; follows what each service announces with a monitor (R18) and records what does not fit; keeps the
-// calls that wait for a response, and answers those that nobody will (`unavailable`, R7). What services say leaves it
-// as Deliveries through the observer: events to everyone, a response to the caller alone. Packets of data flows go from
-// service to service, past the cores (flows.h); answers that are due hold world time up (reservations.h).
+// Host: hosts components and connects them to the cores. It gives calls their ids and hands them to the queue of their
+// service, holds what each service announces against its RSM (call_ledger.h), and answers calls that no component will
+// answer (`unavailable`, R7). What services say leaves it as Deliveries through the observer: events to all cores, a
+// response to the caller alone. Packets of data flows go from service to service, past the cores (flows.h); answers
+// that are due hold world time up (reservations.h).
 //
-// Threads: call(), watch() and the queries on any. A component is called on its group's thread. The observer and the
-// watchers of flows are called under the host's lock, in the order in which things happened: they must be quick and
+// Threads: call(), watch() and the queries on any. A component is called on the thread of its queue. The observer and
+// the watchers of flows are called under the host's lock, in the order in which things happened: they must be quick and
 // must not call the host.
+//
+// host.cpp has calls and announcements, lifecycle.cpp what becomes of components, data_flows.cpp packets.
 #pragma once
 
-#include <deque>
+#include <functional>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,61 +21,14 @@
 #include "core/rsm/model.h"
 #include "services/clock.h"
 #include "services/component.h"
+#include "services/host/delivery.h"
 #include "services/host/flows.h"
 #include "services/host/reservations.h"
+#include "services/host/service_entry.h"
 #include "services/host/work_queue.h"
+#include "services/mutex.h"
 
 namespace race::services {
-
-/// Who called: a core and its number of the call; no core: the server.
-struct Caller {
-  std::string core;
-  std::uint64_t call = 0;
-  bool operator==(const Caller&) const = default;
-};
-
-/// What a service says to cores.
-struct Delivery {
-  enum class Kind { event, response } kind = Kind::event;
-  Time time = 0;
-  std::size_t service = 0;     // number of the service in order of declaration
-  std::uint64_t sequence = 0;  // counts deliveries of the host
-  std::string key, name;       // of the service; of the event or the operation
-  Value data;                  // frozen
-  bool is_error = false;       // of a response
-  Caller caller;               // of a response
-};
-
-/// The order in which deliveries reach cores: (time, service, sequence).
-bool before(const Delivery& a, const Delivery& b);
-
-struct PendingCall {
-  CallId id = 0;
-  std::string operation;
-  Time time = 0;  // when it arrived
-  Caller caller;
-};
-
-/// What did not fit: the rule of the RSM, why, in which call (0: none).
-struct Violation {
-  Time time = 0;
-  std::string rule, message;
-  CallId call = 0;
-  std::string operation;
-};
-
-/// What can be seen of a service from outside.
-struct ServiceStatus {
-  std::string key, type;
-  const rsm::Service* model = nullptr;  // lives as long as the host
-  std::optional<std::string> state;     // none: a mere interface
-  bool available = true;
-  std::vector<PendingCall> pending;   // in order of call
-  std::vector<Violation> violations;  // the last kViolationsKept
-  std::string last;                   // id of the transition taken last; empty: none yet
-  std::vector<Published> publishes;   // as of now
-  std::vector<Subscribed> subscribes;
-};
 
 class HostObserver {
  public:
@@ -87,73 +41,94 @@ class HostObserver {
 
 class Host {
  public:
-  static constexpr std::size_t kViolationsKept = 100;
-
   /// Both live longer than the host.
   Host(const Clock& clock, HostObserver& observer);
   ~Host();
   Host(const Host&) = delete;
   Host& operator=(const Host&) = delete;
 
-  /// Declares a service before anything is called: its key (after `svc.`), its type and the group it lives in, which
-  /// outlives the calls. The component is made with what this returns and handed to attach().
-  ServiceHost& declare(std::string key, std::string type, WorkQueue& queue);
-  /// `awaited`: what does the component's work is not there yet; its service is lost until reconnect().
+  /// Declares a service before anything is called: its key (after `svc.`), its type and the queue where its component
+  /// runs, which outlives the calls. The component is made with what this returns and handed to attach().
+  ServiceHost& declare(std::string key, std::string type, WorkQueue& queue) EXCLUDES(mutex_);
+  /// `disconnected`: the process of the component is not there yet; the service is not available until reconnect().
   enum class Connection { connected, disconnected };
   void attach(const std::string& key, std::unique_ptr<Component> component,
-              Connection connection = Connection::connected);
+              Connection connection = Connection::connected) EXCLUDES(mutex_);
 
-  /// Calls an operation. Its response reaches the observer once, now or later, with `caller`; an unknown or lost
-  /// service or an unknown operation answers {"code": "unavailable"}. `args` and `kwargs` are frozen here.
-  CallId call(Caller caller, const std::string& service, std::string operation, List args, Dict kwargs);
+  /// Calls an operation. Its response reaches the observer once, now or later, with `caller`; an unknown or
+  /// disconnected service or an unknown operation answers {"code": "unavailable"}. `args` and `kwargs` are frozen here.
+  CallId call(Caller caller, const std::string& service, std::string operation, List args, Dict kwargs)
+      EXCLUDES(mutex_);
 
-  /// Time has passed: the answers that are due now go to their groups. With `wait`, those that are due and not there
+  /// Time has passed: the answers that are due now go to their queues. With `wait`, those that are due and not there
   /// yet are waited for. Observers hear of flows that have stopped. On the thread that sets the clock, after it was
   /// set.
-  void advance(bool wait);
-  /// step() of each component of `queue`, in order of declaration. On the group's thread.
-  void step(const WorkQueue& queue);
-  /// The component is gone (died, hangs, was unplugged): its pending calls are answered `unavailable` in order of call,
-  /// and it says nothing any more. Nothing that was on its way to it reaches it, also after reconnect(). `why`: for the
+  void advance(bool wait) EXCLUDES(mutex_);
+  /// step() of each component of `queue`, in order of declaration. On the thread of the queue.
+  void step(const WorkQueue& queue) EXCLUDES(mutex_);
+  /// The component has died, hangs or was unplugged: its pending calls are answered `unavailable` in order of call, and
+  /// it says nothing any more. Nothing that was on its way to it reaches it, also after reconnect(). `why`: for the
   /// log.
-  void disconnect(const std::string& key, const std::string& why = "unplugged");
-  /// What was lost is there again, in the initial state of its RSM.
-  void reconnect(const std::string& key);
-  /// stop() of all components: groups have ended, or are those of this thread. Nothing is called afterwards.
-  void stop();
+  void disconnect(const std::string& key, const std::string& why = "unplugged") EXCLUDES(mutex_);
+  /// The component is there again, in the initial state of its RSM.
+  void reconnect(const std::string& key) EXCLUDES(mutex_);
+  /// stop() of all components: queues are run no longer, or are those of this thread. Nothing is called afterwards.
+  void stop() EXCLUDES(mutex_);
 
   /// Watches a data flow from outside, until unwatch(): nothing is called once that has returned.
-  Flows::WatchId watch(const std::string& service, const std::string& flow, Flows::Watcher watcher);
-  void unwatch(Flows::WatchId watch);
+  Flows::WatchId watch(const std::string& service, const std::string& flow, Flows::Watcher watcher) EXCLUDES(mutex_);
+  void unwatch(Flows::WatchId watch) EXCLUDES(mutex_);
 
-  std::vector<ServiceStatus> services() const;
-  std::optional<ServiceStatus> service(const std::string& key) const;
-  /// Key -> description, as a Program wants it.
-  std::map<std::string, rsm::Service> models() const;
+  std::vector<ServiceStatus> services() const EXCLUDES(mutex_);
+  std::optional<ServiceStatus> service(const std::string& key) const EXCLUDES(mutex_);
+  /// Key -> description, as a Program reads it.
+  std::map<std::string, rsm::Service> models() const EXCLUDES(mutex_);
 
  private:
-  struct ServiceEntry;
-  friend struct ServiceEntry;
+  class Endpoint;  // the ServiceHost of a component: hands its announcements to the functions below
+  using Work = std::function<void(Component&)>;
 
-  ServiceEntry* find(const std::string& key) const;
-  void deliver_response(const ServiceEntry& entry, const PendingCall& call, Value value, bool is_error);
-  void post(ServiceEntry& entry, std::function<void(Component&)> work);
-  void run_guarded(ServiceEntry& entry, std::uint64_t connection_count, const std::function<void(Component&)>& work);
-  void disconnect(ServiceEntry& entry, const std::string& why);
-  void make_available(ServiceEntry& entry);
-  void set_subscription(ServiceEntry& entry, std::string_view key, std::string_view flow, bool on);
-  void notify_status(std::string_view key);
-  void publish(ServiceEntry& entry, std::string_view flow, const PacketPtr& packet);
-  void set_demand(std::string_view key, const std::string& flow, bool on);
+  // What the component of the service `number` announces; nothing happens while it is disconnected.
+  void transition(std::size_t number, std::string_view id, CallId call) EXCLUDES(mutex_);
+  void respond(std::size_t number, CallId call, Value value, bool is_error) EXCLUDES(mutex_);
+  void reject(std::size_t number, CallId call) EXCLUDES(mutex_);
+  void event(std::size_t number, std::string_view name, Value data) EXCLUDES(mutex_);
+  void publish(std::size_t number, std::string_view flow, const PacketPtr& packet) EXCLUDES(mutex_);
+  void subscribe(std::size_t number, std::string_view key, std::string_view flow, bool on) EXCLUDES(mutex_);
+  void log(std::size_t number, const std::string& text) EXCLUDES(mutex_);
+
+  // Calls and what is said of them.
+  ServiceEntry* find(const std::string& key) const REQUIRES(mutex_);
+  void log(const ServiceEntry& entry, const CallLedger::Violations& violations) REQUIRES(mutex_);
+  void notify_status(ServiceEntry& entry) REQUIRES(mutex_);
+  void answer(ServiceEntry& entry, CallId call, Value value, bool is_error) REQUIRES(mutex_);
+  void deliver_response(const ServiceEntry& entry, const PendingCall& call, Value value, bool is_error)
+      REQUIRES(mutex_);
+  void answer_unavailable(const PendingCall& call, const std::string& key, const ServiceEntry* entry) REQUIRES(mutex_);
+
+  // What becomes of components.
+  void make_available(ServiceEntry& entry) REQUIRES(mutex_);
+  void disconnect(ServiceEntry& entry, const std::string& why) REQUIRES(mutex_);
+  void post(ServiceEntry& entry, Work work) REQUIRES(mutex_);
+  void run(std::size_t number, std::optional<std::uint64_t> disconnections, const Work& work) EXCLUDES(mutex_);
+  std::vector<std::size_t> services_of(const WorkQueue& queue) const EXCLUDES(mutex_);
+  std::vector<Component*> components() const EXCLUDES(mutex_);
+
+  // Data flows.
+  void set_subscription(ServiceEntry& entry, std::string_view key, std::string_view flow, bool on) REQUIRES(mutex_);
+  void set_demand(const std::string& key, const std::string& flow, bool on) REQUIRES(mutex_);
+  void notify_traffic(const std::string& key) REQUIRES(mutex_);
+  void deliver_packet(std::size_t number, const std::string& key, const std::string& flow, Component& component)
+      EXCLUDES(mutex_);
 
   const Clock& clock_;
   HostObserver& observer_;
-  mutable std::mutex mutex_;
-  Flows flows_;
-  Reservations reservations_;                           // outlives the components: their threads fulfil
-  std::vector<std::unique_ptr<ServiceEntry>> entries_;  // in order of declaration; fixed after the start
-  CallId next_call_ = 1;
-  std::uint64_t next_delivery_ = 1;
+  mutable Mutex mutex_;
+  Flows flows_ GUARDED_BY(mutex_);
+  Reservations reservations_;  // outlives the components: their threads fulfil
+  std::vector<std::unique_ptr<ServiceEntry>> entries_ GUARDED_BY(mutex_);  // in order of declaration
+  CallId next_call_ GUARDED_BY(mutex_) = 1;
+  std::uint64_t next_delivery_ GUARDED_BY(mutex_) = 1;
 };
 
 }  // namespace race::services

@@ -14,7 +14,7 @@ bool is_due(const Reservations::Due& due, Time now) { return due.at <= now + kTo
 }  // namespace
 
 ReservationId Reservations::reserve(std::size_t service, Time at) {
-  const std::lock_guard lock(mutex_);
+  const MutexLock lock(mutex_);
   const ReservationId id = next_++;
   if (!closed_) open_.push_back({{at, service, id, {}}});
   return id;
@@ -22,7 +22,7 @@ ReservationId Reservations::reserve(std::size_t service, Time at) {
 
 void Reservations::fulfil(ReservationId id, std::function<void()> answer) {
   {
-    const std::lock_guard lock(mutex_);
+    const MutexLock lock(mutex_);
     const auto found = std::ranges::find(open_, id, [](const Reservation& each) { return each.due.id; });
     if (found == open_.end()) return;
     if (answer) {
@@ -37,7 +37,7 @@ void Reservations::fulfil(ReservationId id, std::function<void()> answer) {
 
 void Reservations::drop(std::size_t service) {
   {
-    const std::lock_guard lock(mutex_);
+    const MutexLock lock(mutex_);
     std::erase_if(open_, [&](const Reservation& each) { return each.due.service == service; });
   }
   changed_.notify_all();
@@ -45,7 +45,7 @@ void Reservations::drop(std::size_t service) {
 
 void Reservations::close() {
   {
-    const std::lock_guard lock(mutex_);
+    const MutexLock lock(mutex_);
     open_.clear();
     closed_ = true;
   }
@@ -58,8 +58,8 @@ bool Reservations::all_fulfilled(Time now) const {
 
 std::vector<Reservations::Due> Reservations::take(Time now, bool wait) {
   std::vector<Due> taken;
-  std::unique_lock lock(mutex_);
-  if (wait) changed_.wait(lock, [&] { return all_fulfilled(now); });
+  const MutexLock lock(mutex_);
+  if (wait) changed_.wait(mutex_, [&]() REQUIRES(mutex_) { return all_fulfilled(now); });
   std::erase_if(open_, [&](Reservation& each) {
     if (!each.fulfilled || !is_due(each.due, now)) return false;
     taken.push_back(std::move(each.due));

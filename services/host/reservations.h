@@ -4,12 +4,11 @@
 // Threads: any.
 #pragma once
 
-#include <condition_variable>
 #include <functional>
-#include <mutex>
 #include <vector>
 
 #include "services/component.h"
+#include "services/mutex.h"
 
 namespace race::services {
 
@@ -24,30 +23,30 @@ class Reservations {
   };
 
   /// Announces an answer of `service` as of `at`.
-  ReservationId reserve(std::size_t service, Time at);
+  ReservationId reserve(std::size_t service, Time at) EXCLUDES(mutex_);
   /// The answer is there; nothing happens if the reservation was dropped.
-  void fulfil(ReservationId id, std::function<void()> answer);
-  /// A service is gone: nobody waits for it.
-  void drop(std::size_t service);
-  /// Everything is gone, for good.
-  void close();
+  void fulfil(ReservationId id, std::function<void()> answer) EXCLUDES(mutex_);
+  /// A service is disconnected: removes its reservations.
+  void drop(std::size_t service) EXCLUDES(mutex_);
+  /// Removes all reservations, and takes none any more.
+  void close() EXCLUDES(mutex_);
 
   /// The answers that are there of those due at `now`, in the order (time, service, reservation). With `wait`, all of
   /// those due are: it waits for them.
-  std::vector<Due> take(Time now, bool wait);
+  std::vector<Due> take(Time now, bool wait) EXCLUDES(mutex_);
 
  private:
   struct Reservation {
     Due due;
     bool fulfilled = false;
   };
-  bool all_fulfilled(Time now) const;
+  bool all_fulfilled(Time now) const REQUIRES(mutex_);
 
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::vector<Reservation> open_;  // in order of id
-  ReservationId next_ = 1;
-  bool closed_ = false;
+  Mutex mutex_;
+  ConditionVariable changed_;
+  std::vector<Reservation> open_ GUARDED_BY(mutex_);  // in order of id
+  ReservationId next_ GUARDED_BY(mutex_) = 1;
+  bool closed_ GUARDED_BY(mutex_) = false;
 };
 
 }  // namespace race::services

@@ -4,7 +4,7 @@ namespace race::services {
 
 void WorkQueue::post(Work work) {
   {
-    const std::lock_guard lock(mutex_);
+    const MutexLock lock(mutex_);
     work_.push_back(std::move(work));
   }
   posted_.notify_one();
@@ -13,7 +13,7 @@ void WorkQueue::post(Work work) {
 bool WorkQueue::run() {
   std::vector<Work> work;
   {
-    const std::lock_guard lock(mutex_);
+    const MutexLock lock(mutex_);
     work.swap(work_);
   }
   for (const Work& each : work) each();
@@ -21,8 +21,8 @@ bool WorkQueue::run() {
 }
 
 void WorkQueue::wait() {
-  std::unique_lock lock(mutex_);
-  posted_.wait(lock, [this] { return !work_.empty(); });
+  const MutexLock lock(mutex_);
+  posted_.wait(mutex_, [this]() REQUIRES(mutex_) { return !work_.empty(); });
 }
 
 WorkThread::WorkThread() {

@@ -2,11 +2,11 @@
 // a loop that has other things to do (the cell's, a headless run's); WorkThread is a group with a thread of its own.
 #pragma once
 
-#include <condition_variable>
 #include <functional>
-#include <mutex>
 #include <thread>
 #include <vector>
+
+#include "services/mutex.h"
 
 namespace race::services {
 
@@ -15,18 +15,18 @@ class WorkQueue {
  public:
   using Work = std::function<void()>;
   virtual ~WorkQueue() = default;
-  void post(Work work);
+  void post(Work work) EXCLUDES(mutex_);
   /// Runs what had been posted when it was called, in order; whether there was anything.
-  bool run();
+  bool run() EXCLUDES(mutex_);
 
  protected:
   /// Waits until there is work.
-  void wait();
+  void wait() EXCLUDES(mutex_);
 
  private:
-  std::mutex mutex_;
-  std::condition_variable posted_;
-  std::vector<Work> work_;
+  Mutex mutex_;
+  ConditionVariable posted_;
+  std::vector<Work> work_ GUARDED_BY(mutex_);
 };
 
 /// A group with its own thread: runs what is posted until it is destroyed; work posted before that is still done.

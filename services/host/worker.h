@@ -19,7 +19,7 @@ class Worker {
   explicit Worker(ServiceHost& host) : host_(host) {}
 
   /// Runs `heavy` on the thread, after what was begun before; the answer it gives runs on the component's group at
-  /// `at`. If it throws, the answer throws that: the component is lost.
+  /// `at`. If it throws, the answer throws the same: the component is disconnected.
   void submit(Time at, std::function<Answer()> heavy);
 
  private:

@@ -1,5 +1,6 @@
-// HostFunctions: what stays in the server of a component that lives in a process of its own. A display, say, is told by
-// its process what to show; the screens are the server's. A service without one has empty functions.
+// HostFunctions: what stays in the server of a component that lives in a process of its own, and is called from there.
+// The process of a display, say, decides what to show; the screens are connections of the server. A service that needs
+// none has empty functions.
 //
 // Threads: `version` any, the others the group's.
 #pragma once
@@ -14,11 +15,11 @@
 namespace race::remote {
 
 struct HostFunctions {
-  /// Answers a question of the process. An error: no component asks this, and the process is lost.
+  /// Executes a call of the process. An error: no component makes it, and the process is disconnected.
   std::function<Expected<Value>(const std::string& function, const Dict& arguments)> request = {};
-  /// Counts what the process would want to know; when it has changed, the process is told to ask again.
+  /// Counts the changes that concern the process; it gets `news` after each, and calls again.
   std::function<std::uint64_t()> version = {};
-  /// A process comes or is lost: nothing of one before is left.
+  /// A process has connected or disconnected: takes away what the one before has left.
   std::function<void()> reset = {};
 };
 

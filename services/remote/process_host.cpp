@@ -103,18 +103,18 @@ Expected<Value> ProcessHost::request(const std::string& key, std::string_view fu
   Message message = message_of(Kind::request, key, function);
   message.number = ++requests_;
   message.kwargs = std::move(arguments);
-  ASSIGN_OR_RETURN(EncodedMessage frame, encode(message));
-  if (!server->push(std::move(frame))) return unexpected(ErrorCode::unavailable, "the server takes nothing more");
-  std::unique_lock lock(mutex_);
-  const auto answered = [&] { return reply_ && reply_->number == message.number; };
-  while (!reply_arrived_.wait_for(lock, kLook, answered))
+  ASSIGN_OR_RETURN(EncodedMessage encoded, encode(message));
+  if (!server->push(std::move(encoded))) return unexpected(ErrorCode::unavailable, "the server takes nothing more");
+  const services::MutexLock lock(mutex_);
+  const auto answered = [&]() REQUIRES(mutex_) { return reply_ && reply_->number == message.number; };
+  while (!reply_arrived_.wait_for(mutex_, kLook, answered))
     if (ended_ && ended_()) return unexpected(ErrorCode::unavailable, "the connection has ended");
   return std::move(reply_->value);
 }
 
 void ProcessHost::handle_reply(Message reply) {
   {
-    const std::lock_guard lock(mutex_);
+    const services::MutexLock lock(mutex_);
     reply_ = std::move(reply);
   }
   reply_arrived_.notify_one();
@@ -149,16 +149,16 @@ void ProcessHost::disconnect() { server_ = nullptr; }
 void ProcessHost::send(const Message& message, const std::string& flow) {
   SendQueue* server = server_;
   if (!server) return;
-  auto frame = encode(message);
-  if (!frame && message.call != 0 && message.kind == Kind::result) {
+  auto encoded = encode(message);
+  if (!encoded && message.call != 0 && message.kind == Kind::result) {
     Message error = message_of(Kind::error, message.key);
     error.call = message.call;
-    error.value = services::error_value(race::name(frame.error().code), frame.error().message);
-    frame = encode(error);
+    error.value = services::error_value(race::name(encoded.error().code), encoded.error().message);
+    encoded = encode(error);
   }
-  if (!frame && message.key.empty()) return;
-  if (!frame) frame = encode(message_of(Kind::log, message.key, "not sent: " + frame.error().message));
-  if (frame) server->push(std::move(*frame), flow);
+  if (!encoded && message.key.empty()) return;
+  if (!encoded) encoded = encode(message_of(Kind::log, message.key, "not sent: " + encoded.error().message));
+  if (encoded) server->push(std::move(*encoded), flow);
 }
 
 Expected<void> ProcessHost::handle(Message message) {
@@ -192,7 +192,7 @@ Expected<void> ProcessHost::handle(Message message) {
   return {};
 }
 
-// What cannot be told is refused, so that nobody waits for it.
+// An answer that cannot be sent becomes an error, so that nobody waits for it.
 Expected<void> ProcessHost::handle_world_message(const Message& message) {
   if (!world_.execute) return unexpected(ErrorCode::not_found, "this process has no world", name(message.kind).data());
   set_clock(message.time);
@@ -212,7 +212,7 @@ Expected<void> ProcessHost::handle_world_message(const Message& message) {
   };
   if (Expected<Value> done = world_.execute(message.value)) {
     answer.value = std::move(*done);
-    if (auto frame = encode(answer); !frame) fail(frame.error());
+    if (auto encoded = encode(answer); !encoded) fail(encoded.error());
   } else {
     fail(done.error());
   }

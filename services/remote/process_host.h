@@ -1,15 +1,12 @@
-// ProcessHost: the components of a process, and the ServiceHosts that they talk to: what they announce goes to the
-// server. The components are those of the server, and cannot tell the difference.
+// ProcessHost: hosts a component group in a process of its own. The components are those of the server; what they
+// announce to their ServiceHosts goes to the server.
 //
-// Threads: one, the group's; its queue takes work from any, and handle_reply() is for another. A component may log and
-// fulfil reservations on its own.
+// Threads: one, the group's. On any: work for the queue, handle_reply(), and a component's log() and fulfil().
 #pragma once
 
 #include <atomic>
-#include <condition_variable>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +15,7 @@
 #include "services/component.h"
 #include "services/host/reservations.h"
 #include "services/host/work_queue.h"
+#include "services/mutex.h"
 #include "services/remote/protocol.h"
 #include "services/remote/send_queue.h"
 
@@ -33,46 +31,45 @@ class ProcessHost {
   ProcessHost(const ProcessHost&) = delete;
   ProcessHost& operator=(const ProcessHost&) = delete;
 
-  /// As of a Host: the component is made with what this returns.
+  /// As Host::declare(): the component is made with what this returns.
   services::ServiceHost& declare(std::string key, std::string type);
   void attach(const std::string& key, std::unique_ptr<services::Component> component);
-  /// Called at the beginning and the end of each step; what the components act in is kept with it until they are gone.
+  /// Called at the beginning and the end of each step; what they hold lives until the components are destroyed.
   void before_step(std::function<void()> work) { before_step_ = std::move(work); }
   void after_step(std::function<void()> work) { after_step_ = std::move(work); }
 
-  /// What the components act in, for the server (remote_world.h).
+  /// The world that the components act in, for the server (remote_world.h).
   struct World {
-    Value json;                                                // that goes with the hello
-    std::function<Expected<Value>(const Value& act)> execute;  // does it (null: nothing); what the server is told of it
-    std::function<void(bool on)> watch;                        // show() is wanted, or no longer
+    Value json;                                                    // of the hello
+    std::function<Expected<Value>(const Value& command)> execute;  // executes it (null: none); its answer
+    std::function<void(bool on)> watch;                            // whether to call send_pose()
   };
   void set_world(World world) { world_ = std::move(world); }
-  /// Tells the server where everything is; one that waits to be sent makes room.
+  /// Sends the server where everything is; replaces a pose that waits to be sent.
   void send_pose(Value pose);
 
-  /// Called when there is news at the desk (desk.h) of the component `key`; what it needs is kept with it.
+  /// `work` is called when something has changed for the host functions of the component `key` (host_functions.h).
   void on_host_change(const std::string& key, std::function<void()> work);
-  /// Asks the desk of the component `key` in the server and waits for the answer. Errors: `unavailable` (the connection
-  /// has ended or takes nothing more, or is not welcome yet), `constant`, `too_large`.
-  Expected<Value> request(const std::string& key, std::string_view function, Dict arguments);
+  /// Calls a host function of the component `key` in the server and waits for the reply. Errors: `unavailable` (the
+  /// connection has ended or takes nothing more, or the server has not accepted it yet), `constant`, `too_large`.
+  Expected<Value> request(const std::string& key, std::string_view function, Dict arguments) EXCLUDES(mutex_);
 
   /// The first message, for all that is attached.
   Message hello() const;
-  /// What the components announce goes here from now on, and is lost before that. It outlives the group or
-  /// disconnect(). `over`: whether the connection has ended; an empty one: never.
+  /// What the components announce goes to `server` from now on, and is dropped before that. It outlives this or lives
+  /// until disconnect(). `ended`: whether the connection has ended; an empty one: never.
   void connect(SendQueue& server, std::function<bool()> ended = {});
   void disconnect();
-  /// Does what the server says. Error `not_found`: the message is for no component or world of this process. What a
-  /// component throws, comes through: the group is as good as dead.
+  /// Handles a message of the server. Error `not_found`: it is for no component or world of this process. Throws what a
+  /// component throws, after which the group must not be used.
   Expected<void> handle(Message message);
-  /// The reply to a request came, which may be waited for. On another thread than the group's.
-  void handle_reply(Message reply);
-  /// 1 ms: what was posted, what is due, then step() of all.
+  /// The reply to a request came; request() may wait for it. On another thread than the group's.
+  void handle_reply(Message reply) EXCLUDES(mutex_);
+  /// Advances time by 1 ms: runs what was posted and what is due, then step() of all components.
   void step();
 
   services::WorkQueue& queue() { return queue_; }
-  /// Runs by the steps, and is set forward or waits where it is more than kMaxClockOffset from what the server said
-  /// last.
+  /// Advances with step(); is set forward, or waits, when it is more than kMaxClockOffset from the server's.
   const services::Clock& clock() const { return clock_; }
 
  private:
@@ -93,9 +90,9 @@ class ProcessHost {
   std::atomic<SendQueue*> server_{nullptr};
   std::function<bool()> ended_;
   bool accepted_ = false;  // by the server
-  std::mutex mutex_;       // of the reply
-  std::condition_variable reply_arrived_;
-  std::optional<Message> reply_;
+  services::Mutex mutex_;
+  services::ConditionVariable reply_arrived_;
+  std::optional<Message> reply_ GUARDED_BY(mutex_);
   std::int64_t requests_ = 0;
   services::Time clock_ahead_ = 0;  // [s] of the server's clock, which this one waits for
 };

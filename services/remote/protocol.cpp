@@ -229,25 +229,25 @@ Expected<EncodedMessage> encode(const Message& message) {
     std::visit([&](auto member) { json.set(field.name, write(message.*member)); }, field.member);
   const Value whole = std::move(json);
   if (!whole.is_finite()) return unexpected(ErrorCode::constant, "a message has finite numbers only");
-  EncodedMessage frame{to_json(whole), row.binary};
+  EncodedMessage encoded{to_json(whole), row.binary};
   if (row.binary) {
-    const std::size_t length = frame.bytes.size();
+    const std::size_t length = encoded.bytes.size();
     if (length > kHeaderBytes) return unexpected(ErrorCode::too_large, too_long_a_header());
     std::string head;
     for (int shift = 24; shift >= 0; shift -= 8) head += static_cast<char>(length >> shift & 0xFFU);
-    frame.bytes.insert(0, head);
-    frame.bytes.append(reinterpret_cast<const char*>(message.bytes.data()), message.bytes.size());
+    encoded.bytes.insert(0, head);
+    encoded.bytes.append(reinterpret_cast<const char*>(message.bytes.data()), message.bytes.size());
   }
-  if (frame.bytes.size() > kMessageBytes)
+  if (encoded.bytes.size() > kMessageBytes)
     return unexpected(ErrorCode::too_large, "a message has at most " + std::to_string(kMessageBytes) + " bytes");
-  return frame;
+  return encoded;
 }
 
-Expected<Message> decode(const EncodedMessage& frame, Reader reader) {
-  std::string_view text = frame.bytes, bytes;
+Expected<Message> decode(const EncodedMessage& encoded, Reader reader) {
+  std::string_view text = encoded.bytes, bytes;
   if (text.size() > kMessageBytes)
     return unexpected(ErrorCode::too_large, "a message has at most " + std::to_string(kMessageBytes) + " bytes");
-  if (frame.binary) {
+  if (encoded.binary) {
     std::size_t length = 0;
     for (std::size_t i = 0; i < kLengthBytes && i < text.size(); ++i)
       length = length << 8U | static_cast<unsigned char>(text[i]);
@@ -258,7 +258,7 @@ Expected<Message> decode(const EncodedMessage& frame, Reader reader) {
     text = text.substr(kLengthBytes, length);
   }
   ASSIGN_OR_RETURN(const Value json, parse_json(text, kLimits));
-  ASSIGN_OR_RETURN(Message message, read_message(json, reader, frame.binary));
+  ASSIGN_OR_RETURN(Message message, read_message(json, reader, encoded.binary));
   const auto* data = reinterpret_cast<const std::byte*>(bytes.data());
   message.bytes.assign(data, data + bytes.size());
   return message;

@@ -1,6 +1,6 @@
 // The protocol between the server and a process of components (api/schemas/component_request.json and
 // component_message.json): what a component and its ServiceHost say to each other, as WebSocket messages. One codec for
-// both ends; what does not fit is refused at the door. Pure functions.
+// both ends; invalid messages are errors. Pure functions.
 //
 // A message is a JSON object with its `type`. A packet of a data flow is a binary message: the length of its JSON as
 // four bytes, the highest first, the JSON, and the packet's bytes.
@@ -36,23 +36,23 @@ enum class Kind : std::uint8_t {
   log,
   subscribe,
   publish,  // a packet
-  request,  // a question to the desk of the component (desk.h)
+  request,  // a call of a host function (host_functions.h)
   pose,     // of the world (remote_world.h): where everything is
-  ready,    // for the act that was offered
-  done,     // what came of it
-  failed,   // why it was refused
-  pong,     // the group's thread has got as far as the ping
-  // to the process; what it is to do says the server's time
-  welcome,  // the components are there from now on
+  ready,    // for the command that was offered
+  done,     // the answer to the command
+  failed,   // why the command was refused
+  pong,     // the group's thread has got the ping
+  // to the process; most have the server's time
+  welcome,  // its components are connected
   refused,  // they are not, and why; the connection ends
   call,     // the functions of Component
-  wanted,
+  wanted,   // demand_changed()
   packet,
   reply,  // to a request
-  news,   // what was asked before may be different now
-  offer,  // somebody wants to act in the world; who is ready is told how
-  act,    // what is to be done there, or asked: what hands hold
-  watch,  // somebody wants poses, or nobody any more
+  news,   // replies to earlier requests may be out of date
+  offer,  // of a command in the world; sent once the process is ready
+  act,    // the command
+  watch,  // whether to send poses
   ping,
 };
 
@@ -71,8 +71,8 @@ struct Message {
   std::string name;           // of the transition, operation, event, flow or function; the text of a log
   std::string service;        // whose flow it is
   services::CallId call = 0;  // 0: no call
-  std::int64_t number = 0;    // of the protocol, of a ping, of a request, of an act
-  bool on = false;            // listens, is listened to
+  std::int64_t number = 0;    // of the protocol, of a ping, of a request, of a command
+  bool on = false;            // subscribes, has subscribers, is watched
   services::Time time = 0;    // the server's; of a packet, its own
   Value value;  // result, error, reply, data of an event, header of a packet, components, errors, act, pose
   Value world;  // that the process brings, or null
@@ -87,7 +87,7 @@ Expected<EncodedMessage> encode(const Message& message);
 /// Errors, with the field as path: `json`, `too_deep`, `too_large`, `constant` (no JSON within its limits), `type`
 /// (also: no type of a message for this reader, text where bytes are due or the other way round), `missing`,
 /// `unknown_field`, `out_of_range`.
-Expected<Message> decode(const EncodedMessage& frame, Reader reader);
+Expected<Message> decode(const EncodedMessage& encoded, Reader reader);
 
 /// A text as it may be said: at most kNameBytes of it, cut between characters.
 std::string cut(std::string text);

@@ -13,15 +13,15 @@ void RemoteComponent::connect(std::shared_ptr<SendQueue> process) {
   if (functions_.reset) functions_.reset();
 }
 
-// A process that reads nothing loses what is sent; it answers no ping either, and is lost itself.
+// A process that reads nothing loses what is sent; it answers no ping either, and is disconnected.
 Expected<void> RemoteComponent::send(const Message& message, const std::string& flow) {
   if (!process_) return {};
-  ASSIGN_OR_RETURN(EncodedMessage frame, encode(message));
-  process_->push(std::move(frame), flow);
+  ASSIGN_OR_RETURN(EncodedMessage encoded, encode(message));
+  process_->push(std::move(encoded), flow);
   return {};
 }
 
-// What happened before the call, the process knows before it.
+// The process gets the news of what happened before the call first.
 void RemoteComponent::call(const services::Call& call) {
   notify_changes();
   Message message;
@@ -67,7 +67,7 @@ void RemoteComponent::notify_changes() {
   message.kind = Kind::news;
   message.key = key_;
   message.time = host_.now();
-  (void)send(message);  // each in its place: a later one that took it would come after a call between them
+  (void)send(message);  // not as of a flow: a later one that replaced it would come after a call between them
 }
 
 Expected<void> RemoteComponent::answer(const Message& request) {

@@ -1,5 +1,5 @@
-// RemoteComponent: what the Host takes for a component that lives in another process. It hands calls and packets to
-// that process and says to its ServiceHost what the process announces; it knows nothing of the service itself.
+// RemoteComponent: the proxy of a component that lives in another process. It hands calls and packets to that process
+// and announces to its ServiceHost what the process announces; it knows nothing of the service itself.
 //
 // Threads: its group's.
 #pragma once
@@ -22,10 +22,10 @@ class RemoteComponent final : public services::Component {
 
   /// What is sent goes to `process` from now on; nullptr: to nobody.
   void connect(std::shared_ptr<SendQueue> process);
-  /// The process has announced something or asks its functions. Requires a message of such a kind. Errors: the
-  /// functions's.
+  /// The process has announced something or calls a host function. Requires a message of such a kind. Errors: those
+  /// of the function.
   Expected<void> announce(Message message);
-  /// Tells the process when there is news for it.
+  /// Sends `news` to the process if something has changed for its host functions.
   void notify_changes();
 
   const rsm::Service& model() const override { return model_; }
@@ -41,7 +41,7 @@ class RemoteComponent final : public services::Component {
   const rsm::Service& model_;
   services::ServiceHost& host_;
   const HostFunctions functions_;
-  std::uint64_t notified_version_ = 0;  // the version of the functions that the process knows of
+  std::uint64_t notified_version_ = 0;  // of the host functions, as the process knows it
   std::shared_ptr<SendQueue> process_;  // held by its connection too
 };
 

@@ -44,11 +44,11 @@ Expected<RemoteWorld::World> RemoteWorld::check(Value world) const {
   return World{std::move(world), std::move(rules)};
 }
 
-// With the lock. A process that reads nothing answers no ping either, and is lost.
+// A process that reads nothing answers no ping either, and is disconnected.
 Expected<void> RemoteWorld::send(Message message) {
   message.time = clock_.now();
-  ASSIGN_OR_RETURN(EncodedMessage frame, encode(message));
-  if (!process_->push(std::move(frame)))
+  ASSIGN_OR_RETURN(EncodedMessage encoded, encode(message));
+  if (!process_->push(std::move(encoded)))
     return unexpected(ErrorCode::unavailable, "the process of the cell takes nothing more");
   return {};
 }
@@ -56,10 +56,10 @@ Expected<void> RemoteWorld::send(Message message) {
 void RemoteWorld::connect(std::shared_ptr<SendQueue> process, World world) {
   std::map<std::int64_t, Command> left;
   {
-    const std::lock_guard lock(mutex_);
+    const services::MutexLock lock(mutex_);
     world_ = process ? std::make_shared<const World>(std::move(world)) : nullptr;
     process_ = std::move(process);
-    left.swap(waiting_);
+    left.swap(pending_);
     if (process_ && watched_) {
       Message message = message_of(Kind::watch);
       message.on = true;
@@ -70,19 +70,19 @@ void RemoteWorld::connect(std::shared_ptr<SendQueue> process, World world) {
 }
 
 Value RemoteWorld::world() const {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   return world_ ? world_->value : Value();
 }
 
-// With the lock. Takes the act if it waits from now on.
+// Takes the command if it waits from now on.
 Expected<void> RemoteWorld::offer(Command& command) {
   if (!process_) return no_world();
-  if (waiting_.size() >= kPendingCommands)
-    return unexpected(ErrorCode::unavailable, std::to_string(kPendingCommands) + " acts wait for the cell already");
+  if (pending_.size() >= kMaxPendingCommands)
+    return unexpected(ErrorCode::unavailable, std::to_string(kMaxPendingCommands) + " acts wait for the cell already");
   Message message = message_of(Kind::offer);
-  message.number = commands_ + 1;
+  message.number = last_number_ + 1;
   if (auto sent = send(std::move(message)); !sent) return sent;
-  waiting_.emplace(++commands_, std::move(command));
+  pending_.emplace(++last_number_, std::move(command));
   return {};
 }
 
@@ -91,39 +91,39 @@ void RemoteWorld::execute(Value what, Confirm confirm, Done done) {
   Command command{std::move(what), std::move(confirm), std::move(done)};
   Expected<void> offered;
   {
-    const std::lock_guard lock(mutex_);
+    const services::MutexLock lock(mutex_);
     offered = offer(command);
   }
   if (!offered) command.done(tl::unexpected(std::move(offered).error()));
 }
 
-// Whoever waited may have gone since, and was told so: then nothing is said, and nothing done.
+// If the caller has given up meanwhile, it got its answer already: the command is dropped.
 Expected<void> RemoteWorld::handle_ready(std::int64_t number) {
   Done done;
   Expected<void> sent;
   {
-    const std::lock_guard lock(mutex_);
-    const auto found = waiting_.find(number);
-    if (found == waiting_.end() || found->second.started) return no_such_command();
+    const services::MutexLock lock(mutex_);
+    const auto found = pending_.find(number);
+    if (found == pending_.end() || found->second.sent) return no_such_command();
     if (found->second.confirm()) {
       Message message = message_of(Kind::act);
       message.number = number;
       message.value = found->second.what;
       sent = send(std::move(message));
       if (sent) {
-        found->second.started = true;
+        found->second.sent = true;
         return {};
       }
       done = std::move(found->second.done);
     }
-    waiting_.erase(found);
+    pending_.erase(found);
   }
   if (done) done(tl::unexpected(std::move(sent).error()));
   return {};
 }
 
 void RemoteWorld::watch(bool on) {
-  const std::lock_guard lock(mutex_);
+  const services::MutexLock lock(mutex_);
   if (std::exchange(watched_, on) == on || !process_) return;
   Message message = message_of(Kind::watch);
   message.on = on;
@@ -139,8 +139,8 @@ Expected<void> RemoteWorld::announce(Message message) {
 Expected<void> RemoteWorld::handle_pose(const Value& pose) {
   std::shared_ptr<const World> world;
   {
-    const std::lock_guard lock(mutex_);
-    if (!watched_ || !world_) return {};  // it was on its way
+    const services::MutexLock lock(mutex_);
+    if (!watched_ || !world_) return {};  // it was sent before watching ended
     world = world_;
   }
   if (auto good = world->rules.pose(pose); !good) return good;
@@ -148,14 +148,14 @@ Expected<void> RemoteWorld::handle_pose(const Value& pose) {
   return {};
 }
 
-// What does not fit answers nobody: the process is lost, and with it the act.
+// An invalid answer disconnects the process, and thereby answers the command `unavailable`.
 Expected<void> RemoteWorld::handle_answer(const Message& message) {
   Done done;
   Expected<Value> answer = message.value;
   {
-    const std::lock_guard lock(mutex_);
-    const auto found = waiting_.find(message.number);
-    if (found == waiting_.end() || !found->second.started) return no_such_command();
+    const services::MutexLock lock(mutex_);
+    const auto found = pending_.find(message.number);
+    if (found == pending_.end() || !found->second.sent) return no_such_command();
     if (message.kind == Kind::failed) {
       ASSIGN_OR_RETURN(Error error, read_error(message.value));
       answer = tl::unexpected(std::move(error));
@@ -163,7 +163,7 @@ Expected<void> RemoteWorld::handle_answer(const Message& message) {
       return good;
     }
     done = std::move(found->second.done);
-    waiting_.erase(found);
+    pending_.erase(found);
   }
   done(std::move(answer));
   return {};

@@ -1,6 +1,9 @@
-// RemoteWorld: the server's end of what the components of a process act in: the world that the process brings with its
-// hello, the poses that it shows while somebody watches, and acts in it with their answers. It knows nothing of the
-// world itself: its Validator says what fits.
+// RemoteWorld: the server's end of the world that the components of a process act in: the world that the process brings
+// with its hello, the poses that it sends while somebody watches, and commands with their answers. It knows nothing of
+// the world itself: its Validator says what is valid.
+//
+// A command is sent in two steps: it is offered to the process and, once the process is ready for it, confirmed by its
+// caller. So a process that hung does not execute a command whose caller has given up.
 //
 // Threads: any; connect() and announce() on the group's.
 #pragma once
@@ -9,11 +12,11 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <mutex>
 
 #include "core/value/expected.h"
 #include "core/value/value.h"
 #include "services/clock.h"
+#include "services/mutex.h"
 #include "services/remote/protocol.h"
 #include "services/remote/send_queue.h"
 
@@ -24,20 +27,20 @@ tl::unexpected<Error> no_world();
 
 class RemoteWorld {
  public:
-  static constexpr std::size_t kPendingCommands = 100;  // that wait for an answer
+  static constexpr std::size_t kMaxPendingCommands = 100;  // that wait for an answer
 
-  /// How an act ended, once: on the group's thread, or at once on that of execute(). Frozen.
+  /// The answer to a command, frozen; called once, on the group's thread, or at once on that of execute().
   using Done = std::function<void(Expected<Value>)>;
-  /// Whether the act is still wanted, asked once: when the process is ready for it. After a yes it is done, if the
-  /// process lives. On the group's thread; does not come back here.
+  /// Whether the command is to be executed; called once, when the process is ready for it. After a yes the process
+  /// executes it, if it lives. On the group's thread, under the lock: must not call the RemoteWorld.
   using Confirm = std::function<bool()>;
 
-  /// What poses and answers of a world must be; errors lose the process.
+  /// What poses and answers of a world must be; an error disconnects the process.
   struct Rules {
     std::function<Expected<void>(const Value& pose)> pose;
     std::function<Expected<void>(const Value& answer)> answer;
   };
-  /// A world that was let in, frozen.
+  /// A valid world, frozen.
   struct World {
     Value value;
     Rules rules;
@@ -48,45 +51,46 @@ class RemoteWorld {
   /// `show` gets each pose, frozen, on the group's thread. The clock outlives it.
   RemoteWorld(const services::Clock& clock, Validator validate, std::function<void(Value)> show);
 
-  /// Whether a process may bring this. Any thread; takes its time.
+  /// Whether a process may bring this world. On any thread; takes its time.
   Expected<World> check(Value world) const;
-  /// The world of `process` is there from now on. nullptr: it is not, and all that waits is `unavailable`.
-  void connect(std::shared_ptr<SendQueue> process, World world);
-  /// The process has said something of its world. Requires a message of such a kind. Errors: those of the validate;
-  /// `conflict`: it answers what nobody waits for.
-  Expected<void> announce(Message message);
+  /// `process` has connected with its world; nullptr: it has disconnected, and the commands that wait are answered
+  /// `unavailable`.
+  void connect(std::shared_ptr<SendQueue> process, World world) EXCLUDES(mutex_);
+  /// A message of the process about its world. Requires a message of such a kind. Errors: those of the Rules;
+  /// `conflict`: it is about no command that waits.
+  Expected<void> announce(Message message) EXCLUDES(mutex_);
 
-  /// What the process brought, frozen; null: it is not there.
-  Value world() const;
-  /// Offers an act (null: none) to the process, which does it when it is ready, if it is `wanted` then; else it is
-  /// forgotten, and `done` not called. Errors: `unavailable`, and why; the process'.
-  void execute(Value act, Confirm confirm, Done done);
-  /// Somebody wants poses, or nobody any more.
-  void watch(bool on);
+  /// What the process brought, frozen; null: no process is connected.
+  Value world() const EXCLUDES(mutex_);
+  /// Offers a command (null: none, its answer alone) to the process, which executes it once `confirm` has said yes.
+  /// After a no it is dropped, and `done` is not called. Errors: `unavailable`, with the reason; those of the process.
+  void execute(Value command, Confirm confirm, Done done) EXCLUDES(mutex_);
+  /// Whether the process is to send poses.
+  void watch(bool on) EXCLUDES(mutex_);
 
  private:
   struct Command {
     Value what;
     Confirm confirm;
     Done done;
-    bool started = false;  // by the process
+    bool sent = false;  // to the process, which executes it
   };
 
-  Expected<void> send(Message message);
-  Expected<void> offer(Command& act);
-  Expected<void> handle_ready(std::int64_t number);
-  Expected<void> handle_pose(const Value& pose);
-  Expected<void> handle_answer(const Message& message);
+  Expected<void> send(Message message) REQUIRES(mutex_);
+  Expected<void> offer(Command& command) REQUIRES(mutex_);
+  Expected<void> handle_ready(std::int64_t number) EXCLUDES(mutex_);
+  Expected<void> handle_pose(const Value& pose) EXCLUDES(mutex_);
+  Expected<void> handle_answer(const Message& message) EXCLUDES(mutex_);
 
   const services::Clock& clock_;
   const Validator validate_;
   const std::function<void(Value)> show_;
-  mutable std::mutex mutex_;            // of all below
-  std::shared_ptr<SendQueue> process_;  // held by its connection too
-  std::shared_ptr<const World> world_;  // of it
-  bool watched_ = false;
-  std::map<std::int64_t, Command> waiting_;  // by its number
-  std::int64_t commands_ = 0;
+  mutable services::Mutex mutex_;
+  std::shared_ptr<SendQueue> process_ GUARDED_BY(mutex_);  // held by its connection too
+  std::shared_ptr<const World> world_ GUARDED_BY(mutex_);  // of the process
+  bool watched_ GUARDED_BY(mutex_) = false;
+  std::map<std::int64_t, Command> pending_ GUARDED_BY(mutex_);  // by number
+  std::int64_t last_number_ GUARDED_BY(mutex_) = 0;
 };
 
 }  // namespace race::remote

@@ -1,25 +1,26 @@
-// Remotes: the services of a server whose components live in other processes, and who has come for them. A service of
-// these is `unavailable` until its process is there, and again when that is lost: its connection ends, or it answers no
-// ping for the time of the heartbeat. What comes back starts in the initial state of its RSM.
+// Remotes: the services of a server whose components live in other processes, and which of these processes are
+// connected (process_link.h). A service of these is `unavailable` until its process connects, and again when that is
+// disconnected: its connection ends, or it answers no ping for the time of the heartbeat. A process that reconnects
+// starts in the initial state of its RSM.
 //
-// Threads: ProcessLink's functions on the sockets' thread. Each group has a thread of its own, on which everything that
-// a process says reaches the host, in order, and what the host says leaves for the process.
+// Threads: each group has a thread of its own, on which everything that its process says reaches the host, in order,
+// and what the host says leaves for the process. ProcessLinks are on the sockets' thread.
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <map>
 #include <memory>
-#include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "services/host/host.h"
 #include "services/host/work_queue.h"
+#include "services/mutex.h"
 #include "services/remote/host_functions.h"
-#include "services/remote/protocol.h"
 #include "services/remote/remote_component.h"
 #include "services/remote/remote_world.h"
-#include "services/remote/send_queue.h"
 
 namespace race::remote {
 
@@ -30,42 +31,6 @@ struct RemoteService {
   HostFunctions host_functions = {};
 };
 
-class Remotes;
-
-/// The server's end of one connection: what a process says, and how long it has been silent. Held by its socket.
-class ProcessLink {
- public:
-  static constexpr int kPingsPerHeartbeat = 4;  // pings in the time of the heartbeat
-
-  explicit ProcessLink(Remotes& remotes);
-  ~ProcessLink();
-  ProcessLink(const ProcessLink&) = delete;
-  ProcessLink& operator=(const ProcessLink&) = delete;
-
-  /// What waits to be sent; the connection is to end once that is drained.
-  SendQueue& out();
-  /// A message came. What does not fit is answered `refused`, and the process is lost.
-  void received(EncodedMessage frame);
-  /// To be called kPingsPerHeartbeat times in the time of the heartbeat: sends a ping; loses a process that has
-  /// answered none of the last kPingsPerHeartbeat.
-  void check_heartbeat();
-  /// The connection has ended: the process is lost, because of `why`.
-  void disconnect(const std::string& why);
-  /// Whether it is lost or was refused.
-  bool disconnected() const { return disconnected_; }
-
- private:
-  struct Process;
-
-  Expected<void> accept_hello(const EncodedMessage& frame);
-
-  Remotes& remotes_;
-  std::shared_ptr<Process> process_;  // with work on its way to the group
-  bool accepted_ = false, disconnected_ = false;
-  int unanswered_ = 0;  // beats since the last pong
-  std::int64_t pings_ = 0;
-};
-
 class Remotes {
  public:
   /// `heartbeat` > 0. Both outlive it.
@@ -74,47 +39,45 @@ class Remotes {
 
   /// Declares services that one process brings together, and the world that it may bring with them, which outlives
   /// this. Before anything is called.
-  void add(const std::vector<RemoteService>& services, RemoteWorld* world = nullptr);
-  /// Tells processes what is new at their desks. By one thread.
-  void step();
-  /// The groups end: what was said so far is still done. Links may remain and do nothing any more.
-  void stop();
+  void add(const std::vector<RemoteService>& services, RemoteWorld* world = nullptr) EXCLUDES(mutex_);
+  /// Sends `news` to processes where something has changed for their host functions. By one thread.
+  void step() EXCLUDES(mutex_);
+  /// The threads of the groups end: what was said so far is still done. Links may remain and do nothing any more.
+  void stop() EXCLUDES(mutex_);
 
   std::chrono::milliseconds heartbeat() const { return heartbeat_; }
 
  private:
   friend class ProcessLink;
 
+  /// One service; fixed after the start.
   struct Place {
     RemoteService service;
     std::size_t group = 0;
     RemoteComponent* component = nullptr;  // the host's
-    bool taken = false;                    // by a process
-    std::uint64_t seen = 0;                // the version of its functions in the last step()
   };
-  struct WorldPlace {
-    RemoteWorld* world = nullptr;  // none: its process has none
-    bool taken = false;
-  };
-
+  /// What a process has claimed.
   struct Claim {
-    std::vector<Place*> places;
-    RemoteWorld* end = nullptr;  // of the world that was brought
+    std::vector<const Place*> places;
+    RemoteWorld* remote_world = nullptr;  // none: it brought no world
     RemoteWorld::World world;
   };
 
-  Expected<std::vector<Place*>> find(const Value& components);
-  Expected<Claim> claim(const Value& components, const Value& world);
-  void release(const std::vector<std::string>& keys, const RemoteWorld* world);
-  void post(std::size_t group, services::WorkQueue::Work work);
+  Expected<std::vector<const Place*>> find(const Value& components) const;
+  Expected<Claim> claim(const Value& components, const Value& world) EXCLUDES(mutex_);
+  void release(const std::vector<std::string>& keys, const RemoteWorld* world) EXCLUDES(mutex_);
+  void post(std::size_t group, services::WorkQueue::Work work) EXCLUDES(mutex_);
 
   services::Host& host_;
   const services::Clock& clock_;
   const std::chrono::milliseconds heartbeat_;
-  std::mutex mutex_;
-  std::map<std::string, Place> places_;  // by key; fixed after the start but for `taken` and `seen`
-  std::vector<std::unique_ptr<services::WorkThread>> groups_;  // empty after stop()
-  std::vector<WorldPlace> worlds_;                             // of the groups; fixed after the start but for `taken`
+  std::map<std::string, Place> places_;            // by key; fixed after the start
+  std::vector<RemoteWorld*> worlds_;               // of each group, or none; fixed after the start
+  std::map<std::string, std::uint64_t> versions_;  // of host functions in the last step()
+  services::Mutex mutex_;
+  std::vector<std::unique_ptr<services::WorkThread>> groups_ GUARDED_BY(mutex_);  // empty after stop()
+  std::set<std::string> claimed_ GUARDED_BY(mutex_);                              // keys, by processes
+  std::set<const RemoteWorld*> claimed_worlds_ GUARDED_BY(mutex_);
 };
 
 }  // namespace race::remote

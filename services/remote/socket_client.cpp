@@ -94,9 +94,9 @@ struct SocketClient::Socket {
   asio::awaitable<void> write() {
     out.on_change([this] { asio::post(io, [this] { waker.cancel(); }); });
     while (!over) {
-      while (auto frame = out.pop()) {
-        stream.binary(frame->binary);
-        const auto [error, bytes] = co_await stream.async_write(asio::buffer(frame->bytes), kUse);
+      while (auto encoded = out.pop()) {
+        stream.binary(encoded->binary);
+        const auto [error, bytes] = co_await stream.async_write(asio::buffer(encoded->bytes), kUse);
         if (error || over) co_return beast::get_lowest_layer(stream).close();
       }
       if (out.drained()) co_return beast::get_lowest_layer(stream).close();

@@ -32,7 +32,7 @@ class SocketClient {
   };
 
   /// Connects within three seconds. Sends what `out` has until that is drained, or the connection ends; it outlives the
-  /// client. Errors: `unavailable` (nobody is there), `conflict` (who is there does not let components in).
+  /// client. Errors: `unavailable` (no server answers), `conflict` (the server accepts no components).
   static Expected<std::unique_ptr<SocketClient>> connect(const Address& address, SendQueue& out, Handlers handlers);
   /// Ends the connection.
   ~SocketClient();

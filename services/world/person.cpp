@@ -66,7 +66,7 @@ Expected<void> Person::grab(const std::string& name, const Hold& hold) {
     hand.damping = std::min(hand.damping, 2 * part->mass * kGripFrequency);
   }
   hand.held = hand.last = world_.pose(hold.body);
-  hand.patience = std::numeric_limits<double>::infinity();
+  hand.timeout = std::numeric_limits<double>::infinity();
   hand.idle_since = world_.time();
   const Vec3 at = transform(hand.held, hold.point);
   hand.touch = {hold.body, at, {}, at};
@@ -93,10 +93,10 @@ Expected<void> Person::drag(const std::string& name, const Drag& drag) {
   return {};
 }
 
-Expected<void> Person::keep(const std::string& name, double patience) {
+Expected<void> Person::keep(const std::string& name, double timeout) {
   ASSIGN_OR_RETURN(Hand * hand, find(name));
-  if (!(patience >= 0)) return unexpected(ErrorCode::out_of_range, "must not be negative", "keep");
-  hand->patience = patience;
+  if (!(timeout >= 0)) return unexpected(ErrorCode::out_of_range, "must not be negative", "keep");
+  hand->timeout = timeout;
   hand->idle_since = world_.time();
   return {};
 }
@@ -136,7 +136,7 @@ Expected<void> Person::take(const std::string& part) {
 
 void Person::step() {
   const double now = world_.time();
-  std::erase_if(hands_, [&](const auto& hand) { return now - hand.second.idle_since > hand.second.patience; });
+  std::erase_if(hands_, [&](const auto& hand) { return now - hand.second.idle_since > hand.second.timeout; });
   for (auto& [name, hand] : hands_) pull(hand);
   // Half a step: sums of steps are not exact.
   std::erase_if(pushes_, [&](const Pushing& p) { return now - p.begin > p.push.duration - World::kStep / 2; });

@@ -70,9 +70,9 @@ class Person {
   /// The hand's target goes along a path, from where it is. Errors: `conflict` (the hand holds nothing),
   /// `out_of_range`.
   Expected<void> drag(const std::string& hand, const Drag& drag);
-  /// The hand lets go by itself `patience` seconds after its target has come to rest, unless it is dragged or told to
+  /// The hand lets go by itself `timeout` seconds after its target has come to rest, unless it is dragged or told to
   /// keep again; infinity: never. So does the hand of somebody who is not there any more. Error: that of drag().
-  Expected<void> keep(const std::string& hand, double patience);
+  Expected<void> keep(const std::string& hand, double timeout);
   /// The hand lets go; one that holds nothing stays so.
   void release(const std::string& hand);
 
@@ -98,7 +98,7 @@ class Person {
     Pose last = {};                     // of the body one step ago
     std::vector<Vec3> path = {};        // still to come, the next point last
     double speed = 0;                   // m/s
-    double patience = 0;                // s
+    double timeout = 0;                 // s
     double idle_since = 0;              // s of world time
     Touch touch = {};
   };

@@ -1,4 +1,4 @@
-// The door of scene files: every field is checked, with its path, before a world is built from it.
+// Reads scene files: every field is validated, with its path, before a world is built from it.
 #include "services/world/scene.h"
 
 #include <cmath>

@@ -178,7 +178,7 @@ Expected<std::unique_ptr<World>> World::load(const std::string& scene_path) {
 
 void World::step() {
   btMultiBody& body = plant_->robot->body();
-  plant_->robot->set_brakes(led_ && steps_ >= *led_ + kLeadingSteps);
+  plant_->robot->set_brakes(torques_set_at_ && steps_ >= *torques_set_at_ + kTorqueTimeoutSteps);
   if (braked()) torques_ = {};
   for (std::size_t i = 0; i < kArmJoints; ++i) body.addJointTorque(plant_->arm[i], torques_[i]);
   plant_->drive_jaws(gripper_force_);
@@ -210,7 +210,7 @@ void World::set_torques(const JointArray& torques) {
     const double limit = model_.links[static_cast<std::size_t>(arm[i])].joint.max_effort;
     torques_[i] = std::clamp(torques[i], -limit, limit);
   }
-  led_ = steps_;
+  torques_set_at_ = steps_;
 }
 
 double World::gripper_width() const {

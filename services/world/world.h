@@ -58,9 +58,9 @@ class World {
   const JointArray& torques() const { return torques_; }  // Nm, as applied; none while it is braked
 
   /// How many steps torques hold without being set anew: a controller sets them at each.
-  static constexpr std::int64_t kLeadingSteps = 10;
-  /// Whether nobody leads the arm any more: torques were set once, but not for kLeadingSteps. A holding brake at each
-  /// joint has closed then, until torques are set again. The gripper's force holds until it is set anew.
+  static constexpr std::int64_t kTorqueTimeoutSteps = 10;
+  /// Whether the arm has no controller any more: torques were set once, but not for kTorqueTimeoutSteps. A holding
+  /// brake at each joint has closed then, until torques are set again. The gripper's force holds until it is set anew.
   bool braked() const;
 
   /// The gripper's one drive: the jaws move against each other, held in step by their rack and pinion.
@@ -106,8 +106,8 @@ class World {
   JointArray torques_{};
   double gripper_force_ = 0;
   std::int64_t steps_ = 0;
-  std::optional<std::int64_t> led_;  // the step before which torques were set last
-  std::unique_ptr<Plant> plant_;     // Bullet's objects, known to world.cpp alone
+  std::optional<std::int64_t> torques_set_at_;  // step before which torques were set last
+  std::unique_ptr<Plant> plant_;                // Bullet's objects, known to world.cpp alone
 };
 
 }  // namespace race::world

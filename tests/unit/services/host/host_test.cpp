@@ -56,7 +56,7 @@ struct HostTest : testing::Test {
   Lamp& lamp;
 };
 
-TEST_F(HostTest, AComponentIsCalledOnItsUnitOnly) {
+TEST_F(HostTest, AComponentIsCalledOnItsQueueOnly) {
   bench.host.call({"1", 1}, "lamp", "on", {}, {});
   EXPECT_THAT(lamp.calls, IsEmpty());
   bench.queue.run();
@@ -163,7 +163,7 @@ TEST_F(HostTest, WhatWasMeantForTheLostDoesNotReachItsSuccessor) {
 
 TEST_F(HostTest, OnlySoManyViolationsAreKept) {
   for (int i = 0; i < 150; ++i) lamp.host.event("unheard_of", i);
-  EXPECT_EQ(bench.violations("lamp").size(), Host::kViolationsKept);
+  EXPECT_EQ(bench.violations("lamp").size(), CallLedger::kViolationsKept);
 }
 
 TEST_F(HostTest, ALostServiceAnswersItsPendingCallsInOrderAndFallsSilent) {

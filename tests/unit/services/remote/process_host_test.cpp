@@ -15,8 +15,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-struct RemoteUnitTest : testing::Test {
-  RemoteUnitTest() {
+struct ProcessHostTest : testing::Test {
+  ProcessHostTest() {
     auto made = std::make_unique<Lamp>(process.declare("lamp", "lamp"));
     lamp = made.get();
     process.attach("lamp", std::move(made));
@@ -37,7 +37,7 @@ struct RemoteUnitTest : testing::Test {
   }
   std::vector<std::string> said() {
     std::vector<std::string> all;
-    while (auto frame = server.pop()) all.push_back(frame->bytes);
+    while (auto encoded = server.pop()) all.push_back(encoded->bytes);
     return all;
   }
   SendQueue server;
@@ -45,7 +45,7 @@ struct RemoteUnitTest : testing::Test {
   Lamp* lamp = nullptr;
 };
 
-TEST_F(RemoteUnitTest, SaysWhatItBrings) {
+TEST_F(ProcessHostTest, SaysWhatItBrings) {
   const Message hello = process.hello();
   EXPECT_EQ(hello.number, kProtocol);
   const Value& lamp = hello.value.as_list().at(0);
@@ -53,39 +53,39 @@ TEST_F(RemoteUnitTest, SaysWhatItBrings) {
   EXPECT_EQ(lamp.find("rsm")->find("init")->as_string(), "Dark");
 }
 
-TEST_F(RemoteUnitTest, TellsTheServerWhatAComponentAnnounces) {
+TEST_F(ProcessHostTest, TellsTheServerWhatAComponentAnnounces) {
   call("on", 5);
   EXPECT_THAT(said(), ElementsAre(R"({"type":"transition","key":"lamp","id":"t1","call":5})",
                                   R"({"type":"result","key":"lamp","call":5,"value":null})",
                                   R"({"type":"event","key":"lamp","name":"lit","data":1})"));
 }
 
-TEST_F(RemoteUnitTest, SaysNothingWhileItIsNotConnected) {
+TEST_F(ProcessHostTest, SaysNothingWhileItIsNotConnected) {
   process.disconnect();
   call("on", 5);
   EXPECT_THAT(said(), IsEmpty());
 }
 
-TEST_F(RemoteUnitTest, AResultThatCannotBeSentBecomesAnError) {
+TEST_F(ProcessHostTest, AResultThatCannotBeSentBecomesAnError) {
   lamp->answer = std::numeric_limits<double>::infinity();
   call("on", 5);
   EXPECT_THAT(said()[1], HasSubstr(R"("type":"error","key":"lamp","call":5,"error":{"code":"constant")"));
 }
 
-TEST_F(RemoteUnitTest, AnswersAPingWithItsNumber) {
+TEST_F(ProcessHostTest, AnswersAPingWithItsNumber) {
   Message ping = message(Kind::ping, 2.0);
   ping.number = 9;
   ASSERT_TRUE(process.handle(ping));
   EXPECT_THAT(said(), ElementsAre(R"({"type":"pong","number":9})"));
 }
 
-TEST_F(RemoteUnitTest, RefusesAMessageForNobody) {
+TEST_F(ProcessHostTest, RefusesAMessageForNoComponent) {
   Message made = message(Kind::wanted);
   made.key = "heater";
   EXPECT_EQ(process.handle(made).error().code, ErrorCode::not_found);
 }
 
-TEST_F(RemoteUnitTest, KeepsToTheServersTime) {
+TEST_F(ProcessHostTest, KeepsToTheServersTime) {
   ASSERT_TRUE(process.handle(message(Kind::welcome, 10.0)));
   EXPECT_DOUBLE_EQ(process.clock().now(), 10.0);
   process.step();
@@ -102,7 +102,7 @@ TEST_F(RemoteUnitTest, KeepsToTheServersTime) {
   EXPECT_GT(process.clock().now(), 11.0015);
 }
 
-TEST_F(RemoteUnitTest, GivesAnswersThatAreDueInTheirTime) {
+TEST_F(ProcessHostTest, GivesAnswersThatAreDueInTheirTime) {
   int answered = 0;
   const auto reservation = lamp->host.reserve(0.003);
   lamp->host.fulfil(reservation, [&] { ++answered; });
@@ -113,7 +113,7 @@ TEST_F(RemoteUnitTest, GivesAnswersThatAreDueInTheirTime) {
   EXPECT_EQ(answered, 1);
 }
 
-TEST_F(RemoteUnitTest, HandsPacketsOver) {
+TEST_F(ProcessHostTest, HandsPacketsOver) {
   Message made = message(Kind::packet, 4.0);
   made.service = "camera";
   made.name = "images";
@@ -122,7 +122,7 @@ TEST_F(RemoteUnitTest, HandsPacketsOver) {
   EXPECT_THAT(lamp->packets, ElementsAre("camera.images at 4.0: 3 bytes"));
 }
 
-TEST_F(RemoteUnitTest, AsksTheServerAndWaitsForItsReply) {
+TEST_F(ProcessHostTest, AsksTheServerAndWaitsForItsReply) {
   EXPECT_EQ(process.request("lamp", "colour", {}).error().code, ErrorCode::unavailable) << "it is not welcome yet";
   ASSERT_TRUE(process.handle(message(Kind::welcome)));
   std::string asked;
@@ -130,9 +130,9 @@ TEST_F(RemoteUnitTest, AsksTheServerAndWaitsForItsReply) {
   std::atomic<bool> answered = false;
   process.connect(server, [&] { return ++looks < 0; });
   std::thread there([&] {
-    std::optional<EncodedMessage> frame;
-    while (!(frame = server.pop())) std::this_thread::yield();
-    asked = frame->bytes;
+    std::optional<EncodedMessage> encoded;
+    while (!(encoded = server.pop())) std::this_thread::yield();
+    asked = encoded->bytes;
     for (const int number : {7, 1}) {
       Message reply;
       reply.kind = Kind::reply;
@@ -150,7 +150,7 @@ TEST_F(RemoteUnitTest, AsksTheServerAndWaitsForItsReply) {
   EXPECT_EQ(asked, R"({"type":"request","key":"lamp","number":1,"function":"colour","arguments":{"of":"glass"}})");
 }
 
-TEST_F(RemoteUnitTest, WaitsForNoReplyWhenTheConnectionHasEnded) {
+TEST_F(ProcessHostTest, WaitsForNoReplyWhenTheConnectionHasEnded) {
   std::atomic<bool> over = false;
   process.connect(server, [&] { return over.load(); });
   ASSERT_TRUE(process.handle(message(Kind::welcome)));
@@ -162,20 +162,20 @@ TEST_F(RemoteUnitTest, WaitsForNoReplyWhenTheConnectionHasEnded) {
   there.join();
 }
 
-TEST_F(RemoteUnitTest, WaitsForNoReplyToWhatCannotBeSent) {
+TEST_F(ProcessHostTest, WaitsForNoReplyToWhatCannotBeSent) {
   ASSERT_TRUE(process.handle(message(Kind::welcome)));
   server.close();
   EXPECT_EQ(process.request("lamp", "colour", {}).error().code, ErrorCode::unavailable);
 }
 
-TEST_F(RemoteUnitTest, TellsAComponentThatThereIsNews) {
+TEST_F(ProcessHostTest, TellsAComponentThatThereIsNews) {
   int news = 0;
   process.on_host_change("lamp", [&] { ++news; });
   ASSERT_TRUE(process.handle(message(Kind::news)));
   EXPECT_EQ(news, 1);
 }
 
-TEST_F(RemoteUnitTest, CutsALongLogBetweenCharacters) {
+TEST_F(ProcessHostTest, CutsALongLogBetweenCharacters) {
   std::string text(kNameBytes - 1, 'x');
   lamp->host.log(text + "é");
   EXPECT_EQ(said().at(0), R"({"type":"log","key":"lamp","text":")" + text + "\"}");

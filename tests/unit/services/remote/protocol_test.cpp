@@ -42,15 +42,15 @@ TEST(Protocol, EveryMessageComesAsItWent) {
   for (int i = 0; i < kKinds; ++i) {
     const Message sent = full(static_cast<Kind>(i));
     SCOPED_TRACE(name(sent.kind));
-    const auto frame = encode(sent);
-    ASSERT_TRUE(frame);
-    const auto got = decode(*frame, reader_of(sent.kind));
+    const auto encoded = encode(sent);
+    ASSERT_TRUE(encoded);
+    const auto got = decode(*encoded, reader_of(sent.kind));
     ASSERT_TRUE(got) << to_string(got.error());
     EXPECT_EQ(got->kind, sent.kind);
     const auto again = encode(*got);
     ASSERT_TRUE(again);
-    EXPECT_EQ(again->bytes, frame->bytes);
-    EXPECT_EQ(again->binary, frame->binary);
+    EXPECT_EQ(again->bytes, encoded->bytes);
+    EXPECT_EQ(again->binary, encoded->binary);
   }
 }
 
@@ -113,9 +113,9 @@ TEST(Protocol, BytesThatAreShorterThanTheySayAreRefused) {
 TEST(Protocol, WhatIsTooLargeIsNotSent) {
   Message message = full(Kind::result);
   message.value = std::string(kMessageBytes, 'x');
-  const auto frame = encode(message);
-  ASSERT_FALSE(frame);
-  EXPECT_EQ(frame.error().code, ErrorCode::too_large);
+  const auto encoded = encode(message);
+  ASSERT_FALSE(encoded);
+  EXPECT_EQ(encoded.error().code, ErrorCode::too_large);
 }
 
 TEST(Protocol, TheHeaderOfAPacketIsShort) {
@@ -139,25 +139,25 @@ TEST(Protocol, DamagedMessagesAreReadOrRefused) {
   int refused = 0;
   for (int round = 0; round < 20000; ++round) {
     const Kind kind = static_cast<Kind>(below(kKinds));
-    EncodedMessage frame = encode(full(kind)).value();
+    EncodedMessage encoded = encode(full(kind)).value();
     for (std::size_t damage = 0; damage <= below(3); ++damage) {
-      const std::size_t at = below(frame.bytes.size());
+      const std::size_t at = below(encoded.bytes.size());
       switch (below(4)) {
         case 0:
-          frame.bytes[at] = static_cast<char>(below(256));
+          encoded.bytes[at] = static_cast<char>(below(256));
           break;
         case 1:
-          frame.bytes.erase(at, 1 + below(8));
+          encoded.bytes.erase(at, 1 + below(8));
           break;
         case 2:
-          frame.bytes.insert(at, 1, "{}[]\":,0e-"[below(10)]);
+          encoded.bytes.insert(at, 1, "{}[]\":,0e-"[below(10)]);
           break;
         default:
-          frame.bytes.insert(at, frame.bytes.substr(below(frame.bytes.size()), below(20)));
+          encoded.bytes.insert(at, encoded.bytes.substr(below(encoded.bytes.size()), below(20)));
       }
-      if (frame.bytes.empty()) frame.bytes = "x";
+      if (encoded.bytes.empty()) encoded.bytes = "x";
     }
-    const auto message = decode(frame, reader_of(kind));
+    const auto message = decode(encoded, reader_of(kind));
     if (!message) {
       ++refused;
       continue;

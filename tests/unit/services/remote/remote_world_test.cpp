@@ -17,7 +17,7 @@ using testing::IsEmpty;
 
 std::vector<std::string> all_of(SendQueue& queue) {
   std::vector<std::string> all;
-  while (auto frame = queue.pop()) all.push_back(frame->bytes);
+  while (auto encoded = queue.pop()) all.push_back(encoded->bytes);
   return all;
 }
 
@@ -149,11 +149,11 @@ TEST_F(RemoteWorldTest, WhatDoesNotFitIsAnErrorAndAnswersNobody) {
 
 TEST_F(RemoteWorldTest, AFewActsWaitNoMore) {
   come(process);
-  for (std::size_t i = 0; i < RemoteWorld::kPendingCommands; ++i) act("push");
+  for (std::size_t i = 0; i < RemoteWorld::kMaxPendingCommands; ++i) act("push");
   EXPECT_THAT(answers, IsEmpty());
   act("push");
   EXPECT_THAT(answers, ElementsAre(HasSubstr("unavailable: 100 acts wait for the cell already")));
-  EXPECT_EQ(said().size(), RemoteWorld::kPendingCommands);
+  EXPECT_EQ(said().size(), RemoteWorld::kMaxPendingCommands);
 }
 
 TEST_F(RemoteWorldTest, PosesAreWantedWhileSomebodyWatchesFromEachProcessThatComes) {
@@ -171,8 +171,8 @@ TEST_F(RemoteWorldTest, PosesAreWantedWhileSomebodyWatchesFromEachProcessThatCom
   EXPECT_THAT(said(), IsEmpty());
 }
 
-struct UnitWithWorld : testing::Test {
-  UnitWithWorld() {
+struct ProcessWithWorld : testing::Test {
+  ProcessWithWorld() {
     process.set_world({1,
                        [this](const Value& act) -> Expected<Value> {
                          if (act == Value("kick")) return unexpected(ErrorCode::type, refusal, refusal);
@@ -192,14 +192,14 @@ struct UnitWithWorld : testing::Test {
   bool watched = false;
 };
 
-TEST_F(UnitWithWorld, GoesWithTheHello) { EXPECT_EQ(process.hello().world, Value(1)); }
+TEST_F(ProcessWithWorld, GoesWithTheHello) { EXPECT_EQ(process.hello().world, Value(1)); }
 
-TEST_F(UnitWithWorld, IsReadyInItsTurn) {
+TEST_F(ProcessWithWorld, IsReadyInItsTurn) {
   ASSERT_TRUE(process.handle(message_of(Kind::offer, 9, {})));
   EXPECT_THAT(all_of(server), ElementsAre(R"({"type":"ready","number":9})"));
 }
 
-TEST_F(UnitWithWorld, AnActIsAnsweredOrRefusedWithItsNumber) {
+TEST_F(ProcessWithWorld, AnActIsAnsweredOrRefusedWithItsNumber) {
   EXPECT_THAT(act("push"), ElementsAre(R"({"type":"done","number":4,"person":["push",0.5]})"));
   EXPECT_THAT(
       act("kick"),
@@ -210,7 +210,7 @@ TEST_F(UnitWithWorld, AnActIsAnsweredOrRefusedWithItsNumber) {
 }
 
 // What an act names may be of any length; the server loses who says more than a name holds.
-TEST_F(UnitWithWorld, ALongRefusalIsCutToWhatTheServerTakes) {
+TEST_F(ProcessWithWorld, ALongRefusalIsCutToWhatTheServerTakes) {
   refusal = std::string(kNameBytes - 1, 'x') + "é";
   const auto said = act("kick");
   ASSERT_EQ(said.size(), 1U);
@@ -230,12 +230,12 @@ TEST_F(UnitWithWorld, ALongRefusalIsCutToWhatTheServerTakes) {
   EXPECT_EQ(answered, text + ": type: " + text);
 }
 
-TEST_F(UnitWithWorld, AnAnswerThatIsTooLargeIsRefused) {
+TEST_F(ProcessWithWorld, AnAnswerThatIsTooLargeIsRefused) {
   EXPECT_THAT(act(std::string(kMessageBytes, 'x')),
               ElementsAre(HasSubstr(R"("type":"failed","number":4,"error":{"path":"","code":"too_large")")));
 }
 
-TEST_F(UnitWithWorld, OnlyTheNewestPoseWaits) {
+TEST_F(ProcessWithWorld, OnlyTheNewestPoseWaits) {
   process.send_pose(1);
   process.send_pose(2);
   process.send_pose(3);
@@ -244,14 +244,14 @@ TEST_F(UnitWithWorld, OnlyTheNewestPoseWaits) {
   EXPECT_THAT(all_of(server), IsEmpty());
 }
 
-TEST_F(UnitWithWorld, HearsWhetherPosesAreWanted) {
+TEST_F(ProcessWithWorld, HearsWhetherPosesAreWanted) {
   Message watch = message_of(Kind::watch, 0, {});
   watch.on = true;
   ASSERT_TRUE(process.handle(watch));
   EXPECT_TRUE(watched);
 }
 
-TEST(RemoteUnitWithoutWorld, HasNobodyToAct) {
+TEST(ProcessWithoutWorld, RefusesCommands) {
   ProcessHost process;
   EXPECT_EQ(process.handle(message_of(Kind::act, 1, "push")).error().code, ErrorCode::not_found);
   EXPECT_TRUE(process.hello().world.is_null());

@@ -11,6 +11,7 @@
 
 #include "core/value/json.h"
 #include "services/remote/process_host.h"
+#include "services/remote/process_link.h"
 #include "services/remote/remote_world.h"
 #include "tests/unit/services/remote/lamp.h"
 
@@ -61,7 +62,7 @@ class Seen final : public services::HostObserver {
   std::vector<std::string> all_, log_;
 };
 
-// A process with lamps: its unit, and the server's end of its connection.
+// A process with lamps: its host, and the server's end of its connection.
 struct Process {
   explicit Process(Remotes& remotes, std::vector<std::string> keys = {"lamp"}) : link(remotes) {
     for (const std::string& key : keys) {
@@ -76,8 +77,8 @@ struct Process {
   }
   // Carries what waits, both ways.
   void pump() {
-    while (auto frame = link.out().pop()) {
-      Message message = decode(*frame, Reader::process).value();
+    while (auto encoded = link.out().pop()) {
+      Message message = decode(*encoded, Reader::process).value();
       welcome = welcome || message.kind == Kind::welcome;
       if (message.kind == Kind::refused) {
         refused = to_json(message.value);
@@ -85,7 +86,7 @@ struct Process {
         EXPECT_TRUE(host.handle(std::move(message)));
       }
     }
-    while (auto frame = to_server.pop()) link.received(std::move(*frame));
+    while (auto encoded = to_server.pop()) link.received(std::move(*encoded));
   }
   SendQueue to_server;
   ProcessHost host;
@@ -202,8 +203,8 @@ TEST_F(RemotesTest, WhatAProcessSaidBeforeItDiedCounts) {
   greet(process);
   call("on");
   ASSERT_TRUE(until({}, [&] {
-    auto frame = process.link.out().pop();
-    return frame && process.host.handle(decode(*frame, Reader::process).value()) && process.lamp->calls.size() == 1;
+    auto encoded = process.link.out().pop();
+    return encoded && process.host.handle(decode(*encoded, Reader::process).value()) && process.lamp->calls.size() == 1;
   }));
   process.pump();
   process.link.disconnect("killed");
@@ -407,8 +408,8 @@ struct Asking : Process {
     link.received(encode(request).value());
   }
   std::string said() {
-    const auto frame = link.out().pop();
-    return frame ? frame->bytes : "";
+    const auto encoded = link.out().pop();
+    return encoded ? encoded->bytes : "";
   }
 };
 
@@ -513,9 +514,9 @@ TEST_F(RemotesTest, NothingThatAProcessSaysHurtsTheServer) {
       message.on = below(2) == 0;
       message.value = Dict{{"code", names[below(names.size())]}};
       message.bytes.resize(below(50));
-      EncodedMessage frame = encode(message).value();
-      if (below(20) == 0) frame.bytes[below(frame.bytes.size())] ^= static_cast<char>(1U << below(8));
-      process.link.received(std::move(frame));
+      EncodedMessage encoded = encode(message).value();
+      if (below(20) == 0) encoded.bytes[below(encoded.bytes.size())] ^= static_cast<char>(1U << below(8));
+      process.link.received(std::move(encoded));
     }
     process.link.disconnect("enough");
     ASSERT_TRUE(until({}, [&] { return !available(); }));

@@ -5,7 +5,7 @@
 namespace race::remote {
 namespace {
 
-TEST(SendQueue, GivesFramesInTheirOrder) {
+TEST(SendQueue, GivesMessagesInTheirOrder) {
   SendQueue queue;
   EXPECT_TRUE(queue.push({"a"}));
   EXPECT_TRUE(queue.push({"b", true}));

@@ -132,7 +132,7 @@ TEST(Brakes, AreOpenWhileTorquesAreSetAndWhereTheyNeverWere) {
 TEST(Brakes, CloseAfterTheStepsThatTorquesHoldAndOpenWithTheNext) {
   Rig rig(empty_scene());
   rig.run(0.1);
-  for (int i = 0; i < world::World::kLeadingSteps; ++i) rig.world->step();
+  for (int i = 0; i < world::World::kTorqueTimeoutSteps; ++i) rig.world->step();
   EXPECT_FALSE(rig.world->braked());
   rig.world->step();
   EXPECT_TRUE(rig.world->braked());
@@ -149,7 +149,7 @@ TEST(NotFinite, TorquesReachNoDriveAndCloseTheBrakes) {
   broken.bandwidth = std::numeric_limits<double>::quiet_NaN();
   ControlUnit unit(make_arm(*rig.world), broken, rig.world->q());
   const Joints before = rig.world->torques();
-  for (int i = 0; i < world::World::kLeadingSteps; ++i) {
+  for (int i = 0; i < world::World::kTorqueTimeoutSteps; ++i) {
     EXPECT_THROW(rig.world->set_torques(unit.control(rig.world->q(), rig.world->dq())), std::domain_error);
     EXPECT_EQ(rig.world->torques(), before);
     rig.world->step();

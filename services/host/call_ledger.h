@@ -1,0 +1,81 @@
+// CallLedger: the calls of one service that wait for a response, and a monitor that holds what the service announces
+// against its RSM (R18). It keeps what does not fit and changes nothing else.
+//
+// Threads: one at a time, under the host's lock.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/rsm/monitor.h"
+#include "services/component.h"
+
+namespace race::services {
+
+/// Who called: a core and its number of the call; no core: the server.
+struct Caller {
+  std::string core;
+  std::uint64_t call = 0;
+  bool operator==(const Caller&) const = default;
+};
+
+struct PendingCall {
+  CallId id = 0;
+  std::string operation;
+  Time time = 0;  // when it arrived
+  Caller caller;
+};
+
+/// What did not fit: the rule of the RSM, why, in which call (0: none).
+struct Violation {
+  Time time = 0;
+  std::string rule, message;
+  CallId call = 0;
+  std::string operation;
+};
+
+class CallLedger {
+ public:
+  static constexpr std::size_t kViolationsKept = 100;
+  using Violations = std::vector<Violation>;
+
+  /// A service in its initial state, without calls.
+  explicit CallLedger(const rsm::Service& model) : monitor_(model) {}
+
+  // What happened at `now`. Each returns what does not fit.
+
+  Violations call(const PendingCall& call, const List& args, const Dict& kwargs);
+  /// Calls that a later one has superseded (R17) are pending no longer.
+  Violations transition(Time now, std::string_view id, CallId call);
+  Violations reject(Time now, CallId call);
+  Violations respond(Time now, CallId call, const Value& value, bool is_error);
+  Violations event(Time now, std::string_view name, const Value& data);
+  /// What the host has found itself.
+  Violations add(Time now, const rsm::Monitor::Violations& found);
+
+  /// Removes a call that is pending: its response goes out now. Nothing: it has had one.
+  std::optional<PendingCall> take(CallId call);
+  /// The component is disconnected: returns what was pending, in order of call. The RSM is in its initial state again.
+  std::vector<PendingCall> reset();
+
+  /// In order of call.
+  const std::vector<PendingCall>& pending() const { return pending_; }
+  /// The last kViolationsKept.
+  const Violations& violations() const { return violations_; }
+  /// Empty for a mere interface.
+  const std::string& state() const { return monitor_.current(); }
+
+ private:
+  std::string operation_of(CallId call) const;
+  void drop_superseded();
+
+  rsm::Monitor monitor_;
+  std::vector<PendingCall> pending_;
+  Violations violations_;
+};
+
+}  // namespace race::services

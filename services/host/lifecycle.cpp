@@ -1,0 +1,116 @@
+// What becomes of the components of a host: attached, disconnected, reconnected, stopped; and how they are called.
+#include <exception>
+#include <utility>
+
+#include "services/host/host.h"
+
+namespace race::services {
+
+void Host::attach(const std::string& key, std::unique_ptr<Component> component, Connection connection) {
+  const MutexLock lock(mutex_);
+  ServiceEntry& entry = *find(key);
+  entry.attach(std::move(component));
+  if (connection == Connection::connected) return make_available(entry);
+  notify_status(entry);
+}
+
+void Host::reconnect(const std::string& key) {
+  const MutexLock lock(mutex_);
+  ServiceEntry* entry = find(key);
+  if (!entry || entry->status.available) return;
+  observer_.logged(clock_.now(), key, "available");
+  make_available(*entry);
+}
+
+void Host::make_available(ServiceEntry& entry) {
+  entry.status.available = true;
+  entry.status.last.clear();
+  notify_status(entry);
+  for (const std::string& flow : flows_.demanded(entry.status.key)) set_demand(entry.status.key, flow, true);
+}
+
+void Host::disconnect(const std::string& key, const std::string& why) {
+  const MutexLock lock(mutex_);
+  if (ServiceEntry* entry = find(key)) disconnect(*entry, why);
+}
+
+void Host::disconnect(ServiceEntry& entry, const std::string& why) {
+  if (!entry.status.available) return;
+  entry.status.available = false;
+  ++entry.disconnections;
+  observer_.logged(clock_.now(), entry.status.key, "lost: " + why);
+  Value unavailable = Dict{{"code", Value(name(ErrorCode::unavailable))}};
+  unavailable.freeze();
+  for (const PendingCall& call : entry.ledger->reset()) deliver_response(entry, call, unavailable, true);
+  flows_.traffic().reset(entry.status.key);
+  notify_status(entry);
+  for (const Flows::Subscription& each : flows_.subscriptions_of(entry.number))
+    set_subscription(entry, each.key, each.flow, false);
+  reservations_.drop(entry.number);
+}
+
+void Host::stop() {
+  reservations_.close();
+  std::size_t number = 0;
+  for (Component* component : components()) {
+    if (component) component->stop();
+    const MutexLock lock(mutex_);
+    entries_[number++]->status.available = false;
+  }
+}
+
+// ---- How components are called.
+
+void Host::post(ServiceEntry& entry, Work work) {
+  entry.queue.post([this, number = entry.number, disconnections = entry.disconnections, work = std::move(work)] {
+    run(number, disconnections, work);
+  });
+}
+
+// A component that throws is disconnected. Work that was posted before a disconnection does not reach what reconnects.
+void Host::run(std::size_t number, std::optional<std::uint64_t> disconnections, const Work& work) {
+  Component* component = nullptr;
+  {
+    const MutexLock lock(mutex_);
+    const ServiceEntry& entry = *entries_[number];
+    if (!entry.status.available || entry.disconnections != disconnections.value_or(entry.disconnections)) return;
+    component = entry.component.get();
+  }
+  try {
+    work(*component);
+  } catch (const std::exception& failure) {
+    const MutexLock lock(mutex_);
+    disconnect(*entries_[number], failure.what());
+  }
+}
+
+void Host::step(const WorkQueue& queue) {
+  for (const std::size_t number : services_of(queue))
+    run(number, std::nullopt, [](Component& component) { component.step(); });
+}
+
+void Host::advance(bool wait) {
+  for (Reservations::Due& due : reservations_.take(clock_.now(), wait)) {
+    const MutexLock lock(mutex_);
+    post(*entries_[due.service], [answer = std::move(due.answer)](Component&) { answer(); });
+  }
+  const MutexLock lock(mutex_);
+  for (const std::string& key : flows_.traffic().stopped(clock_.now())) notify_traffic(key);
+}
+
+std::vector<std::size_t> Host::services_of(const WorkQueue& queue) const {
+  const MutexLock lock(mutex_);
+  std::vector<std::size_t> numbers;
+  for (const auto& entry : entries_)
+    if (&entry->queue == &queue) numbers.push_back(entry->number);
+  return numbers;
+}
+
+std::vector<Component*> Host::components() const {
+  const MutexLock lock(mutex_);
+  std::vector<Component*> all;
+  for (const auto& entry : entries_) all.push_back(entry->component.get());
+  return all;
+}
+
+}  // namespace race::services

@@ -1,0 +1,53 @@
+#include "services/host/service_entry.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace race::services {
+namespace {
+
+void freeze(rsm::Service& service) {
+  for (rsm::Operation& operation : service.operations) {
+    operation.result.freeze();
+    operation.error.freeze();
+    for (rsm::OperationParameter& parameter : operation.parameters) {
+      parameter.type.freeze();
+      if (parameter.value) parameter.value->freeze();
+    }
+  }
+  for (rsm::Event& event : service.events) event.data.freeze();
+  service.meta.freeze();
+}
+
+}  // namespace
+
+ServiceEntry::ServiceEntry(std::size_t its_number, std::string key, std::string type, WorkQueue& its_queue)
+    : number(its_number), queue(its_queue) {
+  status.key = std::move(key);
+  status.type = std::move(type);
+}
+
+void ServiceEntry::attach(std::unique_ptr<Component> its_component) {
+  component = std::move(its_component);
+  model = component->model();
+  freeze(model);
+  ledger = std::make_unique<CallLedger>(model);
+  status.model = &model;
+  for (std::string& flow : offered(model)) status.publishes.push_back({std::move(flow), 0, 0, {}});
+  for (const rsm::Uses& used : model.subscribes) status.subscribes.push_back({used.service, used.name, false});
+}
+
+bool ServiceEntry::declares_subscription(std::string_view key, std::string_view flow) const {
+  return std::ranges::any_of(model.subscribes,
+                             [&](const rsm::Uses& used) { return used.service == key && used.name == flow; });
+}
+
+void ServiceEntry::update_status(const Flows& flows, Time now) {
+  if (!model.is_interface()) status.state = ledger->state();
+  status.pending = ledger->pending();
+  status.violations = ledger->violations();
+  for (Published& each : status.publishes) each = flows.published(status.key, each.flow, now);
+  for (Subscribed& each : status.subscribes) each.listening = flows.is_subscribed(number, each.service, each.flow);
+}
+
+}  // namespace race::services

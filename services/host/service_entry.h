@@ -1,0 +1,55 @@
+// ServiceEntry: what a host knows of one service: its component, where that runs, its calls, and what can be seen of it
+// from outside.
+//
+// Threads: one at a time, under the host's lock; the component itself is called on the thread of its queue.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/rsm/model.h"
+#include "services/component.h"
+#include "services/host/call_ledger.h"
+#include "services/host/flows.h"
+#include "services/host/work_queue.h"
+
+namespace race::services {
+
+/// What can be seen of a service from outside.
+struct ServiceStatus {
+  std::string key, type;
+  const rsm::Service* model = nullptr;  // lives as long as the host
+  std::optional<std::string> state;     // none: a mere interface
+  bool available = false;
+  std::vector<PendingCall> pending;   // in order of call
+  CallLedger::Violations violations;  // the last CallLedger::kViolationsKept
+  std::string last;                   // id of the transition taken last; empty: none yet
+  std::vector<Published> publishes;   // as of now
+  std::vector<Subscribed> subscribes;
+};
+
+struct ServiceEntry {
+  ServiceEntry(std::size_t its_number, std::string key, std::string type, WorkQueue& its_queue);
+
+  /// The component is there, and disconnected. Copies and freezes its model: it is read on several threads.
+  void attach(std::unique_ptr<Component> its_component);
+  /// Whether the component may subscribe to this flow.
+  bool declares_subscription(std::string_view key, std::string_view flow) const;
+  /// Brings `status` up to date. Requires an attached component.
+  void update_status(const Flows& flows, Time now);
+
+  const std::size_t number;           // in order of declaration
+  WorkQueue& queue;                   // where the component runs
+  std::unique_ptr<ServiceHost> host;  // what the component talks to
+  rsm::Service model;
+  std::unique_ptr<CallLedger> ledger;
+  ServiceStatus status;
+  std::uint64_t disconnections = 0;  // work that was posted before one is dropped
+  std::unique_ptr<Component> component;
+};
+
+}  // namespace race::services

@@ -1,0 +1,139 @@
+#include "services/remote/process_link.h"
+
+#include <atomic>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace race::remote {
+namespace {
+
+bool is_of_world(Kind kind) {
+  return kind == Kind::pose || kind == Kind::ready || kind == Kind::done || kind == Kind::failed;
+}
+
+}  // namespace
+
+// What the thread of the group needs of a link, which may be destroyed before it. All but `pong_received` and `out`
+// belongs to that thread once the hello is accepted.
+struct ProcessLink::Process {
+  std::atomic<bool> pong_received{false};                          // since the last ping
+  std::shared_ptr<SendQueue> out = std::make_shared<SendQueue>();  // held by the components too
+  std::map<std::string, RemoteComponent*> components;
+  std::vector<std::string> keys;  // in the order of its hello
+  RemoteWorld* world = nullptr;   // that it brought
+  std::size_t group = 0;
+  std::string fault;  // why nothing that it says counts any more; empty: it counts
+
+  void send(const Message& message) { out->push(encode(message).value()); }
+
+  void refuse(const Error& error) {
+    Message message;
+    message.kind = Kind::refused;
+    message.value = List{error_json(error)};
+    send(message);
+    out->close();
+    fault = "refused: " + cut(to_string(error));
+  }
+
+  Expected<void> handle(const EncodedMessage& encoded) {
+    ASSIGN_OR_RETURN(Message message, decode(encoded, Reader::server));
+    if (message.kind == Kind::pong) {
+      pong_received = true;
+      return {};
+    }
+    if (message.kind == Kind::hello) return unexpected(ErrorCode::conflict, "has been said already", "hello");
+    if (is_of_world(message.kind)) {
+      if (!world) return unexpected(ErrorCode::not_found, "this process brought no world", "type");
+      return world->announce(std::move(message));
+    }
+    const auto component = components.find(message.key);
+    if (component == components.end())
+      return unexpected(ErrorCode::not_found, "this process did not bring it", message.key);
+    return component->second->announce(std::move(message));
+  }
+};
+
+ProcessLink::ProcessLink(Remotes& remotes) : remotes_(remotes), process_(std::make_shared<Process>()) {}
+
+ProcessLink::~ProcessLink() {
+  process_->out->on_change({});
+  disconnect("its connection has ended");
+}
+
+SendQueue& ProcessLink::out() { return *process_->out; }
+
+void ProcessLink::received(EncodedMessage message) {
+  if (disconnected_) return;
+  if (!accepted_) {
+    if (auto good = accept_hello(message); !good) {
+      process_->refuse(good.error());
+      disconnected_ = true;
+    }
+    return;
+  }
+  remotes_.post(process_->group, [process = process_, message = std::move(message)] {
+    if (!process->fault.empty()) return;
+    if (auto good = process->handle(message); !good) process->refuse(good.error());
+  });
+}
+
+Expected<void> ProcessLink::accept_hello(const EncodedMessage& message) {
+  constexpr std::size_t kHelloBytes = 4 * 1024 * 1024;
+  if (message.bytes.size() > kHelloBytes) return unexpected(ErrorCode::too_large, "is too long", "hello");
+  ASSIGN_OR_RETURN(Message hello, decode(message, Reader::server));
+  if (hello.kind != Kind::hello) return unexpected(ErrorCode::type, "the first message is `hello`", "type");
+  if (hello.number != kProtocol)
+    return unexpected(ErrorCode::version, "this server speaks protocol " + std::to_string(kProtocol), "protocol");
+  ASSIGN_OR_RETURN(const Remotes::Claim claim, remotes_.claim(hello.value, hello.world));
+  process_->group = claim.places.front()->group;
+  process_->world = claim.remote_world;
+  for (const Remotes::Place* place : claim.places) {
+    process_->keys.push_back(place->service.key);
+    process_->components.emplace(place->service.key, place->component);
+  }
+  accepted_ = true;
+  process_->pong_received = true;
+  remotes_.post(process_->group, [process = process_, &remotes = remotes_, world = claim.world] {
+    Message welcome;
+    welcome.kind = Kind::welcome;
+    welcome.time = remotes.clock_.now();
+    process->send(welcome);
+    if (process->world) process->world->connect(process->out, world);
+    for (const auto& [key, component] : process->components) component->connect(process->out);
+    for (const std::string& key : process->keys) remotes.host_.reconnect(key);
+  });
+  return {};
+}
+
+void ProcessLink::check_heartbeat() {
+  if (disconnected_) return;
+  unanswered_ = process_->pong_received.exchange(false) ? 0 : unanswered_ + 1;
+  if (unanswered_ > kPingsPerHeartbeat) return disconnect(accepted_ ? "it answers no more" : "it says no hello");
+  if (!accepted_) return;
+  remotes_.post(process_->group, [process = process_, &remotes = remotes_, number = ++pings_] {
+    Message ping;
+    ping.kind = Kind::ping;
+    ping.number = number;
+    ping.time = remotes.clock_.now();
+    process->send(ping);
+  });
+}
+
+void ProcessLink::disconnect(const std::string& why) {
+  if (std::exchange(disconnected_, true)) return;
+  process_->out->close();
+  if (!accepted_) return;
+  // Posted before the places are released: a process that connects now finds this one disconnected.
+  remotes_.post(process_->group, [process = process_, &remotes = remotes_, why] {
+    if (process->fault.empty()) process->fault = why;
+    if (process->world) process->world->connect(nullptr, {});
+    for (const std::string& key : process->keys) {
+      remotes.host_.disconnect(key, process->fault);
+      process->components.at(key)->connect(nullptr);
+    }
+  });
+  remotes_.release(process_->keys, process_->world);
+}
+
+}  // namespace race::remote

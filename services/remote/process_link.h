@@ -1,0 +1,49 @@
+// ProcessLink: the server's end of the connection of one process: what the process says, and how long it has been
+// silent. Held by its socket.
+//
+// Threads: the sockets'. What the process says reaches the host on the thread of its group, in order.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "services/remote/remotes.h"
+#include "services/remote/send_queue.h"
+
+namespace race::remote {
+
+class ProcessLink {
+ public:
+  static constexpr int kPingsPerHeartbeat = 4;
+
+  explicit ProcessLink(Remotes& remotes);
+  ~ProcessLink();
+  ProcessLink(const ProcessLink&) = delete;
+  ProcessLink& operator=(const ProcessLink&) = delete;
+
+  /// What waits to be sent; the connection is to end once that is drained.
+  SendQueue& out();
+  /// A message came. An invalid one is answered `refused`, and the process is disconnected.
+  void received(EncodedMessage message);
+  /// To be called kPingsPerHeartbeat times in the time of the heartbeat: sends a ping; disconnects a process that has
+  /// answered none of the last kPingsPerHeartbeat.
+  void check_heartbeat();
+  /// The connection has ended, because of `why`.
+  void disconnect(const std::string& why);
+  /// Whether the process is disconnected or was refused.
+  bool disconnected() const { return disconnected_; }
+
+ private:
+  struct Process;
+
+  Expected<void> accept_hello(const EncodedMessage& message);
+
+  Remotes& remotes_;
+  std::shared_ptr<Process> process_;  // held by work on its way to the group too
+  bool accepted_ = false, disconnected_ = false;
+  int unanswered_ = 0;  // pings since the last pong
+  std::int64_t pings_ = 0;
+};
+
+}  // namespace race::remote

@@ -1,0 +1,95 @@
+// The calls of one service that wait for a response, and what does not fit its RSM.
+#include "services/host/call_ledger.h"
+
+#include <gmock/gmock.h>
+
+#include "core/rsm/document.h"
+
+namespace race::services {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+const rsm::Service& lamp_model() {
+  static const rsm::Service model = rsm::read_service_text(R"json({
+    "rsm": 1, "name": "lamp", "operations": [{"name": "on"}, {"name": "blink"}], "events": [{"name": "lit"}],
+    "states": [{"name": "Dark"}, {"name": "Bright"}], "init": "Dark",
+    "transitions": [{"id": "on", "src": "Dark", "dst": "Bright", "operation": "on"},
+                    {"id": "blink", "src": "Bright", "dst": "Bright", "operation": "blink", "defer": ["off"]},
+                    {"id": "off", "src": "Bright", "dst": "Dark"}]})json",
+                                                           "lamp")
+                                        .value();
+  return model;
+}
+
+struct CallLedgerTest : testing::Test {
+  void call(CallId id, const std::string& operation) { ledger.call({id, operation, 1.0, {"core", id}}, {}, {}); }
+  std::vector<CallId> pending() const {
+    std::vector<CallId> ids;
+    for (const PendingCall& each : ledger.pending()) ids.push_back(each.id);
+    return ids;
+  }
+  CallLedger ledger{lamp_model()};
+};
+
+TEST_F(CallLedgerTest, ACallIsTakenOnceWithItsCaller) {
+  call(7, "on");
+  const auto taken = ledger.take(7);
+  ASSERT_TRUE(taken);
+  EXPECT_EQ(taken->operation, "on");
+  EXPECT_EQ(taken->caller, (Caller{"core", 7}));
+  EXPECT_FALSE(ledger.take(7));
+}
+
+TEST_F(CallLedgerTest, FollowsTheStateOfTheService) {
+  EXPECT_EQ(ledger.state(), "Dark");
+  call(1, "on");
+  EXPECT_THAT(ledger.transition(2.0, "on", 1), IsEmpty());
+  EXPECT_EQ(ledger.state(), "Bright");
+}
+
+TEST_F(CallLedgerTest, ALaterCallSupersedesAnEarlierOneThatIsDeferred) {
+  call(1, "on");
+  ledger.transition(1.0, "on", 1);
+  ledger.respond(1.0, 1, nullptr, false);
+  ledger.take(1);
+  call(2, "blink");
+  ledger.transition(1.0, "blink", 2);
+  call(3, "blink");
+  ledger.transition(1.0, "blink", 3);
+  EXPECT_THAT(pending(), ElementsAre(3));
+}
+
+TEST_F(CallLedgerTest, AViolationHasItsTimeItsCallAndItsOperation) {
+  call(4, "on");
+  const auto found = ledger.transition(2.5, "blink", 4);
+  ASSERT_THAT(found, SizeIs(testing::Ge(1U)));
+  EXPECT_EQ(found[0].time, 2.5);
+  EXPECT_EQ(found[0].call, 4U);
+  EXPECT_EQ(found[0].operation, "on");
+  EXPECT_THAT(ledger.violations(), SizeIs(found.size()));
+}
+
+TEST_F(CallLedgerTest, KeepsTheLastViolations) {
+  for (std::size_t i = 0; i < CallLedger::kViolationsKept + 5; ++i)
+    ledger.add(static_cast<Time>(i), {{"rule", "message", 0}});
+  ASSERT_THAT(ledger.violations(), SizeIs(CallLedger::kViolationsKept));
+  EXPECT_EQ(ledger.violations().front().time, 5.0);
+}
+
+TEST_F(CallLedgerTest, AResetReturnsWhatWasPendingInOrderAndStartsAnew) {
+  call(1, "on");
+  ledger.transition(1.0, "on", 1);
+  call(2, "blink");
+  const auto left = ledger.reset();
+  ASSERT_THAT(left, SizeIs(2));
+  EXPECT_EQ(left[0].id, 1U);
+  EXPECT_EQ(left[1].id, 2U);
+  EXPECT_THAT(pending(), IsEmpty());
+  EXPECT_EQ(ledger.state(), "Dark");
+}
+
+}  // namespace
+}  // namespace race::services
