@@ -46,8 +46,8 @@ class Strand {
   explicit Strand(Pool& pool) : queue_(std::make_shared<Queue>(pool)) {}
   void post(Work work) { Queue::post(queue_, std::move(work)); }
 
-  /// Posts `function` and waits for its value, at most `patience`: nothing if the strand was busy for longer, in which
-  /// case the function still runs, later. So it must hold what it needs. Not to be called on the strand itself.
+  /// Posts `function` and waits for its value, at most `timeout`. Nothing: the strand was busy for longer; the function
+  /// still runs later, so it must own what it uses. Not to be called on the strand itself.
   template <typename F>
   auto ask(F function, std::chrono::milliseconds timeout = std::chrono::seconds(5))
       -> std::optional<std::invoke_result_t<F>> {
@@ -63,7 +63,7 @@ class Strand {
   }
 
  private:
-  // Kept alive by the work on its way through the pool.
+  // Kept alive by its work in the pool.
   struct Queue {
     explicit Queue(Pool& its_pool) : pool(its_pool) {}
     static void post(const std::shared_ptr<Queue>& queue, Work work);

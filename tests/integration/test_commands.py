@@ -1,5 +1,6 @@
 """The command line: race run, and what every command does with bad input."""
 import json
+import re
 import subprocess
 import tempfile
 import unittest
@@ -105,6 +106,13 @@ class Help(unittest.TestCase):
             self.assertTrue(errors.startswith(f"usage: race {words[0]} "), errors)
 
 
+class Version(unittest.TestCase):
+    def test_is_that_of_the_project(self):
+        project = re.search(r"project\(race VERSION (\S+)", (PROJECT / "CMakeLists.txt").read_text())[1]
+        self.assertEqual(race("--version"), (0, [f"race {project}"], ""))
+        self.assertEqual(json.loads((PROJECT / "web/package.json").read_text())["version"], project)
+
+
 class BadInput(unittest.TestCase):
     def test_a_wrong_document_is_reported_with_path_and_code_and_status_2(self):
         wrong = models.document("wrong", {"state": "Root", "first": "Nowhere"})
@@ -114,6 +122,12 @@ class BadInput(unittest.TestCase):
             self.assertIn("Root: first: ", errors)
         status, lines, _ = race("run", "DOCUMENT", "--json", document=wrong)
         self.assertEqual(json.loads("\n".join(lines))["errors"][0]["code"], "first")
+
+    def test_an_unknown_option_is_named(self):
+        for command in ("serve", "run", "check", "translate", "fmt"):
+            words = (command,) if command == "serve" else (command, "DOCUMENT")
+            status, lines, errors = race(*words, "--slow", document=models.ticking())
+            self.assertEqual((status, lines, errors), (2, [], "--slow: unknown_field: there is no such option\n"))
 
     def test_wrong_options_end_with_status_2(self):
         for words in (("run",), ("run", "a", "b"), ("run", "DOCUMENT", "--slow"), ("run", "DOCUMENT", "--seed"),

@@ -24,7 +24,7 @@ struct EventLogTest : testing::Test {
       Strand(pool).ask([] { return 0; });
       text = client->box.pop();
     }
-    hub.disconnect(client);
+    hub.shut_down();  // waits until the hub has nothing left to do
     std::vector<std::string> lines;
     const Value message = parse_json(**text).value();
     for (const Value& entry : message.find("data")->find("entries")->as_list())
