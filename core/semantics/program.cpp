@@ -1,8 +1,7 @@
 #include "core/semantics/program.h"
 
-#include "core/semantics/program_internal.h"
-
 #include "core/language/check/checker.h"
+#include "core/semantics/program_internal.h"
 
 namespace race::semantics {
 

@@ -27,7 +27,7 @@ using language::EventId;
 using language::Flag;
 using language::kNone;
 using language::OperationId;
-using ValueIndex = language::Slot;
+using language::ValueIndex;
 
 template <typename Id>
 constexpr std::uint32_t index(Id id) {

@@ -34,7 +34,8 @@ struct CellSetup {
   // time waits for answers that are due, so that a seed gives one run.
   bool own_threads = true;
   std::vector<ExtraService> extra_services = {};
-  std::vector<std::string> remote = {};  // names of the groups (component_groups.h) that wait for a process of their own
+  std::vector<std::string> remote =
+      {};  // names of the groups (component_groups.h) that wait for a process of their own
   std::chrono::milliseconds heartbeat{1000};  // how long such a process may be silent
   std::uint64_t seed = 0;                     // of everything that is random; the same seed gives the same run
 };

@@ -16,17 +16,17 @@ std::vector<ExtraService> screen_services(display::Screens& screens, const std::
   };
   const auto revision = [&screens] { return screens.revision(); };
   const remote::HostFunctions backend{[&screens](const std::string& function, const Dict& arguments) {
-                               return display::answer_display_request(screens, function, arguments);
-                             },
-                             revision,
-                             [&screens] {
-                               screens.withdraw();
-                               screens.take();
-                             }};
+                                        return display::answer_display_request(screens, function, arguments);
+                                      },
+                                      revision,
+                                      [&screens] {
+                                        screens.withdraw();
+                                        screens.take();
+                                      }};
   const remote::HostFunctions speakers{[&screens](const std::string& function, const Dict& arguments) {
-                                return audio::answer_audio_request(screens, function, arguments);
-                              },
-                              revision, [&screens] { screens.silence(); }};
+                                         return audio::answer_audio_request(screens, function, arguments);
+                                       },
+                                       revision, [&screens] { screens.silence(); }};
   return {{"display", "display", make_display, backend}, {"audio", "audio", make_audio, speakers}};
 }
 

@@ -107,10 +107,10 @@ int run_service(const Options& options) {
     Session session;
     std::unique_ptr<remote::SocketClient> socket;
     while (!stop_requested && !socket) {
-      auto connected =
-          remote::SocketClient::connect(*address, out,
-                                        {[&](const remote::EncodedMessage& encoded) { handle_message(encoded, process, session, name); },
-                                         [&](std::string why) { session.end(std::move(why)); }});
+      auto connected = remote::SocketClient::connect(
+          *address, out,
+          {[&](const remote::EncodedMessage& encoded) { handle_message(encoded, process, session, name); },
+           [&](std::string why) { session.end(std::move(why)); }});
       if (connected) {
         socket = std::move(*connected);
       } else if (connected.error().code != ErrorCode::unavailable) {

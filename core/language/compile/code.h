@@ -26,7 +26,7 @@ struct Mentions {
   std::vector<EventId> latest;         // read through `.latest`
   std::vector<OperationId> responses;  // .result or .error is read
   std::vector<OperationId> calls;
-  std::vector<Slot> reads, writes;  // of Δ; par, res or var as a whole reads all of its slots
+  std::vector<ValueIndex> reads, writes;  // of Δ; par, res or var as a whole reads all of its slots
   std::vector<Flag> flags;
   bool needs_occurrence = false;  // a condition that is never true, and no fault, while no event occurs (kSmallBudget)
 };

@@ -58,7 +58,7 @@ class Compiler {
   static bool changes(const Expr& e);
 
   // what the code mentions
-  void reads(Slot slot) { reads_.insert(slot); }
+  void reads(ValueIndex slot) { reads_.insert(slot); }
   Code finish();
 
   const Symbols& symbols_;
@@ -69,7 +69,7 @@ class Compiler {
   bool service_ = false;                                      // the expression being compiled contains svc
   std::set<EventId> events_, latest_;
   std::set<OperationId> responses_, calls_;
-  std::set<Slot> reads_, writes_;
+  std::set<ValueIndex> reads_, writes_;
   std::set<Flag> flags_;
 };
 

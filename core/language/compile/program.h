@@ -40,7 +40,7 @@ struct Place {
 
 /// par, res or var as a whole: its names (constants) with their slots, in the order of the names.
 struct Collection {
-  std::vector<std::pair<std::uint32_t, Slot>> entries;
+  std::vector<std::pair<std::uint32_t, ValueIndex>> entries;
 };
 
 struct MethodCall {

@@ -3,7 +3,7 @@
 
 namespace race::language {
 
-bool Machine::store(Slot slot, Value value, NodeId id) {
+bool Machine::store(ValueIndex slot, Value value, NodeId id) {
   if (!check_storable(context_, value)) return locate_fault(id), false;
   environment_->write(slot, std::move(value));
   return true;

@@ -102,7 +102,7 @@ class Machine {
   Flow augment(const Node& n, NodeId id);
   Flow augment_place(const Node& n, NodeId id);
   Flow call_service(const Node& n, NodeId id);
-  bool store(Slot slot, Value value, NodeId id);
+  bool store(ValueIndex slot, Value value, NodeId id);
   bool assign(NodeId target, Value value);
   bool assign_place(const Place& place, Value value, NodeId id);
   bool augmented(BinaryOperator op, Value& value, const Value& by, int levels);

@@ -36,7 +36,7 @@ class Environment {
  public:
   virtual ~Environment() = default;
 
-  const Value* values = nullptr;          // Δ by Slot; unknown = has no value
+  const Value* values = nullptr;          // Δ by ValueIndex; unknown = has no value
   const std::uint8_t* flags = nullptr;    // Δ by Flag
   const Value* event_data = nullptr;      // newest data ever delivered by EventId; unknown = never
   const std::uint8_t* sampled = nullptr;  // by EventId
@@ -47,7 +47,7 @@ class Environment {
   /// `service`: whose, if the operation is an open one.
   virtual const Value& response(OperationId operation, std::string_view service, bool error) = 0;
   /// A write to res or var. `values[slot]` reads the new value afterwards. Finite (checked by the interpreter).
-  virtual void write(Slot slot, Value value) = 0;
+  virtual void write(ValueIndex slot, Value value) = 0;
   /// A call, in order of evaluation.
   virtual void call(OperationId operation, std::string_view service, std::string_view name, List args, Dict kwargs) = 0;
   /// The table for svc[expr].

@@ -6,7 +6,7 @@
 namespace race::language {
 
 /// The index of the value of a parameter, result or variable in Δ.
-using Slot = std::uint32_t;
+using ValueIndex = std::uint32_t;
 /// The index of `active` of a node or a port in Δ.
 using Flag = std::uint32_t;
 using EventId = std::uint32_t;

@@ -20,12 +20,12 @@ enum class CodeKind : std::uint8_t {
 struct ChildSymbols {
   bool barrier = false;  // a barrier has `active` and `name` only
   Flag active = 0;
-  std::map<std::string, Slot, std::less<>> parameters, results;
+  std::map<std::string, ValueIndex, std::less<>> parameters, results;
   std::map<std::string, Flag, std::less<>> ports;
 };
 struct Symbols {
-  std::map<std::string, Slot, std::less<>> parameters, results;
-  std::map<std::string, Slot, std::less<>>
+  std::map<std::string, ValueIndex, std::less<>> parameters, results;
+  std::map<std::string, ValueIndex, std::less<>>
       variables;  // declared ones, and for compiling all that any code of the state uses
   std::map<std::string, Flag, std::less<>> ports;
   std::map<std::string, ChildSymbols, std::less<>> children;

@@ -14,7 +14,7 @@ namespace race::language::test {
 
 class State final : public Environment {
  public:
-  enum : Slot { par_a, res_out, res_x, res_unset, var_n, var_log, child_x, slot_count };
+  enum : ValueIndex { par_a, res_out, res_x, res_unset, var_n, var_log, child_x, slot_count };
   enum : Flag { port_p, child_active, child_port_q, barrier_active, flag_count };
 
   State() : slots_(slot_count, Value::unknown()), flags_(flag_count, 0) {
@@ -41,9 +41,9 @@ class State final : public Environment {
     refresh();
   }
 
-  void set(Slot slot, Value value) { slots_[slot] = std::move(value); }
+  void set(ValueIndex slot, Value value) { slots_[slot] = std::move(value); }
   void raise(Flag flag, bool on = true) { flags_[flag] = on ? 1 : 0; }
-  const Value& at(Slot slot) const { return slots_[slot]; }
+  const Value& at(ValueIndex slot) const { return slots_[slot]; }
   void deliver(EventId event, Value data) {
     event_values_[event] = std::move(data);
     occurrence = event;
@@ -55,7 +55,7 @@ class State final : public Environment {
   const Value& response(OperationId operation, std::string_view, bool error) override {
     return responses_[operation * 2 + (error ? 1U : 0U)];
   }
-  void write(Slot slot, Value value) override { slots_[slot] = std::move(value); }
+  void write(ValueIndex slot, Value value) override { slots_[slot] = std::move(value); }
   void call(OperationId, std::string_view service, std::string_view name, List args, Dict kwargs) override {
     calls.push_back(std::string(service) + "." + std::string(name) + to_json(Value(std::move(args))) +
                     to_json(Value(std::move(kwargs))));

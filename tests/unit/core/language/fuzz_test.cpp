@@ -167,7 +167,8 @@ void run(const std::string& text, CodeKind kind) {
   if (!code) return;
   if (kind == CodeKind::function) {
     r.interpreter.function(*code, r.state);
-    for (const Slot slot : std::initializer_list<Slot>{State::res_out, State::res_x, State::var_n, State::var_log})
+    for (const ValueIndex slot :
+         std::initializer_list<ValueIndex>{State::res_out, State::res_x, State::var_n, State::var_log})
       stored_well(r.state.at(slot), text);
   }
   if (kind == CodeKind::expression) r.interpreter.expression(*code, r.state);

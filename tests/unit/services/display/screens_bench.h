@@ -20,7 +20,8 @@ struct ScreensBench : testing::Test {
   using Answer = std::function<Expected<Value>(Screens&, std::string_view function, const Dict& arguments)>;
 
   /// `key`: the service's; `its_answer`: how the server answers its requests.
-  ScreensBench(std::string key, Answer its_answer) : service(std::move(key)), call_host_function(std::move(its_answer)) {}
+  ScreensBench(std::string key, Answer its_answer)
+      : service(std::move(key)), call_host_function(std::move(its_answer)) {}
 
   void call(const std::string& operation, List args = {}, Dict kwargs = {}) {
     refresh();
