@@ -54,9 +54,10 @@ await() {
 
 # foreground PID: gives the process and its descendants the usual priority.
 foreground() {
-  local child
+  local child children=()
   chrt --other --pid 0 "$1" 2>/dev/null || true
-  for child in $(cat "/proc/$1/task/$1/children" 2>/dev/null); do foreground "$child"; done
+  read -ra children 2>/dev/null <"/proc/$1/task/$1/children" || true
+  for child in "${children[@]}"; do foreground "$child"; done
 }
 
 # ended NAME STATUS SECONDS FAILURES_BEFORE: says how a stage went. A build that broke or a program that never reported
