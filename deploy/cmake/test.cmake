@@ -15,7 +15,7 @@ target_compile_options(race_test_main PRIVATE -O0)
 target_precompile_headers(race_test_main PRIVATE <gmock/gmock.h> <gtest/gtest.h> <algorithm> <array> <atomic> <chrono>
   <cmath> <cstdint> <deque> <filesystem> <fstream> <functional> <future> <limits> <map> <memory> <mutex> <optional>
   <random> <set> <span> <sstream> <string> <string_view> <thread> <utility> <variant> <vector>
-  ${RACE_SOURCE_DIR}/core/value/json.h)
+  <tl/expected.hpp>)
 
 set(RACE_TEST_ROOMS core services server application)
 set(RACE_TEST_LABELS ${RACE_TEST_ROOMS} slow)
