@@ -21,58 +21,58 @@ struct Value::DictRep : Counted {
 Value::Value(std::string text) : kind_(Kind::string) {
   auto* rep = new StringRep;
   rep->text = std::move(text);
-  heap_ = rep;
+  payload_ = reinterpret_cast<std::int64_t>(static_cast<Counted*>(rep));
 }
 
 Value::Value(List items) : kind_(Kind::list) {
   auto* rep = new ListRep;
   rep->items = std::move(items);
-  heap_ = rep;
+  payload_ = reinterpret_cast<std::int64_t>(static_cast<Counted*>(rep));
 }
 
 Value::Value(Dict entries) : kind_(Kind::dict) {
   auto* rep = new DictRep;
   rep->entries = std::move(entries);
-  heap_ = rep;
+  payload_ = reinterpret_cast<std::int64_t>(static_cast<Counted*>(rep));
 }
 
 const std::string& Value::as_string() const noexcept {
   assert(is_string());
-  return static_cast<const StringRep*>(heap_)->text;
+  return static_cast<const StringRep*>(heap())->text;
 }
 
 const List& Value::as_list() const noexcept {
   assert(is_list());
-  return static_cast<const ListRep*>(heap_)->items;
+  return static_cast<const ListRep*>(heap())->items;
 }
 
 const Dict& Value::as_dict() const noexcept {
   assert(is_dict());
-  return static_cast<const DictRep*>(heap_)->entries;
+  return static_cast<const DictRep*>(heap())->entries;
 }
 
 List& Value::mutable_list() {
   assert(is_list());
-  if (heap_->frozen || heap_->references != 1) *this = Value(as_list());
-  return static_cast<ListRep*>(heap_)->items;
+  if (heap()->frozen || heap()->references != 1) *this = Value(as_list());
+  return static_cast<ListRep*>(heap())->items;
 }
 
 Dict& Value::mutable_dict() {
   assert(is_dict());
-  if (heap_->frozen || heap_->references != 1) *this = Value(as_dict());
-  return static_cast<DictRep*>(heap_)->entries;
+  if (heap()->frozen || heap()->references != 1) *this = Value(as_dict());
+  return static_cast<DictRep*>(heap())->entries;
 }
 
 const Value* Value::find(std::string_view key) const noexcept { return is_dict() ? as_dict().find(key) : nullptr; }
 
 Value& Value::freeze() {
-  if (!counted() || heap_->frozen) return *this;
+  if (!counted() || heap()->frozen) return *this;
   if (is_list()) {
-    for (Value& item : static_cast<ListRep*>(heap_)->items) item.freeze();
+    for (Value& item : static_cast<ListRep*>(heap())->items) item.freeze();
   } else if (is_dict()) {
-    static_cast<DictRep*>(heap_)->entries.freeze();
+    static_cast<DictRep*>(heap())->entries.freeze();
   }
-  heap_->frozen = true;
+  heap()->frozen = true;
   return *this;
 }
 
@@ -87,7 +87,7 @@ std::size_t Value::size_units() const noexcept {
 }
 
 bool Value::is_finite() const noexcept {
-  if (is_number()) return std::isfinite(number_);
+  if (is_number()) return std::isfinite(as_number());
   if (is_list()) return std::ranges::all_of(as_list(), [](const Value& item) { return item.is_finite(); });
   if (is_dict()) return std::ranges::all_of(as_dict(), [](const auto& entry) { return entry.second.is_finite(); });
   return true;
@@ -95,7 +95,7 @@ bool Value::is_finite() const noexcept {
 
 bool Value::operator==(const Value& other) const noexcept {
   if (kind_ != other.kind_) return false;
-  if (integer_ == other.integer_) return true;  // the same scalar, bit by bit, or the same object
+  if (payload_ == other.payload_) return true;  // the same scalar, bit by bit, or the same object
   switch (kind_) {
     case Kind::string:
       return as_string() == other.as_string();
@@ -112,9 +112,9 @@ bool Value::operator==(const Value& other) const noexcept {
 }
 
 void Value::destroy() noexcept {
-  if (kind_ == Kind::string) delete static_cast<StringRep*>(heap_);
-  if (kind_ == Kind::list) delete static_cast<ListRep*>(heap_);
-  if (kind_ == Kind::dict) delete static_cast<DictRep*>(heap_);
+  if (kind_ == Kind::string) delete static_cast<StringRep*>(heap());
+  if (kind_ == Kind::list) delete static_cast<ListRep*>(heap());
+  if (kind_ == Kind::dict) delete static_cast<DictRep*>(heap());
 }
 
 Dict::Dict(std::initializer_list<std::pair<std::string_view, Value>> entries) {

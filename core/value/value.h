@@ -9,6 +9,7 @@
 // It is never an element of a list or dict and never leaves the core.
 #pragma once
 
+#include <bit>
 #include <concepts>
 #include <cstdint>
 #include <initializer_list>
@@ -33,22 +34,22 @@ class Value {
  public:
   enum class Kind : std::uint8_t { unknown, null, boolean, integer, number, string, list, dict };
 
-  Value() noexcept : kind_(Kind::null), integer_(0) {}
+  Value() noexcept : kind_(Kind::null), payload_(0) {}
   Value(std::nullptr_t) noexcept : Value() {}
-  Value(bool v) noexcept : kind_(Kind::boolean), integer_(v ? 1 : 0) {}
-  Value(std::int64_t v) noexcept : kind_(Kind::integer), integer_(v) {}
+  Value(bool v) noexcept : kind_(Kind::boolean), payload_(v ? 1 : 0) {}
+  Value(std::int64_t v) noexcept : kind_(Kind::integer), payload_(v) {}
   Value(int v) noexcept : Value(static_cast<std::int64_t>(v)) {}
-  Value(double v) noexcept : kind_(Kind::number), number_(v) {}
+  Value(double v) noexcept : kind_(Kind::number), payload_(std::bit_cast<std::int64_t>(v)) {}
   Value(std::string text);
   Value(std::string_view text) : Value(std::string(text)) {}
   Value(const char* text) : Value(std::string(text)) {}
   Value(List items);
   Value(Dict entries);
 
-  Value(const Value& other) noexcept : kind_(other.kind_), integer_(other.integer_) {
+  Value(const Value& other) noexcept : kind_(other.kind_), payload_(other.payload_) {
     if (counted()) retain();
   }
-  Value(Value&& other) noexcept : kind_(other.kind_), integer_(other.integer_) { other.kind_ = Kind::null; }
+  Value(Value&& other) noexcept : kind_(other.kind_), payload_(other.payload_) { other.kind_ = Kind::null; }
   // Both assignments release the old value last: `other` may be an element of it.
   Value& operator=(const Value& other) noexcept {
     Value old(other);
@@ -84,14 +85,14 @@ class Value {
   bool is_dict() const noexcept { return kind_ == Kind::dict; }
 
   // Each requires its kind.
-  bool as_bool() const noexcept { return integer_ != 0; }
-  std::int64_t as_integer() const noexcept { return integer_; }
-  double as_number() const noexcept { return number_; }
+  bool as_bool() const noexcept { return payload_ != 0; }
+  std::int64_t as_integer() const noexcept { return payload_; }
+  double as_number() const noexcept { return std::bit_cast<double>(payload_); }
   const std::string& as_string() const noexcept;
   const List& as_list() const noexcept;
   const Dict& as_dict() const noexcept;
   /// An int or a double as a double. Requires is_numeric().
-  double to_double() const noexcept { return is_integer() ? static_cast<double>(integer_) : number_; }
+  double to_double() const noexcept { return is_integer() ? static_cast<double>(as_integer()) : as_number(); }
 
   // For changing in place: copies first if the value is shared. Each requires its kind. The reference is good
   // until this value is copied again.
@@ -115,7 +116,7 @@ class Value {
   bool operator==(const Value& other) const noexcept;
 
   /// Whether both are the same object or the same scalar: cheap, false for equal but separate lists.
-  bool identical(const Value& other) const noexcept { return kind_ == other.kind_ && integer_ == other.integer_; }
+  bool identical(const Value& other) const noexcept { return kind_ == other.kind_ && payload_ == other.payload_; }
 
  private:
   struct StringRep;
@@ -124,28 +125,28 @@ class Value {
 
   void swap(Value& other) noexcept {
     std::swap(kind_, other.kind_);
-    std::swap(integer_, other.integer_);
+    std::swap(payload_, other.payload_);
   }
   bool counted() const noexcept { return kind_ >= Kind::string; }
   void retain() const noexcept {
-    if (heap_->frozen) {
-      __atomic_fetch_add(&heap_->references, 1U, __ATOMIC_RELAXED);
+    if (heap()->frozen) {
+      __atomic_fetch_add(&heap()->references, 1U, __ATOMIC_RELAXED);
     } else {
-      ++heap_->references;
+      ++heap()->references;
     }
   }
   void release() noexcept {
-    if (heap_->frozen ? __atomic_sub_fetch(&heap_->references, 1U, __ATOMIC_ACQ_REL) == 0 : --heap_->references == 0)
+    if (heap()->frozen ? __atomic_sub_fetch(&heap()->references, 1U, __ATOMIC_ACQ_REL) == 0 : --heap()->references == 0)
       destroy();
   }
   void destroy() noexcept;
 
+  Counted* heap() const noexcept { return reinterpret_cast<Counted*>(payload_); }
+
   Kind kind_;
-  union {
-    std::int64_t integer_;
-    double number_;
-    Counted* heap_;
-  };
+  // An integer, the bits of a double, or the address of the heap part. Not a union: g++ 12.2 at -O2 loses stores to one
+  // member before loads from another where assignments are inlined (into std::optional, for one).
+  std::int64_t payload_;
 };
 static_assert(sizeof(Value) == 16);
 
