@@ -22,20 +22,16 @@ stage() {
   ended "$name" $? "$((SECONDS - started))" "$failures_before"
 }
 
-# background NAME COMMAND...: starts it on the processors' idle time; await NAME waits for it. One at a time, and it
-# leaves no report.
+# background NAME PROGRAM...: starts it on the processors' idle time; await NAME waits for it. One at a time, and it
+# leaves no report. It has a session of its own, as the kernel shares the processors among sessions first (autogroup).
 background() {
   local name=$1
   shift
   printf '[%4d s] %s ... (in the background)\n' "$SECONDS" "$name"
   background_started=$SECONDS
-  set -m # a process group of its own
-  (
-    chrt --idle --pid 0 "$BASHPID" 2>/dev/null || renice -n 19 -p "$BASHPID" >/dev/null
-    "$@"
-  ) >"$out/$name.log" 2>&1 &
+  # shellcheck disable=SC2016  # expanded by that shell
+  setsid bash -c '{ echo 19 >/proc/self/autogroup; } 2>/dev/null; chrt --idle --pid 0 $$; exec "$@"' bash "$@" >"$out/$name.log" 2>&1 &
   background_pid=$!
-  set +m
   # shellcheck disable=SC2064  # that process
   trap "kill -- -$background_pid 2>/dev/null" EXIT
 }
@@ -56,6 +52,7 @@ await() {
 foreground() {
   local child children=()
   chrt --other --pid 0 "$1" 2>/dev/null || true
+  { echo 0 >"/proc/$1/autogroup"; } 2>/dev/null || true
   read -ra children 2>/dev/null <"/proc/$1/task/$1/children" || true
   for child in "${children[@]}"; do foreground "$child"; done
 }
