@@ -22,7 +22,7 @@ Expected<Value> PendingCommands::wait(const std::function<void(CellWorld::Wanted
   {
     const services::MutexLock lock(mutex_);
     if (!free_.wait_for(mutex_, timeouts_.admission, [this]() REQUIRES(mutex_) { return pending_ < kMaxPending; }))
-      return unexpected(ErrorCode::unavailable, "other commands wait for the cell already; this one is not done");
+      return unexpected(ErrorCode::unavailable, "other acts wait for the cell already; this one is not done");
     ++pending_;
   }
   const auto turn = std::make_shared<Turn>();

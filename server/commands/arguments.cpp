@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 
 namespace race::server {
 namespace {
@@ -23,13 +24,37 @@ std::vector<const CLI::Option*> arguments_of(const CLI::App& app) {
 CLI::Validator within(double low, double high) {
   const auto check = [low, high](const std::string& text) -> std::string {
     double value = 0;
-    if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return "";
+    const char* end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, value);
+    if (read.ec == std::errc() && read.ptr == end && value >= low && value <= high) return "";
     return "must be a number within its limits, got `" + text + "`";
   };
   return {check, ""};
 }
 
 bool is_option(const std::string& word) { return word.size() > 1 && word.starts_with('-'); }
+
+// `--data=` as `--data` and an empty word: CLI11 would take the next word as its value.
+std::vector<std::string> split_empty_values(const CLI::App& app, const std::vector<std::string>& words) {
+  std::vector<std::string> split;
+  for (const std::string& word : words) {
+    const std::string name = word.substr(0, word.size() - 1);
+    const CLI::Option* option = word.ends_with('=') && is_option(name) ? app.get_option_no_throw(name) : nullptr;
+    if (option && !is_flag(*option))
+      split.insert(split.end(), {name, ""});
+    else
+      split.push_back(word);
+  }
+  return split;
+}
+
+// What is left when words are too many or too few: a misspelled option is named.
+Expected<Arguments::Outcome> misused(const CLI::App& app) {
+  const auto extra = app.remaining();
+  const auto option = std::ranges::find_if(extra, is_option);
+  if (option == extra.end()) return Arguments::Outcome::misused;
+  return unexpected(ErrorCode::unknown_field, "there is no such option", *option);
+}
 
 }  // namespace
 
@@ -82,18 +107,16 @@ Error Arguments::error_of(const std::string& message) const {
 }
 
 Expected<Arguments::Outcome> Arguments::parse(std::vector<std::string> words) {
+  words = split_empty_values(*app_, words);
   std::ranges::reverse(words);  // as CLI11 expects them
   try {
     app_->parse(words);
   } catch (const CLI::CallForHelp&) {
     return Outcome::help_requested;
   } catch (const CLI::ExtrasError&) {
-    const auto extra = app_->remaining();
-    const auto option = std::ranges::find_if(extra, is_option);
-    if (option == extra.end()) return Outcome::misused;
-    return unexpected(ErrorCode::unknown_field, "there is no such option", *option);
+    return misused(*app_);
   } catch (const CLI::RequiredError&) {
-    return Outcome::misused;
+    return misused(*app_);
   } catch (const CLI::ValidationError& failure) {
     const std::string message = failure.what();
     const auto end = message.find(": ");

@@ -39,8 +39,9 @@ std::string overview(Commands commands) {
 int run(const Command& command, std::vector<std::string> words) {
   Arguments arguments{std::string(command.name)};
   const auto run = command.declare(arguments);
+  const bool json = std::ranges::find(words, "--json") != words.end();
   const auto outcome = arguments.parse(std::move(words));
-  if (!outcome) return refuse(outcome.error());
+  if (!outcome) return refuse(outcome.error(), json);
   if (*outcome == Arguments::Outcome::parsed) return run();
   const std::string usage = "usage: " + arguments.usage() + '\n' + arguments.help();
   if (*outcome == Arguments::Outcome::misused) {

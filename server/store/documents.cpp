@@ -29,7 +29,7 @@ std::vector<Error> one(ErrorCode code, std::string message, std::string path) {
 }
 
 tl::unexpected<std::vector<Error>> failure(const std::string& what, const SQLite::Exception& exception) {
-  return tl::unexpected(one(ErrorCode::io, what + ": " + exception.getErrorStr(), ""));
+  return tl::unexpected(one(ErrorCode::io, what + ": " + exception.what(), ""));
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ Expected<std::unique_ptr<Documents>> Documents::open(const std::string& path) {
     file->exec(kSetUp);
     return std::unique_ptr<Documents>(new Documents(std::move(file)));
   } catch (const SQLite::Exception& failure) {
-    return unexpected(ErrorCode::io, std::string("cannot open the store: ") + failure.getErrorStr(), path);
+    return unexpected(ErrorCode::io, std::string("cannot open the store: ") + failure.what(), path);
   }
 }
 

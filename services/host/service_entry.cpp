@@ -43,6 +43,7 @@ bool ServiceEntry::declares_subscription(std::string_view key, std::string_view 
 }
 
 void ServiceEntry::update_status(const Flows& flows, Time now) {
+  if (!ledger) return;  // declared and not attached yet
   if (!model.is_interface()) status.state = ledger->state();
   status.pending = ledger->pending();
   status.violations = ledger->violations();

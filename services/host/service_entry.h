@@ -39,7 +39,7 @@ struct ServiceEntry {
   void attach(std::unique_ptr<Component> its_component);
   /// Whether the component may subscribe to this flow.
   bool declares_subscription(std::string_view key, std::string_view flow) const;
-  /// Brings `status` up to date. Requires an attached component.
+  /// Brings `status` up to date; that of a service without a component stays as it is.
   void update_status(const Flows& flows, Time now);
 
   const std::size_t number;           // in order of declaration

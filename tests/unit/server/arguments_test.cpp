@@ -45,11 +45,15 @@ TEST_F(ArgumentsTest, TakeJsonAndEmptyTexts) {
     EXPECT_EQ(arguments.parse({"a", "--data", text}), Arguments::Outcome::parsed) << text;
     EXPECT_EQ(data, text);
   }
+  EXPECT_EQ(arguments.parse({"a", "--data=", "--fast"}), Arguments::Outcome::parsed);
+  EXPECT_EQ(data, "");
+  EXPECT_TRUE(fast);
 }
 
 TEST_F(ArgumentsTest, AreRefusedByName) {
   EXPECT_EQ(code({"a", "--slow"}), ErrorCode::unknown_field);
   EXPECT_EQ(code({"a", "-x"}), ErrorCode::unknown_field);
+  EXPECT_EQ(code({"--slow"}), ErrorCode::unknown_field);
   EXPECT_EQ(code({"a", "--fast=1"}), ErrorCode::type);
   EXPECT_EQ(code({"a", "--port"}), ErrorCode::missing);
   EXPECT_EQ(code({"a", "--port", "1", "--port", "2"}), ErrorCode::duplicate);
@@ -59,7 +63,7 @@ TEST_F(ArgumentsTest, AreRefusedByName) {
 }
 
 TEST_F(ArgumentsTest, NumbersHaveLimits) {
-  for (const char* text : {"x", "", "-1", "101", "1x", "nan"}) {
+  for (const char* text : {"x", "", "-1", "101", "1x", "nan", "0x10", "+8", " 8"}) {
     EXPECT_EQ(code({"a", "--port", text}), ErrorCode::out_of_range) << text;
     EXPECT_EQ(arguments.parse({"a", "--port", text}).error().path, "--port");
   }
