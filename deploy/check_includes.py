@@ -5,6 +5,7 @@ Prints each violation with an include that causes it; exit status 1 if there is 
 """
 import re
 import sys
+from itertools import pairwise
 from pathlib import Path
 
 ROOMS = ("core", "services", "server")  # each may include the rooms before it
@@ -33,7 +34,7 @@ def find_cycle(edges):
 
     def visit(folder):
         if folder in path:
-            return path[path.index(folder):] + [folder]
+            return [*path[path.index(folder):], folder]
         if folder in done:
             return None
         path.append(folder)
@@ -58,7 +59,7 @@ def violations(edges):
     cycle = find_cycle(edges)
     if cycle:
         found.append("cycle: " + " -> ".join(cycle))
-        found += [f"  {edges[a][b]}" for a, b in zip(cycle, cycle[1:])]
+        found += [f"  {edges[a][b]}" for a, b in pairwise(cycle)]
     for folder, targets in sorted(edges.items()):
         for target, why in sorted(targets.items()):
             if ROOMS.index(target.split("/")[0]) > ROOMS.index(folder.split("/")[0]):

@@ -58,7 +58,7 @@ void resolve_once(Step<R>& step, NodeRef d) {
 // PTrans1 (3.28): active ports of children lead to their destinations.
 //
 //   Δ ⊢ s.active ⇝ true    ∀ a_i ∈ s.actions, i = 1..n: Σ,Δ^{i-1} ⊢ a_i ⇝ a_i,Δ^i → Δ'
-//   ∀ (p,d) ∈ active_ports(Δ',s) ≠ ∅:    ∀ pa ∈ d.parameters: Δ ⊢ pa.expr ⇝ c ∈ C,Δ'_d[Π']
+//   ∀ (p,d) ∈ active_ports(Δ',s) ≠ ∅:    ∀ pa ∈ d.parameters: Δ' ⊢ pa.expr ⇝ c ∈ C,Δ'_d[Π']
 //     Σ,Δ'_d,p ⊢ d →↑ d',Δ''_d    Δ_p ⊢ p ⇝ p'[active = false],Δ'_p
 //   ───────────────────────────────────────────────────────────────────────────────────────
 //   Σ,Δ ⊢ s → s,Δ''

@@ -68,7 +68,7 @@ enum class Opcode : std::uint8_t {
   assign_local,   // a to local b
   assign_slot,    // a to slot b
   assign,         // a to the targets of a run
-  augment_local,  // local a, Opcode c, value b
+  augment_local,  // local a, BinaryOperator c, value b
   augment_slot,
   augment_place,  // a = number of the place
   branch,         // run of test, block, test, block, ..., [block]

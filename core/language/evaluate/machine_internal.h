@@ -126,7 +126,7 @@ class Machine {
   const Node* nodes_ = nullptr;
   const Value* constants_ = nullptr;
   Environment* environment_ = nullptr;
-  std::int64_t budget_left_ = 0;  // budget
+  std::int64_t budget_left_ = 0;
   bool strict_ = false;
   bool stopped_ = false;
   std::vector<Value> locals_;

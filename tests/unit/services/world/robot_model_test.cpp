@@ -1,4 +1,4 @@
-// The door of URDF files.
+// Validation of URDF files.
 #include "services/world/robot_model.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The door of scene files: what it takes, and how it names what it refuses.
+// Validation of scene files: what it takes, and how it names what it refuses.
 #include "services/world/scene.h"
 
 #include <gtest/gtest.h>
