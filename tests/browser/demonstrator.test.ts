@@ -103,7 +103,7 @@ describe("the demonstrator with an operator by script", () => {
 
   it("ends on demand, without an error on any page", async () => {
     await task.getByRole("button", { name: "Stop", exact: true }).click();
-    await expect.poll(() => task.getByRole("status", { name: "Run status" }).innerText()).toMatch(/Stopped/);
+    await expect.poll(() => task.getByRole("status", { name: "Run status" }).innerText(), { timeout: 5000 }).toMatch(/Stopped/);
     expect(complaints).toEqual([]);
   });
 });
