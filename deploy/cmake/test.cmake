@@ -1,8 +1,8 @@
-# race_test(NAME SOURCES file... [LIBS target...] [LABELS label...] [TIMEOUT seconds] [OPTIMIZED]): a GoogleTest program
-# NAME, registered with CTest as one test. Its cases see RACE_SOURCE_DIR (the project's folder) as a string literal.
+# race_test(NAME SOURCES file... [LIBS target...] [LABELS label...] [TIMEOUT seconds]): a GoogleTest program NAME,
+# registered with CTest as one test. Its cases see RACE_SOURCE_DIR (the project's folder) as a string literal.
 #
 # Test files are compiled without optimization, as they are compiled more often than they run; what they test is
-# optimized. OPTIMIZED: these, which do much themselves, are too.
+# optimized. A file that does much itself stands in a library of its own (semantics_random_cases).
 #
 # Labels: the room under test (`core`, `services`, `server`, `application`; by default that of the folder tests/unit/ROOM)
 # and `slow` for what takes more than some seconds. A room's test programs are built together by the target tests_ROOM.
@@ -23,23 +23,16 @@ foreach(room ${RACE_TEST_ROOMS})
   add_custom_target(tests_${room})
 endforeach()
 
-# race_compile_as_test(TARGET): compiles TARGET as race_test does, without optimization.
-function(race_compile_as_test target)
-  target_compile_options(${target} PRIVATE -O0)
-  target_precompile_headers(${target} REUSE_FROM race_test_main)
-endfunction()
-
 function(race_test name)
-  cmake_parse_arguments(ARG "OPTIMIZED" "TIMEOUT" "SOURCES;LIBS;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBS;LABELS" ${ARGN})
   if(CMAKE_CURRENT_SOURCE_DIR MATCHES "/tests/unit/([a-z]+)")
     list(APPEND ARG_LABELS ${CMAKE_MATCH_1})
     list(REMOVE_DUPLICATES ARG_LABELS)
   endif()
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE race_test_main ${ARG_LIBS})
-  if(NOT ARG_OPTIMIZED)
-    race_compile_as_test(${name})
-  endif()
+  target_compile_options(${name} PRIVATE -O0)
+  target_precompile_headers(${name} REUSE_FROM race_test_main)
   target_compile_definitions(${name} PRIVATE RACE_SOURCE_DIR="${RACE_SOURCE_DIR}")
   add_test(NAME ${name} COMMAND ${name})
   if(NOT ARG_TIMEOUT)
