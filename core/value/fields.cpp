@@ -41,6 +41,16 @@ bool has_number_out_of_range(const Value& value) {
   }
 }
 
+bool deeper_than(const Value& value, std::size_t levels) {
+  if (!value.is_list() && !value.is_dict()) return false;
+  if (levels == 0) return true;
+  if (value.is_list())
+    return std::any_of(value.as_list().begin(), value.as_list().end(),
+                       [&](const Value& item) { return deeper_than(item, levels - 1); });
+  return std::any_of(value.as_dict().begin(), value.as_dict().end(),
+                     [&](const Dict::Entry& entry) { return deeper_than(entry.second, levels - 1); });
+}
+
 std::string_view kind_name(const Value& value) {
   switch (value.kind()) {
     case Value::Kind::unknown:

@@ -4,6 +4,7 @@
 // the object and the list of violations.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,6 +21,9 @@ bool is_name(std::string_view text);
 /// Whether a number in `value`, at any level, is out of the range of int64 or double (parse_json's unknown value) or
 /// not finite.
 bool has_number_out_of_range(const Value& value);
+
+/// Whether lists and dicts in `value` are nested more than `levels` deep.
+bool deeper_than(const Value& value, std::size_t levels);
 
 class Fields {
  public:

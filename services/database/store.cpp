@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/value/fields.h"
 #include "core/value/json.h"
 
 namespace race::database {
@@ -25,16 +26,6 @@ SQLite::Statement prepare(SQLite::Database& file, const char* sql, std::initiali
 
 tl::unexpected<Error> failure(std::string_view what, const SQLite::Exception& exception) {
   return unexpected(ErrorCode::io, std::string(what) + ": " + exception.what());
-}
-
-bool deeper_than(const Value& value, std::size_t levels) {
-  if (!value.is_list() && !value.is_dict()) return false;
-  if (levels == 0) return true;
-  if (value.is_list())
-    return std::any_of(value.as_list().begin(), value.as_list().end(),
-                       [&](const Value& item) { return deeper_than(item, levels - 1); });
-  return std::any_of(value.as_dict().begin(), value.as_dict().end(),
-                     [&](const Dict::Entry& entry) { return deeper_than(entry.second, levels - 1); });
 }
 
 std::string quoted(std::string_view key) { return "`" + std::string(key) + "`"; }
