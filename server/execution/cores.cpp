@@ -2,22 +2,11 @@
 
 #include <charconv>
 
-#include "core/rcm/document.h"
+#include "core/rcm/native.h"
 #include "core/rcm/translate.h"
 
 namespace race::server {
 namespace {
-
-Value native_json(const rcm::Document& document, const rcm::NativeModel& native) {
-  rcm::Document translated;
-  translated.name = document.name;
-  translated.services = document.services;
-  translated.root = native.root;
-  Dict origin;
-  for (const auto& [path, from] : native.origin) origin.set(path, from);
-  Value json = Dict{{"document", rcm::write_document(translated)}, {"origin", std::move(origin)}};
-  return std::move(json.freeze());
-}
 
 std::vector<Error> wrong_types(const rcm::Document& document, const std::vector<services::ServiceStatus>& services) {
   std::vector<Error> errors;
@@ -47,7 +36,8 @@ tl::unexpected<Error> no_core(const std::string& id) {
 Checked<Value> native_json(const rcm::Document& document) {
   auto native = rcm::translate(document);
   if (!native) return tl::unexpected(std::move(native).error());
-  return native_json(document, *native);
+  Value json = rcm::write_native(document, *native);
+  return std::move(json.freeze());
 }
 
 Value cores_json(const Cores& cores) {
@@ -66,7 +56,8 @@ Checked<std::shared_ptr<Core>> Cores::create(const std::string& name, const rcm:
   if (auto errors = semantics::check_arguments(**program, arguments); !errors.empty())
     return tl::unexpected(std::move(errors));
   arguments.freeze();
-  JournalHeader header{native_json(document, *native), std::move(*program), std::move(arguments), {}};
+  Value model = rcm::write_native(document, *native);
+  JournalHeader header{std::move(model.freeze()), std::move(*program), std::move(arguments), {}};
   std::uint64_t number = 0;
   {
     const services::MutexLock lock(mutex_);
