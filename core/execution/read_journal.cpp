@@ -1,0 +1,253 @@
+// Reading journals: the header, which gives the program, then the entries against it.
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "core/execution/journal.h"
+#include "core/rcm/native.h"
+#include "core/rsm/document.h"
+#include "core/value/fields.h"
+
+namespace race::execution {
+namespace {
+
+using semantics::Program;
+using Errors = std::vector<Error>;
+using Services = std::map<std::string, rsm::Service>;
+constexpr auto kRequired = Fields::Need::required;
+constexpr auto kByField = Fields::Paths::field;
+
+void wrong_type(Fields& fields, std::string_view key, std::string_view expected, const Value& value) {
+  fields.violation(
+      ErrorCode::type,
+      "`" + std::string(key) + "` must be " + std::string(expected) + ", got " + std::string(kind_name(value)), key);
+}
+
+/// A whole number from 1 to `most`; nothing (a violation) if it is absent or another.
+std::optional<std::uint64_t> read_count(Fields& fields, std::string_view key,
+                                        std::int64_t most = std::numeric_limits<std::int64_t>::max()) {
+  const Value* number = fields.find(key, kRequired);
+  if (!number) return std::nullopt;
+  if (!number->is_integer()) {
+    wrong_type(fields, key, "an integer", *number);
+  } else if (number->as_integer() < 1 || number->as_integer() > most) {
+    fields.violation(ErrorCode::out_of_range,
+                     "`" + std::string(key) + "` must be an integer from 1 to " + std::to_string(most), key);
+  } else {
+    return static_cast<std::uint64_t>(number->as_integer());
+  }
+  return std::nullopt;
+}
+
+/// Any JSON, frozen; nothing (a violation) if it is absent or beyond the limits of a text.
+std::optional<Value> read_data(Fields& fields, std::string_view key) {
+  constexpr std::size_t kLevels = JsonLimits{}.depth;
+  auto data = fields.constant(key, kRequired);
+  if (!data) return std::nullopt;
+  if (deeper_than(*data, kLevels)) {
+    fields.violation(ErrorCode::too_deep, "more than " + std::to_string(kLevels) + " levels of nesting", key);
+    return std::nullopt;
+  }
+  data->freeze();
+  return data;
+}
+
+void append(Errors& errors, Errors more, const std::string& below) {
+  for (Error& error : more) {
+    error.path = below + error.path;
+    errors.push_back(std::move(error));
+  }
+}
+
+// ---- The header.
+
+/// The items of the list `key`, each an object with a name and perhaps the flag `flag`.
+template <typename Item>
+std::vector<Item> read_items(Fields& service, std::string_view key, std::string_view flag, bool Item::*member,
+                             Errors& errors) {
+  std::vector<Item> items;
+  for (const Value& json : service.list(key, kRequired)) {
+    const std::string path = service.path() + "/" + std::string(key) + "/" + std::to_string(items.size());
+    Fields fields(json, path, "an item of `" + std::string(key) + "`", errors, kByField);
+    Item& item = items.emplace_back();
+    item.name = fields.text("name", kRequired).value_or("");
+    item.*member = fields.boolean(flag).value_or(false);
+    fields.close();
+  }
+  return items;
+}
+
+rsm::Service read_interface(const Value& json, const std::string& path, Errors& errors) {
+  const std::size_t before = errors.size();
+  Fields fields(json, path, "service", errors, kByField);
+  rsm::Service service;
+  service.operations = read_items(fields, "operations", "safe", &rsm::Operation::safe, errors);
+  service.events = read_items(fields, "events", "sampled", &rsm::Event::sampled, errors);
+  fields.close();
+  if (errors.size() == before) append(errors, rsm::violations(service, path), "");
+  return service;
+}
+
+Services read_services(Fields& header, Errors& errors) {
+  Services services;
+  const Value* json = header.find("services", kRequired);
+  if (json && !json->is_dict()) wrong_type(header, "services", "an object", *json);
+  if (!json || !json->is_dict()) return services;
+  for (const auto& [key, service] : json->as_dict())
+    services.emplace(key.as_string(), read_interface(service, "header/services/" + key.as_string(), errors));
+  return services;
+}
+
+semantics::Budgets read_budgets(Fields& header, Errors& errors) {
+  semantics::Budgets budgets;
+  const Value* json = header.find("budgets", kRequired);
+  if (!json) return budgets;
+  Fields fields(*json, "header/budgets", "budgets", errors, kByField);
+  const auto steps = read_count(fields, "steps"), units = read_count(fields, "value_units"),
+             micro_steps = read_count(fields, "micro_steps", std::numeric_limits<std::uint32_t>::max());
+  fields.close();
+  budgets.evaluation = {steps.value_or(0), units.value_or(0)};
+  budgets.micro_steps = static_cast<std::uint32_t>(micro_steps.value_or(0));
+  return budgets;
+}
+
+/// The program of `native` and `services`; null (violations) if there is none.
+std::shared_ptr<const Program> build(const Value& native, const Services& services, Errors& errors) {
+  const auto model = rcm::read_native(native, "header/native");
+  if (!model) {
+    append(errors, model.error(), "");
+    return nullptr;
+  }
+  auto program = Program::build(*model, services);
+  if (!program) {
+    append(errors, std::move(program).error(), "header/native/document/");
+    return nullptr;
+  }
+  return std::move(*program);
+}
+
+/// Of another version, only that is said: what else would have to be there is not known.
+bool is_of_this_version(const Value& header) {
+  const Value* version = header.find("semantics");
+  return !version || *version == Value(kSemanticsVersion);
+}
+
+// Without a program if there are violations.
+JournalHeader read_header(const Value& json, Errors& errors) {
+  JournalHeader header;
+  Fields fields(json, "header", "header", errors, kByField);
+  if (!is_of_this_version(json)) {
+    fields.violation(ErrorCode::version, "`semantics` must be \"" + std::string(kSemanticsVersion) + "\"", "semantics");
+    return header;
+  }
+  fields.find("semantics", kRequired);
+  if (const Value* native = fields.find("native", kRequired)) header.native = *native;
+  const Services services = read_services(fields, errors);
+  header.budgets = read_budgets(fields, errors);
+  const auto arguments = read_data(fields, "arguments");
+  if (arguments && !arguments->is_dict()) wrong_type(fields, "arguments", "an object", *arguments);
+  fields.close();
+  if (!errors.empty()) return header;
+  header.arguments = arguments->as_dict();
+  auto program = build(header.native, services, errors);
+  if (!program) return header;
+  append(errors, semantics::check_arguments(*program, header.arguments), "header/");
+  header.native.freeze();
+  header.program = std::move(program);
+  return header;
+}
+
+// ---- The entries.
+
+void unknown_name(Fields& fields, const std::string& what, const std::string& service, const std::string& name,
+                  std::string_view key) {
+  fields.violation(ErrorCode::unknown_name, "the model reads no " + what + " `" + service + "." + name + "`", key);
+}
+
+JournalEntry read_event(Fields& fields, const Program& program) {
+  const auto service = fields.text("service", kRequired), event = fields.text("event", kRequired);
+  EventEntry entry{service.value_or(""), event.value_or(""), read_data(fields, "data").value_or(Value())};
+  if (service && event && !program.names_event(program.services.find_event(*service, *event)))
+    unknown_name(fields, "event", *service, *event, "event");
+  return entry;
+}
+
+JournalEntry read_response(Fields& fields, const Program& program) {
+  ResponseEntry entry;
+  entry.call = read_count(fields, "call").value_or(0);
+  const auto service = fields.text("service", kRequired), operation = fields.text("operation", kRequired);
+  entry.is_error = fields.find("error") != nullptr;
+  if (entry.is_error == (fields.find("result") != nullptr)) {
+    fields.violation(ErrorCode::missing, "a response has either a result or an error");
+  } else {
+    entry.data = read_data(fields, entry.is_error ? "error" : "result").value_or(Value());
+  }
+  entry.service = service.value_or("");
+  entry.operation = operation.value_or("");
+  if (service && operation && !program.names_response(program.services.dynamic_operation(*service, *operation)))
+    unknown_name(fields, "response of", *service, *operation, "operation");
+  return entry;
+}
+
+/// What may stand at a place of the journal: it begins with the start, unless the run was aborted before; nothing
+/// follows an abort.
+void check_order(Fields& fields, const std::string& kind, const JournalEntry* before) {
+  const bool aborted = before && std::holds_alternative<AbortEntry>(*before);
+  if (aborted) return fields.violation(ErrorCode::type, "nothing follows an abort", "kind");
+  if (!before && kind != "start" && kind != "abort")
+    return fields.violation(ErrorCode::type, "the first input is the start", "kind");
+  if (before && kind == "start") fields.violation(ErrorCode::type, "only the first input is the start", "kind");
+}
+
+JournalEntry read_input(const Value& json, const std::string& path, const JournalEntry* before, const Program& program,
+                        Errors& errors) {
+  Fields fields(json, path, "input", errors, kByField);
+  const auto kind = fields.text("kind", kRequired);
+  if (!kind) return {};
+  check_order(fields, *kind, before);
+  JournalEntry entry = StartEntry{};
+  if (*kind == "event")
+    entry = read_event(fields, program);
+  else if (*kind == "response")
+    entry = read_response(fields, program);
+  else if (*kind == "abort")
+    entry = AbortEntry{};
+  else if (*kind != "start")
+    fields.violation(ErrorCode::type, "`kind` must be `start`, `event`, `response` or `abort`", "kind");
+  fields.close();
+  return entry;
+}
+
+void read_entry(const Value& json, Journal& journal, Errors& errors) {
+  const std::string path = "entries/" + std::to_string(journal.entries.size());
+  const std::size_t position = journal.entries.size() + 1;
+  Fields fields(json, path, "entry", errors, kByField);
+  const auto found = read_count(fields, "position");
+  if (found && *found != position)
+    fields.violation(ErrorCode::out_of_range, "`position` must be " + std::to_string(position), "position");
+  const Value* input = fields.find("input", kRequired);
+  fields.close();
+  if (!input) return;
+  const JournalEntry* before = journal.entries.empty() ? nullptr : &journal.entries.back();
+  JournalEntry entry = read_input(*input, path + "/input", before, *journal.header.program, errors);
+  journal.entries.push_back(std::move(entry));
+}
+
+}  // namespace
+
+Checked<Journal> read_journal(const Value& json) {
+  Errors errors;
+  Journal journal;
+  Fields fields(json, "", "journal", errors, kByField);
+  const Value* header = fields.find("header", kRequired);
+  const List& entries = fields.list("entries", kRequired);
+  fields.close();
+  if (header) journal.header = read_header(*header, errors);
+  for (auto entry = entries.begin(); entry != entries.end() && errors.empty(); ++entry)
+    read_entry(*entry, journal, errors);
+  if (!errors.empty()) return tl::unexpected(std::move(errors));
+  return journal;
+}
+
+}  // namespace race::execution

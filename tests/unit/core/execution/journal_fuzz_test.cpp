@@ -1,0 +1,103 @@
+// Random mutations of journals: reading never crashes; what is read is written as it stood there.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <iostream>
+#include <random>
+
+#include "tests/unit/core/execution/journals.h"
+
+namespace race::execution {
+namespace {
+
+class Mutator {
+ public:
+  explicit Mutator(std::uint64_t seed) : random_(seed) {}
+
+  Value journal(const std::vector<Value>& journals) {
+    Value out = journals[below(journals.size())];
+    for (std::size_t i = 1 + below(2); i > 0; --i) mutate(out);
+    return out;
+  }
+
+ private:
+  std::size_t below(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random_); }
+
+  // Changes one place at some depth of `value`.
+  void mutate(Value& value) {
+    const bool list = value.is_list() && !value.as_list().empty(), dict = value.is_dict() && !value.as_dict().empty();
+    if ((!list && !dict) || below(8) == 0) {
+      value = junk();
+    } else if (list) {
+      mutate_list(value.mutable_list());
+    } else {
+      mutate_dict(value.mutable_dict());
+    }
+  }
+
+  void mutate_list(List& items) {
+    const std::size_t at = below(items.size());
+    if (below(8) == 0) return void(items.erase(items.begin() + static_cast<std::ptrdiff_t>(at)));
+    if (below(8) == 0) return items.push_back(Value(items[at]));
+    mutate(items[at]);
+  }
+
+  void mutate_dict(Dict& fields) {
+    const auto entry = *(fields.begin() + static_cast<std::ptrdiff_t>(below(fields.size())));
+    if (below(10) == 0) return void(fields.erase(entry.first.as_string()));
+    if (below(10) == 0) return fields.set(kWords[below(kWords.size())], junk());
+    Value changed = entry.second;
+    mutate(changed);
+    fields.set(entry.first, std::move(changed));
+  }
+
+  Value junk() {
+    switch (below(7)) {
+      case 0:
+        return Value();
+      case 1:
+        return static_cast<std::int64_t>(below(9)) - 2;
+      case 2:
+        return 0.25;
+      case 3:
+        return Value::unknown();
+      case 4:
+        return List{Value("A"), Value(Dict{{"kind", "abort"}})};
+      case 5:
+        return Dict{{"kind", "event"}, {"service", "t"}, {"event", "e0"}, {"data", 1}};
+      default:
+        return kWords[below(kWords.size())];
+    }
+  }
+
+  static constexpr std::array<const char*, 14> kWords = {
+      "t", "e0", "o0", "start", "abort", "event", "response", "error", "result", "data", "link", "1", "x y", ""};
+  std::mt19937_64 random_;
+};
+
+TEST(JournalFuzz, AMutatedJournalIsRefusedOrReadAsItStands) {
+  const char* const chosen = std::getenv("RACE_SEED");
+  const std::uint64_t seed = chosen ? std::strtoull(chosen, nullptr, 10) : 20261122;
+  std::cout << "RACE_SEED=" << seed << std::endl;
+  std::vector<Value> journals{journal_json(small_journal())};
+  for (std::uint64_t i = 0; i < 20; ++i) journals.push_back(journal_json(random_journal(seed + i, 12).first));
+  constexpr std::size_t kMutations = 2'000;
+  std::size_t taken = 0;
+  for (std::size_t i = 0; i < kMutations && !HasFailure(); ++i) {
+    SCOPED_TRACE("RACE_SEED=" + std::to_string(seed) + ", mutation " + std::to_string(i));
+    const Value json = Mutator(seed + i).journal(journals);
+    const auto read = read_journal(json);
+    if (read) {
+      ++taken;
+      EXPECT_TRUE(read_journal(journal_json(*read)));
+      EXPECT_EQ(journal_json(*read).find("entries")->as_list(), json.find("entries")->as_list());
+    } else {
+      EXPECT_FALSE(read.error().empty());
+    }
+  }
+  EXPECT_GT(taken, kMutations / 50) << "too few mutations are harmless to say something about what is read";
+  EXPECT_LT(taken, kMutations / 2) << "too few mutations do harm";
+}
+
+}  // namespace
+}  // namespace race::execution

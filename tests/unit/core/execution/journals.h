@@ -1,0 +1,95 @@
+// Journals for tests: one made by hand, and those of runs of random models.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "core/execution/journal.h"
+#include "core/rcm/document.h"
+#include "core/rcm/native.h"
+#include "core/rcm/translate.h"
+#include "core/rsm/document.h"
+#include "tests/unit/core/semantics/random_models.h"
+
+namespace race::execution {
+
+/// A journal without entries, of a document and services.
+inline Journal journal_of(const rcm::Document& document, const std::map<std::string, rsm::Service>& services,
+                          Dict arguments = {}, semantics::Budgets budgets = {}) {
+  const rcm::NativeModel native = rcm::translate(document).value();
+  auto program = semantics::Program::build(native, services).value();
+  Value json = rcm::write_native(document, native);
+  arguments.freeze();
+  return {{json.freeze(), std::move(program), std::move(arguments), budgets}, {}};
+}
+
+/// A task that calls two declared operations, and one of a service that nobody declares; it reads all of their
+/// responses and an event. A library state, linked twice, and an oracle make its native model differ from the document.
+inline Journal small_journal() {
+  static constexpr const char* kDocument = R"json({"rcm": 1, "name": "small", "services": {"t": "timer"},
+    "library": [{"state": "Step", "entry": "svc.t.wait(1)", "ports": [{"name": "done", "when": "svc.t.wait.result"}]}],
+    "root": {
+  "state": "Root", "parameters": [{"name": "key", "value": "a"}, {"name": "n", "value": 1.5}],
+      "entry": "svc['w' if par.key else 'v'].go()",
+      "actions": [{"when": "svc['w' if par.key else 'v'].go.error", "do": "var.lost = True"}],
+      "children": [{"state": "A", "link": "Step", "ports": [{"name": "done", "to": "B"}]}, {"state": "B", "link": "Step"}],
+      "oracle": {"kind": "expr", "expr": "'B' if par.n > 2 else 'A'"}, "first": "A",
+      "ports": [{"name": "over", "when": "svc.t.tick.x > 2"}]
+}
+})json";
+  static constexpr const char* kTimer = R"({"operations": [{"name": "wait"}, {"name": "stop", "safe": true}],
+    "events": [{"name": "tick", "sampled": true}, {"name": "unread"}]})";
+  const rsm::Service timer = rsm::read_service_text(kTimer, "timer").value();
+  semantics::Budgets budgets;
+  budgets.micro_steps = 500;
+  Journal journal = journal_of(rcm::read_document_text(kDocument).value(), {{"t", timer}, {"u", timer}},
+                               Dict{{"key", "b"}, {"n", 1}}, budgets);
+  journal.entries = {StartEntry{},
+                     ResponseEntry{1, "w", "go", true, Dict{{"code", "unavailable"}}},
+                     EventEntry{"t", "tick", Dict{{"x", 1.0}}},
+                     ResponseEntry{2, "t", "wait", false, Value()},
+                     EventEntry{"t", "tick", Dict{{"x", List{1, "\n\u00e9", nullptr}}}},
+                     AbortEntry{}};
+  return journal;
+}
+
+/// The input as an entry.
+inline JournalEntry entry_of(const semantics::Program& program, const semantics::Input& input) {
+  if (input.kind == semantics::Input::Kind::event) {
+    const auto& event = program.services.events()[input.number];
+    return EventEntry{event.service, event.name, input.data};
+  }
+  const auto& operation = program.services.operations()[input.number];
+  return ResponseEntry{input.call, operation.open ? input.service : operation.service, operation.name, input.is_error,
+                       input.data};
+}
+
+/// What a run of a random model with at most `steps` macro steps has had as inputs, and the run.
+inline std::pair<Journal, semantics::Run> random_journal(std::uint64_t seed, int steps) {
+  semantics::RandomModels random(seed);
+  rcm::Document document;
+  document.root = random.model().root;
+  semantics::Budgets budgets;
+  budgets.micro_steps = 300;
+  Journal journal = journal_of(document, semantics::RandomModels::services(), {}, budgets);
+  auto run = semantics::Run::create(journal.header.program, {}, budgets).value();
+  semantics::NoRecorder none;
+  for (int step = 0; step < steps && run.status() == semantics::Status::running; ++step) {
+    std::optional<semantics::Input> input;
+    if (step > 0) {
+      random.post({&run}, run.state().call_count);
+      if (!(input = run.take_input())) continue;
+    }
+    journal.entries.push_back(input ? entry_of(run.program(), *input) : StartEntry{});
+    run.begin(std::move(input));
+    while (run.micro(none)) {
+    }
+  }
+  if (run.status() == semantics::Status::running && random.chance(0.5)) {
+    journal.entries.emplace_back(AbortEntry{});
+    run.abort();
+  }
+  return {std::move(journal), std::move(run)};
+}
+
+}  // namespace race::execution
