@@ -5,9 +5,9 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/semantics/program.h"
@@ -61,17 +61,19 @@ struct OutgoingCall {
   bool operator==(const OutgoingCall&) const = default;
 };
 
-/// One input in order of arrival (core/SEMANTICS.md sections 3 and 10).
+/// One input (core/SEMANTICS.md section 3).
 struct Input {
   enum class Kind : std::uint8_t { event, response } kind = Kind::event;
   std::uint32_t number = kNone;  // EventId or OperationId
-  std::string service;           // of a response to an open operation: whose
   std::uint64_t call = 0;        // of a response
   bool is_error = false;
   Value data;
+
+  /// An occurrence of `event`.
+  static Input occurrence(EventId event, Value data) { return {Kind::event, event, 0, false, std::move(data)}; }
 };
 
-/// Δ, Σ and what waits. Stamps count epochs (macro steps with an input) and ticks (deliveries, activations,
+/// Δ and Σ. Stamps count epochs (macro steps with an input) and ticks (deliveries, activations,
 /// executions).
 struct RunState {
   explicit RunState(const Program& program);
@@ -101,9 +103,8 @@ struct RunState {
   std::vector<std::vector<CallRecord>> calls;            // by OperationId, latest last
   std::uint64_t call_count = 0;
 
-  std::vector<StateId> recheck;  // states that are dirty again in the next macro step
-  bool started = false;          // the root has been activated
-  std::deque<Input> waiting;
+  std::vector<StateId> recheck;              // states that are dirty again in the next macro step
+  bool started = false;                      // the root has been activated
   std::vector<std::string> services_called;  // in order of first call
 };
 

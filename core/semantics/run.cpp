@@ -117,7 +117,6 @@ void Run::fail(RunFault fault) {
   body_->work.log.undo(body_->state);
   body_->status = Status::faulted;
   body_->fault = std::move(fault);
-  body_->state.waiting.clear();
   call_safe_operations();
 }
 
@@ -133,7 +132,6 @@ void Run::abort() {
   if (body_->status != Status::running) return;
   ++body_->position;
   body_->status = Status::aborted;
-  body_->state.waiting.clear();
   call_safe_operations();
 }
 
@@ -149,8 +147,14 @@ Status Run::status() const { return body_->status; }
 const std::string& Run::outcome() const { return body_->outcome; }
 const std::optional<RunFault>& Run::fault() const { return body_->fault; }
 std::uint64_t Run::position() const { return body_->position; }
-std::vector<OutgoingCall> Run::take_calls() { return std::exchange(body_->outgoing, {}); }
-std::vector<std::string> Run::take_printed() { return std::exchange(body_->environment.printed, {}); }
+void Run::take_calls(std::vector<OutgoingCall>& calls) {
+  calls.clear();
+  std::swap(calls, body_->outgoing);
+}
+void Run::take_printed(std::vector<std::string>& printed) {
+  printed.clear();
+  std::swap(printed, body_->environment.printed);
+}
 const Program& Run::program() const { return *body_->program; }
 const RunState& Run::state() const { return body_->state; }
 bool Run::is_active(StateId s) const { return body_->state.flags[body_->program->flag(s)] != 0; }

@@ -1,5 +1,6 @@
-// Run: the execution of a Program, from the activation of its root to its outcome. Inputs arrive in an order; each is
-// one macro step (R5); a macro step is micro steps until quiescence (3.32).
+// Run: the contexts Σ and Δ of a Program that is executed, from the activation of its root to its outcome, and the
+// steps of both. Each input is one macro step (R5); a macro step is micro steps until quiescence (3.32). Who waits and
+// who is told is not its business: core/execution drives it.
 //
 // A Run is a function of (program, arguments, inputs in order of delivery). It is a value: a copy goes on from the same
 // point. It belongs to one thread at a time.
@@ -51,30 +52,28 @@ class Run {
   Run& operator=(Run&&) noexcept;
   ~Run();
 
-  // Inputs. Those that the model nowhere names are dropped (section 3); of a sampled event only the newest waits, at
-  // the end.
-  /// An occurrence arrives. Returns whether it waits.
-  bool post_event(std::string_view service, std::string_view event, Value data);
-  bool post_event(EventId event, Value data);
-  /// The response to call `number` arrives: a result or an error. Returns whether it waits.
-  bool post_response(std::uint64_t number, bool is_error, Value data);
+  // Inputs (section 3).
+  /// The response to call `number` as an input: a result or an error. Nothing if it would not count.
+  std::optional<Input> response(std::uint64_t number, bool is_error, Value data) const;
+  /// Whether the run takes `input`: it is running, and the input is an occurrence of an event that the model names, or
+  /// a response that it reads to a call that can be answered: the latest of its caller, once.
+  bool counts(const Input& input) const;
+  /// Whose operation a response that counts is about.
+  const std::string& service_of(const Input& response) const;
   /// The call `number` of the operation, or its latest one for 0, if it can be answered or has been; else 0.
   std::uint64_t find_call(std::string_view service, std::string_view operation, std::uint64_t number = 0) const;
-  /// `service` is lost: every unanswered call to it gets the error `unavailable`, in order of call.
-  void post_lost(std::string_view service);
-  /// Whether a macro step would have an input: something waits, or the root has not been activated.
-  bool has_input() const;
-  /// Takes the first waiting input that still counts.
-  std::optional<Input> take_input();
+  /// The unanswered calls to `service`, in order of call.
+  std::vector<std::uint64_t> unanswered_calls(std::string_view service) const;
 
   // One macro step: begin, micro until it returns false.
-  /// Σ' (3.33): with an input, the snapshot takes it over; without, it stays. Requires status running.
-  void begin(std::optional<Input> input);
+  /// Σ' (3.33): with an input, the snapshot takes it over; without, it stays. Requires status running, and that the
+  /// input counts.
+  void begin(std::optional<Input>&& input);
   /// One micro step (3.31). False when nothing happened (R14), which ends the macro step, or the run is no longer
   /// running.
   template <Recorder R>
   bool micro(R& recorder);
-  /// A whole macro step with the first waiting input.
+  /// A whole macro step.
   //
   // Quiesc (3.32): micro steps until none changes anything (R14).
   //
@@ -82,8 +81,8 @@ class Run {
   //   ────────────────────────────────────
   //   Σ ⊢ Δ ⟹↓ Δ'
   template <Recorder R>
-  void macro_step(R& recorder) {
-    begin(take_input());
+  void macro_step(std::optional<Input> input, R& recorder) {
+    begin(std::move(input));
     while (micro(recorder)) {
     }
   }
@@ -96,10 +95,10 @@ class Run {
   const std::optional<RunFault>& fault() const;
   /// Macro steps begun.
   std::uint64_t position() const;
-  /// The calls of complete micro steps since the last time they were taken, in order.
-  std::vector<OutgoingCall> take_calls();
-  /// What functions printed since the last time; for people.
-  std::vector<std::string> take_printed();
+  /// The calls of complete micro steps since the last time they were taken, in order, in place of those in `calls`.
+  void take_calls(std::vector<OutgoingCall>& calls);
+  /// What functions printed since the last time, in place of what is in `printed`; for people.
+  void take_printed(std::vector<std::string>& printed);
 
   const Program& program() const;
   const RunState& state() const;

@@ -1,4 +1,4 @@
-// The inputs of a run: how they wait, and how a macro step takes one.
+// The inputs of a run: which count, and how a macro step takes one.
 #include <algorithm>
 #include <cassert>
 #include <ranges>
@@ -7,24 +7,6 @@
 #include "core/semantics/work_set.h"
 
 namespace race::semantics {
-
-bool Run::post_event(std::string_view service, std::string_view event, Value data) {
-  const EventId id = body_->program->services.find_event(service, event);
-  return id != kNone && post_event(id, std::move(data));
-}
-
-bool Run::post_event(EventId event, Value data) {
-  if (body_->status != Status::running || !body_->program->names_event(event)) return false;
-  std::deque<Input>& waiting = body_->state.waiting;
-  // REFINEMENT R5: inputs wait in order of arrival; of a sampled event only the newest, at the end.
-  if (body_->program->sampled[event])
-    std::erase_if(waiting, [&](const Input& i) { return i.kind == Input::Kind::event && i.number == event; });
-  Input& input = waiting.emplace_back();
-  input.number = event;
-  input.data = std::move(data);
-  return true;
-}
-
 namespace {
 
 // The record that a response to call `number` would answer: only the latest call of each caller can be, once.
@@ -49,45 +31,34 @@ std::uint64_t Run::find_call(std::string_view service, std::string_view operatio
   return 0;
 }
 
-bool Run::post_response(std::uint64_t number, bool is_error, Value data) {
-  if (body_->status != Status::running) return false;
+std::optional<Input> Run::response(std::uint64_t number, bool is_error, Value data) const {
   for (OperationId o = 0; o < body_->state.calls.size(); ++o) {
-    const CallRecord* record = answerable(body_->state, o, number);
-    if (!record) continue;
-    if (!body_->program->names_response(o)) return false;
-    body_->state.waiting.push_back({Input::Kind::response, o, record->service, number, is_error, std::move(data)});
-    return true;
+    if (!answerable(body_->state, o, number)) continue;
+    Input input{Input::Kind::response, o, number, is_error, std::move(data)};
+    return counts(input) ? std::optional(std::move(input)) : std::nullopt;
   }
-  return false;
+  return std::nullopt;
 }
 
-// REFINEMENT R7: a lost service answers every unanswered call with `unavailable`, in order of call.
-void Run::post_lost(std::string_view service) {
+bool Run::counts(const Input& input) const {
+  if (body_->status != Status::running) return false;
+  if (input.kind == Input::Kind::event) return body_->program->names_event(input.number);
+  return body_->program->names_response(input.number) && answerable(body_->state, input.number, input.call);
+}
+
+const std::string& Run::service_of(const Input& response) const {
+  const CallRecord* record = answerable(body_->state, response.number, response.call);
+  assert(record);
+  return callee(*body_->program, response.number, *record);
+}
+
+std::vector<std::uint64_t> Run::unanswered_calls(std::string_view service) const {
   std::vector<std::uint64_t> unanswered;
   for (OperationId o = 0; o < body_->state.calls.size(); ++o)
     for (const CallRecord& record : body_->state.calls[o])
       if (!record.answered && callee(*body_->program, o, record) == service) unanswered.push_back(record.number);
   std::ranges::sort(unanswered);
-  for (const std::uint64_t number : unanswered) post_response(number, true, Dict{{"code", "unavailable"}});
-}
-
-bool Run::has_input() const {
-  if (body_->status != Status::running) return false;
-  if (!body_->state.started) return true;
-  return std::ranges::any_of(body_->state.waiting, [&](const Input& input) {
-    return input.kind == Input::Kind::event || answerable(body_->state, input.number, input.call);
-  });
-}
-
-// REFINEMENT R5, R6: the first waiting input that counts; a response that another call has overtaken does not.
-std::optional<Input> Run::take_input() {
-  std::deque<Input>& waiting = body_->state.waiting;
-  while (!waiting.empty()) {
-    Input input = std::move(waiting.front());
-    waiting.pop_front();
-    if (input.kind == Input::Kind::event || answerable(body_->state, input.number, input.call)) return input;
-  }
-  return std::nullopt;
+  return unanswered;
 }
 
 // Macro (4.19): the snapshot, then quiescence (Run::macro_step).
@@ -97,7 +68,7 @@ std::optional<Input> Run::take_input() {
 //   Ω ⊢ (Σ,Δ) ∗→ (Σ',Δ'),Ω'
 //
 // REFINEMENT R5: an input is the update. REFINEMENT R15: missing requirements ε do not block it.
-void Run::begin(std::optional<Input> input) {
+void Run::begin(std::optional<Input>&& input) {
   assert(body_->status == Status::running);
   RunState& run = body_->state;
   const Program& program = *body_->program;

@@ -4,14 +4,14 @@
 #include <cstdio>
 #include <utility>
 
-#include "core/semantics/derive.h"
+#include "core/execution/derive.h"
 #include "core/value/json.h"
 #include "server/wire/version.h"
 
 namespace race::server {
 
 int refuse(const std::vector<Error>& errors, bool json) {
-  if (json) std::printf("%s\n", to_json(semantics::errors_json(errors), 1).c_str());
+  if (json) std::printf("%s\n", to_json(execution::errors_json(errors), 1).c_str());
   for (const Error& error : errors) std::fprintf(stderr, "%s\n", to_string(error).c_str());
   return kExitBadInput;
 }

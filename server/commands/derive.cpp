@@ -1,6 +1,6 @@
 // race derive [--text] MODEL SCRIPT: prints the derivations of a scripted run (core/SEMANTICS.md section 7), as JSON or
 // as a transcript. Exit 1 if the run faulted.
-#include "core/semantics/derive.h"
+#include "core/execution/derive.h"
 
 #include <cstdio>
 #include <memory>
@@ -17,7 +17,7 @@ int derive(const std::string& model_path, const std::string& script_path, bool a
   if (!model) return refuse(model.error(), !as_text);
   const auto script = read_file(script_path);
   if (!script) return refuse(script.error(), !as_text);
-  const auto document = semantics::derive_texts(*model, *script);
+  const auto document = execution::derive_texts(*model, *script);
   if (!document) return refuse(document.error(), !as_text);
   if (as_text)
     std::fputs(semantics::derivation_text(*document).c_str(), stdout);

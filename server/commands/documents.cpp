@@ -3,10 +3,10 @@
 #include <fstream>
 #include <memory>
 
+#include "core/execution/derive.h"
 #include "core/rcm/document.h"
 #include "core/rcm/translate.h"
 #include "core/rsm/document.h"
-#include "core/semantics/derive.h"
 #include "core/value/json.h"
 #include "server/commands/command.h"
 
@@ -67,7 +67,7 @@ int check(const std::string& model, const std::vector<std::string>& services, bo
     if (!service) errors.insert(errors.end(), service.error().begin(), service.error().end());
   }
   if (!errors.empty()) return refuse(errors, json);
-  if (json) std::printf("%s\n", to_json(semantics::errors_json({}), 1).c_str());
+  if (json) std::printf("%s\n", to_json(execution::errors_json({}), 1).c_str());
   return kExitOk;
 }
 

@@ -4,12 +4,13 @@
 #include <chrono>
 #include <thread>
 
+#include "core/execution/step_json.h"
 #include "core/rcm/translate.h"
-#include "server/execution/replay.h"
-#include "server/execution/why.h"
 
 namespace race::server {
 
+using execution::Execution;
+using execution::Progress;
 using semantics::Run;
 using semantics::Status;
 
@@ -18,10 +19,9 @@ namespace {
 Value integer(std::uint64_t n) { return static_cast<std::int64_t>(n); }
 
 Dict summary(const Run& run, Cell& cell) {
-  Dict out{{"status", semantics::name(run.status())}};
-  if (run.status() == Status::ended) out.set("outcome", run.outcome());
-  if (run.fault()) out.set("fault", fault_json(*run.fault()));
-  out.set("results", root_results(run));
+  Dict out;
+  execution::set_status(run, out);
+  out.set("results", execution::root_results(run));
   out.set("time", cell.clock().now());
   out.set("steps", integer(run.position()));
   if (const LocalWorld* world = cell.local_world()) out.set("cell", world->pose(cell.clock().now()));
@@ -52,23 +52,23 @@ Checked<Status> Headless::run(const rcm::Document& document, Dict arguments, con
   if (!native) return tl::unexpected(std::move(native).error());
   auto program = semantics::Program::build(*native, (*cell)->host().models());
   if (!program) return tl::unexpected(std::move(program).error());
-  auto run = Run::create(std::move(*program), arguments);
-  if (!run) return fail(std::move(run).error());
-  observer.execute(*run, **cell, setup);
-  report(summary(*run, **cell));
+  auto execution = Execution::create(std::move(*program), arguments);
+  if (!execution) return fail(std::move(execution).error());
+  observer.execute(*execution, **cell, setup);
+  report(summary(execution->run(), **cell));
   (*cell)->stop();
   observer.operator_.reset();
-  return run->status();
+  return execution->run().status();
 }
 
-void Headless::execute(Run& run, Cell& cell, const HeadlessSetup& setup) {
-  view_.snapshot(run);
+void Headless::execute(Execution& execution, Cell& cell, const HeadlessSetup& setup) {
+  execution.watch();
   auto next = std::chrono::steady_clock::now();
-  settle(run, cell);
-  while (run.status() == Status::running && cell.clock().now() < setup.limit_s) {
+  settle(execution, cell);
+  while (!execution.is_over() && cell.clock().now() < setup.limit_s) {
     if (!setup.fast) std::this_thread::sleep_until(next += std::chrono::milliseconds(1));
     cell.step();
-    settle(run, cell);
+    settle(execution, cell);
   }
 }
 
@@ -78,57 +78,44 @@ void Headless::delivered(const services::Delivery& delivery) {
 }
 
 // Everything that can happen before time passes.
-void Headless::settle(Run& run, Cell& cell) {
+void Headless::settle(Execution& execution, Cell& cell) {
   do {
-    take_deliveries(run);
-    while (run.has_input()) {
-      macro_step(run, cell);
-      take_deliveries(run);
+    take_deliveries(execution);
+    if (execution.run().position() == 0) {
+      complete(execution.start({}), cell);
+      take_deliveries(execution);
+    }
+    while (execution.has_input()) {
+      complete(execution.step({}), cell);
+      take_deliveries(execution);
     }
   } while (cell.work() || !deliveries_.empty());
 }
 
-void Headless::take_deliveries(Run& run) {
+void Headless::take_deliveries(Execution& execution) {
   std::vector<services::Delivery> all = std::exchange(deliveries_, {});
   std::ranges::sort(all, services::before);
   for (services::Delivery& each : all) {
     if (each.kind == services::Delivery::Kind::event) {
-      run.post_event(each.key, each.name, std::move(each.data));
+      execution.post_event(each.key, each.name, std::move(each.data));
     } else {
-      run.post_response(each.caller.call, each.is_error, std::move(each.data));
+      execution.post_response(each.caller.call, each.is_error, std::move(each.data));
     }
   }
 }
 
-void Headless::macro_step(Run& run, Cell& cell) {
-  JournalEntry entry;
-  std::optional<semantics::Input> input;
-  if (run.position() > 0) {
-    input = run.take_input();
-    entry = {JournalEntry::Kind::input, *input};
-  }
-  List calls;
-  semantics::NoRecorder none;
-  run.begin(std::move(input));
-  for (bool more = true; more;) {
-    more = run.micro(none);
-    view_.look(run);
-    for (const semantics::OutgoingCall& call : run.take_calls()) {
-      cell.host().call({"1", call.number}, call.service, call.name, call.args, call.kwargs);
-      calls.push_back(call_json(call));
-    }
-    for (std::string& text : run.take_printed()) {
-      if (text.ends_with('\n')) text.pop_back();
-      logged(cell.clock().now(), "core", text);
-    }
-  }
-  Dict out{{"time", cell.clock().now()}, {"step", integer(run.position())}};
-  out.set("input", input_json(run.program(), entry));
-  for (auto& [key, value] : view_.delta(run)) out.set(key, value);
-  out.set("calls", std::move(calls));
+// What came of a macro step leaves.
+void Headless::complete(const Progress& progress, Cell& cell) {
+  for (const std::string& text : progress.printed) logged(cell.clock().now(), "core", text);
+  for (const semantics::OutgoingCall& call : progress.calls)
+    cell.host().call({"1", call.number}, call.service, call.name, call.args, call.kwargs);
+  Dict out{{"time", cell.clock().now()}, {"step", integer(progress.position)}};
+  if (progress.entry) out.set("input", input_json(*progress.entry));
+  for (const auto& [key, value] : progress.delta) out.set(key, value);
+  out.set("calls", execution::calls_json(progress.calls));
   report_(out);
-  const Dict& report = out;
-  if (operator_) operator_->changed("1", report.find("active")->as_dict(), report.find("fired")->as_list());
+  if (operator_)
+    operator_->changed("1", progress.delta.find("active")->as_dict(), progress.delta.find("fired")->as_list());
 }
 
 void Headless::logged(services::Time time, const std::string& key, const std::string& text) {

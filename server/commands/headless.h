@@ -6,10 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "core/execution/execution.h"
 #include "server/cell/cell.h"
 #include "server/cell/operator.h"
-#include "server/execution/journal.h"
-#include "server/execution/state_view.h"
 
 namespace race::server {
 
@@ -38,15 +37,14 @@ class Headless final : public services::HostObserver {
 
  private:
   explicit Headless(const Report& report) : report_(report) {}
-  void execute(semantics::Run& run, Cell& cell, const HeadlessSetup& setup);
-  void settle(semantics::Run& run, Cell& cell);
-  void macro_step(semantics::Run& run, Cell& cell);
-  void take_deliveries(semantics::Run& run);
+  void execute(execution::Execution& execution, Cell& cell, const HeadlessSetup& setup);
+  void settle(execution::Execution& execution, Cell& cell);
+  void take_deliveries(execution::Execution& execution);
+  void complete(const execution::Progress& progress, Cell& cell);
 
   const Report& report_;
   std::vector<services::Delivery> deliveries_;
   std::unique_ptr<Operator> operator_;
-  StateView view_;
 };
 
 }  // namespace race::server

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
-#include "server/execution/why.h"
+#include "core/execution/step_json.h"
+#include "core/execution/why.h"
 
 namespace race::server {
 
-using semantics::Run;
-using semantics::Status;
+using execution::Execution;
+using execution::Goal;
+using execution::Progress;
 
 namespace {
 
@@ -17,12 +19,12 @@ tl::unexpected<Error> conflict(std::string why) { return unexpected(ErrorCode::c
 
 }  // namespace
 
-Expected<std::shared_ptr<Core>> Core::create(std::string id, std::string document, JournalHeader header, Pool& pool,
-                                             services::Host& host, CoreWatcher& watcher) {
-  ASSIGN_OR_RETURN(Run run, Run::create(header.program, header.arguments, header.budgets));
+Expected<std::shared_ptr<Core>> Core::create(std::string id, std::string document, execution::JournalHeader header,
+                                             Pool& pool, services::Host& host, CoreWatcher& watcher) {
+  ASSIGN_OR_RETURN(Execution execution, Execution::create(header.program, header.arguments, header.budgets));
   // Held by the registry, and by work on its way through the strand.
   std::shared_ptr<Core> core(
-      new Core(std::move(id), std::move(document), std::move(header), std::move(run), pool, host, watcher));
+      new Core(std::move(id), std::move(document), std::move(header), std::move(execution), pool, host, watcher));
   return core;
 }
 
@@ -30,8 +32,8 @@ void Core::announce() {
   strand_.post([self = shared_from_this()] { self->publish_info(); });
 }
 
-Core::Core(std::string id, std::string document, JournalHeader header, Run run, Pool& pool, services::Host& host,
-           CoreWatcher& watcher)
+Core::Core(std::string id, std::string document, execution::JournalHeader header, Execution execution, Pool& pool,
+           services::Host& host, CoreWatcher& watcher)
     : id_(std::move(id)),
       document_(std::move(document)),
       header_(std::move(header)),
@@ -39,8 +41,8 @@ Core::Core(std::string id, std::string document, JournalHeader header, Run run, 
       replay_strand_(pool),
       host_(host),
       watcher_(watcher),
-      run_(std::move(run)),
-      replay_(std::make_shared<Replay>(header_)) {
+      execution_(std::move(execution)),
+      replay_(std::make_shared<execution::Replay>(header_)) {
   info_ = info_json();
 }
 
@@ -78,7 +80,7 @@ Expected<Value> Core::start() {
 Expected<Value> Core::pause() {
   return on_strand([this]() -> Expected<Value> {
     if (is_over()) return conflict("core " + id_ + " is over");
-    while (open_ && goal_.kind == StepGoal::Kind::none && !paused_) micro_step();
+    while (execution_.is_open() && !execution_.goal() && !paused_) do_part(Execution::kNoLimit);
     if (!paused_) hold();
     return info_json();
   });
@@ -88,7 +90,7 @@ Expected<Value> Core::resume() {
   return on_strand([this]() -> Expected<Value> {
     if (is_over()) return conflict("core " + id_ + " is over");
     paused_ = false;
-    goal_ = {};
+    execution_.set_goal(std::nullopt);
     schedule();
     publish_info();
     return info_json();
@@ -99,32 +101,36 @@ Expected<Value> Core::stop() {
   return on_strand([this]() -> Expected<Value> {
     if (!started_) return conflict("core " + id_ + " was not started");
     if (is_over()) return conflict("core " + id_ + " is over");
-    goal_ = {};
-    while (open_) micro_step();
-    if (is_over()) return info_json();
-    journal_.push_back({JournalEntry::Kind::abort, {}});
-    run_.abort();
-    complete();
+    execution_.set_goal(std::nullopt);
+    while (execution_.is_open()) do_part(Execution::kNoLimit);
+    if (!is_over()) release(execution_.abort());
     return info_json();
   });
 }
 
-Expected<Value> Core::step(StepGoal goal) {
-  return on_strand([this, goal = std::move(goal)]() -> Expected<Value> {
+Expected<Value> Core::step(execution::GoalName name) {
+  return on_strand([this, name = std::move(name)]() -> Expected<Value> {
     if (is_over()) return conflict("core " + id_ + " is over");
     if (!started_ || !(paused_ || awaits_input())) return conflict("core " + id_ + " is not paused");
-    if (!goal.path.empty()) {
-      const auto state = program().find_state(goal.path);
-      if (!state) return unexpected(ErrorCode::not_found, "there is no state of this path", goal.path);
-      goal_state_ = *state;
-      goal_activations_ = run_.state().live[index(*state)].activations;
-      goal_active_ = run_.is_active(*state);
-    }
-    goal_ = goal;
+    ASSIGN_OR_RETURN(const Goal goal, find_goal(program(), name));
+    execution_.set_goal(goal);
     paused_ = false;
-    for (int turn = 0; turn < kTurn && !paused_ && !is_over() && micro_step(); ++turn) {
+    advance();
+    publish_info();
+    return info_json();
+  });
+}
+
+Expected<Value> Core::set_breakpoints(std::vector<execution::GoalName> names) {
+  return on_strand([this, names = std::move(names)]() -> Expected<Value> {
+    if (is_over()) return conflict("core " + id_ + " is over");
+    std::vector<Goal> goals;
+    for (const execution::GoalName& name : names) {
+      ASSIGN_OR_RETURN(const Goal goal, find_goal(program(), name));
+      goals.push_back(goal);
     }
-    schedule();
+    execution_.set_breakpoints(goals);
+    breakpoints_ = names;
     publish_info();
     return info_json();
   });
@@ -132,7 +138,7 @@ Expected<Value> Core::step(StepGoal goal) {
 
 Expected<Value> Core::state() {
   return on_strand([this]() -> Expected<Value> {
-    Value state = Dict{{"core", info_json()}, {"state", run_.state_json()}};
+    Value state = Dict{{"core", info_json()}, {"state", run().state_json()}};
     return state.freeze();
   });
 }
@@ -141,9 +147,20 @@ Expected<Value> Core::why(const std::string& port) {
   return on_strand([this, port]() -> Expected<Value> {
     const auto id = program().find_port(port);
     if (!id) return unexpected(ErrorCode::not_found, "there is no port of this path", port);
-    Value why = why_json(run_, *id);
+    Value why = why_json(execution_, *id);
     return why.freeze();
   });
+}
+
+// `function` of the replay and the journal, on the strand of replays.
+template <typename F>
+Expected<Value> Core::replayed(F function) {
+  auto answer = replay_strand_.ask([replay = replay_, function = std::move(function)]() -> Expected<Value> {
+    ASSIGN_OR_RETURN(Value json, function(*replay));
+    return json.freeze();
+  });
+  if (!answer) return unexpected(ErrorCode::unavailable, "the replay takes long, ask again");
+  return std::move(*answer);
 }
 
 Expected<Value> Core::why_before(const std::string& port, std::size_t step, int micro) {
@@ -154,17 +171,16 @@ Expected<Value> Core::why_before(const std::string& port, std::size_t step, int 
   if (step < 1 || step > steps)
     return unexpected(ErrorCode::out_of_range, "there are macro steps 1 to " + std::to_string(steps), "step");
   const int reached = step == steps && view.micro >= 0 ? std::min(micro, view.micro) : micro;
-  auto why = replay_strand_.ask([replay = replay_, view = std::move(view), step, reached, id] {
-    Value json = replay->why(view.journal.entries, step, reached, *id);
-    return json.freeze();
+  return replayed([view = std::move(view), step, reached, id](execution::Replay& replay) -> Expected<Value> {
+    ASSIGN_OR_RETURN(Execution past, replay.before(view.journal.entries, step, reached));
+    return why_json(past, *id);
   });
-  if (!why) return unexpected(ErrorCode::unavailable, "the explanation takes long, ask again");
-  return std::move(*why);
 }
 
 Expected<Core::JournalView> Core::journal() {
   return on_strand([this]() -> Expected<JournalView> {
-    return JournalView{{header_, journal_}, open_ ? micro_ : -1, run_.status(), run_.outcome(), run_.fault()};
+    const int micro = execution_.is_open() ? static_cast<int>(execution_.micro()) : -1;
+    return JournalView{{header_, journal_}, micro, run().status(), run().outcome(), run().fault()};
   });
 }
 
@@ -177,23 +193,21 @@ Expected<Value> Core::derivations(std::size_t from, std::size_t to) {
     return unexpected(ErrorCode::out_of_range,
                       "macro steps 1 to " + std::to_string(steps) + " can be had, at most 100 at once");
   Dict json{{"status", semantics::name(view.status)}};
-  if (view.status == Status::ended) json.set("outcome", view.outcome);
-  if (view.fault) json.set("fault", fault_json(*view.fault));
-  auto derived = replay_strand_.ask([replay = replay_, view = std::move(view), from, to, steps] {
-    Value list = steps == 0 ? List() : replay->steps(view.journal.entries, from, to, view.micro);
-    return list.freeze();
-  });
-  if (!derived) return unexpected(ErrorCode::unavailable, "the derivations take long, ask again");
-  json.set("steps", std::move(*derived));
+  if (view.status == semantics::Status::ended) json.set("outcome", view.outcome);
+  if (view.fault) json.set("fault", execution::fault_json(*view.fault));
+  ASSIGN_OR_RETURN(Value derived,
+                   replayed([view = std::move(view), from, to](execution::Replay& replay) -> Expected<Value> {
+                     if (view.journal.entries.empty()) return List();
+                     return replay.steps(view.journal.entries, from, to, view.micro);
+                   }));
+  json.set("steps", std::move(derived));
   return Value(std::move(json));
 }
 
 void Core::watch_state() {
   strand_.post([this, self = shared_from_this()] {
-    // Those who watch already hear what happened since the last delta: the next one begins at the snapshot.
-    if (state_watched_ && open_ && !paused_) publish(false);
     state_watched_ = true;
-    Value snapshot = Dict{{"core", info_json()}, {"state", view_.snapshot(run_)}};
+    Value snapshot = Dict{{"core", info_json()}, {"state", execution_.watch()}};
     watcher_.state_snapshot(id_, snapshot.freeze());
   });
 }
@@ -202,7 +216,7 @@ void Core::watch_derivation(bool on) {
   derivation_watched_ = on;
   if (!on) return;
   strand_.post([this, self = shared_from_this()] {
-    Value next = Dict{{"next", integer(run_.position() + 1)}};
+    Value next = Dict{{"next", integer(run().position() + 1)}};
     watcher_.derivation_snapshot(id_, next.freeze());
   });
 }
@@ -219,8 +233,10 @@ void Core::schedule() {
 void Core::advance() {
   take_inbox();
   if (!started_ || paused_ || closed_ || is_over()) return;
-  for (int turn = 0; turn < kTurn; ++turn) {
-    if (!micro_step()) return publish_info();
+  for (std::uint32_t left = kTurn; left > 0;) {
+    if (!execution_.is_open()) take_inbox();
+    if (!execution_.is_open() && !has_input()) return publish_info();
+    left -= do_part(left);
     if (paused_ || is_over()) return;
   }
   schedule();
@@ -235,125 +251,60 @@ void Core::take_inbox() {
   if (!started_) return;  // before the start, nothing is an input
   for (services::Delivery& delivery : inbox) {
     if (delivery.kind == services::Delivery::Kind::event) {
-      run_.post_event(delivery.key, delivery.name, std::move(delivery.data));
+      execution_.post_event(delivery.key, delivery.name, std::move(delivery.data));
     } else {
-      run_.post_response(delivery.caller.call, delivery.is_error, std::move(delivery.data));
+      execution_.post_response(delivery.caller.call, delivery.is_error, std::move(delivery.data));
     }
   }
 }
 
-// One micro step, of a new macro step if none is open. False: no input waits.
-bool Core::micro_step() {
-  if (!open_) {
-    take_inbox();
-    if (!run_.has_input()) return false;
-    begin();
-  }
-  semantics::NoRecorder none;
-  const bool more = recorder_ ? run_.micro(*recorder_) : run_.micro(none);
-  if (state_watched_) view_.look(run_);
-  send_calls();
-  if (!more || is_over()) {
-    complete();
-    return true;
-  }
-  ++micro_;
-  if (reached_goal()) hold();
-  return true;
+// At most `limit` micro steps of the open macro step, or of a new one. Returns what of the limit is used up.
+std::uint32_t Core::do_part(std::uint32_t limit) {
+  const Progress& progress = next_part(limit);
+  const std::uint32_t used = std::max(progress.micro - progress.first, 1U);
+  if (progress.reached_goal) paused_ = true;
+  release(progress);
+  return used;
 }
 
-void Core::begin() {
-  JournalEntry entry;
-  std::optional<semantics::Input> input;
-  if (run_.position() > 0) {
-    entry.kind = JournalEntry::Kind::input;
-    input = run_.take_input();
-    entry.input = *input;
-    entry.input.data.freeze();
-  }
-  journal_.push_back(std::move(entry));
-  open_ = true;
-  micro_ = 0;
-  derived_ = 0;
-  recorder_.reset();
-  if (derivation_watched_) recorder_.emplace();
-  run_.begin(std::move(input));
+const Progress& Core::next_part(std::uint32_t limit) {
+  if (execution_.is_open()) return execution_.go_on(limit);
+  const execution::Recording recording{.derivation = derivation_watched_};
+  return run().position() == 0 ? execution_.start(recording, limit) : execution_.step(recording, limit);
 }
 
-void Core::complete() {
-  open_ = false;
-  micro_ = 0;
-  send_calls();
-  if (goal_.kind == StepGoal::Kind::macro) paused_ = true;
-  if (paused_ || is_over()) goal_ = {};
-  publish(true);
-  recorder_.reset();
+// What came of a part of a macro step leaves the core.
+void Core::release(const Progress& progress) {
+  if (progress.first == 0 && progress.entry) journal_.push_back(*progress.entry);
+  for (const std::string& text : progress.printed) watcher_.printed(id_, text);
+  for (const semantics::OutgoingCall& call : progress.calls)
+    host_.call({id_, call.number}, call.service, call.name, call.args, call.kwargs);
+  publish(progress);
   if (paused_ || is_over()) publish_info();
 }
 
-void Core::send_calls() {
-  for (std::string& text : run_.take_printed()) {
-    if (text.ends_with('\n')) text.pop_back();
-    watcher_.printed(id_, text);
-  }
-  for (semantics::OutgoingCall& call : run_.take_calls()) {
-    host_.call({id_, call.number}, call.service, call.name, call.args, call.kwargs);
-    new_calls_.push_back(std::move(call));
-  }
-}
-
-bool Core::reached_goal() const {
-  switch (goal_.kind) {
-    case StepGoal::Kind::none:
-    case StepGoal::Kind::macro:
-      return false;
-    case StepGoal::Kind::micro:
-      return true;
-    case StepGoal::Kind::entered:
-      return run_.state().live[index(goal_state_)].activations != goal_activations_;
-    case StepGoal::Kind::left: {
-      // Activations that could have ended since then, the one that was under way included.
-      const std::uint32_t begun =
-          run_.state().live[index(goal_state_)].activations - goal_activations_ + (goal_active_ ? 1U : 0U);
-      return begun >= 2 || (begun == 1 && !run_.is_active(goal_state_));
-    }
-  }
-  return false;
-}
-
-// What was done of an open macro step is told now: a snapshot taken while the core is held loses nobody a part of it.
 void Core::hold() {
   paused_ = true;
-  goal_ = {};
-  if (open_) publish(false);
+  execution_.set_goal(std::nullopt);
   publish_info();
 }
 
-void Core::publish(bool complete) {
+void Core::publish(const Progress& progress) {
   if (state_watched_) {
     Dict delta{{"core", info_json()}};
-    delta.set("input", input_json(program(), journal_.back()));
-    for (auto& [key, value] : view_.delta(run_)) delta.set(key, value);
-    List calls;
-    for (const semantics::OutgoingCall& call : new_calls_) calls.push_back(call_json(call));
-    delta.set("calls", std::move(calls));
+    if (progress.entry) delta.set("input", input_json(*progress.entry));
+    for (const auto& [key, value] : progress.delta) delta.set(key, value);
+    delta.set("calls", execution::calls_json(progress.calls));
     Value frozen = std::move(delta);
     watcher_.state_changed(id_, std::move(frozen.freeze()));
   }
-  if (recorder_) {
-    const semantics::Derivation& derivation = recorder_->derivation;
-    List micro, calls;
-    for (std::size_t i = derived_; i < derivation.micro.size(); ++i)
-      micro.push_back(semantics::derivation_json(program(), derivation, i));
-    for (const semantics::OutgoingCall& call : new_calls_) calls.push_back(call_json(call));
-    Dict step{{"step", integer(run_.position())}, {"input", input_json(program(), journal_.back())},
-              {"micro", std::move(micro)},        {"calls", std::move(calls)},
-              {"first", integer(derived_)},       {"complete", complete}};
-    derived_ = derivation.micro.size();
+  if (progress.derivation) {
+    Dict step = trace_step(program(), progress);
+    step.set("first", integer(progress.first));
+    step.set("complete", progress.complete);
     Value steps = Dict{{"steps", List{Value(std::move(step))}}};
     watcher_.derived(id_, std::move(steps.freeze()));
   }
-  new_calls_.clear();
 }
 
 void Core::publish_info() {
@@ -372,18 +323,16 @@ void Core::publish_info() {
 
 Value Core::info_json() const {
   const bool over = is_over();
-  Dict info{{"id", id_},
-            {"document", document_},
-            {"status", started_ ? Value(semantics::name(run_.status())) : Value("ready")},
-            {"paused", (paused_ || awaits_input()) && !over},
-            {"stepping", goal_.kind != StepGoal::Kind::none && !over},
-            {"step", integer(run_.position())},
-            {"micro", micro_},
-            {"waiting", integer(run_.state().waiting.size())},
-            {"arguments", header_.arguments}};
-  if (run_.status() == Status::ended) info.set("outcome", run_.outcome());
-  if (over) info.set("results", root_results(run_));
-  if (run_.fault()) info.set("fault", fault_json(*run_.fault()));
+  Dict info{{"id", id_}, {"document", document_}};
+  execution::set_status(run(), info);
+  if (!started_) info.set("status", "ready");
+  info.set("paused", (paused_ || awaits_input()) && !over);
+  info.set("stepping", execution_.goal() && !over);
+  info.set("step", integer(run().position()));
+  info.set("micro", integer(execution_.micro()));
+  info.set("waiting", integer(execution_.waiting().size()));
+  info.set("arguments", header_.arguments);
+  if (over) info.set("results", execution::root_results(run()));
   Value frozen = std::move(info);
   return std::move(frozen.freeze());
 }

@@ -1,6 +1,6 @@
-// Core: one run on its own strand. Inputs arrive in a queue, a macro step takes what the semantics says, calls go out
-// after the micro step in which they were made. It can be held between macro steps and led in micro steps; what
-// watchers see leaves it after a macro step as frozen values, and it never waits for one.
+// Core: one execution on its own strand. Deliveries arrive in a queue, an Execution makes steps of them, and what comes
+// of a step leaves: its entry to the journal, its calls to the host, its changes to those who watch, as frozen values.
+// It never waits for a watcher.
 //
 // Threads: all public functions on any but the core's strand; those that say "waits" wait for it, a few seconds at
 // most, and answer `unavailable` if it has not come round by then.
@@ -11,10 +11,9 @@
 #include <optional>
 #include <string>
 
+#include "core/execution/execution.h"
+#include "core/execution/replay.h"
 #include "core/value/expected.h"
-#include "server/execution/journal.h"
-#include "server/execution/replay.h"
-#include "server/execution/state_view.h"
 #include "server/threads/strand.h"
 #include "services/host/host.h"
 #include "services/mutex.h"
@@ -36,24 +35,18 @@ class CoreWatcher {
   virtual void printed(const std::string& id, const std::string& text) = 0;
 };
 
-/// How far a held core goes.
-struct StepGoal {
-  enum class Kind : std::uint8_t { none, micro, macro, entered, left } kind = Kind::none;
-  std::string path;  // of `entered` and `left`
-};
-
 class Core : public std::enable_shared_from_this<Core> {
  public:
-  /// `header.arguments` and `header.native` are frozen. All outlive the core. Errors: those of semantics::Run::create.
-  static Expected<std::shared_ptr<Core>> create(std::string id, std::string document, JournalHeader header, Pool& pool,
-                                                services::Host& host, CoreWatcher& watcher);
+  /// `header.arguments` and `header.native` are frozen. All outlive the core. Errors: those of Execution::create.
+  static Expected<std::shared_ptr<Core>> create(std::string id, std::string document, execution::JournalHeader header,
+                                                Pool& pool, services::Host& host, CoreWatcher& watcher);
 
   /// Tells the watcher that there is this core: once it can be found, as whoever hears of it may ask for it at once.
   void announce();
 
   const std::string& id() const { return id_; }
   const semantics::Program& program() const { return *header_.program; }
-  const JournalHeader& header() const { return header_; }
+  const execution::JournalHeader& header() const { return header_; }
   /// As published last (schemas/core.json).
   Value info() const EXCLUDES(mutex_);
 
@@ -67,8 +60,11 @@ class Core : public std::enable_shared_from_this<Core> {
   /// Ends the run between macro steps.
   Expected<Value> stop();
   /// A held core goes as far as `goal`. One that waits for an input to get there counts as held, and may be told
-  /// another goal. Error `not_found`: no such state.
-  Expected<Value> step(StepGoal goal);
+  /// another goal. Error: as execution::find_goal.
+  Expected<Value> step(execution::GoalName goal);
+  /// The core is held wherever it reaches one of `goals`; they replace those of before. Error: as execution::find_goal,
+  /// and `conflict`: it is over.
+  Expected<Value> set_breakpoints(std::vector<execution::GoalName> goals);
 
   // Questions: wait.
   /// schemas/core_state.json
@@ -80,7 +76,7 @@ class Core : public std::enable_shared_from_this<Core> {
   Expected<Value> why_before(const std::string& port, std::size_t step, int micro);
   /// A copy, and the micro steps done if the last macro step is not complete, else -1.
   struct JournalView {
-    Journal journal;
+    execution::Journal journal;
     int micro = -1;
     semantics::Status status = semantics::Status::running;
     std::string outcome;
@@ -99,32 +95,34 @@ class Core : public std::enable_shared_from_this<Core> {
   void watch_derivation(bool on);
 
  private:
-  Core(std::string id, std::string document, JournalHeader header, semantics::Run run, Pool& pool, services::Host& host,
-       CoreWatcher& watcher);
+  Core(std::string id, std::string document, execution::JournalHeader header, execution::Execution execution,
+       Pool& pool, services::Host& host, CoreWatcher& watcher);
   template <typename F>
   auto on_strand(F function) -> std::invoke_result_t<F>;
+  template <typename F>
+  Expected<Value> replayed(F function);
 
   // All below: on the strand.
-  bool is_over() const { return run_.status() != semantics::Status::running; }
+  const semantics::Run& run() const { return execution_.run(); }
+  bool is_over() const { return execution_.is_over(); }
+  bool has_input() const { return run().position() == 0 || execution_.has_input(); }
   /// It is led by a goal, and no macro step can begin.
-  bool awaits_input() const { return goal_.kind != StepGoal::Kind::none && !open_ && !run_.has_input(); }
+  bool awaits_input() const { return execution_.goal() && !execution_.is_open() && !has_input(); }
   void schedule();
   void advance();
   void take_inbox();
-  bool micro_step();
-  void begin();
-  void complete();
-  void send_calls();
-  bool reached_goal() const;
+  std::uint32_t do_part(std::uint32_t limit);
+  const execution::Progress& next_part(std::uint32_t limit);
+  void release(const execution::Progress& progress);
   void hold();
-  void publish(bool complete);
+  void publish(const execution::Progress& progress);
   void publish_info();
   Value info_json() const;
 
-  static constexpr int kTurn = 256;  // micro steps in one turn of the strand
+  static constexpr std::uint32_t kTurn = 256;  // micro steps in one turn of the strand
 
   const std::string id_, document_;
-  const JournalHeader header_;
+  const execution::JournalHeader header_;
   Strand strand_, replay_strand_;
   services::Host& host_;
   CoreWatcher& watcher_;
@@ -134,24 +132,13 @@ class Core : public std::enable_shared_from_this<Core> {
   Value info_ GUARDED_BY(mutex_);
   std::atomic<bool> derivation_watched_{false}, closed_{false};
 
-  semantics::Run run_;
-  std::vector<JournalEntry> journal_;
-  bool started_ = false, paused_ = false, scheduled_ = false;
-  StepGoal goal_;
-  semantics::StateId goal_state_ = semantics::kNoState;
-  std::uint32_t goal_activations_ = 0;
-  bool goal_active_ = false;
-
-  bool open_ = false;  // a macro step has begun and is not complete
-  int micro_ = 0;      // micro steps done of it
-  std::optional<semantics::TreeRecorder> recorder_;
-  std::size_t derived_ = 0;                         // micro steps of it that were published
-  std::vector<semantics::OutgoingCall> new_calls_;  // since the last publication
-  bool state_watched_ = false;
-  StateView view_;
+  execution::Execution execution_;
+  std::vector<execution::JournalEntry> journal_;
+  std::vector<execution::GoalName> breakpoints_;
+  bool started_ = false, paused_ = false, scheduled_ = false, state_watched_ = false;
   Value announced_ = Value::unknown();  // what the list of cores was told last
 
-  std::shared_ptr<Replay> replay_;  // of the replay strand
+  std::shared_ptr<execution::Replay> replay_;  // of the replay strand
 };
 
 }  // namespace race::server

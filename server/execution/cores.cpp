@@ -57,7 +57,7 @@ Checked<std::shared_ptr<Core>> Cores::create(const std::string& name, const rcm:
     return tl::unexpected(std::move(errors));
   arguments.freeze();
   Value model = rcm::write_native(document, *native);
-  JournalHeader header{std::move(model.freeze()), std::move(*program), std::move(arguments), {}};
+  execution::JournalHeader header{std::move(model.freeze()), std::move(*program), std::move(arguments), {}};
   std::uint64_t number = 0;
   {
     const services::MutexLock lock(mutex_);

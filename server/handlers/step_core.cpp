@@ -8,22 +8,29 @@ namespace race::server {
 
 namespace {
 
-Checked<StepGoal> read_goal(const std::string& text) {
+// A state by its id, or by its path.
+void read_state(Fields& fields, execution::GoalName& goal) {
+  goal.id = fields.text("id").value_or("");
+  goal.path = fields.text("path").value_or("");
+  if (goal.id.empty() == goal.path.empty())
+    fields.violation(ErrorCode::missing, "either `id` or `path` must name a state", "path");
+}
+
+Checked<execution::GoalName> read_goal(const std::string& text) {
   auto body = parse_json(text);
   if (!body) return failed(std::move(body).error());
   std::vector<Error> errors;
   Fields fields(*body, "", "the step", errors, Fields::Paths::field);
   const std::string kind = fields.text("kind", Fields::Need::required).value_or("");
-  StepGoal goal;
+  execution::GoalName goal;
   if (kind == "until") {
-    goal.path = fields.text("path", Fields::Need::required).value_or("");
+    read_state(fields, goal);
     const std::string when = fields.text("when", Fields::Need::required).value_or("");
-    goal.kind = when == "left" ? StepGoal::Kind::left : StepGoal::Kind::entered;
+    goal.kind = when == "left" ? execution::Goal::Kind::left : execution::Goal::Kind::entered;
     if (when != "left" && when != "entered")
       fields.violation(ErrorCode::type, "`when` must be `entered` or `left`", "when");
-    if (goal.path.empty()) fields.violation(ErrorCode::missing, "`path` must name a state", "path");
   } else {
-    goal.kind = kind == "micro" ? StepGoal::Kind::micro : StepGoal::Kind::macro;
+    goal.kind = kind == "micro" ? execution::Goal::Kind::micro : execution::Goal::Kind::macro;
     if (kind != "micro" && kind != "macro")
       fields.violation(ErrorCode::type, "`kind` must be `micro`, `macro` or `until`", "kind");
   }

@@ -10,8 +10,8 @@
 #include <set>
 #include <sstream>
 
+#include "core/execution/derive.h"
 #include "core/semantics/derivation_text.h"
-#include "core/semantics/derive.h"
 #include "core/value/json.h"
 #include "tests/conformance/line_diff.h"
 
@@ -122,13 +122,13 @@ class Conformance : public testing::TestWithParam<std::string> {};
 TEST_P(Conformance, DerivesWhatIsExpected) {
   const fs::path folder = kCases / GetParam();
   const Value expected = json(folder / "expected.json");
-  const auto actual = semantics::derive_texts(read(folder / "model.json"), read(folder / "script.json"));
+  const auto actual = execution::derive_texts(read(folder / "model.json"), read(folder / "script.json"));
   if (const Value* errors = expected.find("errors")) {
     ASSERT_FALSE(actual) << "the document is accepted";
-    EXPECT_EQ(pairs(*errors), pairs(*semantics::errors_json(actual.error()).find("errors")));
+    EXPECT_EQ(pairs(*errors), pairs(*execution::errors_json(actual.error()).find("errors")));
     return;
   }
-  ASSERT_TRUE(actual) << to_json(semantics::errors_json(actual.error()), 1);
+  ASSERT_TRUE(actual) << to_json(execution::errors_json(actual.error()), 1);
   const std::string where = difference(expected, *actual, "");
   EXPECT_TRUE(where.empty()) << explained(where, expected, *actual);
 }

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/semantics/derive.h"
+#include "core/execution/derive.h"
 #include "core/value/json.h"
 
 namespace {
@@ -25,8 +25,8 @@ std::string read(const fs::path& path) {
 
 double milliseconds(const std::string& model, const std::string& script) {
   const std::clock_t start = std::clock();
-  const auto document = race::semantics::derive_texts(model, script);
-  const std::string text = race::to_json(document ? *document : race::semantics::errors_json(document.error()), 1);
+  const auto document = race::execution::derive_texts(model, script);
+  const std::string text = race::to_json(document ? *document : race::execution::errors_json(document.error()), 1);
   if (text.empty()) std::puts("");
   return 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }

@@ -59,7 +59,7 @@ struct View {
 
 struct CoreTest : testing::Test, CoreWatcher {
   CoreTest() {
-    JournalHeader header{Value(), semantics::Program::build(long_step(), {}).value(), {}, {}};
+    execution::JournalHeader header{Value(), semantics::Program::build(long_step(), {}).value(), {}, {}};
     core = Core::create("1", "long", std::move(header), *pool, host, *this).value();
   }
   ~CoreTest() override { pool.reset(); }
@@ -135,14 +135,14 @@ struct CoreTest : testing::Test, CoreWatcher {
 
 TEST_F(CoreTest, AWatcherWhoComesBetweenMicroStepsCostsNobodyAChange) {
   hold_and_watch();
-  for (int i = 0; i < 7; ++i) ASSERT_TRUE(core->step({StepGoal::Kind::micro, ""}));
+  for (int i = 0; i < 7; ++i) ASSERT_TRUE(core->step({execution::Goal::Kind::micro, "", ""}));
   core->watch_state();
   expect_that_all_have_the_state();
-  ASSERT_TRUE(core->step({StepGoal::Kind::micro, ""}));
+  ASSERT_TRUE(core->step({execution::Goal::Kind::micro, "", ""}));
   core->watch_state();
-  ASSERT_TRUE(core->step({StepGoal::Kind::macro, ""}));
+  ASSERT_TRUE(core->step({execution::Goal::Kind::macro, "", ""}));
   ASSERT_TRUE(core->pause());
-  ASSERT_TRUE(core->step({StepGoal::Kind::macro, ""}));
+  ASSERT_TRUE(core->step({execution::Goal::Kind::macro, "", ""}));
   EXPECT_EQ(micro, (std::vector<std::int64_t>{0, 7, 8}));
   expect_that_all_have_the_state();
 }
@@ -165,7 +165,7 @@ TEST_F(CoreTest, AWatcherWhoComesBetweenTheTurnsOfAMacroStepCostsNobodyAChange) 
 TEST_F(CoreTest, APauseWithinAMacroStepTellsWhatWasDoneOfIt) {
   hold_and_watch();
   const Value held = paused_within([this] {
-    ASSERT_TRUE(core->step({StepGoal::Kind::left, "R/S" + std::to_string(kStates)}));
+    ASSERT_TRUE(core->step({execution::Goal::Kind::left, "", "R/S" + std::to_string(kStates)}));
   });
   EXPECT_TRUE(held.find("paused")->as_bool());
   EXPECT_GT(held.find("micro")->as_integer(), 0) << "not within the macro step";
@@ -190,18 +190,18 @@ TEST_F(CoreTest, AStepThatWaitsForAnInputIsPausedAndCanBeReplaced) {
     EXPECT_EQ(json->find("paused")->as_bool(), paused);
     EXPECT_EQ(json->find("stepping")->as_bool(), stepping);
   };
-  expect(core->step({StepGoal::Kind::micro, ""}), true, false);
+  expect(core->step({execution::Goal::Kind::micro, "", ""}), true, false);
   expect(core->resume(), false, false);
   while (core->state()->find("core")->find("micro")->as_integer() > 0) {
   }
   expect(core->pause(), true, false);
-  expect(core->step({StepGoal::Kind::macro, ""}), true, true);
-  expect(core->step({StepGoal::Kind::left, "R"}), true, true);
+  expect(core->step({execution::Goal::Kind::macro, "", ""}), true, true);
+  expect(core->step({execution::Goal::Kind::left, "", "R"}), true, true);
   expect(core->info(), true, true);
   expect(core->pause(), true, false);
-  expect(core->step({StepGoal::Kind::micro, ""}), true, true);
+  expect(core->step({execution::Goal::Kind::micro, "", ""}), true, true);
   expect(core->resume(), false, false);
-  EXPECT_EQ(core->step({StepGoal::Kind::micro, ""}).error().code, ErrorCode::conflict);
+  EXPECT_EQ(core->step({execution::Goal::Kind::micro, "", ""}).error().code, ErrorCode::conflict);
 }
 
 }  // namespace

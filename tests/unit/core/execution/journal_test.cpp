@@ -8,8 +8,7 @@
 #include <iostream>
 #include <sstream>
 
-#include "core/semantics/derive.h"
-#include "core/semantics/script.h"
+#include "core/execution/script.h"
 #include "tests/unit/core/execution/journals.h"
 
 namespace race::execution {
@@ -72,7 +71,7 @@ TEST(Journal, AsAScriptHasAStepForEachEntryButTheAbort) {
             R"({"events":[{"service":"t","event":"tick","data":{"x":1.0}}]},)"
             R"({"responses":[{"service":"t","operation":"wait","call":2,"result":null}]},)"
             "{\"events\":[{\"service\":\"t\",\"event\":\"tick\",\"data\":{\"x\":[1,\"\\n\u00e9\",null]}}]}]");
-  EXPECT_TRUE(semantics::read_script(json));
+  EXPECT_TRUE(read_script(json));
 }
 
 TEST(Journal, OfTheExamplesIsReadBackAsItStandsThere) {
@@ -98,18 +97,6 @@ TEST(Journal, OfTheDeepestModelIsReadBack) {
   expect_equal(read_back(journal), journal);
 }
 
-// Applies an entry as replay does.
-void apply(semantics::Run& run, const JournalEntry& entry) {
-  if (std::holds_alternative<AbortEntry>(entry)) return run.abort();
-  if (const auto* event = std::get_if<EventEntry>(&entry)) {
-    EXPECT_TRUE(run.post_event(event->service, event->event, event->data));
-  } else if (const auto* response = std::get_if<ResponseEntry>(&entry)) {
-    EXPECT_TRUE(run.post_response(response->call, response->is_error, response->data));
-  }
-  semantics::NoRecorder none;
-  run.macro_step(none);
-}
-
 TEST(Journal, OfARandomRunIsReadBackAndGivesThatRunAgain) {
   const char* const chosen = std::getenv("RACE_SEED");
   const std::uint64_t seed = chosen ? std::strtoull(chosen, nullptr, 10) : 20261122;
@@ -117,14 +104,14 @@ TEST(Journal, OfARandomRunIsReadBackAndGivesThatRunAgain) {
   std::size_t entries = 0, open_responses = 0;
   for (std::uint64_t i = 0; i < 300 && !HasFailure(); ++i) {
     SCOPED_TRACE("RACE_SEED=" + std::to_string(seed + i));
-    const auto [journal, run] = random_journal(seed + i, 40);
+    const auto [journal, execution] = random_journal(seed + i, 40);
     const Journal read = read_back(journal);
     expect_equal(read, journal);
-    auto again = semantics::Run::create(read.header.program, read.header.arguments, read.header.budgets).value();
-    for (const JournalEntry& entry : read.entries) apply(again, entry);
-    EXPECT_EQ(again.status(), run.status());
-    EXPECT_EQ(to_json(again.state_json()), to_json(run.state_json()));
-    EXPECT_EQ(again.state().call_count, run.state().call_count);
+    auto again = Execution::create(read.header.program, read.header.arguments, read.header.budgets).value();
+    for (const JournalEntry& entry : read.entries) EXPECT_TRUE(again.redo(entry, {}));
+    EXPECT_EQ(again.run().status(), execution.run().status());
+    EXPECT_EQ(to_json(again.run().state_json()), to_json(execution.run().state_json()));
+    EXPECT_EQ(again.run().state().call_count, execution.run().state().call_count);
     entries += read.entries.size();
     for (const JournalEntry& entry : read.entries)
       if (const auto* response = std::get_if<ResponseEntry>(&entry))

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "core/execution/journal.h"
+#include "core/execution/execution.h"
 #include "core/rcm/document.h"
 #include "core/rcm/native.h"
 #include "core/rcm/translate.h"
@@ -53,43 +53,22 @@ inline Journal small_journal() {
   return journal;
 }
 
-/// The input as an entry.
-inline JournalEntry entry_of(const semantics::Program& program, const semantics::Input& input) {
-  if (input.kind == semantics::Input::Kind::event) {
-    const auto& event = program.services.events()[input.number];
-    return EventEntry{event.service, event.name, input.data};
-  }
-  const auto& operation = program.services.operations()[input.number];
-  return ResponseEntry{input.call, operation.open ? input.service : operation.service, operation.name, input.is_error,
-                       input.data};
-}
-
-/// What a run of a random model with at most `steps` macro steps has had as inputs, and the run.
-inline std::pair<Journal, semantics::Run> random_journal(std::uint64_t seed, int steps) {
+/// The journal of a random run of a random model, of at most about `steps` macro steps, and the execution.
+inline std::pair<Journal, Execution> random_journal(std::uint64_t seed, int steps) {
   semantics::RandomModels random(seed);
   rcm::Document document;
   document.root = random.model().root;
   semantics::Budgets budgets;
   budgets.micro_steps = 300;
   Journal journal = journal_of(document, semantics::RandomModels::services(), {}, budgets);
-  auto run = semantics::Run::create(journal.header.program, {}, budgets).value();
-  semantics::NoRecorder none;
-  for (int step = 0; step < steps && run.status() == semantics::Status::running; ++step) {
-    std::optional<semantics::Input> input;
-    if (step > 0) {
-      random.post({&run}, run.state().call_count);
-      if (!(input = run.take_input())) continue;
-    }
-    journal.entries.push_back(input ? entry_of(run.program(), *input) : StartEntry{});
-    run.begin(std::move(input));
-    while (run.micro(none)) {
-    }
+  auto execution = Execution::create(journal.header.program, {}, budgets).value();
+  journal.entries.push_back(execution.start({}).entry.value());
+  for (int step = 1; step < steps && !execution.is_over(); ++step) {
+    random.post<Execution>({&execution}, execution.run().state().call_count);
+    if (execution.has_input()) journal.entries.push_back(execution.step({}).entry.value());
   }
-  if (run.status() == semantics::Status::running && random.chance(0.5)) {
-    journal.entries.emplace_back(AbortEntry{});
-    run.abort();
-  }
-  return {std::move(journal), std::move(run)};
+  if (!execution.is_over() && random.chance(0.5)) journal.entries.push_back(execution.abort().entry.value());
+  return {std::move(journal), std::move(execution)};
 }
 
 }  // namespace race::execution

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/semantics/derive.h"
+#include "core/execution/derive.h"
 
 namespace race::semantics {
 namespace {
@@ -44,7 +44,7 @@ struct Derived {
 };
 
 Derived derive(const std::string& scenario) {
-  auto document = derive_texts(read(scenario, "model.json"), read(scenario, "script.json"));
+  auto document = execution::derive_texts(read(scenario, "model.json"), read(scenario, "script.json"));
   EXPECT_TRUE(document);
   Derived out;
   out.document = *document;

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/semantics/derive.h"
+#include "core/execution/derive.h"
 #include "core/value/json.h"
 
 namespace race::semantics {
@@ -19,7 +19,7 @@ std::string node_text(const std::string& fields) {
 }
 
 TEST(DerivationText, IsOneNodeALine) {
-  const auto document = derive_texts(
+  const auto document = execution::derive_texts(
       R"({"rcm": 1, "root": {"state": "R", "parameters": [{"name": "n", "value": 2}], "results": [{"name": "r"}],
           "entry": "res.r = par.n", "ports": [{"name": "done", "when": "res.r == 2"}]}})",
       R"({"steps": [{}]})");

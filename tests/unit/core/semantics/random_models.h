@@ -9,7 +9,6 @@
 
 #include "core/rcm/model.h"
 #include "core/rsm/model.h"
-#include "core/semantics/run.h"
 
 namespace race::semantics {
 
@@ -44,25 +43,26 @@ class RandomModels {
   }
 
   /// What arrives next at every one of `runs`, which are in the same state: an occurrence, a response to a recent call,
-  /// or the loss of a service.
-  void post(const std::vector<Run*>& runs, std::uint64_t calls) {
+  /// or the loss of a service. They are what has post_event, post_response and post_lost.
+  template <typename R>
+  void post(const std::vector<R*>& runs, std::uint64_t calls) {
     if (chance(0.02)) {
       const std::string lost = chance(0.2) ? "v" : service();
-      for (Run* run : runs) run->post_lost(lost);
+      for (R* run : runs) run->post_lost(lost);
       return;
     }
     if (calls > 0 && chance(0.4)) {
       const std::uint64_t number = calls - std::min<std::uint64_t>(pick(4), calls - 1);
       const bool error = chance(0.3);
       const Value data = error ? Value(Dict{{"code", "no"}}) : value();
-      for (Run* run : runs) run->post_response(number, error, data);
+      for (R* run : runs) run->post_response(number, error, data);
       return;
     }
     static const char* const kEvents[] = {"e0", "e1", "e2", "e3", "s0"};
     const char* const event = kEvents[pick(5)];
     const std::string of = service();
     const Value data = Value(Dict{{"x", value()}});
-    for (Run* run : runs) run->post_event(of, event, data);
+    for (R* run : runs) run->post_event(of, event, data);
   }
 
   std::size_t pick(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random_); }

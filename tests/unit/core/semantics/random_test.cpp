@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "core/semantics/script.h"
 #include "core/value/json.h"
+#include "tests/unit/core/semantics/driven_run.h"
 #include "tests/unit/core/semantics/random_models.h"
 
 namespace race::semantics {
@@ -52,7 +52,7 @@ bool same(const RunState& a, const RunState& b) {
 }
 
 template <Recorder R>
-std::vector<OutgoingCall> step(semantics::Run& run, R& recorder) {
+std::vector<OutgoingCall> step(DrivenRun& run, R& recorder) {
   run.macro_step(recorder);
   return run.take_calls();
 }
@@ -80,10 +80,10 @@ void drive(std::uint64_t seed, std::uint64_t limit, Outcomes& outcomes) {
   ASSERT_TRUE(program) << "seed " << seed << ": " << to_string(program.error()[0]);
   Budgets budgets;
   budgets.micro_steps = 300;
-  semantics::Run fast = *semantics::Run::create(*program, {}, budgets);
-  semantics::Run recorded = fast;
-  semantics::Run thorough = fast;
-  semantics::Run checkpoint = fast;
+  DrivenRun fast(*semantics::Run::create(*program, {}, budgets));
+  DrivenRun recorded = fast;
+  DrivenRun thorough = fast;
+  DrivenRun checkpoint = fast;
   struct Done {
     std::optional<Input> input;
     Derivation derivation;
@@ -95,11 +95,10 @@ void drive(std::uint64_t seed, std::uint64_t limit, Outcomes& outcomes) {
   for (std::uint64_t i = 0; i < limit && fast.status() == Status::running; ++i) {
     if (i > 0)
       for (std::size_t inputs = 1 + random.pick(2); inputs-- > 0;)
-        random.post({&fast, &recorded, &thorough}, fast.state().call_count);
+        random.post<DrivenRun>({&fast, &recorded, &thorough}, fast.state().call_count);
     if (!recorded.has_input()) continue;
     const bool traced = random.chance(0.02);  // replay compares whole derivations, now and then
-    const std::optional<Input> input =
-        recorded.state().waiting.empty() ? std::nullopt : semantics::Run(recorded).take_input();
+    const std::optional<Input> input = DrivenRun(recorded).take_input();
     TreeRecorder tree;
     const std::vector<OutgoingCall> calls = step(recorded, tree);
     Derivation& derivation = tree.derivation;
@@ -125,10 +124,10 @@ void drive(std::uint64_t seed, std::uint64_t limit, Outcomes& outcomes) {
     outcomes.micro += derivation.micro.size();
     since.push_back({input, std::move(derivation), calls});
     if (traced || since.size() > 50 || recorded.status() != Status::running) {
-      semantics::Run replayed = checkpoint;
+      DrivenRun replayed = checkpoint;
       for (const Done& done : since) {
         TreeRecorder recorder;
-        replayed.begin(done.input);
+        replayed.begin(std::optional(done.input));
         while (replayed.micro(recorder)) {
         }
         ASSERT_EQ(recorder.derivation, done.derivation) << "seed " << seed << ", step " << i;
@@ -176,9 +175,9 @@ TEST(RandomModels, AFaultLeavesDeltaAsAfterTheLastCompleteMicroStep) {
     ASSERT_TRUE(program);
     Budgets budgets;
     budgets.micro_steps = 300;
-    semantics::Run run = *semantics::Run::create(*program, {}, budgets);
+    DrivenRun run(*semantics::Run::create(*program, {}, budgets));
     for (int k = 0; k < 50 && run.status() == Status::running; ++k) {
-      if (k > 0) random.post({&run}, run.state().call_count);
+      if (k > 0) random.post<DrivenRun>({&run}, run.state().call_count);
       run.begin(run.take_input());
       TreeRecorder recorder;
       RunState before = run.state();

@@ -9,7 +9,7 @@
 #include <set>
 #include <sstream>
 
-#include "core/semantics/derive.h"
+#include "core/execution/derive.h"
 
 namespace race::semantics {
 namespace {
@@ -32,7 +32,8 @@ TEST(Rules, EachIsAppliedInSomeConformanceCase) {
   std::set<std::string> applied;
   for (const auto& folder : fs::directory_iterator(fs::path(RACE_SOURCE_DIR) / "tests" / "conformance")) {
     if (!fs::exists(folder.path() / "script.json")) continue;
-    const auto document = derive_texts(read(folder.path() / "model.json"), read(folder.path() / "script.json"));
+    const auto document =
+        execution::derive_texts(read(folder.path() / "model.json"), read(folder.path() / "script.json"));
     if (!document) continue;
     for (const Value& step : document->find("steps")->as_list())
       for (const Value& tree : step.find("micro")->as_list()) collect(tree, applied);

@@ -9,8 +9,8 @@
 
 #include "core/rcm/document.h"
 #include "core/rcm/translate.h"
-#include "core/semantics/run.h"
 #include "core/value/json.h"
+#include "tests/unit/core/semantics/driven_run.h"
 
 namespace race::semantics {
 
@@ -66,11 +66,11 @@ class SmallRun {
     const Value* found = node ? node->find(name) : nullptr;
     return found ? *found : Value::unknown();
   }
-  Run& operator*() { return run_; }
-  Run* operator->() { return &run_; }
+  DrivenRun& operator*() { return run_; }
+  DrivenRun* operator->() { return &run_; }
 
  private:
-  static Run create(std::string root, const Dict& arguments, Budgets budgets) {
+  static DrivenRun create(std::string root, const Dict& arguments, Budgets budgets) {
     for (char& c : root) c = c == '\'' ? '"' : c;
     auto document = rcm::read_document_text(R"({"rcm": 1, "root": )" + root + "}");
     if (!document) throw std::runtime_error(to_string(document.error()[0]));
@@ -91,7 +91,7 @@ class SmallRun {
     }
     auto program = Program::build(*native, {{"t", service}, {"u", service}});
     if (!program) throw std::runtime_error(to_string(program.error()[0]));
-    return *Run::create(*program, arguments, budgets);
+    return DrivenRun(*Run::create(*program, arguments, budgets));
   }
   static std::string name_of(const Value& path) { return path.as_string().substr(path.as_string().rfind('/') + 1); }
 
@@ -109,7 +109,7 @@ class SmallRun {
     for (const Value& premise : node.find("premises")->as_list()) collect(premise, line);
   }
 
-  Run run_;
+  DrivenRun run_;
 };
 
 }  // namespace race::semantics

@@ -1,11 +1,11 @@
-#include "core/semantics/derive.h"
+#include "core/execution/derive.h"
 
+#include "core/execution/script.h"
 #include "core/rcm/document.h"
 #include "core/rcm/translate.h"
-#include "core/semantics/script.h"
 #include "core/value/json.h"
 
-namespace race::semantics {
+namespace race::execution {
 namespace {
 
 void add(std::vector<Error>& to, const std::vector<Error>& from) { to.insert(to.end(), from.begin(), from.end()); }
@@ -37,4 +37,4 @@ Value errors_json(const std::vector<Error>& errors) {
   return Dict{{"errors", std::move(list)}};
 }
 
-}  // namespace race::semantics
+}  // namespace race::execution

@@ -1,5 +1,5 @@
 // Scripts: which calls answer themselves, and which answers count.
-#include "core/semantics/script.h"
+#include "core/execution/script.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include "core/rcm/translate.h"
 #include "core/value/json.h"
 
-namespace race::semantics {
+namespace race::execution {
 namespace {
 
 // Quotes may be written '.
@@ -71,4 +71,4 @@ TEST(Script, IsRefusedWithAClosedThatIsNoBool) {
 }
 
 }  // namespace
-}  // namespace race::semantics
+}  // namespace race::execution

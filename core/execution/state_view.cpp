@@ -1,8 +1,8 @@
-#include "server/execution/state_view.h"
+#include "core/execution/state_view.h"
 
 #include <algorithm>
 
-namespace race::server {
+namespace race::execution {
 
 using semantics::Program;
 using semantics::Run;
@@ -120,4 +120,4 @@ void StateView::add_values(const Run& run, Dict& out) const {
   out.set("unset", std::move(unset));
 }
 
-}  // namespace race::server
+}  // namespace race::execution

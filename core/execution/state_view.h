@@ -1,6 +1,4 @@
 // StateView: what watchers have been shown of a run, and what has changed since (schemas/core_delta.json).
-//
-// Threads: the core's strand.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +7,7 @@
 #include "core/semantics/run.h"
 #include "core/value/value.h"
 
-namespace race::server {
+namespace race::execution {
 
 class StateView {
  public:
@@ -33,4 +31,4 @@ class StateView {
   List fired_;
 };
 
-}  // namespace race::server
+}  // namespace race::execution

@@ -1,17 +1,18 @@
-#include "server/execution/state_view.h"
+#include "core/execution/state_view.h"
 
 #include <gmock/gmock.h>
 
 #include "core/rcm/document.h"
 #include "core/rcm/translate.h"
 #include "core/value/json.h"
+#include "tests/unit/core/semantics/driven_run.h"
 
-namespace race::server {
+namespace race::execution {
 namespace {
 
-semantics::Run make_run(const char* text) {
+semantics::DrivenRun make_run(const char* text) {
   const auto native = rcm::translate(rcm::read_document_text(text).value()).value();
-  return semantics::Run::create(semantics::Program::build(native, {}).value(), {}).value();
+  return semantics::DrivenRun(semantics::Run::create(semantics::Program::build(native, {}).value(), {}).value());
 }
 
 // Two states that meet at a barrier.
@@ -36,7 +37,7 @@ struct StateViewTest : testing::Test {
     while (run.micro(none)) view.look(run);
     return to_json(Value(view.delta(run)));
   }
-  semantics::Run run = make_run(kModel);
+  semantics::DrivenRun run = make_run(kModel);
   StateView view;
 };
 
@@ -83,4 +84,4 @@ TEST_F(StateViewTest, CountsFromTheLastSnapshot) {
 }
 
 }  // namespace
-}  // namespace race::server
+}  // namespace race::execution

@@ -9,11 +9,10 @@
 
 #include "core/rcm/model.h"
 #include "core/rsm/model.h"
-#include "core/semantics/run.h"
 #include "core/value/expected.h"
 #include "core/value/value.h"
 
-namespace race::semantics {
+namespace race::execution {
 
 struct ScriptEvent {
   std::string service, event;
@@ -50,10 +49,4 @@ Checked<Script> read_script(const Value& json);
 /// The document that `race derive` prints. Errors: an argument that the root does not have; violations of the program.
 Checked<Value> derive(const rcm::NativeModel& model, const Script& script);
 
-/// One macro step as a script step shows it: its micro steps' trees, its calls and the state after it.
-Value step_json(const Run& run, const Derivation& derivation, const std::vector<OutgoingCall>& calls);
-
-/// The end of a derivation document: `status`, and `outcome` or `fault`.
-void set_status(const Run& run, Dict& document);
-
-}  // namespace race::semantics
+}  // namespace race::execution

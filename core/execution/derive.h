@@ -7,7 +7,7 @@
 #include "core/value/expected.h"
 #include "core/value/value.h"
 
-namespace race::semantics {
+namespace race::execution {
 
 /// The derivation document of a model and a script (core/SEMANTICS.md section 7). Errors: every violation of the model
 /// and of the script's services; nothing is derived then.
@@ -16,4 +16,4 @@ Checked<Value> derive_texts(std::string_view model, std::string_view script);
 /// {"errors": [{"path", "code", "message"}]}, the shape of every refusal.
 Value errors_json(const std::vector<Error>& errors);
 
-}  // namespace race::semantics
+}  // namespace race::execution

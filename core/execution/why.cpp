@@ -1,8 +1,8 @@
-#include "server/execution/why.h"
+#include "core/execution/why.h"
 
 #include <algorithm>
 
-namespace race::server {
+namespace race::execution {
 
 using language::Explanation;
 using language::Truth;
@@ -66,9 +66,10 @@ std::string reason(const Run::Why& why, bool active) {
 
 }  // namespace
 
-Value why_json(Run& run, PortId port) {
+Value why_json(Execution& execution, PortId port) {
+  const Run& run = execution.run();
   const semantics::PortInfo& info = run.program()[port];
-  const Run::Why why = run.why(port);
+  const Run::Why why = execution.why(port);
   const bool active = run.state().flags[run.program().flag(port)] != 0;
   List atoms;
   for (std::size_t i = 0; i < why.explanation.atoms.size(); ++i) {
@@ -88,18 +89,4 @@ Value why_json(Run& run, PortId port) {
   return json;
 }
 
-Value root_results(const Run& run) {
-  Dict results;
-  const semantics::StateInfo& root = run.program()[semantics::Program::root];
-  for (std::size_t i = 0; i < root.results.size(); ++i) {
-    const Value& value = run.state().values[root.first_result + i];
-    if (!value.is_unknown()) results.set(root.results[i], value);
-  }
-  return results;
-}
-
-Value fault_json(const semantics::RunFault& fault) {
-  return Dict{{"kind", language::name(fault.kind)}, {"at", fault.at}, {"message", fault.message}};
-}
-
-}  // namespace race::server
+}  // namespace race::execution

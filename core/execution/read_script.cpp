@@ -1,8 +1,8 @@
+#include "core/execution/script.h"
 #include "core/rsm/document.h"
-#include "core/semantics/script.h"
 #include "core/value/fields.h"
 
-namespace race::semantics {
+namespace race::execution {
 namespace {
 
 constexpr auto kRequired = Fields::Need::required;
@@ -89,4 +89,4 @@ Checked<Script> read_script(const Value& json) {
   return script;
 }
 
-}  // namespace race::semantics
+}  // namespace race::execution

@@ -1,0 +1,156 @@
+#include "core/execution/execution.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "core/execution/journal_input.h"
+
+namespace race::execution {
+
+using semantics::EventId;
+using semantics::Input;
+using semantics::Run;
+
+Expected<Execution> Execution::create(std::shared_ptr<const semantics::Program> program, const Dict& arguments,
+                                      semantics::Budgets budgets) {
+  ASSIGN_OR_RETURN(Run run, Run::create(std::move(program), arguments, budgets));
+  return Execution(std::move(run));
+}
+
+bool Execution::post_event(std::string_view service, std::string_view event, Value data) {
+  const EventId id = run_.program().services.find_event(service, event);
+  return id != semantics::kNone && post_event(id, std::move(data));
+}
+
+bool Execution::post_event(EventId event, Value data) {
+  Input input = Input::occurrence(event, std::move(data));
+  if (!run_.counts(input)) return false;
+  waiting_.add(run_.program(), std::move(input));
+  return true;
+}
+
+bool Execution::post_response(std::uint64_t call, bool is_error, Value data) {
+  auto input = run_.response(call, is_error, std::move(data));
+  if (!input) return false;
+  waiting_.add(run_.program(), std::move(*input));
+  return true;
+}
+
+// REFINEMENT R7
+void Execution::post_lost(std::string_view service) {
+  for (const std::uint64_t call : run_.unanswered_calls(service))
+    post_response(call, true, Dict{{"code", "unavailable"}});
+}
+
+const Progress& Execution::start(Recording recording, std::uint32_t limit) {
+  progress_.entry.reset();
+  if (recording.entry) progress_.entry = StartEntry{};
+  return begin(std::nullopt, recording, limit);
+}
+
+const Progress& Execution::step(Recording recording, std::uint32_t limit) {
+  std::optional<Input> input = waiting_.take(run_);
+  progress_.entry.reset();
+  if (recording.entry && input) progress_.entry = entry_of(run_, *input);
+  return begin(std::move(input), recording, limit);
+}
+
+Expected<const Progress*> Execution::redo(const JournalEntry& entry, Recording recording, std::uint32_t limit) {
+  if (is_over()) return unexpected(ErrorCode::conflict, "the run is over before this entry");
+  if (std::holds_alternative<AbortEntry>(entry)) return &abort();
+  if (std::holds_alternative<StartEntry>(entry)) return &start(recording, limit);
+  ASSIGN_OR_RETURN(Input input, input_of(run_, entry));
+  progress_.entry.reset();
+  if (recording.entry) progress_.entry = entry;
+  return &begin(std::move(input), recording, limit);
+}
+
+const Progress& Execution::abort() {
+  assert(!open_);
+  run_.abort();
+  progress_ = {.position = run_.position(), .entry = AbortEntry{}};
+  return finish();
+}
+
+void Execution::set_goal(std::optional<Goal> goal) {
+  goal_.reset();
+  if (goal) goal_.emplace(*goal, run_);
+}
+
+void Execution::set_breakpoints(const std::vector<Goal>& goals) {
+  breakpoints_.clear();
+  for (const Goal& goal : goals) breakpoints_.emplace_back(goal, run_);
+}
+
+Value Execution::watch() {
+  if (!view_) view_.emplace();
+  return view_->snapshot(run_);
+}
+
+const Progress& Execution::begin(std::optional<Input>&& input, Recording recording, std::uint32_t limit) {
+  assert(!open_ && !is_over());
+  open_ = true;
+  recording_ = recording;
+  run_.begin(std::move(input));
+  progress_.position = run_.position();
+  progress_.micro = 0;
+  return go_on(limit);
+}
+
+const Progress& Execution::go_on(std::uint32_t limit) {
+  assert(open_ && limit > 0);
+  progress_.first = progress_.micro;
+  progress_.complete = progress_.reached_goal = false;
+  if (recording_.derivation) {
+    semantics::TreeRecorder trees;
+    do_micro_steps(trees, limit);
+    progress_.derivation = std::move(trees.derivation);
+  } else {
+    progress_.derivation.reset();
+    semantics::NoRecorder none;
+    do_micro_steps(none, limit);
+  }
+  return finish();
+}
+
+template <semantics::Recorder R>
+void Execution::do_micro_steps(R& recorder, std::uint32_t limit) {
+  while (limit-- > 0) {
+    const bool more = run_.micro(recorder);
+    if (view_) view_->look(run_);
+    if (more) ++progress_.micro;
+    open_ = more && !is_over();
+    if (more && (goal_ || !breakpoints_.empty())) progress_.reached_goal = reaches_goal();
+    if (!open_ || progress_.reached_goal) return;
+  }
+}
+
+// All are asked: each counts anew from where it was reached.
+bool Execution::reaches_goal() {
+  bool reached = goal_ && goal_->reached(run_);
+  for (GoalWatch& breakpoint : breakpoints_) reached = breakpoint.reached(run_) || reached;
+  if (reached) goal_.reset();
+  return reached;
+}
+
+// What has come of the micro steps leaves the run.
+const Progress& Execution::finish() {
+  run_.take_calls(progress_.calls);
+  run_.take_printed(progress_.printed);
+  for (std::string& text : progress_.printed)
+    if (text.ends_with('\n')) text.pop_back();
+  if (view_) progress_.delta = view_->delta(run_);
+  progress_.complete = !open_;
+  if (open_) return progress_;
+  if (goal_ && goal_->goal().kind == Goal::Kind::macro) {
+    goal_.reset();
+    progress_.reached_goal = true;
+  }
+  if (is_over()) {
+    goal_.reset();
+    waiting_.clear();
+  }
+  return progress_;
+}
+
+}  // namespace race::execution

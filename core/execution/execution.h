@@ -1,0 +1,111 @@
+// Execution: the one driver of a run. It owns the run and its waiting inputs, and turns an input into one value: the
+// entry of the journal, the calls, what was printed, the change of the state, and the derivation if somebody asks.
+// Hosted cores, `race run`, `race derive` and replays drive their runs with it; nothing else begins a macro step.
+//
+// A pure value that belongs to one thread at a time: a copy goes on from the same point.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/execution/goal.h"
+#include "core/execution/journal.h"
+#include "core/execution/state_view.h"
+#include "core/execution/waiting_inputs.h"
+#include "core/semantics/run.h"
+
+namespace race::execution {
+
+/// What is recorded of a macro step. It is settled when the macro step begins.
+struct Recording {
+  bool entry = true;        // its entry of the journal
+  bool derivation = false;  // the trees of its micro steps
+};
+
+/// What came of a macro step, or of a part of one. Calls and texts are in the order in which they were made.
+struct Progress {
+  std::uint64_t position = 0;                       // of the macro step in the journal, from 1
+  std::optional<JournalEntry> entry = {};           // none where it is not recorded, and of a step without an input
+  std::uint32_t first = 0;                          // micro steps of the macro step that were done before this part
+  std::uint32_t micro = 0;                          // and with it
+  std::vector<semantics::OutgoingCall> calls = {};  // of complete micro steps (R16); after a fault the safe calls, too
+  std::vector<std::string> printed = {};            // without the end of the line
+  Dict delta = {};                                  // while it is watched: what StateView tells
+  std::optional<semantics::Derivation> derivation = {};  // of the micro steps of this part
+  bool complete = false;                                 // the macro step is over
+  bool reached_goal = false;
+};
+
+class Execution {
+ public:
+  static constexpr std::uint32_t kNoLimit = ~0U;
+
+  /// An execution of `program` that has not begun. Error: as Run::create.
+  static Expected<Execution> create(std::shared_ptr<const semantics::Program> program, const Dict& arguments,
+                                    semantics::Budgets budgets = {});
+
+  // Inputs wait in order of arrival. Those that do not count (Run::counts) are dropped: false.
+  bool post_event(std::string_view service, std::string_view event, Value data);
+  bool post_event(semantics::EventId event, Value data);
+  bool post_response(std::uint64_t call, bool is_error, Value data);
+  /// R7: `service` is lost. Every unanswered call to it gets the error `unavailable`, in order of call.
+  void post_lost(std::string_view service);
+  /// Whether a macro step could begin: an input waits that counts.
+  bool has_input() const { return waiting_.any(run_); }
+  const WaitingInputs& waiting() const { return waiting_; }
+
+  // Macro steps. Each of these begins one and does at most `limit` of its micro steps (at least 1); fewer if a goal is
+  // reached or the macro step is over. Requires that the run is running and no macro step is open. What came of it is
+  // valid until the next of these.
+  /// The first one, which activates the root. It takes no input: those that wait have macro steps of their own.
+  const Progress& start(Recording recording, std::uint32_t limit = kNoLimit);
+  /// With the first waiting input; with none if none counts (a step of a script; it has no entry).
+  const Progress& step(Recording recording, std::uint32_t limit = kNoLimit);
+  /// With the input of an entry, as a replay does; the inputs that wait stay. Error `journal`: the run cannot take it.
+  Expected<const Progress*> redo(const JournalEntry& entry, Recording recording, std::uint32_t limit = kNoLimit);
+  /// The open macro step goes on.
+  const Progress& go_on(std::uint32_t limit = kNoLimit);
+  /// Ends the run between macro steps (core/SEMANTICS.md section 10): no exit function runs, what is safe is called.
+  const Progress& abort();
+  /// A macro step has begun and is not over.
+  bool is_open() const { return open_; }
+  /// Micro steps done of the open macro step; 0 if none is open.
+  std::uint32_t micro() const { return open_ ? progress_.micro : 0; }
+
+  // Goals. A step stops after the micro step that reaches one.
+  /// How far to go; none: no further than breakpoints say. It is given up when it, or a breakpoint, is reached.
+  void set_goal(std::optional<Goal> goal);
+  const std::optional<GoalWatch>& goal() const { return goal_; }
+  /// Replaces the goals that stay.
+  void set_breakpoints(const std::vector<Goal>& goals);
+
+  /// The whole state (schemas/state.json); from now on, progress has a delta, of what changed since.
+  Value watch();
+
+  const semantics::Run& run() const { return run_; }
+  semantics::Run::Why why(semantics::PortId port) { return run_.why(port); }
+  bool is_over() const { return run_.status() != semantics::Status::running; }
+
+ private:
+  explicit Execution(semantics::Run run) : run_(std::move(run)) {}
+  const Progress& begin(std::optional<semantics::Input>&& input, Recording recording, std::uint32_t limit);
+  template <semantics::Recorder R>
+  void do_micro_steps(R& recorder, std::uint32_t limit);
+  bool reaches_goal();
+  const Progress& finish();
+
+  semantics::Run run_;
+  WaitingInputs waiting_;
+  std::optional<StateView> view_;
+  std::optional<GoalWatch> goal_;
+  std::vector<GoalWatch> breakpoints_;
+
+  bool open_ = false;
+  Recording recording_;  // of the open macro step
+  Progress progress_;    // the last part
+};
+
+}  // namespace race::execution

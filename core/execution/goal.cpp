@@ -1,0 +1,60 @@
+#include "core/execution/goal.h"
+
+namespace race::execution {
+
+using semantics::Program;
+using semantics::Run;
+
+Expected<Goal> find_goal(const Program& program, const GoalName& name) {
+  Goal goal{.kind = name.kind};
+  const bool by_id = !name.id.empty();
+  const std::string& text = by_id ? name.id : name.path;
+  if (name.kind == Goal::Kind::entered || name.kind == Goal::Kind::left) {
+    const auto state = program.find_state(text);
+    if (!state)
+      return unexpected(ErrorCode::not_found, "there is no state of this " + std::string(by_id ? "id" : "path"), text);
+    goal.state = *state;
+  }
+  if (name.kind == Goal::Kind::fired) {
+    const auto port = program.find_port(text);
+    if (!port)
+      return unexpected(ErrorCode::not_found, "there is no port of this " + std::string(by_id ? "id" : "path"), text);
+    goal.port = *port;
+  }
+  return goal;
+}
+
+void GoalWatch::set(const Run& run) {
+  if (goal_.state != semantics::kNoState) {
+    activations_ = run.state().live[index(goal_.state)].activations;
+    active_ = run.is_active(goal_.state);
+  }
+  if (goal_.port != semantics::kNoPort) active_ = run.state().flags[run.program().flag(goal_.port)] != 0;
+}
+
+bool GoalWatch::reached(const Run& run) {
+  bool reached = false;
+  switch (goal_.kind) {
+    case Goal::Kind::micro:
+      return true;
+    case Goal::Kind::macro:
+      return false;  // no micro step reaches it: the end of the macro step does
+    case Goal::Kind::entered:
+      reached = run.state().live[index(goal_.state)].activations != activations_;
+      break;
+    case Goal::Kind::left: {
+      // Activations that could have ended since then, the one that was under way included.
+      const std::uint32_t begun = run.state().live[index(goal_.state)].activations - activations_ + (active_ ? 1U : 0U);
+      reached = begun >= 2 || (begun == 1 && !run.is_active(goal_.state));
+      break;
+    }
+    case Goal::Kind::fired: {
+      const bool before = std::exchange(active_, run.state().flags[run.program().flag(goal_.port)] != 0);
+      return active_ && !before;
+    }
+  }
+  if (reached) set(run);
+  return reached;
+}
+
+}  // namespace race::execution

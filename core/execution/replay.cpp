@@ -1,0 +1,62 @@
+#include "core/execution/replay.h"
+
+#include "core/execution/step_json.h"
+
+namespace race::execution {
+
+namespace {
+
+constexpr Recording kNothing{.entry = false};
+
+}  // namespace
+
+// The execution after the first `position` entries.
+Expected<Execution> Replay::after(const std::vector<JournalEntry>& entries, std::size_t position) {
+  const auto next = checkpoints_.upper_bound(position);
+  auto execution = next == checkpoints_.begin() ? Execution::create(header_.program, header_.arguments, header_.budgets)
+                                                : Expected<Execution>(std::prev(next)->second);
+  if (!execution) return execution;
+  for (std::size_t done = execution->run().position(); done < position; ++done) {
+    if (done % interval_ == 0 && done > 0) checkpoints_.try_emplace(done, *execution);
+    if (auto step = execution->redo(entries[done], kNothing); !step) return tl::unexpected(std::move(step).error());
+  }
+  thin_out();
+  return execution;
+}
+
+void Replay::thin_out() {
+  if (checkpoints_.size() <= kCheckpoints) return;
+  interval_ *= 2;
+  std::erase_if(checkpoints_, [this](const auto& each) { return each.first % interval_ != 0; });
+}
+
+Expected<List> Replay::steps(const std::vector<JournalEntry>& entries, std::size_t from, std::size_t to, int micro) {
+  ASSIGN_OR_RETURN(Execution execution, after(entries, from - 1));
+  List steps;
+  for (std::size_t step = from; step <= to; ++step) {
+    const bool partial = step == entries.size() && micro >= 0;
+    Dict json;
+    if (partial && micro == 0) {
+      json = trace_step(*header_.program, {.position = step, .entry = entries[step - 1]});
+    } else {
+      ASSIGN_OR_RETURN(const Progress* progress,
+                       execution.redo(entries[step - 1], {.derivation = true},
+                                      partial ? static_cast<std::uint32_t>(micro) : Execution::kNoLimit));
+      json = trace_step(*header_.program, *progress);
+    }
+    json.set("state", execution.run().state_json());
+    if (partial) json.set("complete", false);
+    steps.push_back(std::move(json));
+  }
+  return steps;
+}
+
+Expected<Execution> Replay::before(const std::vector<JournalEntry>& entries, std::size_t step, int micro) {
+  ASSIGN_OR_RETURN(Execution execution, after(entries, step - 1));
+  if (micro == 0) return execution;
+  if (auto done = execution.redo(entries[step - 1], kNothing, static_cast<std::uint32_t>(micro)); !done)
+    return tl::unexpected(std::move(done).error());
+  return execution;
+}
+
+}  // namespace race::execution

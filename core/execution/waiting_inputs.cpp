@@ -1,0 +1,57 @@
+#include "core/execution/waiting_inputs.h"
+
+#include <algorithm>
+#include <ranges>
+
+namespace race::execution {
+
+using semantics::EventId;
+using semantics::Input;
+using semantics::Run;
+
+namespace {
+
+bool is_occurrence(const Input& input, EventId event) {
+  return input.kind == Input::Kind::event && input.number == event;
+}
+
+}  // namespace
+
+// REFINEMENT R5: inputs wait in order of arrival; of a sampled event only the newest, at the end.
+void WaitingInputs::add(const semantics::Program& program, Input&& input) {
+  if (taken_ > 0 && taken_ * 2 >= inputs_.size()) {
+    inputs_.erase(inputs_.begin(), inputs_.begin() + static_cast<std::ptrdiff_t>(taken_));
+    taken_ = 0;
+  }
+  if (input.kind == Input::Kind::event && program.sampled[input.number]) {
+    const auto waiting = inputs_.begin() + static_cast<std::ptrdiff_t>(taken_);
+    const auto same = [&](const Input& other) { return is_occurrence(other, input.number); };
+    inputs_.erase(std::remove_if(waiting, inputs_.end(), same), inputs_.end());
+  }
+  inputs_.push_back(std::move(input));
+}
+
+// REFINEMENT R5, R6
+std::optional<Input> WaitingInputs::take(const Run& run) {
+  while (taken_ < inputs_.size()) {
+    Input& first = inputs_[taken_++];
+    if (run.counts(first)) return std::move(first);
+  }
+  return std::nullopt;
+}
+
+bool WaitingInputs::any(const Run& run) const {
+  return std::ranges::any_of(inputs_ | std::views::drop(taken_), [&](const Input& input) { return run.counts(input); });
+}
+
+bool WaitingInputs::contains(EventId event) const {
+  return std::ranges::any_of(inputs_ | std::views::drop(taken_),
+                             [&](const Input& input) { return is_occurrence(input, event); });
+}
+
+void WaitingInputs::clear() {
+  inputs_.clear();
+  taken_ = 0;
+}
+
+}  // namespace race::execution

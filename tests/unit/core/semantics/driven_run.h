@@ -1,0 +1,55 @@
+// A Run with the inputs that wait for it, driven by a test with any recorder.
+#pragma once
+
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/execution/waiting_inputs.h"
+#include "core/semantics/run.h"
+
+namespace race::semantics {
+
+class DrivenRun : public Run {
+ public:
+  explicit DrivenRun(Run run) : Run(std::move(run)) {}
+
+  bool post_event(std::string_view service, std::string_view event, Value data) {
+    const EventId id = program().services.find_event(service, event);
+    return id != kNone && post_event(id, std::move(data));
+  }
+  bool post_event(EventId event, Value data) { return post(Input::occurrence(event, std::move(data))); }
+  bool post_response(std::uint64_t call, bool is_error, Value data) {
+    auto input = response(call, is_error, std::move(data));
+    return input && post(std::move(*input));
+  }
+  void post_lost(std::string_view service) {
+    for (const std::uint64_t call : unanswered_calls(service)) post_response(call, true, Dict{{"code", "unavailable"}});
+  }
+  /// Something waits, or the root has not been activated.
+  bool has_input() const { return status() == Status::running && (!state().started || inputs_.any(*this)); }
+  std::optional<Input> take_input() { return inputs_.take(*this); }
+
+  std::vector<OutgoingCall> take_calls() {
+    std::vector<OutgoingCall> calls;
+    Run::take_calls(calls);
+    return calls;
+  }
+
+  /// With the first waiting input.
+  template <Recorder R>
+  void macro_step(R& recorder) {
+    Run::macro_step(take_input(), recorder);
+  }
+
+ private:
+  bool post(Input input) {
+    if (!counts(input)) return false;
+    inputs_.add(program(), std::move(input));
+    return true;
+  }
+
+  execution::WaitingInputs inputs_;
+};
+
+}  // namespace race::semantics
