@@ -3,7 +3,7 @@ import { createApi, RefusedError } from "../shared/api";
 import type { CellPose, Core, Packet, StepRequest, TraceStep } from "../generated/messages";
 import { foldedAtFirst } from "../shared/model/folding";
 import { buildTree } from "../shared/model/modelTree";
-import { isOver, type Command } from "../shared/run/controls";
+import { isOver, type Command, type UntilRequest } from "../shared/run/controls";
 import { applyEvent, cellUnavailable, emptySession, watchedCore, type Session, type SessionEvent } from "../shared/session/session";
 import { applyGesture, firstView, type Gesture, type View } from "../shared/session/view";
 import { openStream, type Stream } from "../shared/stream";
@@ -140,7 +140,7 @@ export async function newRun(document: string, start: boolean, args: Core["argum
 }
 
 /** Carries a command out on the watched core. */
-export async function run(command: Command, until?: Extract<StepRequest, { readonly kind: "until" }>): Promise<void> {
+export async function run(command: Command, until?: UntilRequest): Promise<void> {
   const core = watchedCore(session.get());
   if (core === undefined) return;
   try {
