@@ -1,9 +1,9 @@
 // The page's one connection to the server: stores, requests and the stream, wired together.
 import { createApi, RefusedError } from "../shared/api";
 import type { CellPose, Core, Packet, StepRequest, TraceStep } from "../generated/messages";
-import { foldedAtFirst } from "../shared/model/folding";
 import { buildTree } from "../shared/model/modelTree";
-import { isOver, type Command } from "../shared/run/controls";
+import { isOver, type Command, type UntilRequest } from "../shared/run/controls";
+import { firstShown } from "../shared/session/firstShown";
 import { applyEvent, cellUnavailable, emptySession, watchedCore, type Session, type SessionEvent } from "../shared/session/session";
 import { applyGesture, firstView, type Gesture, type View } from "../shared/session/view";
 import { openStream, type Stream } from "../shared/stream";
@@ -98,7 +98,8 @@ function watchSomething(): void {
 }
 
 export function watch(id: string | undefined): void {
-  const before = session.get().watched;
+  const last = { session: session.get(), view: view.get() };
+  const before = last.session.watched;
   if (before === id) return;
   if (before !== undefined) {
     stream?.unsubscribe(`core/${before}/state`);
@@ -111,7 +112,8 @@ export function watch(id: string | undefined): void {
   stream?.subscribe(`core/${id}/derivation`);
   void api.coreModel(id).then((model) => {
     if (session.get().watched !== id) return;
-    view.dispatch({ type: "collapse_all", paths: foldedAtFirst(buildTree(model.root)) });
+    const shown = firstShown(buildTree(model.root), session.get(), last.session, { ...last.view, detail: view.get().detail });
+    view.dispatch({ type: "show_again", shown });
     session.dispatch({ type: "model", id, model });
   }, problem);
 }
@@ -140,7 +142,7 @@ export async function newRun(document: string, start: boolean, args: Core["argum
 }
 
 /** Carries a command out on the watched core. */
-export async function run(command: Command, until?: Extract<StepRequest, { readonly kind: "until" }>): Promise<void> {
+export async function run(command: Command, until?: UntilRequest): Promise<void> {
   const core = watchedCore(session.get());
   if (core === undefined) return;
   try {

@@ -1,6 +1,6 @@
 // A selected state: its interface with live values, its functions in full, its ports, and stepping to it.
 import type { State } from "../../shared/model/model";
-import { allowed } from "../../shared/run/controls";
+import { allowed, until } from "../../shared/run/controls";
 import { valueText } from "../../shared/model/describe";
 import { run, useCore, useSession, view } from "../client";
 import { Code } from "./Code";
@@ -20,7 +20,7 @@ export function StateProperties({ path, state }: { readonly path: string; readon
         <span className={`pill ${active ? "is-running" : ""}`}>{active ? "Active" : "Inactive"}</span>
       </header>
       {state.doc !== undefined && <p className="doc">{state.doc}</p>}
-      <StepTo path={path} />
+      <StepTo path={path} state={state} />
       <ValueTable title="Parameters" names={state.parameters.map((p) => p.name)} values={live?.parameters[path]} notes={sources} />
       <ValueTable title="Results" names={state.results.map((r) => r.name)} values={live?.results[path]} />
       <ValueTable title="Variables" names={state.variables.map((v) => v.name)} values={live?.variables[path]} />
@@ -34,15 +34,15 @@ export function StateProperties({ path, state }: { readonly path: string; readon
   );
 }
 
-function StepTo({ path }: { readonly path: string }) {
+function StepTo({ path, state }: { readonly path: string; readonly state: State }) {
   const can = allowed(useCore()).has("until");
   if (!can) return null;
   return (
     <div className="step-to" role="group" aria-label="Run until">
-      <button type="button" onClick={() => void run("until", { kind: "until", path, when: "entered" })}>
+      <button type="button" onClick={() => void run("until", until(state, path, "entered"))}>
         Run until entered
       </button>
-      <button type="button" onClick={() => void run("until", { kind: "until", path, when: "left" })}>
+      <button type="button" onClick={() => void run("until", until(state, path, "left"))}>
         Run until left
       </button>
     </div>

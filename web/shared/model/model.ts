@@ -9,8 +9,14 @@ export interface RcmDocument {
   readonly root: State;
 }
 
+/** What has an id (`meta.id`, core/SEMANTICS.md section 1), which stays the same when it is renamed or moved. No other has it. */
+export interface Identified {
+  /** None in a document that was written without ids. */
+  readonly id?: string;
+}
+
 /** Def. 3.2: `value` is a constant, `from` an expression in the parent's scope; neither: required. */
-export interface Parameter {
+export interface Parameter extends Identified {
   readonly name: string;
   readonly value?: JsonValue;
   readonly from?: string;
@@ -19,26 +25,26 @@ export interface Parameter {
 }
 
 /** A result (Def. 3.3) or a variable. */
-export interface Declaration {
+export interface Declaration extends Identified {
   readonly name: string;
   readonly initial?: JsonValue;
 }
 
 /** Def. 3.7. */
-export interface Action {
+export interface Action extends Identified {
   readonly when: string;
   readonly do: string;
 }
 
 /** Def. 3.8; `to` names a sibling of the source. */
-export interface Port {
+export interface Port extends Identified {
   readonly name: string;
   readonly when: string;
   readonly to?: string;
 }
 
 /** Def. 3.1. */
-export interface State {
+export interface State extends Identified {
   readonly kind: "state";
   readonly name: string;
   readonly doc?: string;
@@ -60,7 +66,7 @@ export interface State {
 }
 
 /** Def. 3.9. */
-export interface Barrier {
+export interface Barrier extends Identified {
   readonly kind: "barrier";
   readonly name: string;
   readonly to: readonly string[];

@@ -1,7 +1,7 @@
 // A document as the pages use it: lists that may be absent in its JSON are empty here, and each node has its kind.
-import type { Document, RcmBarrier, RcmDeclaration, RcmParameter, RcmPort, RcmState } from "../../generated/messages";
+import type { Document, RcmAction, RcmBarrier, RcmDeclaration, RcmParameter, RcmPort, RcmState } from "../../generated/messages";
 import { SchemaError } from "../messages/check";
-import type { Barrier, Declaration, Node, Parameter, Port, RcmDocument, State } from "./model";
+import type { Action, Barrier, Declaration, Node, Parameter, Port, RcmDocument, State } from "./model";
 
 type Optional<T> = { readonly [K in keyof T]: T[K] | undefined };
 
@@ -10,14 +10,15 @@ function present<T extends object>(fields: Optional<T>): T {
   return Object.fromEntries(Object.entries(fields).filter(([, value]) => value !== undefined)) as T;
 }
 
-const readParameter = ({ name, value, from, unit, doc }: RcmParameter): Parameter => present<Parameter>({ name, value, from, unit, doc });
-const readDeclaration = ({ name, initial }: RcmDeclaration): Declaration => present<Declaration>({ name, initial });
-const readBarrier = ({ barrier, to }: RcmBarrier): Barrier => ({ kind: "barrier", name: barrier, to });
+const readParameter = ({ name, value, from, unit, doc, meta }: RcmParameter): Parameter => present<Parameter>({ id: meta?.id, name, value, from, unit, doc });
+const readDeclaration = ({ name, initial, meta }: RcmDeclaration): Declaration => present<Declaration>({ id: meta?.id, name, initial });
+const readAction = ({ when, do: code, meta }: RcmAction): Action => present<Action>({ id: meta?.id, when, do: code });
+const readBarrier = ({ barrier, to, meta }: RcmBarrier): Barrier => present<Barrier>({ kind: "barrier", id: meta?.id, name: barrier, to });
 
 /** Only a port of a link may do without its condition, and a native model has no links. */
-function readPort({ name, when, to }: RcmPort): Port {
+function readPort({ name, when, to, meta }: RcmPort): Port {
   if (when === undefined) throw new SchemaError(`/${name}/when`, "the condition of a port", when);
-  return present<Port>({ name, when, to });
+  return present<Port>({ id: meta?.id, name, when, to });
 }
 
 const readNode = (node: RcmState | RcmBarrier): Node => ("barrier" in node ? readBarrier(node) : readState(node));
@@ -25,6 +26,7 @@ const readNode = (node: RcmState | RcmBarrier): Node => ("barrier" in node ? rea
 function readState(state: RcmState): State {
   return present<State>({
     kind: "state",
+    id: state.meta?.id,
     name: state.state,
     doc: state.doc,
     parameters: (state.parameters ?? []).map(readParameter),
@@ -32,7 +34,7 @@ function readState(state: RcmState): State {
     variables: (state.variables ?? []).map(readDeclaration),
     entry: state.entry,
     exit: state.exit,
-    actions: (state.actions ?? []).map((action) => ({ when: action.when, do: action.do })),
+    actions: (state.actions ?? []).map(readAction),
     children: (state.children ?? []).map(readNode),
     first: state.first,
     ports: (state.ports ?? []).map(readPort),

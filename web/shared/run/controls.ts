@@ -1,5 +1,6 @@
-// Which commands a core takes now.
-import type { Core } from "../../generated/messages";
+// Which commands a core takes now, and how far a step goes.
+import type { Core, StepRequest } from "../../generated/messages";
+import type { State } from "../model/model";
 
 export type Command = "start" | "pause" | "resume" | "again" | "micro" | "macro" | "until" | "stop";
 
@@ -21,6 +22,13 @@ export function allowed(core: Core | undefined): ReadonlySet<Command> {
 export function primary(core: Core | undefined): Command | undefined {
   const commands = allowed(core);
   return (["start", "resume", "again"] as const).find((command) => commands.has(command));
+}
+
+export type UntilRequest = Extract<StepRequest, { readonly kind: "until" }>;
+
+/** Goes on until the state at `path` is entered or left. It is named by its id, if it has one: an edit may move it meanwhile. */
+export function until({ id }: State, path: string, when: UntilRequest["when"]): UntilRequest {
+  return id === undefined ? { kind: "until", path, when } : { kind: "until", id, when };
 }
 
 /** The status of a core in one line. */

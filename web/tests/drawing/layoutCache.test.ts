@@ -43,6 +43,20 @@ describe("layoutCache", () => {
     }
     expect(new Set(drawing.lines.map(({ id }) => id)).size).toBe(drawing.lines.length);
   });
+  it("does not look at ids: copies look the same, though each element of each has its own", async () => {
+    const copy = (name: string): State => {
+      const ports = step("A", "Both").ports.map((port) => ({ ...port, id: `${name}p` }));
+      const barrier = { kind: "barrier", name: "Both", to: ["B"], id: `${name}b` } as const;
+      const children = [{ ...step("A"), ports, id: `${name}a` }, barrier, step("B")];
+      return { ...empty, name, first: "Pair", children: [{ ...pair("Pair"), children, id: `${name}s` }], id: name };
+    };
+    const memory = layoutCache();
+    const { counts, engine } = counting();
+    await layoutModel(engine, request(copy("One")), memory);
+    counts.layouts = 0;
+    await layoutModel(engine, request(named("One", copy("Two"))), memory);
+    expect(counts.layouts).toBe(0);
+  });
   it("reuses a known drawing, and lays out only the new parts of another one", async () => {
     const { counts, engine } = counting();
     const memory = layoutCache();

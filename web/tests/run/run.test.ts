@@ -1,11 +1,12 @@
 import { describe, expect, it } from "vitest";
 import type { Core, CoreDelta, RunState, Values } from "../../generated/messages";
-import { buildTree } from "../../shared/model/modelTree";
+import { buildTree, stateAt } from "../../shared/model/modelTree";
 import { applyDelta, runningNow } from "../../shared/run/applyDelta";
-import { allowed, primary, statusText } from "../../shared/run/controls";
+import { allowed, primary, statusText, until } from "../../shared/run/controls";
 import { callText, inputText } from "../../shared/run/inputText";
 import { atomAdvice, codePieces, constantText, readsText, whyHeadline, whySentences } from "../../shared/run/whyText";
 import { caseNames, modelOf, runOf } from "../conformance";
+import { checkExample } from "../schemas";
 
 const core: Core = { id: "1", document: "pick", status: "running", paused: false, stepping: false, step: 1, micro: 0, waiting: 0, arguments: {} };
 const empty: RunState = { active: [], ports: [], activated: {}, parameters: {}, results: {}, variables: {} };
@@ -84,6 +85,17 @@ describe("controls", () => {
     expect(primary({ ...core, paused: true })).toBe("resume");
     expect(primary({ ...core, status: "ended" })).toBe("again");
     expect(primary(core)).toBeUndefined();
+  });
+  it("name the state that a step goes to by its id, which survives an edit, else by its path", () => {
+    const grasp = stateAt(buildTree(modelOf("thesis-pick").root), "Pick/Grasp");
+    if (grasp === undefined) throw new Error("the fixture has no Grasp");
+    const both = [until(grasp, "Pick/Grasp", "entered"), until({ ...grasp, id: "g" }, "Pick/Grasp", "left")];
+    expect(both).toEqual([{ kind: "until", path: "Pick/Grasp", when: "entered" }, { kind: "until", id: "g", when: "left" }]);
+    for (const request of both) expect(checkExample("step_request", request)).toBe(request);
+  });
+  it("refuse a step to a state that is named twice, or not at all", () => {
+    for (const names of [{}, { path: "Root", id: "r" }, { id: "Root/A" }])
+      expect(() => checkExample("step_request", { kind: "until", when: "left", ...names }), JSON.stringify(names)).toThrow();
   });
   it("give the status of a core", () => {
     expect(statusText({ ...core, status: "ended", outcome: "success" })).toBe("Ended: success");

@@ -1,0 +1,45 @@
+// What is collapsed in a task stays so in its next run, also when the document was edited in between.
+import { openFixture, type Fixture } from "./fixture";
+
+let fixture: Fixture;
+
+beforeAll(async () => {
+  fixture = await openFixture();
+});
+afterAll(() => fixture.close());
+
+async function send(method: string, path: string, body?: unknown): Promise<{ readonly id: string }> {
+  const answer = await fetch(`${fixture.url}/api/v1${path}`, { method, body: body === undefined ? null : JSON.stringify(body), headers: { "content-type": "application/json" } });
+  if (!answer.ok) throw new Error(`${path}: ${answer.status} ${await answer.text()}`);
+  return (await answer.json()) as { readonly id: string };
+}
+
+const composite = (name: string, id: string) => ({ state: name, first: "Go", children: [{ state: "Go", meta: { id: `${id}-go` } }], meta: { id } });
+
+/** Stores a task that ends at once, with composites of these names and ids. */
+const store = (...children: readonly object[]) =>
+  send("PUT", "/documents/folding", { rcm: 1, name: "folding", root: { state: "Root", first: "Rest", children, ports: [{ name: "done", when: "True" }], meta: { id: "root" } } });
+
+const tree = () => fixture.page.getByRole("tree", { name: "State tree" });
+const kSoon = { timeout: 20_000 };
+
+/** Path -> whether it is expanded, of the composites in the tree. */
+async function expanded(): Promise<Record<string, string | null>> {
+  const items = await tree().getByRole("treeitem").all();
+  const pairs = await Promise.all(items.map(async (item) => [(await item.getAttribute("aria-label")) ?? "", await item.getAttribute("aria-expanded")] as const));
+  return Object.fromEntries(pairs.filter(([, open]) => open !== null));
+}
+
+describe("folding", () => {
+  it("follows a state that was renamed between two runs, and not its name", async () => {
+    await store(composite("Pick", "a"), composite("Place", "b"), composite("Rest", "c"));
+    const { id } = await send("POST", "/cores", { document: "folding", arguments: {} });
+    await send("POST", `/cores/${id}/start`);
+    await fixture.page.goto(`${fixture.url}/pro/`);
+    await tree().getByRole("button", { name: "Collapse Pick" }).click();
+    await expect.poll(expanded, kSoon).toEqual({ Root: "true", "Root/Pick": "false", "Root/Place": "true", "Root/Rest": "true" });
+    await store(composite("Fetch", "a"), composite("Pick", "b"), composite("Rest", "c"));
+    await fixture.page.getByRole("button", { name: "Run again" }).click();
+    await expect.poll(expanded, kSoon).toEqual({ Root: "true", "Root/Fetch": "false", "Root/Pick": "true", "Root/Rest": "true" });
+  });
+});
