@@ -1,9 +1,16 @@
 #include "core/execution/goal.h"
 
+#include <array>
+
 namespace race::execution {
 
 using semantics::Program;
 using semantics::Run;
+
+std::string_view name(Goal::Kind kind) {
+  static constexpr std::array kNames = {"micro", "macro", "entered", "left", "fired"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
 
 Expected<Goal> find_goal(const Program& program, const GoalName& name) {
   Goal goal{.kind = name.kind};

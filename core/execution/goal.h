@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/semantics/run.h"
 
@@ -28,6 +29,9 @@ struct GoalName {
   std::string id, path;
   bool operator==(const GoalName&) const = default;
 };
+
+/// "micro", "entered" and so on.
+std::string_view name(Goal::Kind kind);
 
 /// Error `not_found`: the program has no such state or port.
 Expected<Goal> find_goal(const semantics::Program& program, const GoalName& name);

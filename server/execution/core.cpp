@@ -15,6 +15,16 @@ namespace {
 
 Value integer(std::uint64_t n) { return static_cast<std::int64_t>(n); }
 
+List breakpoints_json(const std::vector<execution::GoalName>& breakpoints) {
+  List list;
+  for (const execution::GoalName& each : breakpoints) {
+    Dict json{{"when", execution::name(each.kind)}};
+    json.set(each.id.empty() ? "path" : "id", each.id.empty() ? each.path : each.id);
+    list.emplace_back(std::move(json));
+  }
+  return list;
+}
+
 tl::unexpected<Error> conflict(std::string why) { return unexpected(ErrorCode::conflict, std::move(why)); }
 
 }  // namespace
@@ -332,6 +342,7 @@ Value Core::info_json() const {
   info.set("micro", integer(execution_.micro()));
   info.set("waiting", integer(execution_.waiting().size()));
   info.set("arguments", header_.arguments);
+  info.set("breakpoints", breakpoints_json(breakpoints_));
   if (over) info.set("results", execution::root_results(run()));
   Value frozen = std::move(info);
   return std::move(frozen.freeze());

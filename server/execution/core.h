@@ -62,8 +62,9 @@ class Core : public std::enable_shared_from_this<Core> {
   /// A held core goes as far as `goal`. One that waits for an input to get there counts as held, and may be told
   /// another goal. Error: as execution::find_goal.
   Expected<Value> step(execution::GoalName goal);
-  /// The core is held wherever it reaches one of `goals`; they replace those of before. Error: as execution::find_goal,
-  /// and `conflict`: it is over.
+  /// The core is held wherever it reaches one of `goals`, at most kMostBreakpoints; they replace those of before.
+  /// Error: as execution::find_goal.
+  static constexpr std::size_t kMostBreakpoints = 1000;
   Expected<Value> set_breakpoints(std::vector<execution::GoalName> goals);
 
   // Questions: wait.

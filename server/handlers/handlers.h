@@ -35,6 +35,7 @@ Handled pause_core(const Request& request, Cores& cores);
 Handled resume_core(const Request& request, Cores& cores);
 Handled stop_core(const Request& request, Cores& cores);
 Handled step_core(const Request& request, Cores& cores);
+Handled set_breakpoints(const Request& request, Cores& cores);
 Handled get_core_native(const Request& request, Cores& cores);
 Handled get_core_state(const Request& request, Cores& cores);
 Handled get_derivations(const Request& request, Cores& cores);

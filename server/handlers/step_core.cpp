@@ -1,20 +1,12 @@
-// POST /api/v1/cores/{id}/step: one micro step, one macro step, or until a state is entered or left.
-#include "core/value/fields.h"
+// POST /api/v1/cores/{id}/step: one micro step, one macro step, or until a state is entered or left or a port fires.
 #include "core/value/json.h"
 #include "server/execution/cores.h"
+#include "server/handlers/goals.h"
 #include "server/handlers/handlers.h"
 
 namespace race::server {
 
 namespace {
-
-// A state by its id, or by its path.
-void read_state(Fields& fields, execution::GoalName& goal) {
-  goal.id = fields.text("id").value_or("");
-  goal.path = fields.text("path").value_or("");
-  if (goal.id.empty() == goal.path.empty())
-    fields.violation(ErrorCode::missing, "either `id` or `path` must name a state", "path");
-}
 
 Checked<execution::GoalName> read_goal(const std::string& text) {
   auto body = parse_json(text);
@@ -24,11 +16,7 @@ Checked<execution::GoalName> read_goal(const std::string& text) {
   const std::string kind = fields.text("kind", Fields::Need::required).value_or("");
   execution::GoalName goal;
   if (kind == "until") {
-    read_state(fields, goal);
-    const std::string when = fields.text("when", Fields::Need::required).value_or("");
-    goal.kind = when == "left" ? execution::Goal::Kind::left : execution::Goal::Kind::entered;
-    if (when != "left" && when != "entered")
-      fields.violation(ErrorCode::type, "`when` must be `entered` or `left`", "when");
+    goal = read_goal_name(fields);
   } else {
     goal.kind = kind == "micro" ? execution::Goal::Kind::micro : execution::Goal::Kind::macro;
     if (kind != "micro" && kind != "macro")

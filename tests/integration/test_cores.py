@@ -144,6 +144,42 @@ class Cores(unittest.TestCase):
         self.assertGreater(after["step"], before + 1)
         self.server.post(f"/cores/{core}/step", {"kind": "until", "path": "Root/Nowhere", "when": "left"}, status=404)
 
+    def test_a_breakpoint_holds_a_core_each_time_it_is_reached(self):
+        core = self.paused_core(models.ticking("broken", last=100))
+        held = lambda: self.server.wait(core, lambda c: c["paused"])
+        breakpoints = [{"when": "entered", "path": "Root/Pong"}, {"when": "fired", "path": "Root/Pong.next"}]
+        reported = self.server.put(f"/cores/{core}/breakpoints", {"breakpoints": breakpoints}, "core")
+        self.assertEqual(reported["breakpoints"], breakpoints)
+        seen = []
+        for _ in range(4):
+            self.server.post(f"/cores/{core}/resume", None, "core")
+            self.assertGreater(held()["micro"], 0)
+            seen.append(self.active(core))
+        self.assertEqual(seen, 2 * [["Root", "Root/Pong"], ["Root"]])
+        after = self.step(core, kind="until", path="Root/Ping", when="entered")
+        self.assertEqual((after["paused"], self.active(core)), (True, ["Root", "Root/Ping"]))
+        self.step(core, kind="until", path="Root/Ping", when="entered")
+        self.assertEqual(self.active(core), ["Root", "Root/Pong"], "a breakpoint ends the step to elsewhere")
+        self.server.put(f"/cores/{core}/breakpoints", {"breakpoints": []}, "core")
+        self.server.post(f"/cores/{core}/resume", None, "core")
+        self.assertEqual(self.server.wait(core, lambda c: c["step"] > after["step"] + 20)["paused"], False)
+
+    def test_the_live_derivations_are_those_of_the_replay(self):
+        core = self.server.core(models.ticking("live", last=7), start=False)
+        with self.server.stream() as stream:
+            stream.subscribe(f"core/{core}/derivation")
+            stream.message()
+            self.server.post(f"/cores/{core}/start", None, "core")
+            steps = self.server.ended(core)["step"]
+            live = {}
+            while len(live) < steps or not live[steps][-1]["complete"]:
+                for part in stream.message()["data"]["steps"]:
+                    live.setdefault(part["step"], []).append(part)
+        replayed = self.server.get(f"/cores/{core}/derivations?from=1&to={steps}", "derivations")["steps"]
+        joined = [{"input": live[n][0]["input"], "micro": [tree for part in live[n] for tree in part["micro"]],
+                   "calls": [call for part in live[n] for call in part["calls"]]} for n in range(1, steps + 1)]
+        self.assertEqual(joined, [{key: step[key] for key in ("input", "micro", "calls")} for step in replayed])
+
     def test_a_step_that_needs_an_input_is_paused_until_one_comes(self):
         core = self.paused_core(models.chain("waiting"))
         with self.server.stream() as stream:

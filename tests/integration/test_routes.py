@@ -103,13 +103,26 @@ class Routes(unittest.TestCase):
         self.server.get("/cores/x", status=404)
         core = self.server.core(models.ticking("held"), start=False)
         self.server.post(f"/cores/{core}/step", {"kind": "micro"}, status=409)
-        for body, paths in (({"kind": "back"}, ["kind"]), ({"kind": "until", "path": "Root/Pong"}, ["when", "when"]),
-                            ({"kind": "until", "path": "", "when": "soon"}, ["when", "path"]),
+        for body, paths in (({"kind": "back"}, ["kind"]), ({"kind": "until", "path": "Root/Pong"}, ["when"]),
+                            ({"kind": "until", "path": "", "when": "soon"}, ["path", "when"]),
+                            ({"kind": "until", "when": "left"}, ["path"]),
+                            ({"kind": "until", "path": "Root/Pong", "id": "a", "when": "left"}, ["path"]),
                             ({"kind": "micro", "path": "Root/Pong"}, ["path"])):
             with self.subTest(body=body):
                 errors = self.server.post(f"/cores/{core}/step", body, status=422)["errors"]
                 self.assertEqual([error["path"] for error in errors], paths)
         self.server.post(f"/cores/{core}/step", "{", status=400)
+        one = {"when": "entered", "path": "Root/Pong"}
+        for body, paths in (({}, ["breakpoints"]), ({"breakpoints": 1}, ["breakpoints"]), ({"breakpoints": [], "more": 1}, ["more"]),
+                            ({"breakpoints": [one, {"when": "now"}, 1]},
+                             ["breakpoints/1/path", "breakpoints/1/when", "breakpoints/2"]),
+                            ({"breakpoints": [one | {"id": "k3v9q2xm"}]}, ["breakpoints/0/path"])):
+            with self.subTest(body=str(body)[:100]):
+                errors = self.server.put(f"/cores/{core}/breakpoints", body, status=422)["errors"]
+                self.assertEqual([error["path"] for error in errors], paths)
+        self.server.put(f"/cores/{core}/breakpoints", {"breakpoints": 1001 * [one]}, status=413)
+        self.assertEqual(len(self.server.put(f"/cores/{core}/breakpoints", {"breakpoints": 1000 * [one]}, "core")["breakpoints"]), 1000)
+        self.server.put(f"/cores/{core}/breakpoints", {"breakpoints": [{"when": "fired", "path": "Root/Pong"}]}, status=404)
 
     def test_unlisted_routes_are_not_found(self):
         self.server.get("/nothing", status=404)

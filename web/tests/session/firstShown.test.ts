@@ -36,7 +36,7 @@ describe("followModel", () => {
 });
 
 describe("firstShown", () => {
-  const core = (id: string, document: string): Core => ({ id, document, status: "ended", paused: false, stepping: false, step: 1, micro: 0, waiting: 0, arguments: {} });
+  const core = (id: string, document: string): Core => ({ id, document, status: "ended", paused: false, stepping: false, step: 1, micro: 0, waiting: 0, arguments: {}, breakpoints: [] });
   const known = applyEvent(emptySession, { type: "update", update: { type: "cores", cores: [core("1", "pick"), core("2", "pick"), core("3", "place")] } });
   const watching = (id: string): Session => applyEvent(known, { type: "watched", id });
   const model = { name: "", services: {}, library: [], root: state("Root", "r", pick("Pick", "p")) };
