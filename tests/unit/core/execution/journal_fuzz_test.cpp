@@ -16,12 +16,27 @@ class Mutator {
 
   Value journal(const std::vector<Value>& journals) {
     Value out = journals[below(journals.size())];
-    for (std::size_t i = 1 + below(2); i > 0; --i) mutate(out);
+    if (below(4) == 0) {  // in what entries carry, where most changes are harmless
+      replace_data(out);
+    } else {
+      for (std::size_t i = 1 + below(2); i > 0; --i) mutate(out);
+    }
     return out;
   }
 
  private:
   std::size_t below(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random_); }
+
+  // The data of an entry that has some.
+  void replace_data(Value& journal) {
+    Value entries = *journal.find("entries");
+    Value& entry = entries.mutable_list()[below(entries.as_list().size())];
+    Value input = *entry.find("input");
+    for (const char* key : {"data", "result", "error"})
+      if (input.find(key)) input.mutable_dict().set(key, junk());
+    entry.mutable_dict().set("input", std::move(input));
+    journal.mutable_dict().set("entries", std::move(entries));
+  }
 
   // Changes one place at some depth of `value`.
   void mutate(Value& value) {
@@ -95,7 +110,8 @@ TEST(JournalFuzz, AMutatedJournalIsRefusedOrReadAsItStands) {
       EXPECT_FALSE(read.error().empty());
     }
   }
-  EXPECT_GT(taken, kMutations / 50) << "too few mutations are harmless to say something about what is read";
+  std::cout << taken << " of " << kMutations << " read" << std::endl;
+  EXPECT_GT(taken, kMutations / 10) << "too few mutations are harmless to say something about what is read";
   EXPECT_LT(taken, kMutations / 2) << "too few mutations do harm";
 }
 
