@@ -1,6 +1,5 @@
 #include "core/execution/derive.h"
 
-#include "core/execution/script.h"
 #include "core/rcm/document.h"
 #include "core/rcm/translate.h"
 #include "core/value/json.h"
@@ -18,7 +17,7 @@ Checked<Script> read_script_text(std::string_view text) {
 
 }  // namespace
 
-Checked<Value> derive_texts(std::string_view model, std::string_view script) {
+Checked<Value> derive_texts(std::string_view model, std::string_view script, OrderChoice order) {
   std::vector<Error> errors;
   auto document = rcm::read_document_text(model);
   if (!document) add(errors, document.error());
@@ -27,7 +26,7 @@ Checked<Value> derive_texts(std::string_view model, std::string_view script) {
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   auto native = rcm::translate(*document);
   if (!native) return tl::unexpected(std::move(native).error());
-  return derive(*native, *steps);
+  return derive(*native, *steps, order);
 }
 
 Value errors_json(const std::vector<Error>& errors) {

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/execution/script.h"
 #include "core/value/expected.h"
 #include "core/value/value.h"
 
@@ -11,7 +12,7 @@ namespace race::execution {
 
 /// The derivation document of a model and a script (core/SEMANTICS.md section 7). Errors: every violation of the model
 /// and of the script's services; nothing is derived then.
-Checked<Value> derive_texts(std::string_view model, std::string_view script);
+Checked<Value> derive_texts(std::string_view model, std::string_view script, OrderChoice order = {});
 
 /// {"errors": [{"path", "code", "message"}]}, the shape of every refusal.
 Value errors_json(const std::vector<Error>& errors);

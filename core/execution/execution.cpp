@@ -101,22 +101,25 @@ const Progress& Execution::go_on(std::uint32_t limit) {
   assert(open_ && limit > 0);
   progress_.first = progress_.micro;
   progress_.complete = progress_.reached_goal = false;
+  progress_.derivation.reset();
   if (recording_.derivation) {
     semantics::TreeRecorder trees;
-    do_micro_steps(trees, limit);
+    do_micro_steps(limit, [&] { return run_.micro(trees, order_); });
     progress_.derivation = std::move(trees.derivation);
-  } else {
-    progress_.derivation.reset();
+  } else if (order_.is_declared()) {
     semantics::NoRecorder none;
-    do_micro_steps(none, limit);
+    do_micro_steps(limit, [&] { return run_.micro(none); });
+  } else {  // a recorder that visits all, as another order requires
+    semantics::NameRecorder names;
+    do_micro_steps(limit, [&] { return run_.micro(names, order_); });
   }
   return finish();
 }
 
-template <semantics::Recorder R>
-void Execution::do_micro_steps(R& recorder, std::uint32_t limit) {
+template <typename MicroStep>
+void Execution::do_micro_steps(std::uint32_t limit, MicroStep micro_step) {
   while (limit-- > 0) {
-    const bool more = run_.micro(recorder);
+    const bool more = micro_step();
     if (view_) view_->look(run_);
     if (more) ++progress_.micro;
     open_ = more && !is_over();

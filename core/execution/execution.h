@@ -82,6 +82,11 @@ class Execution {
   /// Replaces the goals that stay.
   void set_breakpoints(const std::vector<Goal>& goals);
 
+  /// In which order the micro steps from now on come to ports, actions and children; until then the declared one. For
+  /// exploration and what-if: a run in another order is not a function of its journal. Requires that it fits the
+  /// program.
+  void set_order(semantics::Order order) { order_ = std::move(order); }
+
   /// The whole state (schemas/state.json); from now on, progress has a delta, of what changed since.
   Value watch();
 
@@ -92,14 +97,15 @@ class Execution {
  private:
   explicit Execution(semantics::Run run) : run_(std::move(run)) {}
   const Progress& begin(std::optional<semantics::Input>&& input, Recording recording, std::uint32_t limit);
-  template <semantics::Recorder R>
-  void do_micro_steps(R& recorder, std::uint32_t limit);
+  template <typename MicroStep>
+  void do_micro_steps(std::uint32_t limit, MicroStep micro_step);
   bool reaches_goal();
   const Progress& finish();
 
   semantics::Run run_;
   WaitingInputs waiting_;
   std::optional<StateView> view_;
+  semantics::Order order_ = semantics::Order::declared();
   std::optional<GoalWatch> goal_;
   std::vector<GoalWatch> breakpoints_;
 

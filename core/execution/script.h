@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -46,7 +47,15 @@ struct Script {
 /// such as `steps/3`.
 Checked<Script> read_script(const Value& json);
 
+/// An order of ports, actions and children of a program that is not known yet: declared, reversed, or from a seed.
+struct OrderChoice {
+  enum class Kind : std::uint8_t { declared, reversed, random } kind = Kind::declared;
+  std::uint64_t seed = 0;
+};
+/// "declared", "reversed" or a seed, a number of 64 bits. Error `type`.
+Expected<OrderChoice> read_order(std::string_view text);
+
 /// The document that `race derive` prints. Errors: an argument that the root does not have; violations of the program.
-Checked<Value> derive(const rcm::NativeModel& model, const Script& script);
+Checked<Value> derive(const rcm::NativeModel& model, const Script& script, OrderChoice order = {});
 
 }  // namespace race::execution

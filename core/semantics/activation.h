@@ -20,7 +20,7 @@ template <Recorder R>
 void SDeact1(Step<R>& step, StateId s) {
   auto rule = step.apply(Rule::SDeact1, s);
   Active(step, s);
-  for (const PortId p : step.program[s].ports)
+  for (const PortId p : ports(step, s))
     if (step.is_active(p)) Deact(step, p);
 }
 
@@ -120,7 +120,7 @@ void BAct2(Step<R>& step, BarrierId b, PortId p) {
   auto rule = step.apply(Rule::BAct2, b, p);
   if (Active(step, b)) return rule.refinement(11);
   BIn(step, b, p);
-  for (const PortId p_i : shown(step, step.program[b].in)) Activated(step, b, p_i);
+  for (const PortId p_i : shown_inbound_ports(step, b)) Activated(step, b, p_i);
   Act(step, b);
 }
 
@@ -135,7 +135,7 @@ void BAct3(Step<R>& step, BarrierId b, PortId p) {
   auto rule = step.apply(Rule::BAct3, b, p);
   Active(step, b);
   BIn(step, b, p);
-  for (const PortId p_i : shown(step, step.program[b].in))
+  for (const PortId p_i : shown_inbound_ports(step, b))
     if (!Activated(step, b, p_i)) break;
 }
 

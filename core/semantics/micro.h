@@ -14,7 +14,7 @@ namespace race::semantics {
 template <Recorder R>
 [[gnu::always_inline]] inline PortId first_fulfilled_port(Step<R>& step, StateId s) {
   const bool sees_occurrence = step.ports_see_occurrence(s);
-  for (const PortId p : step.program[s].ports) {
+  for (const PortId p : ports(step, s)) {
     const PortInfo& port = step.program[p];
     if (step.untraced_truth(port.when, s, sees_occurrence) != language::Truth::yes) continue;
     if (!port.svc || !step.is_triggered(p)) return p;
@@ -69,7 +69,7 @@ bool PTrans1(Step<R>& step, StateId s) {
   auto rule = step.apply(Rule::PTrans1, s);
   Active(step, s);
   evaluate_actions(step, s);
-  const std::vector<PortId>& active_ports = step.take_active_ports(s);
+  const std::vector<PortId>& active_ports = take_active_ports(step, s);
   const auto mark = step.recorder.mark();
   ++step.run.transitions;
   for (const PortId p : active_ports) resolve_once(step, step.program[p].to);
@@ -100,7 +100,7 @@ bool PTrans2(Step<R>& step, StateId s) {
   auto rule = step.apply(Rule::PTrans2, s);
   Active(step, s);
   evaluate_actions(step, s);
-  for (const BarrierId b : step.take_active_barriers(s)) {
+  for (const BarrierId b : take_active_barriers(step, s)) {
     const std::vector<StateId>& out = step.program[b].to;
     const auto mark = step.recorder.mark();
     ++step.run.transitions;
@@ -132,7 +132,7 @@ template <Recorder R>
   auto rule = step.apply(Rule::SProp, s);
   Active(step, s);
   evaluate_actions(step, s);
-  for (const StateId c : active_states(step, s)) micro_transition(step, c);
+  for_each_active_state(step, s, [&](StateId c) { micro_transition(step, c); });
   return true;
 }
 

@@ -156,4 +156,8 @@ concept Recorder = requires {
   { R::kTraces } -> std::convertible_to<bool>;
 };
 
+/// Those with which a step can take another order than the declared one: the work set is in declared order.
+template <typename R>
+concept VisitsAll = Recorder<R> && R::kVisitsAll;
+
 }  // namespace race::semantics

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 #include "core/semantics/micro.h"
 #include "core/semantics/run_internal.h"
@@ -64,15 +65,17 @@ Expected<Run> Run::create(std::shared_ptr<const Program> program, const Dict& ar
 
 // REFINEMENT R4, R14: a micro step that ends in a fault is discarded; one that changes nothing is none.
 template <Recorder R>
-bool Run::micro(R& recorder) {
+bool Run::micro_step(R& recorder, const Order& order) {
   Body& b = *body_;
+  assert(order.fits(*b.program));
   if (b.status != Status::running) return false;
-  if (!R::kReevaluatesAll && b.state.started && b.state.work_set.empty()) return false;  // OPTIMIZATION: it is idle
+  const bool reevaluates_all = R::kReevaluatesAll || (R::kVisitsAll && !order.is_declared());
+  if (!reevaluates_all && b.state.started && b.state.work_set.empty()) return false;  // OPTIMIZATION: it is idle
   b.work.log.clear();
   b.work.outgoing.clear();
   const auto mark = recorder.mark();
   try {
-    Step<R> step(*b.program, b.state, b.work, b.environment, b.interpreter, recorder);
+    Step<R> step(*b.program, b.state, b.work, b.environment, b.interpreter, recorder, order);
     Micro(step, b.arguments);
     if (!step.changed) {
       recorder.discard(mark);
@@ -94,9 +97,9 @@ bool Run::micro(R& recorder) {
   return true;
 }
 
-template bool Run::micro(NoRecorder&);
-template bool Run::micro(NameRecorder&);
-template bool Run::micro(TreeRecorder&);
+template bool Run::micro_step(NoRecorder&, const Order&);
+template bool Run::micro_step(NameRecorder&, const Order&);
+template bool Run::micro_step(TreeRecorder&, const Order&);
 
 // The calls leave the run (R16); a root that is left ends it.
 void Run::complete_micro_step() {

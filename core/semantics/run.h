@@ -15,6 +15,7 @@
 #include "core/language/evaluate/explain.h"
 #include "core/language/evaluate/interpreter.h"
 #include "core/semantics/context.h"
+#include "core/semantics/order.h"
 #include "core/semantics/program.h"
 #include "core/semantics/recorder.h"
 
@@ -72,7 +73,15 @@ class Run {
   /// One micro step (3.31). False when nothing happened (R14), which ends the macro step, or the run is no longer
   /// running.
   template <Recorder R>
-  bool micro(R& recorder);
+  bool micro(R& recorder) {
+    return micro_step(recorder, Order::declared());
+  }
+  /// The same in an order of ports, actions and children that need not be the declared one, nor that of the micro step
+  /// before. Requires that it fits the program.
+  template <VisitsAll R>
+  bool micro(R& recorder, const Order& order) {
+    return micro_step(recorder, order);
+  }
   /// A whole macro step.
   //
   // Quiesc (3.32): micro steps until none changes anything (R14).
@@ -84,6 +93,13 @@ class Run {
   void macro_step(std::optional<Input> input, R& recorder) {
     begin(std::move(input));
     while (micro(recorder)) {
+    }
+  }
+  /// The same in the given order.
+  template <VisitsAll R>
+  void macro_step(std::optional<Input> input, R& recorder, const Order& order) {
+    begin(std::move(input));
+    while (micro(recorder, order)) {
     }
   }
   /// Ends the run between macro steps: no exit function runs; operations marked `safe` are called.
@@ -119,6 +135,8 @@ class Run {
  private:
   struct Body;
   explicit Run(std::unique_ptr<Body> body);
+  template <Recorder R>
+  bool micro_step(R& recorder, const Order& order);
   void complete_micro_step();
   void fail(RunFault fault);
   void fail_by_divergence();

@@ -1,11 +1,12 @@
 // Step: one micro step in progress. It gives the rules what their premises need: the contexts (StepContext), the
-// evaluation of conditions and functions, and the recorder of the derivation.
+// evaluation of conditions and functions, the recorder of the derivation, and the order of ports, actions and children.
 #pragma once
 
 #include <span>
 #include <utility>
 
 #include "core/language/evaluate/interpreter.h"
+#include "core/semantics/order.h"
 #include "core/semantics/recorder.h"
 #include "core/semantics/step_context.h"
 
@@ -21,8 +22,9 @@ struct FaultSignal {
 template <Recorder R>
 class Step : public StepContext {
  public:
-  Step(const Program& p, RunState& r, Workspace& w, StepEnvironment& e, language::Interpreter& i, R& rec)
-      : StepContext(p, r, w), environment(e), recorder(rec), interpreter_(i) {
+  Step(const Program& p, RunState& r, Workspace& w, StepEnvironment& e, language::Interpreter& i, R& rec,
+       const Order& o)
+      : StepContext(p, r, w), environment(e), recorder(rec), order(o), interpreter_(i) {
     if (R::kTraces) environment.trace = &environment.evaluation;
   }
   ~Step() { environment.trace = nullptr; }
@@ -93,6 +95,7 @@ class Step : public StepContext {
 
   StepEnvironment& environment;
   R& recorder;
+  const Order& order;  // declared unless R::kVisitsAll
 
  private:
   language::Interpreter& interpreter_;

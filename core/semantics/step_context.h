@@ -36,10 +36,10 @@ class StepContext {
   void add_arrival(BarrierId b, PortId p);
   void clear_arrivals(BarrierId b);
 
-  /// active_ports(Δ,s) of 3.28 and active_barriers(Δ,s) of 3.29, children in order and ports in order: taken off the
-  /// lists of `s`. Valid until the next time.
-  const std::vector<PortId>& take_active_ports(StateId s);
-  const std::vector<BarrierId>& take_active_barriers(StateId s);
+  /// active_ports(Δ,s) of 3.28 and active_barriers(Δ,s) of 3.29, in declared order: taken off the lists of `s`. Valid
+  /// until the next time.
+  std::vector<PortId>& take_active_ports(StateId s);
+  std::vector<BarrierId>& take_active_barriers(StateId s);
 
   /// R8, R22: what an earlier activation of `s` left is gone, unless `keep` says otherwise.
   void clear_earlier_activation(StateId s);
@@ -174,7 +174,7 @@ inline void StepContext::clear_arrivals(BarrierId b) {
     if (has_arrived(p)) set_arrived(p, false);
 }
 
-inline const std::vector<PortId>& StepContext::take_active_ports(StateId s) {
+inline std::vector<PortId>& StepContext::take_active_ports(StateId s) {
   std::vector<PortId>& taken = work.ports;
   taken.clear();
   std::swap(taken, live(s).active_ports);
@@ -183,7 +183,7 @@ inline const std::vector<PortId>& StepContext::take_active_ports(StateId s) {
   return taken;
 }
 
-inline const std::vector<BarrierId>& StepContext::take_active_barriers(StateId s) {
+inline std::vector<BarrierId>& StepContext::take_active_barriers(StateId s) {
   std::vector<BarrierId>& taken = work.barriers;
   taken.clear();
   std::swap(taken, live(s).active_barriers);

@@ -1,43 +1,64 @@
-// Traversal: which elements the premises "for all" of the rules come to. A derivation shows them all. Without one,
-// those that have no work are passed over: their rules would have no effect.
+// Traversal: which elements the premises "for all" of the rules come to, and in which order. A derivation shows them
+// all. Without one, those that have no work are passed over: their rules would have no effect; and the order is the
+// declared one, at compile time.
 #pragma once
 
 #include "core/semantics/step.h"
 
 namespace race::semantics {
 
-/// The actions of `s`.
-/// OPTIMIZATION: without a derivation, none if nothing that its conditions and actions read has changed.
+/// The ports of `s`, in order.
 template <Recorder R>
-Range<ActionId> actions_to_try(const Step<R>& step, StateId s) {
-  if (!R::kVisitsAll && !step.live(s).reevaluating) return {};
-  return step.program[s].actions;
+auto ports(const Step<R>& step, StateId s) {
+  if constexpr (R::kVisitsAll)
+    return step.order.ports(step.program, s);
+  else
+    return step.program[s].ports;
 }
 
-/// Active states, from one along its siblings. One that is left while it is visited does not disturb the others.
-struct SiblingRange {
-  struct Iterator {
-    const RunState& run;
-    StateId at, next;
-    StateId operator*() const { return at; }
-    Iterator& operator++() {
-      at = next;
-      if (at != kNoState) next = run.live[index(at)].next;
-      return *this;
-    }
-    bool operator==(StateId end) const { return at == end; }
-  };
-  const RunState& run;
-  StateId first;
-  Iterator begin() const { return {run, first, first == kNoState ? kNoState : run.live[index(first)].next}; }
-  StateId end() const { return kNoState; }
-};
-
-/// active_states(Δ,s) of 3.30.
-/// OPTIMIZATION: without a derivation, none: visit_active_states comes to those that have work.
+/// The actions of `s`, in order.
+/// OPTIMIZATION: without a derivation, none if nothing that its conditions and actions read has changed.
 template <Recorder R>
-SiblingRange active_states(const Step<R>& step, StateId s) {
-  return {step.run, R::kVisitsAll ? step.live(s).first_active : kNoState};
+auto actions_to_try(const Step<R>& step, StateId s) {
+  if constexpr (R::kVisitsAll)
+    return step.order.actions(step.program, s);
+  else
+    return step.live(s).reevaluating ? step.program[s].actions : Range<ActionId>{};
+}
+
+/// active_ports(Δ,s) of 3.28: children in order and ports in order. Taken off the lists of `s`.
+template <Recorder R>
+const std::vector<PortId>& take_active_ports(Step<R>& step, StateId s) {
+  std::vector<PortId>& taken = step.take_active_ports(s);
+  if constexpr (R::kVisitsAll) step.order.sort(taken);
+  return taken;
+}
+
+/// active_barriers(Δ,s) of 3.29, in order. Taken off the lists of `s`.
+template <Recorder R>
+const std::vector<BarrierId>& take_active_barriers(Step<R>& step, StateId s) {
+  std::vector<BarrierId>& taken = step.take_active_barriers(s);
+  if constexpr (R::kVisitsAll) step.order.sort(taken);
+  return taken;
+}
+
+/// Applies `visit` to active_states(Δ,s) of 3.30, in order. One that is left while it is visited does not disturb the
+/// others.
+/// OPTIMIZATION: without a derivation, to none: visit_active_states comes to those that have work. In declared order,
+/// along the list of those that are active.
+template <Recorder R, typename Visit>
+void for_each_active_state(Step<R>& step, StateId s, Visit visit) {
+  if constexpr (R::kVisitsAll) {
+    if (!step.order.is_declared()) {
+      for (const NodeRef c : step.order.children(step.program, s))
+        if (!c.barrier && step.is_active(c.state())) visit(c.state());
+      return;
+    }
+    for (StateId c = step.live(s).first_active, next; c != kNoState; c = next) {
+      next = step.live(c).next;
+      visit(c);
+    }
+  }
 }
 
 /// Applies `visit` to the root, and so, by SProp, to every active state.
@@ -61,22 +82,31 @@ void visit_active_states(Step<R>& step, Visit visit) {
 }
 
 /// The visit of `s` begins: it is in the work set no longer, and reevaluates if something that it reads has changed.
+/// In another order than the declared one it reevaluates in any case, and stays dirty for a step in a third order:
+/// where R9 holds back a port, whether another one fires is a matter of the order.
 template <Recorder R>
 void begin_visit(Step<R>& step, StateId s) {
   Live& state = step.live(s);
+  if constexpr (R::kVisitsAll) {
+    if (!step.order.is_declared()) {
+      mark_dirty(step.run, s);
+      state.reevaluating = true;
+      return;
+    }
+  }
   state.reevaluating = state.dirty || R::kReevaluatesAll;
   state.dirty = false;
   step.run.work_set.remove(s);
 }
 
-/// Applies `leave` to the children of `s`, which is left; then nothing of them is active.
+/// Applies `leave` to the children of `s`, which is left, in order; then nothing of them is active.
 /// OPTIMIZATION: without a derivation, only to those that are active, or have active ports or arrivals.
 template <Recorder R, typename Leave>
 void leave_children(Step<R>& step, StateId s, Leave leave) {
   if (step.program[s].children.empty()) return;
   Live& state = step.live(s);
   if (R::kVisitsAll) {
-    for (const NodeRef child : step.program[s].children) leave(child);
+    for (const NodeRef child : step.order.children(step.program, s)) leave(child);
   } else {
     const auto leave_state = [&](StateId child) { leave(NodeRef{false, index(child)}); };
     while (state.first_active != kNoState) leave_state(state.first_active);
@@ -91,12 +121,12 @@ void leave_children(Step<R>& step, StateId s, Leave leave) {
   state.partial_barriers.clear();
 }
 
-/// Elements of which the rule that is applied has found out all that it needs.
+/// The inbound ports of `b`, in order, for a rule that has found out all that it needs.
 /// OPTIMIZATION: without a derivation, none.
-template <Recorder R, typename Elements>
-std::span<const typename Elements::value_type> shown(const Step<R>&, const Elements& elements) {
+template <Recorder R>
+std::span<const PortId> shown_inbound_ports(const Step<R>& step, BarrierId b) {
   if (!R::kVisitsAll) return {};
-  return elements;
+  return step.order.inbound(step.program, b);
 }
 
 }  // namespace race::semantics

@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <iostream>
 
 #include "core/execution/replay.h"
@@ -14,12 +13,14 @@
 #include "core/rcm/translate.h"
 #include "core/value/json.h"
 #include "tests/unit/core/semantics/random_models.h"
+#include "tests/unit/core/semantics/random_runs.h"
 
 namespace race::execution {
 namespace {
 
 using semantics::Program;
 using semantics::RandomModels;
+using semantics::setting;
 using testing::ElementsAre;
 
 constexpr const char* kModel = R"json({"rcm": 1, "root": {"state": "R", "first": "A", "children": [
@@ -97,6 +98,24 @@ TEST(Execution, AnswersOpenCallsToALostServiceAndForgetsWhatWaitsWhenItIsOver) {
   EXPECT_FALSE(execution.post_event("t", "a", {}));
 }
 
+// Both ports of A can fire.
+constexpr const char* kRace = R"json({"rcm": 1, "root": {"state": "R", "first": "A", "children": [
+  {"state": "A", "ports": [{"name": "p", "when": "True", "to": "B"}, {"name": "q", "when": "True", "to": "C"}]},
+  {"state": "B"}, {"state": "C"}]}})json";
+
+TEST(Execution, TakesPortsInTheOrderThatItIsGivenWhateverIsRecorded) {
+  const auto program = Program::build(rcm::translate(rcm::read_document_text(kRace).value()).value(), {}).value();
+  for (const bool derivation : {false, true}) {
+    Execution execution = Execution::create(program, {}).value();
+    Execution reversed = execution;
+    reversed.set_order(semantics::Order::reversed(*program));
+    execution.start({.derivation = derivation});
+    reversed.start({.derivation = derivation});
+    EXPECT_TRUE(execution.run().is_active(program->find_state("R/B").value()));
+    EXPECT_TRUE(reversed.run().is_active(program->find_state("R/C").value()));
+  }
+}
+
 TEST(Execution, RefusesAnEntryOfAnotherRunAndGoesOnAsBefore) {
   Execution execution = make_execution();
   execution.start({});
@@ -109,11 +128,6 @@ TEST(Execution, RefusesAnEntryOfAnotherRunAndGoesOnAsBefore) {
   }
   EXPECT_TRUE(execution.redo(ResponseEntry{1, "t", "f", false, {}}, {}));
   EXPECT_EQ(execution.run().position(), 2U);
-}
-
-std::uint64_t setting(const char* name, std::uint64_t otherwise) {
-  const char* text = std::getenv(name);
-  return text ? std::strtoull(text, nullptr, 10) : otherwise;
 }
 
 // What one macro step came to, as text; a whole one, or the sum of its parts.

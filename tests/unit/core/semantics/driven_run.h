@@ -41,6 +41,10 @@ class DrivenRun : public Run {
   void macro_step(R& recorder) {
     Run::macro_step(take_input(), recorder);
   }
+  template <VisitsAll R>
+  void macro_step(R& recorder, const Order& order) {
+    Run::macro_step(take_input(), recorder, order);
+  }
 
  private:
   bool post(Input input) {

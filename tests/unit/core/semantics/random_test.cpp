@@ -3,19 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "core/value/json.h"
 #include "tests/unit/core/semantics/driven_run.h"
 #include "tests/unit/core/semantics/random_models.h"
+#include "tests/unit/core/semantics/random_runs.h"
 
 namespace race::semantics {
 namespace {
-
-std::uint64_t setting(const char* name, std::uint64_t otherwise) {
-  const char* text = std::getenv(name);
-  return text ? std::strtoull(text, nullptr, 10) : otherwise;
-}
 
 // The invariant of core/SEMANTICS.md section 9; the first violation, or nothing.
 std::string violation(const semantics::Run& run) {
@@ -42,13 +37,6 @@ std::string violation(const semantics::Run& run) {
   }
   if (r.started && run.status() == Status::running && !r.flags[0]) return "the root is not active";
   return "";
-}
-
-// Δ and Σ, with the stamps that decide what runs again.
-bool same(const RunState& a, const RunState& b) {
-  return a.values == b.values && a.flags == b.flags && a.arrived == b.arrived && a.call_count == b.call_count &&
-         a.calls == b.calls && a.tick == b.tick && a.executed == b.executed && a.served == b.served &&
-         a.triggered == b.triggered && a.event_data == b.event_data && a.services_called == b.services_called;
 }
 
 template <Recorder R>

@@ -23,9 +23,9 @@ class SmallRun {
 
   /// One macro step with the first waiting input. Returns its micro steps: "PTrigger A.p, SDeact2 A" and so on, by name
   /// of the node, only rules of the activation and micro layer and executed actions.
-  std::vector<std::string> step() {
+  std::vector<std::string> step(const Order& order = Order::declared()) {
     TreeRecorder recorder;
-    run_.macro_step(recorder);
+    run_.macro_step(recorder, order);
     std::vector<std::string> lines;
     for (std::size_t i = 0; i < recorder.derivation.micro.size(); ++i) {
       std::string line;
