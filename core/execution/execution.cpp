@@ -42,6 +42,25 @@ void Execution::post_lost(std::string_view service) {
     post_response(call, true, Dict{{"code", "unavailable"}});
 }
 
+// What has come of the micro steps leaves the run.
+inline const Progress& Execution::finish() {
+  run_.take_output(progress_.calls, progress_.printed);
+  for (std::string& text : progress_.printed)
+    if (text.ends_with('\n')) text.pop_back();
+  if (view_) progress_.delta = view_->delta(run_);
+  progress_.complete = !open_;
+  if (open_) return progress_;
+  if (goal_ && goal_->goal().kind == Goal::Kind::macro) {
+    goal_.reset();
+    progress_.reached_goal = true;
+  }
+  if (is_over()) {
+    goal_.reset();
+    waiting_.clear();
+  }
+  return progress_;
+}
+
 const Progress& Execution::start(Recording recording, std::uint32_t limit) {
   progress_.entry.reset();
   if (recording.entry) progress_.entry = StartEntry{};
@@ -118,14 +137,17 @@ const Progress& Execution::go_on(std::uint32_t limit) {
 
 template <typename MicroStep>
 void Execution::do_micro_steps(std::uint32_t limit, MicroStep micro_step) {
-  while (limit-- > 0) {
-    const bool more = micro_step();
+  const bool has_goals = goal_ || !breakpoints_.empty();
+  while (limit-- > 0 && !progress_.reached_goal) {
+    if (!micro_step()) {
+      open_ = false;
+      return;
+    }
+    ++progress_.micro;
     if (view_) view_->look(run_);
-    if (more) ++progress_.micro;
-    open_ = more && !is_over();
-    if (more && (goal_ || !breakpoints_.empty())) progress_.reached_goal = reaches_goal();
-    if (!open_ || progress_.reached_goal) return;
+    if (has_goals) progress_.reached_goal = reaches_goal();
   }
+  open_ = !is_over();
 }
 
 // All are asked: each counts anew from where it was reached.
@@ -134,26 +156,6 @@ bool Execution::reaches_goal() {
   for (GoalWatch& breakpoint : breakpoints_) reached = breakpoint.reached(run_) || reached;
   if (reached) goal_.reset();
   return reached;
-}
-
-// What has come of the micro steps leaves the run.
-const Progress& Execution::finish() {
-  run_.take_calls(progress_.calls);
-  run_.take_printed(progress_.printed);
-  for (std::string& text : progress_.printed)
-    if (text.ends_with('\n')) text.pop_back();
-  if (view_) progress_.delta = view_->delta(run_);
-  progress_.complete = !open_;
-  if (open_) return progress_;
-  if (goal_ && goal_->goal().kind == Goal::Kind::macro) {
-    goal_.reset();
-    progress_.reached_goal = true;
-  }
-  if (is_over()) {
-    goal_.reset();
-    waiting_.clear();
-  }
-  return progress_;
 }
 
 }  // namespace race::execution

@@ -35,7 +35,10 @@ void WaitingInputs::add(const semantics::Program& program, Input&& input) {
 std::optional<Input> WaitingInputs::take(const Run& run) {
   while (taken_ < inputs_.size()) {
     Input& first = inputs_[taken_++];
-    if (run.counts(first)) return std::move(first);
+    if (first.kind != Input::Kind::event && !run.counts(first)) continue;
+    std::optional<Input> input(std::move(first));
+    if (taken_ == inputs_.size()) clear();
+    return input;
   }
   return std::nullopt;
 }

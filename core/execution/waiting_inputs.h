@@ -13,7 +13,8 @@ class WaitingInputs {
  public:
   /// An input that counts (Run::counts) waits at the end. Of a sampled event only the newest occurrence waits.
   void add(const semantics::Program& program, semantics::Input&& input);
-  /// Takes the first that still counts; a response that another call has overtaken does not.
+  /// Takes the first that still counts; a response that another call has overtaken does not. Requires that the run is
+  /// running.
   std::optional<semantics::Input> take(const semantics::Run& run);
   /// Whether take() would give one.
   bool any(const semantics::Run& run) const;

@@ -93,7 +93,9 @@ bool Run::micro_step(R& recorder, const Order& order) {
     return false;
   }
   recorder.complete_micro_step(mark);
-  complete_micro_step();
+  // OPTIMIZATION: most micro steps call nothing and leave the root active.
+  if (!b.work.outgoing.empty() || !is_active(Program::root)) [[unlikely]]
+    complete_micro_step();
   return true;
 }
 
@@ -150,13 +152,15 @@ Status Run::status() const { return body_->status; }
 const std::string& Run::outcome() const { return body_->outcome; }
 const std::optional<RunFault>& Run::fault() const { return body_->fault; }
 std::uint64_t Run::position() const { return body_->position; }
-void Run::take_calls(std::vector<OutgoingCall>& calls) {
+// OPTIMIZATION: most steps have neither.
+void Run::take_output(std::vector<OutgoingCall>& calls, std::vector<std::string>& printed) {
+  std::vector<std::string>& lines = body_->environment.printed;
+  if (calls.empty() && printed.empty() && body_->outgoing.empty() && lines.empty()) [[likely]]
+    return;
   calls.clear();
-  std::swap(calls, body_->outgoing);
-}
-void Run::take_printed(std::vector<std::string>& printed) {
+  calls.swap(body_->outgoing);
   printed.clear();
-  std::swap(printed, body_->environment.printed);
+  printed.swap(lines);
 }
 const Program& Run::program() const { return *body_->program; }
 const RunState& Run::state() const { return body_->state; }

@@ -111,10 +111,9 @@ class Run {
   const std::optional<RunFault>& fault() const;
   /// Macro steps begun.
   std::uint64_t position() const;
-  /// The calls of complete micro steps since the last time they were taken, in order, in place of those in `calls`.
-  void take_calls(std::vector<OutgoingCall>& calls);
-  /// What functions printed since the last time, in place of what is in `printed`; for people.
-  void take_printed(std::vector<std::string>& printed);
+  /// The calls of complete micro steps since the last time, in order, and what functions printed, for people: in place
+  /// of what is in `calls` and `printed`.
+  void take_output(std::vector<OutgoingCall>& calls, std::vector<std::string>& printed);
 
   const Program& program() const;
   const RunState& state() const;

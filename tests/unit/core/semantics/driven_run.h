@@ -1,6 +1,7 @@
 // A Run with the inputs that wait for it, driven by a test with any recorder.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -32,7 +33,8 @@ class DrivenRun : public Run {
 
   std::vector<OutgoingCall> take_calls() {
     std::vector<OutgoingCall> calls;
-    Run::take_calls(calls);
+    std::vector<std::string> printed;
+    take_output(calls, printed);
     return calls;
   }
 
