@@ -20,7 +20,7 @@ bool is_id(std::string_view text);
 ///
 /// A new id is a hash of where the element stands, so that the same document always gets the same ids and different
 /// additions get different ones. A `meta` that is no object becomes the entry `value` of one. Keys of `layout` that are
-/// paths of nodes or ports become their ids, in place of an entry that has the id already; others stay.
+/// no ids but paths of nodes or ports become their ids, in place of an entry that has the id already; others stay.
 void give_ids(Document& document, const Document* previous = nullptr);
 
 /// The id, of 13 characters, of what is made for the element `owner` from the element, or in the role, `part`: of what
