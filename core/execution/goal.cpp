@@ -17,13 +17,13 @@ Expected<Goal> find_goal(const Program& program, const GoalName& name) {
   const bool by_id = !name.id.empty();
   const std::string& text = by_id ? name.id : name.path;
   if (name.kind == Goal::Kind::entered || name.kind == Goal::Kind::left) {
-    const auto state = program.find_state(text);
+    const auto state = by_id ? program.state_with_id(text) : program.find_state(text);
     if (!state)
       return unexpected(ErrorCode::not_found, "there is no state of this " + std::string(by_id ? "id" : "path"), text);
     goal.state = *state;
   }
   if (name.kind == Goal::Kind::fired) {
-    const auto port = program.find_port(text);
+    const auto port = by_id ? program.port_with_id(text) : program.find_port(text);
     if (!port)
       return unexpected(ErrorCode::not_found, "there is no port of this " + std::string(by_id ? "id" : "path"), text);
     goal.port = *port;

@@ -38,8 +38,12 @@ Value write_document(const Document& document);
 /// The JSON of a state and all below it, such as the root of a native model.
 Value write_state(const State& state);
 
-/// The text of a document as files hold it: stable, for review, two spaces a level, a list or an object on one line if
-/// it holds no more than one level of lists and objects and fits into 120 columns. Ends with a new line.
+/// The text of a document as files hold it, two spaces a level, with a new line at the end. It is stable: an edit of
+/// one element changes that element's lines alone, if its commas are not counted (the one of the line before appears
+/// with the last element of a list). So every element of a list stands on its own lines, a state always on several;
+/// another list or object on one line, if it holds no more than one level of lists and objects and fits into 120
+/// columns. `services`, `layout` and the `notes` of the document's meta have one line for each entry, in order of the
+/// keys.
 std::string format_document(const Document& document);
 
 }  // namespace race::rcm

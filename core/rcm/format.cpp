@@ -1,5 +1,7 @@
-// The text of a document: small values take one line, so that a change of a model changes few lines.
+// The text of a document: an edit of one element changes the lines of that element alone, so that two people's edits of
+// a file merge as texts.
 #include <algorithm>
+#include <map>
 
 #include "core/rcm/document.h"
 #include "core/value/json.h"
@@ -48,9 +50,67 @@ std::string one_line(const Value& value) {
   return to_json(value);
 }
 
+/// Whether the field `key` of a document or a state is a list of elements, each of which has its own lines.
+bool holds_elements(std::string_view key) {
+  static constexpr std::string_view kLists[] = {"library", "parameters", "results", "variables",
+                                                "actions", "children",   "ports"};
+  return std::ranges::find(kLists, key) != std::end(kLists);
+}
+
 class Formatter {
  public:
-  /// Appends `value`, which starts in column `column` of a line that is indented by `indent`.
+  void write_document(const Dict& document) {
+    write_fields(document, 0, [&](std::string_view key, const Value& field, std::size_t column) {
+      if (key == "root") return write_state(field.as_dict(), kIndent);
+      if (key == "services" || key == "layout") return write_entries(field.as_dict(), kIndent);
+      if (key == "meta" && field.is_dict()) return write_meta(field.as_dict(), kIndent);
+      write_field(key, field, kIndent, column);
+    });
+  }
+
+  std::string take() { return std::move(text_) + "\n"; }
+
+ private:
+  /// Always on several lines.
+  void write_state(const Dict& state, std::size_t indent) {
+    write_fields(state, indent, [&](std::string_view key, const Value& field, std::size_t column) {
+      write_field(key, field, indent + kIndent, column);
+    });
+  }
+
+  void write_field(std::string_view key, const Value& field, std::size_t indent, std::size_t column) {
+    holds_elements(key) ? write_elements(field.as_list(), indent) : write(field, indent, column);
+  }
+
+  void write_elements(const List& elements, std::size_t indent) {
+    text_ += '[';
+    for (const Value& element : elements) {
+      next(&element == &elements.front(), indent + kIndent);
+      element.find("state") ? write_state(element.as_dict(), indent + kIndent)
+                            : write(element, indent + kIndent, indent + kIndent);
+    }
+    next(true, indent);
+    text_ += ']';
+  }
+
+  /// The meta of the document.
+  void write_meta(const Dict& meta, std::size_t indent) {
+    write_fields(meta, indent, [&](std::string_view key, const Value& field, std::size_t column) {
+      key == "notes" && field.is_dict() ? write_entries(field.as_dict(), indent + kIndent)
+                                        : write(field, indent + kIndent, column);
+    });
+  }
+
+  /// In order of the keys, each on one line.
+  void write_entries(const Dict& entries, std::size_t indent) {
+    std::map<std::string_view, const Value*> sorted;
+    for (const auto& [key, entry] : entries) sorted.emplace(key.as_string(), &entry);
+    Dict ordered;
+    for (const auto& [key, entry] : sorted) ordered.set(key, *entry);
+    write_fields(ordered, indent, [&](std::string_view, const Value& entry, std::size_t) { text_ += one_line(entry); });
+  }
+
+  /// Any JSON, which starts in column `column` of a line that is indented by `indent`.
   void write(const Value& value, std::size_t indent, std::size_t column) {
     const int depth = levels(value, kLevelsOnOneLine);
     if (depth <= kLevelsOnOneLine) {
@@ -63,9 +123,6 @@ class Formatter {
     value.is_list() ? write_list(value.as_list(), indent) : write_dict(value.as_dict(), indent);
   }
 
-  std::string take() { return std::move(text_) + "\n"; }
-
- private:
   void next(bool first, std::size_t indent) {
     text_ += first ? "\n" : ",\n";
     text_.append(indent, ' ');
@@ -82,16 +139,24 @@ class Formatter {
   }
 
   void write_dict(const Dict& entries, std::size_t indent) {
+    write_fields(entries, indent, [&](std::string_view, const Value& entry, std::size_t column) {
+      write(entry, indent + kIndent, column);
+    });
+  }
+
+  /// An object on several lines; `write_one` writes a field, given its key, its value and the column where it starts.
+  template <typename WriteOne>
+  void write_fields(const Dict& fields, std::size_t indent, WriteOne write_one) {
     text_ += '{';
     bool first = true;
-    for (const auto& [key, item] : entries) {
+    for (const auto& [key, field] : fields) {
       next(first, indent + kIndent);
       first = false;
       const std::string label = to_json(key) + ": ";
       text_ += label;
-      write(item, indent + kIndent, indent + kIndent + columns(label));
+      write_one(key.as_string(), field, indent + kIndent + columns(label));
     }
-    next(true, indent);
+    if (!first) next(true, indent);
     text_ += '}';
   }
 
@@ -102,7 +167,7 @@ class Formatter {
 
 std::string format_document(const Document& document) {
   Formatter formatter;
-  formatter.write(write_document(document), 0, 0);
+  formatter.write_document(write_document(document).as_dict());
   return formatter.take();
 }
 

@@ -12,17 +12,6 @@ void collect_links(const State& state, std::vector<std::string>& out) {
   }
 }
 
-void override_parameter(Parameter& linked, const Parameter& own) {
-  if (own.value || own.from) {
-    linked.value = own.value;
-    linked.from = own.from;
-  }
-  if (!own.type.is_null()) linked.type = own.type;
-  if (!own.unit.empty()) linked.unit = own.unit;
-  if (!own.doc.empty()) linked.doc = own.doc;
-  linked.meta = merged_meta(linked.meta, own.meta);
-}
-
 /// The depth-first search of Library::cycles, without recursion: links can form long chains.
 class CycleSearch {
  public:
@@ -156,12 +145,25 @@ std::vector<std::vector<std::string>> Library::cycles() const {
   return out;
 }
 
-Value merged_meta(const Value& linked, const Value& own) {
-  if (own.is_null()) return linked;
-  if (!linked.is_dict() || !own.is_dict()) return own;
-  Dict out = linked.as_dict();
-  for (const auto& [key, value] : own.as_dict()) out.set(key, value);
+Meta merged_meta(const Meta& linked, const Meta& own) {
+  if (own == Meta{}) return linked;
+  const auto is_object = [](const Value& rest) { return rest.is_null() || rest.is_dict(); };
+  if (!is_object(linked.rest) || !is_object(own.rest)) return own;
+  Meta out{own.id.empty() ? linked.id : own.id, linked.rest.is_null() ? own.rest : linked.rest};
+  if (linked.rest.is_null() || own.rest.is_null()) return out;
+  for (const auto& [key, value] : own.rest.as_dict()) out.rest.mutable_dict().set(key, value);
   return out;
+}
+
+void override_parameter(Parameter& linked, const Parameter& own) {
+  if (own.value || own.from) {
+    linked.value = own.value;
+    linked.from = own.from;
+  }
+  if (!own.type.is_null()) linked.type = own.type;
+  if (!own.unit.empty()) linked.unit = own.unit;
+  if (!own.doc.empty()) linked.doc = own.doc;
+  linked.meta = merged_meta(linked.meta, own.meta);
 }
 
 }  // namespace race::rcm

@@ -47,6 +47,9 @@ class Library {
 };
 
 /// `own` in place of `linked`, entry by entry if both are objects: the meta of a link.
-Value merged_meta(const Value& linked, const Value& own);
+Meta merged_meta(const Meta& linked, const Meta& own);
+
+/// The parameter `linked` as a link that names it overrides it.
+void override_parameter(Parameter& linked, const Parameter& own);
 
 }  // namespace race::rcm

@@ -12,6 +12,13 @@
 
 namespace race::rcm {
 
+/// What is said about an element besides what it does; never semantic.
+struct Meta {
+  std::string id;  // who it is, whatever it is called and wherever it stands (ids.h); empty: not said
+  Value rest;      // the other entries; what `meta` is, if it is no object (then there is no id); null: nothing
+  bool operator==(const Meta&) const = default;
+};
+
 /// PA: its value on activation is `value`, or `from` evaluated in the parent's scope, or required (neither).
 struct Parameter {
   std::string name;
@@ -19,7 +26,7 @@ struct Parameter {
   std::optional<std::string> from;
   Value type;  // TYPE as JSON, or null
   std::string unit, doc;
-  Value meta;  // any JSON, or null; never semantic
+  Meta meta;
   bool operator==(const Parameter&) const = default;
 };
 
@@ -29,14 +36,14 @@ struct Datum {
   std::optional<Value> initial;
   Value type;
   std::string unit, doc;
-  Value meta;
+  Meta meta;
   bool operator==(const Datum&) const = default;
 };
 
 /// A: a conditioned function.
 struct Action {
   std::string when, code;  // fields `when`, `do`
-  Value meta;
+  Meta meta;
   bool operator==(const Action&) const = default;
 };
 
@@ -45,14 +52,14 @@ struct Port {
   std::string name;
   std::optional<std::string> when;
   std::optional<std::string> to;
-  Value meta;
+  Meta meta;
   bool operator==(const Port&) const = default;
 };
 
 struct Barrier {
   std::string name;
   std::vector<std::string> to;
-  Value meta;
+  Meta meta;
   bool operator==(const Barrier&) const = default;
 };
 
@@ -86,7 +93,7 @@ struct State {
   std::optional<Keep> keep;
   std::optional<std::string> link;
   std::optional<Oracle> oracle;
-  Value meta;
+  Meta meta;
   bool operator==(const State&) const;
 };
 
@@ -95,7 +102,8 @@ struct Document {
   std::map<std::string, std::string> services;  // key after svc. -> service type
   std::vector<State> library;
   State root;
-  Value layout, meta;
+  Value layout;  // of an editor: id, or path, of an element -> any JSON
+  Value meta;    // any JSON, or null; `notes`: id of an element -> text
   bool operator==(const Document&) const = default;
 };
 

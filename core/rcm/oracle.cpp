@@ -1,44 +1,50 @@
 #include "core/rcm/oracle.h"
 
 #include "core/rcm/call_text.h"
+#include "core/rcm/ids.h"
 
 namespace race::rcm {
 namespace {
 
 std::string quoted(std::string_view name) { return "'" + std::string(name) + "'"; }
 
-std::vector<std::string> child_states(const State& composite) {
-  std::vector<std::string> out;
+std::vector<const State*> child_states(const State& composite) {
+  std::vector<const State*> out;
   for (const Node& child : composite.children) {
-    if (const auto* state = std::get_if<State>(&child)) out.push_back(state->name);
+    if (const auto* state = std::get_if<State>(&child)) out.push_back(state);
   }
   return out;
 }
 
-Parameter parameter_from(std::string name, std::string expression) {
+// What an oracle is translated to has ids of its owner and its role in it. A role is no id: it begins with a colon.
+Meta made_for(const State& owner, std::string_view role) { return Meta{derived_id(owner.meta.id, role), Value()}; }
+Meta made_for(const State& owner, const State& child) { return made_for(owner, child.meta.id); }
+
+Parameter parameter_from(std::string name, std::string expression, Meta meta) {
   Parameter out;
+  out.meta = std::move(meta);
   out.name = std::move(name);
   out.from = std::move(expression);
   return out;
 }
 
-Port port(std::string name, std::string when, std::string to) {
-  return Port{std::move(name), std::move(when), std::move(to), Value()};
+Port port(std::string name, std::string when, std::string to, Meta meta) {
+  return Port{std::move(name), std::move(when), std::move(to), std::move(meta)};
 }
 
 /// The choice is known and names no child.
-std::string names_none(const std::string& choice, const std::vector<std::string>& children) {
+std::string names_none(const std::string& choice, const std::vector<const State*>& children) {
   std::string list;
-  for (const std::string& child : children) list += (list.empty() ? "" : ", ") + quoted(child);
+  for (const State* child : children) list += (list.empty() ? "" : ", ") + quoted(child->name);
   return "available(" + choice + ") and " + choice + " not in [" + list + "]";
 }
 
 /// The call with `par.arg0`, `par.arg1`, ... for its arguments, which become parameters of the dispatcher.
-std::string pass_arguments(const CallText& call, std::vector<Parameter>& parameters) {
+std::string pass_arguments(const CallText& call, State& dispatcher) {
   std::string out;
   for (const auto& [keyword, expression] : call.arguments) {
-    const std::string name = "arg" + std::to_string(parameters.size());
-    parameters.push_back(parameter_from(name, expression));
+    const std::string name = "arg" + std::to_string(dispatcher.parameters.size());
+    dispatcher.parameters.push_back(parameter_from(name, expression, made_for(dispatcher, ":" + name)));
     out += (out.empty() ? "" : ", ") + (keyword.empty() ? "" : keyword + "=") + "par." + name;
   }
   return "svc." + call.service + "." + call.operation + "(" + out + ")";
@@ -47,17 +53,20 @@ std::string pass_arguments(const CallText& call, std::vector<Parameter>& paramet
 /// The dispatcher of an external oracle calls on entry and stores the result.
 void ask(const CallText& call, State& dispatcher) {
   const std::string operation = "svc." + call.service + "." + call.operation;
-  dispatcher.entry = pass_arguments(call, dispatcher.parameters);
-  dispatcher.results.push_back(Datum{"choice", std::nullopt, Value(), "", "", Value()});
-  dispatcher.actions.push_back(Action{operation + ".result", "res.choice = " + operation + ".result", Value()});
+  dispatcher.entry = pass_arguments(call, dispatcher);
+  dispatcher.results.push_back(Datum{"choice", std::nullopt, Value(), "", "", made_for(dispatcher, ":result")});
+  dispatcher.actions.push_back(
+      Action{operation + ".result", "res.choice = " + operation + ".result", made_for(dispatcher, ":store")});
 }
 
 void remember_child(State& composite) {
-  Datum last{std::string(kLastActive), Value(composite.first.value_or("")), Value(), "", "", Value()};
-  composite.variables.push_back(std::move(last));
-  for (const std::string& child : child_states(composite))
-    composite.actions.push_back(Action{"chi." + child + ".active and var.last_active != " + quoted(child),
-                                       "var.last_active = " + quoted(child), Value()});
+  const Meta last = made_for(composite, ":last_active");
+  composite.variables.push_back(
+      Datum{std::string(kLastActive), Value(composite.first.value_or("")), Value(), "", "", last});
+  for (const State* child : child_states(composite))
+    composite.actions.push_back(Action{"chi." + child->name + ".active and var.last_active != " + quoted(child->name),
+                                       "var.last_active = " + quoted(child->name),
+                                       Meta{derived_id(last.id, child->meta.id), Value()}});
   const auto& resume = composite.oracle->resume;
   composite.keep = resume ? Keep{.any = false, .ports = *resume} : Keep{.any = true, .ports = {}};
 }
@@ -66,9 +75,10 @@ void remember_child(State& composite) {
 
 State dispatcher(const State& composite) {
   const Oracle& oracle = *composite.oracle;
-  const std::vector<std::string> children = child_states(composite);
+  const std::vector<const State*> children = child_states(composite);
   State out;
   out.name = kDispatcher;
+  out.meta = made_for(composite, ":dispatcher");
   std::string choice = "par.choice", otherwise;
   if (oracle.kind == Oracle::Kind::external) {
     choice = "res.choice";
@@ -78,13 +88,16 @@ State dispatcher(const State& composite) {
     }
   } else {
     const bool history = oracle.kind == Oracle::Kind::history;
-    out.parameters.push_back(parameter_from("choice", history ? "var.last_active" : oracle.text));
+    out.parameters.push_back(
+        parameter_from("choice", history ? "var.last_active" : oracle.text, made_for(out, ":choice")));
   }
-  for (const std::string& child : children)
-    out.ports.push_back(port("to_" + child, choice + " == " + quoted(child), child));
+  for (const State* child : children)
+    out.ports.push_back(
+        port("to_" + child->name, choice + " == " + quoted(child->name), child->name, made_for(out, *child)));
   const std::string none = names_none(choice, children);
   if (composite.first)
-    out.ports.push_back(port("otherwise", otherwise.empty() ? none : otherwise + "(" + none + ")", *composite.first));
+    out.ports.push_back(port("otherwise", otherwise.empty() ? none : otherwise + "(" + none + ")", *composite.first,
+                             made_for(out, ":otherwise")));
   return out;
 }
 

@@ -1,6 +1,7 @@
 // Reading documents: the shape. One function for each element of the format; each gets the path of its parent.
 #include "core/rcm/constraints.h"
 #include "core/rcm/document.h"
+#include "core/rcm/ids.h"
 #include "core/rcm/path.h"
 #include "core/rsm/type.h"
 #include "core/value/fields.h"
@@ -32,7 +33,22 @@ Value read_type(Fields& fields) {
   return Value();
 }
 
-Value read_meta(Fields& fields) { return fields.constant("meta").value_or(Value()); }
+Value read_json_meta(Fields& fields) { return fields.constant("meta").value_or(Value()); }
+
+Meta read_meta(Fields& fields) {
+  Meta out{"", read_json_meta(fields)};
+  const Value* id = out.rest.find("id");
+  if (!id) return out;
+  if (id->is_string() && is_id(id->as_string())) {
+    out.id = id->as_string();
+  } else {
+    fields.violation(ErrorCode::type, "`meta.id` must be a text of 1 to 64 of A-Z a-z 0-9 _ -");
+  }
+  Dict rest = out.rest.as_dict();
+  rest.erase("id");
+  out.rest = rest.empty() ? Value() : Value(std::move(rest));
+  return out;
+}
 
 std::optional<Parameter> read_parameter(const Value& json, const std::string& path, Errors& errors) {
   Fields fields(json, path, element("parameter", json, "name"), errors);
@@ -69,7 +85,7 @@ std::optional<Action> read_action(const Value& json, const std::string& path, Er
   Fields fields(json, path, "action", errors);
   auto when = fields.text("when", Need::required);
   auto code = fields.text("do", Need::required);
-  Value meta = read_meta(fields);
+  Meta meta = read_meta(fields);
   fields.close();
   if (!when || !code) return std::nullopt;
   return Action{std::move(*when), std::move(*code), std::move(meta)};
@@ -217,7 +233,7 @@ Draft read_draft(const Value& json) {
   out.document.layout = fields.constant("layout").value_or(Value());
   if (!out.document.layout.is_null() && !out.document.layout.is_dict())
     fields.violation(ErrorCode::type, "`layout` must be an object");
-  out.document.meta = read_meta(fields);
+  out.document.meta = read_json_meta(fields);
   fields.close();
   return out;
 }

@@ -1,6 +1,7 @@
 #include "core/rcm/translate.h"
 
 #include "core/rcm/constraints.h"
+#include "core/rcm/ids.h"
 #include "core/rcm/library.h"
 #include "core/rcm/oracle.h"
 #include "core/rcm/path.h"
@@ -8,46 +9,78 @@
 namespace race::rcm {
 namespace {
 
+/// What ids become: of the document itself, native elements have the same; of what a link takes over, derived from the
+/// link's, so that each of several links to a state has its own.
+class Ids {
+ public:
+  Ids() = default;
+  /// Below a link with this native id; without one, no element has an id.
+  explicit Ids(std::string link) : link_(std::move(link)) {}
+
+  std::string native(const std::string& id) const { return link_ ? derived_id(*link_, id) : id; }
+  void make_native(Meta& meta) const {
+    if (link_) meta.id = native(meta.id);
+  }
+  /// Of the state and its elements, without children.
+  void make_native(State& state) const {
+    if (!link_) return;
+    make_native(state.meta);
+    for (Parameter& parameter : state.parameters) make_native(parameter.meta);
+    for (Datum& result : state.results) make_native(result.meta);
+    for (Datum& variable : state.variables) make_native(variable.meta);
+    for (Action& action : state.actions) make_native(action.meta);
+    for (Port& port : state.ports) make_native(port.meta);
+  }
+
+ private:
+  std::optional<std::string> link_;
+};
+
 class Translation {
  public:
   Translation(const Document& document, NativeModel& model) : library_(document), origin_(model.origin) {}
 
   /// The native form of the state with the path `from` in the document and `path` in the native model.
-  State translate_state(const State& state, const std::string& path, const std::string& from) {
-    return state.link ? follow_link(state, path, from) : expand(state, path, from);
+  State translate_state(const State& state, const std::string& path, const std::string& from, const Ids& ids = {}) {
+    return state.link ? follow_link(state, path, from, ids) : expand(state, path, from, ids);
   }
 
  private:
   /// 3.3.1: everything of the library state, but for the name, the expressions and the destinations of the link.
-  State follow_link(const State& state, const std::string& path, const std::string& from) {
-    State out = translate_state(*library_.find(*state.link), path, library_path(*state.link));
-    out.name = state.name;
-    if (!state.doc.empty()) out.doc = state.doc;
-    out.meta = merged_meta(out.meta, state.meta);
-    out.parameters = library_.parameters(state);
-    std::map<std::string_view, Port*> ports;
-    for (Port& port : out.ports) ports.emplace(port.name, &port);
-    for (const Port& own : state.ports) {
-      Port& port = *ports.at(own.name);
-      port.to = own.to;
-      port.meta = merged_meta(port.meta, own.meta);
-      origin_[port_path(path, own.name)] = port_path(from, own.name);
+  State follow_link(const State& state, const std::string& path, const std::string& from, const Ids& ids) {
+    State own = state;
+    ids.make_native(own);
+    State out = translate_state(*library_.find(*own.link), path, library_path(*own.link), Ids(own.meta.id));
+    out.name = own.name;
+    if (!own.doc.empty()) out.doc = own.doc;
+    out.meta = merged_meta(out.meta, own.meta);
+    out.meta.id = own.meta.id;
+    const auto parameters = by_name(out.parameters);
+    for (const Parameter& parameter : own.parameters) override_parameter(*parameters.at(parameter.name), parameter);
+    const auto ports = by_name(out.ports);
+    for (const Port& own_port : own.ports) {
+      Port& port = *ports.at(own_port.name);
+      port.to = own_port.to;
+      port.meta = merged_meta(port.meta, own_port.meta);
+      origin_[port_path(path, port.name)] = port_path(from, port.name);
     }
     origin_[path] = from;
     return out;
   }
 
-  State expand(const State& state, const std::string& path, const std::string& from) {
+  State expand(const State& state, const std::string& path, const std::string& from, const Ids& ids) {
     State out = without_children(state);
+    ids.make_native(out);
     origin_[path] = from;
     for (const Port& port : state.ports) origin_[port_path(path, port.name)] = port_path(from, port.name);
     for (const Node& child : state.children) {
       const std::string at = node_path(path, name_of(child)), origin = node_path(from, name_of(child));
       if (const auto* inner = std::get_if<State>(&child)) {
-        out.children.emplace_back(translate_state(*inner, at, origin));
+        out.children.emplace_back(translate_state(*inner, at, origin, ids));
       } else {
         origin_[at] = origin;
         out.children.push_back(child);
+        ids.make_native(std::get<Barrier>(out.children.back()).meta);
       }
     }
     if (state.oracle) decide(out, path, from);
@@ -61,6 +94,13 @@ class Translation {
     const std::string at = node_path(path, made.name);
     origin_[at] = from;
     for (const Port& port : made.ports) origin_[port_path(at, port.name)] = from;
+  }
+
+  template <typename Element>
+  static std::map<std::string_view, Element*> by_name(std::vector<Element>& elements) {
+    std::map<std::string_view, Element*> out;
+    for (Element& element : elements) out.emplace(element.name, &element);
+    return out;
   }
 
   static State without_children(const State& state) {

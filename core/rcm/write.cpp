@@ -16,6 +16,15 @@ void set_json(Dict& out, std::string_view key, const Value& json) {
   if (!json.is_null()) out.set(key, json);
 }
 
+void set_meta(Dict& out, const Meta& meta) {
+  if (meta.id.empty()) return set_json(out, "meta", meta.rest);
+  Dict entries{{"id", meta.id}};
+  if (meta.rest.is_dict()) {
+    for (const auto& [key, value] : meta.rest.as_dict()) entries.set(key, value);
+  }
+  out.set("meta", std::move(entries));
+}
+
 Value texts(const std::vector<std::string>& items) { return List(items.begin(), items.end()); }
 
 template <typename T, typename Write>
@@ -33,7 +42,7 @@ Value write_parameter(const Parameter& parameter) {
   set_json(out, "type", parameter.type);
   set_text(out, "unit", parameter.unit);
   set_text(out, "doc", parameter.doc);
-  set_json(out, "meta", parameter.meta);
+  set_meta(out, parameter.meta);
   return out;
 }
 
@@ -43,13 +52,13 @@ Value write_datum(const Datum& datum) {
   set_json(out, "type", datum.type);
   set_text(out, "unit", datum.unit);
   set_text(out, "doc", datum.doc);
-  set_json(out, "meta", datum.meta);
+  set_meta(out, datum.meta);
   return out;
 }
 
 Value write_action(const Action& action) {
   Dict out{{"when", action.when}, {"do", action.code}};
-  set_json(out, "meta", action.meta);
+  set_meta(out, action.meta);
   return out;
 }
 
@@ -57,7 +66,7 @@ Value write_port(const Port& port) {
   Dict out{{"name", port.name}};
   set_text(out, "when", port.when);
   set_text(out, "to", port.to);
-  set_json(out, "meta", port.meta);
+  set_meta(out, port.meta);
   return out;
 }
 
@@ -79,7 +88,7 @@ Value write_node(const Node& node) {
   if (const auto* state = std::get_if<State>(&node)) return write_state(*state);
   const Barrier& barrier = std::get<Barrier>(node);
   Dict out{{"barrier", barrier.name}, {"to", texts(barrier.to)}};
-  set_json(out, "meta", barrier.meta);
+  set_meta(out, barrier.meta);
   return out;
 }
 
@@ -100,7 +109,7 @@ Value write_state(const State& state) {
   if (state.keep) out.set("keep", state.keep->any ? Value(true) : texts(state.keep->ports));
   set_text(out, "link", state.link);
   if (state.oracle) out.set("oracle", write_oracle(*state.oracle));
-  set_json(out, "meta", state.meta);
+  set_meta(out, state.meta);
   return out;
 }
 

@@ -4,6 +4,15 @@
 #include "core/semantics/program_internal.h"
 
 namespace race::semantics {
+namespace {
+
+template <typename Id>
+std::optional<Id> found(const IdIndex& ids, std::string_view id) {
+  const auto number = ids.find(id);
+  return number ? std::optional(Id{*number}) : std::nullopt;
+}
+
+}  // namespace
 
 Checked<std::shared_ptr<const Program>> Program::build(const rcm::NativeModel& model,
                                                        const std::map<std::string, rsm::Service>& services) {
@@ -33,5 +42,13 @@ std::optional<PortId> Program::find_port(std::string_view address) const {
     if ((*this)[port].name == address.substr(dot + 1)) return port;
   return std::nullopt;
 }
+
+std::optional<StateId> Program::state_with_id(std::string_view id) const { return found<StateId>(ids.states, id); }
+std::optional<BarrierId> Program::barrier_with_id(std::string_view id) const {
+  return found<BarrierId>(ids.barriers, id);
+}
+std::optional<PortId> Program::port_with_id(std::string_view id) const { return found<PortId>(ids.ports, id); }
+std::optional<ActionId> Program::action_with_id(std::string_view id) const { return ids.actions.find(id); }
+std::optional<ValueIndex> Program::value_with_id(std::string_view id) const { return ids.values.find(id); }
 
 }  // namespace race::semantics

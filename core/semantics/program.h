@@ -13,6 +13,7 @@
 #include "core/language/interface/service_table.h"
 #include "core/rcm/model.h"
 #include "core/rsm/model.h"
+#include "core/semantics/program_ids.h"
 #include "core/value/expected.h"
 #include "core/value/value.h"
 
@@ -143,6 +144,18 @@ class Program {
   std::optional<StateId> find_state(std::string_view path) const;
   std::optional<PortId> find_port(std::string_view address) const;
 
+  /// The element with this id (rcm `meta.id`), the first if the document repeats it; in logarithmic time.
+  std::optional<StateId> state_with_id(std::string_view id) const;
+  std::optional<BarrierId> barrier_with_id(std::string_view id) const;
+  std::optional<PortId> port_with_id(std::string_view id) const;
+  std::optional<ActionId> action_with_id(std::string_view id) const;
+  /// The place of the parameter, result or variable with this id.
+  std::optional<ValueIndex> value_with_id(std::string_view id) const;
+
+  const std::string& id(StateId s) const { return ids.states[index(s)]; }
+  const std::string& id(BarrierId b) const { return ids.barriers[index(b)]; }
+  const std::string& id(PortId p) const { return ids.ports[index(p)]; }
+
   /// Whether code names the event, or reads a response of the operation: only then it is an input (section 3).
   bool names_event(EventId e) const { return e < event_named.size() && event_named[e]; }
   bool names_response(OperationId o) const { return o < response_named.size() && response_named[o]; }
@@ -164,6 +177,7 @@ class Program {
   std::vector<std::uint8_t> event_named, response_named;
   // The states whose conditions and actions read the event, or a response of the operation, in order.
   std::vector<std::vector<StateId>> event_readers, response_readers;
+  ProgramIds ids;
 };
 
 }  // namespace race::semantics

@@ -18,11 +18,14 @@ class Layout {
     p_.first_barrier_flag = static_cast<Flag>(p_.states.size());
     p_.first_port_flag = p_.first_barrier_flag + static_cast<Flag>(p_.barriers.size());
     for (std::uint32_t s = 0; s < p_.states.size(); ++s) connect(s);
+    for (IdIndex* ids : {&p_.ids.states, &p_.ids.barriers, &p_.ids.ports, &p_.ids.actions, &p_.ids.values})
+      ids->finish();
     return std::move(syntax_);
   }
 
  private:
-  ValueIndex place(const std::optional<Value>& initial, StateId owner) {
+  ValueIndex place(const std::optional<Value>& initial, StateId owner, const std::string& id) {
+    p_.ids.values.add(id);
     p_.initial.push_back(initial ? *initial : Value::unknown());
     p_.initial.back().freeze();
     p_.value_owner.push_back(owner);
@@ -34,6 +37,7 @@ class Layout {
     const auto number = static_cast<std::uint32_t>(p_.states.size());
     const StateId id{number};
     p_.states.emplace_back();
+    p_.ids.states.add(state.meta.id);
     syntax_.push_back(&state);
     StateInfo info;
     info.name = state.name;
@@ -46,10 +50,12 @@ class Layout {
       port_info.name = port.name;
       port_info.state = id;
       p_.ports.push_back(std::move(port_info));
+      p_.ids.ports.add(port.meta.id);
     }
     info.ports.high = static_cast<std::uint32_t>(p_.ports.size());
     info.actions.low = static_cast<std::uint32_t>(p_.actions.size());
     p_.actions.resize(p_.actions.size() + state.actions.size());
+    for (const rcm::Action& action : state.actions) p_.ids.actions.add(action.meta.id);
     info.actions.high = static_cast<std::uint32_t>(p_.actions.size());
 
     info.first_parameter = static_cast<ValueIndex>(p_.initial.size());
@@ -57,24 +63,24 @@ class Layout {
       ParameterInfo parameter_info{parameter.name, parameter.value, {}};
       if (parameter_info.value) parameter_info.value->freeze();
       info.parameters.push_back(std::move(parameter_info));
-      place(std::nullopt, id);
+      place(std::nullopt, id, parameter.meta.id);
     }
     info.first_result = static_cast<ValueIndex>(p_.initial.size());
     for (const rcm::Datum& result : state.results) {
       info.results.push_back(result.name);
-      place(result.initial, id);
+      place(result.initial, id, result.meta.id);
     }
     info.first_variable = static_cast<ValueIndex>(p_.initial.size());
     std::set<std::string> declared;
     for (const rcm::Datum& variable : state.variables) {
       info.variables.push_back(variable.name);
       declared.insert(variable.name);
-      place(variable.initial, id);
+      place(variable.initial, id, variable.meta.id);
     }
     for (const std::string& name : used_variables(state)) {  // var.x may be used undeclared
       if (!declared.insert(name).second) continue;
       info.variables.push_back(name);
-      place(std::nullopt, id);
+      place(std::nullopt, id, "");
     }
 
     for (const rcm::Node& node : state.children) {
@@ -85,6 +91,7 @@ class Layout {
         barrier_info.path = path + "/" + barrier->name;
         barrier_info.parent = id;
         p_.barriers.push_back(std::move(barrier_info));
+        p_.ids.barriers.add(barrier->meta.id);
       } else {
         const auto& child = std::get<rcm::State>(node);
         info.children.push_back({false, static_cast<std::uint32_t>(p_.states.size())});

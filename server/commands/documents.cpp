@@ -5,6 +5,7 @@
 
 #include "core/execution/derive.h"
 #include "core/rcm/document.h"
+#include "core/rcm/ids.h"
 #include "core/rcm/translate.h"
 #include "core/rsm/document.h"
 #include "core/value/json.h"
@@ -36,11 +37,13 @@ int translate(const std::string& path) {
   return kExitOk;
 }
 
-// race fmt MODEL... [--write]: the documents as files should hold them, on stdout or in place.
+// race fmt MODEL... [--write]: the documents as files should hold them, every element with an id, on stdout or in
+// place.
 int format(const std::vector<std::string>& paths, bool write) {
   for (const std::string& path : paths) {
-    const auto document = load(path);
+    auto document = load(path);
     if (!document) return refuse(document.error());
+    rcm::give_ids(*document);
     const std::string text = rcm::format_document(*document);
     if (!write) {
       std::fwrite(text.data(), 1, text.size(), stdout);
@@ -104,7 +107,7 @@ std::function<int()> declare_check(Arguments& arguments) {
 }  // namespace
 
 const Command kTranslate = {"translate", "prints the native model, without links and oracles", declare_translate};
-const Command kFmt = {"fmt", "prints documents as files should hold them, or writes them so", declare_format};
+const Command kFmt = {"fmt", "prints documents as files should hold them, with ids, or writes them so", declare_format};
 const Command kCheck = {"check", "lists what is wrong with a document or a service", declare_check};
 
 }  // namespace race::server

@@ -2,11 +2,13 @@
 
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Statement.h>
+#include <SQLiteCpp/Transaction.h>
 
 #include <algorithm>
 #include <filesystem>
 
 #include "core/rcm/document.h"
+#include "core/rcm/ids.h"
 #include "server/store/read_file.h"
 
 namespace race::server {
@@ -41,7 +43,9 @@ Expected<std::unique_ptr<Documents>> Documents::open(const std::string& path) {
   try {
     auto file = std::make_unique<SQLite::Database>(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     file->exec(kSetUp);
-    return std::unique_ptr<Documents>(new Documents(std::move(file)));
+    std::unique_ptr<Documents> documents(new Documents(std::move(file)));
+    documents->renew();
+    return documents;
   } catch (const SQLite::Exception& failure) {
     return unexpected(ErrorCode::io, std::string("cannot open the store: ") + failure.what(), path);
   }
@@ -55,6 +59,8 @@ std::vector<Documents::Row> Documents::rows(const char* where, const std::string
     found.push_back({select.getColumn(0), select.getColumn(2), select.getColumn(1).getInt64()});
   return found;
 }
+
+std::vector<Documents::Row> Documents::row(const std::string& name) { return rows("WHERE name = ?", name); }
 
 void Documents::write(const Row& row) {
   SQLite::Statement insert(*file_, "INSERT OR REPLACE INTO document VALUES (?, ?, ?)");
@@ -70,6 +76,27 @@ Checked<StoredDocument> Documents::read(const Row& row) {
   return StoredDocument{row.name, row.revision, std::move(*document)};
 }
 
+// Gives `document` ids, as the next revision of the row, if there is one.
+void Documents::give_ids_after(const std::vector<Row>& old, rcm::Document& document) {
+  if (old.empty()) return rcm::give_ids(document);
+  const auto previous = read(old.front());
+  rcm::give_ids(document, previous ? &previous->document : nullptr);
+}
+
+// What is stored, as this version of the program stores it.
+void Documents::renew() {
+  const services::MutexLock lock(mutex_);
+  SQLite::Transaction transaction(*file_);
+  for (const Row& row : rows("", "")) {
+    auto stored = read(row);
+    if (!stored) continue;  // see list()
+    rcm::give_ids(stored->document);
+    if (std::string text = rcm::format_document(stored->document); text != row.text)
+      write({row.name, std::move(text), row.revision});
+  }
+  transaction.commit();
+}
+
 Checked<std::vector<StoredDocument>> Documents::list() try {
   const services::MutexLock lock(mutex_);
   std::vector<StoredDocument> all;
@@ -83,7 +110,7 @@ Checked<std::vector<StoredDocument>> Documents::list() try {
 
 Checked<StoredDocument> Documents::get(const std::string& name) try {
   const services::MutexLock lock(mutex_);
-  const auto found = rows("WHERE name = ?", name);
+  const auto found = row(name);
   if (found.empty()) return tl::unexpected(one(ErrorCode::not_found, "there is no document of this name", name));
   return read(found.front());
 } catch (const SQLite::Exception& exception) {
@@ -96,11 +123,12 @@ Checked<StoredDocument> Documents::put(const std::string& name, std::string_view
   auto document = rcm::read_document_text(text);
   if (!document) return tl::unexpected(std::move(document).error());
   const services::MutexLock lock(mutex_);
-  const auto old = rows("WHERE name = ?", name);
-  Row row{name, rcm::format_document(*document), old.empty() ? 1 : old.front().revision};
-  if (!old.empty() && old.front().text != row.text) ++row.revision;
-  write(row);
-  return StoredDocument{name, row.revision, std::move(*document)};
+  const auto old = row(name);
+  give_ids_after(old, *document);
+  Row next{name, rcm::format_document(*document), old.empty() ? 1 : old.front().revision};
+  if (!old.empty() && old.front().text != next.text) ++next.revision;
+  write(next);
+  return StoredDocument{name, next.revision, std::move(*document)};
 } catch (const SQLite::Exception& exception) {
   return failure("cannot store " + name, exception);
 }
@@ -120,16 +148,18 @@ Checked<void> Documents::put_demo(const std::string& folder) {
       for (Error& each : document.error()) each.path = entry.path().string() + ": " + each.path;
       return tl::unexpected(std::move(document).error());
     }
-    if (auto put = put_unchanged(name, rcm::format_document(*document)); !put) return put;
+    if (auto put = put_unchanged(name, std::move(*document)); !put) return put;
   }
   return {};
 }
 
-// Stores the text unless somebody has changed the document since it was put.
-Checked<void> Documents::put_unchanged(const std::string& name, const std::string& text) try {
+// Stores the document unless somebody has changed it since it was put.
+Checked<void> Documents::put_unchanged(const std::string& name, rcm::Document document) try {
   const services::MutexLock lock(mutex_);
-  const auto old = rows("WHERE name = ?", name);
-  if (old.empty() || old.front().revision <= 1) write({name, text, 1});
+  const auto old = row(name);
+  if (!old.empty() && old.front().revision > 1) return {};
+  give_ids_after(old, document);
+  write({name, rcm::format_document(document), 1});
   return {};
 } catch (const SQLite::Exception& exception) {
   return failure("cannot store " + name, exception);

@@ -1,4 +1,5 @@
 // Documents: the tasks that the server keeps, by name, in one SQLite file. Only documents without violations get in.
+// Every element of what is kept has an id (core/rcm/ids.h).
 //
 // Threads: any; one at a time inside.
 #pragma once
@@ -28,15 +29,16 @@ class Documents {
  public:
   ~Documents();
 
-  /// Opens the file or makes it. Error `io`.
+  /// Opens the file or makes it. Documents that an older version of the program stored get ids and today's form; they
+  /// keep their revision, as nobody changed them. Error `io`.
   static Expected<std::unique_ptr<Documents>> open(const std::string& path);
 
   /// In order of name. Error of all: `io`.
   Checked<std::vector<StoredDocument>> list() EXCLUDES(mutex_);
   /// `not_found`: there is none.
   Checked<StoredDocument> get(const std::string& name) EXCLUDES(mutex_);
-  /// Checks and stores a text; a document that is the same keeps its revision. Errors: every violation; `name`: not 1
-  /// to 64 of A-Z, a-z, 0-9, `_`, `-`.
+  /// Checks and stores a text and gives its elements ids, where they are missing those of the last revision. A document
+  /// that is the same then keeps its revision. Errors: every violation; `name`: not 1 to 64 of A-Z, a-z, 0-9, `_`, `-`.
   Checked<StoredDocument> put(const std::string& name, std::string_view text) EXCLUDES(mutex_);
   /// Puts every *.rcm.json of `folder` that is not there or that nobody has changed since it was put. Errors name the
   /// file.
@@ -49,9 +51,12 @@ class Documents {
   };
   explicit Documents(std::unique_ptr<SQLite::Database> file);
   std::vector<Row> rows(const char* where, const std::string& name) REQUIRES(mutex_);
+  std::vector<Row> row(const std::string& name) REQUIRES(mutex_);
+  void renew() EXCLUDES(mutex_);
   void write(const Row& row) REQUIRES(mutex_);
-  Checked<void> put_unchanged(const std::string& name, const std::string& text) EXCLUDES(mutex_);
+  Checked<void> put_unchanged(const std::string& name, rcm::Document document) EXCLUDES(mutex_);
   static Checked<StoredDocument> read(const Row& row);
+  static void give_ids_after(const std::vector<Row>& old, rcm::Document& document);
 
   services::Mutex mutex_;
   const std::unique_ptr<SQLite::Database> file_ PT_GUARDED_BY(mutex_);

@@ -5,6 +5,15 @@ def document(name, root, **more):
     return {"rcm": 1, "name": name, "root": root, **more}
 
 
+def without_ids(value):
+    """A document as it was before the server gave its elements ids."""
+    if isinstance(value, list):
+        return [without_ids(item) for item in value]
+    if not isinstance(value, dict):
+        return value
+    return {key: without_ids(item) for key, item in value.items() if key != "meta" or set(item) != {"id"}}
+
+
 def ticking(name="ticking", last=5):
     """Counts ticks of the timer in two alternating states; ends at `done` after `last` ticks."""
     toggle = lambda me, other: {

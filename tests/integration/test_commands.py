@@ -23,6 +23,17 @@ def race(*arguments, document=None):
     return out.returncode, out.stdout.splitlines(), out.stderr
 
 
+class Format(unittest.TestCase):
+    def test_it_gives_ids_which_stay(self):
+        status, lines, _ = race("fmt", "DOCUMENT", document=models.ticking())
+        document = json.loads("\n".join(lines))
+        self.assertEqual((status, models.without_ids(document)), (0, models.ticking()))
+        self.assertTrue(document["root"]["children"][0]["ports"][0]["meta"]["id"])
+        document["root"]["state"] = "Renamed"
+        _, renamed, _ = race("fmt", "DOCUMENT", document=document)
+        self.assertEqual([line for line in renamed if line not in lines], ['    "state": "Renamed",'])
+
+
 class Run(unittest.TestCase):
     def test_the_last_line_says_how_it_ended(self):
         status, lines, _ = race("run", "DOCUMENT", "--fast", "--json", document=models.ticking(last=3))

@@ -40,7 +40,13 @@ class Routes(unittest.TestCase):
         document["root"]["doc"] = "changed"
         changed = self.server.put("/documents/mine", document, "document_entry")
         self.assertEqual(changed["revision"], stored["revision"] + 1)
-        self.assertEqual(self.server.get("/documents/mine", "document_entry")["document"], document)
+        given_back = self.server.get("/documents/mine", "document_entry")["document"]
+        self.assertEqual(models.without_ids(given_back), document)
+        given_back["root"]["children"][0]["state"] = "Pang"
+        given_back["root"]["children"][1]["ports"][0]["to"] = given_back["root"]["first"] = "Pang"
+        renamed = self.server.put("/documents/mine", given_back, "document_entry")
+        self.assertEqual(renamed["document"], given_back)
+        self.assertTrue(renamed["document"]["root"]["children"][0]["meta"]["id"])
         names = [entry["name"] for entry in self.server.get("/documents", "documents")["documents"]]
         self.assertIn("mine", names)
         self.assertIn("pick", names)

@@ -13,7 +13,7 @@ namespace {
 // A and B follow one another on every event; B passes through C.
 constexpr const char* kModel = R"json({"rcm": 1, "root": {"state": "R", "first": "A", "children": [
   {"state": "A", "ports": [{"name": "go", "when": "svc.t.a", "to": "B"}]},
-  {"state": "B", "ports": [{"name": "go", "when": "svc.t.a", "to": "C"}]},
+  {"state": "B", "ports": [{"name": "go", "when": "svc.t.a", "to": "C", "meta": {"id": "b-go"}}], "meta": {"id": "b"}},
   {"state": "C", "ports": [{"name": "go", "when": "True", "to": "A"}]}]}})json";
 
 struct GoalTest : testing::Test {
@@ -101,6 +101,10 @@ TEST_F(GoalTest, ThatIsABreakpointStaysAndEndsTheStepToAnother) {
 
 TEST_F(GoalTest, NamesAStateOrPortThatTheProgramHas) {
   const semantics::Program& program = execution.run().program();
+  EXPECT_EQ(find_goal(program, {Goal::Kind::entered, "b", ""}), goal(Goal::Kind::entered, "R/B"));
+  EXPECT_EQ(find_goal(program, {Goal::Kind::fired, "b-go", ""}), goal(Goal::Kind::fired, "R/B.go"));
+  EXPECT_EQ(find_goal(program, {Goal::Kind::fired, "b", ""}).error().code, ErrorCode::not_found);
+  EXPECT_EQ(find_goal(program, {Goal::Kind::entered, "R/B", ""}).error().code, ErrorCode::not_found);
   EXPECT_EQ(find_goal(program, {Goal::Kind::entered, "", "R/X"}).error().code, ErrorCode::not_found);
   EXPECT_EQ(find_goal(program, {Goal::Kind::fired, "", "R/A"}).error().code, ErrorCode::not_found);
   EXPECT_EQ(find_goal(program, {Goal::Kind::left, "", "R/A.go"}).error().code, ErrorCode::not_found);

@@ -68,6 +68,14 @@ TEST(WriteDocument, HasItsFieldsInOneOrder) {
   EXPECT_EQ(to_json(write_document(document.value())), R"({"rcm":1,"name":"n","root":{"state":"R","doc":"d"}})");
 }
 
+TEST(WriteDocument, PutsTheIdFirst) {
+  const auto document =
+      read_document_text(R"({"rcm": 1, "root": {"state": "R", "meta": {"icon": "hand", "id": "r"}}})");
+  EXPECT_EQ(document->root.meta, (Meta{"r", Dict{{"icon", "hand"}}}));
+  EXPECT_EQ(to_json(write_document(document.value())),
+            R"({"rcm":1,"root":{"state":"R","meta":{"id":"r","icon":"hand"}}})");
+}
+
 TEST(ReadDraft, KeepsWhatHasTheRightShapeDespiteViolations) {
   const Draft draft =
       read_draft(parse_json(R"({"rcm": 1, "root": {"state": "R", "first": "Nobody", "entry": "while"}})").value());
@@ -148,6 +156,24 @@ TEST(ReadDocument, RejectsConstantsOutOfRange) {
               ElementsAre("R: constant"));
   EXPECT_THAT(rejected_root(R"("meta": 9223372036854775808)"), ElementsAre("R: constant"));
   EXPECT_THAT(rejected_root(R"("parameters": [{"name": "p", "value": 1e999}])"), ElementsAre(": constant"));
+}
+
+TEST(ReadDocument, RejectsWhatIsNoId) {
+  for (const std::string& id : {std::string("7"), std::string("null"), std::string("\"\""), std::string("\"a b\""),
+                                '"' + std::string(65, 'x') + '"'})
+    EXPECT_THAT(rejected_root(R"("meta": {"id": )" + id + "}"), ElementsAre("R: type")) << id;
+  EXPECT_THAT(rejected_root(R"("ports": [{"name": "p", "when": "True", "meta": {"id": 1}}])"),
+              ElementsAre("R.p: type"));
+  EXPECT_THAT(rejected_root(R"("children": [{"barrier": "b", "to": [], "meta": {"id": 1}}])"),
+              ElementsAre("R/b: type"));
+  const auto document = read_document_text(R"({"rcm": 1, "root": {"state": "R", "meta": {"id": "."}}})");
+  EXPECT_THAT(document.error().front().message, testing::HasSubstr("`meta.id`"));
+}
+
+TEST(ReadDocument, TakesElementsWithOneIdAndTheDocumentsOwnMetaAsItIs) {
+  EXPECT_THAT(rejected(R"({"rcm": 1, "meta": {"id": "any text"},
+                           "root": {"state": "R", "meta": {"id": "x"}, "results": [{"name": "r", "meta": {"id": "x"}}]}})"),
+              testing::IsEmpty());
 }
 
 TEST(ReadDocument, ListsAllViolationsAtOnce) {

@@ -10,7 +10,7 @@ Document document_of(std::string_view root) {
   return read_document_text(R"({"rcm": 1, "root": )" + std::string(root) + "}").value();
 }
 
-TEST(FormatDocument, PutsWhatIsSmallOnOneLine) {
+TEST(FormatDocument, PutsWhatIsSmallOnOneLineAndEachElementOnItsOwn) {
   EXPECT_EQ(format_document(document_of(
                 R"({"state": "Root", "parameters": [{"name": "a", "value": [1, 2.0]}], "children": [{"state": "A",
                    "ports": [{"name": "done", "when": "True", "to": "B"}]}, {"state": "B"}], "first": "A"})")),
@@ -24,11 +24,47 @@ TEST(FormatDocument, PutsWhatIsSmallOnOneLine) {
     "children": [
       {
         "state": "A",
-        "ports": [{"name": "done", "when": "True", "to": "B"}]
+        "ports": [
+          {"name": "done", "when": "True", "to": "B"}
+        ]
       },
-      {"state": "B"}
+      {
+        "state": "B"
+      }
     ],
     "first": "A"
+  }
+}
+)");
+}
+
+TEST(FormatDocument, GivesEachServicePlaceAndNoteOneLine) {
+  const Document document = read_document_text(R"({"rcm": 1, "services": {"b": "x", "a": "y"},
+      "root": {"state": "R", "meta": {"icon": "hand", "id": "r"}},
+      "layout": {"r": {"x": 1, "bends": [[1, 2], [[3]]]}, "a": {"y": 2}, "c": {}},
+      "meta": {"title": "t", "notes": {"r": "why", "a": "how"}}})")
+                                .value();
+  EXPECT_EQ(format_document(document), R"({
+  "rcm": 1,
+  "services": {
+    "a": "y",
+    "b": "x"
+  },
+  "root": {
+    "state": "R",
+    "meta": {"id": "r", "icon": "hand"}
+  },
+  "layout": {
+    "a": {"y": 2},
+    "c": {},
+    "r": {"x": 1, "bends": [[1, 2], [[3]]]}
+  },
+  "meta": {
+    "title": "t",
+    "notes": {
+      "a": "how",
+      "r": "why"
+    }
   }
 }
 )");
@@ -37,12 +73,11 @@ TEST(FormatDocument, PutsWhatIsSmallOnOneLine) {
 TEST(FormatDocument, StaysWithin120Columns) {
   Document document = document_of(R"({"state": "R"})");
   const auto line_with = [&](std::size_t length) {
-    document.root.children = {State{}};
-    auto& state = std::get<State>(document.root.children[0]);
-    state.name = "A";
-    state.entry = std::string(length, 'x');
+    document.root.parameters = {Parameter{}};
+    document.root.parameters[0].name = "p";
+    document.root.parameters[0].doc = std::string(length, 'x');
     const std::string text = format_document(document);
-    const auto at = text.find("\"state\": \"A\"");
+    const auto at = text.find("\"name\": \"p\"");
     const auto start = text.rfind('\n', at) + 1;
     return text.substr(start, text.find('\n', at) - start);
   };
@@ -50,7 +85,7 @@ TEST(FormatDocument, StaysWithin120Columns) {
   for (std::size_t length = 0; length < 150; ++length) {
     const std::string line = line_with(length);
     EXPECT_LE(line.size(), 120U);
-    if (line.find("entry") != std::string::npos) longest = length;
+    if (line.find("doc") != std::string::npos) longest = length;
   }
   EXPECT_GT(longest, 50U);
   EXPECT_LT(longest, 110U);

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "core/rcm/document.h"
+#include "core/rcm/ids.h"
 #include "core/rcm/translate.h"
 #include "tests/unit/core/rcm/cases.h"
 
@@ -82,15 +83,15 @@ class Mutator {
       case 5:
         return List{Value("A"), Value(Dict{{"state", "A"}})};
       case 6:
-        return Dict{{"kind", "history"}, {"name", "p"}, {"when", "True"}};
+        return Dict{{"kind", "history"}, {"name", "p"}, {"when", "True"}, {"id", "p"}};
       default:
         return models_[below(models_.size())];
     }
   }
 
-  static constexpr std::array<const char*, 22> kWords = {
-      "state", "barrier", "A",       "B",    "P",    "first", "link",    "Grasp", "oracle", "keep", "par.f",
-      "to",    "when",    "svc.t.x", "True", "meta", "rcm",   "library", "from",  "value",  "x y",  "\xc3\xa9"};
+  static constexpr std::array<const char*, 23> kWords = {
+      "state", "barrier", "A",    "B",    "P",  "first", "link",    "Grasp", "oracle", "keep", "par.f",   "to",
+      "when",  "svc.t.x", "True", "meta", "id", "rcm",   "library", "from",  "value",  "x y",  "\xc3\xa9"};
 
   std::mt19937 random_;
   const std::vector<Value>& models_;
@@ -112,6 +113,9 @@ bool hold(const Value& json) {
   EXPECT_EQ(read_document(write_document(*document)).value(), *document);
   EXPECT_EQ(read_document_text(format_document(*document)).value(), *document);
   EXPECT_TRUE(translate(*document).has_value());
+  Document with_ids = *document;
+  give_ids(with_ids);
+  EXPECT_EQ(read_document_text(format_document(with_ids)).value(), with_ids);
   return true;
 }
 

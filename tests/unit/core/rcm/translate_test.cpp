@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/rcm/document.h"
+#include "core/rcm/ids.h"
 #include "tests/unit/core/rcm/cases.h"
 
 namespace race::rcm {
@@ -159,6 +160,104 @@ TEST(Oracle, OfALibraryStateIsTranslatedAtEachLink) {
   EXPECT_EQ(model.origin.at("R/B/X"), "library/L/X");
   EXPECT_EQ(model.origin.at("R/B/Dispatcher"), "library/L");
   EXPECT_EQ(model.origin.at("R/B/Dispatcher.to_X"), "library/L");
+}
+
+constexpr const char* kLinks = R"json({"rcm": 1, "library": [
+    {"state": "Leaf", "meta": {"id": "leaf"}, "parameters": [{"name": "a", "value": 1, "meta": {"id": "la"}},
+                                                           {"name": "b", "value": 1, "meta": {"id": "lb"}}],
+     "results": [{"name": "r", "meta": {"id": "lr"}}], "variables": [{"name": "v", "meta": {"id": "lv"}}],
+     "actions": [{"when": "True", "do": "pass", "meta": {"id": "lx"}}],
+     "ports": [{"name": "p", "when": "True", "meta": {"id": "lp"}}, {"name": "q", "when": "True", "meta": {"id": "lq"}}]},
+    {"state": "Twice", "meta": {"id": "twice"}, "children": [
+      {"state": "A", "link": "Leaf", "meta": {"id": "ta"}, "ports": [{"name": "p", "to": "b", "meta": {"id": "tp"}}]},
+      {"barrier": "b", "to": [], "meta": {"id": "tb"}}]}],
+  "root": {"state": "R", "meta": {"id": "r"}, "children": [
+    {"state": "One", "link": "Leaf", "meta": {"id": "one"}, "parameters": [{"name": "a", "value": 2, "meta": {"id": "oa"}}],
+     "ports": [{"name": "q", "meta": {"id": "oq"}}]},
+    {"state": "Two", "link": "Twice", "meta": {"id": "two"}}]}})json";
+
+TEST(NativeIds, OfWhatALinkTakesOverAreDerivedFromItsOwn) {
+  const State one = child(native(kLinks).root, "One");
+  EXPECT_EQ(one.meta.id, "one");
+  EXPECT_EQ(one.parameters[0].meta.id, "oa") << "the link declares it";
+  EXPECT_EQ(one.parameters[1].meta.id, derived_id("one", "lb"));
+  EXPECT_EQ(one.results[0].meta.id, derived_id("one", "lr"));
+  EXPECT_EQ(one.variables[0].meta.id, derived_id("one", "lv"));
+  EXPECT_EQ(one.actions[0].meta.id, derived_id("one", "lx"));
+  EXPECT_EQ(one.ports[0].meta.id, derived_id("one", "lp"));
+  EXPECT_EQ(one.ports[1].meta.id, "oq");
+}
+
+TEST(NativeIds, OfNestedLinksNest) {
+  const State two = child(native(kLinks).root, "Two");
+  EXPECT_EQ(std::get<Barrier>(two.children[1]).meta.id, derived_id("two", "tb"));
+  const State a = child(two, "A");
+  EXPECT_EQ(a.meta.id, derived_id("two", "ta"));
+  EXPECT_EQ(a.ports[0].meta.id, derived_id("two", "tp"));
+  EXPECT_EQ(a.ports[1].meta.id, derived_id(derived_id("two", "ta"), "lq"));
+}
+
+void collect_ids(const State& state, std::vector<std::string>& out) {
+  const auto add = [&](const auto& elements) {
+    for (const auto& element : elements) out.push_back(element.meta.id);
+  };
+  out.push_back(state.meta.id);
+  add(state.parameters);
+  add(state.results);
+  add(state.variables);
+  add(state.actions);
+  add(state.ports);
+  for (const Node& node : state.children) {
+    if (const auto* inner = std::get_if<State>(&node)) {
+      collect_ids(*inner, out);
+    } else {
+      out.push_back(std::get<Barrier>(node).meta.id);
+    }
+  }
+}
+
+std::vector<std::string> native_ids(const Document& document) {
+  std::vector<std::string> out;
+  collect_ids(translate(document).value().root, out);
+  return out;
+}
+
+TEST(NativeIds, OfWhatAnOracleBecomesSurviveRenames) {
+  const auto renamed = [](std::string_view composite, std::string_view first, std::string_view oracle) {
+    const std::string x(first);
+    return read_document_text(R"({"rcm": 1, "root": {"state": "R", "meta": {"id": "r"}, "children": [{"state": ")" +
+                              std::string(composite) + R"(", "meta": {"id": "c"}, "first": ")" + x +
+                              R"(", "children": [{"state": ")" + x +
+                              R"(", "meta": {"id": "x"}}, {"state": "Y", "meta": {"id": "y"}}], "oracle": )" +
+                              std::string(oracle) + "}]}}")
+        .value();
+  };
+  for (const char* oracle : {R"({"kind": "expr", "expr": "'Y'"})", R"({"kind": "history"})",
+                             R"json({"kind": "external", "call": "svc.o.decide(1, 2)"})json"}) {
+    const auto ids = native_ids(renamed("C", "X", oracle));
+    EXPECT_EQ(native_ids(renamed("Other", "First", oracle)), ids) << oracle;
+    EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), ids.size()) << oracle;
+    EXPECT_TRUE(std::ranges::all_of(ids, is_id)) << oracle;
+  }
+}
+
+TEST(NativeIds, AreAllDifferentAndNoneWithoutThoseOfTheDocument) {
+  for (const auto& folder : cases(false)) {
+    Document document = read_document_text(read_text(folder / "model.json")).value();
+    for (const std::string& id : native_ids(document)) EXPECT_EQ(id, "") << folder;
+    give_ids(document);
+    const auto ids = native_ids(document);
+    EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), ids.size()) << folder;
+    EXPECT_TRUE(std::ranges::all_of(ids, is_id)) << folder;
+  }
+}
+
+TEST(NativeIds, AreNoneBelowALinkThatHasNone) {
+  const Document document = read_document_text(R"({"rcm": 1,
+      "library": [{"state": "L", "meta": {"id": "l"}, "children": [{"state": "X", "meta": {"id": "x"}}]}],
+      "root": {"state": "R", "children": [{"state": "A", "link": "L"}]}})")
+                                .value();
+  EXPECT_EQ(native_ids(document), (std::vector<std::string>{"", "", ""})) << "else two links would have the same";
 }
 
 TEST(Translation, LeavesADocumentWithoutExtensionsAsItIs) {
