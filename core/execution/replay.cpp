@@ -35,15 +35,9 @@ Expected<List> Replay::steps(const std::vector<JournalEntry>& entries, std::size
   List steps;
   for (std::size_t step = from; step <= to; ++step) {
     const bool partial = step == entries.size() && micro >= 0;
-    Dict json;
-    if (partial && micro == 0) {
-      json = trace_step(*header_.program, {.position = step, .entry = entries[step - 1]});
-    } else {
-      ASSIGN_OR_RETURN(const Progress* progress,
-                       execution.redo(entries[step - 1], {.derivation = true},
-                                      partial ? static_cast<std::uint32_t>(micro) : Execution::kNoLimit));
-      json = trace_step(*header_.program, *progress);
-    }
+    const std::uint32_t limit = partial ? static_cast<std::uint32_t>(micro) : Execution::kNoLimit;
+    ASSIGN_OR_RETURN(const Progress* progress, execution.redo(entries[step - 1], {.derivation = true}, limit));
+    Dict json = trace_step(*header_.program, *progress);
     json.set("state", execution.run().state_json());
     if (partial) json.set("complete", false);
     steps.push_back(std::move(json));
@@ -57,6 +51,22 @@ Expected<Execution> Replay::before(const std::vector<JournalEntry>& entries, std
   if (auto done = execution.redo(entries[step - 1], kNothing, static_cast<std::uint32_t>(micro)); !done)
     return tl::unexpected(std::move(done).error());
   return execution;
+}
+
+Expected<Value> derive_journal(const Journal& journal) {
+  const JournalHeader& header = journal.header;
+  ASSIGN_OR_RETURN(Execution execution, Execution::create(header.program, header.arguments, header.budgets));
+  List steps;
+  for (const JournalEntry& entry : journal.entries) {
+    const auto progress = execution.redo(entry, {.entry = false, .derivation = true});
+    if (!progress)
+      return unexpected(progress.error().code, progress.error().message, "entries/" + std::to_string(steps.size()));
+    steps.push_back(derived_step(execution, **progress));
+  }
+  Dict document;
+  document.set("steps", std::move(steps));
+  set_status(execution.run(), document);
+  return Value(std::move(document));
 }
 
 }  // namespace race::execution

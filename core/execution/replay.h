@@ -18,7 +18,8 @@ class Replay {
   // journal is of another run.
 
   /// Macro steps `from` to `to`, both counted from 1, as schemas/trace_step.json. Of the last entry only the first
-  /// `micro` micro steps are shown if it is not complete (`micro` >= 0). Requires 1 <= from <= to <= number of entries.
+  /// `micro` micro steps are shown if it is not complete (`micro` >= 1; else negative). Requires 1 <= from <= to <=
+  /// number of entries.
   Expected<List> steps(const std::vector<JournalEntry>& entries, std::size_t from, std::size_t to, int micro);
 
   /// The execution as it was before micro step `micro`, from 0, of macro step `step`; as it was at the end of the macro
@@ -36,5 +37,9 @@ class Replay {
   std::size_t interval_ = kInterval;
   std::map<std::size_t, Execution> checkpoints_;  // by position
 };
+
+/// The derivation document of a journal (core/SEMANTICS.md section 7), a step for each entry. Error `conflict`, at the
+/// entry: the run does not take it.
+Expected<Value> derive_journal(const Journal& journal);
 
 }  // namespace race::execution

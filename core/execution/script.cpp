@@ -9,7 +9,6 @@
 namespace race::execution {
 
 using semantics::OutgoingCall;
-using semantics::Status;
 
 namespace {
 
@@ -20,17 +19,6 @@ void post(Execution& execution, const ScriptStep& step) {
     const std::uint64_t call = execution.run().find_call(response.service, response.operation, response.call);
     if (call != 0) execution.post_response(call, response.is_error, response.data);
   }
-}
-
-// As `race derive` prints it: a script names calls by operation, not by number.
-Value step_json(const Execution& execution, const Progress& progress) {
-  List calls;
-  for (const OutgoingCall& call : progress.calls)
-    calls.emplace_back(
-        Dict{{"service", call.service}, {"operation", call.name}, {"args", call.args}, {"kwargs", call.kwargs}});
-  return Dict{{"micro", micro_steps_json(execution.run().program(), *progress.derivation)},
-              {"calls", std::move(calls)},
-              {"state", execution.run().state_json()}};
 }
 
 semantics::Order order_of(const semantics::Program& program, OrderChoice choice) {
@@ -65,7 +53,7 @@ Checked<Value> derive(const rcm::NativeModel& model, const Script& script, Order
     post(*execution, step);
     const Progress& progress = execution->step({.entry = false, .derivation = true});
     for (const OutgoingCall& call : progress.calls) services.call(call);
-    steps.push_back(step_json(*execution, progress));
+    steps.push_back(derived_step(*execution, progress));
     services.step(step);
   }
   Dict document;

@@ -34,6 +34,16 @@ Dict trace_step(const semantics::Program& program, const Progress& progress) {
   return json;
 }
 
+Value derived_step(const Execution& execution, const Progress& progress) {
+  List calls;
+  for (const OutgoingCall& call : progress.calls)
+    calls.emplace_back(
+        Dict{{"service", call.service}, {"operation", call.name}, {"args", call.args}, {"kwargs", call.kwargs}});
+  List micro;
+  if (progress.derivation) micro = micro_steps_json(execution.run().program(), *progress.derivation);
+  return Dict{{"micro", std::move(micro)}, {"calls", std::move(calls)}, {"state", execution.run().state_json()}};
+}
+
 Value root_results(const Run& run) {
   Dict results;
   const semantics::StateInfo& root = run.program()[semantics::Program::root];

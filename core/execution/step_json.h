@@ -17,6 +17,10 @@ List micro_steps_json(const semantics::Program& program, const semantics::Deriva
 /// A step whose derivation was recorded, as schemas/trace_step.json without `state`.
 Dict trace_step(const semantics::Program& program, const Progress& progress);
 
+/// The step that `execution` has just done with its derivation, as a derivation document has it (core/SEMANTICS.md
+/// section 7): calls without their numbers, and the state after it.
+Value derived_step(const Execution& execution, const Progress& progress);
+
 /// The results of the root that are set.
 Value root_results(const semantics::Run& run);
 

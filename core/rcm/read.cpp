@@ -1,4 +1,6 @@
 // Reading documents: the shape. One function for each element of the format; each gets the path of its parent.
+#include <algorithm>
+
 #include "core/rcm/constraints.h"
 #include "core/rcm/document.h"
 #include "core/rcm/ids.h"
@@ -34,6 +36,17 @@ Value read_type(Fields& fields) {
 }
 
 Value read_json_meta(Fields& fields) { return fields.constant("meta").value_or(Value()); }
+
+/// Of the document: `notes` on elements by their ids.
+Value read_document_meta(Fields& fields) {
+  Value meta = read_json_meta(fields);
+  const Value* notes = meta.find("notes");
+  const bool are_texts = !notes || (notes->is_dict() && std::ranges::all_of(notes->as_dict(), [](const auto& note) {
+                                      return note.second.is_string();
+                                    }));
+  if (!are_texts) fields.violation(ErrorCode::type, "`meta.notes` must be an object of texts, each by an id");
+  return meta;
+}
 
 Meta read_meta(Fields& fields) {
   Meta out{"", read_json_meta(fields)};
@@ -233,7 +246,7 @@ Draft read_draft(const Value& json) {
   out.document.layout = fields.constant("layout").value_or(Value());
   if (!out.document.layout.is_null() && !out.document.layout.is_dict())
     fields.violation(ErrorCode::type, "`layout` must be an object");
-  out.document.meta = read_json_meta(fields);
+  out.document.meta = read_document_meta(fields);
   fields.close();
   return out;
 }

@@ -2,12 +2,10 @@
 // section 7), as JSON or as a transcript. Exit 1 if the run faulted.
 #include "core/execution/derive.h"
 
-#include <cstdio>
 #include <memory>
 
-#include "core/semantics/derivation_text.h"
-#include "core/value/json.h"
 #include "server/commands/command.h"
+#include "server/commands/print_derivations.h"
 
 namespace race::server {
 namespace {
@@ -21,11 +19,7 @@ int derive(const std::string& model_path, const std::string& script_path, const 
   if (!script) return refuse(script.error(), !as_text);
   const auto document = execution::derive_texts(*model, *script, *order);
   if (!document) return refuse(document.error(), !as_text);
-  if (as_text)
-    std::fputs(semantics::derivation_text(*document).c_str(), stdout);
-  else
-    std::printf("%s\n", to_json(*document, 1).c_str());
-  return document->find("status")->as_string() == "faulted" ? kExitFindings : kExitOk;
+  return print_derivations(*document, as_text);
 }
 
 std::function<int()> declare(Arguments& arguments) {

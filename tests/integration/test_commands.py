@@ -34,6 +34,26 @@ class Format(unittest.TestCase):
         self.assertEqual([line for line in renamed if line not in lines], ['    "state": "Renamed",'])
 
 
+class Derive(unittest.TestCase):
+    def outcome(self, order):
+        """Of a task of which two ports can fire."""
+        ports = [{"name": name, "when": "True"} for name in ("p", "q")]
+        with tempfile.TemporaryDirectory() as folder:
+            script = Path(folder, "script.json")
+            script.write_text('{"steps": [{}]}')
+            status, lines, error = race("derive", "--order", order, "DOCUMENT", script, document={
+                "rcm": 1, "name": "racing", "root": {"state": "Root", "ports": ports}})
+        return status, json.loads("\n".join(lines)).get("outcome"), error
+
+    def test_another_order_shows_a_race(self):
+        self.assertEqual([self.outcome(order)[1] for order in ("declared", "reversed")], ["p", "q"])
+        self.assertEqual({self.outcome(seed)[1] for seed in range(10)}, {"p", "q"})
+        self.assertEqual(self.outcome(7), self.outcome(7))
+        for order in ("", "backwards", "-1", "1.5", "99999999999999999999"):
+            status, _, error = self.outcome(order)
+            self.assertEqual((status, error.split(":")[:2]), (2, ["--order", " type"]))
+
+
 class Run(unittest.TestCase):
     def test_the_last_line_says_how_it_ended(self):
         status, lines, _ = race("run", "DOCUMENT", "--fast", "--json", document=models.ticking(last=3))
@@ -86,7 +106,7 @@ class Run(unittest.TestCase):
 
 
 class Help(unittest.TestCase):
-    COMMANDS = ("serve", "service", "run", "derive", "check", "translate", "fmt")
+    COMMANDS = ("serve", "service", "run", "derive", "replay", "check", "translate", "fmt")
 
     def test_overview_names_each_command_with_its_options(self):
         status, lines, errors = race("--help")
@@ -111,7 +131,7 @@ class Help(unittest.TestCase):
                 self.assertEqual(explained, named)
 
     def test_wrong_use_prints_the_usage_as_an_error(self):
-        for words in (("service",), ("run",), ("derive", "x"), ("check",), ("translate",), ("fmt",), ("serve", "x")):
+        for words in (("service",), ("run",), ("derive", "x"), ("replay",), ("check",), ("translate",), ("fmt",), ("serve", "x")):
             status, lines, errors = race(*words)
             self.assertEqual((status, lines), (2, []))
             self.assertTrue(errors.startswith(f"usage: race {words[0]} "), errors)

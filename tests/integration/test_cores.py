@@ -34,6 +34,16 @@ class Cores(unittest.TestCase):
         self.assertIn(out.returncode, (0, 1), out.stderr)
         return json.loads(out.stdout)
 
+    def replay(self, core, change=lambda journal: None):
+        """Exit status and output of `race replay` on the core's journal, changed."""
+        journal = self.server.get(f"/cores/{core}/journal", "journal")
+        change(journal)
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "journal.json")
+            path.write_text(json.dumps(journal))
+            out = subprocess.run([PROGRAM, "replay", str(path)], capture_output=True, text=True, check=False)
+        return out.returncode, json.loads(out.stdout)
+
     def paused_core(self, document, arguments=None):
         """A core that is paused before its first step."""
         core = self.server.core(document, arguments, start=False)
@@ -69,6 +79,25 @@ class Cores(unittest.TestCase):
         theirs = self.derive(core)
         self.assertEqual([strip(step) for step in ours["steps"]], theirs["steps"])
         self.assertEqual((ours["status"], ours["outcome"]), (theirs["status"], theirs["outcome"]))
+        self.assertEqual(self.replay(core), (0, theirs))
+
+    def test_a_journal_is_replayed_elsewhere_and_refused_if_it_is_of_another_run(self):
+        core = self.server.core(models.storing("journaled"), {"key": "journaled", "value": 1})
+        ended = self.server.ended(core)
+        status, replayed = self.replay(core)
+        ours = self.server.get(f"/cores/{core}/derivations?from=1&to={ended['step']}", "derivations")
+        self.assertEqual((status, replayed["steps"]), (0, [strip(step) for step in ours["steps"]]))
+        stopped = self.server.core(models.chain("stopped"))
+        self.server.post(f"/cores/{stopped}/stop", None, "core")
+        self.assertEqual(self.replay(stopped)[1]["status"], "aborted")
+        faulted = self.server.core(models.faulty())
+        self.server.ended(faulted)
+        self.assertEqual((self.replay(faulted)[0], self.replay(faulted)[1]["status"]), (1, "faulted"))
+        swap = lambda journal: journal["entries"][1]["input"].update(journal["entries"][2]["input"] | {"call": 1})
+        self.assertEqual(self.replay(core, swap), (2, {"errors": [{"path": "entries/1", "code": "conflict", "message":
+            "the run takes no response of db.get to call 1 here: the journal is of another run"}]}))
+        status, refused = self.replay(core, lambda journal: journal["header"].update(semantics="2"))
+        self.assertEqual((status, refused["errors"][0]["path"], refused["errors"][0]["code"]), (2, "header/semantics", "version"))
 
     def test_one_step_alone_equals_the_step_in_the_whole_run(self):
         core = self.server.core(models.ticking("asked", last=4))
