@@ -1,6 +1,5 @@
 #include "core/execution/execution.h"
 
-#include <algorithm>
 #include <cassert>
 
 #include "core/execution/journal_input.h"
@@ -62,6 +61,7 @@ inline const Progress& Execution::finish() {
 }
 
 const Progress& Execution::start(Recording recording, std::uint32_t limit) {
+  assert(run_.position() == 0);
   progress_.entry.reset();
   if (recording.entry) progress_.entry = StartEntry{};
   return begin(std::nullopt, recording, limit);
@@ -74,13 +74,17 @@ const Progress& Execution::step(Recording recording, std::uint32_t limit) {
   return begin(std::move(input), recording, limit);
 }
 
-Expected<const Progress*> Execution::redo(const JournalEntry& entry, Recording recording, std::uint32_t limit) {
+Expected<const Progress*> Execution::replay(const JournalEntry& entry, Recording recording, std::uint32_t limit) {
   if (is_over()) return unexpected(ErrorCode::conflict, "the run is over before this entry");
   if (std::holds_alternative<AbortEntry>(entry)) return &abort();
+  if (std::holds_alternative<StartEntry>(entry) != (run_.position() == 0))
+    return unexpected(ErrorCode::conflict, "a run begins with `start`, and only begins with it");
   if (std::holds_alternative<StartEntry>(entry)) return &start(recording, limit);
   ASSIGN_OR_RETURN(Input input, input_of(run_, entry));
-  progress_.entry.reset();
-  if (recording.entry) progress_.entry = entry;
+  if (recording.entry)
+    progress_.entry = entry;
+  else
+    progress_.entry.reset();
   return &begin(std::move(input), recording, limit);
 }
 
@@ -113,41 +117,39 @@ const Progress& Execution::begin(std::optional<Input>&& input, Recording recordi
   run_.begin(std::move(input));
   progress_.position = run_.position();
   progress_.micro = 0;
-  return go_on(limit);
+  return continue_step(limit);
 }
 
-const Progress& Execution::go_on(std::uint32_t limit) {
-  assert(open_ && limit > 0);
+const Progress& Execution::continue_step(std::uint32_t limit) {
+  assert(open_ && (limit > 0 || progress_.micro == 0));
   progress_.first = progress_.micro;
   progress_.complete = progress_.reached_goal = false;
   progress_.derivation.reset();
   if (recording_.derivation) {
     semantics::TreeRecorder trees;
-    do_micro_steps(limit, [&] { return run_.micro(trees, order_); });
+    do_micro_steps(trees, limit);
     progress_.derivation = std::move(trees.derivation);
   } else if (order_.is_declared()) {
     semantics::NoRecorder none;
-    do_micro_steps(limit, [&] { return run_.micro(none); });
+    do_micro_steps(none, limit);
   } else {  // a recorder that visits all, as another order requires
     semantics::NameRecorder names;
-    do_micro_steps(limit, [&] { return run_.micro(names, order_); });
+    do_micro_steps(names, limit);
   }
   return finish();
 }
 
-template <typename MicroStep>
-void Execution::do_micro_steps(std::uint32_t limit, MicroStep micro_step) {
-  const bool has_goals = goal_ || !breakpoints_.empty();
-  while (limit-- > 0 && !progress_.reached_goal) {
-    if (!micro_step()) {
-      open_ = false;
-      return;
-    }
-    ++progress_.micro;
-    if (view_) view_->look(run_);
-    if (has_goals) progress_.reached_goal = reaches_goal();
-  }
-  open_ = !is_over();
+template <semantics::Recorder R>
+void Execution::do_micro_steps(R& recorder, std::uint32_t limit) {
+  open_ = !run_.quiesce(recorder, order_, limit, [this] { return after_micro_step(); });
+}
+
+// Whether the macro step goes on.
+inline bool Execution::after_micro_step() {
+  ++progress_.micro;
+  if (view_) view_->note_fired_ports(run_);
+  if (goal_ || !breakpoints_.empty()) progress_.reached_goal = reaches_goal();
+  return !progress_.reached_goal;
 }
 
 // All are asked: each counts anew from where it was reached.

@@ -2,7 +2,7 @@
 // entry of the journal, the calls, what was printed, the change of the state, and the derivation if somebody asks.
 // Hosted cores, `race run`, `race derive` and replays drive their runs with it; nothing else begins a macro step.
 //
-// A pure value that belongs to one thread at a time: a copy goes on from the same point.
+// A pure value that belongs to one thread at a time: a copy goes on from the same point, on the same thread.
 #pragma once
 
 #include <memory>
@@ -57,17 +57,18 @@ class Execution {
   bool has_input() const { return waiting_.any(run_); }
   const WaitingInputs& waiting() const { return waiting_; }
 
-  // Macro steps. Each of these begins one and does at most `limit` of its micro steps (at least 1); fewer if a goal is
-  // reached or the macro step is over. Requires that the run is running and no macro step is open. What came of it is
-  // valid until the next of these.
+  // Macro steps. Each of these begins one and does at most `limit` of its micro steps; fewer if a goal is
+  // reached or the macro step is over; with 0 it only delivers the input. Requires that the run is running and no macro
+  // step is open. What came of it is valid until the next of these.
   /// The first one, which activates the root. It takes no input: those that wait have macro steps of their own.
   const Progress& start(Recording recording, std::uint32_t limit = kNoLimit);
   /// With the first waiting input; with none if none counts (a step of a script; it has no entry).
   const Progress& step(Recording recording, std::uint32_t limit = kNoLimit);
-  /// With the input of an entry, as a replay does; the inputs that wait stay. Error `journal`: the run cannot take it.
-  Expected<const Progress*> redo(const JournalEntry& entry, Recording recording, std::uint32_t limit = kNoLimit);
+  /// With the input of an entry, as a replay does; the inputs that wait stay. Error `conflict`: the run does not
+  /// take it here.
+  Expected<const Progress*> replay(const JournalEntry& entry, Recording recording, std::uint32_t limit = kNoLimit);
   /// The open macro step goes on.
-  const Progress& go_on(std::uint32_t limit = kNoLimit);
+  const Progress& continue_step(std::uint32_t limit = kNoLimit);
   /// Ends the run between macro steps (core/SEMANTICS.md section 10): no exit function runs, what is safe is called.
   const Progress& abort();
   /// A macro step has begun and is not over.
@@ -78,7 +79,7 @@ class Execution {
   // Goals. A step stops after the micro step that reaches one.
   /// How far to go; none: no further than breakpoints say. It is given up when it, or a breakpoint, is reached.
   void set_goal(std::optional<Goal> goal);
-  const std::optional<GoalWatch>& goal() const { return goal_; }
+  bool has_goal() const { return goal_.has_value(); }
   /// Replaces the goals that stay.
   void set_breakpoints(const std::vector<Goal>& goals);
 
@@ -97,8 +98,9 @@ class Execution {
  private:
   explicit Execution(semantics::Run run) : run_(std::move(run)) {}
   const Progress& begin(std::optional<semantics::Input>&& input, Recording recording, std::uint32_t limit);
-  template <typename MicroStep>
-  void do_micro_steps(std::uint32_t limit, MicroStep micro_step);
+  template <semantics::Recorder R>
+  void do_micro_steps(R& recorder, std::uint32_t limit);
+  bool after_micro_step();
   bool reaches_goal();
   const Progress& finish();
 

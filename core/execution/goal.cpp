@@ -1,6 +1,7 @@
 #include "core/execution/goal.h"
 
 #include <array>
+#include <utility>
 
 namespace race::execution {
 
@@ -14,8 +15,8 @@ std::string_view name(Goal::Kind kind) {
 
 Expected<Goal> find_goal(const Program& program, const GoalName& name) {
   Goal goal{.kind = name.kind};
-  const bool by_id = !name.id.empty();
-  const std::string& text = by_id ? name.id : name.path;
+  const bool by_id = name.id.has_value();
+  const std::string& text = by_id ? *name.id : name.path;
   if (name.kind == Goal::Kind::entered || name.kind == Goal::Kind::left) {
     const auto state = by_id ? program.state_with_id(text) : program.find_state(text);
     if (!state)

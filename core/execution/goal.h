@@ -23,10 +23,11 @@ struct Goal {
   bool operator==(const Goal&) const = default;
 };
 
-/// A goal as people and clients name it: the state or port by its id (meta.id) or, without one, by its path.
+/// A goal as people and clients name it: the state or port by its id (meta.id) or by its path.
 struct GoalName {
   Goal::Kind kind = Goal::Kind::micro;
-  std::string id, path;
+  std::optional<std::string> id = {};
+  std::string path = {};
   bool operator==(const GoalName&) const = default;
 };
 

@@ -12,29 +12,29 @@ namespace race::execution {
 
 class Replay {
  public:
-  explicit Replay(JournalHeader header) : header_(std::move(header)) {}
+  static constexpr std::size_t kInterval = 256;    // macro steps between checkpoints, at least
+  static constexpr std::size_t kCheckpoints = 64;  // kept at most
 
-  // `entries`: those of the journal; longer than or equal to those of the call before. Error of all `conflict`: the
-  // journal is of another run.
+  explicit Replay(JournalHeader header, std::size_t interval = kInterval, std::size_t checkpoints = kCheckpoints)
+      : header_(std::move(header)), interval_(interval), most_(checkpoints) {}
+
+  // `entries`: those of the journal; they begin with those of the calls before. Error of all `conflict`: the journal is
+  // of another run.
 
   /// Macro steps `from` to `to`, both counted from 1, as schemas/trace_step.json. Of the last entry only the first
-  /// `micro` micro steps are shown if it is not complete (`micro` >= 1; else negative). Requires 1 <= from <= to <=
-  /// number of entries.
+  /// `micro` micro steps are shown if it is not complete (`micro` >= 0). Requires 1 <= from <= to <= number of entries.
   Expected<List> steps(const std::vector<JournalEntry>& entries, std::size_t from, std::size_t to, int micro);
 
-  /// The execution as it was before micro step `micro`, from 0, of macro step `step`; as it was at the end of the macro
-  /// step if it has fewer. Requires 1 <= step <= number of entries, micro >= 0.
+  /// The execution as it was before micro step `micro`, from 0, of macro step `step`, which has begun; as it was at the
+  /// end of the macro step if it has fewer. Requires 1 <= step <= number of entries, micro >= 0.
   Expected<Execution> before(const std::vector<JournalEntry>& entries, std::size_t step, int micro);
 
  private:
   Expected<Execution> after(const std::vector<JournalEntry>& entries, std::size_t position);
-  void thin_out();
-
-  static constexpr std::size_t kInterval = 256;    // macro steps between checkpoints, at least
-  static constexpr std::size_t kCheckpoints = 64;  // kept at most
+  void keep(const Execution& execution);
 
   JournalHeader header_;
-  std::size_t interval_ = kInterval;
+  std::size_t interval_, most_;
   std::map<std::size_t, Execution> checkpoints_;  // by position
 };
 

@@ -1,6 +1,7 @@
 #include "core/execution/state_view.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace race::execution {
 
@@ -50,7 +51,7 @@ Value StateView::snapshot(const Run& run) {
   return run.state_json();
 }
 
-void StateView::look(const Run& run) {
+void StateView::note_fired_ports(const Run& run) {
   std::vector<std::uint8_t> now = port_flags(run);
   for (std::size_t i = 0; i < now.size(); ++i)
     if (now[i] && !ports_[i])

@@ -13,8 +13,8 @@ class StateView {
  public:
   /// The whole state (schemas/state.json); from now on, changes count from here.
   Value snapshot(const semantics::Run& run);
-  /// Looks for ports that have fired since the last look: to be called after each micro step.
-  void look(const semantics::Run& run);
+  /// Notes the ports that have fired: to be called after each micro step.
+  void note_fired_ports(const semantics::Run& run);
   /// active, ports, activated, parameters, results, variables, unset, fired: what has changed since the last snapshot
   /// or delta.
   Dict delta(const semantics::Run& run);

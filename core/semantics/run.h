@@ -82,25 +82,21 @@ class Run {
   bool micro(R& recorder, const Order& order) {
     return micro_step(recorder, order);
   }
-  /// A whole macro step.
+  /// Micro steps until one changes nothing or the run is over (true), or until `limit` are done or `go_on`, which is
+  /// asked after each, says false. Requires that the order fits the program and is declared unless R visits all.
   //
   // Quiesc (3.32): micro steps until none changes anything (R14).
   //
   //   Σ ⊢ Δ ⟹* Δ'    Δ' is ⟹-normal-form
   //   ────────────────────────────────────
   //   Σ ⊢ Δ ⟹↓ Δ'
-  template <Recorder R>
-  void macro_step(std::optional<Input> input, R& recorder) {
-    begin(std::move(input));
-    while (micro(recorder)) {
+  template <Recorder R, typename GoOn>
+  bool quiesce(R& recorder, const Order& order, std::uint32_t limit, GoOn go_on) {
+    while (limit-- > 0) {
+      if (!micro_step(recorder, order)) return true;
+      if (!go_on()) break;
     }
-  }
-  /// The same in the given order.
-  template <VisitsAll R>
-  void macro_step(std::optional<Input> input, R& recorder, const Order& order) {
-    begin(std::move(input));
-    while (micro(recorder, order)) {
-    }
+    return status() != Status::running;
   }
   /// Ends the run between macro steps: no exit function runs; operations marked `safe` are called.
   void abort();

@@ -61,7 +61,7 @@ std::vector<std::uint64_t> Run::unanswered_calls(std::string_view service) const
   return unanswered;
 }
 
-// Macro (4.19): the snapshot, then quiescence (Run::macro_step).
+// Macro (4.19): the snapshot, then quiescence (Run::quiesce).
 //
 //   Σ' = Ω if updated(Ω,Σ), else Σ    Σ' ⊢ Δ ⟹↓ε Δ',Ω'
 //   ───────────────────────────────────────────────────

@@ -15,14 +15,12 @@ namespace {
 
 Value integer(std::uint64_t n) { return static_cast<std::int64_t>(n); }
 
-List breakpoints_json(const std::vector<execution::GoalName>& breakpoints) {
+Value breakpoints_json(const std::vector<execution::GoalName>& breakpoints) {
   List list;
-  for (const execution::GoalName& each : breakpoints) {
-    Dict json{{"when", execution::name(each.kind)}};
-    json.set(each.id.empty() ? "path" : "id", each.id.empty() ? each.path : each.id);
-    list.emplace_back(std::move(json));
-  }
-  return list;
+  for (const execution::GoalName& each : breakpoints)
+    list.push_back(Dict{{"when", execution::name(each.kind)}, {each.id ? "id" : "path", each.id.value_or(each.path)}});
+  Value json(std::move(list));
+  return std::move(json.freeze());
 }
 
 tl::unexpected<Error> conflict(std::string why) { return unexpected(ErrorCode::conflict, std::move(why)); }
@@ -90,7 +88,7 @@ Expected<Value> Core::start() {
 Expected<Value> Core::pause() {
   return on_strand([this]() -> Expected<Value> {
     if (is_over()) return conflict("core " + id_ + " is over");
-    while (execution_.is_open() && !execution_.goal() && !paused_) do_part(Execution::kNoLimit);
+    while (execution_.is_open() && !execution_.has_goal() && !paused_) do_part(Execution::kNoLimit);
     if (!paused_) hold();
     return info_json();
   });
@@ -112,8 +110,9 @@ Expected<Value> Core::stop() {
     if (!started_) return conflict("core " + id_ + " was not started");
     if (is_over()) return conflict("core " + id_ + " is over");
     execution_.set_goal(std::nullopt);
+    execution_.set_breakpoints({});
     while (execution_.is_open()) do_part(Execution::kNoLimit);
-    if (!is_over()) release(execution_.abort());
+    if (!is_over()) emit(execution_.abort());
     return info_json();
   });
 }
@@ -134,13 +133,18 @@ Expected<Value> Core::step(execution::GoalName name) {
 Expected<Value> Core::set_breakpoints(std::vector<execution::GoalName> names) {
   return on_strand([this, names = std::move(names)]() -> Expected<Value> {
     if (is_over()) return conflict("core " + id_ + " is over");
+    if (names.size() > kMostBreakpoints)
+      return unexpected(ErrorCode::too_large, "there may be " + std::to_string(kMostBreakpoints) + " breakpoints",
+                        "breakpoints");
     std::vector<Goal> goals;
     for (const execution::GoalName& name : names) {
-      ASSIGN_OR_RETURN(const Goal goal, find_goal(program(), name));
-      goals.push_back(goal);
+      const auto goal = find_goal(program(), name);
+      if (!goal)
+        return unexpected(goal.error().code, goal.error().message, "breakpoints/" + std::to_string(goals.size()));
+      goals.push_back(*goal);
     }
     execution_.set_breakpoints(goals);
-    breakpoints_ = names;
+    breakpoints_ = breakpoints_json(names);
     publish_info();
     return info_json();
   });
@@ -273,18 +277,18 @@ std::uint32_t Core::do_part(std::uint32_t limit) {
   const Progress& progress = next_part(limit);
   const std::uint32_t used = std::max(progress.micro - progress.first, 1U);
   if (progress.reached_goal) paused_ = true;
-  release(progress);
+  emit(progress);
   return used;
 }
 
 const Progress& Core::next_part(std::uint32_t limit) {
-  if (execution_.is_open()) return execution_.go_on(limit);
+  if (execution_.is_open()) return execution_.continue_step(limit);
   const execution::Recording recording{.derivation = derivation_watched_};
   return run().position() == 0 ? execution_.start(recording, limit) : execution_.step(recording, limit);
 }
 
 // What came of a part of a macro step leaves the core.
-void Core::release(const Progress& progress) {
+void Core::emit(const Progress& progress) {
   if (progress.first == 0 && progress.entry) journal_.push_back(*progress.entry);
   for (const std::string& text : progress.printed) watcher_.printed(id_, text);
   for (const semantics::OutgoingCall& call : progress.calls)
@@ -337,12 +341,12 @@ Value Core::info_json() const {
   execution::set_status(run(), info);
   if (!started_) info.set("status", "ready");
   info.set("paused", (paused_ || awaits_input()) && !over);
-  info.set("stepping", execution_.goal() && !over);
+  info.set("stepping", execution_.has_goal() && !over);
   info.set("step", integer(run().position()));
   info.set("micro", integer(execution_.micro()));
   info.set("waiting", integer(execution_.waiting().size()));
   info.set("arguments", header_.arguments);
-  info.set("breakpoints", breakpoints_json(breakpoints_));
+  info.set("breakpoints", breakpoints_);
   if (over) info.set("results", execution::root_results(run()));
   Value frozen = std::move(info);
   return std::move(frozen.freeze());

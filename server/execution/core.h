@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "core/execution/execution.h"
 #include "core/execution/replay.h"
@@ -62,9 +63,9 @@ class Core : public std::enable_shared_from_this<Core> {
   /// A held core goes as far as `goal`. One that waits for an input to get there counts as held, and may be told
   /// another goal. Error: as execution::find_goal.
   Expected<Value> step(execution::GoalName goal);
-  /// The core is held wherever it reaches one of `goals`, at most kMostBreakpoints; they replace those of before.
-  /// Error: as execution::find_goal.
-  static constexpr std::size_t kMostBreakpoints = 1000;
+  /// The core is paused wherever it reaches one of `goals`; they replace those of before. Errors: `too_large`, and that
+  /// of execution::find_goal, at `breakpoints/N`.
+  static constexpr std::size_t kMostBreakpoints = 100;  // every delta has them
   Expected<Value> set_breakpoints(std::vector<execution::GoalName> goals);
 
   // Questions: wait.
@@ -108,13 +109,13 @@ class Core : public std::enable_shared_from_this<Core> {
   bool is_over() const { return execution_.is_over(); }
   bool has_input() const { return run().position() == 0 || execution_.has_input(); }
   /// It is led by a goal, and no macro step can begin.
-  bool awaits_input() const { return execution_.goal() && !execution_.is_open() && !has_input(); }
+  bool awaits_input() const { return execution_.has_goal() && !execution_.is_open() && !has_input(); }
   void schedule();
   void advance();
   void take_inbox();
   std::uint32_t do_part(std::uint32_t limit);
   const execution::Progress& next_part(std::uint32_t limit);
-  void release(const execution::Progress& progress);
+  void emit(const execution::Progress& progress);
   void hold();
   void publish(const execution::Progress& progress);
   void publish_info();
@@ -135,7 +136,7 @@ class Core : public std::enable_shared_from_this<Core> {
 
   execution::Execution execution_;
   std::vector<execution::JournalEntry> journal_;
-  std::vector<execution::GoalName> breakpoints_;
+  Value breakpoints_ = List();  // as in schemas/core.json
   bool started_ = false, paused_ = false, scheduled_ = false, state_watched_ = false;
   Value announced_ = Value::unknown();  // what the list of cores was told last
 

@@ -1,4 +1,4 @@
-// PUT /api/v1/cores/{id}/breakpoints: where the core is held, in place of what was set before.
+// PUT /api/v1/cores/{id}/breakpoints: where the core is paused, in place of what was set before.
 #include "core/value/json.h"
 #include "server/execution/cores.h"
 #include "server/handlers/goals.h"
@@ -15,11 +15,8 @@ Checked<std::vector<execution::GoalName>> read_breakpoints(const std::string& te
   Fields fields(*body, "", "the request", errors, Fields::Paths::field);
   const List& list = fields.list("breakpoints", Fields::Need::required);
   fields.close();
-  if (list.size() > Core::kMostBreakpoints)
-    fields.violation(ErrorCode::too_large, "there may be " + std::to_string(Core::kMostBreakpoints) + " breakpoints",
-                     "breakpoints");
   std::vector<execution::GoalName> goals;
-  for (std::size_t i = 0; i < list.size() && i < Core::kMostBreakpoints; ++i) {
+  for (std::size_t i = 0; i < list.size(); ++i) {
     Fields of_one(list[i], "breakpoints/" + std::to_string(i), "a breakpoint", errors, Fields::Paths::field);
     goals.push_back(read_goal_name(of_one));
     of_one.close();

@@ -161,6 +161,14 @@ class Cores(unittest.TestCase):
         self.assertEqual(whole["micro"][:6], partial[0]["micro"])
         self.assertEqual(strip(whole), self.derive(core)["steps"][0])
 
+    def test_why_before_a_step_knows_its_input(self):
+        core = self.server.core(models.ticking("asked_why", last=4))
+        self.server.ended(core)
+        steps = self.server.get(f"/cores/{core}/derivations?from=1&to=3", "derivations")["steps"]
+        self.assertEqual((steps[1]["input"]["kind"], steps[1]["micro"][0]["premises"][0]["rule"]), ("event", "SProp"))
+        why = lambda step, micro: self.server.get(f"/cores/{core}/why?port=Root/Ping.next&step={step}&micro={micro}", "why")["value"]
+        self.assertEqual([why(1, 1), why(2, 0), why(2, 1)], [None, True, None])
+
     def test_a_core_runs_until_a_state_is_entered_or_left(self):
         core = self.paused_core(models.ticking("until", last=100))
         self.step(core, kind="until", path="Root/Pong", when="entered")

@@ -110,7 +110,8 @@ class Routes(unittest.TestCase):
         core = self.server.core(models.ticking("held"), start=False)
         self.server.post(f"/cores/{core}/step", {"kind": "micro"}, status=409)
         for body, paths in (({"kind": "back"}, ["kind"]), ({"kind": "until", "path": "Root/Pong"}, ["when"]),
-                            ({"kind": "until", "path": "", "when": "soon"}, ["path", "when"]),
+                            ({"kind": "until", "path": "Root/Pong", "when": ""}, ["when"]),
+                            ({"kind": "until", "when": "soon"}, ["path", "when"]),
                             ({"kind": "until", "when": "left"}, ["path"]),
                             ({"kind": "until", "path": "Root/Pong", "id": "a", "when": "left"}, ["path"]),
                             ({"kind": "micro", "path": "Root/Pong"}, ["path"])):
@@ -122,13 +123,19 @@ class Routes(unittest.TestCase):
         for body, paths in (({}, ["breakpoints"]), ({"breakpoints": 1}, ["breakpoints"]), ({"breakpoints": [], "more": 1}, ["more"]),
                             ({"breakpoints": [one, {"when": "now"}, 1]},
                              ["breakpoints/1/path", "breakpoints/1/when", "breakpoints/2"]),
-                            ({"breakpoints": [one | {"id": "k3v9q2xm"}]}, ["breakpoints/0/path"])):
+                            ({"breakpoints": [one | {"id": ""}]}, ["breakpoints/0/path"]),
+                            ({"breakpoints": [one | {"when": ""}]}, ["breakpoints/0/when"])):
             with self.subTest(body=str(body)[:100]):
                 errors = self.server.put(f"/cores/{core}/breakpoints", body, status=422)["errors"]
                 self.assertEqual([error["path"] for error in errors], paths)
-        self.server.put(f"/cores/{core}/breakpoints", {"breakpoints": 1001 * [one]}, status=413)
-        self.assertEqual(len(self.server.put(f"/cores/{core}/breakpoints", {"breakpoints": 1000 * [one]}, "core")["breakpoints"]), 1000)
+        self.server.put(f"/cores/{core}/breakpoints", {"breakpoints": 101 * [one]}, status=413)
+        self.assertEqual(len(self.server.put(f"/cores/{core}/breakpoints", {"breakpoints": 100 * [one]}, "core")["breakpoints"]), 100)
         self.server.put(f"/cores/{core}/breakpoints", {"breakpoints": [{"when": "fired", "path": "Root/Pong"}]}, status=404)
+        self.server.put(f"/cores/{core}/breakpoints", {"breakpoints": [{"when": "entered", "id": "nobody"}]}, status=404)
+        native = self.server.get(f"/cores/{core}/native", "native")["document"]["root"]
+        by_id = [{"when": "entered", "id": native["children"][0]["meta"]["id"]},
+                 {"when": "fired", "id": native["children"][0]["ports"][0]["meta"]["id"]}]
+        self.assertEqual(self.server.put(f"/cores/{core}/breakpoints", {"breakpoints": by_id}, "core")["breakpoints"], by_id)
 
     def test_unlisted_routes_are_not_found(self):
         self.server.get("/nothing", status=404)

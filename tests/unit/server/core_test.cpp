@@ -135,14 +135,14 @@ struct CoreTest : testing::Test, CoreWatcher {
 
 TEST_F(CoreTest, AWatcherWhoComesBetweenMicroStepsCostsNobodyAChange) {
   hold_and_watch();
-  for (int i = 0; i < 7; ++i) ASSERT_TRUE(core->step({execution::Goal::Kind::micro, "", ""}));
+  for (int i = 0; i < 7; ++i) ASSERT_TRUE(core->step({execution::Goal::Kind::micro}));
   core->watch_state();
   expect_that_all_have_the_state();
-  ASSERT_TRUE(core->step({execution::Goal::Kind::micro, "", ""}));
+  ASSERT_TRUE(core->step({execution::Goal::Kind::micro}));
   core->watch_state();
-  ASSERT_TRUE(core->step({execution::Goal::Kind::macro, "", ""}));
+  ASSERT_TRUE(core->step({execution::Goal::Kind::macro}));
   ASSERT_TRUE(core->pause());
-  ASSERT_TRUE(core->step({execution::Goal::Kind::macro, "", ""}));
+  ASSERT_TRUE(core->step({execution::Goal::Kind::macro}));
   EXPECT_EQ(micro, (std::vector<std::int64_t>{0, 7, 8}));
   expect_that_all_have_the_state();
 }
@@ -165,7 +165,7 @@ TEST_F(CoreTest, AWatcherWhoComesBetweenTheTurnsOfAMacroStepCostsNobodyAChange) 
 TEST_F(CoreTest, APauseWithinAMacroStepTellsWhatWasDoneOfIt) {
   hold_and_watch();
   const Value held = paused_within([this] {
-    ASSERT_TRUE(core->step({execution::Goal::Kind::left, "", "R/S" + std::to_string(kStates)}));
+    ASSERT_TRUE(core->step({execution::Goal::Kind::left, {}, "R/S" + std::to_string(kStates)}));
   });
   EXPECT_TRUE(held.find("paused")->as_bool());
   EXPECT_GT(held.find("micro")->as_integer(), 0) << "not within the macro step";
@@ -190,18 +190,50 @@ TEST_F(CoreTest, AStepThatWaitsForAnInputIsPausedAndCanBeReplaced) {
     EXPECT_EQ(json->find("paused")->as_bool(), paused);
     EXPECT_EQ(json->find("stepping")->as_bool(), stepping);
   };
-  expect(core->step({execution::Goal::Kind::micro, "", ""}), true, false);
+  expect(core->step({execution::Goal::Kind::micro}), true, false);
   expect(core->resume(), false, false);
   while (core->state()->find("core")->find("micro")->as_integer() > 0) {
   }
   expect(core->pause(), true, false);
-  expect(core->step({execution::Goal::Kind::macro, "", ""}), true, true);
-  expect(core->step({execution::Goal::Kind::left, "", "R"}), true, true);
+  expect(core->step({execution::Goal::Kind::macro}), true, true);
+  expect(core->step({execution::Goal::Kind::left, {}, "R"}), true, true);
   expect(core->info(), true, true);
   expect(core->pause(), true, false);
-  expect(core->step({execution::Goal::Kind::micro, "", ""}), true, true);
+  expect(core->step({execution::Goal::Kind::micro}), true, true);
   expect(core->resume(), false, false);
-  EXPECT_EQ(core->step({execution::Goal::Kind::micro, "", ""}).error().code, ErrorCode::conflict);
+  EXPECT_EQ(core->step({execution::Goal::Kind::micro}).error().code, ErrorCode::conflict);
+}
+
+TEST_F(CoreTest, ABreakpointPausesWithinAnyTurnOfAMacroStep) {
+  hold_and_watch();
+  const auto state = [](int i) { return "R/S" + std::to_string(i); };
+  const auto paused = [&] {
+    Value info;
+    do info = *core->state()->find("core");
+    while (!info.find("paused")->as_bool());
+    return info;
+  };
+  using enum execution::Goal::Kind;
+  const auto set =
+      core->set_breakpoints({{entered, {}, state(1)}, {left, {}, state(200)}, {fired, {}, state(390) + ".next"}});
+  ASSERT_TRUE(set) << set.error().message;
+  for (const int micro : {3, 402, 782}) {
+    ASSERT_TRUE(core->resume());
+    EXPECT_EQ(paused().find("micro")->as_integer(), micro);
+    expect_that_all_have_the_state();
+  }
+  EXPECT_EQ(core->set_breakpoints({{entered, {}, state(1)}, {entered, {}, "R/S"}}).error().path, "breakpoints/1");
+  EXPECT_EQ(core->info().find("breakpoints")->as_list().size(), 3U) << "a refused list replaces nothing";
+}
+
+TEST_F(CoreTest, StopsWithoutPausingAtABreakpoint) {
+  hold_and_watch();
+  ASSERT_TRUE(core->set_breakpoints({{execution::Goal::Kind::entered, {}, "R/S300"}}));
+  ASSERT_TRUE(core->step({execution::Goal::Kind::micro}));
+  const auto stopped = core->stop();
+  ASSERT_TRUE(stopped) << stopped.error().message;
+  EXPECT_EQ(stopped->find("status")->as_string(), "aborted");
+  EXPECT_EQ(fired.size(), static_cast<std::size_t>(kStates)) << "the open macro step is completed first";
 }
 
 }  // namespace

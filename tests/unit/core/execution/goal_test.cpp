@@ -23,7 +23,7 @@ struct GoalTest : testing::Test {
     return Execution::create(semantics::Program::build(native, {}).value(), {}).value();
   }
   Goal goal(Goal::Kind kind, const char* path) {
-    return find_goal(execution.run().program(), {kind, "", path}).value();
+    return find_goal(execution.run().program(), {kind, {}, path}).value();
   }
   Progress event() {
     execution.post_event("t", "a", {});
@@ -46,8 +46,8 @@ TEST_F(GoalTest, StopsWithinAMacroStepWhereAStateIsEnteredAndGoesOnFromThere) {
   EXPECT_FALSE(held.complete);
   EXPECT_TRUE(execution.is_open());
   EXPECT_EQ(active(), "R/C");
-  EXPECT_FALSE(execution.goal()) << "a goal is given up when it is reached";
-  const Progress rest = execution.go_on();
+  EXPECT_FALSE(execution.has_goal()) << "a goal is given up when it is reached";
+  const Progress rest = execution.continue_step();
   EXPECT_TRUE(rest.complete);
   EXPECT_FALSE(rest.reached_goal);
   EXPECT_EQ(active(), "R/A");
@@ -57,7 +57,7 @@ TEST_F(GoalTest, StopsWhereAStateIsLeftAlsoIfItBeginsAfterwards) {
   execution.set_goal(goal(Goal::Kind::left, "R/A"));
   EXPECT_TRUE(event().reached_goal);
   EXPECT_EQ(active(), "");
-  execution.go_on();
+  execution.continue_step();
   EXPECT_EQ(active(), "R/B");
   execution.set_goal(goal(Goal::Kind::left, "R/A"));
   EXPECT_FALSE(event().reached_goal) << "A was entered, not left";
@@ -78,7 +78,7 @@ TEST_F(GoalTest, OfAMicroOrMacroStepIsReachedAfterIt) {
   EXPECT_TRUE(micro.reached_goal);
   EXPECT_EQ(micro.micro, 1U);
   execution.set_goal(Goal{.kind = Goal::Kind::macro});
-  const Progress rest = execution.go_on();
+  const Progress rest = execution.continue_step();
   EXPECT_TRUE(rest.reached_goal);
   EXPECT_TRUE(rest.complete);
 }
@@ -89,12 +89,12 @@ TEST_F(GoalTest, ThatIsABreakpointStaysAndEndsTheStepToAnother) {
   EXPECT_FALSE(event().reached_goal);
   EXPECT_TRUE(event().reached_goal);
   EXPECT_EQ(active(), "R/C");
-  EXPECT_FALSE(execution.goal());
-  EXPECT_FALSE(execution.go_on().reached_goal);
+  EXPECT_FALSE(execution.has_goal());
+  EXPECT_FALSE(execution.continue_step().reached_goal);
   EXPECT_FALSE(event().reached_goal);
   EXPECT_TRUE(event().reached_goal) << "again";
   execution.set_breakpoints({});
-  execution.go_on();
+  execution.continue_step();
   EXPECT_FALSE(event().reached_goal);
   EXPECT_FALSE(event().reached_goal);
 }
@@ -105,9 +105,9 @@ TEST_F(GoalTest, NamesAStateOrPortThatTheProgramHas) {
   EXPECT_EQ(find_goal(program, {Goal::Kind::fired, "b-go", ""}), goal(Goal::Kind::fired, "R/B.go"));
   EXPECT_EQ(find_goal(program, {Goal::Kind::fired, "b", ""}).error().code, ErrorCode::not_found);
   EXPECT_EQ(find_goal(program, {Goal::Kind::entered, "R/B", ""}).error().code, ErrorCode::not_found);
-  EXPECT_EQ(find_goal(program, {Goal::Kind::entered, "", "R/X"}).error().code, ErrorCode::not_found);
-  EXPECT_EQ(find_goal(program, {Goal::Kind::fired, "", "R/A"}).error().code, ErrorCode::not_found);
-  EXPECT_EQ(find_goal(program, {Goal::Kind::left, "", "R/A.go"}).error().code, ErrorCode::not_found);
+  EXPECT_EQ(find_goal(program, {Goal::Kind::entered, {}, "R/X"}).error().code, ErrorCode::not_found);
+  EXPECT_EQ(find_goal(program, {Goal::Kind::fired, {}, "R/A"}).error().code, ErrorCode::not_found);
+  EXPECT_EQ(find_goal(program, {Goal::Kind::left, {}, "R/A.go"}).error().code, ErrorCode::not_found);
 }
 
 }  // namespace

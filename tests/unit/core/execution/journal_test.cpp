@@ -108,7 +108,7 @@ TEST(Journal, OfARandomRunIsReadBackAndGivesThatRunAgain) {
     const Journal read = read_back(journal);
     expect_equal(read, journal);
     auto again = Execution::create(read.header.program, read.header.arguments, read.header.budgets).value();
-    for (const JournalEntry& entry : read.entries) EXPECT_TRUE(again.redo(entry, {}));
+    for (const JournalEntry& entry : read.entries) EXPECT_TRUE(again.replay(entry, {}));
     EXPECT_EQ(again.run().status(), execution.run().status());
     EXPECT_EQ(to_json(again.run().state_json()), to_json(execution.run().state_json()));
     EXPECT_EQ(again.run().state().call_count, execution.run().state().call_count);

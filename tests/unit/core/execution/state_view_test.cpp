@@ -34,7 +34,7 @@ struct StateViewTest : testing::Test {
     if (event) run.post_event("t", event, Value());
     run.begin(run.take_input());
     semantics::NoRecorder none;
-    while (run.micro(none)) view.look(run);
+    while (run.micro(none)) view.note_fired_ports(run);
     return to_json(Value(view.delta(run)));
   }
   semantics::DrivenRun run = make_run(kModel);
@@ -68,7 +68,7 @@ TEST_F(StateViewTest, ASnapshotContainsWhatHasFired) {
   run.post_event("t", "a", Value());
   run.begin(run.take_input());
   semantics::NoRecorder none;
-  while (run.micro(none)) view.look(run);
+  while (run.micro(none)) view.note_fired_ports(run);
   view.snapshot(run);
   EXPECT_TRUE(Value(view.delta(run)).find("fired")->as_list().empty());
 }

@@ -40,12 +40,9 @@ class DrivenRun : public Run {
 
   /// With the first waiting input.
   template <Recorder R>
-  void macro_step(R& recorder) {
-    Run::macro_step(take_input(), recorder);
-  }
-  template <VisitsAll R>
-  void macro_step(R& recorder, const Order& order) {
-    Run::macro_step(take_input(), recorder, order);
+  void macro_step(R& recorder, const Order& order = Order::declared()) {
+    begin(take_input());
+    quiesce(recorder, order, ~0U, [] { return true; });
   }
 
  private:

@@ -1,0 +1,99 @@
+// Replays of random runs: from any checkpoint, to any micro step.
+#include "core/execution/replay.h"
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "core/execution/step_json.h"
+#include "core/execution/why.h"
+#include "tests/unit/core/execution/journals.h"
+#include "tests/unit/core/semantics/random_runs.h"
+
+namespace race::execution {
+namespace {
+
+using semantics::setting;
+
+// The execution within macro step `step`, from 1, after `micro` micro steps, done from the beginning.
+Execution within(const Journal& journal, std::size_t step, int micro) {
+  const JournalHeader& header = journal.header;
+  Execution execution = Execution::create(header.program, header.arguments, header.budgets).value();
+  for (std::size_t i = 0; i + 1 < step; ++i) execution.replay(journal.entries[i], {}).value();
+  execution.replay(journal.entries[step - 1], {}, static_cast<std::uint32_t>(micro)).value();
+  return execution;
+}
+
+struct RandomReplay {
+  explicit RandomReplay(std::uint64_t seed) : random(seed), journal(random_journal(seed, 60).first) {}
+  std::size_t step() { return 1 + random.pick(journal.entries.size()); }
+  semantics::RandomModels random;
+  Journal journal;
+  // Few and close: most questions begin at one, and they are thinned out.
+  Replay replay{journal.header, 4, 3};
+};
+
+TEST(Replay, ComesToTheStateWithinAnyMicroStepInAnyOrderOfQuestions) {
+  const std::uint64_t seed = setting("RACE_SEED", 5);
+  std::cout << "RACE_SEED=" << seed << std::endl;
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    RandomReplay at(seed + i);
+    for (int questions = 0; questions < 6; ++questions) {
+      const std::size_t step = at.step();
+      const int micro = static_cast<int>(at.random.pick(4));
+      SCOPED_TRACE("seed " + std::to_string(seed + i) + ", before " + std::to_string(step) + "/" +
+                   std::to_string(micro));
+      auto past = at.replay.before(at.journal.entries, step, micro);
+      ASSERT_TRUE(past) << past.error().message;
+      Execution expected = within(at.journal, step, micro);
+      ASSERT_TRUE(same(past->run().state(), expected.run().state()));
+      ASSERT_EQ(past->micro(), expected.micro());
+      const auto ports = static_cast<std::uint32_t>(at.journal.header.program->ports.size());
+      for (std::uint32_t port = 0; port < ports; ++port)
+        ASSERT_EQ(why_json(*past, semantics::PortId{port}), why_json(expected, semantics::PortId{port}));
+    }
+  }
+}
+
+TEST(Replay, DerivesAnyStepsAndOfAnOpenOneTheFirstMicroSteps) {
+  const std::uint64_t seed = setting("RACE_SEED", 11);
+  std::cout << "RACE_SEED=" << seed << std::endl;
+  std::size_t partial = 0;
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    RandomReplay at(seed + i);
+    SCOPED_TRACE("seed " + std::to_string(seed + i));
+    const List whole = derive_journal(at.journal).value().find("steps")->as_list();
+    for (int questions = 0; questions < 4; ++questions) {
+      const std::size_t from = at.step(), to = from + at.random.pick(at.journal.entries.size() - from + 1);
+      const auto steps = at.replay.steps(at.journal.entries, from, to, -1);
+      ASSERT_TRUE(steps) << steps.error().message;
+      ASSERT_EQ(steps->size(), to - from + 1);
+      for (std::size_t k = 0; k < steps->size(); ++k) {
+        ASSERT_EQ(*(*steps)[k].find("micro"), *whole[from - 1 + k].find("micro"));
+        ASSERT_EQ(*(*steps)[k].find("state"), *whole[from - 1 + k].find("state"));
+      }
+    }
+    const std::size_t last = at.journal.entries.size(), micro = whole.back().find("micro")->as_list().size();
+    if (micro < 2) continue;
+    ++partial;
+    const Value open = at.replay.steps(at.journal.entries, last, last, 1).value()[0];
+    EXPECT_EQ(open.find("micro")->as_list().size(), 1U);
+    EXPECT_EQ(open.find("micro")->as_list()[0], whole.back().find("micro")->as_list()[0]);
+    EXPECT_EQ(*open.find("complete"), Value(false));
+  }
+  EXPECT_GT(partial, 5U);
+}
+
+TEST(Replay, RefusesAJournalOfAnotherRun) {
+  const Journal journal = small_journal();
+  Replay replay(journal.header);
+  std::vector<JournalEntry> entries = {StartEntry{}, StartEntry{}};
+  EXPECT_EQ(replay.steps(entries, 1, 2, -1).error().code, ErrorCode::conflict);
+  entries = {EventEntry{"t", "tick", Value()}};
+  EXPECT_EQ(replay.before(entries, 1, 0).error().code, ErrorCode::conflict) << "a run begins with `start`";
+  entries = {AbortEntry{}, StartEntry{}};
+  EXPECT_EQ(replay.steps(entries, 1, 2, -1).error().code, ErrorCode::conflict);
+}
+
+}  // namespace
+}  // namespace race::execution
