@@ -22,6 +22,8 @@ export interface Session {
   readonly cores: readonly Core[];
   /** The core that is watched. */
   readonly watched: string | undefined;
+  /** Name of the document of the watched core, also after that core was removed. */
+  readonly document: string | undefined;
   readonly model: RcmDocument | undefined;
   readonly run: RunState | undefined;
   readonly fired: Fired;
@@ -53,6 +55,7 @@ export const emptySession: Session = {
   rules: new Map(),
   cores: [],
   watched: undefined,
+  document: undefined,
   model: undefined,
   run: undefined,
   fired: { fireCount: 0, ports: [] },
@@ -84,7 +87,16 @@ export function applyEvent(session: Session, event: SessionEvent): Session {
     case "rules":
       return { ...session, rules: new Map(event.rules.map((rule) => [rule.rule, rule])) };
     case "watched":
-      return { ...session, watched: event.id, model: undefined, run: undefined, fired: emptySession.fired, steps: [], lastInput: undefined };
+      return {
+        ...session,
+        watched: event.id,
+        document: session.cores.find((core) => core.id === event.id)?.document,
+        model: undefined,
+        run: undefined,
+        fired: emptySession.fired,
+        steps: [],
+        lastInput: undefined,
+      };
     case "model":
       return event.id === session.watched ? { ...session, model: event.model } : session;
     case "past":
