@@ -38,6 +38,8 @@ describe("session", () => {
     const parts = [delta(["A.p"]), delta([], on), delta(["B.p"], on), delta([], on), delta(["B.p", "C.p"], on), delta([])];
     expect(states(...parts)).toMatchObject({ fireCount: 2, ports: ["B.p", "C.p"] });
     expect(states(...parts, delta(["A.p"]))).toMatchObject({ fireCount: 3, ports: ["A.p"] });
+    const lost = parts.slice(0, -1);
+    expect(states(...lost, delta(["A.p"], { step: 3 }))).toMatchObject({ fireCount: 3, ports: ["A.p"] });
   });
   it("takes what is done of a macro step while the core is held as a step", () => {
     const held = (micro: number, port: string) => ({ type: "state_changed", id: "1", delta: delta([port], { micro, paused: true }) }) as const;
