@@ -42,4 +42,18 @@ describe("folding", () => {
     await fixture.page.getByRole("button", { name: "Run again" }).click();
     await expect.poll(expanded, kSoon).toEqual({ Root: "true", "Root/Fetch": "false", "Root/Pick": "true", "Root/Rest": "true" });
   });
+  it("is kept when the page turns to the next run before the model of this one has arrived", async () => {
+    const folded = { Root: "true", "Root/Fetch": "false", "Root/Pick": "true", "Root/Rest": "true" };
+    await expect.poll(expanded, kSoon).toEqual(folded);
+    const asked: string[] = [];
+    await fixture.page.route("**/api/v1/cores/*/native", (route, request) => {
+      asked.push(request.url());
+      if (asked.length > 1) return route.continue();
+    });
+    for (const count of [1, 2]) {
+      await fixture.page.getByRole("button", { name: "Run again" }).click();
+      await expect.poll(() => asked.length, kSoon).toBe(count);
+    }
+    await expect.poll(expanded, kSoon).toEqual(folded);
+  });
 });

@@ -3,7 +3,7 @@ import { createApi, RefusedError } from "../shared/api";
 import type { CellPose, Core, Packet, StepRequest, TraceStep } from "../generated/messages";
 import { buildTree } from "../shared/model/modelTree";
 import { isOver, type Command, type UntilRequest } from "../shared/run/controls";
-import { firstShown } from "../shared/session/firstShown";
+import { firstShown, lastShown, type LastShown } from "../shared/session/firstShown";
 import { applyEvent, cellUnavailable, emptySession, watchedCore, type Session, type SessionEvent } from "../shared/session/session";
 import { applyGesture, firstView, type Gesture, type View } from "../shared/session/view";
 import { openStream, type Stream } from "../shared/stream";
@@ -97,10 +97,13 @@ function watchSomething(): void {
   watch(chosen?.id);
 }
 
+/** From this, the next run of the same document is shown. */
+let last: LastShown | undefined;
+
 export function watch(id: string | undefined): void {
-  const last = { session: session.get(), view: view.get() };
-  const before = last.session.watched;
+  const before = session.get().watched;
   if (before === id) return;
+  last = lastShown(session.get(), view.get(), last);
   if (before !== undefined) {
     stream?.unsubscribe(`core/${before}/state`);
     stream?.unsubscribe(`core/${before}/derivation`);
@@ -111,9 +114,9 @@ export function watch(id: string | undefined): void {
   stream?.subscribe(`core/${id}/state`);
   stream?.subscribe(`core/${id}/derivation`);
   void api.coreModel(id).then((model) => {
-    if (session.get().watched !== id) return;
-    const shown = firstShown(buildTree(model.root), session.get(), last.session, { ...last.view, detail: view.get().detail });
-    view.dispatch({ type: "show_again", shown });
+    const now = session.get();
+    if (now.watched !== id || now.model !== undefined) return;
+    view.dispatch({ type: "show_again", shown: firstShown(buildTree(model.root), now.document, last, view.get().detail) });
     session.dispatch({ type: "model", id, model });
   }, problem);
 }

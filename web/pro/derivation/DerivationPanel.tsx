@@ -1,6 +1,7 @@
 // The derivation of every micro step: macro steps to the left, their proof trees in the middle, the selected inference to the right.
 import { useEffect, useRef, useState } from "react";
 import { leading, nodeAt, size, summary, type ProofPath } from "../../shared/derivation/proof";
+import { microCount } from "../../shared/derivation/steps";
 import type { Derivation, TraceStep } from "../../generated/messages";
 import { callText, inputText } from "../../shared/run/inputText";
 import { useSession, useView, view } from "../client";
@@ -55,7 +56,7 @@ function StepList({ steps, shown, follows }: StepListProps) {
               <b>{step.step}</b>
               <span>{inputText(step.input)}</span>
               <small>
-                {step.micro.length} micro{step.complete === false ? " …" : ""}
+                {microCount(step)} micro{step.complete === false ? " …" : ""}
               </small>
             </button>
           </li>
@@ -106,7 +107,7 @@ function StepProofs({ step }: { readonly step: TraceStep }) {
           <Proof
             key={i}
             micro={micro}
-            number={i}
+            number={(step.first ?? 0) + i}
             picked={picked.micro === i ? picked.path : undefined}
             onPick={(path) => setPicked({ micro: i, path })}
           />

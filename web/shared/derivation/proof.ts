@@ -161,20 +161,3 @@ export function premiseCount(node: Derivation): string {
 export function size(node: Derivation): number {
   return node.premises.reduce((sum, premise) => sum + size(premise), 1);
 }
-
-const kKept = 200;
-
-/** Adds steps to those that are known: parts of one macro step join, repeated steps replace, the oldest go. */
-export function mergeSteps(known: readonly TraceStep[], added: readonly TraceStep[]): readonly TraceStep[] {
-  const steps = new Map(known.map((step) => [step.step, step]));
-  for (const step of added) {
-    const before = steps.get(step.step);
-    const first = step.first ?? 0;
-    const joined =
-      before === undefined || first === 0
-        ? step
-        : { ...step, first: 0, micro: [...before.micro.slice(0, first), ...step.micro], calls: [...before.calls, ...step.calls] };
-    steps.set(step.step, joined);
-  }
-  return [...steps.values()].sort((a, b) => a.step - b.step).slice(-kKept);
-}

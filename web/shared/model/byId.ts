@@ -30,7 +30,7 @@ function elementsOf({ path, node }: TreeNode): readonly ModelElement[] {
   ];
 }
 
-/** To be made once for a model. Of elements that wrongly have the same id, the first in tree order is found. */
+/** To be made once for a model. Of elements with the same id (not in what the store has given), the first in tree order is found. */
 export function elementsById(tree: ModelTree): ElementsById {
   const found = new Map<string, ModelElement>();
   for (const element of [...tree.values()].flatMap(elementsOf)) {

@@ -9,7 +9,7 @@ export interface RcmDocument {
   readonly root: State;
 }
 
-/** What has an id (`meta.id`, core/SEMANTICS.md section 1), which stays the same when it is renamed or moved. No other has it. */
+/** What has an id (`meta.id`, core/SEMANTICS.md section 1), which stays the same when it is renamed or moved. */
 export interface Identified {
   /** None in a document that was written without ids. */
   readonly id?: string;

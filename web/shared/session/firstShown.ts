@@ -1,13 +1,27 @@
 // What is shown of a run when the page turns to it: another run of the same document is shown as the one before it was.
 import { elementsById } from "../model/byId";
 import { foldedAtFirst } from "../model/folding";
+import type { RcmDocument } from "../model/model";
 import { buildTree, type ModelTree } from "../model/modelTree";
-import { watchedCore, type Session } from "./session";
+import type { Session } from "./session";
 import type { Shown } from "./view";
+
+/** What the page has shown last: the model of a run of `document`, and what was shown of it. */
+export interface LastShown {
+  readonly document: string;
+  readonly model: RcmDocument;
+  readonly shown: Shown;
+}
+
+/** What the page shows now; if the model of the watched run has not arrived yet, what it has shown before (`last`). */
+export function lastShown({ document, model }: Session, { focus, collapsed, detail }: Shown, last: LastShown | undefined): LastShown | undefined {
+  return document === undefined || model === undefined ? last : { document, model, shown: { focus, collapsed, detail } };
+}
 
 /**
  * What `shown` is of the model `before`, of the model `after` an edit. A state is the one that has its id, or, where one of them
- * has no id, the one at its path. What is gone, or has no children any more, is neither entered nor collapsed.
+ * has no id, the one at its path. What is gone, or has no children any more, is neither entered nor collapsed. A composite that is
+ * new is collapsed as in a model that is shown for the first time.
  */
 export function followModel({ focus, collapsed, detail }: Shown, before: ModelTree, after: ModelTree): Shown {
   const byId = elementsById(after);
@@ -21,13 +35,13 @@ export function followModel({ focus, collapsed, detail }: Shown, before: ModelTr
     const found = moved(path);
     return found !== undefined && (after.get(found)?.children.length ?? 0) > 0 ? [found] : [];
   };
-  return { focus: focus === undefined ? undefined : follow(focus)[0], collapsed: new Set([...collapsed].flatMap(follow)), detail };
+  const old = new Set([...before.values()].flatMap(({ path, children }) => (children.length > 0 ? follow(path) : [])));
+  const folded = foldedAtFirst(after).filter((path) => !old.has(path));
+  return { focus: focus === undefined ? undefined : follow(focus)[0], collapsed: new Set([...[...collapsed].flatMap(follow), ...folded]), detail };
 }
 
-/** What is shown of the model of the watched run; `last` and `shown` are as they were before the page turned to it. */
-export function firstShown(tree: ModelTree, session: Session, last: Session, shown: Shown): Shown {
-  const document = watchedCore(session)?.document;
-  const again = document !== undefined && document === watchedCore(last)?.document;
-  if (again && last.model !== undefined) return followModel(shown, buildTree(last.model.root), tree);
-  return { focus: undefined, collapsed: new Set(foldedAtFirst(tree)), detail: shown.detail };
+/** What is shown of the model of a run of `document`, if the page has shown `last` before. */
+export function firstShown(tree: ModelTree, document: string | undefined, last: LastShown | undefined, detail: Shown["detail"]): Shown {
+  if (last !== undefined && document === last.document) return { ...followModel(last.shown, buildTree(last.model.root), tree), detail };
+  return { focus: undefined, collapsed: new Set(foldedAtFirst(tree)), detail };
 }

@@ -1,17 +1,12 @@
 // The state of the expert page as a value, and the function that applies an event to it.
 import { assertNever } from "../assertNever";
-import { mergeSteps } from "../derivation/proof";
+import { mergeSteps } from "../derivation/steps";
 import type { Core, DocumentSummary, HostedService, Input, LogEntry, Rule, RunState, TraceStep } from "../../generated/messages";
 import type { StreamUpdate } from "../messages/stream";
 import type { RcmDocument } from "../model/model";
 import { applyDelta } from "../run/applyDelta";
+import { applyFired, noneFired, type Fired } from "../run/fired";
 import type { Connection } from "../stream";
-
-/** Ports that fired in the latest step; `fireCount` counts the steps in which ports fired, so that the same port can flash twice. */
-export interface Fired {
-  readonly fireCount: number;
-  readonly ports: readonly string[];
-}
 
 export interface Session {
   readonly connection: Connection;
@@ -22,6 +17,8 @@ export interface Session {
   readonly cores: readonly Core[];
   /** The core that is watched. */
   readonly watched: string | undefined;
+  /** Name of the document of the watched core, also after that core was removed. */
+  readonly document: string | undefined;
   readonly model: RcmDocument | undefined;
   readonly run: RunState | undefined;
   readonly fired: Fired;
@@ -53,9 +50,10 @@ export const emptySession: Session = {
   rules: new Map(),
   cores: [],
   watched: undefined,
+  document: undefined,
   model: undefined,
   run: undefined,
-  fired: { fireCount: 0, ports: [] },
+  fired: noneFired,
   lastInput: undefined,
   steps: [],
   services: [],
@@ -84,7 +82,16 @@ export function applyEvent(session: Session, event: SessionEvent): Session {
     case "rules":
       return { ...session, rules: new Map(event.rules.map((rule) => [rule.rule, rule])) };
     case "watched":
-      return { ...session, watched: event.id, model: undefined, run: undefined, fired: emptySession.fired, steps: [], lastInput: undefined };
+      return {
+        ...session,
+        watched: event.id,
+        document: session.cores.find((core) => core.id === event.id)?.document,
+        model: undefined,
+        run: undefined,
+        fired: noneFired,
+        steps: [],
+        lastInput: undefined,
+      };
     case "model":
       return event.id === session.watched ? { ...session, model: event.model } : session;
     case "past":
@@ -117,7 +124,7 @@ function applyUpdate(session: Session, update: StreamUpdate): Session {
       return { ...session, cores: withCore(session.cores, update.state.core), run: update.state.state };
     case "state_changed": {
       if (update.id !== session.watched || session.run === undefined) return session;
-      const fired = update.delta.fired.length === 0 ? session.fired : { fireCount: session.fired.fireCount + 1, ports: update.delta.fired };
+      const fired = applyFired(session.fired, update.delta);
       const cores = withCore(session.cores, update.delta.core);
       return { ...session, cores, run: applyDelta(session.run, update.delta), fired, lastInput: update.delta.input ?? session.lastInput };
     }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { facts, judgement, lastFiring, leading, mergeSteps, nodeAt, notable, rowParts, size, subjectText, summary } from "../../shared/derivation/proof";
+import { facts, judgement, lastFiring, leading, nodeAt, notable, rowParts, size, subjectText, summary } from "../../shared/derivation/proof";
 import type { Derivation, TraceStep } from "../../generated/messages";
 import { caseNames, runOf } from "../conformance";
 
@@ -122,26 +122,5 @@ describe("a proof tree", () => {
   it("keeps a null value apart from none", () => {
     const cond: Derivation = { rule: "Cond", equation: "4.12", at: "A", premises: [], value: null };
     expect(facts(cond)).toContainEqual({ name: "value", text: "None" });
-  });
-});
-
-describe("mergeSteps", () => {
-  const a = node("Micro");
-  const b = node("SProp");
-  it("joins the parts of a macro step that was done in micro steps", () => {
-    const merged = mergeSteps(mergeSteps([], [step(1, 0, [a])]), [step(1, 1, [b])]);
-    expect(merged.map((entry) => entry.micro)).toEqual([[a, b]]);
-  });
-  it("takes a part that comes again only once", () => {
-    const parts = [[step(1, 0, [a])], [step(1, 1, [b])], [step(1, 1, [b])]];
-    expect(parts.reduce(mergeSteps, []).map((entry) => entry.micro)).toEqual([[a, b]]);
-  });
-  it("takes a step that comes again only once", () => {
-    expect(mergeSteps([step(1, 0, [a])], [step(1, 0, [b])]).map((entry) => entry.micro)).toEqual([[b]]);
-  });
-  it("orders steps and drops the oldest", () => {
-    const many = Array.from({ length: 230 }, (_, i) => step(230 - i, 0, []));
-    const merged = mergeSteps([], many);
-    expect([merged.length, merged[0]?.step, merged.at(-1)?.step]).toEqual([200, 31, 230]);
   });
 });

@@ -38,7 +38,7 @@ describe("elementsById", () => {
     const moved = treeOf({ rcm: 1, root: { state: "Root", children: [{ state: "Group", children: [{ state: "Tick", meta: { id: "count" } }] }] } });
     expect(elementsById(moved).get("count")?.path).toBe("Root/Group/Tick");
   });
-  it("finds the first of elements that wrongly have one id", () => {
+  it("finds the first of elements with the same id", () => {
     const meta = { id: "twice" };
     const twice = elementsById(treeOf({ rcm: 1, root: { state: "Root", children: [{ state: "A", meta }, { state: "B", meta }] } }));
     expect([twice.size, twice.get("twice")?.path]).toEqual([1, "Root/A"]);

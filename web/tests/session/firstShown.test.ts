@@ -3,8 +3,8 @@ import type { Core } from "../../generated/messages";
 import type { State } from "../../shared/model/model";
 import { buildTree } from "../../shared/model/modelTree";
 import { applyEvent, emptySession, type Session } from "../../shared/session/session";
-import { firstShown, followModel } from "../../shared/session/firstShown";
-import { initialView, type Shown } from "../../shared/session/view";
+import { firstShown, followModel, lastShown } from "../../shared/session/firstShown";
+import { initialView, type Shown, type View } from "../../shared/session/view";
 
 function state(name: string, id?: string, ...children: readonly State[]): State {
   return { kind: "state", name, parameters: [], results: [], variables: [], actions: [], children, ports: [], ...(id === undefined ? {} : { id }) };
@@ -35,26 +35,61 @@ describe("followModel", () => {
   });
 });
 
+describe("followModel of a task that has become large", () => {
+  const many = (count: number): readonly State[] => Array.from({ length: count }, (_, i) => state(`L${i}`, `l${i}`));
+  const before = buildTree(state("Root", "r", pick("Pick", "p"), pick("Place", "q"), state("Leaf", "leaf")));
+  const grown = buildTree(state("Root", "r", pick("Fetch", "p"), pick("Place", "q"), state("Leaf", "leaf", state("New")), state("Group", "g", ...many(60))));
+  it("collapses the composites that are new, also one that was a state without children, and no other", () => {
+    expect(followModel(shown(undefined), before, grown)).toEqual(shown(undefined, "Root/Leaf", "Root/Group"));
+  });
+  it("keeps what was collapsed, wherever it is now", () => {
+    expect(followModel(shown("Root/Place", "Root/Pick"), before, grown)).toEqual(shown("Root/Place", "Root/Fetch", "Root/Leaf", "Root/Group"));
+  });
+  it("collapses none that was expanded before", () => {
+    expect(followModel(shown(undefined), grown, grown)).toEqual(shown(undefined));
+  });
+  it("collapses nothing in a task that is still small", () => {
+    const small = buildTree(state("Root", "r", pick("Pick", "p"), pick("Place", "q"), state("Group", "g", pick("Grasp", "s"))));
+    expect(followModel(shown(undefined), before, small)).toEqual(shown(undefined));
+  });
+});
+
 describe("firstShown", () => {
   const core = (id: string, document: string): Core => ({ id, document, status: "ended", paused: false, stepping: false, step: 1, micro: 0, waiting: 0, arguments: {}, breakpoints: [] });
   const known = applyEvent(emptySession, { type: "update", update: { type: "cores", cores: [core("1", "pick"), core("2", "pick"), core("3", "place")] } });
-  const watching = (id: string): Session => applyEvent(known, { type: "watched", id });
+  const turnTo = (session: Session, id: string): Session => applyEvent(session, { type: "watched", id });
   const model = { name: "", services: {}, library: [], root: state("Root", "r", pick("Pick", "p")) };
-  const last = applyEvent(watching("1"), { type: "model", id: "1", model });
+  const one = applyEvent(turnTo(known, "1"), { type: "model", id: "1", model });
   const edited = buildTree(state("Root", "r", pick("Fetch", "p")));
+  const asBefore = shown("Root/Fetch", "Root/Fetch");
+  const last = lastShown(one, shown("Root/Pick", "Root/Pick"), undefined);
 
   it("of another run of the document is what was shown of the last one", () => {
-    expect(firstShown(edited, watching("2"), last, shown("Root/Pick", "Root/Pick"))).toEqual(shown("Root/Fetch", "Root/Fetch"));
+    expect(firstShown(edited, turnTo(one, "2").document, last, "ports")).toEqual(asBefore);
+  });
+  it.each(["2", "3"])("is so too after the page turned to run %s, whose model did not arrive", (id) => {
+    const between = turnTo(one, id);
+    expect(firstShown(edited, turnTo(between, "2").document, lastShown(between, shown(undefined), last), "ports")).toEqual(asBefore);
+  });
+  it("is so too if the run that was shown is removed", () => {
+    const removed = applyEvent(one, { type: "update", update: { type: "core_removed", id: "1" } });
+    expect(firstShown(edited, turnTo(removed, "2").document, lastShown(removed, shown("Root/Pick", "Root/Pick"), undefined), "ports")).toEqual(asBefore);
   });
   it("of another document, or where nothing was shown before, is the whole task, folded only if it is large", () => {
     const large = buildTree(state("Root", "r", ...Array.from({ length: 40 }, (_, i) => pick(`P${i}`))));
-    for (const [now, then] of [[watching("3"), last], [watching("2"), watching("1")], [watching("2"), emptySession]] as const) {
-      expect(firstShown(edited, now, then, shown("Root/Pick", "Root/Pick"))).toEqual(shown(undefined));
-      expect(firstShown(large, now, then, shown("Root/Pick")).collapsed.size).toBe(40);
+    const unseen = lastShown(turnTo(known, "1"), shown("Root/Pick", "Root/Pick"), undefined);
+    for (const [id, before] of [["3", last], ["2", unseen], ["2", undefined]] as const) {
+      const { document } = turnTo(one, id);
+      expect(firstShown(edited, document, before, "ports")).toEqual(shown(undefined));
+      expect(firstShown(large, document, before, "ports").collapsed.size).toBe(40);
     }
   });
-  it("says nothing but what a drawing depends on: pages, panels and the selection stay as they are", () => {
-    const view = { ...initialView, page: "cell", ...shown("Root/Pick") } as const;
-    for (const id of ["2", "3"]) expect(Object.keys(firstShown(edited, watching(id), last, view)).sort()).toEqual(["collapsed", "detail", "focus"]);
+  it("says nothing but what a drawing depends on, in the detail of now: pages, panels and the selection stay as they are", () => {
+    const view: View = { ...initialView, page: "cell", ...shown("Root/Pick") };
+    const before = lastShown(one, view, undefined);
+    for (const document of ["pick", "place"]) {
+      const first = firstShown(edited, document, before, "slim");
+      expect([Object.keys(first).sort(), first.detail]).toEqual([["collapsed", "detail", "focus"], "slim"]);
+    }
   });
 });

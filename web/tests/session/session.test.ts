@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Core, CoreDelta } from "../../generated/messages";
-import type { StreamUpdate } from "../../shared/messages/stream";
+import { readStreamMessage, type StreamUpdate } from "../../shared/messages/stream";
 import { applyEvent, cellUnavailable, emptySession, watchedCore, type Session } from "../../shared/session/session";
 import { applyGesture, firstView, initialView } from "../../shared/session/view";
 import { runOf } from "../conformance";
@@ -13,8 +13,8 @@ const receive = (session: Session, ...updates: readonly StreamUpdate[]): Session
 const watching = applyEvent(emptySession, { type: "watched", id: "1" });
 const running = receive(watching, { type: "state", id: "1", state: { core, state: first.state } });
 
-const delta = (fired: readonly string[]): CoreDelta => ({
-  core: { ...core, step: 2 }, active: {}, ports: {}, activated: {}, parameters: {}, results: {}, variables: {},
+const delta = (fired: readonly string[], of: Partial<Core> = {}): CoreDelta => ({
+  core: { ...core, step: 2, ...of }, active: {}, ports: {}, activated: {}, parameters: {}, results: {}, variables: {},
   unset: { parameters: {}, results: {}, variables: {} }, fired, calls: [],
 });
 
@@ -31,6 +31,29 @@ describe("session", () => {
     const twice = receive(once, { type: "state_changed", id: "1", delta: delta(["A.p"]) });
     expect([once.fired.fireCount, twice.fired.fireCount]).toEqual([1, 2]);
     expect(receive(twice, { type: "state_changed", id: "1", delta: delta([]) }).fired).toBe(twice.fired);
+  });
+  it("takes the deltas of a long macro step as one step: each of its ports fires once", () => {
+    const states = (...deltas: readonly CoreDelta[]) => deltas.reduce((s, each) => receive(s, { type: "state_changed", id: "1", delta: each }), running).fired;
+    const on = { micro: 256 };
+    const parts = [delta(["A.p"]), delta([], on), delta(["B.p"], on), delta([], on), delta(["B.p", "C.p"], on), delta([])];
+    expect(states(...parts)).toMatchObject({ fireCount: 2, ports: ["B.p", "C.p"] });
+    expect(states(...parts, delta(["A.p"]))).toMatchObject({ fireCount: 3, ports: ["A.p"] });
+    const lost = parts.slice(0, -1);
+    expect(states(...lost, delta(["A.p"], { step: 3 }))).toMatchObject({ fireCount: 3, ports: ["A.p"] });
+  });
+  it("takes what is done of a macro step while the core is held as a step", () => {
+    const held = (micro: number, port: string) => ({ type: "state_changed", id: "1", delta: delta([port], { micro, paused: true }) }) as const;
+    expect(receive(running, held(1, "A.p"), held(2, "B.p")).fired).toMatchObject({ fireCount: 2, ports: ["B.p"] });
+  });
+  it("keeps the input of a macro step for all its deltas", () => {
+    const input = { kind: "event", service: "timer", event: "tick", data: null } as const;
+    const parts = [256, 512, 0].map((micro) => ({ type: "state_changed", id: "1", delta: { ...delta([], { micro }), input } }) as const);
+    expect(receive(running, ...parts).lastInput).toEqual(input);
+  });
+  it("keeps the breakpoints of a core", () => {
+    const held = { ...core, breakpoints: [{ path: "Root/Pick", when: "entered" }] } as const;
+    const message = { channel: "cores", sequence: 1, kind: "delta", data: { core: held } };
+    expect(receive(running, readStreamMessage(message).update).cores).toEqual([held]);
   });
   it("reports the cell as unavailable without the server or `robot`, regardless of other services", () => {
     const here = applyEvent(emptySession, { type: "connection", connection: "open" });

@@ -1,0 +1,53 @@
+// A macro step that is too long for one turn of its core: the server sends it in parts, the page shows it as one step.
+import { openFixture, type Fixture } from "./fixture";
+
+let fixture: Fixture;
+
+beforeAll(async () => {
+  fixture = await openFixture();
+});
+afterAll(() => fixture.close());
+
+async function send(method: string, path: string, body?: unknown): Promise<unknown> {
+  const answer = await fetch(`${fixture.url}/api/v1${path}`, { method, body: body === undefined ? null : JSON.stringify(body), headers: { "content-type": "application/json" } });
+  if (!answer.ok) throw new Error(`${path}: ${answer.status} ${await answer.text()}`);
+  return answer.json();
+}
+
+/** Goes from Ping to Pong and back, until Ping was entered a hundred times, in one macro step. */
+const model = {
+  rcm: 1,
+  name: "long",
+  root: {
+    state: "Root",
+    first: "Ping",
+    children: [
+      { state: "Ping", keep: true, results: [{ name: "n", initial: 0 }], entry: "res.n = res.n + 1", ports: [{ name: "go", when: "res.n < 100", to: "Pong" }] },
+      { state: "Pong", ports: [{ name: "back", when: "True", to: "Ping" }] },
+    ],
+    ports: [{ name: "done", when: "chi.Ping.res.n >= 100" }],
+  },
+};
+
+const kSoon = { timeout: 20_000 };
+
+describe("a macro step that comes in parts", () => {
+  it("is one step of the derivation, with its micro steps numbered through", async () => {
+    const { page, url } = fixture;
+    const parts: string[] = [];
+    page.on("websocket", (socket) => socket.on("framereceived", ({ payload }) => void (String(payload).includes('"complete":') && parts.push(String(payload)))));
+    await send("PUT", "/documents/long", model);
+    const { id } = (await send("POST", "/cores", { document: "long", arguments: {} })) as { readonly id: string };
+    await page.goto(`${url}/pro/`);
+    await page.getByText("The derivation of each macro step appears here").waitFor();
+    await send("POST", `/cores/${id}/start`);
+    const steps = page.getByRole("list", { name: "Macro steps" }).getByRole("listitem");
+    await expect.poll(() => steps.allInnerTexts(), kSoon).toEqual([expect.stringMatching(/\d+ micro$/)]);
+    const { steps: derived } = (await send("GET", `/cores/${id}/derivations?from=1&to=1`)) as { readonly steps: readonly { readonly micro: readonly unknown[] }[] };
+    const count = derived[0]?.micro.length ?? 0;
+    expect(parts.length).toBeGreaterThan(1);
+    expect(await steps.allInnerTexts()).toEqual([expect.stringContaining(`${count} micro`)]);
+    expect(await page.getByRole("article").count()).toBe(count);
+    await page.getByRole("article", { name: `Micro step ${count - 1}`, exact: true }).waitFor();
+  });
+});
