@@ -6,6 +6,7 @@
 #include <random>
 
 #include "tests/unit/core/execution/journals.h"
+#include "tests/unit/core/semantics/random_runs.h"
 
 namespace race::execution {
 namespace {
@@ -91,14 +92,13 @@ class Mutator {
 };
 
 TEST(JournalFuzz, AMutatedJournalIsRefusedOrReadAsItStands) {
-  const char* const chosen = std::getenv("RACE_SEED");
-  const std::uint64_t seed = chosen ? std::strtoull(chosen, nullptr, 10) : 20261122;
-  std::cout << "RACE_SEED=" << seed << std::endl;
+  const std::uint64_t seed = semantics::setting("RACE_SEED", 20261122);
+  const std::uint64_t mutations = semantics::setting("RACE_MUTATIONS", 2'000);
+  std::cout << "RACE_SEED=" << seed << " RACE_MUTATIONS=" << mutations << std::endl;
   std::vector<Value> journals{journal_json(small_journal())};
   for (std::uint64_t i = 0; i < 20; ++i) journals.push_back(journal_json(random_journal(seed + i, 12).first));
-  constexpr std::size_t kMutations = 2'000;
   std::size_t taken = 0;
-  for (std::size_t i = 0; i < kMutations && !HasFailure(); ++i) {
+  for (std::size_t i = 0; i < mutations && !HasFailure(); ++i) {
     SCOPED_TRACE("RACE_SEED=" + std::to_string(seed) + ", mutation " + std::to_string(i));
     const Value json = Mutator(seed + i).journal(journals);
     const auto read = read_journal(json);
@@ -110,9 +110,9 @@ TEST(JournalFuzz, AMutatedJournalIsRefusedOrReadAsItStands) {
       EXPECT_FALSE(read.error().empty());
     }
   }
-  std::cout << taken << " of " << kMutations << " read" << std::endl;
-  EXPECT_GT(taken, kMutations / 10) << "too few mutations are harmless to say something about what is read";
-  EXPECT_LT(taken, kMutations / 2) << "too few mutations do harm";
+  std::cout << taken << " of " << mutations << " read" << std::endl;
+  EXPECT_GT(taken, mutations / 10) << "too few mutations are harmless to say something about what is read";
+  EXPECT_LT(taken, mutations / 2) << "too few mutations do harm";
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // On random models: a step in another order is the step, in declared order, of the model whose lists stand in that
-// order; and the order may change at any micro step. RACE_SEED and RACE_STEPS choose another run; both are printed.
+// order; and the order may change at any micro step. RACE_SEED and RACE_ORDER_STEPS choose another run; both are
+// printed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -273,8 +274,8 @@ void compare_with_permuted_model(std::uint64_t seed, int limit, Steps& steps) {
 }
 
 TEST(RandomOrders, StepAsTheModelWhoseListsStandInThatOrder) {
-  const std::uint64_t seed = setting("RACE_SEED", 328), limit = setting("RACE_STEPS", 5'000);
-  std::cout << "RACE_SEED=" << seed << " RACE_STEPS=" << limit << std::endl;
+  const std::uint64_t seed = setting("RACE_SEED", 328), limit = setting("RACE_ORDER_STEPS", 5'000);
+  std::cout << "RACE_SEED=" << seed << " RACE_ORDER_STEPS=" << limit << std::endl;
   Steps steps;
   std::uint64_t models = 0;
   for (; steps.macro < limit; ++models) {
@@ -315,8 +316,8 @@ void change_orders(std::uint64_t seed, int limit, Steps& steps) {
 }
 
 TEST(RandomOrders, MayChangeAtAnyMicroStep) {
-  const std::uint64_t seed = setting("RACE_SEED", 329), limit = setting("RACE_STEPS", 5'000);
-  std::cout << "RACE_SEED=" << seed << " RACE_STEPS=" << limit << std::endl;
+  const std::uint64_t seed = setting("RACE_SEED", 329), limit = setting("RACE_ORDER_STEPS", 5'000);
+  std::cout << "RACE_SEED=" << seed << " RACE_ORDER_STEPS=" << limit << std::endl;
   Steps steps;
   for (std::uint64_t i = 0; steps.macro < limit; ++i) {
     change_orders(seed + i, 40, steps);
