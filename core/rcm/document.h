@@ -46,4 +46,8 @@ Value write_state(const State& state);
 /// keys.
 std::string format_document(const Document& document);
 
+/// The same for a text that is stored or written to a file. Ids and indentation make a text longer and deeper than what
+/// was read; errors `too_large`, `too_deep`: read_document_text could not read it again.
+Expected<std::string> write_document_text(const Document& document);
+
 }  // namespace race::rcm

@@ -44,13 +44,14 @@ int format(const std::vector<std::string>& paths, bool write) {
     auto document = load(path);
     if (!document) return refuse(document.error());
     rcm::give_ids(*document);
-    const std::string text = rcm::format_document(*document);
+    const auto text = rcm::write_document_text(*document);
+    if (!text) return refuse(Error{text.error().code, text.error().message, path});
     if (!write) {
-      std::fwrite(text.data(), 1, text.size(), stdout);
+      std::fwrite(text->data(), 1, text->size(), stdout);
       continue;
     }
     std::ofstream out(path, std::ios::binary | std::ios::trunc);
-    out << text;
+    out << *text;
     if (!out.flush()) return refuse(Error{ErrorCode::io, "cannot be written", path});
   }
   return kExitOk;

@@ -91,8 +91,8 @@ void Documents::renew() {
     auto stored = read(row);
     if (!stored) continue;  // see list()
     rcm::give_ids(stored->document);
-    if (std::string text = rcm::format_document(stored->document); text != row.text)
-      write({row.name, std::move(text), row.revision});
+    auto text = rcm::write_document_text(stored->document);
+    if (text && *text != row.text) write({row.name, std::move(*text), row.revision});
   }
   transaction.commit();
 }
@@ -125,7 +125,9 @@ Checked<StoredDocument> Documents::put(const std::string& name, std::string_view
   const services::MutexLock lock(mutex_);
   const auto old = row(name);
   give_ids_after(old, *document);
-  Row next{name, rcm::format_document(*document), old.empty() ? 1 : old.front().revision};
+  auto next_text = rcm::write_document_text(*document);
+  if (!next_text) return tl::unexpected(std::vector<Error>{std::move(next_text).error()});
+  Row next{name, std::move(*next_text), old.empty() ? 1 : old.front().revision};
   if (!old.empty() && old.front().text != next.text) ++next.revision;
   write(next);
   return StoredDocument{name, next.revision, std::move(*document)};
@@ -144,11 +146,12 @@ Checked<void> Documents::put_demo(const std::string& folder) {
     auto text = read_file(entry.path());
     auto document =
         text ? rcm::read_document_text(*text) : Checked<rcm::Document>(tl::unexpect, std::vector<Error>{text.error()});
-    if (!document) {
-      for (Error& each : document.error()) each.path = entry.path().string() + ": " + each.path;
-      return tl::unexpected(std::move(document).error());
+    auto put =
+        document ? put_unchanged(name, std::move(*document)) : Checked<void>(tl::unexpect, std::move(document).error());
+    if (!put) {
+      for (Error& each : put.error()) each.path = entry.path().string() + ": " + each.path;
+      return put;
     }
-    if (auto put = put_unchanged(name, std::move(*document)); !put) return put;
   }
   return {};
 }
@@ -159,7 +162,9 @@ Checked<void> Documents::put_unchanged(const std::string& name, rcm::Document do
   const auto old = row(name);
   if (!old.empty() && old.front().revision > 1) return {};
   give_ids_after(old, document);
-  write({name, rcm::format_document(document), 1});
+  auto text = rcm::write_document_text(document);
+  if (!text) return tl::unexpected(std::vector<Error>{std::move(text).error()});
+  write({name, std::move(*text), 1});
   return {};
 } catch (const SQLite::Exception& exception) {
   return failure("cannot store " + name, exception);
