@@ -1,6 +1,5 @@
 // The commands on documents: translate, fmt, check.
 #include <cstdio>
-#include <fstream>
 #include <memory>
 
 #include "core/execution/derive.h"
@@ -41,7 +40,9 @@ int translate(const std::string& path) {
 // place.
 int format(const std::vector<std::string>& paths, bool write) {
   for (const std::string& path : paths) {
-    auto document = load(path);
+    const auto old = read_file(path);
+    if (!old) return refuse(old.error());
+    auto document = rcm::read_document_text(*old);
     if (!document) return refuse(document.error());
     rcm::give_ids(*document);
     const auto text = rcm::write_document_text(*document);
@@ -50,9 +51,8 @@ int format(const std::vector<std::string>& paths, bool write) {
       std::fwrite(text->data(), 1, text->size(), stdout);
       continue;
     }
-    std::ofstream out(path, std::ios::binary | std::ios::trunc);
-    out << *text;
-    if (!out.flush()) return refuse(Error{ErrorCode::io, "cannot be written", path});
+    if (*text == *old) continue;
+    if (auto replaced = replace_file(path, *text); !replaced) return refuse(replaced.error());
   }
   return kExitOk;
 }
