@@ -3,6 +3,7 @@
 // Pure functions.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,7 @@ struct Draft {
   Document document;
   std::vector<Error> errors;
   bool has_root = false;
+  std::size_t bad_ids = 0;  // how many of the errors are about ids (`meta.id`), which are left out
 };
 
 /// Reads as much as can be read. `json` is a document as parse_json gives it with `keep_out_of_range`.

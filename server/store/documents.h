@@ -29,8 +29,9 @@ class Documents {
  public:
   ~Documents();
 
-  /// Opens the file or makes it. Documents that an older version of the program stored get ids and today's form; they
-  /// keep their revision, as nobody changed them. What would then be too large or too deep stays as it is. Error `io`.
+  /// Opens the file or makes it. Documents that an older version of the program stored get ids, also in place of a
+  /// `meta.id` that is none, and today's form; they keep their revision, as nobody changed them. What has other
+  /// violations, or would be too large or too deep, stays as it is. Error `io`.
   static Expected<std::unique_ptr<Documents>> open(const std::string& path);
 
   /// In order of name. Error of all: `io`.
@@ -53,7 +54,7 @@ class Documents {
   explicit Documents(std::unique_ptr<SQLite::Database> file);
   std::vector<Row> rows(const char* where, const std::string& name) REQUIRES(mutex_);
   std::vector<Row> row(const std::string& name) REQUIRES(mutex_);
-  void renew() EXCLUDES(mutex_);
+  void migrate() EXCLUDES(mutex_);
   void write(const Row& row) REQUIRES(mutex_);
   Checked<void> put_unchanged(const std::string& name, rcm::Document document) EXCLUDES(mutex_);
   static Checked<StoredDocument> read(const Row& row);

@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "core/rcm/document.h"
+#include "core/rcm/ids.h"
 #include "core/value/json.h"
 
 namespace race::server {
@@ -108,6 +109,71 @@ TEST_F(DocumentStore, PutsTheDemoWithIdsUntilSomebodyChangesIt) {
   documents->put("task", R"({"rcm": 1, "root": {"state": "Mine"}})").value();
   ASSERT_TRUE(documents->put_demo(folder_));
   EXPECT_EQ(documents->get("task")->document.root.name, "Mine");
+}
+
+TEST_F(DocumentStore, GivesOneOfTwoElementsWithTheSameIdANewOne) {
+  const auto documents = open();
+  documents->put("task", R"({"rcm": 1, "root": {"state": "R", "children": [{"state": "A", "meta": {"id": "a"}}]}})")
+      .value();
+  const StoredDocument put = documents
+                                 ->put("task", R"({"rcm": 1, "root": {"state": "R", "children": [
+      {"state": "Copy", "meta": {"id": "a"}}, {"state": "A", "meta": {"id": "a"}}]}})")
+                                 .value();
+  EXPECT_EQ(id_of(put, 1), "a") << "it stands where it stood";
+  EXPECT_NE(id_of(put, 0), "a");
+  EXPECT_FALSE(id_of(put, 0).empty());
+}
+
+TEST_F(DocumentStore, ReplacesThePathsOfALayout) {
+  const auto documents = open();
+  const StoredDocument put = documents
+                                 ->put("task", R"({"rcm": 1, "layout": {"R/A": {"x": 1}},
+      "root": {"state": "R", "children": [{"state": "A"}]}})")
+                                 .value();
+  EXPECT_EQ(put.document.layout, Value(Dict{{id_of(put, 0), Dict{{"x", 1}}}}));
+  EXPECT_EQ(documents->get("task")->document, put.document);
+}
+
+TEST_F(DocumentStore, GivesAnIdInPlaceOfOneThatAnOlderVersionTook) {
+  store_as_before(R"({"rcm": 1, "root": {"state": "R", "meta": {"id": "a b", "icon": "x"},
+      "children": [{"state": "A", "meta": {"id": 7}}, {"state": "B", "meta": {"id": "b"}}]}})");
+  const StoredDocument old = open()->get("old").value();
+  EXPECT_EQ(old.revision, 3);
+  EXPECT_TRUE(rcm::is_id(old.document.root.meta.id));
+  EXPECT_EQ(old.document.root.meta.rest, Value(Dict{{"icon", "x"}}));
+  EXPECT_TRUE(rcm::is_id(id_of(old, 0)));
+  EXPECT_EQ(id_of(old, 1), "b");
+}
+
+TEST_F(DocumentStore, LeavesADocumentWithABadIdAndOtherViolations) {
+  for (const char* wrong : {R"("more": 1)", R"("first": "Nobody")"}) {
+    fs::remove(path());
+    const std::string text = R"({"rcm": 1, "root": {"state": "R", "meta": {"id": 7}, )" + std::string(wrong) + "}}";
+    store_as_before(text);
+    EXPECT_EQ(open()->get("old").error().size(), 2U) << "which say what is wrong";
+    EXPECT_EQ(stored_text("old"), text);
+  }
+}
+
+TEST_F(DocumentStore, ReadsTheDocumentsOfAnOlderVersionOnce) {
+  store_as_before(kTask);
+  open();
+  SQLite::Database(path(), SQLite::OPEN_READWRITE).exec("UPDATE document SET text = '{}'");
+  open();
+  EXPECT_EQ(stored_text("old"), "{}");
+  SQLite::Database file(path(), SQLite::OPEN_READONLY);
+  EXPECT_EQ(file.execAndGet("PRAGMA user_version").getInt(), 1);
+}
+
+TEST_F(DocumentStore, KeepsTheIdsOfAStoredRevisionThatHasViolations) {
+  const auto documents = open();
+  SQLite::Database(path(), SQLite::OPEN_READWRITE)
+      .exec(R"sql(INSERT INTO document VALUES ('task', 1, '{"rcm": 1, "root": {"state": "R", "first": "Nobody",
+               "children": [{"state": "A", "meta": {"id": "a"}}, {"state": "B", "meta": {"id": "b"}}]}}'))sql");
+  const StoredDocument put = documents->put("task", kTask).value();
+  EXPECT_EQ(put.revision, 2);
+  EXPECT_EQ(id_of(put, 0), "a");
+  EXPECT_EQ(id_of(put, 1), "b");
 }
 
 /// A document that is so deep that its root gets no id: no object becomes one, which is a level more.
