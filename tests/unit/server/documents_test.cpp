@@ -158,9 +158,9 @@ TEST_F(DocumentStore, LeavesADocumentWithABadIdAndOtherViolations) {
 TEST_F(DocumentStore, ReadsTheDocumentsOfAnOlderVersionOnce) {
   store_as_before(kTask);
   open();
-  SQLite::Database(path(), SQLite::OPEN_READWRITE).exec("UPDATE document SET text = '{}'");
+  SQLite::Database(path(), SQLite::OPEN_READWRITE).exec("UPDATE document SET text = '" + std::string(kTask) + "'");
   open();
-  EXPECT_EQ(stored_text("old"), "{}");
+  EXPECT_EQ(stored_text("old"), kTask);
   SQLite::Database file(path(), SQLite::OPEN_READONLY);
   EXPECT_EQ(file.execAndGet("PRAGMA user_version").getInt(), 1);
 }
@@ -197,14 +197,14 @@ TEST_F(DocumentStore, RefusesWhatCouldNotBeReadAgainAndKeepsWhatItHas) {
     const auto put = documents->put("task", text);
     ASSERT_FALSE(put);
     EXPECT_EQ(put.error().front().code, code);
-    EXPECT_EQ(documents->get("task")->document, before.document);
-    EXPECT_EQ(documents->get("task")->revision, 1);
+    EXPECT_EQ(documents->get("task").value().document, before.document);
+    EXPECT_EQ(documents->get("task").value().revision, 1);
   }
 }
 
 TEST_F(DocumentStore, LeavesWhatAnOlderVersionStoredIfItCouldNotBeReadAgain) {
   store_as_before(deepest());
-  EXPECT_EQ(open()->get("old")->document.root.name, "R");
+  EXPECT_EQ(open()->get("old").value().document.root.name, "R");
   EXPECT_EQ(stored_text("old"), deepest());
 }
 

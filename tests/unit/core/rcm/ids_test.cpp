@@ -194,6 +194,9 @@ TEST(GiveIds, TellsTheLibraryFromARootOfThisName) {
   const Document previous = with_ids(document(R"(, "meta": {"id": "l"})"));
   EXPECT_NE(child(previous.root, 0).meta.id, "l");
   EXPECT_EQ(with_ids(document(""), &previous), previous);
+  Document without_child = previous;
+  without_child.root.children.clear();
+  EXPECT_EQ(with_ids(document(""), &without_child).library[0].meta.id, "l");
   EXPECT_EQ(previous.layout, Value(Dict{{child(previous.root, 0).meta.id, 1}}));
 }
 
