@@ -87,7 +87,10 @@ class CodeCheck {
                                            : inner   ? language::ChildSymbols{}
                                                      : barrier_symbols());
     }
-    if (state.oracle) out.children.emplace(kDispatcher, interface_of(dispatcher(state)));
+    if (state.oracle) {
+      DerivedIds no_ids;
+      out.children.emplace(kDispatcher, interface_of(dispatcher(state, no_ids)));
+    }
     if (state.oracle && state.oracle->kind == Oracle::Kind::history) out.variables.emplace(kLastActive, 0);
     return out;
   }

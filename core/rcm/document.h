@@ -3,6 +3,7 @@
 // Pure functions.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,7 @@ struct Draft {
   Document document;
   std::vector<Error> errors;
   bool has_root = false;
+  std::size_t bad_ids = 0;  // how many of the errors are about ids (`meta.id`), which are left out
 };
 
 /// Reads as much as can be read. `json` is a document as parse_json gives it with `keep_out_of_range`.
@@ -45,5 +47,9 @@ Value write_state(const State& state);
 /// columns. `services`, `layout` and the `notes` of the document's meta have one line for each entry, in order of the
 /// keys.
 std::string format_document(const Document& document);
+
+/// The same for a text that is stored or written to a file. Ids and indentation make a text longer and deeper than what
+/// was read; errors `too_large`, `too_deep`: read_document_text could not read it again.
+Expected<std::string> write_document_text(const Document& document);
 
 }  // namespace race::rcm

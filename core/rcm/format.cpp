@@ -57,12 +57,15 @@ bool holds_elements(std::string_view key) {
   return std::ranges::find(kLists, key) != std::end(kLists);
 }
 
+/// Stops soon after `limit` bytes.
 class Formatter {
  public:
+  explicit Formatter(std::size_t limit = std::string::npos) : limit_(limit) {}
+
   void write_document(const Dict& document) {
     write_fields(document, 0, [&](std::string_view key, const Value& field, std::size_t column) {
       if (key == "root") return write_state(field.as_dict(), kIndent);
-      if (key == "services" || key == "layout") return write_entries(field.as_dict(), kIndent);
+      if ((key == "services" || key == "layout") && field.is_dict()) return write_entries(field.as_dict(), kIndent);
       if (key == "meta" && field.is_dict()) return write_meta(field.as_dict(), kIndent);
       write_field(key, field, kIndent, column);
     });
@@ -85,6 +88,7 @@ class Formatter {
   void write_elements(const List& elements, std::size_t indent) {
     text_ += '[';
     for (const Value& element : elements) {
+      if (is_full()) return;
       next(&element == &elements.front(), indent + kIndent);
       element.find("state") ? write_state(element.as_dict(), indent + kIndent)
                             : write(element, indent + kIndent, indent + kIndent);
@@ -123,6 +127,8 @@ class Formatter {
     value.is_list() ? write_list(value.as_list(), indent) : write_dict(value.as_dict(), indent);
   }
 
+  bool is_full() const { return text_.size() > limit_; }
+
   void next(bool first, std::size_t indent) {
     text_ += first ? "\n" : ",\n";
     text_.append(indent, ' ');
@@ -131,6 +137,7 @@ class Formatter {
   void write_list(const List& items, std::size_t indent) {
     text_ += '[';
     for (const Value& item : items) {
+      if (is_full()) return;
       next(&item == &items.front(), indent + kIndent);
       write(item, indent + kIndent, indent + kIndent);
     }
@@ -150,6 +157,7 @@ class Formatter {
     text_ += '{';
     bool first = true;
     for (const auto& [key, field] : fields) {
+      if (is_full()) return;
       next(first, indent + kIndent);
       first = false;
       const std::string label = to_json(key) + ": ";
@@ -160,6 +168,7 @@ class Formatter {
     text_ += '}';
   }
 
+  const std::size_t limit_;
   std::string text_;
 };
 
@@ -169,6 +178,15 @@ std::string format_document(const Document& document) {
   Formatter formatter;
   formatter.write_document(write_document(document).as_dict());
   return formatter.take();
+}
+
+Expected<std::string> write_document_text(const Document& document) {
+  const JsonLimits limits{.keep_out_of_range = true};
+  Formatter formatter(limits.bytes);
+  formatter.write_document(write_document(document).as_dict());
+  std::string text = formatter.take();
+  if (auto again = parse_json(text, limits); !again) return tl::unexpected(std::move(again).error());
+  return text;
 }
 
 }  // namespace race::rcm

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -36,11 +37,22 @@ std::string digits(Hash bits, std::size_t length) {
   return out;
 }
 
+// Where paths begin: that of the root and those of the library.
+constexpr Hash kRoot = 0, kLibrary = 1;
+
 Hash node_hash(Hash parent, std::string_view name) { return hash(parent, name); }
 Hash element_hash(Hash node, std::string_view kind, std::string_view name) { return hash(hash(node, kind), name); }
-Hash library_hash() { return node_hash(0, "library"); }
+/// Of an action, which has two texts and no name: apart from elements of a node called `action`.
+Hash action_hash(Hash node, const Action& action) {
+  return hash(~element_hash(node, "action", action.when), action.code);
+}
 
-/// Calls visit(meta, place) for each element of a document, in order; places are all different.
+/// Where an element stands, and the state that it belongs to, or the parent of the node that it is.
+struct Place {
+  Hash element, owner;
+};
+
+/// Calls visit(meta, place) for each element of a document, in order; elements are all different, but for chance.
 template <typename Visit>
 class Walk {
  public:
@@ -48,65 +60,65 @@ class Walk {
 
   template <typename AnyDocument>
   void document(AnyDocument& document) {
-    state(document.root, node_hash(0, document.root.name));
-    for (auto& entry : document.library) state(entry, node_hash(library_hash(), entry.name));
+    state(document.root, kRoot);
+    for (auto& entry : document.library) state(entry, kLibrary);
   }
 
  private:
   template <typename AnyState>
-  void state(AnyState& state, Hash at) {
-    element(state.meta, element_hash(at, "state", ""));
-    for (auto& parameter : state.parameters) element(parameter.meta, element_hash(at, "parameter", parameter.name));
-    for (auto& result : state.results) element(result.meta, element_hash(at, "result", result.name));
-    for (auto& variable : state.variables) element(variable.meta, element_hash(at, "variable", variable.name));
-    for (auto& action : state.actions) element(action.meta, hash(element_hash(at, "action", action.when), action.code));
+  void state(AnyState& state, Hash parent) {
+    const Hash at = node_hash(parent, state.name);
+    element(state.meta, element_hash(at, "state", ""), parent);
+    for (auto& parameter : state.parameters) element(parameter.meta, element_hash(at, "parameter", parameter.name), at);
+    for (auto& result : state.results) element(result.meta, element_hash(at, "result", result.name), at);
+    for (auto& variable : state.variables) element(variable.meta, element_hash(at, "variable", variable.name), at);
+    for (auto& action : state.actions) element(action.meta, action_hash(at, action), at);
     for (auto& child : state.children) node(child, at);
-    for (auto& port : state.ports) element(port.meta, element_hash(at, "port", port.name));
+    for (auto& port : state.ports) element(port.meta, element_hash(at, "port", port.name), at);
   }
 
   template <typename AnyNode>
   void node(AnyNode& node, Hash parent) {
-    const Hash at = node_hash(parent, name_of(node));
-    if (auto* inner = std::get_if<State>(&node)) return state(*inner, at);
-    element(std::get<Barrier>(node).meta, element_hash(at, "barrier", ""));
+    if (auto* inner = std::get_if<State>(&node)) return state(*inner, parent);
+    auto& barrier = std::get<Barrier>(node);
+    element(barrier.meta, element_hash(node_hash(parent, barrier.name), "barrier", ""), parent);
   }
 
   template <typename AnyMeta>
-  void element(AnyMeta& meta, Hash place) {
+  void element(AnyMeta& meta, Hash place, Hash owner) {
     const Hash earlier = count_[place]++;
-    visit_(meta, earlier == 0 ? place : mixed(place + earlier));
+    visit_(meta, Place{earlier == 0 ? place : mixed(place + earlier), owner});
   }
 
   Visit visit_;
-  std::unordered_map<Hash, Hash> count_;
+  std::map<Hash, Hash> count_;  // a hash table would be slow for texts made to collide: the hash is no secret
 };
 
 void set_id(Meta& meta, std::string id) {
   meta.id = std::move(id);
-  if (meta.rest.is_dict() && !meta.rest.as_dict().empty()) return;
-  meta.rest = meta.rest.is_dict() || meta.rest.is_null() ? Value() : Value(Dict{{"value", meta.rest}});
+  wrap_rest(meta);
 }
 
-using IdsByPlace = std::unordered_map<Hash, std::string_view>;
+using IdsByPlace = std::map<Hash, std::string_view>;
 
 /// Where the elements of a document stand and which ids they have.
 struct Places {
   explicit Places(const Document& document) {
-    Walk([this](const Meta& meta, Hash place) {
+    Walk([this](const Meta& meta, Place place) {
       if (meta.id.empty()) return;
-      ids.emplace(place, meta.id);
+      ids.emplace(place.element, meta.id);
       places.emplace(meta.id, place);
     }).document(document);
   }
 
   IdsByPlace ids;
-  std::unordered_map<std::string_view, Hash> places;
+  std::map<std::string_view, Place> places;
 };
 
-/// The node or port with this path.
-IdsByPlace::const_iterator element_at(std::string_view path, const IdsByPlace& ids) {
+/// The node or port with this path below `start`.
+IdsByPlace::const_iterator element_below(Hash start, std::string_view path, const IdsByPlace& ids) {
   const auto dot = path.rfind('.');
-  Hash node = 0;
+  Hash node = start;
   for (std::string_view rest = path.substr(0, dot); !rest.empty();) {
     const auto slash = std::min(rest.find('/'), rest.size());
     node = node_hash(node, rest.substr(0, slash));
@@ -117,14 +129,32 @@ IdsByPlace::const_iterator element_at(std::string_view path, const IdsByPlace& i
   return state != ids.end() ? state : ids.find(element_hash(node, "barrier", ""));
 }
 
-class Giver {
+/// The node or port with this path; of the root, if it is called `library`, before one of the library.
+IdsByPlace::const_iterator element_at(std::string_view path, const IdsByPlace& ids) {
+  constexpr std::string_view kPrefix = "library/";
+  const auto element = element_below(kRoot, path, ids);
+  if (element != ids.end() || !path.starts_with(kPrefix)) return element;
+  return element_below(kLibrary, path.substr(kPrefix.size()), ids);
+}
+
+/// The ids by which `layout` and the notes of the document name elements, also elements that are gone.
+std::set<std::string_view> named_ids(const Document& document) {
+  std::set<std::string_view> out;
+  for (const Value* entries : {&document.layout, document.meta.find("notes")}) {
+    if (!entries || !entries->is_dict()) continue;
+    for (const auto& [key, value] : entries->as_dict()) out.insert(key.as_string());
+  }
+  return out;
+}
+
+class IdAssigner {
  public:
-  explicit Giver(Document& document) {
-    Walk([this](Meta& meta, Hash place) { elements_.push_back({&meta, place}); }).document(document);
+  explicit IdAssigner(Document& document) : named_(named_ids(document)) {
+    Walk([this](Meta& meta, Place place) { elements_.push_back({&meta, place}); }).document(document);
   }
 
-  void give(const Places* previous) {
-    part_equals(previous);
+  void assign(const Places* previous) {
+    resolve_duplicates(previous);
     if (previous) take_over(*previous);
     for (const Element& element : elements_) {
       if (element.meta->id.empty()) make(element, previous);
@@ -134,14 +164,14 @@ class Giver {
   /// `layout` with ids in place of paths.
   Dict by_ids(const Dict& layout) const {
     IdsByPlace ids;
-    for (const Element& element : elements_) ids.emplace(element.place, element.meta->id);
+    for (const Element& element : elements_) ids.emplace(element.place.element, element.meta->id);
     Dict out;
     for (const auto& [key, value] : layout) {
-      const auto id = holders_.contains(key.as_string()) ? ids.cend() : element_at(key.as_string(), ids);
-      if (id != ids.cend()) {
-        out.set(id->second, value);  // also in place of the id's own entry: who writes paths has written last
-      } else if (!out.find(key)) {
+      const auto id = owners_.contains(key.as_string()) ? ids.cend() : element_at(key.as_string(), ids);
+      if (id == ids.cend()) {
         out.set(key, value);
+      } else if (!layout.find(id->second)) {
+        out.set(id->second, value);
       }
     }
     return out;
@@ -150,47 +180,52 @@ class Giver {
  private:
   struct Element {
     Meta* meta;
-    Hash place;
+    Place place;
   };
 
   /// Of the elements with one id, one keeps it.
-  void part_equals(const Places* previous) {
+  void resolve_duplicates(const Places* previous) {
     for (const Element& element : elements_) {
       if (element.meta->id.empty()) continue;
-      const auto [entry, is_first] = holders_.emplace(element.meta->id, element);
+      const auto [entry, is_first] = owners_.emplace(element.meta->id, element);
       if (is_first) continue;
-      const Element loser =
-          previous && stands_where_it_stood(element, *previous) ? std::exchange(entry->second, element) : element;
+      const bool is_better = previous && rank(element, *previous) > rank(entry->second, *previous);
+      const Element loser = is_better ? std::exchange(entry->second, element) : element;
       loser.meta->id.clear();
     }
   }
 
-  static bool stands_where_it_stood(const Element& element, const Places& previous) {
+  /// 2: it stands where the element with its id stood; 1: its state or parent does; 0: neither.
+  static int rank(const Element& element, const Places& previous) {
     const auto stood = previous.places.find(element.meta->id);
-    return stood != previous.places.end() && stood->second == element.place;
+    if (stood == previous.places.end()) return 0;
+    if (stood->second.element == element.place.element) return 2;
+    return stood->second.owner == element.place.owner ? 1 : 0;
   }
 
   void take_over(const Places& previous) {
     for (const Element& element : elements_) {
       if (!element.meta->id.empty()) continue;
-      const auto id = previous.ids.find(element.place);
-      if (id != previous.ids.end()) claim(element, std::string(id->second));
+      const auto id = previous.ids.find(element.place.element);
+      if (id != previous.ids.end()) try_assign(element, std::string(id->second));
     }
   }
 
   void make(const Element& element, const Places* previous) {
     for (Hash attempt = 0; element.meta->id.empty(); ++attempt) {
-      std::string id = digits(mixed(element.place + attempt * kGolden), kNewLength);
-      if (!previous || !previous->places.contains(id)) claim(element, std::move(id));
+      std::string id = digits(mixed(element.place.element + attempt * kGolden), kNewLength);
+      if (named_.contains(id) || (previous && previous->places.contains(id))) continue;
+      try_assign(element, std::move(id));
     }
   }
 
-  void claim(const Element& element, std::string id) {
-    if (holders_.emplace(id, element).second) set_id(*element.meta, std::move(id));
+  void try_assign(const Element& element, std::string id) {
+    if (owners_.emplace(id, element).second) set_id(*element.meta, std::move(id));
   }
 
   std::vector<Element> elements_;
-  std::unordered_map<std::string, Element> holders_;  // of each id of the document
+  std::map<std::string, Element, std::less<>> owners_;  // of each id of the document
+  const std::set<std::string_view> named_;
 };
 
 }  // namespace
@@ -205,14 +240,35 @@ bool is_id(std::string_view text) {
 void give_ids(Document& document, const Document* previous) {
   std::optional<Places> places;
   if (previous) places.emplace(*previous);
-  Giver giver(document);
-  giver.give(places ? &*places : nullptr);
-  if (document.layout.is_dict()) document.layout = giver.by_ids(document.layout.as_dict());
+  IdAssigner ids(document);
+  ids.assign(places ? &*places : nullptr);
+  if (document.layout.is_dict()) document.layout = ids.by_ids(document.layout.as_dict());
+}
+
+void wrap_rest(Meta& meta) {
+  if (meta.id.empty() || meta.rest.is_null()) return;
+  if (!meta.rest.is_dict()) meta.rest = Dict{{"value", meta.rest}};
+  if (meta.rest.as_dict().empty()) meta.rest = Value();
 }
 
 std::string derived_id(std::string_view owner, std::string_view part) {
   if (owner.empty() || part.empty()) return {};
   return digits(hash(hash(0, owner), part), kDerivedLength);
+}
+
+DerivedIds::DerivedIds(const Document& document) {
+  Walk([this](const Meta& meta, Place) {
+    if (!meta.id.empty()) taken_.insert(meta.id);
+  }).document(document);
+}
+
+std::string DerivedIds::operator()(std::string_view owner, std::string_view part) {
+  const std::string first = derived_id(owner, part);
+  if (!taken_.contains(first)) return first;
+  std::string& id = replacements_[first];
+  for (int attempt = 1; id.empty() || taken_.contains(id); ++attempt)
+    id = derived_id(first, ":" + std::to_string(attempt));
+  return id;
 }
 
 }  // namespace race::rcm

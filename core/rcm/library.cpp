@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/rcm/ids.h"
+
 namespace race::rcm {
 namespace {
 
@@ -146,12 +148,13 @@ std::vector<std::vector<std::string>> Library::cycles() const {
 }
 
 Meta merged_meta(const Meta& linked, const Meta& own) {
-  if (own == Meta{}) return linked;
-  const auto is_object = [](const Value& rest) { return rest.is_null() || rest.is_dict(); };
-  if (!is_object(linked.rest) || !is_object(own.rest)) return own;
-  Meta out{own.id.empty() ? linked.id : own.id, linked.rest.is_null() ? own.rest : linked.rest};
-  if (linked.rest.is_null() || own.rest.is_null()) return out;
-  for (const auto& [key, value] : own.rest.as_dict()) out.rest.mutable_dict().set(key, value);
+  Meta out{own.id.empty() ? linked.id : own.id, linked.rest};
+  if (linked.rest.is_dict() && own.rest.is_dict()) {
+    for (const auto& [key, value] : own.rest.as_dict()) out.rest.mutable_dict().set(key, value);
+  } else if (!own.rest.is_null()) {
+    out.rest = own.rest;
+  }
+  wrap_rest(out);
   return out;
 }
 

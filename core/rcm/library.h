@@ -46,7 +46,8 @@ class Library {
   std::map<const State*, Interface> interfaces_;  // of those that are behaviours
 };
 
-/// `own` in place of `linked`, entry by entry if both are objects: the meta of a link.
+/// The meta of a link: the id and the rest of `own`, each in place of that of `linked` if there is one; the rest entry
+/// by entry if both are objects.
 Meta merged_meta(const Meta& linked, const Meta& own);
 
 /// The parameter `linked` as a link that names it overrides it.

@@ -1,7 +1,6 @@
 #include "core/rcm/oracle.h"
 
 #include "core/rcm/call_text.h"
-#include "core/rcm/ids.h"
 
 namespace race::rcm {
 namespace {
@@ -16,9 +15,10 @@ std::vector<const State*> child_states(const State& composite) {
   return out;
 }
 
-// What an oracle is translated to has ids of its owner and its role in it. A role is no id: it begins with a colon.
-Meta made_for(const State& owner, std::string_view role) { return Meta{derived_id(owner.meta.id, role), Value()}; }
-Meta made_for(const State& owner, const State& child) { return made_for(owner, child.meta.id); }
+/// What an oracle is translated to has ids of its owner and its role in it. A role is no id: it begins with a colon.
+Meta derived_meta(const State& owner, std::string_view role, DerivedIds& ids) {
+  return Meta{ids(owner.meta.id, role), Value()};
+}
 
 Parameter parameter_from(std::string name, std::string expression, Meta meta) {
   Parameter out;
@@ -40,70 +40,71 @@ std::string names_none(const std::string& choice, const std::vector<const State*
 }
 
 /// The call with `par.arg0`, `par.arg1`, ... for its arguments, which become parameters of the dispatcher.
-std::string pass_arguments(const CallText& call, State& dispatcher) {
+std::string pass_arguments(const CallText& call, State& dispatcher, DerivedIds& ids) {
   std::string out;
   for (const auto& [keyword, expression] : call.arguments) {
     const std::string name = "arg" + std::to_string(dispatcher.parameters.size());
-    dispatcher.parameters.push_back(parameter_from(name, expression, made_for(dispatcher, ":" + name)));
+    dispatcher.parameters.push_back(parameter_from(name, expression, derived_meta(dispatcher, ":" + name, ids)));
     out += (out.empty() ? "" : ", ") + (keyword.empty() ? "" : keyword + "=") + "par." + name;
   }
   return "svc." + call.service + "." + call.operation + "(" + out + ")";
 }
 
 /// The dispatcher of an external oracle calls on entry and stores the result.
-void ask(const CallText& call, State& dispatcher) {
+void ask(const CallText& call, State& dispatcher, DerivedIds& ids) {
   const std::string operation = "svc." + call.service + "." + call.operation;
-  dispatcher.entry = pass_arguments(call, dispatcher);
-  dispatcher.results.push_back(Datum{"choice", std::nullopt, Value(), "", "", made_for(dispatcher, ":result")});
+  dispatcher.entry = pass_arguments(call, dispatcher, ids);
+  dispatcher.results.push_back(
+      Datum{"choice", std::nullopt, Value(), "", "", derived_meta(dispatcher, ":result", ids)});
   dispatcher.actions.push_back(
-      Action{operation + ".result", "res.choice = " + operation + ".result", made_for(dispatcher, ":store")});
+      Action{operation + ".result", "res.choice = " + operation + ".result", derived_meta(dispatcher, ":store", ids)});
 }
 
-void remember_child(State& composite) {
-  const Meta last = made_for(composite, ":last_active");
+void remember_child(State& composite, DerivedIds& ids) {
+  const Meta last = derived_meta(composite, ":last_active", ids);
   composite.variables.push_back(
       Datum{std::string(kLastActive), Value(composite.first.value_or("")), Value(), "", "", last});
   for (const State* child : child_states(composite))
     composite.actions.push_back(Action{"chi." + child->name + ".active and var.last_active != " + quoted(child->name),
                                        "var.last_active = " + quoted(child->name),
-                                       Meta{derived_id(last.id, child->meta.id), Value()}});
+                                       Meta{ids(last.id, child->meta.id), Value()}});
   const auto& resume = composite.oracle->resume;
   composite.keep = resume ? Keep{.any = false, .ports = *resume} : Keep{.any = true, .ports = {}};
 }
 
 }  // namespace
 
-State dispatcher(const State& composite) {
+State dispatcher(const State& composite, DerivedIds& ids) {
   const Oracle& oracle = *composite.oracle;
   const std::vector<const State*> children = child_states(composite);
   State out;
   out.name = kDispatcher;
-  out.meta = made_for(composite, ":dispatcher");
+  out.meta = derived_meta(composite, ":dispatcher", ids);
   std::string choice = "par.choice", otherwise;
   if (oracle.kind == Oracle::Kind::external) {
     choice = "res.choice";
     if (const auto call = parse_call(oracle.text)) {
-      ask(*call, out);
+      ask(*call, out, ids);
       otherwise = "svc." + call->service + "." + call->operation + ".error or ";
     }
   } else {
     const bool history = oracle.kind == Oracle::Kind::history;
     out.parameters.push_back(
-        parameter_from("choice", history ? "var.last_active" : oracle.text, made_for(out, ":choice")));
+        parameter_from("choice", history ? "var.last_active" : oracle.text, derived_meta(out, ":choice", ids)));
   }
   for (const State* child : children)
-    out.ports.push_back(
-        port("to_" + child->name, choice + " == " + quoted(child->name), child->name, made_for(out, *child)));
+    out.ports.push_back(port("to_" + child->name, choice + " == " + quoted(child->name), child->name,
+                             derived_meta(out, child->meta.id, ids)));
   const std::string none = names_none(choice, children);
   if (composite.first)
     out.ports.push_back(port("otherwise", otherwise.empty() ? none : otherwise + "(" + none + ")", *composite.first,
-                             made_for(out, ":otherwise")));
+                             derived_meta(out, ":otherwise", ids)));
   return out;
 }
 
-void translate_oracle(State& composite) {
-  State first = dispatcher(composite);
-  if (composite.oracle->kind == Oracle::Kind::history) remember_child(composite);
+void translate_oracle(State& composite, DerivedIds& ids) {
+  State first = dispatcher(composite, ids);
+  if (composite.oracle->kind == Oracle::Kind::history) remember_child(composite, ids);
   composite.first = first.name;
   composite.children.insert(composite.children.begin(), std::move(first));
   composite.oracle.reset();

@@ -13,7 +13,10 @@ namespace race::rcm {
 namespace {
 
 using Need = Fields::Need;
-using Errors = std::vector<Error>;
+
+struct Errors : std::vector<Error> {
+  std::size_t bad_ids = 0;  // how many of them are about `meta.id`
+};
 
 /// The text at `key`, for paths and messages; empty if there is none.
 std::string label(const Value& json, std::string_view key) {
@@ -48,13 +51,14 @@ Value read_document_meta(Fields& fields) {
   return meta;
 }
 
-Meta read_meta(Fields& fields) {
+Meta read_meta(Fields& fields, Errors& errors) {
   Meta out{"", read_json_meta(fields)};
   const Value* id = out.rest.find("id");
   if (!id) return out;
   if (id->is_string() && is_id(id->as_string())) {
     out.id = id->as_string();
   } else {
+    ++errors.bad_ids;
     fields.violation(ErrorCode::type, "`meta.id` must be a text of 1 to 64 of A-Z a-z 0-9 _ -");
   }
   Dict rest = out.rest.as_dict();
@@ -73,7 +77,7 @@ std::optional<Parameter> read_parameter(const Value& json, const std::string& pa
   out.type = read_type(fields);
   out.unit = fields.text("unit").value_or("");
   out.doc = fields.text("doc").value_or("");
-  out.meta = read_meta(fields);
+  out.meta = read_meta(fields, errors);
   fields.close();
   if (!name) return std::nullopt;
   return out;
@@ -88,7 +92,7 @@ std::optional<Datum> read_datum(std::string_view what, const Value& json, const 
   out.type = read_type(fields);
   out.unit = fields.text("unit").value_or("");
   out.doc = fields.text("doc").value_or("");
-  out.meta = read_meta(fields);
+  out.meta = read_meta(fields, errors);
   fields.close();
   if (!name) return std::nullopt;
   return out;
@@ -98,7 +102,7 @@ std::optional<Action> read_action(const Value& json, const std::string& path, Er
   Fields fields(json, path, "action", errors);
   auto when = fields.text("when", Need::required);
   auto code = fields.text("do", Need::required);
-  Meta meta = read_meta(fields);
+  Meta meta = read_meta(fields, errors);
   fields.close();
   if (!when || !code) return std::nullopt;
   return Action{std::move(*when), std::move(*code), std::move(meta)};
@@ -111,7 +115,7 @@ std::optional<Port> read_port(const Value& json, const std::string& state, Error
   out.name = name.value_or("");
   out.when = fields.text("when");
   out.to = fields.text("to");
-  out.meta = read_meta(fields);
+  out.meta = read_meta(fields, errors);
   fields.close();
   if (!name) return std::nullopt;
   return out;
@@ -160,7 +164,7 @@ Barrier read_barrier(const Value& json, const std::string& path, Errors& errors)
   Barrier out;
   out.name = fields.text("barrier", Need::required).value_or("");
   out.to = fields.texts("to", Need::required);
-  out.meta = read_meta(fields);
+  out.meta = read_meta(fields, errors);
   fields.close();
   return out;
 }
@@ -211,7 +215,7 @@ State read_state(const Value& json, const std::string& path, Errors& errors) {
   out.keep = read_keep(fields);
   out.link = fields.text("link");
   out.oracle = read_oracle(fields.find("oracle"), path, errors);
-  out.meta = read_meta(fields);
+  out.meta = read_meta(fields, errors);
   fields.close();
   return out;
 }
@@ -227,20 +231,15 @@ std::map<std::string, std::string> read_services(const Value* json, Errors& erro
   return out;
 }
 
-}  // namespace
-
-Draft read_draft(const Value& json) {
-  Draft out;
-  Fields fields(json, "", "document", out.errors);
-  if (!fields.is_object()) return out;
+void read_fields(Fields& fields, Draft& out, Errors& errors) {
   const Value* version = fields.find("rcm");
   if (!version || *version != Value(1)) fields.violation(ErrorCode::version, "`rcm` must be 1");
   out.document.name = fields.text("name").value_or("");
-  out.document.services = read_services(fields.find("services"), out.errors);
+  out.document.services = read_services(fields.find("services"), errors);
   for (const Value& item : fields.list("library"))
-    out.document.library.push_back(read_state(item, library_path(label(item, "state")), out.errors));
+    out.document.library.push_back(read_state(item, library_path(label(item, "state")), errors));
   if (const Value* root = fields.find("root", Need::required)) {
-    out.document.root = read_state(*root, node_path("", label(*root, "state")), out.errors);
+    out.document.root = read_state(*root, node_path("", label(*root, "state")), errors);
     out.has_root = root->is_dict();
   }
   out.document.layout = fields.constant("layout").value_or(Value());
@@ -248,6 +247,17 @@ Draft read_draft(const Value& json) {
     fields.violation(ErrorCode::type, "`layout` must be an object");
   out.document.meta = read_document_meta(fields);
   fields.close();
+}
+
+}  // namespace
+
+Draft read_draft(const Value& json) {
+  Draft out;
+  Errors errors;
+  Fields fields(json, "", "document", errors);
+  if (fields.is_object()) read_fields(fields, out, errors);
+  out.bad_ids = errors.bad_ids;
+  out.errors = std::move(errors);
   return out;
 }
 

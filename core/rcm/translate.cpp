@@ -13,18 +13,22 @@ namespace {
 /// link's, so that each of several links to a state has its own.
 class Ids {
  public:
-  Ids() = default;
+  explicit Ids(DerivedIds& derived) : derived_(derived) {}
   /// Below a link with this native id; without one, no element has an id.
-  explicit Ids(std::string link) : link_(std::move(link)) {}
+  Ids below(std::string link) const {
+    Ids out(derived_);
+    out.link_ = std::move(link);
+    return out;
+  }
 
-  std::string native(const std::string& id) const { return link_ ? derived_id(*link_, id) : id; }
+  std::string native(const std::string& id) const { return link_ ? derived_(*link_, id) : id; }
   void make_native(Meta& meta) const {
     if (link_) meta.id = native(meta.id);
   }
-  /// Of the state and its elements, without children.
-  void make_native(State& state) const {
+  /// Of the elements of the state, without children; the state's own is `id`.
+  void make_native(State& state, const std::string& id) const {
+    state.meta.id = id;
     if (!link_) return;
-    make_native(state.meta);
     for (Parameter& parameter : state.parameters) make_native(parameter.meta);
     for (Datum& result : state.results) make_native(result.meta);
     for (Datum& variable : state.variables) make_native(variable.meta);
@@ -33,28 +37,37 @@ class Ids {
   }
 
  private:
+  DerivedIds& derived_;
   std::optional<std::string> link_;
 };
 
 class Translation {
  public:
-  Translation(const Document& document, NativeModel& model) : library_(document), origin_(model.origin) {}
+  Translation(const Document& document, NativeModel& model)
+      : library_(document), derived_(document), origin_(model.origin) {}
 
-  /// The native form of the state with the path `from` in the document and `path` in the native model.
-  State translate_state(const State& state, const std::string& path, const std::string& from, const Ids& ids = {}) {
-    return state.link ? follow_link(state, path, from, ids) : expand(state, path, from, ids);
+  State translate_root(const State& root) {
+    const std::string path = node_path("", root.name);
+    return translate_state(root, root.meta.id, path, path, Ids(derived_));
   }
 
  private:
+  /// The native form of the state with the path `from` in the document and, in the native model, the path `path` and
+  /// the id `id`.
+  State translate_state(const State& state, const std::string& id, const std::string& path, const std::string& from,
+                        const Ids& ids) {
+    return state.link ? follow_link(state, id, path, from, ids) : expand(state, id, path, from, ids);
+  }
+
   /// 3.3.1: everything of the library state, but for the name, the expressions and the destinations of the link.
-  State follow_link(const State& state, const std::string& path, const std::string& from, const Ids& ids) {
+  State follow_link(const State& state, const std::string& id, const std::string& path, const std::string& from,
+                    const Ids& ids) {
     State own = state;
-    ids.make_native(own);
-    State out = translate_state(*library_.find(*own.link), path, library_path(*own.link), Ids(own.meta.id));
+    ids.make_native(own, id);
+    State out = translate_state(*library_.find(*own.link), id, path, library_path(*own.link), ids.below(id));
     out.name = own.name;
     if (!own.doc.empty()) out.doc = own.doc;
     out.meta = merged_meta(out.meta, own.meta);
-    out.meta.id = own.meta.id;
     const auto parameters = by_name(out.parameters);
     for (const Parameter& parameter : own.parameters) override_parameter(*parameters.at(parameter.name), parameter);
     const auto ports = by_name(out.ports);
@@ -68,15 +81,16 @@ class Translation {
     return out;
   }
 
-  State expand(const State& state, const std::string& path, const std::string& from, const Ids& ids) {
+  State expand(const State& state, const std::string& id, const std::string& path, const std::string& from,
+               const Ids& ids) {
     State out = without_children(state);
-    ids.make_native(out);
+    ids.make_native(out, id);
     origin_[path] = from;
     for (const Port& port : state.ports) origin_[port_path(path, port.name)] = port_path(from, port.name);
     for (const Node& child : state.children) {
       const std::string at = node_path(path, name_of(child)), origin = node_path(from, name_of(child));
       if (const auto* inner = std::get_if<State>(&child)) {
-        out.children.emplace_back(translate_state(*inner, at, origin, ids));
+        out.children.emplace_back(translate_state(*inner, ids.native(inner->meta.id), at, origin, ids));
       } else {
         origin_[at] = origin;
         out.children.push_back(child);
@@ -89,7 +103,7 @@ class Translation {
 
   /// 3.3.2: the dispatcher comes from the composite.
   void decide(State& composite, const std::string& path, const std::string& from) {
-    translate_oracle(composite);
+    translate_oracle(composite, derived_);
     const State& made = std::get<State>(composite.children.front());
     const std::string at = node_path(path, made.name);
     origin_[at] = from;
@@ -122,6 +136,7 @@ class Translation {
   }
 
   Library library_;
+  DerivedIds derived_;
   std::map<std::string, std::string>& origin_;
 };
 
@@ -131,8 +146,7 @@ Checked<NativeModel> translate(const Document& document) {
   auto errors = violations(document);
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   NativeModel out;
-  const std::string root = node_path("", document.root.name);
-  out.root = Translation(document, out).translate_state(document.root, root, root);
+  out.root = Translation(document, out).translate_root(document.root);
   return out;
 }
 

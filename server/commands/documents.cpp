@@ -1,6 +1,5 @@
 // The commands on documents: translate, fmt, check.
 #include <cstdio>
-#include <fstream>
 #include <memory>
 
 #include "core/execution/derive.h"
@@ -41,17 +40,19 @@ int translate(const std::string& path) {
 // place.
 int format(const std::vector<std::string>& paths, bool write) {
   for (const std::string& path : paths) {
-    auto document = load(path);
+    const auto old = read_file(path);
+    if (!old) return refuse(old.error());
+    auto document = rcm::read_document_text(*old);
     if (!document) return refuse(document.error());
     rcm::give_ids(*document);
-    const std::string text = rcm::format_document(*document);
+    const auto text = rcm::write_document_text(*document);
+    if (!text) return refuse(Error{text.error().code, text.error().message, path});
     if (!write) {
-      std::fwrite(text.data(), 1, text.size(), stdout);
+      std::fwrite(text->data(), 1, text->size(), stdout);
       continue;
     }
-    std::ofstream out(path, std::ios::binary | std::ios::trunc);
-    out << text;
-    if (!out.flush()) return refuse(Error{ErrorCode::io, "cannot be written", path});
+    if (*text == *old) continue;
+    if (auto replaced = replace_file(path, *text); !replaced) return refuse(replaced.error());
   }
   return kExitOk;
 }

@@ -4,11 +4,12 @@
 #include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
 
-#include <algorithm>
 #include <filesystem>
 
+#include "core/rcm/constraints.h"
 #include "core/rcm/document.h"
 #include "core/rcm/ids.h"
+#include "core/value/json.h"
 #include "server/store/read_file.h"
 
 namespace race::server {
@@ -19,12 +20,8 @@ constexpr const char* kSetUp =
     "PRAGMA synchronous = FULL;"
     "CREATE TABLE IF NOT EXISTS document (name TEXT PRIMARY KEY, revision INTEGER NOT NULL, text TEXT NOT NULL);";
 
-bool is_document_name(const std::string& name) {
-  const auto allowed = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-  };
-  return !name.empty() && name.size() <= 64 && std::ranges::all_of(name, allowed);
-}
+// `user_version` of the file; 0: of a version of the program that gave no ids.
+constexpr int kVersion = 1;
 
 std::vector<Error> one(ErrorCode code, std::string message, std::string path) {
   return {Error{code, std::move(message), std::move(path)}};
@@ -32,6 +29,20 @@ std::vector<Error> one(ErrorCode code, std::string message, std::string path) {
 
 tl::unexpected<std::vector<Error>> failure(const std::string& what, const SQLite::Exception& exception) {
   return tl::unexpected(one(ErrorCode::io, what + ": " + exception.what(), ""));
+}
+
+/// What has the right shape in a stored text.
+Expected<rcm::Draft> read_draft(const std::string& text) {
+  const auto json = parse_json(text, JsonLimits{.keep_out_of_range = true});
+  if (!json) return tl::unexpected(json.error());
+  return rcm::read_draft(*json);
+}
+
+/// Without ids that are none: texts of a version of the program that had no ids may say anything in their place.
+std::optional<rcm::Document> read_without_bad_ids(const std::string& text) {
+  auto draft = read_draft(text);
+  if (!draft || draft->errors.size() > draft->bad_ids || !rcm::violations(draft->document).empty()) return {};
+  return std::move(draft->document);
 }
 
 }  // namespace
@@ -44,7 +55,7 @@ Expected<std::unique_ptr<Documents>> Documents::open(const std::string& path) {
     auto file = std::make_unique<SQLite::Database>(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     file->exec(kSetUp);
     std::unique_ptr<Documents> documents(new Documents(std::move(file)));
-    documents->renew();
+    documents->migrate();
     return documents;
   } catch (const SQLite::Exception& failure) {
     return unexpected(ErrorCode::io, std::string("cannot open the store: ") + failure.what(), path);
@@ -79,21 +90,22 @@ Checked<StoredDocument> Documents::read(const Row& row) {
 // Gives `document` ids, as the next revision of the row, if there is one.
 void Documents::give_ids_after(const std::vector<Row>& old, rcm::Document& document) {
   if (old.empty()) return rcm::give_ids(document);
-  const auto previous = read(old.front());
+  const auto previous = read_draft(old.front().text);  // it may have violations: ids are kept all the same
   rcm::give_ids(document, previous ? &previous->document : nullptr);
 }
 
-// What is stored, as this version of the program stores it.
-void Documents::renew() {
+// Stores what an older version of the program stored as this one does. What cannot be read, or not again, stays.
+void Documents::migrate() {
   const services::MutexLock lock(mutex_);
   SQLite::Transaction transaction(*file_);
+  if (file_->execAndGet("PRAGMA user_version").getInt() >= kVersion) return;
   for (const Row& row : rows("", "")) {
-    auto stored = read(row);
-    if (!stored) continue;  // see list()
-    rcm::give_ids(stored->document);
-    if (std::string text = rcm::format_document(stored->document); text != row.text)
-      write({row.name, std::move(text), row.revision});
+    auto document = read_without_bad_ids(row.text);
+    if (!document) continue;  // see list()
+    rcm::give_ids(*document);
+    if (auto text = rcm::write_document_text(*document)) write({row.name, std::move(*text), row.revision});
   }
+  file_->exec("PRAGMA user_version = " + std::to_string(kVersion));
   transaction.commit();
 }
 
@@ -101,6 +113,7 @@ Checked<std::vector<StoredDocument>> Documents::list() try {
   const services::MutexLock lock(mutex_);
   std::vector<StoredDocument> all;
   // A document that an older version of the program stored may be invalid now; it is left out and stays in the file.
+  // get() says what is wrong with it.
   for (const Row& row : rows("ORDER BY name", ""))
     if (auto document = read(row)) all.push_back(std::move(*document));
   return all;
@@ -118,14 +131,16 @@ Checked<StoredDocument> Documents::get(const std::string& name) try {
 }
 
 Checked<StoredDocument> Documents::put(const std::string& name, std::string_view text) try {
-  if (!is_document_name(name))
+  if (!rcm::is_id(name))
     return tl::unexpected(one(ErrorCode::name, "a document's name is 1 to 64 of A-Z a-z 0-9 _ -", name));
   auto document = rcm::read_document_text(text);
   if (!document) return tl::unexpected(std::move(document).error());
   const services::MutexLock lock(mutex_);
   const auto old = row(name);
   give_ids_after(old, *document);
-  Row next{name, rcm::format_document(*document), old.empty() ? 1 : old.front().revision};
+  auto next_text = rcm::write_document_text(*document);
+  if (!next_text) return tl::unexpected(std::vector<Error>{std::move(next_text).error()});
+  Row next{name, std::move(*next_text), old.empty() ? 1 : old.front().revision};
   if (!old.empty() && old.front().text != next.text) ++next.revision;
   write(next);
   return StoredDocument{name, next.revision, std::move(*document)};
@@ -144,11 +159,12 @@ Checked<void> Documents::put_demo(const std::string& folder) {
     auto text = read_file(entry.path());
     auto document =
         text ? rcm::read_document_text(*text) : Checked<rcm::Document>(tl::unexpect, std::vector<Error>{text.error()});
-    if (!document) {
-      for (Error& each : document.error()) each.path = entry.path().string() + ": " + each.path;
-      return tl::unexpected(std::move(document).error());
+    auto put =
+        document ? put_unchanged(name, std::move(*document)) : Checked<void>(tl::unexpect, std::move(document).error());
+    if (!put) {
+      for (Error& each : put.error()) each.path = entry.path().string() + ": " + each.path;
+      return put;
     }
-    if (auto put = put_unchanged(name, std::move(*document)); !put) return put;
   }
   return {};
 }
@@ -159,7 +175,9 @@ Checked<void> Documents::put_unchanged(const std::string& name, rcm::Document do
   const auto old = row(name);
   if (!old.empty() && old.front().revision > 1) return {};
   give_ids_after(old, document);
-  write({name, rcm::format_document(document), 1});
+  auto text = rcm::write_document_text(document);
+  if (!text) return tl::unexpected(std::vector<Error>{std::move(text).error()});
+  write({name, std::move(*text), 1});
   return {};
 } catch (const SQLite::Exception& exception) {
   return failure("cannot store " + name, exception);

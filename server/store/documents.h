@@ -29,8 +29,9 @@ class Documents {
  public:
   ~Documents();
 
-  /// Opens the file or makes it. Documents that an older version of the program stored get ids and today's form; they
-  /// keep their revision, as nobody changed them. Error `io`.
+  /// Opens the file or makes it. Documents that an older version of the program stored get ids, also in place of a
+  /// `meta.id` that is none, and today's form; they keep their revision, as nobody changed them. What has other
+  /// violations, or would be too large or too deep, stays as it is. Error `io`.
   static Expected<std::unique_ptr<Documents>> open(const std::string& path);
 
   /// In order of name. Error of all: `io`.
@@ -38,7 +39,8 @@ class Documents {
   /// `not_found`: there is none.
   Checked<StoredDocument> get(const std::string& name) EXCLUDES(mutex_);
   /// Checks and stores a text and gives its elements ids, where they are missing those of the last revision. A document
-  /// that is the same then keeps its revision. Errors: every violation; `name`: not 1 to 64 of A-Z, a-z, 0-9, `_`, `-`.
+  /// that is the same then keeps its revision. Errors: every violation; `name`: not 1 to 64 of A-Z, a-z, 0-9, `_`, `-`;
+  /// `too_large`, `too_deep`: with ids it could not be read again.
   Checked<StoredDocument> put(const std::string& name, std::string_view text) EXCLUDES(mutex_);
   /// Puts every *.rcm.json of `folder` that is not there or that nobody has changed since it was put. Errors name the
   /// file.
@@ -52,7 +54,7 @@ class Documents {
   explicit Documents(std::unique_ptr<SQLite::Database> file);
   std::vector<Row> rows(const char* where, const std::string& name) REQUIRES(mutex_);
   std::vector<Row> row(const std::string& name) REQUIRES(mutex_);
-  void renew() EXCLUDES(mutex_);
+  void migrate() EXCLUDES(mutex_);
   void write(const Row& row) REQUIRES(mutex_);
   Checked<void> put_unchanged(const std::string& name, rcm::Document document) EXCLUDES(mutex_);
   static Checked<StoredDocument> read(const Row& row);

@@ -1,6 +1,8 @@
 """The command line: race run, and what every command does with bad input."""
 import json
 import re
+import resource
+import signal
 import subprocess
 import tempfile
 import unittest
@@ -32,6 +34,44 @@ class Format(unittest.TestCase):
         document["root"]["state"] = "Renamed"
         _, renamed, _ = race("fmt", "DOCUMENT", document=document)
         self.assertEqual([line for line in renamed if line not in lines], ['    "state": "Renamed",'])
+
+
+    def write(self, document, limit=None, **options):
+        """(status, what the file holds then, the names of all files) after `race fmt --write`, with a limit of file sizes."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "model.rcm.json")
+            path.write_text(document)
+            link = Path(folder, "link")
+            link.symlink_to(path.name)
+            path.chmod(0o640)
+            before = path.stat()
+            bound = (lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))) if limit else None
+            out = subprocess.run([PROGRAM, "fmt", "--write", str(link)], capture_output=True, text=True, timeout=280, check=False,
+                                 preexec_fn=bound, **options)
+            self.assertTrue(link.is_symlink())
+            self.assertEqual(path.stat().st_mode, before.st_mode)
+            self.assertEqual(path.stat().st_ino == before.st_ino, path.read_text() == document)
+            return out.returncode, path.read_text(), sorted(file.name for file in Path(folder).iterdir())
+
+    def test_writing_replaces_the_file_behind_a_link(self):
+        document = json.dumps(models.ticking())
+        _, lines, _ = race("fmt", "DOCUMENT", document=document)
+        formatted = "\n".join(lines) + "\n"
+        self.assertEqual(self.write(document), (0, formatted, ["link", "model.rcm.json"]))
+        self.assertEqual(self.write(formatted), (0, formatted, ["link", "model.rcm.json"]))
+
+    def test_a_write_that_fails_or_is_interrupted_leaves_the_file(self):
+        document = json.dumps(models.ticking())
+        # Without the signal, the write fails; with it, the program ends.
+        self.assertEqual(self.write(document, 100, restore_signals=False), (2, document, ["link", "model.rcm.json"]))
+        self.assertEqual(self.write(document, 100)[:2], (-signal.SIGXFSZ, document))
+
+    def test_what_could_not_be_read_again_is_refused(self):
+        deep = '{"rcm": 1, "root": {"state": "R", "meta": ' + "[" * 62 + "]" * 62 + "}}"
+        self.assertEqual(self.write(deep), (2, deep, ["link", "model.rcm.json"]))
+        self.assertEqual(race("check", "DOCUMENT", document=deep)[0], 0)
+        _, _, error = race("fmt", "DOCUMENT", document=deep)
+        self.assertIn(": too_deep: ", error)
 
 
 class Derive(unittest.TestCase):

@@ -260,7 +260,7 @@ class Stability {
   void expect_equal_but(std::string_view what, const Document& after, const Ids& changed) {
     const std::string text = format_document(after);
     EXPECT_EQ(without(text, ids_of(after), changed), without(before_, ids_, changed))
-        << what << ": " << *changed.begin();
+        << what << ": " << testing::PrintToString(changed);
   }
 
   Document document_;

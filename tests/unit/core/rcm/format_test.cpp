@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "core/rcm/document.h"
+#include "core/rcm/ids.h"
+#include "core/value/json.h"
 
 namespace race::rcm {
 namespace {
@@ -99,6 +101,40 @@ TEST(FormatDocument, CountsCharactersNotBytes) {
   }
   const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
   EXPECT_EQ(lines(format_document(ascii)), lines(format_document(umlauts)));
+}
+
+TEST(FormatDocument, TakesADraftWhoseLayoutIsNoObject) {
+  const Draft draft = read_draft(parse_json(R"({"rcm": 1, "root": {"state": "R"}, "layout": [1]})").value());
+  EXPECT_NE(format_document(draft.document).find("\"layout\": [1]"), std::string::npos);
+}
+
+/// The largest document without ids, and the deepest; with ids neither can be read again.
+Document largest() {
+  Document document = document_of(R"({"state": "R"})");
+  document.root.doc = std::string(JsonLimits{}.bytes - format_document(document).size() - 20, 'x');
+  return document;
+}
+Document deepest() {
+  Document document = document_of(R"({"state": "R"})");
+  for (std::size_t level = 2; level < JsonLimits{}.depth; ++level)
+    document.root.meta.rest = List{document.root.meta.rest};
+  return document;
+}
+
+TEST(WriteDocumentText, IsTheFormattedText) {
+  for (const Document& document : {largest(), deepest()}) {
+    EXPECT_EQ(write_document_text(document).value(), format_document(document));
+    EXPECT_TRUE(read_document_text(format_document(document)));
+  }
+}
+
+TEST(WriteDocumentText, RefusesWhatCouldNotBeReadAgain) {
+  for (auto [document, code] :
+       {std::pair(largest(), ErrorCode::too_large), std::pair(deepest(), ErrorCode::too_deep)}) {
+    give_ids(document);
+    EXPECT_EQ(write_document_text(document).error().code, code);
+    EXPECT_EQ(read_document_text(format_document(document)).error()[0].code, code);
+  }
 }
 
 }  // namespace

@@ -112,6 +112,33 @@ TEST(GiveIds, LetsTheOriginalOfACopiedBlockKeepItsIds) {
   EXPECT_NE(child(document.root, 0).ports[0].meta, copy.ports[0].meta);
 }
 
+TEST(GiveIds, LetsWhatStaysInItsStateKeepItsIdIfTheOriginalWasEditedToo) {
+  const Document previous = rooted(R"({"state": "R", "children": [{"state": "A", "meta": {"id": "a"},
+      "actions": [{"when": "True", "do": "pass", "meta": {"id": "x"}}],
+      "children": [{"state": "C", "meta": {"id": "c"}}]}]})");
+  Document document = previous;
+  State& original = child(document.root, 0);
+  original.actions[0].when = "False";
+  child(original, 0).name = "D";
+  State copy = original;
+  copy.name = "B";
+  document.root.children.insert(document.root.children.begin(), copy);
+  give_ids(document, &previous);
+  EXPECT_EQ(child(document.root, 1).actions[0].meta.id, "x");
+  EXPECT_EQ(child(child(document.root, 1), 0).meta.id, "c") << "of a node, the parent stays";
+  EXPECT_NE(child(document.root, 0).actions[0].meta.id, "x");
+  EXPECT_NE(child(child(document.root, 0), 0).meta.id, "c");
+}
+
+TEST(GiveIds, PrefersWhatStandsWhereItStoodToWhatStaysInItsState) {
+  const Document previous = rooted(R"({"state": "R", "children": [{"state": "A", "meta": {"id": "a"}}]})");
+  Document document = previous;
+  document.root.children.insert(document.root.children.begin(), child(document.root, 0));
+  child(document.root, 0).name = "B";
+  give_ids(document, &previous);
+  EXPECT_EQ(child(document.root, 1).meta.id, "a");
+}
+
 TEST(GiveIds, PrefersTheRootToTheLibrary) {
   Document document = rooted(R"({"state": "R", "meta": {"id": "a"}})");
   document.library = {State{document.root}};
@@ -147,6 +174,40 @@ TEST(GiveIds, MakesNoIdAnewThatAnElementJustLeft) {
   EXPECT_NE(child(last.root, 0).meta, child(first.root, 0).meta) << "B was removed, A is new";
 }
 
+TEST(GiveIds, MakesNoIdThatTheLayoutOrANoteNames) {
+  const Document first = with_ids(rooted(R"({"state": "R", "children": [{"state": "A"}]})"));
+  const std::string id = child(first.root, 0).meta.id;
+  for (const std::string& entries :
+       {R"("layout": {")" + id + R"(": {"x": 1}})", R"("meta": {"notes": {")" + id + R"(": "n"}})"}) {
+    const Document other =
+        with_ids(document_of(R"({"rcm": 1, "root": {"state": "R", "children": [{"state": "A"}]}, )" + entries + "}"));
+    EXPECT_NE(child(other.root, 0).meta.id, id) << "it names an element that is gone: " << entries;
+    EXPECT_EQ(other.root.meta, first.root.meta);
+  }
+}
+
+TEST(GiveIds, TellsTheLibraryFromARootOfThisName) {
+  const auto document = [](const std::string& meta) {
+    return document_of(R"({"rcm": 1, "library": [{"state": "L")" + meta + R"(}],
+      "root": {"state": "library", "children": [{"state": "L"}]}, "layout": {"library/L": 1}})");
+  };
+  const Document previous = with_ids(document(R"(, "meta": {"id": "l"})"));
+  EXPECT_NE(child(previous.root, 0).meta.id, "l");
+  EXPECT_EQ(with_ids(document(""), &previous), previous);
+  Document without_child = previous;
+  without_child.root.children.clear();
+  EXPECT_EQ(with_ids(document(""), &without_child).library[0].meta.id, "l");
+  EXPECT_EQ(previous.layout, Value(Dict{{child(previous.root, 0).meta.id, 1}}));
+}
+
+TEST(GiveIds, TellsAnActionFromAnElementOfAStateOfThisName) {
+  const Document previous = document_of(R"({"rcm": 1, "root": {"state": "R", "children": [{"state": "action",
+      "ports": [{"name": "p", "when": "True", "meta": {"id": "p"}}]}]}})");
+  const Document document = with_ids(
+      document_of(R"({"rcm": 1, "root": {"state": "R", "actions": [{"when": "port", "do": "p"}]}})"), &previous);
+  EXPECT_NE(document.root.actions[0].meta.id, "p");
+}
+
 TEST(GiveIds, FollowsAnActionByItsTextAndNumberAmongEquals) {
   Document previous = rooted(R"({"state": "R", "actions": [
       {"when": "True", "do": "pass", "meta": {"id": "x"}}, {"when": "False", "do": "pass", "meta": {"id": "y"}},
@@ -167,8 +228,8 @@ TEST(GiveIds, ReplacesThePathsOfTheLayout) {
     "layout": {"a": 0, "R": 1, "R/A": 2, "R/A.p": 3, "R/b": 4, "library/L": 5, "p": 6, "R/Nobody": 7, "x y": 8, "": 9}})json");
   give_ids(document);
   EXPECT_EQ(document.layout,
-            Value(Dict{{"r", 1}, {"a", 2}, {"p", 3}, {"b", 4}, {"l", 5}, {"R/Nobody", 7}, {"x y", 8}, {"", 9}}))
-      << to_json(document.layout) << ": a path was written after the ids";
+            Value(Dict{{"a", 0}, {"r", 1}, {"p", 6}, {"b", 4}, {"l", 5}, {"R/Nobody", 7}, {"x y", 8}, {"", 9}}))
+      << to_json(document.layout) << ": an entry by id, before or after it, is newer than one by path";
 }
 
 TEST(GiveIds, LeavesTheLayoutAsARenameLeavesIt) {

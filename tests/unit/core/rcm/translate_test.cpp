@@ -162,6 +162,31 @@ TEST(Oracle, OfALibraryStateIsTranslatedAtEachLink) {
   EXPECT_EQ(model.origin.at("R/B/Dispatcher.to_X"), "library/L");
 }
 
+/// The link's meta, and that of its parameter, in the native model.
+State linked(const std::string& library_meta, const std::string& link_meta) {
+  return native(R"({"rcm": 1, "library": [{"state": "L", "meta": )" + library_meta +
+                R"(, "parameters": [{"name": "p", "value": 1, "meta": )" + library_meta +
+                R"(}]}], "root": {"state": "R", "link": "L", "meta": )" + link_meta +
+                R"(, "parameters": [{"name": "p", "meta": )" + link_meta + "}]}}")
+      .root;
+}
+
+TEST(Link, WithOnlyAnIdKeepsTheMetaOfTheLibraryThatIsNoObject) {
+  const State state = linked("[7]", R"({"id": "r"})");
+  EXPECT_EQ(state.meta, (Meta{"r", Dict{{"value", List{7}}}}));
+  EXPECT_EQ(state.parameters[0].meta, state.meta);
+}
+
+TEST(Link, WhoseMetaIsNoObjectKeepsTheDerivedId) {
+  const State state = native(R"({"rcm": 1,
+      "library": [{"state": "L", "parameters": [{"name": "p", "value": 1, "meta": {"id": "lp", "icon": "x"}}]}],
+      "root": {"state": "R", "link": "L", "meta": {"id": "r"}, "parameters": [{"name": "p", "meta": [7]}]}})")
+                          .root;
+  EXPECT_EQ(state.parameters[0].meta, (Meta{derived_id("r", "lp"), Dict{{"value", List{7}}}}));
+}
+
+TEST(Link, WithoutAnIdHasNotTheLibrarys) { EXPECT_EQ(linked(R"({"id": "l"})", "[7]").meta, (Meta{"", List{7}})); }
+
 constexpr const char* kLinks = R"json({"rcm": 1, "library": [
     {"state": "Leaf", "meta": {"id": "leaf"}, "parameters": [{"name": "a", "value": 1, "meta": {"id": "la"}},
                                                            {"name": "b", "value": 1, "meta": {"id": "lb"}}],
@@ -238,6 +263,50 @@ TEST(NativeIds, OfWhatAnOracleBecomesSurviveRenames) {
     EXPECT_EQ(native_ids(renamed("Other", "First", oracle)), ids) << oracle;
     EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), ids.size()) << oracle;
     EXPECT_TRUE(std::ranges::all_of(ids, is_id)) << oracle;
+  }
+}
+
+TEST(NativeIds, OfTheOracleOfALinkedStateAreDerivedFromTheLinks) {
+  const NativeModel model = native(R"({"rcm": 1, "library": [
+      {"state": "L", "meta": {"id": "l"}, "first": "X", "children": [{"state": "X", "meta": {"id": "x"}}],
+       "oracle": {"kind": "history"}},
+      {"state": "M", "link": "L", "meta": {"id": "m"}}],
+    "root": {"state": "R", "children": [{"state": "A", "link": "L", "meta": {"id": "a"}},
+                                        {"state": "B", "link": "M", "meta": {"id": "b"}}]}})");
+  for (const auto& [name, id] : {std::pair("A", "a"), std::pair("B", "b")}) {
+    const State link = child(model.root, name);
+    EXPECT_EQ(link.meta.id, id);
+    EXPECT_EQ(child(link, "X").meta.id, derived_id(id, "x")) << "a link to a link, too";
+    EXPECT_EQ(child(link, "Dispatcher").meta.id, derived_id(id, ":dispatcher"));
+    EXPECT_EQ(link.variables[0].meta.id, derived_id(id, ":last_active"));
+  }
+}
+
+/// All ids of states, and that each is there once.
+void expect_different(const std::vector<std::string>& ids) {
+  EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), ids.size()) << testing::PrintToString(ids);
+}
+
+TEST(NativeIds, AreUniqueIfNativeElementsWerePastedIntoTheDocument) {
+  const std::string replaced = derived_id(derived_id("a", "x"), ":1");
+  for (const auto& pasted : {std::vector{derived_id("a", "x")}, std::vector{derived_id("a", "x"), replaced},
+                             std::vector{derived_id("a", ":dispatcher"), derived_id("a", "x")}}) {
+    Document document = read_document_text(R"({"rcm": 1,
+        "library": [{"state": "L", "meta": {"id": "l"}, "children": [{"state": "X", "meta": {"id": "x"}}],
+                     "oracle": {"kind": "expr", "expr": "'X'"}}],
+        "root": {"state": "R", "meta": {"id": "r"}, "children": [{"state": "A", "link": "L", "meta": {"id": "a"}}]}})")
+                            .value();
+    for (const std::string& id : pasted) {
+      State copy;
+      copy.name = "P" + id;
+      copy.meta.id = id;
+      document.root.children.emplace_back(copy);
+    }
+    const auto ids = native_ids(document);
+    expect_different(ids);
+    EXPECT_TRUE(std::ranges::all_of(ids, is_id));
+    for (const std::string& id : pasted) EXPECT_EQ(std::ranges::count(ids, id), 1) << "the document's own stay";
+    EXPECT_EQ(native_ids(document), ids);
   }
 }
 
