@@ -19,16 +19,22 @@ bool is_occurrence(const Input& input, EventId event) {
 
 // REFINEMENT R5: inputs wait in order of arrival; of a sampled event only the newest, at the end.
 void WaitingInputs::add(const semantics::Program& program, Input&& input) {
-  if (taken_ > 0 && taken_ * 2 >= inputs_.size()) {
-    inputs_.erase(inputs_.begin(), inputs_.begin() + static_cast<std::ptrdiff_t>(taken_));
-    taken_ = 0;
-  }
-  if (input.kind == Input::Kind::event && program.sampled[input.number]) {
-    const auto waiting = inputs_.begin() + static_cast<std::ptrdiff_t>(taken_);
-    const auto same = [&](const Input& other) { return is_occurrence(other, input.number); };
-    inputs_.erase(std::remove_if(waiting, inputs_.end(), same), inputs_.end());
-  }
+  if (taken_ > 0 && taken_ * 2 >= inputs_.size()) [[unlikely]]
+    drop_taken();
+  if (input.kind == Input::Kind::event && program.sampled[input.number]) drop_occurrences(input.number);
   inputs_.push_back(std::move(input));
+}
+
+// OPTIMIZATION: not in line, as most inputs need neither.
+[[gnu::noinline]] void WaitingInputs::drop_taken() {
+  inputs_.erase(inputs_.begin(), inputs_.begin() + static_cast<std::ptrdiff_t>(taken_));
+  taken_ = 0;
+}
+
+[[gnu::noinline]] void WaitingInputs::drop_occurrences(EventId event) {
+  const auto waiting = inputs_.begin() + static_cast<std::ptrdiff_t>(taken_);
+  const auto same = [event](const Input& input) { return is_occurrence(input, event); };
+  inputs_.erase(std::remove_if(waiting, inputs_.end(), same), inputs_.end());
 }
 
 // REFINEMENT R5, R6

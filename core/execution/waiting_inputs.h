@@ -24,6 +24,9 @@ class WaitingInputs {
   void clear();
 
  private:
+  void drop_taken();
+  void drop_occurrences(semantics::EventId event);
+
   // OPTIMIZATION: a queue that keeps its memory. The first `taken_` have been taken.
   std::vector<semantics::Input> inputs_;
   std::size_t taken_ = 0;

@@ -152,15 +152,22 @@ Status Run::status() const { return body_->status; }
 const std::string& Run::outcome() const { return body_->outcome; }
 const std::optional<RunFault>& Run::fault() const { return body_->fault; }
 std::uint64_t Run::position() const { return body_->position; }
+namespace {
+
+template <typename T>
+[[gnu::noinline]] void take_all(std::vector<T>& to, std::vector<T>& from) {
+  to.clear();
+  to.swap(from);
+}
+
+}  // namespace
+
 // OPTIMIZATION: most steps have neither.
 void Run::take_output(std::vector<OutgoingCall>& calls, std::vector<std::string>& printed) {
-  std::vector<std::string>& lines = body_->environment.printed;
-  if (calls.empty() && printed.empty() && body_->outgoing.empty() && lines.empty()) [[likely]]
-    return;
-  calls.clear();
-  calls.swap(body_->outgoing);
-  printed.clear();
-  printed.swap(lines);
+  if (!calls.empty() || !body_->outgoing.empty()) [[unlikely]]
+    take_all(calls, body_->outgoing);
+  if (!printed.empty() || !body_->environment.printed.empty()) [[unlikely]]
+    take_all(printed, body_->environment.printed);
 }
 const Program& Run::program() const { return *body_->program; }
 const RunState& Run::state() const { return body_->state; }
