@@ -6,7 +6,6 @@
 
 namespace race::execution {
 
-using semantics::EventId;
 using semantics::Input;
 using semantics::Run;
 
@@ -14,31 +13,6 @@ Expected<Execution> Execution::create(std::shared_ptr<const semantics::Program> 
                                       semantics::Budgets budgets) {
   ASSIGN_OR_RETURN(Run run, Run::create(std::move(program), arguments, budgets));
   return Execution(std::move(run));
-}
-
-bool Execution::post_event(std::string_view service, std::string_view event, Value data) {
-  const EventId id = run_.program().services.find_event(service, event);
-  return id != semantics::kNone && post_event(id, std::move(data));
-}
-
-bool Execution::post_event(EventId event, Value data) {
-  Input input = Input::occurrence(event, std::move(data));
-  if (!run_.counts(input)) return false;
-  waiting_.add(run_.program(), std::move(input));
-  return true;
-}
-
-bool Execution::post_response(std::uint64_t call, bool is_error, Value data) {
-  auto input = run_.response(call, is_error, std::move(data));
-  if (!input) return false;
-  waiting_.add(run_.program(), std::move(*input));
-  return true;
-}
-
-// REFINEMENT R7
-void Execution::post_lost(std::string_view service) {
-  for (const std::uint64_t call : run_.unanswered_calls(service))
-    post_response(call, true, Dict{{"code", "unavailable"}});
 }
 
 // What has come of the micro steps leaves the run.
@@ -77,6 +51,7 @@ const Progress& Execution::step(Recording recording, std::uint32_t limit) {
 Expected<const Progress*> Execution::replay(const JournalEntry& entry, Recording recording, std::uint32_t limit) {
   if (is_over()) return unexpected(ErrorCode::conflict, "the run is over before this entry");
   if (std::holds_alternative<AbortEntry>(entry)) return &abort();
+  // core/SEMANTICS.md section 10: the first entry is `start`, or `abort` if the run was aborted before it began.
   if (std::holds_alternative<StartEntry>(entry) != (run_.position() == 0))
     return unexpected(ErrorCode::conflict, "a run begins with `start`, and only begins with it");
   if (std::holds_alternative<StartEntry>(entry)) return &start(recording, limit);
@@ -141,13 +116,6 @@ const Progress& Execution::continue_step(std::uint32_t limit) {
 
 template <semantics::Recorder R>
 void Execution::do_micro_steps(R& recorder, std::uint32_t limit) {
-  // OPTIMIZATION: mostly nobody watches and there is no goal.
-  if (!view_ && !goal_ && breakpoints_.empty()) {
-    std::uint32_t done = 0;
-    open_ = !run_.quiesce(recorder, order_, limit, [&done] { return ++done, true; });
-    progress_.micro += done;
-    return;
-  }
   open_ = !run_.quiesce(recorder, order_, limit, [this] { return after_micro_step(); });
 }
 

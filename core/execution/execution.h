@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/execution/goal.h"
@@ -25,7 +26,7 @@ struct Recording {
   bool derivation = false;  // the trees of its micro steps
 };
 
-/// What came of a macro step, or of a part of one. Calls and texts are in the order in which they were made.
+/// What came of a macro step, or of a part of one. Calls and prints are in the order in which they were made.
 struct Progress {
   std::uint64_t position = 0;                       // of the macro step in the journal, from 1
   std::optional<JournalEntry> entry = {};           // none where it is not recorded, and of a step without an input
@@ -47,12 +48,15 @@ class Execution {
   static Expected<Execution> create(std::shared_ptr<const semantics::Program> program, const Dict& arguments,
                                     semantics::Budgets budgets = {});
 
-  // Inputs wait in order of arrival. Those that do not count (Run::counts) are dropped: false.
-  bool post_event(std::string_view service, std::string_view event, Value data);
-  bool post_event(semantics::EventId event, Value data);
-  bool post_response(std::uint64_t call, bool is_error, Value data);
-  /// R7: `service` is lost. Every unanswered call to it gets the error `unavailable`, in order of call.
-  void post_lost(std::string_view service);
+  // Inputs arrive: as WaitingInputs.
+  bool post_event(std::string_view service, std::string_view event, Value data) {
+    return waiting_.post_event(run_, service, event, std::move(data));
+  }
+  bool post_event(semantics::EventId event, Value data) { return waiting_.post_event(run_, event, std::move(data)); }
+  bool post_response(std::uint64_t call, bool is_error, Value data) {
+    return waiting_.post_response(run_, call, is_error, std::move(data));
+  }
+  void post_lost(std::string_view service) { waiting_.post_lost(run_, service); }
   /// Whether a macro step could begin: an input waits that counts.
   bool has_input() const { return waiting_.any(run_); }
   const WaitingInputs& waiting() const { return waiting_; }

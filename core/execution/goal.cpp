@@ -13,20 +13,26 @@ std::string_view name(Goal::Kind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
+namespace {
+
+tl::unexpected<Error> not_found(const char* what, const GoalName& name) {
+  const std::string by = name.id ? "id" : "path";
+  return unexpected(ErrorCode::not_found, "there is no " + std::string(what) + " of this " + by,
+                    name.id.value_or(name.path));
+}
+
+}  // namespace
+
 Expected<Goal> find_goal(const Program& program, const GoalName& name) {
   Goal goal{.kind = name.kind};
-  const bool by_id = name.id.has_value();
-  const std::string& text = by_id ? *name.id : name.path;
   if (name.kind == Goal::Kind::entered || name.kind == Goal::Kind::left) {
-    const auto state = by_id ? program.state_with_id(text) : program.find_state(text);
-    if (!state)
-      return unexpected(ErrorCode::not_found, "there is no state of this " + std::string(by_id ? "id" : "path"), text);
+    const auto state = name.id ? program.state_with_id(*name.id) : program.find_state(name.path);
+    if (!state) return not_found("state", name);
     goal.state = *state;
   }
   if (name.kind == Goal::Kind::fired) {
-    const auto port = by_id ? program.port_with_id(text) : program.find_port(text);
-    if (!port)
-      return unexpected(ErrorCode::not_found, "there is no port of this " + std::string(by_id ? "id" : "path"), text);
+    const auto port = name.id ? program.port_with_id(*name.id) : program.find_port(name.path);
+    if (!port) return not_found("port", name);
     goal.port = *port;
   }
   return goal;

@@ -1,6 +1,5 @@
 #include "core/execution/script.h"
 
-#include <charconv>
 #include <utility>
 
 #include "core/execution/scripted_services.h"
@@ -21,23 +20,7 @@ void post(Execution& execution, const ScriptStep& step) {
   }
 }
 
-semantics::Order order_of(const semantics::Program& program, OrderChoice choice) {
-  if (choice.kind == OrderChoice::Kind::reversed) return semantics::Order::reversed(program);
-  if (choice.kind == OrderChoice::Kind::random) return semantics::Order::random(program, choice.seed);
-  return semantics::Order::declared();
-}
-
 }  // namespace
-
-Expected<OrderChoice> read_order(std::string_view text) {
-  if (text == "declared") return OrderChoice{};
-  if (text == "reversed") return OrderChoice{.kind = OrderChoice::Kind::reversed};
-  OrderChoice choice{.kind = OrderChoice::Kind::random};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), choice.seed);
-  if (error != std::errc() || end != text.data() + text.size() || text.empty())
-    return unexpected(ErrorCode::type, "an order is `declared`, `reversed` or a seed, a number from 0");
-  return choice;
-}
 
 Checked<Value> derive(const rcm::NativeModel& model, const Script& script, OrderChoice order) {
   std::map<std::string, rsm::Service> models(script.services.begin(), script.services.end());
@@ -45,7 +28,7 @@ Checked<Value> derive(const rcm::NativeModel& model, const Script& script, Order
   if (!program) return tl::unexpected(std::move(program).error());
   auto execution = Execution::create(*program, script.arguments);
   if (!execution) return tl::unexpected(std::vector<Error>{std::move(execution).error()});
-  execution->set_order(order_of(**program, order));
+  execution->set_order(make_order(**program, order));
   ScriptedServices services(script, *execution);
   List steps;
   for (const ScriptStep& step : script.steps) {

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <map>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "core/execution/order_choice.h"
 #include "core/rcm/model.h"
 #include "core/rsm/model.h"
 #include "core/value/expected.h"
@@ -46,14 +46,6 @@ struct Script {
 /// Reads script.json. Violations: as the RSM codec for `services/NAME`; `type`, `missing`, `unknown_field` with paths
 /// such as `steps/3`.
 Checked<Script> read_script(const Value& json);
-
-/// An order of ports, actions and children of a program that is not known yet: declared, reversed, or from a seed.
-struct OrderChoice {
-  enum class Kind : std::uint8_t { declared, reversed, random } kind = Kind::declared;
-  std::uint64_t seed = 0;
-};
-/// "declared", "reversed" or a seed, a number of 64 bits. Error `type`.
-Expected<OrderChoice> read_order(std::string_view text);
 
 /// The document that `race derive` prints. Errors: an argument that the root does not have; violations of the program.
 Checked<Value> derive(const rcm::NativeModel& model, const Script& script, OrderChoice order = {});

@@ -17,6 +17,31 @@ bool is_occurrence(const Input& input, EventId event) {
 
 }  // namespace
 
+bool WaitingInputs::post_event(const Run& run, std::string_view service, std::string_view event, Value data) {
+  const EventId id = run.program().services.find_event(service, event);
+  return id != semantics::kNone && post_event(run, id, std::move(data));
+}
+
+bool WaitingInputs::post_event(const Run& run, EventId event, Value data) {
+  Input input = Input::occurrence(event, std::move(data));
+  if (!run.counts(input)) return false;
+  add(run.program(), std::move(input));
+  return true;
+}
+
+bool WaitingInputs::post_response(const Run& run, std::uint64_t call, bool is_error, Value data) {
+  auto input = run.response(call, is_error, std::move(data));
+  if (!input) return false;
+  add(run.program(), std::move(*input));
+  return true;
+}
+
+// REFINEMENT R7
+void WaitingInputs::post_lost(const Run& run, std::string_view service) {
+  for (const std::uint64_t call : run.unanswered_calls(service))
+    post_response(run, call, true, Dict{{"code", "unavailable"}});
+}
+
 // REFINEMENT R5: inputs wait in order of arrival; of a sampled event only the newest, at the end.
 void WaitingInputs::add(const semantics::Program& program, Input&& input) {
   if (taken_ > 0 && taken_ * 2 >= inputs_.size()) [[unlikely]]

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "core/semantics/run.h"
@@ -11,8 +13,14 @@ namespace race::execution {
 
 class WaitingInputs {
  public:
-  /// An input that counts (Run::counts) waits at the end. Of a sampled event only the newest occurrence waits.
-  void add(const semantics::Program& program, semantics::Input&& input);
+  // An input that counts (Run::counts) waits at the end; of a sampled event only the newest occurrence. False: it does
+  // not count, and is dropped.
+  bool post_event(const semantics::Run& run, std::string_view service, std::string_view event, Value data);
+  bool post_event(const semantics::Run& run, semantics::EventId event, Value data);
+  bool post_response(const semantics::Run& run, std::uint64_t call, bool is_error, Value data);
+  /// R7: `service` is lost. Every unanswered call to it gets the error `unavailable`, in order of call.
+  void post_lost(const semantics::Run& run, std::string_view service);
+
   /// Takes the first that still counts; a response that another call has overtaken does not. Requires that the run is
   /// running.
   std::optional<semantics::Input> take(const semantics::Run& run);
@@ -24,6 +32,7 @@ class WaitingInputs {
   void clear();
 
  private:
+  void add(const semantics::Program& program, semantics::Input&& input);
   void drop_taken();
   void drop_occurrences(semantics::EventId event);
 

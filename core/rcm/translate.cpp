@@ -11,12 +11,12 @@ namespace {
 
 /// What ids become: of the document itself, native elements have the same; of what a link takes over, derived from the
 /// link's, so that each of several links to a state has its own.
-class Ids {
+class NativeIds {
  public:
-  explicit Ids(DerivedIds& derived) : derived_(derived) {}
+  explicit NativeIds(DerivedIds& derived) : derived_(derived) {}
   /// Below a link with this native id; without one, no element has an id.
-  Ids below(std::string link) const {
-    Ids out(derived_);
+  NativeIds below(std::string link) const {
+    NativeIds out(derived_);
     out.link_ = std::move(link);
     return out;
   }
@@ -48,20 +48,20 @@ class Translation {
 
   State translate_root(const State& root) {
     const std::string path = node_path("", root.name);
-    return translate_state(root, root.meta.id, path, path, Ids(derived_));
+    return translate_state(root, root.meta.id, path, path, NativeIds(derived_));
   }
 
  private:
   /// The native form of the state with the path `from` in the document and, in the native model, the path `path` and
   /// the id `id`.
   State translate_state(const State& state, const std::string& id, const std::string& path, const std::string& from,
-                        const Ids& ids) {
+                        const NativeIds& ids) {
     return state.link ? follow_link(state, id, path, from, ids) : expand(state, id, path, from, ids);
   }
 
   /// 3.3.1: everything of the library state, but for the name, the expressions and the destinations of the link.
   State follow_link(const State& state, const std::string& id, const std::string& path, const std::string& from,
-                    const Ids& ids) {
+                    const NativeIds& ids) {
     State own = state;
     ids.make_native(own, id);
     State out = translate_state(*library_.find(*own.link), id, path, library_path(*own.link), ids.below(id));
@@ -82,7 +82,7 @@ class Translation {
   }
 
   State expand(const State& state, const std::string& id, const std::string& path, const std::string& from,
-               const Ids& ids) {
+               const NativeIds& ids) {
     State out = without_children(state);
     ids.make_native(out, id);
     origin_[path] = from;

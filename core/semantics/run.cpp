@@ -67,7 +67,7 @@ Expected<Run> Run::create(std::shared_ptr<const Program> program, const Dict& ar
 template <Recorder R>
 bool Run::micro_step(R& recorder, const Order& order) {
   Body& b = *body_;
-  assert(order.fits(*b.program));
+  assert(order.fits(*b.program) && (R::kVisitsAll || order.is_declared()));
   if (b.status != Status::running) return false;
   const bool reevaluates_all = R::kReevaluatesAll || (R::kVisitsAll && !order.is_declared());
   if (!reevaluates_all && b.state.started && b.state.work_set.empty()) return false;  // OPTIMIZATION: it is idle

@@ -9,7 +9,8 @@
 namespace race::semantics {
 namespace {
 
-// The record that a response to call `number` would answer: only the latest call of each caller can be, once.
+// The record that a response to call `number` would answer.
+// REFINEMENT R6, R20: only the latest call of each caller can be answered, once.
 CallRecord* answerable(RunState& run, OperationId operation, std::uint64_t number) {
   for (CallRecord& record : run.calls[operation])
     if (record.number == number && !record.answered) return &record;

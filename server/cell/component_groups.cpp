@@ -6,7 +6,7 @@
 
 #include "core/value/json.h"
 #include "server/cell/local_world.h"
-#include "server/store/read_file.h"
+#include "server/store/files.h"
 #include "services/audio/audio.h"
 #include "services/audio/remote_speakers.h"
 #include "services/camera/camera.h"

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "server/cell/scene_json.h"
-#include "server/store/read_file.h"
+#include "server/store/files.h"
 
 namespace race::server {
 

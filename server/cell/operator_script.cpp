@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "core/value/json.h"
-#include "server/store/read_file.h"
+#include "server/store/files.h"
 #include "services/display/screens.h"
 
 namespace race::server {

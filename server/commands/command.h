@@ -10,7 +10,7 @@
 
 #include "core/value/expected.h"
 #include "server/commands/arguments.h"
-#include "server/store/read_file.h"
+#include "server/store/files.h"
 
 namespace race::server {
 

@@ -60,7 +60,7 @@ class Core : public std::enable_shared_from_this<Core> {
   Expected<Value> resume();
   /// Ends the run between macro steps.
   Expected<Value> stop();
-  /// A held core goes as far as `goal`. One that waits for an input to get there counts as held, and may be told
+  /// A paused core goes as far as `goal`. One that waits for an input to get there counts as paused, and may be told
   /// another goal. Error: as execution::find_goal.
   Expected<Value> step(execution::GoalName goal);
   /// The core is paused wherever it reaches one of `goals`; they replace those of before. Errors: `too_large`, and that

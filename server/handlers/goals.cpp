@@ -12,14 +12,12 @@ execution::GoalName read_goal_name(Fields& fields) {
     fields.violation(ErrorCode::missing, "exactly one of `id` and `path` must say where", "path");
   goal.path = path.value_or("");
   const auto when = fields.text("when", Fields::Need::required);
-  if (when == "entered")
-    goal.kind = Goal::Kind::entered;
-  else if (when == "left")
-    goal.kind = Goal::Kind::left;
-  else if (when == "fired")
-    goal.kind = Goal::Kind::fired;
-  else if (when)
-    fields.violation(ErrorCode::type, "`when` must be `entered`, `left` or `fired`", "when");
+  for (const Goal::Kind kind : {Goal::Kind::entered, Goal::Kind::left, Goal::Kind::fired}) {
+    if (when != name(kind)) continue;
+    goal.kind = kind;
+    return goal;
+  }
+  if (when) fields.violation(ErrorCode::type, "`when` must be `entered`, `left` or `fired`", "when");
   return goal;
 }
 

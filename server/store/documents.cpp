@@ -10,7 +10,7 @@
 #include "core/rcm/document.h"
 #include "core/rcm/ids.h"
 #include "core/value/json.h"
-#include "server/store/read_file.h"
+#include "server/store/files.h"
 
 namespace race::server {
 namespace {

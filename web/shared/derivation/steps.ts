@@ -1,4 +1,4 @@
-// The derivations of a run, one record for each macro step. The server sends a macro step that is held, or long, in parts.
+// The derivations of a run, one record for each macro step. The server sends a macro step within which the core was paused, or that is long, in parts.
 import type { TraceStep } from "../../generated/messages";
 
 const kKept = 200;

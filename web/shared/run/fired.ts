@@ -11,7 +11,7 @@ export interface Fired {
 
 export const noneFired: Fired = { fireCount: 0, ports: [], open: undefined };
 
-/** A long macro step comes in several deltas. They are one step, unless the core is held within it. */
+/** A long macro step comes in several deltas. They are one step, unless the core is paused within it. */
 function openStep({ core }: CoreDelta): number | undefined {
   return core.status === "running" && core.micro > 0 && !core.paused ? core.step : undefined;
 }

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <random>
 
 #include "core/rcm/document.h"
@@ -241,20 +240,17 @@ TEST(GiveIds, LeavesTheLayoutAsARenameLeavesIt) {
   EXPECT_EQ(document.layout, layout);
 }
 
-TEST(GiveIds, TakesLittleTimeForManyElements) {
+// Square growth would take minutes: CTest's time limit for this program ends it.
+TEST(GiveIds, GivesEachOfManyElementsAnIdOfItsOwn) {
   Document document = rooted(R"({"state": "R"})");
   for (int i = 0; i < 100'000; ++i) {
     State state;
     state.name = "S" + std::to_string(i);
     document.root.children.emplace_back(std::move(state));
   }
-  const auto start = std::chrono::steady_clock::now();
   give_ids(document);
   const Document previous = document;
   give_ids(document, &previous);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  RecordProperty("milliseconds", static_cast<int>(seconds.count() * 1000));
-  EXPECT_LT(seconds.count(), 5.0) << "of the order of 0.2 s; square growth would take minutes";
   const auto ids = ids_in(document);
   EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), 100'001U);
 }

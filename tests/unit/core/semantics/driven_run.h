@@ -16,17 +16,13 @@ class DrivenRun : public Run {
   explicit DrivenRun(Run run) : Run(std::move(run)) {}
 
   bool post_event(std::string_view service, std::string_view event, Value data) {
-    const EventId id = program().services.find_event(service, event);
-    return id != kNone && post_event(id, std::move(data));
+    return inputs_.post_event(*this, service, event, std::move(data));
   }
-  bool post_event(EventId event, Value data) { return post(Input::occurrence(event, std::move(data))); }
   bool post_response(std::uint64_t call, bool is_error, Value data) {
-    auto input = response(call, is_error, std::move(data));
-    return input && post(std::move(*input));
+    return inputs_.post_response(*this, call, is_error, std::move(data));
   }
-  void post_lost(std::string_view service) {
-    for (const std::uint64_t call : unanswered_calls(service)) post_response(call, true, Dict{{"code", "unavailable"}});
-  }
+  bool post_event(EventId event, Value data) { return inputs_.post_event(*this, event, std::move(data)); }
+  void post_lost(std::string_view service) { inputs_.post_lost(*this, service); }
   /// Something waits, or the root has not been activated.
   bool has_input() const { return status() == Status::running && (!state().started || inputs_.any(*this)); }
   std::optional<Input> take_input() { return inputs_.take(*this); }
@@ -46,12 +42,6 @@ class DrivenRun : public Run {
   }
 
  private:
-  bool post(Input input) {
-    if (!counts(input)) return false;
-    inputs_.add(program(), std::move(input));
-    return true;
-  }
-
   execution::WaitingInputs inputs_;
 };
 

@@ -1,4 +1,4 @@
-#include "server/store/read_file.h"
+#include "server/store/files.h"
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -42,7 +42,7 @@ Expected<void> replace_file(const std::string& path, std::string_view text) {
   struct stat old = {};
   if (unknown || ::stat(target.c_str(), &old) != 0 || !S_ISREG(old.st_mode))
     return unexpected(ErrorCode::io, "is no file", path);
-  std::string beside = target + ".XXXXXX";
+  std::string beside = target + ".XXXXXX";  // mkstemp puts other letters in place of these
   const int file = ::mkstemp(beside.data());
   if (file < 0) return cannot_write(path);
   const bool written = write_all(file, text) && ::fchmod(file, old.st_mode & 07777U) == 0 && ::fsync(file) == 0;
