@@ -57,6 +57,7 @@ class Execution {
     return waiting_.post_response(run_, call, is_error, std::move(data));
   }
   void post_lost(std::string_view service) { waiting_.post_lost(run_, service); }
+  void drop_waiting() { waiting_.clear(); }
   /// Whether a macro step could begin: an input waits that counts.
   bool has_input() const { return waiting_.any(run_); }
   const WaitingInputs& waiting() const { return waiting_; }

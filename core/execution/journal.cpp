@@ -30,17 +30,6 @@ Value services_json(const semantics::Program& program) {
   return services;
 }
 
-Value header_json(const JournalHeader& header) {
-  const semantics::Budgets& budgets = header.budgets;
-  return Dict{{"native", header.native},
-              {"arguments", header.arguments},
-              {"services", services_json(*header.program)},
-              {"semantics", kSemanticsVersion},
-              {"budgets", Dict{{"steps", integer(budgets.evaluation.steps)},
-                               {"value_units", integer(budgets.evaluation.value_units)},
-                               {"micro_steps", integer(budgets.micro_steps)}}}};
-}
-
 Dict event_json(const EventEntry& entry) {
   return {{"service", entry.service}, {"event", entry.event}, {"data", entry.data}};
 }
@@ -72,6 +61,17 @@ Dict script_step(const JournalEntry& entry) {
 }
 
 }  // namespace
+
+Value header_json(const JournalHeader& header) {
+  const semantics::Budgets& budgets = header.budgets;
+  return Dict{{"native", header.native},
+              {"arguments", header.arguments},
+              {"services", services_json(*header.program)},
+              {"semantics", kSemanticsVersion},
+              {"budgets", Dict{{"steps", integer(budgets.evaluation.steps)},
+                               {"value_units", integer(budgets.evaluation.value_units)},
+                               {"micro_steps", integer(budgets.micro_steps)}}}};
+}
 
 Value input_json(const JournalEntry& entry) { return std::visit(InputWriter{}, entry); }
 

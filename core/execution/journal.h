@@ -67,8 +67,18 @@ struct Journal {
 /// schemas/input.json
 Value input_json(const JournalEntry& entry);
 
+/// The `header` of schemas/journal.json.
+Value header_json(const JournalHeader& header);
+
 /// schemas/journal.json
 Value journal_json(const Journal& journal);
+
+/// Reads what header_json wrote, as read_journal does.
+Checked<JournalHeader> read_header(const Value& json);
+
+/// Reads what input_json wrote: the entry after `before`, null for the first one. Errors: those of one entry of
+/// read_journal.
+Checked<JournalEntry> read_input(const Value& json, const JournalEntry* before, const semantics::Program& program);
 
 /// Reads what journal_json wrote; the program is built anew, from the native model and the interfaces of the services.
 /// `json` is a text as parse_json gives it with kJournalLimits. A journal is refused as a whole. All errors of the

@@ -134,7 +134,7 @@ bool is_of_this_version(const Value& header) {
 }
 
 // Without a program if there are violations.
-JournalHeader read_header(const Value& json, Errors& errors) {
+JournalHeader read_header_at(const Value& json, Errors& errors) {
   JournalHeader header;
   Fields fields(json, "header", "header", errors, kByField);
   if (!is_of_this_version(json)) {
@@ -200,8 +200,8 @@ void check_order(Fields& fields, const std::string& kind, const JournalEntry* be
   if (before && kind == "start") fields.violation(ErrorCode::type, "only the first input is the start", "kind");
 }
 
-JournalEntry read_input(const Value& json, const std::string& path, const JournalEntry* before, const Program& program,
-                        Errors& errors) {
+JournalEntry read_input_at(const Value& json, const std::string& path, const JournalEntry* before,
+                           const Program& program, Errors& errors) {
   Fields fields(json, path, "input", errors, kByField);
   const auto kind = fields.text("kind", kRequired);
   if (!kind) return {};
@@ -230,11 +230,25 @@ void read_entry(const Value& json, Journal& journal, Errors& errors) {
   fields.close();
   if (!input) return;
   const JournalEntry* before = journal.entries.empty() ? nullptr : &journal.entries.back();
-  JournalEntry entry = read_input(*input, path + "/input", before, *journal.header.program, errors);
+  JournalEntry entry = read_input_at(*input, path + "/input", before, *journal.header.program, errors);
   journal.entries.push_back(std::move(entry));
 }
 
 }  // namespace
+
+Checked<JournalHeader> read_header(const Value& json) {
+  Errors errors;
+  JournalHeader header = read_header_at(json, errors);
+  if (!errors.empty()) return tl::unexpected(std::move(errors));
+  return header;
+}
+
+Checked<JournalEntry> read_input(const Value& json, const JournalEntry* before, const Program& program) {
+  Errors errors;
+  JournalEntry entry = read_input_at(json, "input", before, program, errors);
+  if (!errors.empty()) return tl::unexpected(std::move(errors));
+  return entry;
+}
 
 Checked<Journal> read_journal(const Value& json) {
   Errors errors;
@@ -243,7 +257,7 @@ Checked<Journal> read_journal(const Value& json) {
   const Value* header = fields.find("header", kRequired);
   const List& entries = fields.list("entries", kRequired);
   fields.close();
-  if (header) journal.header = read_header(*header, errors);
+  if (header) journal.header = read_header_at(*header, errors);
   for (auto entry = entries.begin(); entry != entries.end() && errors.empty(); ++entry)
     read_entry(*entry, journal, errors);
   if (!errors.empty()) return tl::unexpected(std::move(errors));

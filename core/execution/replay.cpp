@@ -1,5 +1,8 @@
 #include "core/execution/replay.h"
 
+#include <algorithm>
+
+#include "core/execution/checkpoint.h"
 #include "core/execution/step_json.h"
 
 namespace race::execution {
@@ -7,23 +10,39 @@ namespace race::execution {
 namespace {
 
 constexpr Recording kNothing{.entry = false};
+constexpr std::uint64_t kBlock = 256;  // entries read at once
 
 }  // namespace
 
-// The execution after the first `position` entries.
-Expected<Execution> Replay::after(const std::vector<JournalEntry>& entries, std::size_t position) {
+// The nearest execution at or before `position`: one that was kept, a stored checkpoint, or the beginning.
+Expected<Execution> Replay::nearest(std::uint64_t position) {
   const auto next = checkpoints_.upper_bound(position);
-  auto execution = next == checkpoints_.begin() ? Execution::create(header_.program, header_.arguments, header_.budgets)
-                                                : Expected<Execution>(std::prev(next)->second);
-  if (!execution) return execution;
-  for (std::size_t done = execution->run().position(); done < position; ++done) {
-    keep(*execution);
-    if (auto step = execution->replay(entries[done], kNothing); !step) return tl::unexpected(std::move(step).error());
+  const std::uint64_t kept = next == checkpoints_.begin() ? 0 : std::prev(next)->first;
+  if (position - kept > interval_) {
+    ASSIGN_OR_RETURN(const Value stored, source_->checkpoint(position));
+    if (!stored.is_unknown()) {
+      ASSIGN_OR_RETURN(Execution execution, read_checkpoint(header_, stored));
+      execution.drop_waiting();
+      if (execution.run().position() > kept) return execution;
+    }
+  }
+  if (kept > 0) return std::prev(next)->second;
+  return Execution::create(header_.program, header_.arguments, header_.budgets);
+}
+
+Expected<Execution> Replay::after(std::uint64_t position) {
+  ASSIGN_OR_RETURN(Execution execution, nearest(position));
+  while (execution.run().position() < position) {
+    const std::uint64_t from = execution.run().position() + 1, to = std::min(position, from + kBlock - 1);
+    ASSIGN_OR_RETURN(const std::vector<JournalEntry> entries, source_->entries(from, to));
+    for (const JournalEntry& entry : entries) {
+      keep(execution);
+      if (auto step = execution.replay(entry, kNothing); !step) return tl::unexpected(std::move(step).error());
+    }
   }
   return execution;
 }
 
-// A checkpoint every `interval_` steps; when there are too many, every second one goes.
 void Replay::keep(const Execution& execution) {
   const std::size_t position = execution.run().position();
   if (position == 0 || position % interval_ != 0) return;
@@ -33,13 +52,14 @@ void Replay::keep(const Execution& execution) {
   std::erase_if(checkpoints_, [this](const auto& each) { return each.first % interval_ != 0; });
 }
 
-Expected<List> Replay::steps(const std::vector<JournalEntry>& entries, std::size_t from, std::size_t to, int micro) {
-  ASSIGN_OR_RETURN(Execution execution, after(entries, from - 1));
+Expected<List> Replay::steps(std::uint64_t from, std::uint64_t to, std::uint64_t last, int micro) {
+  ASSIGN_OR_RETURN(Execution execution, after(from - 1));
+  ASSIGN_OR_RETURN(const std::vector<JournalEntry> entries, source_->entries(from, to));
   List steps;
-  for (std::size_t step = from; step <= to; ++step) {
-    const bool partial = step == entries.size() && micro >= 0;
+  for (std::uint64_t step = from; step <= to; ++step) {
+    const bool partial = step == last && micro >= 0;
     const std::uint32_t limit = partial ? static_cast<std::uint32_t>(micro) : Execution::kNoLimit;
-    ASSIGN_OR_RETURN(const Progress* progress, execution.replay(entries[step - 1], {.derivation = true}, limit));
+    ASSIGN_OR_RETURN(const Progress* progress, execution.replay(entries[step - from], {.derivation = true}, limit));
     Dict json = trace_step(*header_.program, *progress);
     json.set("state", execution.run().state_json());
     if (partial) json.set("complete", false);
@@ -48,9 +68,10 @@ Expected<List> Replay::steps(const std::vector<JournalEntry>& entries, std::size
   return steps;
 }
 
-Expected<Execution> Replay::before(const std::vector<JournalEntry>& entries, std::size_t step, int micro) {
-  ASSIGN_OR_RETURN(Execution execution, after(entries, step - 1));
-  if (auto done = execution.replay(entries[step - 1], kNothing, static_cast<std::uint32_t>(micro)); !done)
+Expected<Execution> Replay::before(std::uint64_t step, int micro) {
+  ASSIGN_OR_RETURN(Execution execution, after(step - 1));
+  ASSIGN_OR_RETURN(const std::vector<JournalEntry> entries, source_->entries(step, step));
+  if (auto done = execution.replay(entries.front(), kNothing, static_cast<std::uint32_t>(micro)); !done)
     return tl::unexpected(std::move(done).error());
   return execution;
 }

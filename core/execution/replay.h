@@ -5,8 +5,10 @@
 #pragma once
 
 #include <map>
+#include <memory>
 
 #include "core/execution/execution.h"
+#include "core/execution/journal_source.h"
 
 namespace race::execution {
 
@@ -15,27 +17,33 @@ class Replay {
   static constexpr std::size_t kInterval = 256;    // macro steps between checkpoints, at least
   static constexpr std::size_t kCheckpoints = 64;  // kept at most
 
-  explicit Replay(JournalHeader header, std::size_t interval = kInterval, std::size_t checkpoints = kCheckpoints)
-      : header_(std::move(header)), interval_(interval), most_(checkpoints) {}
+  /// Of the run of this header, whose journal is kept in `source`.
+  Replay(JournalHeader header, std::shared_ptr<JournalSource> source, std::size_t interval = kInterval,
+         std::size_t checkpoints = kCheckpoints)
+      : header_(std::move(header)), source_(std::move(source)), interval_(interval), most_(checkpoints) {}
 
-  // `entries`: those of the journal; they begin with those of the calls before. Error of all `conflict`: the journal is
-  // of another run.
+  // The journal may have grown since the last call; what was there is as it was. Errors of all: those of the source;
+  // `conflict`: the journal is of another run.
 
-  /// Macro steps `from` to `to`, both counted from 1, as schemas/trace_step.json. Of the last entry only the first
-  /// `micro` micro steps are shown if it is not complete (`micro` >= 0). Requires 1 <= from <= to <= number of entries.
-  Expected<List> steps(const std::vector<JournalEntry>& entries, std::size_t from, std::size_t to, int micro);
+  /// Macro steps `from` to `to`, both counted from 1, as schemas/trace_step.json. Of macro step `last`
+  /// only the first `micro` micro steps are shown, if it is not complete (`micro` >= 0). Requires 1 <= from <= to.
+  Expected<List> steps(std::uint64_t from, std::uint64_t to, std::uint64_t last, int micro);
 
   /// The execution as it was before micro step `micro`, from 0, of macro step `step`, which has begun; as it was at the
   /// end of the macro step if it has fewer. Requires 1 <= step <= number of entries, micro >= 0.
-  Expected<Execution> before(const std::vector<JournalEntry>& entries, std::size_t step, int micro);
+  Expected<Execution> before(std::uint64_t step, int micro);
+
+  /// The execution after the first `position` macro steps (0: before the run began). No input waits.
+  Expected<Execution> after(std::uint64_t position);
 
  private:
-  Expected<Execution> after(const std::vector<JournalEntry>& entries, std::size_t position);
+  Expected<Execution> nearest(std::uint64_t position);
   void keep(const Execution& execution);
 
   JournalHeader header_;
+  std::shared_ptr<JournalSource> source_;
   std::size_t interval_, most_;
-  std::map<std::size_t, Execution> checkpoints_;  // by position
+  std::map<std::uint64_t, Execution> checkpoints_;  // by position
 };
 
 /// The derivation document of a journal (core/SEMANTICS.md section 7), a step for each entry; after an abort (section

@@ -12,8 +12,9 @@ constexpr std::array kNames = {
     "barrier_target", "link_unknown", "link_cycle",   "link_field",  "link_parameter", "link_port",
     "oracle",         "reference",    "keep",         "syntax",      "forbidden",      "scope",
     "effect",         "service_call", "unknown_name", "too_large",   "too_deep",       "out_of_range",
-    "not_found",      "conflict",     "io",           "unavailable", "not_accepted"};
-static_assert(kNames.size() == static_cast<std::size_t>(ErrorCode::not_accepted) + 1);
+    "not_found",      "conflict",     "io",           "unavailable", "not_accepted",   "storage",
+    "corrupt"};
+static_assert(kNames.size() == static_cast<std::size_t>(ErrorCode::corrupt) + 1);
 
 }  // namespace
 

@@ -50,6 +50,8 @@ enum class ErrorCode {
   io,
   unavailable,
   not_accepted,
+  storage,  // cannot be stored now (the disk is full or fails); nothing is changed
+  corrupt,  // what is stored is damaged
 };
 
 /// The code as documents, messages and command lines show it, such as "port_target".

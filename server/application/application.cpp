@@ -1,7 +1,5 @@
 #include "server/application/application.h"
 
-#include <filesystem>
-
 #include "server/cell/screen_services.h"
 #include "server/wire/channel_names.h"
 
@@ -25,7 +23,10 @@ Checked<std::unique_ptr<Application>> Application::create(const Setup& setup) {
 }
 
 Checked<void> Application::open_documents(const Setup& setup) {
-  auto documents = Documents::open(std::filesystem::path(setup.data) / "documents.sqlite");
+  auto folder = DataFolder::open(setup.data);
+  if (!folder) return one(std::move(folder).error());
+  folder_.emplace(std::move(*folder));
+  auto documents = Documents::open(folder_->store());
   if (!documents) return one(std::move(documents).error());
   documents_ = std::move(*documents);
   if (setup.demo.empty()) return {};
@@ -45,8 +46,7 @@ void Application::create_stream(std::int64_t first_sequence) {
 Checked<void> Application::create_cell(const Setup& setup) {
   std::vector<ExtraService> extra_services = screen_services(screens_, setup.demo);
   extra_services.insert(extra_services.end(), setup.extra_services.begin(), setup.extra_services.end());
-  CellSetup cell_setup{setup.demo, std::filesystem::path(setup.data) / "database.sqlite", true,
-                       std::move(extra_services)};
+  CellSetup cell_setup{setup.demo, folder_->database(), true, std::move(extra_services)};
   cell_setup.remote = setup.remote;
   cell_setup.heartbeat = setup.heartbeat;
   auto cell = Cell::create(cell_setup, *service_publisher_);

@@ -17,6 +17,7 @@
 #include "server/handlers/routes.h"
 #include "server/http/listener.h"
 #include "server/log/event_log.h"
+#include "server/store/data_folder.h"
 #include "server/store/documents.h"
 #include "server/stream/displays.h"
 #include "server/stream/flow_channels.h"
@@ -29,7 +30,7 @@ namespace race::server {
 class Application {
  public:
   struct Setup {
-    std::string data;  // folder for documents and the database; it exists
+    std::string data;  // folder of all that the server keeps (store/data_folder.h)
     std::string demo;  // folder with scene.json, database.json and *.rcm.json; may be empty
     std::int64_t first_sequence = 1;
     std::vector<ExtraService> extra_services = {};
@@ -54,6 +55,7 @@ class Application {
   ChannelSources channel_sources();
   Resources resources();
 
+  std::optional<DataFolder> folder_;  // held until all that uses it has ended
   // In the order of construction; a core's strand may still call the host while its pool ends.
   display::Screens screens_;
   std::unique_ptr<Pool> stream_pool_;

@@ -3,7 +3,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -11,15 +10,13 @@
 #include "server/cell/component_groups.h"
 #include "server/commands/command.h"
 #include "server/http/listener.h"
+#include "server/wire/calendar.h"
 
 namespace race::server {
 namespace {
 
 // Numbers of messages go on where an earlier server can not have been: 1000 a millisecond since 1970.
-std::int64_t first_sequence() {
-  using namespace std::chrono;
-  return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count() * 1000;
-}
+std::int64_t first_sequence() { return now_ms() * 1000; }
 
 // The component groups that run as processes: "cell,database".
 Expected<std::vector<std::string>> read_units(std::string_view text) {
@@ -45,10 +42,6 @@ struct Options {
 int serve(const Options& options) {
   auto remote = read_units(options.remote);
   if (!remote) return refuse(remote.error());
-  std::error_code error;
-  std::filesystem::create_directories(options.data, error);
-  if (error) return refuse(Error{ErrorCode::io, error.message(), options.data});
-
   Application::Setup setup{options.data, options.demo, first_sequence()};
   if (options.operator_script) {
     auto script = read_operator_file(*options.operator_script);

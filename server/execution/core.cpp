@@ -49,8 +49,7 @@ Core::Core(std::string id, std::string document, execution::JournalHeader header
       replay_strand_(pool),
       host_(host),
       watcher_(watcher),
-      execution_(std::move(execution)),
-      replay_(std::make_shared<execution::Replay>(header_)) {
+      execution_(std::move(execution)) {
   info_ = info_json();
 }
 
@@ -168,8 +167,10 @@ Expected<Value> Core::why(const std::string& port) {
 
 // `function` of the replay and the journal, on the strand of replays.
 template <typename F>
-Expected<Value> Core::replayed(F function) {
-  auto answer = replay_strand_.ask([replay = replay_, function = std::move(function)]() -> Expected<Value> {
+Expected<Value> Core::replayed(const execution::Journal& journal, F function) {
+  auto replay =
+      std::make_shared<execution::Replay>(journal.header, std::make_shared<execution::MemoryJournal>(journal.entries));
+  auto answer = replay_strand_.ask([replay, function = std::move(function)]() -> Expected<Value> {
     ASSIGN_OR_RETURN(Value json, function(*replay));
     return json.freeze();
   });
@@ -185,8 +186,8 @@ Expected<Value> Core::why_before(const std::string& port, std::size_t step, int 
   if (step < 1 || step > steps)
     return unexpected(ErrorCode::out_of_range, "there are macro steps 1 to " + std::to_string(steps), "step");
   const int reached = step == steps && view.micro >= 0 ? std::min(micro, view.micro) : micro;
-  return replayed([view = std::move(view), step, reached, id](execution::Replay& replay) -> Expected<Value> {
-    ASSIGN_OR_RETURN(Execution past, replay.before(view.journal.entries, step, reached));
+  return replayed(view.journal, [step, reached, id](execution::Replay& replay) -> Expected<Value> {
+    ASSIGN_OR_RETURN(Execution past, replay.before(step, reached));
     return why_json(past, *id);
   });
 }
@@ -210,9 +211,9 @@ Expected<Value> Core::derivations(std::size_t from, std::size_t to) {
   if (view.status == semantics::Status::ended) json.set("outcome", view.outcome);
   if (view.fault) json.set("fault", execution::fault_json(*view.fault));
   ASSIGN_OR_RETURN(Value derived,
-                   replayed([view = std::move(view), from, to](execution::Replay& replay) -> Expected<Value> {
-                     if (view.journal.entries.empty()) return List();
-                     return replay.steps(view.journal.entries, from, to, view.micro);
+                   replayed(view.journal, [=, micro = view.micro](execution::Replay& replay) -> Expected<Value> {
+                     if (steps == 0) return List();
+                     return replay.steps(from, to, steps, micro);
                    }));
   json.set("steps", std::move(derived));
   return Value(std::move(json));

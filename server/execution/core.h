@@ -102,7 +102,7 @@ class Core : public std::enable_shared_from_this<Core> {
   template <typename F>
   auto on_strand(F function) -> std::invoke_result_t<F>;
   template <typename F>
-  Expected<Value> replayed(F function);
+  Expected<Value> replayed(const execution::Journal& journal, F function);
 
   // All below: on the strand.
   const semantics::Run& run() const { return execution_.run(); }
@@ -139,8 +139,6 @@ class Core : public std::enable_shared_from_this<Core> {
   Value breakpoints_ = List();  // as in schemas/core.json
   bool started_ = false, paused_ = false, scheduled_ = false, state_watched_ = false;
   Value announced_ = Value::unknown();  // what the list of cores was told last
-
-  std::shared_ptr<execution::Replay> replay_;  // of the replay strand
 };
 
 }  // namespace race::server

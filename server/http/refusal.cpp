@@ -19,6 +19,10 @@ int status_of(const std::vector<Error>& errors) {
     case ErrorCode::too_deep:
     case ErrorCode::out_of_range:
       return 400;
+    case ErrorCode::storage:
+      return 507;
+    case ErrorCode::corrupt:
+      return 500;
     default:
       return 422;
   }

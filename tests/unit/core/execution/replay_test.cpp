@@ -30,7 +30,7 @@ struct RandomReplay {
   semantics::RandomModels random;
   Journal journal;
   // Few and close: most questions begin at one, and they are thinned out.
-  Replay replay{journal.header, 4, 3};
+  Replay replay{journal.header, std::make_shared<MemoryJournal>(journal.entries), 4, 3};
 };
 
 TEST(Replay, ComesToTheStateWithinAnyMicroStepInAnyOrderOfQuestions) {
@@ -43,7 +43,7 @@ TEST(Replay, ComesToTheStateWithinAnyMicroStepInAnyOrderOfQuestions) {
       const int micro = static_cast<int>(at.random.pick(4));
       SCOPED_TRACE("seed " + std::to_string(seed + i) + ", before " + std::to_string(step) + "/" +
                    std::to_string(micro));
-      auto past = at.replay.before(at.journal.entries, step, micro);
+      auto past = at.replay.before(step, micro);
       ASSERT_TRUE(past) << past.error().message;
       Execution expected = within(at.journal, step, micro);
       ASSERT_TRUE(same(past->run().state(), expected.run().state()));
@@ -65,7 +65,7 @@ TEST(Replay, DerivesAnyStepsAndOfAnOpenOneTheFirstMicroSteps) {
     const List whole = derive_journal(at.journal).value().find("steps")->as_list();
     for (int questions = 0; questions < 4; ++questions) {
       const std::size_t from = at.step(), to = from + at.random.pick(at.journal.entries.size() - from + 1);
-      const auto steps = at.replay.steps(at.journal.entries, from, to, -1);
+      const auto steps = at.replay.steps(from, to, at.journal.entries.size(), -1);
       ASSERT_TRUE(steps) << steps.error().message;
       ASSERT_EQ(steps->size(), to - from + 1);
       for (std::size_t k = 0; k < steps->size(); ++k) {
@@ -76,7 +76,7 @@ TEST(Replay, DerivesAnyStepsAndOfAnOpenOneTheFirstMicroSteps) {
     const std::size_t last = at.journal.entries.size(), micro = whole.back().find("micro")->as_list().size();
     if (micro < 2) continue;
     ++partial;
-    const Value open = at.replay.steps(at.journal.entries, last, last, 1).value()[0];
+    const Value open = at.replay.steps(last, last, last, 1).value()[0];
     EXPECT_EQ(open.find("micro")->as_list().size(), 1U);
     EXPECT_EQ(open.find("micro")->as_list()[0], whole.back().find("micro")->as_list()[0]);
     EXPECT_EQ(*open.find("complete"), Value(false));
@@ -85,14 +85,13 @@ TEST(Replay, DerivesAnyStepsAndOfAnOpenOneTheFirstMicroSteps) {
 }
 
 TEST(Replay, RefusesAJournalOfAnotherRun) {
-  const Journal journal = small_journal();
-  Replay replay(journal.header);
-  std::vector<JournalEntry> entries = {StartEntry{}, StartEntry{}};
-  EXPECT_EQ(replay.steps(entries, 1, 2, -1).error().code, ErrorCode::conflict);
-  entries = {EventEntry{"t", "tick", Value()}};
-  EXPECT_EQ(replay.before(entries, 1, 0).error().code, ErrorCode::conflict) << "a run begins with `start`";
-  entries = {AbortEntry{}, StartEntry{}};
-  EXPECT_EQ(replay.steps(entries, 1, 2, -1).error().code, ErrorCode::conflict);
+  const auto replay_of = [](std::vector<JournalEntry> entries) {
+    return Replay(small_journal().header, std::make_shared<MemoryJournal>(std::move(entries)));
+  };
+  EXPECT_EQ(replay_of({StartEntry{}, StartEntry{}}).steps(1, 2, 2, -1).error().code, ErrorCode::conflict);
+  EXPECT_EQ(replay_of({EventEntry{"t", "tick", Value()}}).before(1, 0).error().code, ErrorCode::conflict)
+      << "a run begins with `start`";
+  EXPECT_EQ(replay_of({AbortEntry{}, StartEntry{}}).steps(1, 2, 2, -1).error().code, ErrorCode::conflict);
 }
 
 }  // namespace

@@ -1,0 +1,78 @@
+#include "server/store/data_folder.h"
+
+#include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Exception.h>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "server/store/schema.h"
+#include "services/sqlite/file.h"
+
+namespace race::server {
+namespace {
+
+namespace fs = std::filesystem;
+
+Expected<int> take_lock(const fs::path& folder) {
+  const std::string path = folder / "lock";
+  const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+  if (file < 0) return unexpected(ErrorCode::storage, std::strerror(errno), path);
+  if (::flock(file, LOCK_EX | LOCK_NB) == 0) return file;
+  const int error = errno;
+  ::close(file);
+  if (error == EWOULDBLOCK) return unexpected(ErrorCode::conflict, "another server uses this folder", folder);
+  return unexpected(ErrorCode::storage, std::strerror(error), path);
+}
+
+// Older versions kept documents in a file of their own. Without its log, the file alone is all of it.
+Expected<void> take_over_documents(const fs::path& folder) try {
+  const fs::path old = folder / "documents.sqlite", store = folder / "race.sqlite";
+  if (fs::exists(store) || !fs::exists(old)) return {};
+  sqlite::open(old)->exec("PRAGMA journal_mode = DELETE");
+  fs::rename(old, store);
+  return {};
+} catch (const SQLite::Exception& exception) {
+  return tl::unexpected(sqlite::error_of(exception, "cannot take over documents.sqlite"));
+} catch (const fs::filesystem_error& error) {
+  return unexpected(ErrorCode::storage, error.what(), folder);
+}
+
+Expected<void> prepare(const fs::path& path) try {
+  const auto file = sqlite::open(path);
+  if (auto sound = sqlite::check(*file); !sound) return sound;
+  return sqlite::migrate(*file, store_migrations());
+} catch (const SQLite::Exception& exception) {
+  return tl::unexpected(sqlite::error_of(exception, "cannot open the store"));
+}
+
+}  // namespace
+
+Expected<DataFolder> DataFolder::open(const std::string& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) return unexpected(ErrorCode::storage, error.message(), path);
+  ASSIGN_OR_RETURN(const int lock, take_lock(path));
+  DataFolder folder(path, lock);
+  auto ready = take_over_documents(path);
+  if (ready) ready = prepare(folder.store());
+  if (!ready) {
+    Error wrong = std::move(ready).error();
+    if (wrong.path.empty()) wrong.path = folder.store();
+    return tl::unexpected(std::move(wrong));
+  }
+  return folder;
+}
+
+DataFolder::DataFolder(DataFolder&& other) noexcept
+    : path_(std::move(other.path_)), lock_(std::exchange(other.lock_, -1)) {}
+
+DataFolder::~DataFolder() {
+  if (lock_ >= 0) ::close(lock_);
+}
+
+}  // namespace race::server

@@ -1,0 +1,37 @@
+// DataFolder: the folder in which a server keeps all that it keeps, held by one server at a time:
+//
+//   race.sqlite      documents with their revisions, runs with their journals (schema.h)
+//   database.sqlite  values of the service `db` (services/database), unless its process has a file of its own
+//   backups/         one folder each (backup.h)
+//   lock             held while a server runs
+//
+// Threads: any.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/value/expected.h"
+
+namespace race::server {
+
+class DataFolder {
+ public:
+  /// Makes the folder if it is not there, takes it, and brings its files to this version: documents of an older one are
+  /// taken over. Errors: `conflict` (another server holds it), `corrupt`, `version`, `storage`, `io`, with the path.
+  static Expected<DataFolder> open(const std::string& path);
+  DataFolder(DataFolder&& other) noexcept;
+  DataFolder& operator=(DataFolder&&) = delete;
+  ~DataFolder();
+
+  const std::filesystem::path& path() const { return path_; }
+  std::string store() const { return path_ / "race.sqlite"; }
+  std::string database() const { return path_ / "database.sqlite"; }
+
+ private:
+  DataFolder(std::filesystem::path path, int lock) : path_(std::move(path)), lock_(lock) {}
+  std::filesystem::path path_;
+  int lock_;  // file descriptor
+};
+
+}  // namespace race::server

@@ -1,0 +1,100 @@
+// Runs: every run with its journal (core/SEMANTICS.md section 10) and checkpoints. What is read is held against the
+// digests and the chain of hashes that were stored with it.
+//
+// Threads: any; one at a time inside. Entries are written by JournalWriter (journal_writer.h) on a connection of its
+// own.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/execution/journal.h"
+#include "core/execution/journal_source.h"
+#include "core/rsm/model.h"
+#include "core/value/expected.h"
+#include "services/mutex.h"
+#include "services/sqlite/digest.h"
+
+namespace SQLite {
+class Database;
+class Statement;
+}  // namespace SQLite
+
+namespace race::server {
+
+using RunId = std::uint64_t;
+
+/// A run as it is listed.
+struct RunRecord {
+  RunId id = 0;
+  std::string document;       // of which it was made,
+  std::int64_t revision = 0;  // in this revision
+  Dict arguments;
+  std::string status = "ready";               // ready, running, interrupted, ended, faulted, aborted
+  std::string outcome;                        // ended: the port by which the root was left
+  Value fault;                                // faulted: schemas/core.json, `fault`; else null
+  Value results;                              // over: of the root; else null
+  std::uint64_t steps = 0;                    // entries of the journal
+  sqlite::Digest chain = {};                  // of the last entry, or of the header
+  std::int64_t created_ms = 0, ended_ms = 0;  // since 1970; 0: not yet
+  bool imported = false;                      // it was executed by another server
+  std::uint64_t bytes = 0;                    // of its entries and checkpoints
+
+  bool is_over() const { return status == "ended" || status == "faulted" || status == "aborted"; }
+};
+
+class Runs {
+ public:
+  /// Opens the store (DataFolder::store). Error of all: `storage`, `io`; `corrupt`, naming the run: what was stored is
+  /// damaged.
+  static Expected<std::unique_ptr<Runs>> open(const std::string& path);
+  ~Runs();
+
+  struct NewRun {
+    std::string document;
+    std::int64_t revision = 0;
+    const execution::JournalHeader& header;
+    std::map<std::string, rsm::Service> services;  // the RSMs of the moment, as one file of a run has them
+  };
+  /// Stores a run that has not begun and gives it its number: durable when it returns.
+  Expected<RunRecord> create(const NewRun& run, std::int64_t now_ms) EXCLUDES(mutex_);
+  /// The same run with another header: another model was loaded, or other arguments. Requires that it has not begun.
+  Expected<RunRecord> replace(RunId id, const NewRun& run) EXCLUDES(mutex_);
+  /// An executed run, whole: checked before by execution::read_journal. Gets a new number.
+  Expected<RunRecord> import(RunRecord record, const NewRun& run, const std::vector<execution::JournalEntry>& entries)
+      EXCLUDES(mutex_);
+
+  /// `not_found`: there is none.
+  Expected<RunRecord> get(RunId id) EXCLUDES(mutex_);
+  /// The newest first, those before run `before` (0: from the newest), at most `most`; of one document if it is given.
+  Expected<std::vector<RunRecord>> list(RunId before, std::size_t most, const std::string& document = "")
+      EXCLUDES(mutex_);
+  /// Those that are not over and were not imported, in order of number: to be hosted when the server begins.
+  Expected<std::vector<RunRecord>> open_runs() EXCLUDES(mutex_);
+  Expected<execution::JournalHeader> header(RunId id) EXCLUDES(mutex_);
+  /// Key -> RSM (schemas/service.json), as they were when the run was created.
+  Expected<Value> services(RunId id) EXCLUDES(mutex_);
+  /// Entries `from` to `to`, both from 1, held against the chain. Requires that they are there.
+  Expected<std::vector<execution::JournalEntry>> entries(RunId id, const semantics::Program& program,
+                                                         std::uint64_t from, std::uint64_t to) EXCLUDES(mutex_);
+  /// The newest checkpoint at or before `position`; unknown: there is none.
+  Expected<Value> checkpoint(RunId id, std::uint64_t position) EXCLUDES(mutex_);
+  /// For a Replay. The run outlives it or its questions are answered `not_found`; Runs outlives it.
+  std::shared_ptr<execution::JournalSource> source(RunId id, std::shared_ptr<const semantics::Program> program);
+
+  /// Of a run that a crash or a failing disk has interrupted; `running` when a person has resumed it.
+  Expected<void> set_status(RunId id, const std::string& status) EXCLUDES(mutex_);
+  /// The run, its journal and what no other run shares. `not_found`.
+  Expected<void> remove(RunId id) EXCLUDES(mutex_);
+
+ private:
+  explicit Runs(std::unique_ptr<SQLite::Database> file);
+  services::Mutex mutex_;
+  const std::unique_ptr<SQLite::Database> file_ PT_GUARDED_BY(mutex_);
+};
+
+}  // namespace race::server

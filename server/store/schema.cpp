@@ -1,0 +1,41 @@
+#include "server/store/schema.h"
+
+#include <SQLiteCpp/Database.h>
+
+#include <array>
+
+namespace race::server {
+namespace {
+
+// 1: documents, each the text of its last revision, with ids.
+void give_documents(SQLite::Database& file) {
+  file.exec(
+      "CREATE TABLE IF NOT EXISTS document (name TEXT PRIMARY KEY, revision INTEGER NOT NULL, text TEXT NOT NULL)");
+}
+
+// 2: every run, with its header, its journal and its checkpoints.
+//
+// run.status: ready, running, interrupted, ended, faulted or aborted; steps: entries of the journal; chain: that of the
+// last entry; times: milliseconds since 1970. header.text: schemas/journal.json, `header`, without `arguments`.
+// entry.chain: sha256_of(chain before it, input); that before the first is of the whole header.
+void add_runs(SQLite::Database& file) {
+  file.exec(
+      "CREATE TABLE header (digest BLOB PRIMARY KEY, text TEXT NOT NULL) WITHOUT ROWID;"
+      "CREATE TABLE run (id INTEGER PRIMARY KEY AUTOINCREMENT, document TEXT NOT NULL, revision INTEGER NOT NULL,"
+      " header BLOB NOT NULL REFERENCES header (digest), services BLOB NOT NULL REFERENCES header (digest),"
+      " arguments TEXT NOT NULL, status TEXT NOT NULL, outcome TEXT NOT NULL, fault TEXT NOT NULL,"
+      " results TEXT NOT NULL, steps INTEGER NOT NULL, chain BLOB NOT NULL, created INTEGER NOT NULL,"
+      " ended INTEGER NOT NULL, imported INTEGER NOT NULL, bytes INTEGER NOT NULL, digest BLOB NOT NULL);"
+      "CREATE TABLE entry (run INTEGER NOT NULL, position INTEGER NOT NULL, input TEXT NOT NULL, chain BLOB NOT NULL,"
+      " PRIMARY KEY (run, position)) WITHOUT ROWID;"
+      "CREATE TABLE checkpoint (run INTEGER NOT NULL, position INTEGER NOT NULL, text TEXT NOT NULL,"
+      " digest BLOB NOT NULL, PRIMARY KEY (run, position)) WITHOUT ROWID;");
+}
+
+constexpr std::array<sqlite::Migration, 2> kMigrations = {give_documents, add_runs};
+
+}  // namespace
+
+std::span<const sqlite::Migration> store_migrations() { return kMigrations; }
+
+}  // namespace race::server
