@@ -148,11 +148,14 @@ struct Commits {
 };
 
 /// How many rows a program finds that begins on `path`.
-int rows_of(const std::string& path) {
+int rows_of(const std::string& path) try {
   const auto file = open(path);
   const auto sound = check(*file);
   EXPECT_TRUE(sound) << sound.error().message;
   return file->tableExists("row") ? file->execAndGet("SELECT count(*) FROM row").getInt() : 0;
+} catch (const SQLite::Exception& exception) {
+  ADD_FAILURE() << exception.what();
+  return -1;
 }
 
 TEST_F(FileTest, KeepsEveryCommitAfterALossOfPowerAtAnyOperation) {
