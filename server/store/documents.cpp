@@ -52,7 +52,7 @@ Documents::~Documents() = default;
 
 Expected<std::unique_ptr<Documents>> Documents::open(const std::string& path) {
   try {
-    auto file = std::make_unique<SQLite::Database>(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    auto file = std::make_unique<SQLite::Database>(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, 10'000);
     file->exec(kSetUp);
     std::unique_ptr<Documents> documents(new Documents(std::move(file)));
     documents->migrate();
