@@ -1,6 +1,7 @@
 #include "server/application/application.h"
 
 #include "server/cell/screen_services.h"
+#include "server/wire/calendar.h"
 #include "server/wire/channel_names.h"
 
 namespace race::server {
@@ -30,7 +31,7 @@ Checked<void> Application::open_documents(const Setup& setup) {
   if (!documents) return one(std::move(documents).error());
   documents_ = std::move(*documents);
   if (setup.demo.empty()) return {};
-  return documents_->put_demo(setup.demo);
+  return documents_->put_demo(setup.demo, now_ms());
 }
 
 void Application::create_stream(std::int64_t first_sequence) {
