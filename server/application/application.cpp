@@ -1,6 +1,7 @@
 #include "server/application/application.h"
 
 #include "server/cell/screen_services.h"
+#include "server/wire/calendar.h"
 #include "server/wire/channel_names.h"
 
 namespace race::server {
@@ -36,7 +37,7 @@ Checked<void> Application::open_store(const Setup& setup) {
   if (!writer) return one(std::move(writer).error());
   writer_ = std::move(*writer);
   if (setup.demo.empty()) return {};
-  return documents_->put_demo(setup.demo);
+  return documents_->put_demo(setup.demo, now_ms());
 }
 
 void Application::create_stream(std::int64_t first_sequence) {
