@@ -1,4 +1,5 @@
-// The server is killed while a task runs, and started again: the page turns to the same run, interrupted, and a person lets it go on.
+// Runs that are interrupted, and go on when a person says so: the server is killed while a task runs, and started again; or its disk is full.
+import { spawn, type ChildProcess } from "node:child_process";
 import { devices, type Page } from "playwright-core";
 import { openFixture, settled, type Fixture } from "./fixture";
 
@@ -32,6 +33,16 @@ const root = {
     { state: "After", entry: "svc.timer.start(0.05)", ports: [{ name: "done", when: "svc.timer.start.result" }] },
   ],
   ports: [{ name: "recovered", when: "chi.After.port.done" }],
+};
+/** Stores an entry of its journal every tenth of a second. */
+const beating = {
+  state: "Root",
+  first: "Tick",
+  children: [
+    { state: "Tick", entry: "svc.timer.start(0.1)", ports: [{ name: "next", when: "svc.timer.start.result", to: "Tock" }, { name: "lost", when: "svc.timer.start.error", to: "Tock" }] },
+    { state: "Tock", entry: "svc.timer.start(0.1)", ports: [{ name: "next", when: "svc.timer.start.result", to: "Tick" }, { name: "lost", when: "svc.timer.start.error", to: "Tick" }] },
+  ],
+  ports: [{ name: "never", when: "False" }],
 };
 
 const kSoon = { timeout: 20_000 };
@@ -103,5 +114,58 @@ describe("a run that its server has left", () => {
     await expect.poll(() => status(page), kSoon).toBe("Ended: recovered");
     expect(await notice(page).count()).toBe(0);
     expect(await watched(page).inputValue()).toBe(run.id);
+  });
+});
+
+/** Until the result is called, every write of the server to a file fails as on a full disk. */
+async function fillDisk(): Promise<() => Promise<void>> {
+  const calls = "pwrite64,pwritev,ftruncate,fallocate";
+  const tracer: ChildProcess = spawn("strace", ["-f", "-q", "-p", String(fixture.pid()), "-e", `trace=${calls}`, "-e", `inject=${calls}:error=ENOSPC`, "-o", "/dev/null"], { stdio: "ignore" });
+  await new Promise((resolve, reject) => tracer.once("spawn", resolve).once("error", reject));
+  return async () => {
+    if (tracer.exitCode !== null) throw new Error(`strace ended with status ${tracer.exitCode}`);
+    const ended = new Promise((resolve) => tracer.once("exit", resolve));
+    tracer.kill("SIGINT");
+    await ended;
+  };
+}
+
+describe("a run whose journal cannot be stored", () => {
+  const problem = () => page.locator(".problem");
+  let free: (() => Promise<void>) | undefined;
+  afterAll(() => free?.());
+
+  it("is interrupted, and the page says why", async () => {
+    await send("PUT", "/documents/beating", { rcm: 1, name: "beating", root: beating });
+    const { id } = await send("POST", "/cores", { document: "beating" });
+    await watched(page).selectOption(id);
+    await send("POST", `/cores/${id}/start`);
+    await expect.poll(() => status(page), kSoon).toBe("Running");
+    free = await fillDisk();
+    await notice(page).waitFor(kSoon);
+    expect(await notice(page).innerText()).toContain(`Run ${id} is interrupted: its journal cannot be stored`);
+  });
+
+  it("refuses to go on while the disk is full: the message stays until it is dismissed, and the server is not lost", async () => {
+    await page.keyboard.press("F5");
+    await problem().waitFor(kSoon);
+    expect(await status(page)).toBe("Interrupted");
+    await page.getByRole("tab", { name: "Log" }).click();
+    await fixture.screenshot("interrupted-disk");
+    expect(await page.getByText("Connected", { exact: true }).count()).toBe(1);
+    expect(await problem().count()).toBe(1);
+    await page.getByRole("button", { name: "Dismiss" }).click();
+    expect(await problem().count()).toBe(0);
+  });
+
+  it("goes on when there is space again", async () => {
+    await free?.();
+    free = undefined;
+    await page.keyboard.press("F5");
+    await expect.poll(() => status(page), kSoon).toBe("Running");
+    expect(await notice(page).count()).toBe(0);
+    expect(await problem().count()).toBe(0);
+    await page.keyboard.press("F8");
+    await expect.poll(() => status(page), kSoon).toBe("Stopped");
   });
 });

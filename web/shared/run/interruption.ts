@@ -19,7 +19,7 @@ export function interruptionText(core: Core): InterruptionText | undefined {
     return {
       title: `Run ${core.id} is interrupted: its journal cannot be stored`,
       happened,
-      holds: "Nothing moves until someone resumes, steps or stops it. To go on, it is rebuilt from what is stored: open calls are answered `unavailable`, none is sent again.",
+      holds: "It is as its journal says. Open calls are answered `unavailable`; none is sent again. Nothing moves until someone resumes, steps or stops it; while the disk fails, that is refused.",
     };
   }
   return {

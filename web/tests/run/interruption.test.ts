@@ -28,11 +28,11 @@ describe("interruptionText", () => {
     expect(text?.happened).toBe(core.interruption?.message);
     expect(text?.holds).toMatch(/^Open calls were answered `unavailable`.*Nothing moves until someone resumes/);
   });
-  it("does not say of a failing disk that calls were answered: that is done when it is rebuilt", () => {
+  it("says of a failing disk that it refuses to go on", () => {
     const text = interruptionText({ ...core, interruption: { reason: "storage", message: "no space left" } });
     expect(text?.title).toContain("its journal cannot be stored");
     expect(text?.happened).toBe("no space left");
-    expect(text?.holds).toMatch(/^Nothing moves until someone resumes.*open calls are answered `unavailable`/);
+    expect(text?.holds).toMatch(/Open calls are answered `unavailable`.*Nothing moves until someone resumes.*while the disk fails, that is refused/);
   });
 });
 
