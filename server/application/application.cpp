@@ -29,6 +29,7 @@ Checked<void> Application::open_documents(const Setup& setup) {
   auto documents = Documents::open(folder_->store());
   if (!documents) return one(std::move(documents).error());
   documents_ = std::move(*documents);
+  backups_ = std::make_unique<Backups>(folder_->path());
   if (setup.demo.empty()) return {};
   return documents_->put_demo(setup.demo);
 }
@@ -94,6 +95,6 @@ void Application::log(const std::string& source, const std::string& text) {
 
 ChannelSources Application::channel_sources() { return {*hub_, *cores_, *cell_, *displays_, *flows_, *log_}; }
 
-Resources Application::resources() { return {*documents_, *cores_, *cell_, *log_}; }
+Resources Application::resources() { return {*documents_, *backups_, *cores_, *cell_, *log_}; }
 
 }  // namespace race::server
