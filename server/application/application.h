@@ -20,6 +20,8 @@
 #include "server/store/backup.h"
 #include "server/store/data_folder.h"
 #include "server/store/documents.h"
+#include "server/store/journal_writer.h"
+#include "server/store/runs.h"
 #include "server/stream/displays.h"
 #include "server/stream/flow_channels.h"
 #include "server/stream/hub.h"
@@ -47,10 +49,10 @@ class Application {
 
  private:
   Application() = default;
-  Checked<void> open_documents(const Setup& setup);
+  Checked<void> open_store(const Setup& setup);
   void create_stream(std::int64_t first_sequence);
   Checked<void> create_cell(const Setup& setup);
-  void create_cores();
+  Expected<void> create_cores();
   Checked<void> add_operator(const OperatorScript& script);
   void log(const std::string& source, const std::string& text);
   ChannelSources channel_sources();
@@ -67,6 +69,8 @@ class Application {
   std::unique_ptr<ServicePublisher> service_publisher_;
   std::unique_ptr<Documents> documents_;
   std::unique_ptr<Backups> backups_;
+  std::unique_ptr<Runs> runs_;
+  std::unique_ptr<JournalWriter> writer_;
   std::unique_ptr<Pool> pool_;  // of the cores
   std::unique_ptr<Cell> cell_;
   std::unique_ptr<FlowChannels> flows_;

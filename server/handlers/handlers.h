@@ -17,6 +17,7 @@ class CellWorld;
 class Core;
 class Cores;
 class Documents;
+class Runs;
 
 using Handled = Checked<Reply>;
 

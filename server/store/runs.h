@@ -40,6 +40,7 @@ struct RunRecord {
   Value results;                              // over: of the root; else null
   std::uint64_t steps = 0;                    // entries of the journal
   sqlite::Digest chain = {};                  // of the last entry, or of the header
+  sqlite::Digest header = {}, services = {};  // where their texts are stored (schema.h)
   std::int64_t created_ms = 0, ended_ms = 0;  // since 1970; 0: not yet
   bool imported = false;                      // it was executed by another server
   std::uint64_t bytes = 0;                    // of its entries and checkpoints
@@ -88,7 +89,7 @@ class Runs {
 
   /// Of a run that a crash or a failing disk has interrupted; `running` when a person has resumed it.
   Expected<void> set_status(RunId id, const std::string& status) EXCLUDES(mutex_);
-  /// The run, its journal and what no other run shares. `not_found`.
+  /// The run, its journal and what no other run shares; also of one that is damaged. `not_found`.
   Expected<void> remove(RunId id) EXCLUDES(mutex_);
 
  private:
