@@ -30,6 +30,7 @@ Checked<void> Application::open_store(const Setup& setup) {
   auto documents = Documents::open(folder_->store());
   if (!documents) return one(std::move(documents).error());
   documents_ = std::move(*documents);
+  backups_ = std::make_unique<Backups>(folder_->path());
   auto runs = Runs::open(folder_->store());
   if (!runs) return one(std::move(runs).error());
   runs_ = std::move(*runs);
@@ -103,6 +104,6 @@ void Application::log(const std::string& source, const std::string& text) {
 
 ChannelSources Application::channel_sources() { return {*hub_, *cores_, *cell_, *displays_, *flows_, *log_}; }
 
-Resources Application::resources() { return {*documents_, *runs_, *cores_, *cell_, *log_}; }
+Resources Application::resources() { return {*documents_, *backups_, *runs_, *cores_, *cell_, *log_}; }
 
 }  // namespace race::server

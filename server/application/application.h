@@ -17,6 +17,7 @@
 #include "server/handlers/routes.h"
 #include "server/http/listener.h"
 #include "server/log/event_log.h"
+#include "server/store/backup.h"
 #include "server/store/data_folder.h"
 #include "server/store/documents.h"
 #include "server/store/journal_writer.h"
@@ -67,6 +68,7 @@ class Application {
   std::unique_ptr<CorePublisher> core_publisher_;
   std::unique_ptr<ServicePublisher> service_publisher_;
   std::unique_ptr<Documents> documents_;
+  std::unique_ptr<Backups> backups_;
   std::unique_ptr<Runs> runs_;
   std::unique_ptr<JournalWriter> writer_;
   std::unique_ptr<Pool> pool_;  // of the cores
