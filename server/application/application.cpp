@@ -30,7 +30,7 @@ Checked<void> Application::open_store(const Setup& setup) {
   auto documents = Documents::open(folder_->store());
   if (!documents) return one(std::move(documents).error());
   documents_ = std::move(*documents);
-  backups_ = std::make_unique<Backups>(folder_->path());
+  backups_ = std::make_unique<Backups>(folder_->path(), [this] { return cores_->recover(); });
   auto runs = Runs::open(folder_->store());
   if (!runs) return one(std::move(runs).error());
   runs_ = std::move(*runs);

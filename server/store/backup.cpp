@@ -131,10 +131,9 @@ std::string name_of(std::int64_t now_ms) {
   const std::time_t seconds = now_ms / 1000;
   std::tm utc = {};
   ::gmtime_r(&seconds, &utc);
-  std::array<char, 32> day{}, name{};
+  std::array<char, 32> day{};
   std::strftime(day.data(), day.size(), "%Y%m%dT%H%M%S", &utc);
-  std::snprintf(name.data(), name.size(), "%s.%03dZ", day.data(), static_cast<int>(now_ms % 1000));
-  return name.data();
+  return day.data() + ("." + std::to_string(1000 + now_ms % 1000).substr(1)) + "Z";
 }
 
 /// The time that a name says; none: it is no name of a backup.
@@ -203,7 +202,7 @@ void remove_damaged(const fs::path& data) {
   }
 }
 
-Backups::Backups(fs::path data, std::function<void()> restored)
+Backups::Backups(fs::path data, std::function<Expected<void>()> restored)
     : data_(std::move(data)), folder_(data_ / "backups"), restored_(std::move(restored)) {
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(folder_, none))
@@ -244,7 +243,7 @@ Expected<Backup> Backups::restore(const std::string& name, const std::function<v
   const services::MutexLock lock(mutex_);
   ASSIGN_OR_RETURN(Backup backup, find(name));
   if (auto done = restore_files(folder_ / name, data_, begin); !done) return tl::unexpected(std::move(done).error());
-  restored_();
+  if (auto done = restored_(); !done) return tl::unexpected(std::move(done).error());
   return backup;
 } catch (const fs::filesystem_error& error) {
   return cannot("cannot restore", error);

@@ -33,9 +33,9 @@ class Backups {
   static constexpr std::size_t kMost = 20;
 
   /// Of the data folder `data`. What a crash has left of a backup is removed. `restored` is called when the files have
-  /// become others: who keeps something of them reads it again.
+  /// become others: who keeps something of them reads it again; its error is that of restore().
   explicit Backups(
-      std::filesystem::path data, std::function<void()> restored = [] {});
+      std::filesystem::path data, std::function<Expected<void>()> restored = [] { return Expected<void>(); });
 
   // Errors of all: `storage`, `io`, `corrupt`.
 
@@ -56,7 +56,7 @@ class Backups {
   std::vector<Backup> all() const REQUIRES(mutex_);
 
   const std::filesystem::path data_, folder_;
-  const std::function<void()> restored_;
+  const std::function<Expected<void>()> restored_;
   services::Mutex mutex_;
 };
 
@@ -67,8 +67,8 @@ Expected<void> copy_files(const std::filesystem::path& data, const std::filesyst
 Expected<void> restore_files(const std::filesystem::path& from, const std::filesystem::path& data,
                              const std::function<void()>& begin);
 
-/// Removes files of `data` that are damaged, so that those of a copy can take their place. Requires that nobody has them
-/// open.
+/// Removes files of `data` that are damaged, so that those of a copy can take their place. Requires that nobody has
+/// them open.
 void remove_damaged(const std::filesystem::path& data);
 
 /// schemas/backup.json
