@@ -97,6 +97,7 @@ describe("a run that its server has left", () => {
     expect(await phone.getByRole("toolbar", { name: "Run" }).locator("button.run-button:enabled span:visible").allInnerTexts()).toEqual(["Resume", "Micro step", "Macro step", "Stop"]);
     const width = phone.viewportSize()?.width ?? 0;
     expect(await phone.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
+    await settled(phone);
     await fixture.screenshot("interrupted-phone", phone);
     await context.close();
   });
