@@ -20,7 +20,7 @@ Handled create_core(const Request& request, Documents& documents, Cores& cores) 
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   const auto stored = documents.get(*name);
   if (!stored) return tl::unexpected(stored.error());
-  const auto core = cores.create(stored->name, stored->document, arguments ? arguments->as_dict() : Dict());
+  const auto core = cores.create(*stored, arguments ? arguments->as_dict() : Dict());
   if (!core) return tl::unexpected(core.error());
   Reply reply = ok((*core)->info());
   reply.status = 201;

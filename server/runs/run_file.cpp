@@ -9,6 +9,7 @@
 #include "core/execution/journal_walk.h"
 #include "core/execution/step_json.h"
 #include "core/rcm/document.h"
+#include "core/rcm/ids.h"
 #include "core/rsm/document.h"
 #include "core/value/fields.h"
 #include "core/value/json.h"
@@ -59,6 +60,7 @@ std::pair<RunRecord, std::string> read_record(const Value& json, Errors& errors)
   Fields fields(json, "run", "the run", errors, kByField);
   fields.text("id", kRequired);
   run.document = fields.text("document", kRequired).value_or("");
+  if (!rcm::is_id(run.document)) fields.violation(ErrorCode::name, "`document` must be the name of one", "document");
   run.revision = read_count(fields, "revision");
   const Value arguments = fields.constant("arguments", kRequired).value_or(Dict());
   if (arguments.is_dict()) run.arguments = arguments.as_dict();
