@@ -10,7 +10,7 @@ static_assert(RequestFilter::kRunFileBytes == kRunFileLimits.bytes);
 
 Handled import_run(const Request& request, Runs& runs, Samples& samples) {
   std::map<std::uint64_t, std::string> checkpoints;
-  auto file = read_run_file(request.body, &checkpoints);
+  auto file = read_run_file_text(request.body, &checkpoints);
   if (!file) return tl::unexpected(std::move(file).error());
   const Runs::NewRun run{file->record.document, file->record.revision, file->journal.header, file->services};
   const auto record = runs.import(file->record, run, file->journal.entries, checkpoints);

@@ -138,24 +138,31 @@ Expected<void> check_budgets(const semantics::Budgets& budgets) {
   return unexpected(ErrorCode::out_of_range, "the budgets are beyond those of this server", "journal/header/budgets");
 }
 
-/// What the run came to, as the journal says; else `corrupt`.
-Expected<void> check_outcome(const execution::Execution& execution, const RunRecord& run) {
-  const bool over = execution.is_over();
-  const std::string status(semantics::name(execution.run().status()));
-  if (run.is_over() != over || (over && run.status != status))
-    return corrupt("the journal says that the run is " + status, "run/status");
-  if (!over) return {};
-  if (run.status == "ended" && run.outcome != execution.run().outcome())
-    return corrupt("the journal says that the outcome is " + execution.run().outcome(), "run/outcome");
-  if (execution.run().fault() && run.fault != execution::fault_json(*execution.run().fault()))
+/// What the run came to is what the journal says, else `corrupt`. A file may have been written in the macro step that
+/// ended the run: then it is over.
+Expected<void> check_outcome(const execution::Execution& execution, RunRecord& run) {
+  const semantics::Run& ours = execution.run();
+  const std::string status(semantics::name(ours.status()));
+  if (!execution.is_over() && !run.is_over()) return {};
+  if (!run.is_over()) {
+    run.status = status;
+    run.outcome = ours.outcome();
+    run.fault = ours.fault() ? execution::fault_json(*ours.fault()) : Value();
+    run.results = execution::root_results(ours);
+    return {};
+  }
+  if (run.status != status) return corrupt("the journal says that the run is " + status, "run/status");
+  if (run.status == "ended" && run.outcome != ours.outcome())
+    return corrupt("the journal says that the outcome is " + ours.outcome(), "run/outcome");
+  if (ours.fault() && run.fault != execution::fault_json(*ours.fault()))
     return corrupt("the journal says that the run has another fault", "run/fault");
-  if (run.results != execution::root_results(execution.run()))
+  if (run.results != execution::root_results(ours))
     return corrupt("the journal says that the run has other results", "run/results");
   return {};
 }
 
 /// Does the run again; every so many macro steps, a checkpoint.
-Expected<void> check_replay(const RunFile& file, std::map<std::uint64_t, std::string>* checkpoints) {
+Expected<void> check_replay(RunFile& file, std::map<std::uint64_t, std::string>* checkpoints) {
   const std::uint64_t steps = file.journal.entries.size();
   const std::uint64_t interval = std::max(kCheckpointInterval, steps / kMostCheckpoints + 1);
   ASSIGN_OR_RETURN(execution::JournalWalk walk,
@@ -177,7 +184,7 @@ Expected<void> check_replay(const RunFile& file, std::map<std::uint64_t, std::st
 }
 
 /// The record against the journal.
-Expected<void> check(const RunFile& file, const std::string& chain, std::map<std::uint64_t, std::string>* checkpoints) {
+Expected<void> check(RunFile& file, const std::string& chain, std::map<std::uint64_t, std::string>* checkpoints) {
   const execution::Journal& journal = file.journal;
   if (file.record.steps != journal.entries.size())
     return corrupt("the journal has " + std::to_string(journal.entries.size()) + " entries", "run/steps");
@@ -208,7 +215,7 @@ Expected<std::string> write_run_file(const RunFile& file) {
 
 bool is_run_file(const Value& json) { return json.find("journal") != nullptr || json.find("run") != nullptr; }
 
-Checked<RunFile> read_run_file(std::string_view text, std::map<std::uint64_t, std::string>* checkpoints) {
+Checked<RunFile> read_run_file_text(std::string_view text, std::map<std::uint64_t, std::string>* checkpoints) {
   auto json = parse_json(text, kRunFileLimits);
   if (!json) return one(std::move(json).error());
   return read_run_file(*json, checkpoints);

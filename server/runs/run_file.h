@@ -43,10 +43,11 @@ Expected<std::string> write_run_file(const RunFile& file);
 /// those of Fields, execution::read_journal (below `journal`), the document, the RSMs; `corrupt`: the chain or what
 /// the run came to is another; `conflict`: an entry that the run does not take. `checkpoints`: some on the way, as
 /// Runs::import takes them.
-Checked<RunFile> read_run_file(std::string_view text, std::map<std::uint64_t, std::string>* checkpoints = nullptr);
+Checked<RunFile> read_run_file_text(std::string_view text, std::map<std::uint64_t, std::string>* checkpoints = nullptr);
 
-/// Whether a parsed text is to be read by read_run_file: not a journal alone.
+/// Whether a parsed text is the file of a run, not a journal alone.
 bool is_run_file(const Value& json);
+/// As read_run_file_text, of a text as parse_json gives it with kRunFileLimits.
 Checked<RunFile> read_run_file(const Value& json, std::map<std::uint64_t, std::string>* checkpoints = nullptr);
 
 }  // namespace race::server

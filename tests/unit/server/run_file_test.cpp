@@ -67,7 +67,7 @@ TEST(RunFiles, AreReadAsTheyWereWritten) {
   for (const auto& ticks : {std::vector<int>{}, {1, 2}, {60, 60}}) {
     RunFile file = file_of(counting(ticks));
     file.document = parse_json(R"({"rcm": 1, "root": {"state": "Root"}})").value();
-    const auto read = read_run_file(write_run_file(file).value());
+    const auto read = read_run_file_text(write_run_file(file).value());
     ASSERT_TRUE(read) << to_string(read.error().front());
     EXPECT_EQ(read->journal.entries, file.journal.entries);
     EXPECT_EQ(json_of(*read).find("journal")->find("header")->find("native")->size_units(),
@@ -90,7 +90,6 @@ TEST(RunFiles, HoldTheRecordAgainstTheJournal) {
            {"run/arguments", Dict{{"x", 1}}, Code::corrupt},
            {"run/chain", wrong, Code::corrupt},
            {"run/status", "aborted", Code::corrupt},
-           {"run/status", "running", Code::corrupt},
            {"run/outcome", "failed", Code::corrupt},
            {"run/results", Dict{{"n", 121}}, Code::corrupt},
            {"run/status", "asleep", Code::type},
@@ -112,6 +111,18 @@ TEST(RunFiles, HoldTheRecordAgainstTheJournal) {
     EXPECT_EQ(name(found), name(code)) << where;
     EXPECT_TRUE(where.starts_with(path)) << where;
   }
+}
+
+TEST(RunFiles, OfARunInItsLastMacroStepAreOfOneThatIsOver) {
+  RunFile file = file_of(counting({100}));
+  file.record.status = "running";
+  file.record.outcome.clear();
+  file.record.results = Value();
+  const auto read = read_run_file_text(write_run_file(file).value());
+  ASSERT_TRUE(read) << to_string(read.error().front());
+  EXPECT_EQ(read->record.status, "ended");
+  EXPECT_EQ(read->record.outcome, "done");
+  EXPECT_EQ(read->record.results, Value(Dict{{"n", 100}}));
 }
 
 TEST(RunFiles, HoldAChangedInputAgainstTheChain) {
@@ -142,13 +153,13 @@ TEST(RunFiles, HaveABound) {
   Value pose = Dict{{"time", 0.2}, {"joints", Dict()}, {"bodies", Dict()}, {"hands", std::string(15 << 20, 'x')}};
   file.samples = {{1, pose.freeze()}};
   const std::string text = write_run_file(file).value();
-  EXPECT_TRUE(read_run_file(text));
+  EXPECT_TRUE(read_run_file_text(text));
   const std::size_t room = kRunFileLimits.bytes - text.size();
   file.record.document = "task" + std::string(room, 'x');
   EXPECT_EQ(write_run_file(file)->size(), kRunFileLimits.bytes);
   file.record.document += 'x';
   EXPECT_EQ(write_run_file(file).error().code, ErrorCode::too_large);
-  EXPECT_EQ(read_run_file(text + std::string(room + 1, ' ')).error().front().code, ErrorCode::too_large);
+  EXPECT_EQ(read_run_file_text(text + std::string(room + 1, ' ')).error().front().code, ErrorCode::too_large);
   file = file_of(counting({1}));
   file.samples.resize(Samples::kMost + 1, file.samples[0]);
   EXPECT_EQ(refusal_of(json_of(file)), (std::pair(ErrorCode::too_large, std::string("samples"))));
