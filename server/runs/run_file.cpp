@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -90,7 +91,7 @@ std::map<std::string, rsm::Service> read_services(Fields& file, Errors& errors) 
     if (service)
       services.emplace(key.as_string(), std::move(*service));
     else
-      append(errors, std::move(service).error(), "");
+      std::ranges::move(service.error(), std::back_inserter(errors));
   }
   return services;
 }
