@@ -1,6 +1,7 @@
 #include "server/application/application.h"
 
 #include "server/cell/screen_services.h"
+#include "server/wire/calendar.h"
 #include "server/wire/channel_names.h"
 
 namespace race::server {
@@ -29,6 +30,7 @@ Checked<void> Application::open_store(const Setup& setup) {
   auto documents = Documents::open(folder_->store());
   if (!documents) return one(std::move(documents).error());
   documents_ = std::move(*documents);
+  backups_ = std::make_unique<Backups>(folder_->path());
   auto runs = Runs::open(folder_->store());
   if (!runs) return one(std::move(runs).error());
   runs_ = std::move(*runs);
@@ -39,7 +41,7 @@ Checked<void> Application::open_store(const Setup& setup) {
   if (!writer) return one(std::move(writer).error());
   writer_ = std::move(*writer);
   if (setup.demo.empty()) return {};
-  return documents_->put_demo(setup.demo);
+  return documents_->put_demo(setup.demo, now_ms());
 }
 
 void Application::create_stream(std::int64_t first_sequence) {
@@ -114,6 +116,6 @@ void Application::log(const std::string& source, const std::string& text) {
 
 ChannelSources Application::channel_sources() { return {*hub_, *cores_, *cell_, *displays_, *flows_, *log_}; }
 
-Resources Application::resources() { return {*documents_, *runs_, *samples_, *cores_, *cell_, *log_}; }
+Resources Application::resources() { return {*documents_, *backups_, *runs_, *samples_, *cores_, *cell_, *log_}; }
 
 }  // namespace race::server

@@ -18,6 +18,7 @@
 #include "server/http/listener.h"
 #include "server/log/event_log.h"
 #include "server/runs/run_keeper.h"
+#include "server/store/backup.h"
 #include "server/store/data_folder.h"
 #include "server/store/documents.h"
 #include "server/store/journal_writer.h"
@@ -69,6 +70,7 @@ class Application {
   std::unique_ptr<CorePublisher> core_publisher_;
   std::unique_ptr<ServicePublisher> service_publisher_;
   std::unique_ptr<Documents> documents_;
+  std::unique_ptr<Backups> backups_;
   std::unique_ptr<Runs> runs_;
   std::unique_ptr<Samples> samples_;
   std::unique_ptr<JournalWriter> writer_;

@@ -1,5 +1,4 @@
 // GET /api/v1/runs/{run}/export: all of a run in one file, which any server opens.
-#include "core/rcm/document.h"
 #include "core/rsm/document.h"
 #include "server/handlers/runs.h"
 #include "server/runs/run_file.h"
@@ -9,12 +8,12 @@ namespace race::server {
 
 namespace {
 
-// The model as it is edited, if it still is as it was executed.
+// The model as it was edited; none: the store has lost that revision, or the run is of another server.
 std::optional<Value> document_of(const RunRecord& run, Documents& documents) {
-  if (run.imported) return {};  // of another server
-  const auto stored = documents.get(run.document);
-  if (!stored || stored->revision != run.revision) return {};
-  return rcm::write_document(stored->document);
+  if (run.imported) return {};
+  auto entry = documents.entry(run.document, run.revision);
+  if (!entry || !entry->errors.empty()) return {};
+  return std::move(entry->document);
 }
 
 Expected<std::string> write(const Request& request, Runs& runs, Samples& samples, Documents& documents) {

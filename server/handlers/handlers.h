@@ -11,6 +11,7 @@
 
 namespace race::server {
 
+class Backups;
 class Cell;
 class CellWorld;
 class Core;
@@ -26,7 +27,15 @@ Handled get_rules(const Request& request);
 Handled list_documents(const Request& request, Documents& documents);
 Handled get_document(const Request& request, Documents& documents);
 Handled put_document(const Request& request, Documents& documents);
+Handled get_revisions(const Request& request, Documents& documents);
+Handled get_revision(const Request& request, Documents& documents);
+Handled restore_document(const Request& request, Documents& documents);
+Handled branch_document(const Request& request, Documents& documents);
 Handled get_document_native(const Request& request, Documents& documents);
+Handled list_backups(const Request& request, Backups& backups);
+Handled create_backup(const Request& request, Backups& backups);
+Handled delete_backup(const Request& request, Backups& backups);
+Handled restore_backup(const Request& request, Backups& backups, Cores& cores);
 Handled list_services(const Request& request, Cell& cell);
 Handled list_cores(const Request& request, Cores& cores);
 Handled create_core(const Request& request, Documents& documents, Cores& cores);

@@ -13,6 +13,7 @@
 #include "server/store/run_row.h"
 #include "server/store/schema.h"
 #include "services/sqlite/file.h"
+#include "services/sqlite/write_transaction.h"
 
 namespace race::server {
 namespace {
@@ -31,10 +32,6 @@ tl::unexpected<Error> corrupt(const std::string& what, std::string path) {
 
 tl::unexpected<Error> failure(const SQLite::Exception& exception, const char* what) {
   return tl::unexpected(sqlite::error_of(exception, what));
-}
-
-SQLite::Transaction writing(SQLite::Database& file) {
-  return SQLite::Transaction(file, SQLite::TransactionBehavior::IMMEDIATE);
 }
 
 // ---- Texts that runs share: headers without arguments, RSMs.
@@ -235,7 +232,7 @@ Expected<std::unique_ptr<Runs>> Runs::open_to_read(const std::string& path) try 
 
 Expected<RunRecord> Runs::create(const NewRun& run, std::int64_t now_ms) try {
   const services::MutexLock lock(mutex_);
-  SQLite::Transaction transaction = writing(*file_);
+  sqlite::WriteTransaction transaction(*file_);
   RunRecord record;
   record.created_ms = now_ms;
   describe(*file_, run, record);
@@ -248,7 +245,7 @@ Expected<RunRecord> Runs::create(const NewRun& run, std::int64_t now_ms) try {
 
 Expected<RunRecord> Runs::replace(RunId id, const NewRun& run) try {
   const services::MutexLock lock(mutex_);
-  SQLite::Transaction transaction = writing(*file_);
+  sqlite::WriteTransaction transaction(*file_);
   ASSIGN_OR_RETURN(RunRecord record, row(*file_, id));
   describe(*file_, run, record);
   update_row(*file_, record);
@@ -262,7 +259,7 @@ Expected<RunRecord> Runs::replace(RunId id, const NewRun& run) try {
 Expected<RunRecord> Runs::import(RunRecord record, const NewRun& run, const std::vector<JournalEntry>& entries,
                                  const std::map<std::uint64_t, std::string>& checkpoints) try {
   const services::MutexLock lock(mutex_);
-  SQLite::Transaction transaction = writing(*file_);
+  sqlite::WriteTransaction transaction(*file_);
   describe(*file_, run, record);
   record.imported = true;
   record.steps = 0;
@@ -398,7 +395,7 @@ std::shared_ptr<execution::JournalSource> Runs::source(RunId id, std::shared_ptr
 
 Expected<void> Runs::set_status(RunId id, const std::string& status) try {
   const services::MutexLock lock(mutex_);
-  SQLite::Transaction transaction = writing(*file_);
+  sqlite::WriteTransaction transaction(*file_);
   ASSIGN_OR_RETURN(RunRecord record, row(*file_, id));
   record.status = status;
   update_row(*file_, record);
@@ -423,7 +420,7 @@ Expected<std::vector<std::pair<RunId, std::uint64_t>>> Runs::sizes() try {
 
 Expected<void> Runs::remove(RunId id) try {
   const services::MutexLock lock(mutex_);
-  SQLite::Transaction transaction = writing(*file_);
+  sqlite::WriteTransaction transaction(*file_);
   const auto record = row(*file_, id);
   if (!record && record.error().code != ErrorCode::corrupt) return tl::unexpected(record.error());
   for (const char* rows :

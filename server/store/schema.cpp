@@ -4,14 +4,10 @@
 
 #include <array>
 
+#include "server/store/document_migrations.h"
+
 namespace race::server {
 namespace {
-
-// 1: documents, each the text of its last revision, with ids.
-void give_documents(SQLite::Database& file) {
-  file.exec(
-      "CREATE TABLE IF NOT EXISTS document (name TEXT PRIMARY KEY, revision INTEGER NOT NULL, text TEXT NOT NULL)");
-}
 
 // 2: every run, with its header, its journal and its checkpoints.
 //
@@ -38,7 +34,7 @@ void add_runs(SQLite::Database& file) {
       " digest BLOB NOT NULL, PRIMARY KEY (run, number)) WITHOUT ROWID;");
 }
 
-constexpr std::array<sqlite::Migration, 2> kMigrations = {give_documents, add_runs};
+constexpr std::array<sqlite::Migration, 3> kMigrations = {give_document_ids, add_runs, add_revisions};
 
 }  // namespace
 

@@ -85,27 +85,27 @@ TEST(RunFiles, HoldTheRecordAgainstTheJournal) {
   using Code = ErrorCode;
   const Value json = json_of(file_of(counting({60, 60})));
   const std::string wrong(64, 'a');
-  for (const auto& [path, value, code] : std::vector<std::tuple<std::string, Value, Code>>{
-           {"run/steps", 2, Code::corrupt},
-           {"run/arguments", Dict{{"x", 1}}, Code::corrupt},
-           {"run/chain", wrong, Code::corrupt},
-           {"run/status", "aborted", Code::corrupt},
-           {"run/outcome", "failed", Code::corrupt},
-           {"run/results", Dict{{"n", 121}}, Code::corrupt},
-           {"run/status", "asleep", Code::type},
-           {"run/steps", -1, Code::out_of_range},
-           {"run/created", 1.5, Code::out_of_range},
-           {"run/chain", Value::unknown(), Code::missing},
-           {"run/color", 1, Code::unknown_field},
-           {"version", 2, Code::version},
-           {"journal", Value::unknown(), Code::missing},
-           {"journal/entries/1/position", 3, Code::out_of_range},
-           {"journal/header/semantics", "0", Code::version},
-           {"services/t", 1, Code::type},
-           {"samples/0/pose/time", Value::unknown(), Code::missing},
-           {"samples/0/pose/joints", 1, Code::type},
-           {"samples/0/step", -1, Code::out_of_range},
-           {"document", Dict{{"rcm", 1}}, Code::missing}}) {
+  for (const auto& [path, value, code] :
+       std::vector<std::tuple<std::string, Value, Code>>{{"run/steps", 2, Code::corrupt},
+                                                         {"run/arguments", Dict{{"x", 1}}, Code::corrupt},
+                                                         {"run/chain", wrong, Code::corrupt},
+                                                         {"run/status", "aborted", Code::corrupt},
+                                                         {"run/outcome", "failed", Code::corrupt},
+                                                         {"run/results", Dict{{"n", 121}}, Code::corrupt},
+                                                         {"run/status", "asleep", Code::type},
+                                                         {"run/steps", -1, Code::out_of_range},
+                                                         {"run/created", 1.5, Code::out_of_range},
+                                                         {"run/chain", Value::unknown(), Code::missing},
+                                                         {"run/color", 1, Code::unknown_field},
+                                                         {"version", 2, Code::version},
+                                                         {"journal", Value::unknown(), Code::missing},
+                                                         {"journal/entries/1/position", 3, Code::out_of_range},
+                                                         {"journal/header/semantics", "0", Code::version},
+                                                         {"services/t", 1, Code::type},
+                                                         {"samples/0/pose/time", Value::unknown(), Code::missing},
+                                                         {"samples/0/pose/joints", 1, Code::type},
+                                                         {"samples/0/step", -1, Code::out_of_range},
+                                                         {"document", Dict{{"rcm", 1}}, Code::missing}}) {
     SCOPED_TRACE(path + " = " + (value.is_unknown() ? "" : to_json(value)));
     const auto [found, where] = refusal_of(changed(json, path, value));
     EXPECT_EQ(name(found), name(code)) << where;

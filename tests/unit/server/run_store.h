@@ -23,7 +23,8 @@ inline execution::Journal counting(const std::vector<int>& ticks) {
   static const rcm::Document document = rcm::read_document_text(R"({"rcm": 1, "services": {"t": "timer"},
     "root": {"state": "Root", "results": [{"name": "n", "initial": 0}],
              "actions": [{"when": "svc.t.tick", "do": "res.n = res.n + svc.t.tick"}],
-             "ports": [{"name": "done", "when": "res.n >= 100"}]}})").value();
+             "ports": [{"name": "done", "when": "res.n >= 100"}]}})")
+                                            .value();
   execution::Journal journal = execution::journal_of(document, {{"t", timer_service()}});
   journal.entries.emplace_back(execution::StartEntry{});
   for (const int tick : ticks) journal.entries.emplace_back(execution::EventEntry{"t", "tick", tick});
@@ -46,7 +47,8 @@ class StoredRuns : public testing::Test {
     return runs.import(record, run_of(journal), journal.entries).value();
   }
 
-  const std::filesystem::path folder_ = std::filesystem::temp_directory_path() / ("race_run_" + std::to_string(::getpid()));
+  const std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("race_run_" + std::to_string(::getpid()));
 };
 
 }  // namespace race::server

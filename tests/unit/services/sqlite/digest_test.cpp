@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
+#include "tests/unit/services/sqlite/folder.h"
+
 namespace race::sqlite {
 namespace {
 
@@ -23,6 +27,14 @@ TEST(Sha256, OfFieldsTellsWhereOneEnds) {
   EXPECT_NE(sha256_of({"ab", "c"}), sha256_of({"a", "bc"}));
   EXPECT_NE(sha256_of({"a"}), sha256_of({"a", ""}));
   EXPECT_NE(sha256_of({}), sha256_of({""}));
+}
+
+TEST(Sha256, OfAFileIsThatOfItsContent) {
+  const Folder folder("digest");
+  const std::string text(200'000, 'a');
+  std::ofstream(folder.file("text")) << text;
+  EXPECT_EQ(sha256_of_file(folder.file("text")).value(), sha256(text));
+  EXPECT_EQ(sha256_of_file(folder.file("other")).error().code, ErrorCode::io);
 }
 
 TEST(Sha256, IsABlobOf32Bytes) {
