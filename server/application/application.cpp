@@ -16,7 +16,7 @@ Checked<std::unique_ptr<Application>> Application::create(const Setup& setup) {
   if (auto opened = app->open_store(setup); !opened) return tl::unexpected(std::move(opened).error());
   app->create_stream(setup.first_sequence);
   if (auto created = app->create_cell(setup); !created) return tl::unexpected(std::move(created).error());
-  if (auto created = app->create_cores(); !created) return one(std::move(created).error());
+  if (auto created = app->create_cores(setup); !created) return one(std::move(created).error());
   if (setup.script)
     if (auto added = app->add_operator(*setup.script); !added) return tl::unexpected(std::move(added).error());
   app->cell_->start_real_time();
@@ -34,6 +34,9 @@ Checked<void> Application::open_store(const Setup& setup) {
   auto runs = Runs::open(folder_->store());
   if (!runs) return one(std::move(runs).error());
   runs_ = std::move(*runs);
+  auto samples = Samples::open(folder_->store());
+  if (!samples) return one(std::move(samples).error());
+  samples_ = std::move(*samples);
   auto writer = JournalWriter::open(folder_->store());
   if (!writer) return one(std::move(writer).error());
   writer_ = std::move(*writer);
@@ -62,16 +65,25 @@ Checked<void> Application::create_cell(const Setup& setup) {
   cell_ = std::move(*cell);
   flows_ = std::make_unique<FlowChannels>(cell_->host(), *hub_, *stream_pool_);
   if (CellWorld* world = cell_->world())
-    world->on_pose([this](Value pose) { hub_->publish_delta(std::string(kCellPoseChannel), std::move(pose)); });
+    world->on_pose([this](Value pose) {
+      keeper_->record(pose);
+      hub_->publish_delta(std::string(kCellPoseChannel), std::move(pose));
+    });
   return {};
 }
 
-Expected<void> Application::create_cores() {
+Expected<void> Application::create_cores(const Setup& setup) {
   pool_ = std::make_unique<Pool>(2);
   cores_ = std::make_unique<Cores>(*pool_, cell_->host(), *core_publisher_, *runs_, *writer_);
+  keeper_ = std::make_unique<RunKeeper>(*runs_, *samples_, setup.retention,
+                                        [this](const std::string& text) { log("store", text); });
+  keeper_->connect(*cores_, cell_->world());
+  core_publisher_->on_change([this](const std::string& id, const Value& core) { keeper_->core_changed(id, core); });
   core_publisher_->connect(cell_->clock(), *cores_);
   service_publisher_->connect(*cores_);
-  return cores_->recover();
+  auto recovered = cores_->recover();
+  keeper_->apply_limits();
+  return recovered;
 }
 
 Checked<void> Application::add_operator(const OperatorScript& script) {
@@ -104,6 +116,6 @@ void Application::log(const std::string& source, const std::string& text) {
 
 ChannelSources Application::channel_sources() { return {*hub_, *cores_, *cell_, *displays_, *flows_, *log_}; }
 
-Resources Application::resources() { return {*documents_, *backups_, *runs_, *cores_, *cell_, *log_}; }
+Resources Application::resources() { return {*documents_, *backups_, *runs_, *samples_, *cores_, *cell_, *log_}; }
 
 }  // namespace race::server

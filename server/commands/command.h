@@ -25,7 +25,7 @@ struct Command {
 };
 
 extern const Command kBackup, kRestore;
-extern const Command kServe, kService, kRun, kDerive, kReplay, kCheck, kTranslate, kFmt;
+extern const Command kServe, kService, kRun, kRuns, kReplay, kDerive, kCheck, kTranslate, kFmt;
 
 /// Prints errors as `path: code: message` to stderr, with `json` also as {"errors": [...]} to stdout. Returns
 /// kExitBadInput.

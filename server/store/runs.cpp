@@ -4,6 +4,7 @@
 #include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
 
+#include <filesystem>
 #include <utility>
 
 #include "core/rsm/document.h"
@@ -219,6 +220,16 @@ Expected<std::unique_ptr<Runs>> Runs::open(const std::string& path) try {
   return failure(exception, "cannot open the runs");
 }
 
+Expected<std::unique_ptr<Runs>> Runs::open_to_read(const std::string& path) try {
+  if (!std::filesystem::exists(path)) return unexpected(ErrorCode::not_found, "there is no store", path);
+  auto file = sqlite::open_to_read(path);
+  if (file->execAndGet("PRAGMA user_version").getInt() != static_cast<int>(store_migrations().size()))
+    return unexpected(ErrorCode::version, "another version of the program wrote this file", path);
+  return std::unique_ptr<Runs>(new Runs(std::move(file)));
+} catch (const SQLite::Exception& exception) {
+  return failure(exception, "cannot open the runs");
+}
+
 Expected<RunRecord> Runs::create(const NewRun& run, std::int64_t now_ms) try {
   const services::MutexLock lock(mutex_);
   sqlite::WriteTransaction transaction(*file_);
@@ -245,7 +256,8 @@ Expected<RunRecord> Runs::replace(RunId id, const NewRun& run) try {
   return failure(exception, "cannot store the run");
 }
 
-Expected<RunRecord> Runs::import(RunRecord record, const NewRun& run, const std::vector<JournalEntry>& entries) try {
+Expected<RunRecord> Runs::import(RunRecord record, const NewRun& run, const std::vector<JournalEntry>& entries,
+                                 const std::map<std::uint64_t, std::string>& checkpoints) try {
   const services::MutexLock lock(mutex_);
   sqlite::WriteTransaction transaction(*file_);
   describe(*file_, run, record);
@@ -258,6 +270,10 @@ Expected<RunRecord> Runs::import(RunRecord record, const NewRun& run, const std:
     record.chain = chain_after(record.chain, input);
     record.bytes += input.size();
     write_entry(*file_, record.id, ++record.steps, input, record.chain);
+  }
+  for (const auto& [position, text] : checkpoints) {
+    record.bytes += text.size();
+    write_checkpoint(*file_, record.id, position, text);
   }
   update_row(*file_, record);
   transaction.commit();
@@ -362,6 +378,17 @@ Expected<Value> Runs::checkpoint(RunId id, std::uint64_t position) try {
   return failure(exception, "cannot read runs");
 }
 
+Expected<std::vector<std::uint64_t>> Runs::checkpoints(RunId id) try {
+  const services::MutexLock lock(mutex_);
+  SQLite::Statement select(*file_, "SELECT position FROM checkpoint WHERE run = ? ORDER BY position");
+  select.bind(1, number(id));
+  std::vector<std::uint64_t> positions;
+  while (select.executeStep()) positions.push_back(static_cast<std::uint64_t>(select.getColumn(0).getInt64()));
+  return positions;
+} catch (const SQLite::Exception& exception) {
+  return failure(exception, "cannot read runs");
+}
+
 std::shared_ptr<execution::JournalSource> Runs::source(RunId id, std::shared_ptr<const semantics::Program> program) {
   return std::make_shared<StoredJournal>(*this, id, std::move(program));
 }
@@ -378,13 +405,27 @@ Expected<void> Runs::set_status(RunId id, const std::string& status) try {
   return failure(exception, "cannot store the run");
 }
 
+Expected<std::vector<std::pair<RunId, std::uint64_t>>> Runs::sizes() try {
+  const services::MutexLock lock(mutex_);
+  SQLite::Statement select(*file_,
+                           "SELECT id, run.bytes + coalesce(sampling.bytes, 0) FROM run LEFT JOIN sampling ON run = id"
+                           " WHERE status IN ('ended', 'faulted', 'aborted') OR imported ORDER BY id DESC");
+  std::vector<std::pair<RunId, std::uint64_t>> found;
+  while (select.executeStep())
+    found.emplace_back(select.getColumn(0).getInt64(), static_cast<std::uint64_t>(select.getColumn(1).getInt64()));
+  return found;
+} catch (const SQLite::Exception& exception) {
+  return failure(exception, "cannot read runs");
+}
+
 Expected<void> Runs::remove(RunId id) try {
   const services::MutexLock lock(mutex_);
   sqlite::WriteTransaction transaction(*file_);
   const auto record = row(*file_, id);
   if (!record && record.error().code != ErrorCode::corrupt) return tl::unexpected(record.error());
   for (const char* rows :
-       {"DELETE FROM entry WHERE run = ?", "DELETE FROM checkpoint WHERE run = ?", "DELETE FROM run WHERE id = ?"})
+       {"DELETE FROM entry WHERE run = ?", "DELETE FROM checkpoint WHERE run = ?", "DELETE FROM sample WHERE run = ?",
+        "DELETE FROM sampling WHERE run = ?", "DELETE FROM run WHERE id = ?"})
     remove_rows(*file_, rows, id);
   remove_unused_texts(*file_);
   transaction.commit();

@@ -14,6 +14,8 @@ namespace {
 // run.status: ready, running, interrupted, ended, faulted or aborted; steps: entries of the journal; chain: that of the
 // last entry; times: milliseconds since 1970. header.text: schemas/journal.json, `header`, without `arguments`.
 // entry.chain: sha256_of(chain before it, input); that before the first is of the whole header.
+// sample: where everything in the cell was (schemas/cell_pose.json), each time `sampling.every` poses had come; seen:
+// poses that had come; bytes: of those that are kept (samples.h).
 void add_runs(SQLite::Database& file) {
   file.exec(
       "CREATE TABLE header (digest BLOB PRIMARY KEY, text TEXT NOT NULL) WITHOUT ROWID;"
@@ -25,7 +27,11 @@ void add_runs(SQLite::Database& file) {
       "CREATE TABLE entry (run INTEGER NOT NULL, position INTEGER NOT NULL, input TEXT NOT NULL, chain BLOB NOT NULL,"
       " PRIMARY KEY (run, position)) WITHOUT ROWID;"
       "CREATE TABLE checkpoint (run INTEGER NOT NULL, position INTEGER NOT NULL, text TEXT NOT NULL,"
-      " digest BLOB NOT NULL, PRIMARY KEY (run, position)) WITHOUT ROWID;");
+      " digest BLOB NOT NULL, PRIMARY KEY (run, position)) WITHOUT ROWID;"
+      "CREATE TABLE sampling (run INTEGER PRIMARY KEY, seen INTEGER NOT NULL, every INTEGER NOT NULL,"
+      " bytes INTEGER NOT NULL);"
+      "CREATE TABLE sample (run INTEGER NOT NULL, number INTEGER NOT NULL, step INTEGER NOT NULL, pose TEXT NOT NULL,"
+      " digest BLOB NOT NULL, PRIMARY KEY (run, number)) WITHOUT ROWID;");
 }
 
 constexpr std::array<sqlite::Migration, 3> kMigrations = {give_document_ids, add_runs, add_revisions};
