@@ -32,7 +32,14 @@ void add_runs(SQLite::Database& file) {
       " digest BLOB NOT NULL, PRIMARY KEY (run, position)) WITHOUT ROWID;");
 }
 
-constexpr std::array<sqlite::Migration, 2> kMigrations = {give_documents, add_runs};
+// The last: what is started when the server begins. position: from 0; arguments: a JSON object.
+void add_boot(SQLite::Database& file) {
+  file.exec(
+      "CREATE TABLE boot (position INTEGER PRIMARY KEY, document TEXT NOT NULL UNIQUE, arguments TEXT NOT NULL,"
+      " digest BLOB NOT NULL)");
+}
+
+constexpr std::array<sqlite::Migration, 3> kMigrations = {give_documents, add_runs, add_boot};
 
 }  // namespace
 
