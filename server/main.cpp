@@ -9,6 +9,7 @@ int main(int argc, char** argv) {
   const std::array commands = {
 #ifndef RACE_CORE_ONLY
       &race::server::kServe,     &race::server::kService, &race::server::kRun,
+      &race::server::kCore,      &race::server::kBoot,
 #endif
       &race::server::kDerive,    &race::server::kReplay,  &race::server::kCheck,
       &race::server::kTranslate, &race::server::kFmt,

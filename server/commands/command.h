@@ -24,7 +24,7 @@ struct Command {
   std::function<int()> (*declare)(Arguments& arguments);
 };
 
-extern const Command kServe, kService, kRun, kDerive, kReplay, kCheck, kTranslate, kFmt;
+extern const Command kServe, kService, kRun, kCore, kBoot, kDerive, kReplay, kCheck, kTranslate, kFmt;
 
 /// Prints errors as `path: code: message` to stderr, with `json` also as {"errors": [...]} to stdout. Returns
 /// kExitBadInput.
