@@ -15,8 +15,9 @@ namespace race::execution {
 Value checkpoint_json(const Execution& execution);
 
 /// The execution that checkpoint_json was given, for the same header. `json` is a text as parse_json gives it with
-/// kJournalLimits. Errors, at the place in the checkpoint: `type`, `missing`, `unknown_field`, `unknown_name`,
-/// `out_of_range`: it is not of this model or was changed; nothing of it is used.
+/// kJournalLimits. Error, the first, at its place in the checkpoint (`run/states/Root/A/activations`): `version`; it is
+/// not of this model or was changed: `type`, `missing`, `unknown_field`, `unknown_name`, `out_of_range`, `constant`,
+/// `duplicate`, `conflict`. Nothing of it is used then.
 Expected<Execution> read_checkpoint(const JournalHeader& header, const Value& json);
 
 }  // namespace race::execution

@@ -44,6 +44,8 @@ class Execution {
  public:
   static constexpr std::uint32_t kNoLimit = ~0U;
 
+  /// Of a run between macro steps.
+  explicit Execution(semantics::Run run) : run_(std::move(run)) {}
   /// An execution of `program` that has not begun. Error: as Run::create.
   static Expected<Execution> create(std::shared_ptr<const semantics::Program> program, const Dict& arguments,
                                     semantics::Budgets budgets = {});
@@ -102,7 +104,6 @@ class Execution {
   bool is_over() const { return run_.status() != semantics::Status::running; }
 
  private:
-  explicit Execution(semantics::Run run) : run_(std::move(run)) {}
   const Progress& begin(std::optional<semantics::Input>&& input, Recording recording, std::uint32_t limit);
   template <semantics::Recorder R>
   void do_micro_steps(R& recorder, std::uint32_t limit);

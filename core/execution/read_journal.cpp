@@ -27,17 +27,8 @@ void wrong_type(Fields& fields, std::string_view key, std::string_view expected,
 /// A whole number from 1 to `most`; nothing (a violation) if it is absent or another.
 std::optional<std::uint64_t> read_count(Fields& fields, std::string_view key,
                                         std::int64_t most = std::numeric_limits<std::int64_t>::max()) {
-  const Value* number = fields.find(key, kRequired);
-  if (!number) return std::nullopt;
-  if (!number->is_integer()) {
-    wrong_type(fields, key, "an integer", *number);
-  } else if (number->as_integer() < 1 || number->as_integer() > most) {
-    fields.violation(ErrorCode::out_of_range,
-                     "`" + std::string(key) + "` must be an integer from 1 to " + std::to_string(most), key);
-  } else {
-    return static_cast<std::uint64_t>(number->as_integer());
-  }
-  return std::nullopt;
+  const auto number = fields.integer(key, 1, most, kRequired);
+  return number ? std::optional(static_cast<std::uint64_t>(*number)) : std::nullopt;
 }
 
 /// Any JSON, frozen; nothing (a violation) if it is absent or beyond the limits of a text.

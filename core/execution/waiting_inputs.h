@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -30,6 +31,8 @@ class WaitingInputs {
   /// Whether an occurrence of `event` waits.
   bool contains(semantics::EventId event) const;
   std::size_t size() const { return inputs_.size() - taken_; }
+  /// In order of arrival; some may not count any more.
+  std::span<const semantics::Input> inputs() const { return std::span(inputs_).subspan(taken_); }
   void clear();
 
  private:

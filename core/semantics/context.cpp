@@ -1,5 +1,7 @@
 #include "core/semantics/context.h"
 
+#include "core/semantics/work_set.h"
+
 namespace race::semantics {
 
 RunState::RunState(const Program& program)
@@ -34,7 +36,57 @@ void reset_descendant(RunState& run, const Program& program, StateId s, ValueLog
   reset_values(run, program, s, log);
 }
 
+void append_active_child(RunState& run, StateId s, StateId parent) {
+  Live& above = run.live[index(parent)];
+  run.live[index(s)].previous = above.last_active;
+  (above.last_active == kNoState ? above.first_active : run.live[index(above.last_active)].next) = s;
+  above.last_active = s;
+}
+
+void list_port(RunState& run, const Program& program, PortId p) {
+  const PortInfo& info = program[p];
+  if (run.arrived[index(p)]) ++run.arrivals[info.to.number];
+  const StateId parent = program[info.state].parent;
+  if (!run.flags[program.flag(p)] || parent == kNoState) return;
+  Live& above = run.live[index(parent)];
+  (info.to ? above.active_ports : above.unconnected_ports).push_back(p);
+}
+
+void list_barrier(RunState& run, const Program& program, BarrierId b) {
+  Live& above = run.live[index(program[b].parent)];
+  if (run.flags[program.flag(b)]) above.active_barriers.push_back(b);
+  if (run.arrivals[index(b)] > 0) above.partial_barriers.push_back(b);
+}
+
+// Whether `s` has anything that reset_values has to reset. Requires the same of its children.
+bool is_touched(const RunState& run, const Program& program, StateId s) {
+  const StateInfo& info = program[s];
+  if (run.flags[program.flag(s)] || !run.live[index(s)].touched_children.empty()) return true;
+  const std::size_t count = info.parameters.size() + info.results.size() + info.variables.size();
+  for (std::size_t at = info.first_parameter; at < info.first_parameter + count; ++at)
+    if (!run.values[at].identical(program.initial[at])) return true;
+  return false;
+}
+
 }  // namespace
+
+void fill_lists(RunState& run, const Program& program) {
+  for (std::uint32_t number = 0; number < program.states.size(); ++number) {
+    const StateId s{number}, parent = program[s].parent;
+    if (!run.flags[program.flag(s)]) continue;
+    ++run.active_states;
+    if (parent != kNoState) append_active_child(run, s, parent);
+    mark_dirty(run, s);
+  }
+  for (std::uint32_t number = 0; number < program.ports.size(); ++number) list_port(run, program, PortId{number});
+  for (std::uint32_t number = 0; number < program.barriers.size(); ++number)
+    list_barrier(run, program, BarrierId{number});
+  for (auto number = static_cast<std::uint32_t>(program.states.size()); number-- > 1;) {
+    const StateId s{number};
+    run.live[number].touched = is_touched(run, program, s);
+    if (run.live[number].touched) run.live[index(program[s].parent)].touched_children.push_back(s);
+  }
+}
 
 void reset_values(RunState& run, const Program& program, StateId s, ValueLog& log) {
   const StateInfo& info = program[s];

@@ -113,4 +113,9 @@ struct RunState {
 using ValueLog = std::vector<std::pair<ValueIndex, Value>>;
 void reset_values(RunState& run, const Program& program, StateId s, ValueLog& log);
 
+/// Fills in what follows from Φ, the values and the arrivals that stand in `run`: its lists and counts. Every active
+/// state is in the work set, to be evaluated anew: with unchanged data that has no effect. Requires that the run is
+/// between macro steps, that lists and counts are those of a new run, and that what is active has an active parent.
+void fill_lists(RunState& run, const Program& program);
+
 }  // namespace race::semantics

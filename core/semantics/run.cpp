@@ -103,7 +103,7 @@ template bool Run::micro_step(NoRecorder&, const Order&);
 template bool Run::micro_step(NameRecorder&, const Order&);
 template bool Run::micro_step(TreeRecorder&, const Order&);
 
-// The calls leave the run (R16); a root that is left ends it.
+// The calls leave the run (R16); a root that is left ends it, with the port by which it was left.
 void Run::complete_micro_step() {
   Body& b = *body_;
   for (OutgoingCall& call : b.work.outgoing) {
@@ -111,7 +111,11 @@ void Run::complete_micro_step() {
       b.state.services_called.push_back(call.service);
     b.outgoing.push_back(std::move(call));
   }
-  if (b.state.flags[b.program->flag(Program::root)]) return;
+  if (!is_active(Program::root)) end();
+}
+
+void Run::end() {
+  Body& b = *body_;
   b.status = Status::ended;
   for (const PortId p : (*b.program)[Program::root].ports)
     if (b.state.flags[b.program->flag(p)]) b.outcome = (*b.program)[p].name;

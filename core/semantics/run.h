@@ -120,6 +120,16 @@ class Run {
   Value state_json() const;
   bool is_active(StateId s) const;
 
+  /// The run between macro steps: the `run` of schemas/checkpoint.json, by names alone. It has what differs from a new
+  /// run, so it is as large as what has been active. What it shares with the run is not frozen. Requires that no macro
+  /// step is open and no output waits.
+  Value checkpoint_json() const;
+  /// The run whose checkpoint_json() is `json`, with the same program, arguments and budgets. Errors, at paths that
+  /// begin with `path`: those of Fields and create(); `unknown_name`; `out_of_range`; `duplicate`; `conflict`: parts
+  /// that contradict each other, such as an active state whose parent is not active.
+  static Checked<Run> read_checkpoint(std::shared_ptr<const Program> program, const Dict& arguments, Budgets budgets,
+                                      const Value& json, const std::string& path);
+
   /// The condition of a port, evaluated as it stands: its atoms and which of them would have to change for it to fire.
   /// `held_back`: its condition is fulfilled, but R9 lets it fire only in the next macro step.
   struct Why {
@@ -136,6 +146,7 @@ class Run {
   template <Recorder R>
   bool micro_step(R& recorder, const Order& order);
   void complete_micro_step();
+  void end();
   void fail(RunFault fault);
   void fail_by_divergence();
   std::unique_ptr<Body> body_;

@@ -1,4 +1,4 @@
-// What a Run is made of: for run.cpp and run_inputs.cpp.
+// What a Run is made of: for run.cpp, run_inputs.cpp and its checkpoints.
 #pragma once
 
 #include <memory>

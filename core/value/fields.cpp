@@ -118,6 +118,20 @@ std::optional<bool> Fields::boolean(std::string_view key) {
   return std::nullopt;
 }
 
+std::optional<std::int64_t> Fields::integer(std::string_view key, std::int64_t least, std::int64_t most, Need need) {
+  const Value* found = find(key, need);
+  if (!found) return std::nullopt;
+  if (!found->is_integer()) {
+    wrong_type(key, "an integer", *found);
+  } else if (found->as_integer() < least || found->as_integer() > most) {
+    violation(ErrorCode::out_of_range,
+              quoted(key) + " must be an integer from " + std::to_string(least) + " to " + std::to_string(most), key);
+  } else {
+    return found->as_integer();
+  }
+  return std::nullopt;
+}
+
 std::optional<double> Fields::number(std::string_view key) {
   const auto found = constant(key);
   if (!found) return std::nullopt;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -49,6 +50,9 @@ class Fields {
   /// A string; nothing if it is absent or of another type.
   std::optional<std::string> text(std::string_view key, Need need = Need::optional);
   std::optional<bool> boolean(std::string_view key);
+  /// A whole number from `least` to `most`; nothing (a violation, `out_of_range` if it is another one) otherwise.
+  std::optional<std::int64_t> integer(std::string_view key, std::int64_t least, std::int64_t most,
+                                      Need need = Need::optional);
   /// An int or a double, as a double.
   std::optional<double> number(std::string_view key);
   /// The items of a list; empty if it is absent or of another type.

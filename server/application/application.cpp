@@ -2,6 +2,7 @@
 
 #include "server/application/boot.h"
 #include "server/cell/screen_services.h"
+#include "server/wire/calendar.h"
 #include "server/wire/channel_names.h"
 
 namespace race::server {
@@ -41,7 +42,7 @@ Checked<void> Application::open_store(const Setup& setup) {
   if (!boot_list) return one(std::move(boot_list).error());
   boot_list_ = std::move(*boot_list);
   if (setup.demo.empty()) return {};
-  return documents_->put_demo(setup.demo);
+  return documents_->put_demo(setup.demo, now_ms());
 }
 
 void Application::create_stream(std::int64_t first_sequence) {

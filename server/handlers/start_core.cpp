@@ -1,4 +1,5 @@
 // POST /api/v1/cores/{id}/start: a core begins, with other arguments than those of its creation if the body has some.
+#include "core/rcm/document.h"
 #include "core/value/json.h"
 #include "server/execution/cores.h"
 #include "server/handlers/handlers.h"
@@ -26,10 +27,11 @@ Checked<StoredDocument> document_of(const Core& core, Documents& documents) {
   const Value info = core.info();
   const std::string& name = info.find("document")->as_string();
   const std::int64_t revision = info.find("revision")->as_integer();
-  auto stored = documents.get(name);
-  if (stored && stored->revision != revision)
-    return failed({ErrorCode::conflict, "the document has another revision now; load it", name});
-  return stored;
+  const auto entry = documents.entry(name, revision);
+  if (!entry) return tl::unexpected(entry.error());
+  auto document = rcm::read_document(entry->document);
+  if (!document) return tl::unexpected(std::move(document).error());
+  return StoredDocument{name, revision, std::move(*document)};
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Exception.h>
 #include <SQLiteCpp/Statement.h>
-#include <SQLiteCpp/Transaction.h>
 
 #include <algorithm>
 #include <bit>
@@ -14,6 +13,7 @@
 #include "server/store/journal_chain.h"
 #include "server/store/run_row.h"
 #include "services/sqlite/file.h"
+#include "services/sqlite/write_transaction.h"
 
 namespace race::server {
 
@@ -125,7 +125,7 @@ void JournalWriter::write(const std::deque<Item>& items) {
 // One transaction, one flush.
 void JournalWriter::commit(const std::deque<Item>& items) {
   SQLite::Database& file = *file_;
-  SQLite::Transaction transaction(file, SQLite::TransactionBehavior::IMMEDIATE);
+  sqlite::WriteTransaction transaction(file);
   std::map<RunJournal*, const RunRecord*> written;
   std::uint64_t entries = 0;
   for (const Item& item : items) {

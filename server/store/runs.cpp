@@ -12,6 +12,7 @@
 #include "server/store/run_row.h"
 #include "server/store/schema.h"
 #include "services/sqlite/file.h"
+#include "services/sqlite/write_transaction.h"
 
 namespace race::server {
 namespace {
@@ -30,10 +31,6 @@ tl::unexpected<Error> corrupt(const std::string& what, std::string path) {
 
 tl::unexpected<Error> failure(const SQLite::Exception& exception, const char* what) {
   return tl::unexpected(sqlite::error_of(exception, what));
-}
-
-SQLite::Transaction writing(SQLite::Database& file) {
-  return SQLite::Transaction(file, SQLite::TransactionBehavior::IMMEDIATE);
 }
 
 // ---- Texts that runs share: headers without arguments, RSMs.
@@ -224,7 +221,7 @@ Expected<std::unique_ptr<Runs>> Runs::open(const std::string& path) try {
 
 Expected<RunRecord> Runs::create(const NewRun& run, std::int64_t now_ms) try {
   const services::MutexLock lock(mutex_);
-  SQLite::Transaction transaction = writing(*file_);
+  sqlite::WriteTransaction transaction(*file_);
   RunRecord record;
   record.created_ms = now_ms;
   describe(*file_, run, record);
@@ -237,7 +234,7 @@ Expected<RunRecord> Runs::create(const NewRun& run, std::int64_t now_ms) try {
 
 Expected<RunRecord> Runs::replace(RunId id, const NewRun& run) try {
   const services::MutexLock lock(mutex_);
-  SQLite::Transaction transaction = writing(*file_);
+  sqlite::WriteTransaction transaction(*file_);
   ASSIGN_OR_RETURN(RunRecord record, row(*file_, id));
   describe(*file_, run, record);
   update_row(*file_, record);
@@ -250,7 +247,7 @@ Expected<RunRecord> Runs::replace(RunId id, const NewRun& run) try {
 
 Expected<RunRecord> Runs::import(RunRecord record, const NewRun& run, const std::vector<JournalEntry>& entries) try {
   const services::MutexLock lock(mutex_);
-  SQLite::Transaction transaction = writing(*file_);
+  sqlite::WriteTransaction transaction(*file_);
   describe(*file_, run, record);
   record.imported = true;
   record.steps = 0;
@@ -371,7 +368,7 @@ std::shared_ptr<execution::JournalSource> Runs::source(RunId id, std::shared_ptr
 
 Expected<void> Runs::set_status(RunId id, const std::string& status) try {
   const services::MutexLock lock(mutex_);
-  SQLite::Transaction transaction = writing(*file_);
+  sqlite::WriteTransaction transaction(*file_);
   ASSIGN_OR_RETURN(RunRecord record, row(*file_, id));
   record.status = status;
   update_row(*file_, record);
@@ -383,7 +380,7 @@ Expected<void> Runs::set_status(RunId id, const std::string& status) try {
 
 Expected<void> Runs::remove(RunId id) try {
   const services::MutexLock lock(mutex_);
-  SQLite::Transaction transaction = writing(*file_);
+  sqlite::WriteTransaction transaction(*file_);
   const auto record = row(*file_, id);
   if (!record && record.error().code != ErrorCode::corrupt) return tl::unexpected(record.error());
   for (const char* rows :

@@ -4,14 +4,10 @@
 
 #include <array>
 
+#include "server/store/document_migrations.h"
+
 namespace race::server {
 namespace {
-
-// 1: documents, each the text of its last revision, with ids.
-void give_documents(SQLite::Database& file) {
-  file.exec(
-      "CREATE TABLE IF NOT EXISTS document (name TEXT PRIMARY KEY, revision INTEGER NOT NULL, text TEXT NOT NULL)");
-}
 
 // 2: every run, with its header, its journal and its checkpoints.
 //
@@ -32,14 +28,14 @@ void add_runs(SQLite::Database& file) {
       " digest BLOB NOT NULL, PRIMARY KEY (run, position)) WITHOUT ROWID;");
 }
 
-// The last: what is started when the server begins. position: from 0; arguments: a JSON object.
+// 4: what is started when the server begins. position: from 0; arguments: a JSON object.
 void add_boot(SQLite::Database& file) {
   file.exec(
       "CREATE TABLE boot (position INTEGER PRIMARY KEY, document TEXT NOT NULL UNIQUE, arguments TEXT NOT NULL,"
       " digest BLOB NOT NULL)");
 }
 
-constexpr std::array<sqlite::Migration, 3> kMigrations = {give_documents, add_runs, add_boot};
+constexpr std::array<sqlite::Migration, 4> kMigrations = {give_document_ids, add_runs, add_revisions, add_boot};
 
 }  // namespace
 

@@ -2,8 +2,9 @@
 
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Exception.h>
-#include <SQLiteCpp/Transaction.h>
 #include <sqlite3.h>
+
+#include "services/sqlite/write_transaction.h"
 
 namespace race::sqlite {
 namespace {
@@ -51,7 +52,7 @@ Expected<void> migrate(SQLite::Database& file, std::span<const Migration> migrat
   if (version_of(file) > last)
     return unexpected(ErrorCode::version, "a newer version of the program wrote this file", file.getFilename());
   for (int version = version_of(file); version < last; ++version) {
-    SQLite::Transaction transaction(file, SQLite::TransactionBehavior::IMMEDIATE);
+    sqlite::WriteTransaction transaction(file);
     if (version_of(file) > version) continue;  // another process did it
     migrations[static_cast<std::size_t>(version)](file);
     file.exec("PRAGMA user_version = " + std::to_string(version + 1));

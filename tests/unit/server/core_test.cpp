@@ -121,6 +121,10 @@ struct CoreTest : testing::Test, CoreWatcher {
     other.join();
     return paused.get_future().get().value();
   }
+  void wait_for_the_end_of_the_macro_step() {
+    while (core->state()->find("core")->find("micro")->as_integer() > 0) {
+    }
+  }
   void expect_that_all_have_the_state() {
     const Value state = core->state().value();
     ASSERT_FALSE(views.empty());
@@ -152,6 +156,7 @@ TEST_F(CoreTest, AWatcherWhoComesBetweenMicroStepsCostsNobodyAChange) {
   ASSERT_TRUE(core->step({execution::Goal::Kind::macro}));
   ASSERT_TRUE(core->pause());
   ASSERT_TRUE(core->step({execution::Goal::Kind::macro}));
+  wait_for_the_end_of_the_macro_step();
   EXPECT_EQ(micro, (std::vector<std::int64_t>{0, 7, 8}));
   expect_that_all_have_the_state();
 }
@@ -161,8 +166,7 @@ TEST_F(CoreTest, AWatcherWhoComesBetweenTheTurnsOfAMacroStepCostsNobodyAChange) 
   // Its first turn has been posted when a core is said to run: this comes between that and the next.
   on_status = [this] { core->watch_state(); };
   ASSERT_TRUE(core->start());
-  while (core->state()->find("core")->find("micro")->as_integer() > 0) {
-  }
+  wait_for_the_end_of_the_macro_step();
   ASSERT_EQ(micro.size(), 2U);
   EXPECT_GT(micro[1], 0) << "not within the macro step";
   expect_that_all_have_the_state();
@@ -201,8 +205,7 @@ TEST_F(CoreTest, AStepThatWaitsForAnInputIsPausedAndCanBeReplaced) {
   };
   expect(core->step({execution::Goal::Kind::micro}), true, false);
   expect(core->resume(), false, false);
-  while (core->state()->find("core")->find("micro")->as_integer() > 0) {
-  }
+  wait_for_the_end_of_the_macro_step();
   expect(core->pause(), true, false);
   expect(core->step({execution::Goal::Kind::macro}), true, true);
   expect(core->step({execution::Goal::Kind::left, {}, "R"}), true, true);

@@ -64,6 +64,19 @@ TEST_F(FieldsOf, WithoutAnElementThePathIsThatOfTheField) {
                                                       "unknown_field more", "missing steps/0/path"}));
 }
 
+TEST_F(FieldsOf, AnIntegerIsWholeAndInItsRange) {
+  Fields fields =
+      open(R"({"least": -2, "most": 9, "below": -3, "above": 10, "float": 1.0, "huge": 99999999999999999999})");
+  EXPECT_EQ(fields.integer("least", -2, 9), -2);
+  EXPECT_EQ(fields.integer("most", -2, 9), 9);
+  EXPECT_EQ(fields.integer("absent", -2, 9), std::nullopt);
+  EXPECT_TRUE(errors_.empty());
+  for (const char* key : {"below", "above", "float", "huge"}) EXPECT_EQ(fields.integer(key, -2, 9), std::nullopt);
+  EXPECT_EQ(fields.integer("absent", -2, 9, Need::required), std::nullopt);
+  EXPECT_EQ(codes(errors_), (std::vector<std::string>{"out_of_range Root/A", "out_of_range Root/A", "type Root/A",
+                                                      "type Root/A", "missing Root/A"}));
+}
+
 TEST_F(FieldsOf, WhatIsNoObjectIsOneViolation) {
   Fields fields = open("[1]");
   EXPECT_FALSE(fields.is_object());
