@@ -2,13 +2,13 @@
 
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Statement.h>
-#include <SQLiteCpp/Transaction.h>
 
 #include <set>
 
 #include "core/value/json.h"
 #include "services/sqlite/digest.h"
 #include "services/sqlite/file.h"
+#include "services/sqlite/write_transaction.h"
 
 namespace race::server {
 namespace {
@@ -67,7 +67,7 @@ Expected<std::vector<BootEntry>> BootList::get() try {
 Expected<void> BootList::set(const std::vector<BootEntry>& entries) try {
   if (auto fine = check(entries); !fine) return fine;
   const services::MutexLock lock(mutex_);
-  SQLite::Transaction transaction(*file_, SQLite::TransactionBehavior::IMMEDIATE);
+  sqlite::WriteTransaction transaction(*file_);
   file_->exec("DELETE FROM boot");
   SQLite::Statement insert(*file_, "INSERT INTO boot VALUES (?, ?, ?, ?)");
   for (std::size_t i = 0; i < entries.size(); ++i) {

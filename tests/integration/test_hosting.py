@@ -214,7 +214,7 @@ class Boot(unittest.TestCase):
         """Stores the documents and the list, with a server that ends then."""
         with Server(data=self.data) as server:
             for document in documents:
-                server.put(f"/documents/{document['name']}", document, "document_entry")
+                server.put(f"/documents/{document['name']}?draft=true", document, "document_entry")
             self.assertEqual(server.put("/boot", {"entries": entries}, "boot")["entries"], entries)
             self.assertEqual(server.get("/cores", "cores")["cores"], [], "nothing is started before the server begins again")
 
@@ -232,14 +232,17 @@ class Boot(unittest.TestCase):
 
     def test_what_cannot_be_started_is_logged_and_the_others_are_started(self):
         entries = [{"document": "argument", "arguments": {"colour": 1}}, {"document": "service", "arguments": {}},
-                   {"document": "fine", "arguments": {}}]
-        self.prepare(entries, models.ticking("argument"), models.ticking("service") | {"services": {"timer": "clock"}},
+                   {"document": "draft", "arguments": {}}, {"document": "fine", "arguments": {}}]
+        draft = models.ticking("draft")
+        draft["root"]["first"] = "Nobody"
+        self.prepare(entries, draft, models.ticking("argument"), models.ticking("service") | {"services": {"timer": "clock"}},
                      models.ticking("fine"))
         with Server(data=self.data) as server:
             self.assertEqual(set(self.cores(server)), {"fine"})
             text = "\n".join(self.log(server))
             self.assertIn("boot: argument is not started: arguments/colour: unknown_name: ", text)
             self.assertIn("boot: service is not started: services/timer: type: ", text)
+            self.assertIn("boot: draft is not started: Root: first: ", text)
             self.assertIn("boot: fine is started as core ", text)
 
     def test_a_run_that_was_killed_waits_for_a_person_and_is_not_started_anew(self):
