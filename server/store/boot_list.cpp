@@ -23,6 +23,7 @@ Expected<BootEntry> read(std::size_t position, SQLite::Statement& row) {
   const auto damaged = [&] {
     return unexpected(ErrorCode::corrupt, "the boot list is damaged", "entries/" + std::to_string(position));
   };
+  if (row.getColumn(3).getInt64() != static_cast<std::int64_t>(position)) return damaged();
   if (digest != sqlite::bytes(digest_of(position, document, arguments))) return damaged();
   const auto value = parse_json(arguments);
   if (!value || !value->is_dict()) return damaged();
@@ -53,7 +54,7 @@ Expected<void> BootList::check(const std::vector<BootEntry>& entries) {
 
 Expected<std::vector<BootEntry>> BootList::get() try {
   const services::MutexLock lock(mutex_);
-  SQLite::Statement select(*file_, "SELECT document, arguments, digest FROM boot ORDER BY position");
+  SQLite::Statement select(*file_, "SELECT document, arguments, digest, position FROM boot ORDER BY position");
   std::vector<BootEntry> entries;
   while (select.executeStep()) {
     ASSIGN_OR_RETURN(BootEntry entry, read(entries.size(), select));
