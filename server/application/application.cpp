@@ -1,5 +1,6 @@
 #include "server/application/application.h"
 
+#include "server/application/boot.h"
 #include "server/cell/screen_services.h"
 #include "server/wire/calendar.h"
 #include "server/wire/channel_names.h"
@@ -20,6 +21,7 @@ Checked<std::unique_ptr<Application>> Application::create(const Setup& setup) {
   if (setup.script)
     if (auto added = app->add_operator(*setup.script); !added) return tl::unexpected(std::move(added).error());
   app->cell_->start_real_time();
+  boot({*app->boot_list_, *app->documents_, *app->runs_, *app->cores_, *app->log_, app->cell_->clock()});
   return app;
 }
 
@@ -40,6 +42,9 @@ Checked<void> Application::open_store(const Setup& setup) {
   auto writer = JournalWriter::open(folder_->store());
   if (!writer) return one(std::move(writer).error());
   writer_ = std::move(*writer);
+  auto boot_list = BootList::open(folder_->store());
+  if (!boot_list) return one(std::move(boot_list).error());
+  boot_list_ = std::move(*boot_list);
   if (setup.demo.empty()) return {};
   return documents_->put_demo(setup.demo, now_ms());
 }
@@ -116,6 +121,8 @@ void Application::log(const std::string& source, const std::string& text) {
 
 ChannelSources Application::channel_sources() { return {*hub_, *cores_, *cell_, *displays_, *flows_, *log_}; }
 
-Resources Application::resources() { return {*documents_, *backups_, *runs_, *samples_, *cores_, *cell_, *log_}; }
+Resources Application::resources() {
+  return {*documents_, *boot_list_, *backups_, *runs_, *samples_, *cores_, *cell_, *log_};
+}
 
 }  // namespace race::server

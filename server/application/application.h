@@ -19,6 +19,7 @@
 #include "server/log/event_log.h"
 #include "server/runs/run_keeper.h"
 #include "server/store/backup.h"
+#include "server/store/boot_list.h"
 #include "server/store/data_folder.h"
 #include "server/store/documents.h"
 #include "server/store/journal_writer.h"
@@ -74,6 +75,7 @@ class Application {
   std::unique_ptr<Runs> runs_;
   std::unique_ptr<Samples> samples_;
   std::unique_ptr<JournalWriter> writer_;
+  std::unique_ptr<BootList> boot_list_;
   std::unique_ptr<Pool> pool_;  // of the cores
   std::unique_ptr<Cell> cell_;
   std::unique_ptr<FlowChannels> flows_;

@@ -24,7 +24,7 @@ struct Command {
   std::function<int()> (*declare)(Arguments& arguments);
 };
 
-extern const Command kBackup, kRestore;
+extern const Command kBackup, kRestore, kCore, kBoot;
 extern const Command kServe, kService, kRun, kRuns, kReplay, kDerive, kCheck, kTranslate, kFmt;
 
 /// Prints errors as `path: code: message` to stderr, with `json` also as {"errors": [...]} to stdout. Returns

@@ -5,13 +5,16 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "core/value/expected.h"
+#include "core/value/fields.h"
 #include "server/http/message.h"
 
 namespace race::server {
 
 class Backups;
+class BootList;
 class Cell;
 class CellWorld;
 class Core;
@@ -41,7 +44,8 @@ Handled list_cores(const Request& request, Cores& cores);
 Handled create_core(const Request& request, Documents& documents, Cores& cores);
 Handled get_core(const Request& request, Cores& cores);
 Handled delete_core(const Request& request, Cores& cores);
-Handled start_core(const Request& request, Cores& cores);
+Handled load_core(const Request& request, Documents& documents, Cores& cores);
+Handled start_core(const Request& request, Documents& documents, Cores& cores);
 Handled pause_core(const Request& request, Cores& cores);
 Handled resume_core(const Request& request, Cores& cores);
 Handled stop_core(const Request& request, Cores& cores);
@@ -68,6 +72,8 @@ Handled get_cell(const Request& request, Cell& cell);
 Handled get_person(const Request& request, Cell& cell);
 Handled execute_person_command(const Request& request, Cell& cell);
 Handled get_cell_file(const Request& request, Cell& cell);
+Handled get_boot(const Request& request, BootList& boot);
+Handled put_boot(const Request& request, Documents& documents, BootList& boot);
 
 // For the handlers.
 
@@ -75,6 +81,8 @@ Handled get_cell_file(const Request& request, Cell& cell);
 Reply ok(Value body);
 /// A list of errors with one.
 tl::unexpected<std::vector<Error>> failed(Error error);
+/// The field `arguments`: an object. Nothing if it is absent or, which is a violation, something else.
+std::optional<Dict> read_arguments(Fields& fields);
 /// The core of the route's `id`, or `not_found`.
 Checked<std::shared_ptr<Core>> core_of(const Request& request, const Cores& cores);
 /// The world of the cell, or `not_found`.

@@ -34,7 +34,14 @@ void add_runs(SQLite::Database& file) {
       " digest BLOB NOT NULL, PRIMARY KEY (run, number)) WITHOUT ROWID;");
 }
 
-constexpr std::array<sqlite::Migration, 3> kMigrations = {give_document_ids, add_runs, add_revisions};
+// 4: what is started when the server begins. position: from 0; arguments: a JSON object.
+void add_boot(SQLite::Database& file) {
+  file.exec(
+      "CREATE TABLE boot (position INTEGER PRIMARY KEY, document TEXT NOT NULL UNIQUE, arguments TEXT NOT NULL,"
+      " digest BLOB NOT NULL)");
+}
+
+constexpr std::array<sqlite::Migration, 4> kMigrations = {give_document_ids, add_runs, add_revisions, add_boot};
 
 }  // namespace
 
