@@ -38,6 +38,13 @@ class Folder:
         """What the run has stored in the database: numbers of keys."""
         return [int(key[1:]) for key, in self.copied("database.sqlite", "record", "SELECT key FROM record")]
 
+    def keys_now(self):
+        """As keys(), but as the running server sees it: what a failed commit has left in the log does not count."""
+        connection = sqlite3.connect((self.data / "database.sqlite").as_uri() + "?mode=ro", uri=True)
+        found = connection.execute("SELECT key FROM record").fetchall()
+        connection.close()
+        return [int(key[1:]) for key, in found]
+
 
 class Reference:
     """The same scenario, not disturbed: its journal and derivations."""

@@ -74,16 +74,16 @@ def values(connection):
 
 def read(data):
     """(answers, log) of a server on this folder; (None, what it said): it refuses to begin."""
-    server = TracedServer(data)
-    if not server.port:
-        status, said = server.ended()
-        assert status == 2 and said.strip(), (status, said)
-        return None, said
-    with Connection(server.port) as connection, Stream(server.port) as stream:
-        found = answers(connection)
-        stream.subscribe("log")
-        log = str(stream.message())
-    assert server.stop()[0] == 0
+    with TracedServer(data) as server:
+        if not server.port:
+            status, said = server.ended()
+            assert status == 2 and said.strip(), (status, said)
+            return None, said
+        with Connection(server.port) as connection, Stream(server.port) as stream:
+            found = answers(connection)
+            stream.subscribe("log")
+            log = str(stream.message())
+        assert server.stop()[0] == 0
     return found, log
 
 

@@ -34,32 +34,32 @@ class Check:
         scenario = self.kill()
         before, keys = self.folder.journal(), self.folder.keys()
         self.check_files(scenario, before, keys)
-        server = TracedServer(self.data)
-        assert server.port, f"the server does not start again: {server.ended()}"
-        with Connection(server.port) as connection:
-            self.check_edits(connection, scenario)
-            run = self.check_core(connection, scenario, before)
-            assert sorted(self.folder.keys()) == sorted(keys), "something was stored before the run was resumed"
-            if run == "interrupted":
-                self.check_resumed(connection, len(before), keys)
-        assert server.stop() == (0, "")
+        with TracedServer(self.data) as server:
+            assert server.port, f"the server does not start again: {server.ended()}"
+            with Connection(server.port) as connection:
+                self.check_edits(connection, scenario)
+                run = self.check_core(connection, scenario, before)
+                assert sorted(self.folder.keys()) == sorted(keys), "something was stored before the run was resumed"
+                if run == "interrupted":
+                    self.check_resumed(connection, len(before), keys)
+            assert server.stop() == (0, "")
         after = self.folder.journal()  # and its files are sound
         if after and self.point.number % REPLAYED == 0:
             self.check_replay(after)
-        shutil.rmtree(self.data)
         return not scenario.complete
 
     def kill(self):
         phase = PHASES[self.point.phase]
-        server = TracedServer(self.data, f"signal=SIGKILL:when={self.point.number}", (self.point.call,), phase.files)
         scenario = Scenario()
-        if server.port:
-            try:
-                with Connection(server.port) as connection:
-                    scenario.run(connection, phase.edits_first)
-            except OSError:  # it has died
-                pass
-        status, said = server.kill() if scenario.complete else server.ended()
+        fault = f"signal=SIGKILL:when={self.point.number}"
+        with TracedServer(self.data, fault, (self.point.call,), phase.files) as server:
+            if server.port:
+                try:
+                    with Connection(server.port) as connection:
+                        scenario.run(connection, phase.edits_first)
+                except OSError:  # it has died
+                    pass
+            status, said = server.kill() if scenario.complete else server.ended()
         assert (status, said) == (-9, ""), (status, said)
         return scenario
 
@@ -119,10 +119,13 @@ class Check:
 
 def checked(point, reference):
     """Whether the server died at the point; the error, if there is one."""
+    check = Check(point, reference)
     try:
-        return Check(point, reference).run(), None
+        return check.run(), None
     except Exception as error:  # whatever it is, the point belongs to it
         return True, f"RACE_POINT={':'.join(map(str, point))}: {type(error).__name__}: {str(error)[:2000]}"
+    finally:
+        shutil.rmtree(check.data)
 
 
 class Crash(unittest.TestCase):

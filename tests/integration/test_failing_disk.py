@@ -76,23 +76,21 @@ class Check:
     def run(self):
         """Error: AssertionError, whatever does not hold."""
         fault = f"error={self.error}:when={self.point.number}{'+' if self.forever else ''}"
-        server = TracedServer(self.data, fault, (self.point.call,), self.phase.files)
-        if server.port:
-            with Connection(server.port) as connection:
-                scenario = Persistent(self.point.call == "pread64")
-                scenario.run(connection, self.phase.edits_first)
-                self.check_halted(scenario)
-                if self.forever:
-                    server.end_faults()
-                self.check_end(scenario)
-            status, said = server.stop()
-            assert status == 0, (status, said)
-            self.check_again(scenario)
-        else:
-            status, said = server.ended()
-            assert status == 2 and self.data in said, (status, said)
-            self.check_again(Persistent())
-        shutil.rmtree(self.data)
+        scenario = Persistent(self.point.call == "pread64")
+        with TracedServer(self.data, fault, (self.point.call,), self.phase.files) as server:
+            if server.port:
+                with Connection(server.port) as connection:
+                    scenario.run(connection, self.phase.edits_first)
+                    self.check_halted(scenario)
+                    if self.forever:
+                        server.end_faults()
+                    self.check_end(scenario)
+                status, said = server.stop()
+                assert status == 0, (status, said)
+            else:
+                status, said = server.ended()
+                assert status == 2 and self.data in said, (status, said)
+        self.check_again(scenario)
 
     def check_halted(self, scenario):
         """A run whose journal failed has halted, and does not go on while the disk fails."""
@@ -115,7 +113,7 @@ class Check:
         core = scenario.connection.get(f"/cores/{scenario.core}")
         assert (core["outcome"], core["step"]) == ("done", STEPS), core
         answers = core["results"]["answers"]
-        keys = set(self.folder.keys())
+        keys = set(self.folder.keys_now())
         for n, answer in enumerate(answers):
             assert answer in ("stored", "unavailable", "storage"), answer
             assert (n in keys) == (answer == "stored") or answer == "unavailable", (n, answer)
@@ -124,23 +122,24 @@ class Check:
     def check_again(self, scenario):
         """Another server finds all that was acknowledged, and nothing that was refused."""
         journal = self.folder.journal()
-        server = TracedServer(self.data)
-        assert server.port, server.ended()
-        with Connection(server.port) as connection:
+        with TracedServer(self.data) as server, Connection(server.port) as connection:
             for revision, stored in scenario.edits.items():
                 assert connection.get(f"/documents/{EDITED}/revisions/{revision}") == stored, revision
             if scenario.edits:
                 assert connection.get(f"/documents/{EDITED}")["revision"] == len(scenario.edits)
-        assert server.stop() == (0, "")
+            assert server.stop() == (0, "")
         assert self.folder.journal() == journal and len(journal) == (STEPS if scenario.core else 0)
 
 
 def checked(point, error, forever):
     """The error, if there is one."""
+    check = Check(point, error, forever)
     try:
-        Check(point, error, forever).run()
+        check.run()
     except Exception as wrong:  # whatever it is, the point belongs to it
         return f"RACE_POINT={':'.join(map(str, point))} {error} {forever}: {type(wrong).__name__}: {str(wrong)[:2000]}"
+    finally:
+        shutil.rmtree(check.data)
     return None
 
 

@@ -49,6 +49,14 @@ class TracedServer:
         match = re.search(r":(\d+)$", self.process.stdout.readline().strip())
         self.port = int(match.group(1)) if match else None  # None: it ended before it listened
 
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        """Leaves no process behind, whatever failed."""
+        if self.process.returncode is None:
+            self.kill()
+
     def trace(self, inject, calls, files, record):
         # -D: strace is the grandchild; -I2: SIGTERM ends it. No --seccomp-bpf: with it, strace 6.1 injects no signal, and
         # when strace has ended, every traced call fails.
