@@ -1,6 +1,7 @@
 #include "server/execution/core.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "server/execution/core_internal.h"
 
@@ -25,14 +26,6 @@ Expected<std::vector<Goal>> find_goals(const semantics::Program& program,
     goals.push_back(*goal);
   }
   return goals;
-}
-
-Value breakpoints_json(const std::vector<execution::GoalName>& breakpoints) {
-  List list;
-  for (const execution::GoalName& each : breakpoints)
-    list.push_back(Dict{{"when", execution::name(each.kind)}, {each.id ? "id" : "path", each.id.value_or(each.path)}});
-  Value json(std::move(list));
-  return std::move(json.freeze());
 }
 
 }  // namespace
@@ -88,12 +81,21 @@ Expected<Value> Core::start() {
   });
 }
 
-Expected<Value> Core::retire() {
-  return on_strand<Value>([this]() -> Expected<Value> {
+Expected<Core::Preparation> Core::retire() {
+  return on_strand<Preparation>([this]() -> Expected<Preparation> {
     if (started_) return conflict("core " + id_ + " was started before");
     closed_ = true;
-    return info_json();
+    return Preparation{paused_, breakpoint_names_};
   });
+}
+
+void Core::replace(const Core& other, Preparation preparation) {
+  std::erase_if(preparation.breakpoints,
+                [this](const execution::GoalName& name) { return !find_goal(program(), name).has_value(); });
+  std::ignore = set_breakpoints(std::move(preparation.breakpoints));
+  if (preparation.paused) std::ignore = pause();
+  if (other.state_watched_) watch_state();
+  if (other.derivation_watched_) watch_derivation(true);
 }
 
 Expected<Value> Core::pause() {
@@ -151,7 +153,7 @@ Expected<Value> Core::set_breakpoints(std::vector<execution::GoalName> names) {
     ASSIGN_OR_RETURN(const std::vector<Goal> goals, find_goals(program(), names));
     execution_.set_breakpoints(goals);
     breakpoints_ = goals;
-    breakpoints_json_ = breakpoints_json(names);
+    breakpoint_names_ = names;
     publish_info();
     return info_json();
   });

@@ -85,8 +85,13 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   Expected<Value> resume();
   /// Ends the run between macro steps.
   Expected<Value> stop();
+  /// What a person has said about a run that has not begun.
+  struct Preparation {
+    bool paused = false;
+    std::vector<execution::GoalName> breakpoints;
+  };
   /// No command begins this run any more: another model is loaded in its place. `conflict`: it has begun.
-  Expected<Value> retire();
+  Expected<Preparation> retire();
   /// It was not: the run may begin.
   void reinstate() { closed_ = false; }
   /// A paused core goes as far as `goal`. One that waits for an input to get there counts as paused, and may be told
@@ -117,8 +122,9 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   // Watching. A snapshot is published first; from then on, what changes.
   void watch_state();
   void watch_derivation(bool on);
-  /// As `other` is watched, in whose place this core comes.
-  void watch_as(const Core& other);
+  /// This core comes in the place of `other`, a retired one: it is watched as that was, and prepared so; breakpoints
+  /// that the new model does not have are dropped. Waits.
+  void replace(const Core& other, Preparation preparation);
 
  private:
   Core(RunRecord run, execution::JournalHeader header, execution::Execution execution, const CoreResources& resources);
@@ -188,7 +194,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   HeldOutputs held_;
   execution::Execution execution_;
   std::vector<execution::Goal> breakpoints_;
-  Value breakpoints_json_ = List();  // as in schemas/core.json
+  std::vector<execution::GoalName> breakpoint_names_;
   bool started_ = false, paused_ = false, scheduled_ = false;
   Value announced_ = Value::unknown();  // what the list of cores was told last
 

@@ -12,6 +12,13 @@ namespace {
 
 Value integer(std::uint64_t n) { return static_cast<std::int64_t>(n); }
 
+List breakpoints_json(const std::vector<execution::GoalName>& breakpoints) {
+  List list;
+  for (const execution::GoalName& each : breakpoints)
+    list.push_back(Dict{{"when", execution::name(each.kind)}, {each.id ? "id" : "path", each.id.value_or(each.path)}});
+  return list;
+}
+
 }  // namespace
 
 // What came of a part of a macro step: the one place where anything leaves a core.
@@ -90,11 +97,6 @@ void Core::watch_derivation(bool on) {
   strand_.post([self = shared_from_this()] { self->publish_next_derivation(); });
 }
 
-void Core::watch_as(const Core& other) {
-  if (other.state_watched_) watch_state();
-  if (other.derivation_watched_) watch_derivation(true);
-}
-
 void Core::publish_next_derivation() {
   Value next = Dict{{"next", integer(run().position() + 1)}};
   next.freeze();
@@ -137,7 +139,7 @@ Value Core::info_json() const {
   info.set("micro", integer(execution_.micro()));
   info.set("waiting", integer(execution_.waiting().size()));
   info.set("arguments", header_.arguments);
-  info.set("breakpoints", breakpoints_json_);
+  info.set("breakpoints", breakpoints_json(breakpoint_names_));
   if (over) info.set("results", execution::root_results(run()));
   Value frozen = std::move(info);
   return std::move(frozen.freeze());

@@ -97,7 +97,9 @@ Checked<std::shared_ptr<Core>> Cores::load(const std::string& id, const StoredDo
   if (!old) return one(old.error());
   auto header = header_of(stored, std::move(arguments));
   if (!header) return tl::unexpected(std::move(header).error());
-  if (auto retired = (*old)->retire(); !retired) return one(std::move(retired).error());
+  const services::MutexLock one_at_a_time(loading_);
+  auto preparation = (*old)->retire();
+  if (!preparation) return one(std::move(preparation).error());
   auto run =
       resources_.runs.replace((*old)->run_id(), {stored.name, stored.revision, *header, resources_.host.models()});
   if (!run) {
@@ -106,7 +108,7 @@ Checked<std::shared_ptr<Core>> Cores::load(const std::string& id, const StoredDo
   }
   auto core = Core::create(std::move(*run), std::move(*header), resources_);
   if (!core) return one(std::move(core).error());
-  (*core)->watch_as(**old);
+  (*core)->replace(**old, std::move(*preparation));
   add(*core);
   return *core;
 }

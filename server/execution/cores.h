@@ -29,7 +29,8 @@ class Cores {
   Checked<std::shared_ptr<Core>> create(const StoredDocument& stored, Dict arguments);
   /// Another model, or the same with other arguments, in a core that has not begun. Errors: as create(); `conflict`: it
   /// has; `not_found`.
-  Checked<std::shared_ptr<Core>> load(const std::string& id, const StoredDocument& stored, Dict arguments);
+  Checked<std::shared_ptr<Core>> load(const std::string& id, const StoredDocument& stored, Dict arguments)
+      EXCLUDES(loading_);
   /// Every stored run that is not over becomes a core again; those that had begun are interrupted. To be called once,
   /// before anything else. Those that cannot be rebuilt stay in the store; the watcher is told why.
   Expected<void> recover();
@@ -54,6 +55,7 @@ class Cores {
   void add(const std::shared_ptr<Core>& core) EXCLUDES(mutex_);
 
   const CoreResources resources_;
+  services::Mutex loading_;
   mutable services::Mutex mutex_;
   std::map<RunId, std::shared_ptr<Core>> cores_ GUARDED_BY(mutex_);
   std::size_t coming_ GUARDED_BY(mutex_) = 0;  // being created

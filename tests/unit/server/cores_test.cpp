@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <future>
 
 #include "core/rcm/document.h"
@@ -16,7 +17,9 @@ struct CoresTest : testing::Test, CoreWatcher {
     pool.reset();
   }
 
-  void core_changed(const std::string& id, Value) override { found.set_value(cores.find(id).has_value()); }
+  void core_changed(const std::string& id, Value) override {
+    if (!heard.exchange(true)) found.set_value(cores.find(id).has_value());
+  }
   void core_removed(const std::string& id) override { removed.push_back(id); }
   void state_snapshot(const std::string&, Value) override {}
   void state_changed(const std::string&, Value) override {}
@@ -24,6 +27,7 @@ struct CoresTest : testing::Test, CoreWatcher {
   void derived(const std::string&, Value) override {}
   void printed(const std::string&, const std::string&) override {}
 
+  std::atomic<bool> heard{false};
   std::promise<bool> found;
   std::vector<std::string> removed;
   services::WorldClock clock;
@@ -47,6 +51,37 @@ TEST_F(CoresTest, ARemovedCoreIsReportedAndCannotBeFound) {
   EXPECT_EQ(removed, std::vector{id});
   EXPECT_EQ(cores.find(id).error().code, ErrorCode::not_found);
   EXPECT_EQ(cores.remove(id).error().code, ErrorCode::not_found);
+}
+
+TEST_F(CoresTest, AModelThatIsLoadedTakesThePlaceOfOneThatHasNotBegun) {
+  const auto first =
+      rcm::read_document_text(R"({"rcm": 1, "root": {"state": "R", "parameters": [{"name": "n"}]}})").value();
+  const auto second = rcm::read_document_text(R"({"rcm": 1, "root": {"state": "S"}})").value();
+  const std::string id = cores.create({"r", 1, first}, Dict{{"n", 1}}).value()->id();
+  using enum execution::Goal::Kind;
+  ASSERT_TRUE(cores.find(id).value()->pause());
+  ASSERT_TRUE(cores.find(id).value()->set_breakpoints({{entered, {}, "R"}}));
+  ASSERT_TRUE(cores.load(id, {"s", 2, second}, {}));
+  const auto core = cores.find(id).value();
+  const Value info = core->info();
+  EXPECT_EQ(info.find("document")->as_string(), "s");
+  EXPECT_EQ(info.find("revision")->as_integer(), 2);
+  EXPECT_TRUE(info.find("paused")->as_bool()) << "who paused it did not say that it may go";
+  EXPECT_TRUE(info.find("breakpoints")->as_list().empty()) << "there is no R any more";
+  EXPECT_EQ(store.runs->get(core->run_id())->document, "s");
+  EXPECT_EQ(cores.all().size(), 1U);
+  ASSERT_TRUE(core->start());
+  EXPECT_EQ(cores.load(id, {"r", 1, first}, Dict{{"n", 1}}).error().front().code, ErrorCode::conflict);
+}
+
+TEST_F(CoresTest, ARunThatNeverBeganIsRemovedWithItsCore) {
+  const auto document = rcm::read_document_text(R"({"rcm": 1, "root": {"state": "R"}})").value();
+  const auto never = cores.create({"r", 1, document}, {}).value(), begun = cores.create({"r", 1, document}, {}).value();
+  ASSERT_TRUE(begun->start());
+  ASSERT_TRUE(cores.remove(never->id()));
+  ASSERT_TRUE(cores.remove(begun->id()));
+  EXPECT_EQ(store.runs->get(never->run_id()).error().code, ErrorCode::not_found);
+  EXPECT_EQ(store.runs->get(begun->run_id())->status, "aborted");
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ const readers: Readonly<Record<string, (value: unknown) => unknown>> = {
   cores: by(schema.cores),
   derivations: by(schema.derivations),
   document: (document) => readModel(check(schema.native, { document, origin: {} }).document),
+  documents: by(schema.documents),
   errors: by(schema.errors),
   person: by(schema.person),
   rules: by(schema.rules),
@@ -33,7 +34,12 @@ const readers: Readonly<Record<string, (value: unknown) => unknown>> = {
 };
 
 /** Messages that the pages write, and messages between other programs. */
-const unread = new Set(["boot", "component_message", "component_request", "core_create", "core_load", "core_start", "journal", "operator", "person_command", "step_request", "stream_request", "breakpoints"]);
+const unread = new Set([
+  "backup", "backups", "boot", "breakpoints", "checkpoint", "component_message", "component_request",
+  "core_create", "core_load", "core_start", "document_branch", "document_entry", "document_restore", "journal",
+  "operator", "person_command", "revisions", "run", "run_comparison", "run_file", "runs", "samples",
+  "step_request", "stream_request",
+]);
 
 describe("api/examples", () => {
   it("are there", () => expect(files.length).toBeGreaterThan(10));
