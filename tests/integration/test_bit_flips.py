@@ -44,7 +44,7 @@ def reading():
         "state": "Root", "results": [{"name": "values", "initial": []}],
         "actions": [{"when": "available(svc.db.get.result)", "do": "res.values.append(svc.db.get.result)"},
                     {"when": "svc.db.get.error", "do": "res.values.append(svc.db.get.error.code)"}],
-        "children": [state(key, {"to": after} if after else {}) for key, after in zip(KEYS, (*KEYS[1:], None))],
+        "children": [state(key, {"to": after} if after else {}) for key, after in zip(KEYS, (*KEYS[1:], None), strict=True)],
         "first": KEYS[0], "ports": [{"name": "done", "when": f"len(res.values) == {len(KEYS)}"}]})
 
 
@@ -107,7 +107,8 @@ def is_named(path, was, now, log):
     """Whether the answer that is not the same tells of the damage."""
     status, answer = now
     if path == "values" and status == 200:  # each is as it was, or an error
-        return all(new == old or new in NAMED for old, new in zip(was[1]["values"], answer.get("values", ())))
+        old, new = was[1]["values"], answer.get("values", ())
+        return len(old) == len(new) and all(b == a or b in NAMED for a, b in zip(old, new, strict=True))
     if status in (500, 503, 507) and {error["code"] for error in answer["errors"]} <= NAMED:
         return True
     return path.startswith("/cores") and "cannot be rebuilt" in log
@@ -163,7 +164,8 @@ class BitFlips(unittest.TestCase):
             work = [pool.submit(flipped, self.folders[name], expected[name], file, bit) for name, file, bit in flips]
             results = [job.result() for job in work]
         print(f"{sum(named for _, named in results)} of them were named")
-        wrong = [f"RACE_FLIP={name}:{file}:{bit}: {silent}" for (name, file, bit), (silent, _) in zip(flips, results) if silent]
+        wrong = [f"RACE_FLIP={name}:{file}:{bit}: {silent}" for (name, file, bit), (silent, _) in zip(flips, results, strict=True)
+                 if silent]
         self.assertEqual(wrong, [])
 
 

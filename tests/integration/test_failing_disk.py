@@ -8,9 +8,6 @@ import os
 import shutil
 import unittest
 
-import models
-from client import Server
-from component_process import LONG_HEARTBEAT, ComponentClient, service, wait_available
 from crash_scenario import EDITED, STEPS, TASK, Connection, Scenario, edit, task
 from fault_points import PHASES, choose, new_folder, record, remove_prepared_folder
 from stored_data import Folder
@@ -157,7 +154,7 @@ class FailingDisk(unittest.TestCase):
                  for way in (ways if POINTS == "all" or "RACE_POINT" in os.environ else [ways[i % len(ways)]])]
         print(f"{len(chosen)} of {len(points)} points, seed {SEED}", flush=True)
         with concurrent.futures.ProcessPoolExecutor(os.cpu_count()) as pool:
-            errors = [error for error in pool.map(checked, *zip(*cases), chunksize=4) if error]
+            errors = [error for error in pool.map(checked, *zip(*cases, strict=True), chunksize=4) if error]
         self.assertEqual(errors, [], f"{len(errors)} of {len(cases)}")
 
 
