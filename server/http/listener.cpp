@@ -232,6 +232,7 @@ struct HttpServer::Sockets {
   }
 
   asio::io_context io{1};
+  asio::signal_set signals{io, SIGINT, SIGTERM};  // from here on: one that comes before run() ends it, too
   tcp::acceptor acceptor;
   std::unique_ptr<Pool> handlers;
   Context context;
@@ -259,8 +260,7 @@ Expected<std::unique_ptr<HttpServer>> HttpServer::listen(std::uint16_t port, std
 std::uint16_t HttpServer::port() const { return sockets_->acceptor.local_endpoint().port(); }
 
 void HttpServer::run() {
-  asio::signal_set signals(sockets_->io, SIGINT, SIGTERM);
-  signals.async_wait([this](error_code, int) { sockets_->io.stop(); });
+  sockets_->signals.async_wait([this](error_code, int) { sockets_->io.stop(); });
   asio::co_spawn(sockets_->io, accept(sockets_->acceptor, sockets_->context), asio::detached);
   sockets_->io.run();
 }

@@ -12,6 +12,7 @@
 
 #include "server/store/schema.h"
 #include "services/sqlite/file.h"
+#include "services/sqlite/log_check.h"
 
 namespace race::server {
 namespace {
@@ -63,6 +64,8 @@ Expected<DataFolder> DataFolder::take(const std::string& path) {
 Expected<DataFolder> DataFolder::open(const std::string& path) {
   ASSIGN_OR_RETURN(DataFolder folder, take(path));
   auto ready = take_over_documents(path);
+  for (const std::string& file : {folder.store(), folder.database()})
+    if (ready) ready = sqlite::check_log(file);
   if (ready) ready = prepare(folder.store());
   if (!ready) {
     Error wrong = std::move(ready).error();
