@@ -8,10 +8,11 @@
 int main(int argc, char** argv) {
   const std::array commands = {
 #ifndef RACE_CORE_ONLY
-      &race::server::kServe,     &race::server::kService, &race::server::kRun,
+      &race::server::kServe,  &race::server::kService, &race::server::kRun,       &race::server::kRuns,
+      &race::server::kReplay, &race::server::kBackup,  &race::server::kRestore,   &race::server::kCore,
+      &race::server::kBoot,
 #endif
-      &race::server::kDerive,    &race::server::kReplay,  &race::server::kCheck,
-      &race::server::kTranslate, &race::server::kFmt,
+      &race::server::kDerive, &race::server::kCheck,   &race::server::kTranslate, &race::server::kFmt,
   };
   return race::server::run_command(commands, {argv + 1, argv + argc});
 }

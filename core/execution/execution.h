@@ -58,7 +58,7 @@ class Execution {
   bool post_response(std::uint64_t call, bool is_error, Value data) {
     return waiting_.post_response(run_, call, is_error, std::move(data));
   }
-  void post_lost(std::string_view service) { waiting_.post_lost(run_, service); }
+  void post_lost(std::optional<std::string_view> service = {}) { waiting_.post_lost(run_, service); }
   void drop_waiting() { waiting_.clear(); }
   /// Whether a macro step could begin: an input waits that counts.
   bool has_input() const { return waiting_.any(run_); }
@@ -97,6 +97,7 @@ class Execution {
 
   /// The whole state (schemas/state.json); from now on, progress has a delta, of what changed since.
   Value watch();
+  bool is_watched() const { return view_.has_value(); }
 
   const semantics::Run& run() const { return run_; }
   semantics::Run::Why why(semantics::PortId port) { return run_.why(port); }

@@ -37,7 +37,7 @@ bool WaitingInputs::post_response(const Run& run, std::uint64_t call, bool is_er
 }
 
 // REFINEMENT R7
-void WaitingInputs::post_lost(const Run& run, std::string_view service) {
+void WaitingInputs::post_lost(const Run& run, std::optional<std::string_view> service) {
   for (const std::uint64_t call : run.unanswered_calls(service))
     post_response(run, call, true, Dict{{"code", "unavailable"}});
 }

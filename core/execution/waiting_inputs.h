@@ -19,8 +19,9 @@ class WaitingInputs {
   bool post_event(const semantics::Run& run, std::string_view service, std::string_view event, Value data);
   bool post_event(const semantics::Run& run, semantics::EventId event, Value data);
   bool post_response(const semantics::Run& run, std::uint64_t call, bool is_error, Value data);
-  /// R7: `service` is lost. Every unanswered call to it gets the error `unavailable`, in order of call.
-  void post_lost(const semantics::Run& run, std::string_view service);
+  /// R7: `service` is lost; without one, all are. Every unanswered call to it gets the error `unavailable`, in order of
+  /// call.
+  void post_lost(const semantics::Run& run, std::optional<std::string_view> service);
 
   /// Takes the first that still counts; a response that another call has overtaken does not. Requires that the run is
   /// running.

@@ -126,7 +126,7 @@ void Run::fail(RunFault fault) {
   body_->work.log.undo(body_->state);
   body_->status = Status::faulted;
   body_->fault = std::move(fault);
-  call_safe_operations();
+  body_->make_safe_calls(safe_calls());
 }
 
 void Run::fail_by_divergence() {
@@ -141,15 +141,18 @@ void Run::abort() {
   if (body_->status != Status::running) return;
   ++body_->position;
   body_->status = Status::aborted;
-  call_safe_operations();
+  body_->make_safe_calls(safe_calls());
 }
 
-void Run::call_safe_operations() {
+std::vector<OutgoingCall> Run::safe_calls() const {
+  std::vector<OutgoingCall> calls;
+  std::uint64_t number = body_->state.call_count;
   const auto& operations = body_->program->services.operations();
   for (const std::string& service : body_->state.services_called)
     for (OperationId o = 0; o < operations.size(); ++o)
       if (operations[o].safe && operations[o].service == service)
-        body_->outgoing.push_back({++body_->state.call_count, o, service, operations[o].name, {}, {}, kNoState});
+        calls.push_back({++number, o, service, operations[o].name, {}, {}, kNoState});
+  return calls;
 }
 
 Status Run::status() const { return body_->status; }

@@ -63,8 +63,8 @@ class Run {
   const std::string& service_of(const Input& response) const;
   /// The call `number` of the operation, or its latest one for 0, if it can be answered or has been; else 0.
   std::uint64_t find_call(std::string_view service, std::string_view operation, std::uint64_t number = 0) const;
-  /// The unanswered calls to `service`, in order of call.
-  std::vector<std::uint64_t> unanswered_calls(std::string_view service) const;
+  /// The unanswered calls, in order of call: all, or those to `service`.
+  std::vector<std::uint64_t> unanswered_calls(std::optional<std::string_view> service = {}) const;
 
   // One macro step: begin, micro until it returns false.
   /// Σ' (3.33): with an input, the snapshot takes it over; without, it stays. Requires status running, and that the
@@ -98,8 +98,11 @@ class Run {
     }
     return status() != Status::running;
   }
-  /// Ends the run between macro steps: no exit function runs; operations marked `safe` are called.
+  /// Ends the run between macro steps: no exit function runs; safe_calls() are made.
   void abort();
+  /// A call of each operation marked `safe` of the services that the run has called, in order of their first call; with
+  /// the numbers that the run's next calls would have.
+  std::vector<OutgoingCall> safe_calls() const;
 
   Status status() const;
   /// The port by which the root was left. Empty unless ended.
@@ -146,7 +149,6 @@ class Run {
   void end();
   void fail(RunFault fault);
   void fail_by_divergence();
-  void call_safe_operations();
   std::unique_ptr<Body> body_;
 };
 

@@ -53,11 +53,12 @@ const std::string& Run::service_of(const Input& response) const {
   return callee(*body_->program, response.number, *record);
 }
 
-std::vector<std::uint64_t> Run::unanswered_calls(std::string_view service) const {
+std::vector<std::uint64_t> Run::unanswered_calls(std::optional<std::string_view> service) const {
   std::vector<std::uint64_t> unanswered;
   for (OperationId o = 0; o < body_->state.calls.size(); ++o)
     for (const CallRecord& record : body_->state.calls[o])
-      if (!record.answered && callee(*body_->program, o, record) == service) unanswered.push_back(record.number);
+      if (!record.answered && (!service || callee(*body_->program, o, record) == *service))
+        unanswered.push_back(record.number);
   std::ranges::sort(unanswered);
   return unanswered;
 }

@@ -34,6 +34,11 @@ struct Run::Body {
         position(other.position) {}
   Body& operator=(const Body&) = delete;
 
+  void make_safe_calls(std::vector<OutgoingCall> calls) {
+    state.call_count += calls.size();
+    for (OutgoingCall& call : calls) outgoing.push_back(std::move(call));
+  }
+
   std::shared_ptr<const Program> program;  // held by every run of it
   Budgets budgets;
   RunState state;

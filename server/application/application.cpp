@@ -1,6 +1,8 @@
 #include "server/application/application.h"
 
+#include "server/application/boot.h"
 #include "server/cell/screen_services.h"
+#include "server/wire/calendar.h"
 #include "server/wire/channel_names.h"
 
 namespace race::server {
@@ -12,25 +14,39 @@ tl::unexpected<std::vector<Error>> one(Error error) { return tl::unexpected(std:
 
 Checked<std::unique_ptr<Application>> Application::create(const Setup& setup) {
   std::unique_ptr<Application> app(new Application());
-  if (auto opened = app->open_documents(setup); !opened) return tl::unexpected(std::move(opened).error());
+  if (auto opened = app->open_store(setup); !opened) return tl::unexpected(std::move(opened).error());
   app->create_stream(setup.first_sequence);
   if (auto created = app->create_cell(setup); !created) return tl::unexpected(std::move(created).error());
-  app->create_cores();
+  if (auto created = app->create_cores(setup); !created) return one(std::move(created).error());
   if (setup.script)
     if (auto added = app->add_operator(*setup.script); !added) return tl::unexpected(std::move(added).error());
   app->cell_->start_real_time();
+  boot({*app->boot_list_, *app->documents_, *app->runs_, *app->cores_, *app->log_, app->cell_->clock()});
   return app;
 }
 
-Checked<void> Application::open_documents(const Setup& setup) {
+Checked<void> Application::open_store(const Setup& setup) {
   auto folder = DataFolder::open(setup.data);
   if (!folder) return one(std::move(folder).error());
   folder_.emplace(std::move(*folder));
   auto documents = Documents::open(folder_->store());
   if (!documents) return one(std::move(documents).error());
   documents_ = std::move(*documents);
+  backups_ = std::make_unique<Backups>(folder_->path(), [this] { return cores_->recover(); });
+  auto runs = Runs::open(folder_->store());
+  if (!runs) return one(std::move(runs).error());
+  runs_ = std::move(*runs);
+  auto samples = Samples::open(folder_->store());
+  if (!samples) return one(std::move(samples).error());
+  samples_ = std::move(*samples);
+  auto writer = JournalWriter::open(folder_->store());
+  if (!writer) return one(std::move(writer).error());
+  writer_ = std::move(*writer);
+  auto boot_list = BootList::open(folder_->store());
+  if (!boot_list) return one(std::move(boot_list).error());
+  boot_list_ = std::move(*boot_list);
   if (setup.demo.empty()) return {};
-  return documents_->put_demo(setup.demo);
+  return documents_->put_demo(setup.demo, now_ms());
 }
 
 void Application::create_stream(std::int64_t first_sequence) {
@@ -54,15 +70,25 @@ Checked<void> Application::create_cell(const Setup& setup) {
   cell_ = std::move(*cell);
   flows_ = std::make_unique<FlowChannels>(cell_->host(), *hub_, *stream_pool_);
   if (CellWorld* world = cell_->world())
-    world->on_pose([this](Value pose) { hub_->publish_delta(std::string(kCellPoseChannel), std::move(pose)); });
+    world->on_pose([this](Value pose) {
+      keeper_->record(pose);
+      hub_->publish_delta(std::string(kCellPoseChannel), std::move(pose));
+    });
   return {};
 }
 
-void Application::create_cores() {
+Expected<void> Application::create_cores(const Setup& setup) {
   pool_ = std::make_unique<Pool>(2);
-  cores_ = std::make_unique<Cores>(*pool_, cell_->host(), *core_publisher_);
+  cores_ = std::make_unique<Cores>(*pool_, cell_->host(), *core_publisher_, *runs_, *writer_);
+  keeper_ = std::make_unique<RunKeeper>(*runs_, *samples_, setup.retention,
+                                        [this](const std::string& text) { log("store", text); });
+  keeper_->connect(*cores_, cell_->world());
+  core_publisher_->on_change([this](const std::string& id, const Value& core) { keeper_->core_changed(id, core); });
   core_publisher_->connect(cell_->clock(), *cores_);
   service_publisher_->connect(*cores_);
+  auto recovered = cores_->recover();
+  keeper_->apply_limits();
+  return recovered;
 }
 
 Checked<void> Application::add_operator(const OperatorScript& script) {
@@ -79,6 +105,7 @@ Checked<void> Application::add_operator(const OperatorScript& script) {
 Application::~Application() {
   if (cores_) cores_->close();
   if (cell_) cell_->stop();
+  if (writer_) writer_->close();  // before the strands that it tells
   pool_.reset();
   stream_pool_.reset();
 }
@@ -94,6 +121,8 @@ void Application::log(const std::string& source, const std::string& text) {
 
 ChannelSources Application::channel_sources() { return {*hub_, *cores_, *cell_, *displays_, *flows_, *log_}; }
 
-Resources Application::resources() { return {*documents_, *cores_, *cell_, *log_}; }
+Resources Application::resources() {
+  return {*documents_, *boot_list_, *backups_, *runs_, *samples_, *cores_, *cell_, *log_};
+}
 
 }  // namespace race::server

@@ -17,8 +17,13 @@
 #include "server/handlers/routes.h"
 #include "server/http/listener.h"
 #include "server/log/event_log.h"
+#include "server/runs/run_keeper.h"
+#include "server/store/backup.h"
+#include "server/store/boot_list.h"
 #include "server/store/data_folder.h"
 #include "server/store/documents.h"
+#include "server/store/journal_writer.h"
+#include "server/store/runs.h"
 #include "server/stream/displays.h"
 #include "server/stream/flow_channels.h"
 #include "server/stream/hub.h"
@@ -37,6 +42,7 @@ class Application {
     std::optional<OperatorScript> script = {};  // begins anew with each run that is started
     std::vector<std::string> remote = {};       // as of CellSetup
     std::chrono::milliseconds heartbeat{1000};  // of their processes
+    RetentionLimits retention = {};
   };
   static Checked<std::unique_ptr<Application>> create(const Setup& setup);
   ~Application();
@@ -46,10 +52,10 @@ class Application {
 
  private:
   Application() = default;
-  Checked<void> open_documents(const Setup& setup);
+  Checked<void> open_store(const Setup& setup);
   void create_stream(std::int64_t first_sequence);
   Checked<void> create_cell(const Setup& setup);
-  void create_cores();
+  Expected<void> create_cores(const Setup& setup);
   Checked<void> add_operator(const OperatorScript& script);
   void log(const std::string& source, const std::string& text);
   ChannelSources channel_sources();
@@ -65,10 +71,16 @@ class Application {
   std::unique_ptr<CorePublisher> core_publisher_;
   std::unique_ptr<ServicePublisher> service_publisher_;
   std::unique_ptr<Documents> documents_;
+  std::unique_ptr<Backups> backups_;
+  std::unique_ptr<Runs> runs_;
+  std::unique_ptr<Samples> samples_;
+  std::unique_ptr<JournalWriter> writer_;
+  std::unique_ptr<BootList> boot_list_;
   std::unique_ptr<Pool> pool_;  // of the cores
   std::unique_ptr<Cell> cell_;
   std::unique_ptr<FlowChannels> flows_;
   std::unique_ptr<Cores> cores_;
+  std::unique_ptr<RunKeeper> keeper_;
   std::unique_ptr<Operator> operator_;  // destroyed first, when the cell that calls it has stopped
 };
 

@@ -4,6 +4,8 @@
 // Threads: any, but execute(): the cell's group.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -11,6 +13,7 @@
 #include "core/value/expected.h"
 #include "core/value/value.h"
 #include "server/cell/person_command.h"
+#include "services/mutex.h"
 
 namespace race::server {
 
@@ -38,10 +41,24 @@ class CellWorld {
   /// `publish` gets poses (schemas/cell_pose.json, frozen) at 30 Hz of world time while they are watched. To be set
   /// before the first step.
   void on_pose(std::function<void(Value)> publish) { publish_pose_ = std::move(publish); }
-  virtual void watch_pose(bool on) = 0;
+  void watch_pose(bool on) { want_pose(kWatched, on); }
+  /// The same for those who record poses: they are published while somebody watches or records.
+  void record_pose(bool on) { want_pose(kRecorded, on); }
 
  protected:
+  virtual void set_pose_wanted(bool on) = 0;
   std::function<void(Value)> publish_pose_ = [](const Value&) {};
+
+ private:
+  enum Purpose : std::uint8_t { kWatched, kRecorded };
+  void want_pose(Purpose purpose, bool on) {
+    const services::MutexLock lock(mutex_);
+    wanted_.at(purpose) = on;
+    set_pose_wanted(wanted_[kWatched] || wanted_[kRecorded]);
+  }
+
+  services::Mutex mutex_;
+  std::array<bool, 2> wanted_ GUARDED_BY(mutex_) = {};
 };
 
 }  // namespace race::server

@@ -35,7 +35,6 @@ class LocalWorld final : public CellWorld {
   void execute(const std::optional<PersonCommand>& command, Wanted wanted, Done done) override {
     if (wanted()) done(perform(command));
   }
-  void watch_pose(bool on) override { watched_ = on; }
 
   /// World time goes on by 1 ms.
   void step();
@@ -43,6 +42,7 @@ class LocalWorld final : public CellWorld {
   void publish_pose(services::Time now) const;
 
  private:
+  void set_pose_wanted(bool on) override { watched_ = on; }
   LocalWorld(std::unique_ptr<world::World> world, std::string urdf);
 
   const std::unique_ptr<world::World> world_;

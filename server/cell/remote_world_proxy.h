@@ -22,9 +22,9 @@ class RemoteWorldProxy final : public CellWorld {
   /// Unknown here; the process refuses the command.
   bool may_have(const std::string&) const override { return true; }
   void execute(const std::optional<PersonCommand>& command, Wanted wanted, Done done) override;
-  void watch_pose(bool on) override { end_.watch(on); }
 
  private:
+  void set_pose_wanted(bool on) override { end_.watch(on); }
   Expected<Value> member(std::string_view what) const;
 
   remote::RemoteWorld end_;

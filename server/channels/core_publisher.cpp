@@ -18,12 +18,14 @@ void CorePublisher::core_changed(const std::string& id, Value core) {
     operator_->begin();
     if (const auto running = cores_->find(id)) (*running)->watch_state();
   }
+  changed_(id, core);
   Value delta = Dict{{"core", std::move(core)}};
   hub_.publish_delta(std::string(kCoresChannel), std::move(delta.freeze()));
 }
 
 void CorePublisher::core_removed(const std::string& id) {
   log_.drop_status(id);
+  changed_(id, Value());
   Value delta = Dict{{"removed", id}};
   hub_.publish_delta(std::string(kCoresChannel), std::move(delta.freeze()));
   hub_.close(fill(kCoreStateChannel, {id}));

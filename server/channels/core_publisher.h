@@ -3,7 +3,9 @@
 // Threads: any, after connect() and set_operator().
 #pragma once
 
+#include <functional>
 #include <string>
+#include <utility>
 
 #include "server/cell/operator.h"
 #include "server/execution/cores.h"
@@ -22,6 +24,12 @@ class CorePublisher final : public CoreWatcher {
   /// The operator begins anew with each run that is started, and sees its states.
   void set_operator(Operator& person) { operator_ = &person; }
 
+  /// `changed` hears of each change of a core as the list of cores does (schemas/core.json), null: it was removed. On
+  /// any thread; must be quick. To be set before the first core is created.
+  void on_change(std::function<void(const std::string& id, const Value& core)> changed) {
+    changed_ = std::move(changed);
+  }
+
   void core_changed(const std::string& id, Value core) override;
   void core_removed(const std::string& id) override;
   void state_snapshot(const std::string& id, Value state) override;
@@ -36,6 +44,7 @@ class CorePublisher final : public CoreWatcher {
   const services::Clock* clock_ = nullptr;
   const Cores* cores_ = nullptr;
   Operator* operator_ = nullptr;
+  std::function<void(const std::string&, const Value&)> changed_ = [](const std::string&, const Value&) {};
 };
 
 }  // namespace race::server

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "core/value/json.h"
+
 namespace race::server {
 namespace {
 
@@ -147,6 +149,13 @@ std::string Arguments::help() const {
     text += (fallback.empty() || is_flag(*option) ? "" : " (" + fallback + ')') + '\n';
   }
   return text;
+}
+
+Expected<Dict> read_object(const std::string& option, const std::string& text) {
+  const auto value = parse_json(text);
+  if (!value) return unexpected(value.error().code, value.error().message, option);
+  if (!value->is_dict()) return unexpected(ErrorCode::type, "must be an object", option);
+  return value->as_dict();
 }
 
 }  // namespace race::server

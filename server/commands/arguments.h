@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/value/expected.h"
+#include "core/value/value.h"
 
 namespace CLI {
 class App;
@@ -59,5 +60,9 @@ class Arguments {
 
   std::unique_ptr<CLI::App> app_;
 };
+
+/// The JSON object that is the value of an option, such as `--arguments`, which is the path of errors: those of
+/// parse_json, and `type`.
+Expected<Dict> read_object(const std::string& option, const std::string& text);
 
 }  // namespace race::server

@@ -24,7 +24,8 @@ struct Command {
   std::function<int()> (*declare)(Arguments& arguments);
 };
 
-extern const Command kServe, kService, kRun, kDerive, kReplay, kCheck, kTranslate, kFmt;
+extern const Command kBackup, kRestore, kCore, kBoot;
+extern const Command kServe, kService, kRun, kRuns, kReplay, kDerive, kCheck, kTranslate, kFmt;
 
 /// Prints errors as `path: code: message` to stderr, with `json` also as {"errors": [...]} to stdout. Returns
 /// kExitBadInput.

@@ -33,12 +33,6 @@ void print(const Dict& report) {
   if (!line.empty()) std::printf("%9.3f%s\n", report.find("time")->as_number(), line.c_str());
 }
 
-Expected<Dict> read_arguments(const std::string& text) {
-  ASSIGN_OR_RETURN(Value value, parse_json(text));
-  if (!value.is_dict()) return unexpected(ErrorCode::type, "must be an object", "--arguments");
-  return value.as_dict();
-}
-
 struct Options {
   std::string model, arguments = "{}", database = ":memory:";
   std::optional<std::string> cell, operator_script;
@@ -48,7 +42,7 @@ struct Options {
 
 int run_task(const Options& options) {
   const bool json = options.json;
-  auto arguments = read_arguments(options.arguments);
+  auto arguments = read_object("--arguments", options.arguments);
   const auto text = read_file(options.model);
   if (!arguments) return refuse(arguments.error(), json);
   if (!text) return refuse(text.error(), json);

@@ -35,7 +35,7 @@ Expected<std::vector<std::string>> read_units(std::string_view text) {
 struct Options {
   std::string data = "data", demo, web, remote;
   std::optional<std::string> operator_script;
-  double port = 8080, heartbeat_s = 1;
+  double port = 8080, heartbeat_s = 1, keep_runs = 1000, keep_mb = 1024;
   bool headless = false;
 };
 
@@ -50,6 +50,8 @@ int serve(const Options& options) {
   }
   setup.remote = std::move(*remote);
   setup.heartbeat = std::chrono::milliseconds(std::llround(options.heartbeat_s * 1000));
+  setup.retention = {static_cast<std::size_t>(options.keep_runs),
+                     static_cast<std::uint64_t>(options.keep_mb * (std::uint64_t{1} << 20U))};
   auto app = Application::create(setup);
   if (!app) return refuse(app.error());
   // Without clients, no pages; the interface is there all the same.
@@ -74,6 +76,8 @@ std::function<int()> declare(Arguments& arguments) {
                  "waits for processes (race service) that bring these: " + component_group_names());
   arguments.number("--heartbeat", "SECONDS", options->heartbeat_s, 0.1, 3600,
                    "after which such a process that is silent is lost");
+  arguments.number("--keep-runs", "N", options->keep_runs, 0, 1e6, "runs that are over; the oldest are removed");
+  arguments.number("--keep-mb", "N", options->keep_mb, 0, 1e6, "what these may hold [MiB]; the oldest are removed");
   return [options] { return serve(*options); };
 }
 

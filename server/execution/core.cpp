@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "core/execution/step_json.h"
-#include "core/execution/why.h"
+#include "server/execution/core_internal.h"
 
 namespace race::server {
 
@@ -13,7 +12,20 @@ using execution::Progress;
 
 namespace {
 
-Value integer(std::uint64_t n) { return static_cast<std::int64_t>(n); }
+tl::unexpected<Error> conflict(std::string why) { return unexpected(ErrorCode::conflict, std::move(why)); }
+
+/// Of the program, or what is wrong with one of them.
+Expected<std::vector<Goal>> find_goals(const semantics::Program& program,
+                                       const std::vector<execution::GoalName>& names) {
+  std::vector<Goal> goals;
+  for (const execution::GoalName& name : names) {
+    const auto goal = find_goal(program, name);
+    if (!goal)
+      return unexpected(goal.error().code, goal.error().message, "breakpoints/" + std::to_string(goals.size()));
+    goals.push_back(*goal);
+  }
+  return goals;
+}
 
 Value breakpoints_json(const std::vector<execution::GoalName>& breakpoints) {
   List list;
@@ -23,41 +35,31 @@ Value breakpoints_json(const std::vector<execution::GoalName>& breakpoints) {
   return std::move(json.freeze());
 }
 
-tl::unexpected<Error> conflict(std::string why) { return unexpected(ErrorCode::conflict, std::move(why)); }
-
 }  // namespace
 
-Expected<std::shared_ptr<Core>> Core::create(std::string id, std::string document, execution::JournalHeader header,
-                                             Pool& pool, services::Host& host, CoreWatcher& watcher) {
+Expected<std::shared_ptr<Core>> Core::create(RunRecord run, execution::JournalHeader header,
+                                             const CoreResources& resources) {
   ASSIGN_OR_RETURN(Execution execution, Execution::create(header.program, header.arguments, header.budgets));
   // Held by the registry, and by work on its way through the strand.
-  std::shared_ptr<Core> core(
-      new Core(std::move(id), std::move(document), std::move(header), std::move(execution), pool, host, watcher));
+  std::shared_ptr<Core> core(new Core(std::move(run), std::move(header), std::move(execution), resources));
+  core->open_journal();
   return core;
+}
+
+Core::Core(RunRecord run, execution::JournalHeader header, Execution execution, const CoreResources& resources)
+    : id_(std::to_string(run.id)),
+      header_(std::move(header)),
+      resources_(resources),
+      strand_(resources.pool),
+      replay_strand_(resources.pool),
+      record_(std::move(run)),
+      execution_(std::move(execution)),
+      replay_(std::make_shared<execution::Replay>(header_, resources.runs.source(record_.id, header_.program))) {
+  info_ = info_json();
 }
 
 void Core::announce() {
   strand_.post([self = shared_from_this()] { self->publish_info(); });
-}
-
-Core::Core(std::string id, std::string document, execution::JournalHeader header, Execution execution, Pool& pool,
-           services::Host& host, CoreWatcher& watcher)
-    : id_(std::move(id)),
-      document_(std::move(document)),
-      header_(std::move(header)),
-      strand_(pool),
-      replay_strand_(pool),
-      host_(host),
-      watcher_(watcher),
-      execution_(std::move(execution)) {
-  info_ = info_json();
-}
-
-template <typename F>
-auto Core::on_strand(F function) -> std::invoke_result_t<F> {
-  auto answer = strand_.ask([self = shared_from_this(), function = std::move(function)] { return function(); });
-  if (!answer) return unexpected(ErrorCode::unavailable, "core " + id_ + " is busy");
-  return std::move(*answer);
 }
 
 Value Core::info() const {
@@ -74,18 +76,28 @@ void Core::deliver(const services::Delivery& delivery) {
   strand_.post([self = shared_from_this()] { self->advance(); });
 }
 
+// The first macro step begins at once, so that the answer says that it has.
 Expected<Value> Core::start() {
-  return on_strand([this]() -> Expected<Value> {
+  return on_strand<Value>([this]() -> Expected<Value> {
     if (started_) return conflict("core " + id_ + " was started before");
+    if (closed_) return conflict("core " + id_ + " has another model now");
     started_ = true;
-    schedule();
+    advance();
     publish_info();
     return info_json();
   });
 }
 
+Expected<Value> Core::retire() {
+  return on_strand<Value>([this]() -> Expected<Value> {
+    if (started_) return conflict("core " + id_ + " was started before");
+    closed_ = true;
+    return info_json();
+  });
+}
+
 Expected<Value> Core::pause() {
-  return on_strand([this]() -> Expected<Value> {
+  return on_strand<Value>([this]() -> Expected<Value> {
     if (is_over()) return conflict("core " + id_ + " is over");
     while (execution_.is_open() && !execution_.has_goal() && !paused_) do_part(Execution::kNoLimit);
     if (!paused_) hold();
@@ -94,8 +106,8 @@ Expected<Value> Core::pause() {
 }
 
 Expected<Value> Core::resume() {
-  return on_strand([this]() -> Expected<Value> {
-    if (is_over()) return conflict("core " + id_ + " is over");
+  return on_strand<Value>([this]() -> Expected<Value> {
+    if (auto ready = ready_to_go_on(); !ready) return tl::unexpected(std::move(ready).error());
     paused_ = false;
     execution_.set_goal(std::nullopt);
     schedule();
@@ -105,9 +117,9 @@ Expected<Value> Core::resume() {
 }
 
 Expected<Value> Core::stop() {
-  return on_strand([this]() -> Expected<Value> {
+  return on_strand<Value>([this]() -> Expected<Value> {
     if (!started_) return conflict("core " + id_ + " was not started");
-    if (is_over()) return conflict("core " + id_ + " is over");
+    if (auto ready = ready_to_go_on(); !ready) return tl::unexpected(std::move(ready).error());
     execution_.set_goal(std::nullopt);
     execution_.set_breakpoints({});
     while (execution_.is_open()) do_part(Execution::kNoLimit);
@@ -117,10 +129,11 @@ Expected<Value> Core::stop() {
 }
 
 Expected<Value> Core::step(execution::GoalName name) {
-  return on_strand([this, name = std::move(name)]() -> Expected<Value> {
+  return on_strand<Value>([this, name = std::move(name)]() -> Expected<Value> {
     if (is_over()) return conflict("core " + id_ + " is over");
     if (!started_ || !(paused_ || awaits_input())) return conflict("core " + id_ + " is not paused");
     ASSIGN_OR_RETURN(const Goal goal, find_goal(program(), name));
+    if (auto ready = ready_to_go_on(); !ready) return tl::unexpected(std::move(ready).error());
     execution_.set_goal(goal);
     paused_ = false;
     advance();
@@ -130,109 +143,17 @@ Expected<Value> Core::step(execution::GoalName name) {
 }
 
 Expected<Value> Core::set_breakpoints(std::vector<execution::GoalName> names) {
-  return on_strand([this, names = std::move(names)]() -> Expected<Value> {
+  return on_strand<Value>([this, names = std::move(names)]() -> Expected<Value> {
     if (is_over()) return conflict("core " + id_ + " is over");
     if (names.size() > kMostBreakpoints)
       return unexpected(ErrorCode::too_large, "there may be " + std::to_string(kMostBreakpoints) + " breakpoints",
                         "breakpoints");
-    std::vector<Goal> goals;
-    for (const execution::GoalName& name : names) {
-      const auto goal = find_goal(program(), name);
-      if (!goal)
-        return unexpected(goal.error().code, goal.error().message, "breakpoints/" + std::to_string(goals.size()));
-      goals.push_back(*goal);
-    }
+    ASSIGN_OR_RETURN(const std::vector<Goal> goals, find_goals(program(), names));
     execution_.set_breakpoints(goals);
-    breakpoints_ = breakpoints_json(names);
+    breakpoints_ = goals;
+    breakpoints_json_ = breakpoints_json(names);
     publish_info();
     return info_json();
-  });
-}
-
-Expected<Value> Core::state() {
-  return on_strand([this]() -> Expected<Value> {
-    Value state = Dict{{"core", info_json()}, {"state", run().state_json()}};
-    return state.freeze();
-  });
-}
-
-Expected<Value> Core::why(const std::string& port) {
-  return on_strand([this, port]() -> Expected<Value> {
-    const auto id = program().find_port(port);
-    if (!id) return unexpected(ErrorCode::not_found, "there is no port of this path", port);
-    Value why = why_json(execution_, *id);
-    return why.freeze();
-  });
-}
-
-// `function` of the replay and the journal, on the strand of replays.
-template <typename F>
-Expected<Value> Core::replayed(const execution::Journal& journal, F function) {
-  auto replay =
-      std::make_shared<execution::Replay>(journal.header, std::make_shared<execution::MemoryJournal>(journal.entries));
-  auto answer = replay_strand_.ask([replay, function = std::move(function)]() -> Expected<Value> {
-    ASSIGN_OR_RETURN(Value json, function(*replay));
-    return json.freeze();
-  });
-  if (!answer) return unexpected(ErrorCode::unavailable, "the replay takes long, ask again");
-  return std::move(*answer);
-}
-
-Expected<Value> Core::why_before(const std::string& port, std::size_t step, int micro) {
-  const auto id = program().find_port(port);
-  if (!id) return unexpected(ErrorCode::not_found, "there is no port of this path", port);
-  ASSIGN_OR_RETURN(JournalView view, journal());
-  const std::size_t steps = view.journal.entries.size();
-  if (step < 1 || step > steps)
-    return unexpected(ErrorCode::out_of_range, "there are macro steps 1 to " + std::to_string(steps), "step");
-  const int reached = step == steps && view.micro >= 0 ? std::min(micro, view.micro) : micro;
-  return replayed(view.journal, [step, reached, id](execution::Replay& replay) -> Expected<Value> {
-    ASSIGN_OR_RETURN(Execution past, replay.before(step, reached));
-    return why_json(past, *id);
-  });
-}
-
-Expected<Core::JournalView> Core::journal() {
-  return on_strand([this]() -> Expected<JournalView> {
-    const int micro = execution_.is_open() ? static_cast<int>(execution_.micro()) : -1;
-    return JournalView{{header_, journal_}, micro, run().status(), run().outcome(), run().fault()};
-  });
-}
-
-Expected<Value> Core::derivations(std::size_t from, std::size_t to) {
-  ASSIGN_OR_RETURN(JournalView view, journal());
-  const std::size_t steps = view.journal.entries.size();
-  if (from == 0) from = steps;
-  if (to == 0) to = from;
-  if (steps > 0 && (from > to || to > steps || to - from >= 100))
-    return unexpected(ErrorCode::out_of_range,
-                      "macro steps 1 to " + std::to_string(steps) + " can be had, at most 100 at once");
-  Dict json{{"status", semantics::name(view.status)}};
-  if (view.status == semantics::Status::ended) json.set("outcome", view.outcome);
-  if (view.fault) json.set("fault", execution::fault_json(*view.fault));
-  ASSIGN_OR_RETURN(Value derived,
-                   replayed(view.journal, [=, micro = view.micro](execution::Replay& replay) -> Expected<Value> {
-                     if (steps == 0) return List();
-                     return replay.steps(from, to, steps, micro);
-                   }));
-  json.set("steps", std::move(derived));
-  return Value(std::move(json));
-}
-
-void Core::watch_state() {
-  strand_.post([this, self = shared_from_this()] {
-    state_watched_ = true;
-    Value snapshot = Dict{{"core", info_json()}, {"state", execution_.watch()}};
-    watcher_.state_snapshot(id_, snapshot.freeze());
-  });
-}
-
-void Core::watch_derivation(bool on) {
-  derivation_watched_ = on;
-  if (!on) return;
-  strand_.post([this, self = shared_from_this()] {
-    Value next = Dict{{"next", integer(run().position() + 1)}};
-    watcher_.derivation_snapshot(id_, next.freeze());
   });
 }
 
@@ -244,11 +165,13 @@ void Core::schedule() {
   });
 }
 
-// One turn: as many micro steps as are its due, then the others on this pool.
+// One turn: as many micro steps as are its due, then the others on this pool. Too far ahead of the disk, it is left
+// until that has caught up (durable()).
 void Core::advance() {
   take_inbox();
   if (!started_ || paused_ || closed_ || is_over()) return;
   for (std::uint32_t left = kTurn; left > 0;) {
+    if (held_.size() >= kMostHeld) return;
     if (!execution_.is_open()) take_inbox();
     if (!execution_.is_open() && !has_input()) return publish_info();
     left -= do_part(left);
@@ -288,69 +211,22 @@ const Progress& Core::next_part(std::uint32_t limit) {
   return run().position() == 0 ? execution_.start(recording, limit) : execution_.step(recording, limit);
 }
 
-// What came of a part of a macro step leaves the core.
-void Core::emit(const Progress& progress) {
-  if (progress.first == 0 && progress.entry) journal_.push_back(*progress.entry);
-  for (const std::string& text : progress.printed) watcher_.printed(id_, text);
-  for (const semantics::OutgoingCall& call : progress.calls)
-    host_.call({id_, call.number}, call.service, call.name, call.args, call.kwargs);
-  publish(progress);
-  if (paused_ || is_over()) publish_info();
-}
-
 void Core::hold() {
   paused_ = true;
   execution_.set_goal(std::nullopt);
   publish_info();
 }
 
-void Core::publish(const Progress& progress) {
-  if (state_watched_) {
-    Dict delta{{"core", info_json()}};
-    if (progress.entry) delta.set("input", input_json(*progress.entry));
-    for (const auto& [key, value] : progress.delta) delta.set(key, value);
-    delta.set("calls", execution::calls_json(progress.calls));
-    Value frozen = std::move(delta);
-    watcher_.state_changed(id_, std::move(frozen.freeze()));
-  }
-  if (progress.derivation) {
-    Dict step = trace_step(program(), progress);
-    step.set("first", integer(progress.first));
-    step.set("complete", progress.complete);
-    Value steps = Dict{{"steps", List{Value(std::move(step))}}};
-    watcher_.derived(id_, std::move(steps.freeze()));
-  }
-}
-
-void Core::publish_info() {
-  Value info = info_json();
-  {
-    const services::MutexLock lock(mutex_);
-    info_ = info;
-  }
-  // Counters move with every input; the list of cores hears of what else changes.
-  Dict news = info.as_dict();
-  for (const char* counter : {"step", "micro", "waiting"}) news.erase(counter);
-  if (Value(news) == announced_) return;
-  announced_ = std::move(news);
-  watcher_.core_changed(id_, std::move(info));
-}
-
-Value Core::info_json() const {
-  const bool over = is_over();
-  Dict info{{"id", id_}, {"document", document_}};
-  execution::set_status(run(), info);
-  if (!started_) info.set("status", "ready");
-  info.set("paused", (paused_ || awaits_input()) && !over);
-  info.set("stepping", execution_.has_goal() && !over);
-  info.set("step", integer(run().position()));
-  info.set("micro", integer(execution_.micro()));
-  info.set("waiting", integer(execution_.waiting().size()));
-  info.set("arguments", header_.arguments);
-  info.set("breakpoints", breakpoints_);
-  if (over) info.set("results", execution::root_results(run()));
-  Value frozen = std::move(info);
-  return std::move(frozen.freeze());
+// That the run goes on is stored, too: who resumes it learns whether the disk works.
+Expected<void> Core::ready_to_go_on() {
+  if (is_over()) return conflict("core " + id_ + " is over");
+  if (!interruption_) return {};
+  if (!interruption_->rebuilt)
+    if (auto done = rebuild(); !done) return done;
+  if (is_over()) return conflict("core " + id_ + " is over");
+  interruption_.reset();
+  resources_.writer.append(journal_, {.ticket = held_.next_ticket()});
+  return {};
 }
 
 }  // namespace race::server

@@ -1,6 +1,10 @@
-// Core: one execution on its own strand. Deliveries arrive in a queue, an Execution makes steps of them, and what comes
-// of a step leaves: its entry to the journal, its calls to the host, its changes to those who watch, as frozen values.
-// It never waits for a watcher.
+// Core: one run on its own strand. Deliveries arrive in a queue, an Execution makes steps of them, their entries go to
+// the journal, and what comes of a step leaves once its entry is durable (core/SEMANTICS.md section 10): calls to the
+// host, changes to those who watch as frozen values, answers to those who asked. Steps are computed meanwhile.
+// It never waits for a watcher, nor for the disk: it stops when it is too far ahead.
+//
+// When the journal fails, or the run was under way when an earlier server ended, the run is *interrupted*: it is as the
+// journal says, its open calls are answered `unavailable`, and it goes on when somebody says so.
 //
 // Threads: all public functions on any but the core's strand; those that say "waits" wait for it, a few seconds at
 // most, and answer `unavailable` if it has not come round by then.
@@ -15,6 +19,9 @@
 #include "core/execution/execution.h"
 #include "core/execution/replay.h"
 #include "core/value/expected.h"
+#include "server/execution/held_outputs.h"
+#include "server/store/journal_writer.h"
+#include "server/store/runs.h"
 #include "server/threads/strand.h"
 #include "services/host/host.h"
 #include "services/mutex.h"
@@ -36,16 +43,32 @@ class CoreWatcher {
   virtual void printed(const std::string& id, const std::string& text) = 0;
 };
 
-class Core : public std::enable_shared_from_this<Core> {
+/// What cores use; all of it outlives them.
+struct CoreResources {
+  Pool& pool;
+  services::Host& host;
+  CoreWatcher& watcher;
+  Runs& runs;
+  JournalWriter& writer;
+};
+
+class Core final : public std::enable_shared_from_this<Core>, private RunSink {
  public:
-  /// `header.arguments` and `header.native` are frozen. All outlive the core. Errors: those of Execution::create.
-  static Expected<std::shared_ptr<Core>> create(std::string id, std::string document, execution::JournalHeader header,
-                                                Pool& pool, services::Host& host, CoreWatcher& watcher);
+  /// Of a stored run that has not begun; `header` is its header, whose arguments and native model are frozen. Errors:
+  /// those of Execution::create.
+  static Expected<std::shared_ptr<Core>> create(RunRecord run, execution::JournalHeader header,
+                                                const CoreResources& resources);
+  /// Of a stored run that was under way when the server ended: interrupted, unless its journal says that it is over.
+  /// Waits until it is rebuilt. Errors: those of Execution::create and of the store; `conflict`: the journal is of
+  /// another run.
+  static Expected<std::shared_ptr<Core>> recover(RunRecord run, execution::JournalHeader header,
+                                                 const CoreResources& resources);
 
   /// Tells the watcher that there is this core: once it can be found, as whoever hears of it may ask for it at once.
   void announce();
 
   const std::string& id() const { return id_; }
+  RunId run_id() const { return record_.id; }
   const semantics::Program& program() const { return *header_.program; }
   const execution::JournalHeader& header() const { return header_; }
   /// As published last (schemas/core.json).
@@ -54,12 +77,18 @@ class Core : public std::enable_shared_from_this<Core> {
   /// A service said something that may concern this core.
   void deliver(const services::Delivery& delivery) EXCLUDES(mutex_);
 
-  // Commands: wait, and give the core as it is then. Error `conflict`: it is not in the state for it.
+  // Commands: wait, and give the core as it is then, once what they caused is durable. Errors: `conflict`: it is not in
+  // the state for it; `storage`: the disk fails, and the run is interrupted.
   Expected<Value> start();
   Expected<Value> pause();
+  /// Of an interrupted run: it goes on from its last macro step.
   Expected<Value> resume();
   /// Ends the run between macro steps.
   Expected<Value> stop();
+  /// No command begins this run any more: another model is loaded in its place. `conflict`: it has begun.
+  Expected<Value> retire();
+  /// It was not: the run may begin.
+  void reinstate() { closed_ = false; }
   /// A paused core goes as far as `goal`. One that waits for an input to get there counts as paused, and may be told
   /// another goal. Error: as execution::find_goal.
   Expected<Value> step(execution::GoalName goal);
@@ -68,7 +97,7 @@ class Core : public std::enable_shared_from_this<Core> {
   static constexpr std::size_t kMostBreakpoints = 100;  // every delta has them
   Expected<Value> set_breakpoints(std::vector<execution::GoalName> goals);
 
-  // Questions: wait.
+  // Questions: wait. They are answered with what is durable.
   /// schemas/core_state.json
   Expected<Value> state();
   /// schemas/why.json; `not_found`: no such port.
@@ -76,15 +105,8 @@ class Core : public std::enable_shared_from_this<Core> {
   /// The same as things were before micro step `micro` (from 0) of macro step `step` (from 1), recomputed on a strand
   /// of its own. `out_of_range`: no such macro step.
   Expected<Value> why_before(const std::string& port, std::size_t step, int micro);
-  /// A copy, and the micro steps done if the last macro step is not complete, else -1.
-  struct JournalView {
-    execution::Journal journal;
-    int micro = -1;
-    semantics::Status status = semantics::Status::running;
-    std::string outcome;
-    std::optional<semantics::RunFault> fault;
-  };
-  Expected<JournalView> journal();
+  /// The whole journal.
+  Expected<execution::Journal> journal();
   /// schemas/derivations.json, recomputed on a strand of its own. `out_of_range`: no such macro steps; 0 = the last
   /// one.
   Expected<Value> derivations(std::size_t from, std::size_t to);
@@ -95,14 +117,27 @@ class Core : public std::enable_shared_from_this<Core> {
   // Watching. A snapshot is published first; from then on, what changes.
   void watch_state();
   void watch_derivation(bool on);
+  /// As `other` is watched, in whose place this core comes.
+  void watch_as(const Core& other);
 
  private:
-  Core(std::string id, std::string document, execution::JournalHeader header, execution::Execution execution,
-       Pool& pool, services::Host& host, CoreWatcher& watcher);
+  Core(RunRecord run, execution::JournalHeader header, execution::Execution execution, const CoreResources& resources);
+
+  // RunSink.
+  void durable(std::uint64_t ticket) override;
+  void failed(const Error& error) override;
+
+  /// Where a run is: `micro` steps of the macro step `step`, -1 if it is complete.
+  struct Reached {
+    std::uint64_t step = 0;
+    int micro = -1;
+    Dict status;  // status, outcome, fault as of core.json
+  };
+  template <typename T, typename F>
+  Expected<T> on_strand(F function);
   template <typename F>
-  auto on_strand(F function) -> std::invoke_result_t<F>;
-  template <typename F>
-  Expected<Value> replayed(const execution::Journal& journal, F function);
+  Expected<Value> replayed(F function);
+  Expected<Reached> reached();
 
   // All below: on the strand.
   const semantics::Run& run() const { return execution_.run(); }
@@ -115,30 +150,57 @@ class Core : public std::enable_shared_from_this<Core> {
   void take_inbox();
   std::uint32_t do_part(std::uint32_t limit);
   const execution::Progress& next_part(std::uint32_t limit);
-  void emit(const execution::Progress& progress);
   void hold();
-  void publish(const execution::Progress& progress);
+  Expected<void> ready_to_go_on();
+
+  // core_output.cpp: what leaves.
+  void emit(const execution::Progress& progress);
+  void record(const execution::Progress& progress);
+  RunEnd run_end() const;
+  Value delta_of(const execution::Progress& progress) const;
+  Value steps_of(const execution::Progress& progress) const;
   void publish_info();
+  void publish_snapshot();
+  void publish_next_derivation();
+  void set_info(Value info) EXCLUDES(mutex_);
   Value info_json() const;
 
-  static constexpr std::uint32_t kTurn = 256;  // micro steps in one turn of the strand
+  // core_recovery.cpp: interruptions.
+  void interrupt(const Error& error);
+  Expected<void> rebuild();
+  void open_journal();
 
-  const std::string id_, document_;
+  static constexpr std::uint32_t kTurn = 256;    // micro steps in one turn of the strand
+  static constexpr std::size_t kMostHeld = 256;  // outputs that wait for the disk; then no macro step begins
+
+  const std::string id_;
   const execution::JournalHeader header_;
+  const CoreResources resources_;
   Strand strand_, replay_strand_;
-  services::Host& host_;
-  CoreWatcher& watcher_;
 
   mutable services::Mutex mutex_;
   std::vector<services::Delivery> inbox_ GUARDED_BY(mutex_);
   Value info_ GUARDED_BY(mutex_);
-  std::atomic<bool> derivation_watched_{false}, closed_{false};
+  std::atomic<bool> state_watched_{false}, derivation_watched_{false}, closed_{false};
 
+  RunRecord record_;  // as it was stored when the core was made, or rebuilt; its number and document stay
+  std::shared_ptr<RunJournal> journal_;
+  HeldOutputs held_;
   execution::Execution execution_;
-  std::vector<execution::JournalEntry> journal_;
-  Value breakpoints_ = List();  // as in schemas/core.json
-  bool started_ = false, paused_ = false, scheduled_ = false, state_watched_ = false;
+  std::vector<execution::Goal> breakpoints_;
+  Value breakpoints_json_ = List();  // as in schemas/core.json
+  bool started_ = false, paused_ = false, scheduled_ = false;
   Value announced_ = Value::unknown();  // what the list of cores was told last
+
+  // Interrupted: since when it is as the journal says, until somebody lets it go on.
+  struct Interruption {
+    const char* reason;  // schemas/core.json
+    std::string message;
+    bool rebuilt = false;
+  };
+  std::optional<Interruption> interruption_;
+
+  const std::shared_ptr<execution::Replay> replay_;  // of the replay strand
 };
 
 }  // namespace race::server

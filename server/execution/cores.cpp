@@ -4,6 +4,7 @@
 
 #include "core/rcm/native.h"
 #include "core/rcm/translate.h"
+#include "server/wire/calendar.h"
 
 namespace race::server {
 namespace {
@@ -27,6 +28,8 @@ std::uint64_t number_of(const std::string& id) {
   return error == std::errc() && end == id.data() + id.size() ? number : 0;
 }
 
+tl::unexpected<std::vector<Error>> one(Error error) { return tl::unexpected(std::vector<Error>{std::move(error)}); }
+
 tl::unexpected<Error> no_core(const std::string& id) {
   return unexpected(ErrorCode::not_found, "there is no core of this id", id);
 }
@@ -47,32 +50,87 @@ Value cores_json(const Cores& cores) {
   return std::move(json.freeze());
 }
 
-Checked<std::shared_ptr<Core>> Cores::create(const std::string& name, const rcm::Document& document, Dict arguments) {
-  if (auto errors = wrong_types(document, host_.services()); !errors.empty()) return tl::unexpected(std::move(errors));
-  auto native = rcm::translate(document);
+Checked<execution::JournalHeader> Cores::header_of(const StoredDocument& stored, Dict arguments) const {
+  const services::Host& host = resources_.host;
+  if (auto errors = wrong_types(stored.document, host.services()); !errors.empty())
+    return tl::unexpected(std::move(errors));
+  auto native = rcm::translate(stored.document);
   if (!native) return tl::unexpected(std::move(native).error());
-  auto program = semantics::Program::build(*native, host_.models());
+  auto program = semantics::Program::build(*native, host.models());
   if (!program) return tl::unexpected(std::move(program).error());
   if (auto errors = semantics::check_arguments(**program, arguments); !errors.empty())
     return tl::unexpected(std::move(errors));
   arguments.freeze();
-  Value model = rcm::write_native(document, *native);
-  execution::JournalHeader header{std::move(model.freeze()), std::move(*program), std::move(arguments), {}};
-  std::uint64_t number = 0;
-  {
-    const services::MutexLock lock(mutex_);
-    if (cores_.size() >= kMost)
-      return tl::unexpected(std::vector<Error>{
-          {ErrorCode::conflict, "there are " + std::to_string(kMost) + " cores already; delete one"}});
-    number = next_++;
-  }
-  auto core = Core::create(std::to_string(number), name, std::move(header), pool_, host_, watcher_);
-  if (!core) return tl::unexpected(std::vector<Error>{std::move(core).error()});
-  // Under the lock: who finds the core and removes it is heard after this.
+  Value model = rcm::write_native(stored.document, *native);
+  return execution::JournalHeader{std::move(model.freeze()), std::move(*program), std::move(arguments), {}};
+}
+
+Checked<std::shared_ptr<Core>> Cores::create(const StoredDocument& stored, Dict arguments) {
+  auto header = header_of(stored, std::move(arguments));
+  if (!header) return tl::unexpected(std::move(header).error());
+  if (!reserve_place())
+    return one({ErrorCode::conflict, "there are " + std::to_string(kMost) + " cores already; delete one"});
+  auto core = create_run(stored, std::move(*header));
+  if (core) add(*core);
   const services::MutexLock lock(mutex_);
-  cores_.emplace(number, *core);
-  (*core)->announce();
+  --coming_;
+  if (!core) return one(std::move(core).error());
   return *core;
+}
+
+bool Cores::reserve_place() {
+  const services::MutexLock lock(mutex_);
+  if (cores_.size() + coming_ >= kMost) return false;
+  ++coming_;
+  return true;
+}
+
+Expected<std::shared_ptr<Core>> Cores::create_run(const StoredDocument& stored, execution::JournalHeader header) {
+  ASSIGN_OR_RETURN(RunRecord run,
+                   resources_.runs.create({stored.name, stored.revision, header, resources_.host.models()}, now_ms()));
+  return Core::create(std::move(run), std::move(header), resources_);
+}
+
+// The new core has the number of the old one, which begins no more.
+Checked<std::shared_ptr<Core>> Cores::load(const std::string& id, const StoredDocument& stored, Dict arguments) {
+  const auto old = find(id);
+  if (!old) return one(old.error());
+  auto header = header_of(stored, std::move(arguments));
+  if (!header) return tl::unexpected(std::move(header).error());
+  if (auto retired = (*old)->retire(); !retired) return one(std::move(retired).error());
+  auto run =
+      resources_.runs.replace((*old)->run_id(), {stored.name, stored.revision, *header, resources_.host.models()});
+  if (!run) {
+    (*old)->reinstate();
+    return one(std::move(run).error());
+  }
+  auto core = Core::create(std::move(*run), std::move(*header), resources_);
+  if (!core) return one(std::move(core).error());
+  (*core)->watch_as(**old);
+  add(*core);
+  return *core;
+}
+
+Expected<void> Cores::recover() {
+  ASSIGN_OR_RETURN(const std::vector<RunRecord> runs, resources_.runs.open_runs());
+  for (const RunRecord& run : runs) {
+    auto header = resources_.runs.header(run.id);
+    auto core = !header          ? Expected<std::shared_ptr<Core>>(tl::unexpect, header.error())
+                : run.steps == 0 ? Core::create(run, std::move(*header), resources_)
+                                 : Core::recover(run, std::move(*header), resources_);
+    if (core)
+      add(*core);
+    else
+      resources_.watcher.printed(std::to_string(run.id), "cannot be rebuilt: " + to_string(core.error()));
+  }
+  return {};
+}
+
+// Under the lock: who finds the core and removes it is heard after this.
+void Cores::add(const std::shared_ptr<Core>& core) {
+  const services::MutexLock lock(mutex_);
+  cores_.insert_or_assign(core->run_id(), core);
+  core->announce();
 }
 
 Expected<std::shared_ptr<Core>> Cores::find(const std::string& id) const {
@@ -89,22 +147,23 @@ std::vector<std::shared_ptr<Core>> Cores::all() const {
   return all;
 }
 
-Expected<std::shared_ptr<Core>> Cores::take(const std::string& id) {
-  const services::MutexLock lock(mutex_);
-  const auto found = cores_.find(number_of(id));
-  if (found == cores_.end()) return no_core(id);
-  auto core = std::move(found->second);
-  cores_.erase(found);
-  return core;
-}
-
 Expected<std::shared_ptr<Core>> Cores::remove(const std::string& id) {
-  ASSIGN_OR_RETURN(auto core, take(id));
+  ASSIGN_OR_RETURN(auto core, find(id));
   const auto stopped = core->stop();
   // `conflict`: the run is over or was never started; there is nothing to stop.
-  if (!stopped && stopped.error().code != ErrorCode::conflict) watcher_.printed(core->id(), to_string(stopped.error()));
+  if (!stopped && stopped.error().code == ErrorCode::storage) return tl::unexpected(stopped.error());
+  if (!stopped && stopped.error().code != ErrorCode::conflict)
+    resources_.watcher.printed(core->id(), to_string(stopped.error()));
+  if (!stopped && core->retire())
+    if (auto removed = resources_.runs.remove(core->run_id()); !removed) return tl::unexpected(removed.error());
   core->close();
-  watcher_.core_removed(core->id());
+  {
+    const services::MutexLock lock(mutex_);
+    const auto found = cores_.find(core->run_id());
+    if (found == cores_.end() || found->second != core) return no_core(id);
+    cores_.erase(found);
+  }
+  resources_.watcher.core_removed(core->id());
   return core;
 }
 

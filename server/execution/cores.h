@@ -1,4 +1,4 @@
-// Cores: all cores of the server, by id; brings them what services say.
+// Cores: all cores of the server, by id, which is the number of the run; brings them what services say.
 //
 // Threads: any.
 #pragma once
@@ -10,25 +10,36 @@
 
 #include "core/rcm/model.h"
 #include "server/execution/core.h"
+#include "server/store/documents.h"
 #include "services/mutex.h"
 
 namespace race::server {
 
 class Cores {
  public:
-  static constexpr std::size_t kMost = 64;
+  static constexpr std::size_t kMost = 128;
 
   /// All outlive this.
-  Cores(Pool& pool, services::Host& host, CoreWatcher& watcher) : pool_(pool), host_(host), watcher_(watcher) {}
+  Cores(Pool& pool, services::Host& host, CoreWatcher& watcher, Runs& runs, JournalWriter& writer)
+      : resources_{pool, host, watcher, runs, writer} {}
 
-  /// A core of `document` that waits to be started. Errors: violations of the program (with `type` for a service of
-  /// another type than the document expects), an argument that does not fit, `conflict`: there are kMost cores already.
-  Checked<std::shared_ptr<Core>> create(const std::string& name, const rcm::Document& document, Dict arguments);
+  /// A core of a document in a revision that waits to be started; its run is stored. Errors: violations of the program
+  /// (with `type` for a service of another type than the document expects), an argument that does not fit, `conflict`:
+  /// there are kMost cores already; `storage`.
+  Checked<std::shared_ptr<Core>> create(const StoredDocument& stored, Dict arguments);
+  /// Another model, or the same with other arguments, in a core that has not begun. Errors: as create(); `conflict`: it
+  /// has; `not_found`.
+  Checked<std::shared_ptr<Core>> load(const std::string& id, const StoredDocument& stored, Dict arguments);
+  /// Every stored run that is not over becomes a core again; those that had begun are interrupted. To be called once,
+  /// before anything else. Those that cannot be rebuilt stay in the store; the watcher is told why.
+  Expected<void> recover();
   /// `not_found`: there is none of this id.
   Expected<std::shared_ptr<Core>> find(const std::string& id) const;
   /// In order of creation.
   std::vector<std::shared_ptr<Core>> all() const;
-  /// Removes a core, stops its run and reports the removal; waits for the core. Error `not_found`.
+  /// Stops a core's run, removes the core and reports the removal; waits for the core. A run that never began is
+  /// removed from the store, too. Errors: `not_found`; `storage`: it is stopped, and is there as long as its end cannot
+  /// be stored.
   Expected<std::shared_ptr<Core>> remove(const std::string& id);
 
   /// An event goes to every core that names it, a response to the core whose call it answers.
@@ -37,14 +48,15 @@ class Cores {
   void close();
 
  private:
-  Expected<std::shared_ptr<Core>> take(const std::string& id);
+  Checked<execution::JournalHeader> header_of(const StoredDocument& stored, Dict arguments) const;
+  bool reserve_place() EXCLUDES(mutex_);
+  Expected<std::shared_ptr<Core>> create_run(const StoredDocument& stored, execution::JournalHeader header);
+  void add(const std::shared_ptr<Core>& core) EXCLUDES(mutex_);
 
-  Pool& pool_;
-  services::Host& host_;
-  CoreWatcher& watcher_;
+  const CoreResources resources_;
   mutable services::Mutex mutex_;
-  std::map<std::uint64_t, std::shared_ptr<Core>> cores_ GUARDED_BY(mutex_);
-  std::uint64_t next_ GUARDED_BY(mutex_) = 1;
+  std::map<RunId, std::shared_ptr<Core>> cores_ GUARDED_BY(mutex_);
+  std::size_t coming_ GUARDED_BY(mutex_) = 0;  // being created
 };
 
 /// schemas/cores.json, frozen.

@@ -12,6 +12,14 @@ Reply ok(Value body) {
 
 tl::unexpected<std::vector<Error>> failed(Error error) { return tl::unexpected(std::vector<Error>{std::move(error)}); }
 
+std::optional<Dict> read_arguments(Fields& fields) {
+  const Value* arguments = fields.find("arguments");
+  if (!arguments) return std::nullopt;
+  if (arguments->is_dict()) return arguments->as_dict();
+  fields.violation(ErrorCode::type, "`arguments` must be an object", "arguments");
+  return std::nullopt;
+}
+
 Checked<std::shared_ptr<Core>> core_of(const Request& request, const Cores& cores) {
   auto core = cores.find(request.parameters.at("id"));
   if (!core) return failed(std::move(core).error());

@@ -1,4 +1,4 @@
-// POST /api/v1/cores/{id}/start, pause, resume, stop.
+// POST /api/v1/cores/{id}/pause, resume, stop.
 #include "server/execution/cores.h"
 #include "server/handlers/handlers.h"
 
@@ -14,7 +14,6 @@ Handled command(const Request& request, Cores& cores, Expected<Value> (Core::*wh
 
 }  // namespace
 
-Handled start_core(const Request& request, Cores& cores) { return command(request, cores, &Core::start); }
 Handled pause_core(const Request& request, Cores& cores) { return command(request, cores, &Core::pause); }
 Handled resume_core(const Request& request, Cores& cores) { return command(request, cores, &Core::resume); }
 Handled stop_core(const Request& request, Cores& cores) { return command(request, cores, &Core::stop); }

@@ -1,5 +1,4 @@
 // POST /api/v1/cores: a core of a document and arguments, which waits to be started.
-#include "core/value/fields.h"
 #include "core/value/json.h"
 #include "server/execution/cores.h"
 #include "server/handlers/handlers.h"
@@ -13,14 +12,12 @@ Handled create_core(const Request& request, Documents& documents, Cores& cores) 
   std::vector<Error> errors;
   Fields fields(*body, "", "the request", errors, Fields::Paths::field);
   const auto name = fields.text("document", Fields::Need::required);
-  const Value* arguments = fields.find("arguments");
-  if (arguments && !arguments->is_dict())
-    fields.violation(ErrorCode::type, "`arguments` must be an object", "arguments");
+  auto arguments = read_arguments(fields);
   fields.close();
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   const auto stored = documents.get(*name);
   if (!stored) return tl::unexpected(stored.error());
-  const auto core = cores.create(stored->name, stored->document, arguments ? arguments->as_dict() : Dict());
+  const auto core = cores.create(*stored, std::move(arguments).value_or(Dict()));
   if (!core) return tl::unexpected(core.error());
   Reply reply = ok((*core)->info());
   reply.status = 201;

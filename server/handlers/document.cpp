@@ -1,27 +1,29 @@
-// GET and PUT /api/v1/documents/{name}: one document as it is edited; stored whole or refused whole.
-#include "core/rcm/document.h"
-
-#include "server/handlers/handlers.h"
-#include "server/store/documents.h"
+// GET and PUT /api/v1/documents/{name}: one document or draft as it is edited; stored whole or refused whole.
+#include "server/handlers/document_requests.h"
 
 namespace race::server {
-
 namespace {
 
-Handled entry(const Checked<StoredDocument>& stored) {
-  if (!stored) return tl::unexpected(stored.error());
-  return ok(Dict{
-      {"name", stored->name}, {"revision", stored->revision}, {"document", rcm::write_document(stored->document)}});
+Expected<bool> is_draft(const Request& request) {
+  const auto found = request.query.find("draft");
+  if (found == request.query.end() || found->second == "false") return false;
+  if (found->second == "true") return true;
+  return unexpected(ErrorCode::out_of_range, "must be `true` or `false`", "draft");
 }
 
 }  // namespace
 
 Handled get_document(const Request& request, Documents& documents) {
-  return entry(documents.get(request.parameters.at("name")));
+  return answer_entry(documents.entry(request.parameters.at("name")));
 }
 
 Handled put_document(const Request& request, Documents& documents) {
-  return entry(documents.put(request.parameters.at("name"), request.body));
+  const auto draft = is_draft(request);
+  if (!draft) return failed(draft.error());
+  const auto seen = number_of(request, "revision");
+  if (!seen) return failed(seen.error());
+  const Documents::Put options{*draft, *seen};
+  return answer_entry(documents.put(request.parameters.at("name"), request.body, change_of(request), options));
 }
 
 }  // namespace race::server

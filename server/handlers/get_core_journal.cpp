@@ -7,9 +7,9 @@ namespace race::server {
 Handled get_core_journal(const Request& request, Cores& cores) {
   const auto core = core_of(request, cores);
   if (!core) return tl::unexpected(core.error());
-  const auto view = (*core)->journal();
-  if (!view) return failed(view.error());
-  return ok(journal_json(view->journal));
+  const auto journal = (*core)->journal();
+  if (!journal) return failed(journal.error());
+  return ok(journal_json(*journal));
 }
 
 }  // namespace race::server

@@ -5,17 +5,23 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "core/value/expected.h"
+#include "core/value/fields.h"
 #include "server/http/message.h"
 
 namespace race::server {
 
+class Backups;
+class BootList;
 class Cell;
 class CellWorld;
 class Core;
 class Cores;
 class Documents;
+class Runs;
+class Samples;
 
 using Handled = Checked<Reply>;
 
@@ -24,13 +30,22 @@ Handled get_rules(const Request& request);
 Handled list_documents(const Request& request, Documents& documents);
 Handled get_document(const Request& request, Documents& documents);
 Handled put_document(const Request& request, Documents& documents);
+Handled get_revisions(const Request& request, Documents& documents);
+Handled get_revision(const Request& request, Documents& documents);
+Handled restore_document(const Request& request, Documents& documents);
+Handled branch_document(const Request& request, Documents& documents);
 Handled get_document_native(const Request& request, Documents& documents);
+Handled list_backups(const Request& request, Backups& backups);
+Handled create_backup(const Request& request, Backups& backups);
+Handled delete_backup(const Request& request, Backups& backups);
+Handled restore_backup(const Request& request, Backups& backups, Cores& cores);
 Handled list_services(const Request& request, Cell& cell);
 Handled list_cores(const Request& request, Cores& cores);
 Handled create_core(const Request& request, Documents& documents, Cores& cores);
 Handled get_core(const Request& request, Cores& cores);
 Handled delete_core(const Request& request, Cores& cores);
-Handled start_core(const Request& request, Cores& cores);
+Handled load_core(const Request& request, Documents& documents, Cores& cores);
+Handled start_core(const Request& request, Documents& documents, Cores& cores);
 Handled pause_core(const Request& request, Cores& cores);
 Handled resume_core(const Request& request, Cores& cores);
 Handled stop_core(const Request& request, Cores& cores);
@@ -42,10 +57,23 @@ Handled get_derivations(const Request& request, Cores& cores);
 Handled get_core_script(const Request& request, Cores& cores);
 Handled get_core_journal(const Request& request, Cores& cores);
 Handled get_why(const Request& request, Cores& cores);
+Handled list_runs(const Request& request, Runs& runs);
+Handled import_run(const Request& request, Runs& runs, Samples& samples);
+Handled get_run(const Request& request, Runs& runs);
+Handled delete_run(const Request& request, Runs& runs, Cores& cores);
+Handled get_run_native(const Request& request, Runs& runs);
+Handled get_run_derivations(const Request& request, Runs& runs);
+Handled get_run_journal(const Request& request, Runs& runs);
+Handled get_run_script(const Request& request, Runs& runs);
+Handled get_run_samples(const Request& request, Runs& runs, Samples& samples);
+Handled get_run_export(const Request& request, Runs& runs, Samples& samples, Documents& documents);
+Handled compare_run(const Request& request, Runs& runs);
 Handled get_cell(const Request& request, Cell& cell);
 Handled get_person(const Request& request, Cell& cell);
 Handled execute_person_command(const Request& request, Cell& cell);
 Handled get_cell_file(const Request& request, Cell& cell);
+Handled get_boot(const Request& request, BootList& boot);
+Handled put_boot(const Request& request, Documents& documents, BootList& boot);
 
 // For the handlers.
 
@@ -53,6 +81,8 @@ Handled get_cell_file(const Request& request, Cell& cell);
 Reply ok(Value body);
 /// A list of errors with one.
 tl::unexpected<std::vector<Error>> failed(Error error);
+/// The field `arguments`: an object. Nothing if it is absent or, which is a violation, something else.
+std::optional<Dict> read_arguments(Fields& fields);
 /// The core of the route's `id`, or `not_found`.
 Checked<std::shared_ptr<Core>> core_of(const Request& request, const Cores& cores);
 /// The world of the cell, or `not_found`.

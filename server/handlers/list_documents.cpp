@@ -1,4 +1,4 @@
-// GET /api/v1/documents: names and revisions.
+// GET /api/v1/documents: names, revisions, and how many errors each has.
 #include "server/handlers/handlers.h"
 #include "server/store/documents.h"
 
@@ -8,9 +8,9 @@ Handled list_documents(const Request&, Documents& documents) {
   const auto stored = documents.list();
   if (!stored) return tl::unexpected(stored.error());
   List list;
-  for (const StoredDocument& document : *stored) {
-    Dict entry{{"name", document.name}, {"revision", document.revision}};
-    if (!document.document.root.doc.empty()) entry.set("doc", document.document.root.doc);
+  for (const Revision& last : *stored) {
+    Dict entry{{"name", last.document}, {"revision", last.number}, {"errors", last.errors}};
+    if (!last.doc.empty()) entry.set("doc", last.doc);
     list.emplace_back(std::move(entry));
   }
   return ok(Dict{{"documents", std::move(list)}});

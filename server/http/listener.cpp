@@ -105,7 +105,7 @@ std::optional<Reply> read_error(error_code error) {
   if (error == http::error::header_limit || error == http::error::buffer_overflow)
     return refusal(431, "too_large", "a header has at most " + std::to_string(RequestFilter::kHeaderBytes) + " bytes");
   if (error == http::error::body_limit)
-    return refusal(413, "too_large", "a body has at most " + std::to_string(RequestFilter::kBodyBytes) + " bytes");
+    return refusal(413, "too_large", "a body has at most " + std::to_string(RequestFilter::kRunFileBytes) + " bytes");
   if (error.category() == make_error_code(http::error::bad_method).category() && error != http::error::end_of_stream &&
       error != http::error::partial_message)
     return refusal(400, "http", error.message());
@@ -142,7 +142,7 @@ awaitable<bool> serve_one(beast::tcp_stream& stream, beast::flat_buffer& buffer,
                           std::chrono::milliseconds begin) {
   Parser parser;
   parser.header_limit(RequestFilter::kHeaderBytes);
-  parser.body_limit(RequestFilter::kBodyBytes);
+  parser.body_limit(RequestFilter::kRunFileBytes);  // of most routes it is less: the filter refuses by Content-Length
   if (buffer.size() == 0) {
     stream.expires_after(begin);
     const auto [error, bytes] = co_await stream.async_read_some(buffer.prepare(RequestFilter::kHeaderBytes), kAsTuple);

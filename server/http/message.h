@@ -38,4 +38,7 @@ struct Reply {
 /// not properly encoded.
 Expected<std::pair<std::string, Parameters>> parse_target(std::string_view target);
 
+/// `text` as one part of the path of a request target: all but letters, digits and `-._~` as %2F.
+std::string encode_part(std::string_view text);
+
 }  // namespace race::server

@@ -26,8 +26,9 @@ std::optional<Reply> refuse_body(const Request& request) {
       return refusal(400, "content_length", "Content-Length is no number");
   }
   if (bytes == 0) return std::nullopt;
-  if (bytes > RequestFilter::kBodyBytes)
-    return refusal(413, "too_large", "a body has at most " + std::to_string(RequestFilter::kBodyBytes) + " bytes");
+  const bool run_file = request.method == "POST" && request.path == "/api/v1/runs";
+  const std::uint64_t most = run_file ? RequestFilter::kRunFileBytes : RequestFilter::kBodyBytes;
+  if (bytes > most) return refusal(413, "too_large", "a body has at most " + std::to_string(most) + " bytes");
   const std::string type = lower(request.header("content-type"));
   if (type != "application/json" && !type.starts_with("application/json;"))
     return refusal(415, "content_type", "a body is application/json");

@@ -13,7 +13,8 @@ namespace race::server {
 struct RequestFilter {
   static constexpr std::size_t kHeaderBytes = 16 * 1024;
   static constexpr std::uint64_t kBodyBytes = 4 * 1024 * 1024;
-  static constexpr std::size_t kMessageBytes = 64 * 1024;  // of the stream, from a client
+  static constexpr std::uint64_t kRunFileBytes = 16 * 1024 * 1024;  // of the file of a run: POST /api/v1/runs
+  static constexpr std::size_t kMessageBytes = 64 * 1024;           // of the stream, from a client
 
   /// Loopback: localhost, 127.0.0.1 and [::1] with this port are the names of the server.
   explicit RequestFilter(std::uint16_t port);

@@ -17,6 +17,7 @@ std::string status_line(const Value& core) {
   if (const std::string outcome = text_of(core, "outcome"); !outcome.empty()) line += " at " + outcome;
   if (const Value* fault = core.find("fault"))
     line += ", " + text_of(*fault, "kind") + " at " + text_of(*fault, "at") + ": " + text_of(*fault, "message");
+  if (const Value* interruption = core.find("interruption")) line += ": " + text_of(*interruption, "message");
   return line;
 }
 

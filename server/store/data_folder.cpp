@@ -52,12 +52,16 @@ Expected<void> prepare(const fs::path& path) try {
 
 }  // namespace
 
-Expected<DataFolder> DataFolder::open(const std::string& path) {
+Expected<DataFolder> DataFolder::take(const std::string& path) {
   std::error_code error;
   fs::create_directories(path, error);
   if (error) return unexpected(ErrorCode::storage, error.message(), path);
   ASSIGN_OR_RETURN(const int lock, take_lock(path));
-  DataFolder folder(path, lock);
+  return DataFolder(path, lock);
+}
+
+Expected<DataFolder> DataFolder::open(const std::string& path) {
+  ASSIGN_OR_RETURN(DataFolder folder, take(path));
   auto ready = take_over_documents(path);
   if (ready) ready = prepare(folder.store());
   if (!ready) {

@@ -20,6 +20,8 @@ class DataFolder {
   /// Makes the folder if it is not there, takes it, and brings its files to this version: documents of an older one are
   /// taken over. Errors: `conflict` (another server holds it), `corrupt`, `version`, `storage`, `io`, with the path.
   static Expected<DataFolder> open(const std::string& path);
+  /// Makes and takes the folder, whatever its files are: to restore a backup. Errors: `conflict`, `storage`.
+  static Expected<DataFolder> take(const std::string& path);
   DataFolder(DataFolder&& other) noexcept;
   DataFolder& operator=(DataFolder&&) = delete;
   ~DataFolder();

@@ -1,186 +1,211 @@
 #include "server/store/documents.h"
 
 #include <SQLiteCpp/Database.h>
-#include <SQLiteCpp/Statement.h>
-#include <SQLiteCpp/Transaction.h>
 
-#include <filesystem>
+#include <algorithm>
 
-#include "core/rcm/constraints.h"
+#include "core/language/primitives/utf8.h"
 #include "core/rcm/document.h"
 #include "core/rcm/ids.h"
-#include "core/value/json.h"
-#include "server/store/files.h"
+#include "services/sqlite/file.h"
+#include "services/sqlite/write_transaction.h"
 
 namespace race::server {
 namespace {
 
-constexpr const char* kSetUp =
-    "PRAGMA journal_mode = WAL;"
-    "PRAGMA synchronous = FULL;"
-    "CREATE TABLE IF NOT EXISTS document (name TEXT PRIMARY KEY, revision INTEGER NOT NULL, text TEXT NOT NULL);";
+tl::unexpected<std::vector<Error>> failed(Error error) { return tl::unexpected(std::vector<Error>{std::move(error)}); }
 
-// `user_version` of the file; 0: of a version of the program that gave no ids.
-constexpr int kVersion = 1;
-
-std::vector<Error> one(ErrorCode code, std::string message, std::string path) {
-  return {Error{code, std::move(message), std::move(path)}};
+template <typename T>
+Checked<T> checked(Expected<T> value) {
+  if (!value) return failed(std::move(value).error());
+  return std::move(*value);
 }
 
 tl::unexpected<std::vector<Error>> failure(const std::string& what, const SQLite::Exception& exception) {
-  return tl::unexpected(one(ErrorCode::io, what + ": " + exception.what(), ""));
+  return failed(sqlite::error_of(exception, what));
 }
 
-/// What has the right shape in a stored text.
-Expected<rcm::Draft> read_draft(const std::string& text) {
-  const auto json = parse_json(text, JsonLimits{.keep_out_of_range = true});
-  if (!json) return tl::unexpected(json.error());
-  return rcm::read_draft(*json);
+constexpr const char* kCannotRead = "cannot read documents";
+
+Expected<void> check_name(const std::string& name, const std::string& path) {
+  if (rcm::is_id(name)) return {};
+  return unexpected(ErrorCode::name, "a document's name is 1 to 64 of A-Z a-z 0-9 _ -", path);
 }
 
-/// Without ids that are none: texts of a version of the program that had no ids may say anything in their place.
-std::optional<rcm::Document> read_without_bad_ids(const std::string& text) {
-  auto draft = read_draft(text);
-  if (!draft || draft->errors.size() > draft->bad_ids || !rcm::violations(draft->document).empty()) return {};
-  return std::move(draft->document);
+Expected<void> check_length(const std::string& text, std::size_t most, const char* path) {
+  if (language::utf8::length(text) <= most) return {};
+  return unexpected(ErrorCode::too_large, "has more than " + std::to_string(most) + " characters", path);
+}
+
+Expected<void> check(const Change& change) {
+  if (auto fits = check_length(change.author, Documents::kMaxAuthor, "author"); !fits) return fits;
+  return check_length(change.message, Documents::kMaxMessage, "message");
+}
+
+tl::unexpected<Error> no_document(const std::string& name) {
+  return unexpected(ErrorCode::not_found, "there is no document of this name", name);
+}
+
+Checked<DocumentEntry> read(const RevisionText& stored) {
+  auto document = read_document_or_draft(stored.text);
+  if (!document) return tl::unexpected(std::move(document).error());
+  return DocumentEntry{stored.revision, std::move(document->json), std::move(document->errors)};
 }
 
 }  // namespace
 
-Documents::Documents(std::unique_ptr<SQLite::Database> file) : file_(std::move(file)) {}
+Documents::Documents(std::unique_ptr<SQLite::Database> file, Limits limits) : limits_(limits), file_(std::move(file)) {}
 Documents::~Documents() = default;
 
-Expected<std::unique_ptr<Documents>> Documents::open(const std::string& path) {
-  try {
-    auto file = std::make_unique<SQLite::Database>(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-    file->exec(kSetUp);
-    std::unique_ptr<Documents> documents(new Documents(std::move(file)));
-    documents->migrate();
-    return documents;
-  } catch (const SQLite::Exception& failure) {
-    return unexpected(ErrorCode::io, std::string("cannot open the store: ") + failure.what(), path);
-  }
-}
-
-std::vector<Documents::Row> Documents::rows(const char* where, const std::string& name) {
-  SQLite::Statement select(*file_, std::string("SELECT name, revision, text FROM document ") + where);
-  if (select.getBindParameterCount() > 0) select.bind(1, name);
-  std::vector<Row> found;
-  while (select.executeStep())
-    found.push_back({select.getColumn(0), select.getColumn(2), select.getColumn(1).getInt64()});
-  return found;
-}
-
-std::vector<Documents::Row> Documents::row(const std::string& name) { return rows("WHERE name = ?", name); }
-
-void Documents::write(const Row& row) {
-  SQLite::Statement insert(*file_, "INSERT OR REPLACE INTO document VALUES (?, ?, ?)");
-  insert.bind(1, row.name);
-  insert.bind(2, row.revision);
-  insert.bind(3, row.text);
-  insert.exec();
-}
-
-Checked<StoredDocument> Documents::read(const Row& row) {
-  auto document = rcm::read_document_text(row.text);
-  if (!document) return tl::unexpected(std::move(document).error());
-  return StoredDocument{row.name, row.revision, std::move(*document)};
-}
-
-// Gives `document` ids, as the next revision of the row, if there is one.
-void Documents::give_ids_after(const std::vector<Row>& old, rcm::Document& document) {
-  if (old.empty()) return rcm::give_ids(document);
-  const auto previous = read_draft(old.front().text);  // it may have violations: ids are kept all the same
-  rcm::give_ids(document, previous ? &previous->document : nullptr);
-}
-
-// Stores what an older version of the program stored as this one does. What cannot be read, or not again, stays.
-void Documents::migrate() {
-  const services::MutexLock lock(mutex_);
-  SQLite::Transaction transaction(*file_);
-  if (file_->execAndGet("PRAGMA user_version").getInt() >= kVersion) return;
-  for (const Row& row : rows("", "")) {
-    auto document = read_without_bad_ids(row.text);
-    if (!document) continue;  // see list()
-    rcm::give_ids(*document);
-    if (auto text = rcm::write_document_text(*document)) write({row.name, std::move(*text), row.revision});
-  }
-  file_->exec("PRAGMA user_version = " + std::to_string(kVersion));
-  transaction.commit();
-}
-
-Checked<std::vector<StoredDocument>> Documents::list() try {
-  const services::MutexLock lock(mutex_);
-  std::vector<StoredDocument> all;
-  // A document that an older version of the program stored may be invalid now; it is left out and stays in the file.
-  // get() says what is wrong with it.
-  for (const Row& row : rows("ORDER BY name", ""))
-    if (auto document = read(row)) all.push_back(std::move(*document));
-  return all;
+Expected<std::unique_ptr<Documents>> Documents::open(const std::string& path, Limits limits) try {
+  return std::unique_ptr<Documents>(new Documents(sqlite::open(path), limits));
 } catch (const SQLite::Exception& exception) {
-  return failure("cannot read documents", exception);
+  Error error = sqlite::error_of(exception, "cannot open the store");
+  return unexpected(error.code, std::move(error.message), path);
+}
+
+Checked<std::vector<Revision>> Documents::list() try {
+  const services::MutexLock lock(mutex_);
+  return checked(list_heads(*file_));
+} catch (const SQLite::Exception& exception) {
+  return failure(kCannotRead, exception);
 }
 
 Checked<StoredDocument> Documents::get(const std::string& name) try {
   const services::MutexLock lock(mutex_);
-  const auto found = row(name);
-  if (found.empty()) return tl::unexpected(one(ErrorCode::not_found, "there is no document of this name", name));
-  return read(found.front());
-} catch (const SQLite::Exception& exception) {
-  return failure("cannot read documents", exception);
-}
-
-Checked<StoredDocument> Documents::put(const std::string& name, std::string_view text) try {
-  if (!rcm::is_id(name))
-    return tl::unexpected(one(ErrorCode::name, "a document's name is 1 to 64 of A-Z a-z 0-9 _ -", name));
-  auto document = rcm::read_document_text(text);
+  const auto found = find(name, {});
+  if (!found) return failed(found.error());
+  auto document = rcm::read_document_text(found->text);
   if (!document) return tl::unexpected(std::move(document).error());
+  return StoredDocument{name, found->revision.number, std::move(*document)};
+} catch (const SQLite::Exception& exception) {
+  return failure(kCannotRead, exception);
+}
+
+Checked<DocumentEntry> Documents::entry(const std::string& name, std::optional<std::int64_t> revision) try {
   const services::MutexLock lock(mutex_);
-  const auto old = row(name);
-  give_ids_after(old, *document);
-  auto next_text = rcm::write_document_text(*document);
-  if (!next_text) return tl::unexpected(std::vector<Error>{std::move(next_text).error()});
-  Row next{name, std::move(*next_text), old.empty() ? 1 : old.front().revision};
-  if (!old.empty() && old.front().text != next.text) ++next.revision;
-  write(next);
-  return StoredDocument{name, next.revision, std::move(*document)};
+  const auto found = find(name, revision);
+  if (!found) return failed(found.error());
+  return read(*found);
+} catch (const SQLite::Exception& exception) {
+  return failure(kCannotRead, exception);
+}
+
+Checked<std::vector<Revision>> Documents::revisions(const std::string& name, std::optional<std::int64_t> before,
+                                                    std::int64_t most) try {
+  const services::MutexLock lock(mutex_);
+  const auto range = find_range(*file_, name);
+  if (!range) return failed(range.error());
+  if (!*range) return failed(no_document(name).value());
+  const auto [first, last] = **range;
+  const std::int64_t to = before ? std::min(last, std::max(*before, first) - 1) : last;
+  return checked(list_revisions(*file_, name, {std::max(first, to - most + 1), to}));
+} catch (const SQLite::Exception& exception) {
+  return failure(kCannotRead, exception);
+}
+
+Checked<DocumentEntry> Documents::put(const std::string& name, std::string_view text, const Change& change,
+                                      Put options) try {
+  if (auto fits = check_name(name, name); !fits) return failed(std::move(fits).error());
+  if (auto fits = check(change); !fits) return failed(std::move(fits).error());
+  auto document = read_document_or_draft(text);
+  if (!document) return tl::unexpected(std::move(document).error());
+  if (!options.draft && !document->errors.empty()) return tl::unexpected(std::move(document->errors));
+  const services::MutexLock lock(mutex_);
+  return checked(put_next(name, text, *document, change, options));
 } catch (const SQLite::Exception& exception) {
   return failure("cannot store " + name, exception);
 }
 
-Checked<void> Documents::put_demo(const std::string& folder) {
-  namespace fs = std::filesystem;
-  constexpr std::string_view kEnding = ".rcm.json";
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    std::string name = entry.path().filename();
-    if (!name.ends_with(kEnding)) continue;
-    name.resize(name.size() - kEnding.size());
-    auto text = read_file(entry.path());
-    auto document =
-        text ? rcm::read_document_text(*text) : Checked<rcm::Document>(tl::unexpect, std::vector<Error>{text.error()});
-    auto put =
-        document ? put_unchanged(name, std::move(*document)) : Checked<void>(tl::unexpect, std::move(document).error());
-    if (!put) {
-      for (Error& each : put.error()) each.path = entry.path().string() + ": " + each.path;
-      return put;
-    }
+Expected<DocumentEntry> Documents::put_next(const std::string& name, std::string_view text, DocumentText& document,
+                                            const Change& change, const Put& options) {
+  ASSIGN_OR_RETURN(const auto old, head(name));
+  if (options.seen && (!old || old->revision.number != *options.seen))
+    return unexpected(ErrorCode::conflict, "somebody else has stored another revision", name);
+  ASSIGN_OR_RETURN(std::string next, next_text(document, text, old ? old->text : ""));
+  DocumentEntry out{{}, std::move(document.json), std::move(document.errors)};
+  if (old && old->text == next) {
+    out.revision = old->revision;
+    return out;
   }
-  return {};
+  const auto errors = static_cast<std::int64_t>(out.errors.size());
+  ASSIGN_OR_RETURN(out.revision, append({{name, 1, change, {}, errors, document.doc()}, std::move(next)}));
+  return out;
 }
 
-// Stores the document unless somebody has changed it since it was put.
-Checked<void> Documents::put_unchanged(const std::string& name, rcm::Document document) try {
+Checked<DocumentEntry> Documents::restore(const std::string& name, std::int64_t revision, const Change& change) try {
+  if (auto fits = check(change); !fits) return failed(std::move(fits).error());
   const services::MutexLock lock(mutex_);
-  const auto old = row(name);
-  if (!old.empty() && old.front().revision > 1) return {};
-  give_ids_after(old, document);
-  auto text = rcm::write_document_text(document);
-  if (!text) return tl::unexpected(std::vector<Error>{std::move(text).error()});
-  write({name, std::move(*text), 1});
-  return {};
+  auto old = find(name, revision);
+  if (!old) return failed(std::move(old).error());
+  auto last = find(name, {});
+  if (!last) return failed(std::move(last).error());
+  if (old->text == last->text) return read(*last);
+  return append_copy(std::move(*old), name, {Origin::Kind::restore, "", revision}, change);
 } catch (const SQLite::Exception& exception) {
   return failure("cannot store " + name, exception);
+}
+
+Checked<DocumentEntry> Documents::branch(const std::string& name, const Branch& branch, const Change& change) try {
+  if (auto fits = check_name(branch.as, "as"); !fits) return failed(std::move(fits).error());
+  if (auto fits = check(change); !fits) return failed(std::move(fits).error());
+  const services::MutexLock lock(mutex_);
+  auto from = find(name, branch.revision);
+  if (!from) return failed(std::move(from).error());
+  const auto taken = find_range(*file_, branch.as);
+  if (!taken) return failed(taken.error());
+  if (*taken) return failed({ErrorCode::conflict, "there is a document of this name", "as"});
+  const std::int64_t revision = from->revision.number;
+  return append_copy(std::move(*from), branch.as, {Origin::Kind::branch, name, revision}, change);
+} catch (const SQLite::Exception& exception) {
+  return failure("cannot store " + branch.as, exception);
+}
+
+Checked<DocumentEntry> Documents::append_copy(RevisionText copy, const std::string& name, Origin origin,
+                                              const Change& change) {
+  auto entry = read(copy);
+  if (!entry) return entry;
+  copy.revision.document = name;
+  copy.revision.change = change;
+  copy.revision.origin = std::move(origin);
+  copy.revision.errors = static_cast<std::int64_t>(entry->errors.size());
+  auto appended = append(std::move(copy));
+  if (!appended) return failed(std::move(appended).error());
+  entry->revision = std::move(*appended);
+  return entry;
+}
+
+Expected<std::optional<RevisionText>> Documents::head(const std::string& name) {
+  ASSIGN_OR_RETURN(const auto range, find_range(*file_, name));
+  if (!range) return std::nullopt;
+  return read_revision(*file_, name, range->last);
+}
+
+Expected<RevisionText> Documents::find(const std::string& name, std::optional<std::int64_t> revision) {
+  ASSIGN_OR_RETURN(const auto range, find_range(*file_, name));
+  if (!range) return no_document(name);
+  const std::int64_t number = revision.value_or(range->last);
+  if (!range->contains(number))
+    return unexpected(ErrorCode::not_found,
+                      "it has revisions " + std::to_string(range->first) + " to " + std::to_string(range->last), name);
+  return read_revision(*file_, name, number);
+}
+
+// Only this connection writes documents, so what was read before is still so; the transaction is short, as the journals
+// of runs wait for it.
+Expected<Revision> Documents::append(RevisionText next) {
+  ASSIGN_OR_RETURN(const auto range, find_range(*file_, next.revision.document));
+  if (!range && count_documents(*file_) >= limits_.documents)
+    return unexpected(ErrorCode::too_large, "there are already " + std::to_string(limits_.documents) + " documents",
+                      next.revision.document);
+  if (range && range->count() >= limits_.revisions)
+    return unexpected(ErrorCode::too_large, "it has already " + std::to_string(limits_.revisions) + " revisions",
+                      next.revision.document);
+  next.revision.number = range ? range->last + 1 : 1;
+  sqlite::WriteTransaction transaction(*file_);
+  add_revision(*file_, next, range ? range->first : 1);
+  transaction.commit();
+  return std::move(next.revision);
 }
 
 }  // namespace race::server

@@ -1,16 +1,25 @@
-// Documents: the tasks that the server keeps, by name, in one SQLite file. Only documents without violations get in.
-// Every element of what is kept has an id (core/rcm/ids.h).
+// Documents: the tasks that the server keeps, by name, with every revision, in race.sqlite (schema.h). Drafts, which
+// have violations, get in if they are asked for. A revision is never changed; the last one is the document as it is.
+//
+// What is damaged or lost is an error `corrupt` that names document and revision. Errors of all: `corrupt`; `storage`:
+// the disk is full or fails, and nothing is changed; `io`.
 //
 // Threads: any; one at a time inside.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/rcm/model.h"
 #include "core/value/expected.h"
+#include "core/value/value.h"
+#include "server/store/document_text.h"
+#include "server/store/revision.h"
+#include "server/store/revision_rows.h"
 #include "services/mutex.h"
 
 namespace SQLite {
@@ -19,48 +28,86 @@ class Database;
 
 namespace race::server {
 
+/// A document without violations.
 struct StoredDocument {
   std::string name;
-  std::int64_t revision = 1;  // counts changes
+  std::int64_t revision = 1;
   rcm::Document document;
+};
+
+/// A document or a draft, as it is edited.
+struct DocumentEntry {
+  Revision revision;
+  Value document;             // JSON
+  std::vector<Error> errors;  // every violation, by the rules of this version of the program
 };
 
 class Documents {
  public:
+  /// How many there may be.
+  struct Limits {
+    std::int64_t documents = 10'000, revisions = 100'000;  // revisions: of one document
+  };
+  static constexpr std::size_t kMaxAuthor = 100, kMaxMessage = 1000;  // code points
+
+  /// Opens the store. Requires that DataFolder has made it what this version reads.
+  static Expected<std::unique_ptr<Documents>> open(const std::string& path, Limits limits);
+  static Expected<std::unique_ptr<Documents>> open(const std::string& path) { return open(path, Limits{}); }
   ~Documents();
 
-  /// Opens the file or makes it. Documents that an older version of the program stored get ids, also in place of a
-  /// `meta.id` that is none, and today's form; they keep their revision, as nobody changed them. What has other
-  /// violations, or would be too large or too deep, stays as it is. Error `io`.
-  static Expected<std::unique_ptr<Documents>> open(const std::string& path);
-
-  /// In order of name. Error of all: `io`.
-  Checked<std::vector<StoredDocument>> list() EXCLUDES(mutex_);
-  /// `not_found`: there is none.
+  /// The last revision of each, drafts among them, in order of name.
+  Checked<std::vector<Revision>> list() EXCLUDES(mutex_);
+  /// The last revision, to be executed. `not_found`: there is none; every violation of a draft.
   Checked<StoredDocument> get(const std::string& name) EXCLUDES(mutex_);
-  /// Checks and stores a text and gives its elements ids, where they are missing those of the last revision. A document
-  /// that is the same then keeps its revision. Errors: every violation; `name`: not 1 to 64 of A-Z, a-z, 0-9, `_`, `-`;
-  /// `too_large`, `too_deep`: with ids it could not be read again.
-  Checked<StoredDocument> put(const std::string& name, std::string_view text) EXCLUDES(mutex_);
+  /// A revision, else the last one, to be edited. `not_found`: there is none; `json` and so on: what an older version
+  /// of the program stored is no draft (document_text.h).
+  Checked<DocumentEntry> entry(const std::string& name, std::optional<std::int64_t> revision = {}) EXCLUDES(mutex_);
+  /// At most `most` revisions before revision `before` (nothing: from the last one on), the newest first. `not_found`.
+  Checked<std::vector<Revision>> revisions(const std::string& name, std::optional<std::int64_t> before,
+                                           std::int64_t most) EXCLUDES(mutex_);
+
+  struct Put {
+    bool draft = false;                // it may have violations
+    std::optional<std::int64_t> seen;  // the last revision that the author knows of
+  };
+  /// Stores a text as the next revision (document_text.h: next_text). A text that is the same then keeps its revision.
+  /// Errors: every violation, unless it is a draft; `name`: not 1 to 64 of A-Z, a-z, 0-9, `_`, `-`; `too_large`,
+  /// `too_deep`: with ids it could not be read again; `too_large`: of the change or the limits; `conflict`: the last
+  /// revision is not `seen`.
+  Checked<DocumentEntry> put(const std::string& name, std::string_view text, const Change& change, Put options)
+      EXCLUDES(mutex_);
+  Checked<DocumentEntry> put(const std::string& name, std::string_view text, const Change& change = {}) {
+    return put(name, text, change, Put{});
+  }
+  /// Makes the text of `revision` the next revision; that of the last one keeps its revision. `not_found`, `too_large`;
+  /// what entry() says of a text that is no draft.
+  Checked<DocumentEntry> restore(const std::string& name, std::int64_t revision, const Change& change) EXCLUDES(mutex_);
+  struct Branch {
+    std::string as;                        // name of the new document
+    std::optional<std::int64_t> revision;  // else the last one
+  };
+  /// Makes a revision the first one of another document; elements keep their ids. `not_found`, `name`, `too_large`;
+  /// `conflict`: there is a document of this name.
+  Checked<DocumentEntry> branch(const std::string& name, const Branch& branch, const Change& change) EXCLUDES(mutex_);
   /// Puts every *.rcm.json of `folder` that is not there or that nobody has changed since it was put. Errors name the
   /// file.
-  Checked<void> put_demo(const std::string& folder);
+  Checked<void> put_demo(const std::string& folder, std::int64_t now_ms);
 
  private:
-  struct Row {
-    std::string name, text;
-    std::int64_t revision;
-  };
-  explicit Documents(std::unique_ptr<SQLite::Database> file);
-  std::vector<Row> rows(const char* where, const std::string& name) REQUIRES(mutex_);
-  std::vector<Row> row(const std::string& name) REQUIRES(mutex_);
-  void migrate() EXCLUDES(mutex_);
-  void write(const Row& row) REQUIRES(mutex_);
-  Checked<void> put_unchanged(const std::string& name, rcm::Document document) EXCLUDES(mutex_);
-  static Checked<StoredDocument> read(const Row& row);
-  static void give_ids_after(const std::vector<Row>& old, rcm::Document& document);
+  Documents(std::unique_ptr<SQLite::Database> file, Limits limits);
+  Expected<std::optional<RevisionText>> head(const std::string& name) REQUIRES(mutex_);
+  Expected<RevisionText> find(const std::string& name, std::optional<std::int64_t> revision) REQUIRES(mutex_);
+  Expected<DocumentEntry> put_next(const std::string& name, std::string_view text, DocumentText& document,
+                                   const Change& change, const Put& options) REQUIRES(mutex_);
+  Checked<void> put_demo_file(const std::string& name, const std::string& path, std::int64_t now_ms) EXCLUDES(mutex_);
+  /// A text as the next revision of `name`.
+  Checked<DocumentEntry> append_copy(RevisionText copy, const std::string& name, Origin origin, const Change& change)
+      REQUIRES(mutex_);
+  /// After the last revision, or as the first one. Error `too_large`.
+  Expected<Revision> append(RevisionText next) REQUIRES(mutex_);
 
   services::Mutex mutex_;
+  const Limits limits_;
   const std::unique_ptr<SQLite::Database> file_ PT_GUARDED_BY(mutex_);
 };
 

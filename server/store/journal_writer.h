@@ -1,7 +1,7 @@
 // JournalWriter: makes entries of all journals durable on one thread: what waits when it comes round shares one
 // transaction, so cores that are busy at once share a flush of the disk.
 //
-// Threads: append() on any; a RunSink's functions are called on the writer's thread.
+// Threads: append() and close() on any.
 #pragma once
 
 #include <atomic>
@@ -11,23 +11,21 @@
 #include <optional>
 #include <string>
 #include <thread>
-#include <vector>
 
 #include "core/execution/journal.h"
 #include "core/value/expected.h"
 #include "server/store/runs.h"
 #include "services/mutex.h"
-#include "services/sqlite/digest.h"
 
 namespace race::server {
 
-/// Hears what became of a run's entries. Must be quick.
+/// Hears what became of a run's records. On the writer's thread; must be quick.
 class RunSink {
  public:
   virtual ~RunSink() = default;
-  /// Everything up to the entry at `position` is durable.
-  virtual void durable(std::uint64_t position) = 0;
-  /// Nothing after the last durable entry is stored, nor will be.
+  /// The records up to the one of `ticket` are durable.
+  virtual void durable(std::uint64_t ticket) = 0;
+  /// Records after the last durable one are not stored, nor will be. Once.
   virtual void failed(const Error& error) = 0;
 };
 
@@ -38,57 +36,67 @@ struct RunEnd {
   std::int64_t ended_ms = 0;
 };
 
-/// One run's way to the disk. After a failure, nothing more is written by it.
+/// What is stored at once: the entry of a macro step, the checkpoint after it, the end of the run; each may be absent.
+struct JournalRecord {
+  std::uint64_t ticket = 0;  // increases
+  std::optional<execution::JournalEntry> entry = {};
+  std::optional<Value> checkpoint = {};  // schemas/checkpoint.json, frozen
+  std::optional<RunEnd> end = {};
+};
+
+/// The journal of one run as it grows. After a failure, nothing more is written to it: a new one goes on from what is
+/// stored.
 class RunJournal {
  public:
+  /// A checkpoint is due at multiples of this many entries, of more in a long run: it has kCheckpoints at most.
+  static constexpr std::uint64_t kInterval = 1024;
+  static constexpr std::uint64_t kCheckpoints = 64;
+  /// Of a run that has come to `position`; a power of two times kInterval.
+  static std::uint64_t interval_at(std::uint64_t position);
+
   /// Continues the journal of `run` after its `steps` entries.
-  RunJournal(const RunRecord& run, std::weak_ptr<RunSink> sink)
-      : run_(run.id), sink_(std::move(sink)), next_(run.steps + 1), chain_(run.chain), record_(run) {}
+  RunJournal(RunRecord run, std::weak_ptr<RunSink> sink) : sink_(std::move(sink)), record_(std::move(run)) {}
 
  private:
   friend class JournalWriter;
-  const RunId run_;
+  // All of the writer's thread.
   const std::weak_ptr<RunSink> sink_;
-  std::uint64_t next_;    // position of the next entry, of those who append
-  sqlite::Digest chain_;  // before it
-  RunRecord record_;      // of the writer's thread: as stored last
-  bool failed_ = false;   // of the writer's thread
+  RunRecord record_;  // as written last
+  bool failed_ = false;
 };
 
 class JournalWriter {
  public:
-  /// Entries that may wait for the disk: who has more is told to wait (full()).
-  static constexpr std::size_t kMostWaiting = 4096;
-
-  /// Writes to the store at `path` (DataFolder::store). Error `io`, `storage`.
+  /// Writes to the store at `path` (DataFolder::store). Errors: those of sqlite::error_of.
   static Expected<std::unique_ptr<JournalWriter>> open(const std::string& path);
-  /// Writes what waits, and ends.
   ~JournalWriter();
 
-  /// The next entry of a journal, with the checkpoint after its macro step and the end of the run, if there are any.
-  void append(const std::shared_ptr<RunJournal>& journal, const execution::JournalEntry& entry,
-              std::optional<std::string> checkpoint = {}, std::optional<RunEnd> end = {}) EXCLUDES(mutex_);
-  /// Commits so far, and entries in them: how many share one.
-  std::pair<std::uint64_t, std::uint64_t> commits() const { return {commits_, entries_}; }
+  /// The next record of a journal. How many may wait is limited by those who append: a core stops when it is ahead.
+  void append(std::shared_ptr<RunJournal> journal, JournalRecord record) EXCLUDES(mutex_);
+  /// Writes what waits, and ends; what is appended later is dropped.
+  void close() EXCLUDES(mutex_);
+
+  /// Commits so far, and entries in them.
+  struct Commits {
+    std::uint64_t commits = 0, entries = 0;
+  };
+  Commits commits() const { return {commits_, entries_}; }
 
  private:
   struct Item {
     std::shared_ptr<RunJournal> journal;
-    std::uint64_t position;
-    std::string input;
-    sqlite::Digest chain;
-    std::optional<std::string> checkpoint;
-    std::optional<RunEnd> end;
+    JournalRecord record;
   };
   explicit JournalWriter(std::unique_ptr<SQLite::Database> file);
   void run();
   std::deque<Item> next() EXCLUDES(mutex_);
-  void write(std::deque<Item>& items);
+  void write(const std::deque<Item>& items);
+  void commit(const std::deque<Item>& items);
 
   services::Mutex mutex_;
   services::ConditionVariable appended_;
   std::deque<Item> waiting_ GUARDED_BY(mutex_);
-  bool stop_ GUARDED_BY(mutex_) = false;
+  bool closed_ GUARDED_BY(mutex_) = false;
   const std::unique_ptr<SQLite::Database> file_;  // of the writer's thread
   std::atomic<std::uint64_t> commits_{0}, entries_{0};
   std::thread thread_;

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/execution/journal.h"
@@ -40,6 +41,7 @@ struct RunRecord {
   Value results;                              // over: of the root; else null
   std::uint64_t steps = 0;                    // entries of the journal
   sqlite::Digest chain = {};                  // of the last entry, or of the header
+  sqlite::Digest header = {}, services = {};  // where their texts are stored (schema.h)
   std::int64_t created_ms = 0, ended_ms = 0;  // since 1970; 0: not yet
   bool imported = false;                      // it was executed by another server
   std::uint64_t bytes = 0;                    // of its entries and checkpoints
@@ -52,6 +54,9 @@ class Runs {
   /// Opens the store (DataFolder::store). Error of all: `storage`, `io`; `corrupt`, naming the run: what was stored is
   /// damaged.
   static Expected<std::unique_ptr<Runs>> open(const std::string& path);
+  /// To read it alone, also while a server writes to it. Errors also: `not_found`; `version`: another version of the
+  /// program wrote it.
+  static Expected<std::unique_ptr<Runs>> open_to_read(const std::string& path);
   ~Runs();
 
   struct NewRun {
@@ -64,9 +69,10 @@ class Runs {
   Expected<RunRecord> create(const NewRun& run, std::int64_t now_ms) EXCLUDES(mutex_);
   /// The same run with another header: another model was loaded, or other arguments. Requires that it has not begun.
   Expected<RunRecord> replace(RunId id, const NewRun& run) EXCLUDES(mutex_);
-  /// An executed run, whole: checked before by execution::read_journal. Gets a new number.
-  Expected<RunRecord> import(RunRecord record, const NewRun& run, const std::vector<execution::JournalEntry>& entries)
-      EXCLUDES(mutex_);
+  /// An executed run, whole: checked before by execution::read_journal. Gets a new number. `checkpoints`: position ->
+  /// text.
+  Expected<RunRecord> import(RunRecord record, const NewRun& run, const std::vector<execution::JournalEntry>& entries,
+                             const std::map<std::uint64_t, std::string>& checkpoints = {}) EXCLUDES(mutex_);
 
   /// `not_found`: there is none.
   Expected<RunRecord> get(RunId id) EXCLUDES(mutex_);
@@ -83,12 +89,17 @@ class Runs {
                                                          std::uint64_t from, std::uint64_t to) EXCLUDES(mutex_);
   /// The newest checkpoint at or before `position`; unknown: there is none.
   Expected<Value> checkpoint(RunId id, std::uint64_t position) EXCLUDES(mutex_);
+  /// Positions of all checkpoints of a run, in order.
+  Expected<std::vector<std::uint64_t>> checkpoints(RunId id) EXCLUDES(mutex_);
   /// For a Replay. The run outlives it or its questions are answered `not_found`; Runs outlives it.
   std::shared_ptr<execution::JournalSource> source(RunId id, std::shared_ptr<const semantics::Program> program);
 
   /// Of a run that a crash or a failing disk has interrupted; `running` when a person has resumed it.
   Expected<void> set_status(RunId id, const std::string& status) EXCLUDES(mutex_);
-  /// The run, its journal and what no other run shares. `not_found`.
+  /// What each run that is over, or was imported, holds: bytes of its entries, checkpoints and samples. The newest
+  /// first.
+  Expected<std::vector<std::pair<RunId, std::uint64_t>>> sizes() EXCLUDES(mutex_);
+  /// The run, its journal, its samples and what no other run shares; also of one that is damaged. `not_found`.
   Expected<void> remove(RunId id) EXCLUDES(mutex_);
 
  private:

@@ -4,20 +4,18 @@
 
 #include <array>
 
+#include "server/store/document_migrations.h"
+
 namespace race::server {
 namespace {
-
-// 1: documents, each the text of its last revision, with ids.
-void give_documents(SQLite::Database& file) {
-  file.exec(
-      "CREATE TABLE IF NOT EXISTS document (name TEXT PRIMARY KEY, revision INTEGER NOT NULL, text TEXT NOT NULL)");
-}
 
 // 2: every run, with its header, its journal and its checkpoints.
 //
 // run.status: ready, running, interrupted, ended, faulted or aborted; steps: entries of the journal; chain: that of the
 // last entry; times: milliseconds since 1970. header.text: schemas/journal.json, `header`, without `arguments`.
 // entry.chain: sha256_of(chain before it, input); that before the first is of the whole header.
+// sample: where everything in the cell was (schemas/cell_pose.json), each time `sampling.every` poses had come; seen:
+// poses that had come; bytes: of those that are kept (samples.h).
 void add_runs(SQLite::Database& file) {
   file.exec(
       "CREATE TABLE header (digest BLOB PRIMARY KEY, text TEXT NOT NULL) WITHOUT ROWID;"
@@ -29,10 +27,21 @@ void add_runs(SQLite::Database& file) {
       "CREATE TABLE entry (run INTEGER NOT NULL, position INTEGER NOT NULL, input TEXT NOT NULL, chain BLOB NOT NULL,"
       " PRIMARY KEY (run, position)) WITHOUT ROWID;"
       "CREATE TABLE checkpoint (run INTEGER NOT NULL, position INTEGER NOT NULL, text TEXT NOT NULL,"
-      " digest BLOB NOT NULL, PRIMARY KEY (run, position)) WITHOUT ROWID;");
+      " digest BLOB NOT NULL, PRIMARY KEY (run, position)) WITHOUT ROWID;"
+      "CREATE TABLE sampling (run INTEGER PRIMARY KEY, seen INTEGER NOT NULL, every INTEGER NOT NULL,"
+      " bytes INTEGER NOT NULL);"
+      "CREATE TABLE sample (run INTEGER NOT NULL, number INTEGER NOT NULL, step INTEGER NOT NULL, pose TEXT NOT NULL,"
+      " digest BLOB NOT NULL, PRIMARY KEY (run, number)) WITHOUT ROWID;");
 }
 
-constexpr std::array<sqlite::Migration, 2> kMigrations = {give_documents, add_runs};
+// 4: what is started when the server begins. position: from 0; arguments: a JSON object.
+void add_boot(SQLite::Database& file) {
+  file.exec(
+      "CREATE TABLE boot (position INTEGER PRIMARY KEY, document TEXT NOT NULL UNIQUE, arguments TEXT NOT NULL,"
+      " digest BLOB NOT NULL)");
+}
+
+constexpr std::array<sqlite::Migration, 4> kMigrations = {give_document_ids, add_runs, add_revisions, add_boot};
 
 }  // namespace
 

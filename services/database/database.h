@@ -6,7 +6,8 @@
 //   remove(key)         -> the key; error `not_found`
 //   list(prefix = "")   -> the keys that begin with prefix, sorted
 //
-// Every operation: error `io` (the file fails), `type` or `missing` (an argument does not fit).
+// Every operation: error `storage` (the disk is full or fails; nothing is changed), `io` (the file fails), `type` or
+// `missing` (an argument does not fit). What is damaged: `corrupt` (store.h).
 //
 // Threads: its group's.
 #pragma once

@@ -2,19 +2,15 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
-#include <algorithm>
-
 #include "core/value/fields.h"
 #include "core/value/json.h"
+#include "services/database/schema.h"
+#include "services/sqlite/table_hash.h"
 
 namespace race::database {
 namespace {
 
-// Durable before a function returns: the journal in write-ahead mode, flushed at every commit.
-constexpr const char* kSetUp =
-    "PRAGMA journal_mode = WAL;"
-    "PRAGMA synchronous = FULL;"
-    "CREATE TABLE IF NOT EXISTS entry (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;";
+constexpr std::size_t kNamed = 3;  // damaged rows, in a message
 
 /// A statement with its texts bound. Throws as SQLiteCpp does.
 SQLite::Statement prepare(SQLite::Database& file, const char* sql, std::initializer_list<std::string_view> texts) {
@@ -25,7 +21,7 @@ SQLite::Statement prepare(SQLite::Database& file, const char* sql, std::initiali
 }
 
 tl::unexpected<Error> failure(std::string_view what, const SQLite::Exception& exception) {
-  return unexpected(ErrorCode::io, std::string(what) + ": " + exception.what());
+  return tl::unexpected(sqlite::error_of(exception, what));
 }
 
 std::string quoted(std::string_view key) { return "`" + std::string(key) + "`"; }
@@ -36,24 +32,90 @@ tl::unexpected<Error> no_such_key(std::string_view key) {
 
 }  // namespace
 
+/// One row, as it is stored.
+struct Store::Row {
+  explicit Row(SQLite::Statement& select)
+      : key(select.getColumn(0).getString()),
+        value(select.getColumn(1).getString()),
+        is_sound(select.getColumn(0).isText() && select.getColumn(1).isText()) {
+    const std::string stored = select.getColumn(2).getString();
+    if (stored.size() == digest.size()) stored.copy(reinterpret_cast<char*>(digest.data()), stored.size());
+    is_sound = is_sound && stored.size() == digest.size() && digest == digest_of(key, value);
+  }
+  std::string key, value;
+  sqlite::Digest digest = {};
+  bool is_sound;  // its digest is that of its fields
+};
+
+/// What all rows come to.
+struct Store::Found {
+  sqlite::TableHash hash;
+  std::size_t damaged = 0;
+  std::string names;  // of the first damaged rows
+};
+
 Store::Store(std::unique_ptr<SQLite::Database> file) : file_(std::move(file)) {}
 Store::Store(Store&&) noexcept = default;
 Store::~Store() = default;
 
 Expected<Store> Store::open(const std::string& path) try {
-  auto file = std::make_unique<SQLite::Database>(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-  file->exec(kSetUp);
-  return Store(std::move(file));
+  Store store(sqlite::open(path));
+  auto ready = sqlite::check(*store.file_);
+  if (ready) ready = sqlite::migrate(*store.file_, migrations());
+  if (ready) ready = sqlite::check_schema(*store.file_);
+  if (ready) ready = store.check();
+  if (ready) return store;
+  ready.error().path = path;
+  return tl::unexpected(std::move(ready).error());
 } catch (const SQLite::Exception& exception) {
   auto error = failure("cannot open the database", exception);
   error.value().path = path;
   return error;
 }
 
+Store::Found Store::find_all() {
+  SQLite::Statement select(*file_, "SELECT key, value, digest FROM record");
+  Found found;
+  while (select.executeStep()) {
+    const Row row(select);
+    found.hash.insert(row.digest);
+    if (!row.is_sound && ++found.damaged <= kNamed)
+      found.names += (found.names.empty() ? "" : ", ") + quoted(std::string_view(row.key));
+  }
+  return found;
+}
+
+// A row that is damaged may have lost its own digest: then the sums differ and no row is lost.
+Expected<void> Store::check() {
+  const Found found = find_all();
+  ASSIGN_OR_RETURN(const sqlite::TableHash kept, sqlite::TableHash::read(*file_, kRecords));
+  damaged_ = found.damaged > 0;
+  if (found.hash == kept || (damaged_ && found.hash.rows == kept.rows)) return {};
+  return unexpected(ErrorCode::corrupt, "the database is damaged: " + std::to_string(found.hash.rows) + " rows of " +
+                                            std::to_string(kept.rows) + " are there, or one is not the stored one");
+}
+
+// Damage may have been removed since, by a change of its row or a restored backup.
+Expected<void> Store::sound() {
+  if (!damaged_) return {};
+  const Found found = find_all();
+  damaged_ = found.damaged > 0;
+  if (!damaged_) return {};
+  return unexpected(ErrorCode::corrupt,
+                    std::to_string(found.damaged) + " damaged rows are in the database: " + found.names);
+}
+
+std::unique_ptr<Store::Row> Store::find(std::string_view key) {
+  auto select = prepare(*file_, "SELECT key, value, digest FROM record WHERE key = ?", {key});
+  return select.executeStep() ? std::make_unique<Row>(select) : nullptr;
+}
+
 Expected<Value> Store::get(std::string_view key) try {
-  auto select = prepare(*file_, "SELECT value FROM entry WHERE key = ?", {key});
-  if (!select.executeStep()) return no_such_key(key);
-  return parse_json(select.getColumn(0).getString(), {.depth = kValueDepth, .bytes = kValueBytes});
+  const auto row = find(key);
+  if (row && row->is_sound) return parse_json(row->value, {.depth = kValueDepth, .bytes = kValueBytes});
+  if (row) return unexpected(ErrorCode::corrupt, "the value of " + quoted(key) + " is damaged", std::string(key));
+  if (auto complete = sound(); !complete) return tl::unexpected(std::move(complete).error());
+  return no_such_key(key);
 } catch (const SQLite::Exception& exception) {
   return failure("cannot read " + quoted(key), exception);
 }
@@ -66,22 +128,45 @@ Expected<void> Store::put(std::string_view key, const Value& value) try {
   const std::string json = to_json(value);
   if (json.size() > kValueBytes)
     return unexpected(ErrorCode::too_large, "a value has at most " + std::to_string(kValueBytes) + " bytes");
-  prepare(*file_, "INSERT INTO entry VALUES (?, ?) ON CONFLICT (key) DO UPDATE SET value = excluded.value", {key, json})
-      .exec();
-  return {};
+  return change(key, &json);
 } catch (const SQLite::Exception& exception) {
   return failure("cannot store " + quoted(key), exception);
 }
 
 Expected<void> Store::remove(std::string_view key) try {
-  if (prepare(*file_, "DELETE FROM entry WHERE key = ?", {key}).exec() == 0) return no_such_key(key);
-  return {};
+  return change(key, nullptr);
 } catch (const SQLite::Exception& exception) {
   return failure("cannot remove " + quoted(key), exception);
 }
 
+/// Stores the JSON `value`, or removes the row: with the hash of the table, in one transaction.
+Expected<void> Store::change(std::string_view key, const std::string* value) {
+  SQLite::Transaction transaction(*file_, SQLite::TransactionBehavior::IMMEDIATE);
+  const auto old = find(key);
+  if (!value && !old) {
+    if (auto complete = sound(); !complete) return complete;
+    return no_such_key(key);
+  }
+  ASSIGN_OR_RETURN(sqlite::TableHash hash, sqlite::TableHash::read(*file_, kRecords));
+  if (old) hash.remove(old->digest);
+  if (value) {
+    const sqlite::Digest digest = digest_of(key, *value);
+    auto insert = prepare(*file_, "INSERT OR REPLACE INTO record VALUES (?, ?, ?)", {key, *value});
+    insert.bind(3, digest.data(), static_cast<int>(digest.size()));
+    insert.exec();
+    hash.insert(digest);
+  } else {
+    prepare(*file_, "DELETE FROM record WHERE key = ?", {key}).exec();
+  }
+  if (old && !old->is_sound) hash = find_all().hash;  // what the damaged digest was is not known
+  hash.write(*file_, kRecords);
+  transaction.commit();
+  return {};
+}
+
 Expected<std::vector<std::string>> Store::keys(std::string_view prefix) try {
-  auto select = prepare(*file_, "SELECT key FROM entry WHERE substr(key, 1, length(?1)) = ?1 ORDER BY key", {prefix});
+  if (auto complete = sound(); !complete) return tl::unexpected(std::move(complete).error());
+  auto select = prepare(*file_, "SELECT key FROM record WHERE substr(key, 1, length(?1)) = ?1 ORDER BY key", {prefix});
   std::vector<std::string> keys;
   while (select.executeStep()) keys.push_back(select.getColumn(0).getString());
   return keys;

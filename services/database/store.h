@@ -1,4 +1,5 @@
-// Store: values by key in one SQLite file. Each change is durable when the function returns.
+// Store: values by key in one SQLite file. Each change is durable when the function returns. What the disk has damaged
+// is never taken for a value: a damaged value is an error that names its key, and the others can be used.
 //
 // Threads: one at a time.
 #pragma once
@@ -23,25 +24,35 @@ class Store {
   static constexpr std::size_t kValueBytes = 16 * 1024 * 1024;  // of its JSON
   static constexpr std::size_t kValueDepth = 64;
 
-  /// Opens the file, or makes it; ":memory:" is a store in memory. Errors: `io`.
+  /// Opens the file, or makes it; ":memory:" is a store in memory. Reads and checks all of it. Errors: `storage`, `io`;
+  /// `corrupt` (its structure is damaged, or a row is lost), `version` (a newer version of the program wrote it).
   static Expected<Store> open(const std::string& path);
   Store(Store&&) noexcept;
   ~Store();
 
-  /// Errors of all: `io`. `not_found`: no such key.
+  /// Errors of all: `storage` (the disk is full or fails: nothing is changed), `io`; `corrupt`: what is stored is
+  /// damaged. `not_found`: no such key; `corrupt` instead while there is a row of which the key may be damaged.
   Expected<Value> get(std::string_view key);
-  /// Stores `value` under `key`, over an old one. Errors: `out_of_range` (an empty or long key), `too_large`,
-  /// `too_deep`.
+  /// Stores `value` under `key`, over an old one, also a damaged one. Errors: `out_of_range` (an empty or long key),
+  /// `too_large`, `too_deep`.
   Expected<void> put(std::string_view key, const Value& value);
-  /// `not_found`: no such key.
+  /// A damaged one, too. `not_found`: no such key.
   Expected<void> remove(std::string_view key);
-  /// The keys that begin with `prefix`, in order of their bytes.
+  /// The keys that begin with `prefix`, in order of their bytes. `corrupt`, naming damaged rows, while there are any.
   Expected<std::vector<std::string>> keys(std::string_view prefix);
 
  private:
+  struct Row;
+  struct Found;
   explicit Store(std::unique_ptr<SQLite::Database> file);
+  Found find_all();
+  Expected<void> check();
+  Expected<void> sound();
+  std::unique_ptr<Row> find(std::string_view key);
+  Expected<void> change(std::string_view key, const std::string* value);
 
   std::unique_ptr<SQLite::Database> file_;
+  bool damaged_ = false;  // some row was, when all were read last
 };
 
 }  // namespace race::database

@@ -3,7 +3,6 @@
 #include <boost/asio.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/websocket.hpp>
-#include <charconv>
 #include <chrono>
 #include <thread>
 
@@ -23,25 +22,6 @@ constexpr std::chrono::seconds kHandshake(3);
 constexpr const char* kTarget = "/api/v1/components";
 
 }  // namespace
-
-Expected<Address> read_address(std::string_view url) {
-  const auto refuse = [&] {
-    return unexpected(ErrorCode::syntax, "must be of the form http://HOST:PORT, got `" + std::string(url) + "`");
-  };
-  constexpr std::string_view kScheme = "http://";
-  if (!url.starts_with(kScheme)) return refuse();
-  std::string_view rest = url.substr(kScheme.size());
-  if (rest.ends_with('/')) rest.remove_suffix(1);
-  Address address;
-  const auto colon = rest.find(':');
-  address.host = std::string(rest.substr(0, colon));
-  if (address.host.empty() || address.host.find_first_of("/?#@[] ") != std::string::npos) return refuse();
-  if (colon == std::string_view::npos) return address;
-  const std::string_view port = rest.substr(colon + 1);
-  const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), address.port);
-  if (error != std::errc() || end != port.data() + port.size() || address.port == 0) return refuse();
-  return address;
-}
 
 // Everything on the one thread of `io`, but for what wakes it.
 struct SocketClient::Socket {

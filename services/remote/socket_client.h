@@ -4,25 +4,15 @@
 // Threads: made and destroyed on one; `received` and `closed` are called on a thread of its own.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
-#include <string_view>
 
 #include "core/value/expected.h"
+#include "services/remote/address.h"
 #include "services/remote/send_queue.h"
 
 namespace race::remote {
-
-/// Where a server is.
-struct Address {
-  std::string host;
-  std::uint16_t port = 80;
-};
-
-/// Reads `http://HOST[:PORT]`, with or without a `/` at its end. Error `syntax`.
-Expected<Address> read_address(std::string_view url);
 
 class SocketClient {
  public:

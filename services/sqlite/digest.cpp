@@ -3,6 +3,7 @@
 #include <sodium.h>
 
 #include <cstdint>
+#include <fstream>
 
 namespace race::sqlite {
 
@@ -25,6 +26,22 @@ Digest sha256_of(std::initializer_list<std::string_view> fields) {
     crypto_hash_sha256_update(&state, length.data(), length.size());
     crypto_hash_sha256_update(&state, reinterpret_cast<const unsigned char*>(field.data()), field.size());
   }
+  Digest digest;
+  crypto_hash_sha256_final(&state, digest.data());
+  return digest;
+}
+
+Expected<Digest> sha256_of_file(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  crypto_hash_sha256_state state;
+  crypto_hash_sha256_init(&state);
+  std::array<char, 65536> part;
+  while (stream) {
+    stream.read(part.data(), part.size());
+    crypto_hash_sha256_update(&state, reinterpret_cast<const unsigned char*>(part.data()),
+                              static_cast<std::uint64_t>(stream.gcount()));
+  }
+  if (!stream.is_open() || stream.bad()) return unexpected(ErrorCode::io, "cannot be read", path);
   Digest digest;
   crypto_hash_sha256_final(&state, digest.data());
   return digest;

@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/value/expected.h"
+
 namespace race::sqlite {
 
 using Digest = std::array<unsigned char, 32>;
@@ -17,6 +19,9 @@ Digest sha256(std::string_view text);
 /// Of several fields: each with its length before it (eight bytes, the least significant first), so that no two lists
 /// of fields have the same bytes.
 Digest sha256_of(std::initializer_list<std::string_view> fields);
+
+/// Of the content of a file. Error `io`, with the path: it cannot be read.
+Expected<Digest> sha256_of_file(const std::string& path);
 
 /// The 32 bytes, as a field of sha256_of and as a blob.
 std::string_view bytes(const Digest& digest);

@@ -2,8 +2,12 @@
 
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Exception.h>
-#include <SQLiteCpp/Transaction.h>
 #include <sqlite3.h>
+
+#include <algorithm>
+#include <array>
+
+#include "services/sqlite/write_transaction.h"
 
 namespace race::sqlite {
 namespace {
@@ -34,6 +38,24 @@ ErrorCode code_of(int result) {
   }
 }
 
+/// Whether the disk gives the bytes of the file (SQLITE_FCNTL_FILE_POINTER) or its log (.._JOURNAL_POINTER).
+bool can_be_read(SQLite::Database& file, int which) {
+  sqlite3_file* opened = nullptr;
+  sqlite3_file_control(file.getHandle(), "main", which, static_cast<void*>(&opened));
+  if (!opened || !opened->pMethods) return true;
+  sqlite3_int64 size = 0;
+  if (opened->pMethods->xFileSize(opened, &size) != SQLITE_OK) return false;
+  std::array<char, 65536> bytes;
+  for (sqlite3_int64 at = 0; at < size; at += sqlite3_int64{bytes.size()}) {
+    const int length = static_cast<int>(std::min(size - at, sqlite3_int64{bytes.size()}));
+    const int result = opened->pMethods->xRead(opened, bytes.data(), length, at);
+    if (result != SQLITE_OK && result != SQLITE_IOERR_SHORT_READ) return false;
+  }
+  return true;
+}
+
+std::string quick_check(SQLite::Database& file) { return file.execAndGet("PRAGMA quick_check(1)").getString(); }
+
 }  // namespace
 
 std::unique_ptr<SQLite::Database> open(const std::string& path) {
@@ -51,7 +73,7 @@ Expected<void> migrate(SQLite::Database& file, std::span<const Migration> migrat
   if (version_of(file) > last)
     return unexpected(ErrorCode::version, "a newer version of the program wrote this file", file.getFilename());
   for (int version = version_of(file); version < last; ++version) {
-    SQLite::Transaction transaction(file, SQLite::TransactionBehavior::IMMEDIATE);
+    sqlite::WriteTransaction transaction(file);
     if (version_of(file) > version) continue;  // another process did it
     migrations[static_cast<std::size_t>(version)](file);
     file.exec("PRAGMA user_version = " + std::to_string(version + 1));
@@ -63,7 +85,12 @@ Expected<void> migrate(SQLite::Database& file, std::span<const Migration> migrat
 }
 
 Expected<void> check(SQLite::Database& file) try {
-  const std::string found = file.execAndGet("PRAGMA quick_check(1)").getString();
+  std::string found = quick_check(file);
+  if (found != "ok") {  // which it also says of a page that the disk did not give
+    if (!can_be_read(file, SQLITE_FCNTL_FILE_POINTER) || !can_be_read(file, SQLITE_FCNTL_JOURNAL_POINTER))
+      return unexpected(ErrorCode::storage, "the disk fails", file.getFilename());
+    found = quick_check(file);
+  }
   if (found == "ok") return {};
   return unexpected(ErrorCode::corrupt, "the file is damaged: " + found, file.getFilename());
 } catch (const SQLite::Exception& exception) {

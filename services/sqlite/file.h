@@ -30,7 +30,8 @@ using Migration = void (*)(SQLite::Database& file);
 /// Errors: `version` (a newer version of the program wrote it), those of error_of().
 Expected<void> migrate(SQLite::Database& file, std::span<const Migration> migrations);
 
-/// Whether the structure of the file is sound. Error `corrupt` with what SQLite found first. Reads the whole file.
+/// Whether the structure of the file is sound. Reads the whole file. Errors: `corrupt` with what SQLite found first,
+/// `storage`: the disk does not give it.
 Expected<void> check(SQLite::Database& file);
 
 /// `what` failed: `corrupt` (the file is damaged or no database), `storage` (the disk is full, fails or is read-only),

@@ -20,6 +20,8 @@ export interface Fixture {
   readonly screenshot: (name: string, of?: Page) => Promise<void>;
   /** A second browser window on the expert page, of this size if it is given [px]. */
   readonly openPage: (size?: ViewportSize) => Promise<Page>;
+  /** Of the process of the server. */
+  readonly pid: () => number;
   /** Ends the server by SIGKILL. */
   readonly kill: () => Promise<void>;
   /** Starts a server on the same port with the same data. */
@@ -97,7 +99,11 @@ export async function openFixture(...further: readonly string[]): Promise<Fixtur
       server = await launch();
       await healthy(url, server);
     };
-    return { url, page, screenshot, openPage, kill: () => end("SIGKILL"), restart, close };
+    const pid = () => {
+      if (server.pid === undefined) throw new Error("there is no server");
+      return server.pid;
+    };
+    return { url, page, screenshot, openPage, pid, kill: () => end("SIGKILL"), restart, close };
   } catch (error) {
     await close();
     throw error;

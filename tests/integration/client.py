@@ -127,6 +127,13 @@ class Server:
     def ended(self, core, timeout=TIMEOUT):
         return self.wait(core, lambda c: c["status"] not in ("ready", "running"), timeout)
 
+    def wait_for(self, condition, timeout=TIMEOUT):
+        """Returns once condition() holds."""
+        end = time.monotonic() + timeout
+        while not condition():
+            assert time.monotonic() < end, "it does not come to that"
+            time.sleep(0.05)
+
     def stream(self):
         return Stream(self.port)
 

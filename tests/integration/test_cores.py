@@ -330,9 +330,9 @@ class Cores(unittest.TestCase):
             if status != 201:
                 break
             ids.append(answer["id"])
-            self.assertLessEqual(len(ids), 64)
+            self.assertLessEqual(len(ids), 128)
         self.assertEqual((status, answer["errors"][0]["code"]), (409, "conflict"))
-        self.assertEqual(len(self.server.get("/cores", "cores")["cores"]), 64)
+        self.assertEqual(len(self.server.get("/cores", "cores")["cores"]), 128)
         for core in ids:
             self.server.expect("DELETE", f"/cores/{core}", None, "core", 200)
 

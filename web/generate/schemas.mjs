@@ -12,6 +12,7 @@ export const kRead = [
   "cores.json",
   "derivations.json",
   "display.json",
+  "document_entry.json",
   "documents.json",
   "errors.json",
   "health.json",

@@ -7,6 +7,8 @@ import { useTree } from "./canvas/useDrawing";
 import { CellInset } from "./cell/CellInset";
 import { run, session, useView, view } from "./client";
 import { Drawer } from "./panels/Drawer";
+import { DraftErrors } from "./panels/DraftErrors";
+import { Interruption } from "./panels/Interruption";
 import { KeyHelp } from "./panels/KeyHelp";
 import { PropertiesPanel } from "./panels/PropertiesPanel";
 import { RunBar } from "./panels/RunBar";
@@ -47,6 +49,7 @@ export function App() {
       <TaskPanel tree={tree} />
       <main className="stage" id="stage">
         {page === "task" && <ModelCanvas tree={tree} />}
+        {page === "draft" && <DraftErrors />}
         {page === "services" && <ServicesView />}
         {page === "cell" && (
           <Suspense fallback={<div className="canvas-empty">Loading the cell…</div>}>
@@ -59,6 +62,7 @@ export function App() {
         {page === "task" && <CellInset />}
       </div>
       <footer className="foot">
+        <Interruption />
         <RunBar />
         <Drawer />
       </footer>

@@ -2,10 +2,12 @@
 import { createApi, RefusedError } from "../shared/api";
 import type { CellPose, Core, Packet, StepRequest, TraceStep } from "../generated/messages";
 import { buildTree } from "../shared/model/modelTree";
-import { isOver, type Command, type UntilRequest } from "../shared/run/controls";
+import type { Command, UntilRequest } from "../shared/run/controls";
+import { draftOf } from "../shared/session/draft";
 import { firstShown, lastShown, type LastShown } from "../shared/session/firstShown";
 import { applyEvent, cellUnavailable, emptySession, watchedCore, type Session, type SessionEvent } from "../shared/session/session";
 import { applyGesture, firstView, type Gesture, type View } from "../shared/session/view";
+import { addressOfRun, coreToWatch, runOfAddress } from "../shared/session/watched";
 import { openStream, type Stream } from "../shared/stream";
 import { createStore, useSelected } from "./store";
 
@@ -55,7 +57,7 @@ export function connect(): void {
   stream = openStream(`${scheme}://${location.host}/api/v1/stream`, {
     onConnection: (connection) => {
       session.dispatch({ type: "connection", connection });
-      if (connection === "open") void loadLists();
+      if (connection === "open") opened();
     },
     onMalformed: problem,
     onUpdate: (update) => {
@@ -68,6 +70,12 @@ export function connect(): void {
     },
   });
   for (const channel of ["cores", "services", "log", "cell/pose"]) stream.subscribe(channel);
+}
+
+function opened(): void {
+  void loadLists();
+  const { watched, model } = session.get();
+  if (watched !== undefined && model === undefined) loadModel(watched);
 }
 
 async function loadLists(): Promise<void> {
@@ -89,12 +97,11 @@ async function loadPast(id: string, next: number): Promise<void> {
   }
 }
 
-/** Unless the user has chosen a core, the page watches the running one, else the newest. */
+/** Keeps the watched core while it is there, also over a restart of the server; else chooses one. */
 function watchSomething(): void {
   const { cores, watched } = session.get();
   if (watched !== undefined && cores.some((core) => core.id === watched)) return;
-  const chosen = cores.filter((core) => !isOver(core)).at(-1) ?? cores.at(-1);
-  watch(chosen?.id);
+  watch(coreToWatch(cores, runOfAddress(location.search))?.id);
 }
 
 /** From this, the next run of the same document is shown. */
@@ -111,8 +118,13 @@ export function watch(id: string | undefined): void {
   session.dispatch({ type: "watched", id });
   view.dispatch({ type: "forget" });
   if (id === undefined) return;
+  history.replaceState(null, "", addressOfRun(location.search, id));
   stream?.subscribe(`core/${id}/state`);
   stream?.subscribe(`core/${id}/derivation`);
+  loadModel(id);
+}
+
+function loadModel(id: string): void {
   void api.coreModel(id).then((model) => {
     const now = session.get();
     if (now.watched !== id || now.model !== undefined) return;
@@ -130,6 +142,17 @@ export function watchFlow(service: string, flow: string, came: (packet: Packet) 
     flowWatchers.delete(channel);
     stream?.unsubscribe(channel);
   };
+}
+
+/** Lists the errors of a document, as they are now. */
+export async function showErrors(document: string): Promise<void> {
+  try {
+    session.dispatch({ type: "draft", draft: draftOf(await api.document(document)) });
+    view.dispatch({ type: "page", page: "draft" });
+    session.dispatch({ type: "documents", documents: await api.documents() });
+  } catch (error) {
+    problem(error);
+  }
 }
 
 /** Makes a core of a document, watches it, and starts it if asked. */

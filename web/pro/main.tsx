@@ -10,6 +10,7 @@ import "./styles/canvas.css";
 import "./styles/panels.css";
 import "./styles/derivation.css";
 import "./styles/services.css";
+import "./styles/interrupted.css";
 import "./styles/help.css";
 import { createRoot } from "react-dom/client";
 import { App } from "./App";

@@ -2,6 +2,7 @@
 import type {
   Core,
   CoreCreate,
+  DocumentEntry,
   DocumentSummary,
   Health,
   Native,
@@ -54,6 +55,7 @@ export function createApi(base: string, fetcher: typeof fetch) {
     health: (): Promise<Health> => get("/health", schema.health),
     rules: async (): Promise<readonly Rule[]> => (await get("/rules", schema.rules)).rules,
     documents: async (): Promise<readonly DocumentSummary[]> => (await get("/documents", schema.documents)).documents,
+    document: (name: string): Promise<DocumentEntry> => get(`/documents/${segment(name)}`, schema.documentEntry),
     createCore: (document: string, args: Core["arguments"]): Promise<Core> => request("POST", "/cores", schema.core, { document, arguments: args }),
     coreModel: async (id: string): Promise<RcmDocument> => readNative(await get(`/cores/${segment(id)}/native`, schema.native)),
     start: (id: string): Promise<Core> => command(id, "start"),

@@ -92,5 +92,15 @@ TEST(Arguments, AWordTooManyIsMisuse) {
   EXPECT_EQ(arguments.parse({"a", "b"}), Arguments::Outcome::misused);
 }
 
+TEST(ReadObject, TakesAnObjectAndNamesTheOptionOtherwise) {
+  EXPECT_EQ(read_object("--arguments", R"({"a": 1})"), (Dict{{"a", 1}}));
+  for (const auto& [text, code] : {std::pair("[1]", ErrorCode::type), {"{", ErrorCode::json}, {"", ErrorCode::json}}) {
+    const auto read = read_object("--arguments", text);
+    ASSERT_FALSE(read) << text;
+    EXPECT_EQ(read.error().code, code);
+    EXPECT_EQ(read.error().path, "--arguments");
+  }
+}
+
 }  // namespace
 }  // namespace race::server

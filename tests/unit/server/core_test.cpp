@@ -11,16 +11,18 @@
 #include <thread>
 
 #include "core/rcm/document.h"
+#include "core/rcm/native.h"
 #include "core/rcm/translate.h"
 #include "tests/unit/server/bench.h"
 
 namespace race::server {
 namespace {
 
-// States that follow one another without waiting: one macro step of more micro steps than a turn of the strand has.
-constexpr int kStates = 400;
+// States that follow one another without waiting: one macro step of several turns of the strand, so that it is still
+// open when its entry is durable and its first turns are told.
+constexpr int kStates = 1200;
 
-rcm::NativeModel long_step() {
+std::string long_step() {
   const auto state = [](int i, const std::string& ports) {
     const std::string number = std::to_string(i);
     return R"({"state": "S)" + number + R"(", "entry": "var.n = )" + number + R"(\nprint()" + number +
@@ -29,7 +31,7 @@ rcm::NativeModel long_step() {
   std::string text = R"({"rcm": 1, "root": {"state": "R", "first": "S0", "children": [)";
   for (int i = 0; i < kStates; ++i)
     text += state(i, R"({"name": "next", "when": "True", "to": "S)" + std::to_string(i + 1) + R"("})") + ", ";
-  return rcm::translate(rcm::read_document_text(text + state(kStates, "") + "]}}").value()).value();
+  return text + state(kStates, "") + "]}}";
 }
 
 // What a client holds: the last snapshot and what came after it.
@@ -59,10 +61,18 @@ struct View {
 
 struct CoreTest : testing::Test, CoreWatcher {
   CoreTest() {
-    execution::JournalHeader header{Value(), semantics::Program::build(long_step(), {}).value(), {}, {}};
-    core = Core::create("1", "long", std::move(header), *pool, host, *this).value();
+    const rcm::Document document = rcm::read_document_text(long_step()).value();
+    const rcm::NativeModel native = rcm::translate(document).value();
+    execution::JournalHeader header{
+        rcm::write_native(document, native), semantics::Program::build(native, {}).value(), {}, {}};
+    header.native.freeze();
+    RunRecord run = store.runs->create({"long", 1, header, {}}, 0).value();
+    core = Core::create(std::move(run), std::move(header), {*pool, host, *this, *store.runs, *store.writer}).value();
   }
-  ~CoreTest() override { pool.reset(); }
+  ~CoreTest() override {
+    store.writer->close();
+    pool.reset();
+  }
 
   // On the core's strand.
   void core_changed(const std::string&, Value json) override {
@@ -91,7 +101,7 @@ struct CoreTest : testing::Test, CoreWatcher {
     ASSERT_TRUE(core->pause());
     ASSERT_TRUE(core->start());
   }
-  // The core after a pause that was asked for in the second turn of the macro step that `begin` lets begin.
+  // The core after a pause that was asked for in the first turns of the macro step that `begin` lets begin.
   Value paused_within(const std::function<void()>& begin) {
     std::promise<void> within, pausing;
     std::promise<Expected<Value>> paused;
@@ -101,17 +111,19 @@ struct CoreTest : testing::Test, CoreWatcher {
       paused.set_value(core->pause());
     });
     on_print = [&](const std::string& text) {
-      if (text == "150") {
-        within.set_value();
-        pausing.get_future().wait();
-      } else if (std::stoi(text) > 150) {
-        // What is left of the macro step is long, however late the other thread gets its turn.
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      }
+      if (text != "150") return;
+      within.set_value();
+      pausing.get_future().wait();
+      // The other thread posts its pause before the next turn, however late it gets its own.
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
     };
     begin();
     other.join();
     return paused.get_future().get().value();
+  }
+  void wait_for_the_end_of_the_macro_step() {
+    while (core->state()->find("core")->find("micro")->as_integer() > 0) {
+    }
   }
   void expect_that_all_have_the_state() {
     const Value state = core->state().value();
@@ -123,6 +135,7 @@ struct CoreTest : testing::Test, CoreWatcher {
   services::WorldClock clock;
   NoObserver observer;
   services::Host host{clock, observer};
+  TemporaryStore store;
   std::unique_ptr<Pool> pool = std::make_unique<Pool>(1);
   std::deque<View> views;
   std::vector<std::int64_t> micro;  // of the snapshots
@@ -143,6 +156,7 @@ TEST_F(CoreTest, AWatcherWhoComesBetweenMicroStepsCostsNobodyAChange) {
   ASSERT_TRUE(core->step({execution::Goal::Kind::macro}));
   ASSERT_TRUE(core->pause());
   ASSERT_TRUE(core->step({execution::Goal::Kind::macro}));
+  wait_for_the_end_of_the_macro_step();
   EXPECT_EQ(micro, (std::vector<std::int64_t>{0, 7, 8}));
   expect_that_all_have_the_state();
 }
@@ -152,8 +166,7 @@ TEST_F(CoreTest, AWatcherWhoComesBetweenTheTurnsOfAMacroStepCostsNobodyAChange) 
   // Its first turn has been posted when a core is said to run: this comes between that and the next.
   on_status = [this] { core->watch_state(); };
   ASSERT_TRUE(core->start());
-  while (core->state()->find("core")->find("micro")->as_integer() > 0) {
-  }
+  wait_for_the_end_of_the_macro_step();
   ASSERT_EQ(micro.size(), 2U);
   EXPECT_GT(micro[1], 0) << "not within the macro step";
   expect_that_all_have_the_state();
@@ -192,8 +205,7 @@ TEST_F(CoreTest, AStepThatWaitsForAnInputIsPausedAndCanBeReplaced) {
   };
   expect(core->step({execution::Goal::Kind::micro}), true, false);
   expect(core->resume(), false, false);
-  while (core->state()->find("core")->find("micro")->as_integer() > 0) {
-  }
+  wait_for_the_end_of_the_macro_step();
   expect(core->pause(), true, false);
   expect(core->step({execution::Goal::Kind::macro}), true, true);
   expect(core->step({execution::Goal::Kind::left, {}, "R"}), true, true);

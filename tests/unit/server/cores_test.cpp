@@ -11,7 +11,10 @@ namespace race::server {
 namespace {
 
 struct CoresTest : testing::Test, CoreWatcher {
-  ~CoresTest() override { pool.reset(); }
+  ~CoresTest() override {
+    store.writer->close();
+    pool.reset();
+  }
 
   void core_changed(const std::string& id, Value) override { found.set_value(cores.find(id).has_value()); }
   void core_removed(const std::string& id) override { removed.push_back(id); }
@@ -27,18 +30,19 @@ struct CoresTest : testing::Test, CoreWatcher {
   NoObserver observer;
   services::Host host{clock, observer};
   std::unique_ptr<Pool> pool = std::make_unique<Pool>(1);
-  Cores cores{*pool, host, *this};
+  TemporaryStore store;
+  Cores cores{*pool, host, *this, *store.runs, *store.writer};
 };
 
 TEST_F(CoresTest, WhoHearsOfACoreCanFindIt) {
   const auto document = rcm::read_document_text(R"({"rcm": 1, "root": {"state": "R"}})").value();
-  ASSERT_TRUE(cores.create("r", document, {}));
+  ASSERT_TRUE(cores.create({"r", 1, document}, {}));
   EXPECT_TRUE(found.get_future().get());
 }
 
 TEST_F(CoresTest, ARemovedCoreIsReportedAndCannotBeFound) {
   const auto document = rcm::read_document_text(R"({"rcm": 1, "root": {"state": "R"}})").value();
-  const std::string id = cores.create("r", document, {}).value()->id();
+  const std::string id = cores.create({"r", 1, document}, {}).value()->id();
   EXPECT_TRUE(cores.remove(id));
   EXPECT_EQ(removed, std::vector{id});
   EXPECT_EQ(cores.find(id).error().code, ErrorCode::not_found);

@@ -19,6 +19,15 @@ TEST(Target, ThatIsNoneIsRefused) {
     EXPECT_FALSE(parse_target(text)) << text;
 }
 
+TEST(Target, HasPartsThatAreDecodedAsTheyWere) {
+  for (const std::string text : {"a-b_c.d~9", "a/b", "%2F ?#", "\u00e9\u4e2d", "..", ""}) {
+    const auto target = parse_target("/x/" + encode_part(text));
+    ASSERT_TRUE(target) << text;
+    EXPECT_EQ(target->first, "/x/" + text);
+  }
+  EXPECT_EQ(encode_part("a/ b"), "a%2F%20b");
+}
+
 TEST(Request, GivesHeadersAsOftenAsTheyCame) {
   Request request;
   request.headers = {{"host", "a"}, {"origin", "x"}, {"host", "b"}};

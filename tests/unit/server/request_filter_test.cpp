@@ -74,5 +74,17 @@ TEST_F(RequestFilterTest, LimitsTheLengthAndTypeOfBodies) {
   EXPECT_EQ(status(request("POST", {{"content-length", "0"}, {"content-length", "0"}})), 400);
 }
 
+TEST_F(RequestFilterTest, TakesLargerBodiesWhereFilesOfRunsArrive) {
+  const auto with = [&](const char* method, const char* path, const char* length) {
+    Request sent = request(method, {{"content-length", length}, {"content-type", "application/json"}});
+    sent.path = path;
+    return status(sent);
+  };
+  EXPECT_EQ(with("POST", "/api/v1/runs", "16777216"), 0);
+  EXPECT_EQ(with("POST", "/api/v1/runs", "16777217"), 413);
+  EXPECT_EQ(with("PUT", "/api/v1/runs", "4194305"), 413);
+  EXPECT_EQ(with("POST", "/api/v1/runs/1", "4194305"), 413);
+}
+
 }  // namespace
 }  // namespace race::server

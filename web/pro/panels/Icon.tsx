@@ -6,6 +6,7 @@ const shapes = {
   micro: <path d="M3 3v10l6-5zM11 3h2v10h-2z" />,
   macro: <path d="M2 3v10l5-5zM7 3v10l5-5zM13 3h1.6v10H13z" />,
   again: <path d="M8 3a5 5 0 1 1-4.6 3l1.5.6A3.4 3.4 0 1 0 8 4.6V7L4.6 3.9 8 .8z" />,
+  interrupted: <path fillRule="evenodd" d="M8 1l7.2 13.2H.8zM7.2 5.6v4.6h1.6V5.6zM7.2 11.3v1.6h1.6v-1.6z" />,
 } as const;
 
 export type IconName = keyof typeof shapes;

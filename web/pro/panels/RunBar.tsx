@@ -1,5 +1,6 @@
 // The run bar: start, pause, step, stop, and the status of the run.
 import { allowed, primary, statusText, type Command } from "../../shared/run/controls";
+import { isInterrupted } from "../../shared/run/interruption";
 import { keysOf, type Shortcut } from "../../shared/session/shortcuts";
 import type { Drawer } from "../../shared/session/view";
 import { run, useCore, useView, view } from "../client";
@@ -31,7 +32,7 @@ export function RunBar() {
   const lead = primary(core);
   const first = firstButton[lead === "resume" || lead === "again" ? lead : "start"];
   return (
-    <div className="runbar" role="toolbar" aria-label="Run">
+    <div className={`runbar${core !== undefined && isInterrupted(core) ? " is-interrupted" : ""}`} role="toolbar" aria-label="Run">
       {[first, ...buttons].map((spec) => (
         <button
           key={spec.command}
@@ -48,7 +49,7 @@ export function RunBar() {
       ))}
       {core !== undefined && (
         <p className={`run-status is-${core.paused && core.status === "running" ? "paused" : core.status}`} role="status" aria-label="Run status">
-          <i aria-hidden="true" />
+          {isInterrupted(core) ? <Icon name="interrupted" /> : <i aria-hidden="true" />}
           <strong>{statusText(core)}</strong>
           <span>
             step {core.step}

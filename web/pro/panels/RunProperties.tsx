@@ -2,6 +2,7 @@
 import { statusText } from "../../shared/run/controls";
 import { inputText } from "../../shared/run/inputText";
 import { useCore, useSession, view } from "../client";
+import { CodeText } from "./CodeText";
 import { ValueTable } from "./ValueTable";
 
 export function RunProperties() {
@@ -16,7 +17,7 @@ export function RunProperties() {
       </div>
     );
   }
-  const fault = core.fault;
+  const { fault, interruption } = core;
   return (
     <>
       <header className="prop-head">
@@ -24,6 +25,14 @@ export function RunProperties() {
         <h2>{name === undefined || name === "" ? core.document : name}</h2>
         <span className={`pill is-${core.status}`}>{statusText(core)}</span>
       </header>
+      {interruption !== undefined && (
+        <section className="interrupted" aria-label="Interrupted">
+          <h3>Interrupted</h3>
+          <p>
+            <CodeText text={interruption.message} />
+          </p>
+        </section>
+      )}
       {fault !== undefined && (
         <section className="fault" aria-label="Fault">
           <h3>Fault: {fault.kind}</h3>

@@ -1,15 +1,21 @@
 // Top bar: the watched run, a new run, the tabs, the state of the connection, and the help.
-import { useState } from "react";
+import { useMemo, useState } from "react";
 import { statusText } from "../../shared/run/controls";
+import { interruptedElsewhere, isInterrupted } from "../../shared/run/interruption";
+import { documentText, errorCount, errorsText, refusalToStart } from "../../shared/session/draft";
 import { keysOf } from "../../shared/session/shortcuts";
 import type { Page } from "../../shared/session/view";
-import { dismissProblem, newRun, useSession, useView, view, watch } from "../client";
+import { dismissProblem, newRun, showErrors, useCore, useSession, useView, view, watch } from "../client";
+import { Icon } from "./Icon";
 
 const pages: readonly { readonly page: Page; readonly name: string }[] = [
   { page: "task", name: "Task" },
   { page: "services", name: "Services" },
   { page: "cell", name: "Cell" },
 ];
+
+/** Id of the text that says why a document cannot be started. */
+const kRefusal = "start-refusal";
 
 export function TopBar() {
   const problem = useSession((s) => s.problem);
@@ -20,10 +26,11 @@ export function TopBar() {
           <rect x="4" y="6" width="16" height="20" rx="5" fill="none" stroke="currentColor" strokeWidth="2.4" />
           <rect x="15" y="12.5" width="13" height="7" rx="1" fill="#94e480" stroke="currentColor" strokeWidth="1.6" />
         </svg>
-        <strong>RACE</strong>
+        <h1>RACE</h1>
         <span>Pro</span>
       </div>
       <CoreChoice />
+      <InterruptedElsewhere />
       <NewRun />
       <PageTabs />
       <ConnectionLight />
@@ -43,10 +50,11 @@ export function TopBar() {
 function CoreChoice() {
   const cores = useSession((s) => s.cores);
   const watched = useSession((s) => s.watched);
+  const core = useCore();
   return (
     <label className="field">
       <span>Run</span>
-      <select aria-label="Watched run" value={watched ?? ""} onChange={(event) => watch(event.target.value)}>
+      <select aria-label="Watched run" className={core !== undefined && isInterrupted(core) ? "is-interrupted" : ""} value={watched ?? ""} onChange={(event) => watch(event.target.value)}>
         {watched === undefined && <option value="">none</option>}
         {cores.map((core) => (
           <option key={core.id} value={core.id}>
@@ -58,23 +66,57 @@ function CoreChoice() {
   );
 }
 
+/** Interrupted runs besides the watched one: a click shows the newest. */
+function InterruptedElsewhere() {
+  const cores = useSession((s) => s.cores);
+  const watched = useSession((s) => s.watched);
+  const core = useCore();
+  const interrupted = useMemo(() => interruptedElsewhere(cores, watched), [cores, watched]);
+  const [first] = interrupted;
+  if (first === undefined) return null;
+  const more = core !== undefined && isInterrupted(core);
+  return (
+    <button type="button" className="interrupted-elsewhere" title={`Show run ${first.id}`} onClick={() => watch(first.id)}>
+      <Icon name="interrupted" />
+      {interrupted.length} {more ? "more " : ""}interrupted
+    </button>
+  );
+}
+
 function NewRun() {
   const documents = useSession((s) => s.documents);
   const [chosen, setChosen] = useState<string>();
-  const document = chosen ?? documents[0]?.name;
+  const document = documents.find(({ name }) => name === chosen) ?? documents.find((entry) => errorCount(entry) === 0) ?? documents[0];
+  const refusal = document === undefined ? undefined : refusalToStart(document);
   return (
     <div className="field new-run">
       <span>New</span>
-      <select aria-label="Document" value={document ?? ""} onChange={(event) => setChosen(event.target.value)} disabled={documents.length === 0}>
+      <select aria-label="Document" value={document?.name ?? ""} onChange={(event) => setChosen(event.target.value)} disabled={documents.length === 0}>
         {documents.map((entry) => (
           <option key={entry.name} value={entry.name}>
-            {entry.name}
+            {documentText(entry)}
           </option>
         ))}
       </select>
-      <button type="button" disabled={document === undefined} onClick={() => document !== undefined && void newRun(document, false)}>
+      <button
+        type="button"
+        disabled={document === undefined || refusal !== undefined}
+        title={refusal}
+        aria-describedby={refusal === undefined ? undefined : kRefusal}
+        onClick={() => document !== undefined && void newRun(document.name, false)}
+      >
         Load
       </button>
+      {document !== undefined && refusal !== undefined && (
+        <>
+          <span id={kRefusal} className="unseen">
+            {refusal}
+          </span>
+          <button type="button" className="show-errors" onClick={() => void showErrors(document.name)}>
+            Show {errorsText(errorCount(document))}
+          </button>
+        </>
+      )}
     </div>
   );
 }

@@ -1,13 +1,16 @@
 // Why a port fired or not: the atoms of its condition with their values, and those whose change would fire it.
 import type { Why } from "../../generated/messages";
-import { atomAdvice, codePieces, readsText, truthText, whyHeadline, whySentences } from "../../shared/run/whyText";
+import { atomAdvice, readsText, truthText, whyHeadline, whySentences } from "../../shared/run/whyText";
+import { CodeText } from "./CodeText";
 
 export function WhyView({ why }: { readonly why: Why }) {
   return (
     <section className="why" aria-label="Why">
       <h3>{whyHeadline(why)}</h3>
       {whySentences(why).map((sentence) => (
-        <p key={sentence}>{codePieces(sentence).map((piece, i) => (piece.code ? <code key={i}>{piece.text}</code> : piece.text))}</p>
+        <p key={sentence}>
+          <CodeText text={sentence} />
+        </p>
       ))}
       <Atoms why={why} />
       <p className="quiet">

@@ -13,7 +13,7 @@ export function allowed(core: Core | undefined): ReadonlySet<Command> {
   if (core === undefined) return new Set();
   if (isOver(core)) return new Set<Command>(["again"]);
   if (core.status === "ready") return new Set<Command>(["start", "micro", "macro", "until"]);
-  if (!core.paused) return new Set<Command>(["pause", "stop"]);
+  if (core.status === "running" && !core.paused) return new Set<Command>(["pause", "stop"]);
   const commands = new Set<Command>(["resume", "micro", "macro", "until", "stop"]);
   return core.stepping ? commands.add("pause") : commands;
 }
@@ -39,6 +39,8 @@ export function statusText(core: Core): string {
     case "running":
       if (!core.paused) return "Running";
       return core.stepping ? "Paused, its step waits for an input" : "Paused";
+    case "interrupted":
+      return "Interrupted";
     case "ended":
       return core.outcome === undefined ? "Ended" : `Ended: ${core.outcome}`;
     case "faulted":

@@ -5,7 +5,8 @@ import { ancestry, splitAddress } from "../model/modelTree";
 
 export type Selection = { readonly kind: "node"; readonly path: string } | { readonly kind: "port"; readonly address: string };
 
-export type Page = "task" | "services" | "cell";
+/** `draft`: the errors of a document. */
+export type Page = "task" | "services" | "cell" | "draft";
 export type Drawer = "derivation" | "log" | "closed";
 
 export interface View {
@@ -120,9 +121,10 @@ export function applyGesture(view: View, gesture: Gesture): View {
     case "help":
       return { ...view, help: gesture.shown };
     case "escape":
-      return view.help ? { ...view, help: false } : { ...view, selection: undefined };
+      if (view.help) return { ...view, help: false };
+      return view.page === "draft" ? { ...view, page: "task" } : { ...view, selection: undefined };
     case "forget":
-      return { ...initialView, page: view.page, drawer: view.drawer, detail: view.detail, inset: view.inset, help: view.help };
+      return { ...initialView, page: view.page === "draft" ? "task" : view.page, drawer: view.drawer, detail: view.detail, inset: view.inset, help: view.help };
     default:
       return assertNever(gesture);
   }

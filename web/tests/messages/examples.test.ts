@@ -33,7 +33,7 @@ const readers: Readonly<Record<string, (value: unknown) => unknown>> = {
 };
 
 /** Messages that the pages write, and messages between other programs. */
-const unread = new Set(["component_message", "component_request", "core_create", "journal", "operator", "person_command", "step_request", "stream_request", "breakpoints"]);
+const unread = new Set(["boot", "component_message", "component_request", "core_create", "core_load", "core_start", "journal", "operator", "person_command", "step_request", "stream_request", "breakpoints"]);
 
 describe("api/examples", () => {
   it("are there", () => expect(files.length).toBeGreaterThan(10));

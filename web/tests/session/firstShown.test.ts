@@ -55,7 +55,7 @@ describe("followModel of a task that has become large", () => {
 });
 
 describe("firstShown", () => {
-  const core = (id: string, document: string): Core => ({ id, document, status: "ended", paused: false, stepping: false, step: 1, micro: 0, waiting: 0, arguments: {}, breakpoints: [] });
+  const core = (id: string, document: string): Core => ({ id, document, revision: 1, status: "ended", paused: false, stepping: false, step: 1, micro: 0, waiting: 0, arguments: {}, breakpoints: [] });
   const known = applyEvent(emptySession, { type: "update", update: { type: "cores", cores: [core("1", "pick"), core("2", "pick"), core("3", "place")] } });
   const turnTo = (session: Session, id: string): Session => applyEvent(session, { type: "watched", id });
   const model = { name: "", services: {}, library: [], root: state("Root", "r", pick("Pick", "p")) };

@@ -5,7 +5,7 @@ import { applyEvent, cellUnavailable, emptySession, watchedCore, type Session } 
 import { applyGesture, firstView, initialView } from "../../shared/session/view";
 import { runOf } from "../conformance";
 
-const core: Core = { id: "1", document: "pick", status: "running", paused: false, stepping: false, step: 1, micro: 0, waiting: 0, arguments: {}, breakpoints: [] };
+const core: Core = { id: "1", document: "pick", revision: 3, status: "running", paused: false, stepping: false, step: 1, micro: 0, waiting: 0, arguments: {}, breakpoints: [] };
 const first = runOf("thesis-pick").steps[0];
 if (first === undefined) throw new Error("the recorded run is empty");
 
@@ -116,6 +116,11 @@ describe("view", () => {
     const once = applyGesture(helped, { type: "escape" });
     expect([helped.help, once.help, once.selection]).toEqual([true, false, selection]);
     expect(applyGesture(once, { type: "escape" }).selection).toBeUndefined();
+  });
+  it("leaves the errors of a draft by Esc, and when a run is watched", () => {
+    const draft = applyGesture(initialView, { type: "page", page: "draft" });
+    expect(applyGesture(draft, { type: "escape" }).page).toBe("task");
+    expect(applyGesture(draft, { type: "forget" }).page).toBe("task");
   });
   it("keeps the page when another run is watched, but no selection", () => {
     const view = applyGesture({ ...initialView, page: "cell" }, { type: "select", selection: { kind: "node", path: "Root" } });

@@ -79,7 +79,7 @@ TEST_F(DatabaseTest, AnswersWhateverItIsAskedWith) {
 }
 
 TEST_F(DatabaseTest, KeysAreTextNotSql) {
-  const std::string key = "'; DROP TABLE entry; --%_";
+  const std::string key = "'; DROP TABLE record; --%_";
   bench.call("db", "add", {key, 1});
   bench.call("db", "list", {"'"});
   EXPECT_EQ(bench.responses().back(), "db.list -> " + to_json(List{key}));
@@ -111,7 +111,7 @@ TEST(DatabaseFile, SurvivesARestart) {
 TEST(DatabaseFile, ThatCannotBeOpenedIsAnError) {
   const auto store = Store::open("/nowhere/at/all.sqlite");
   ASSERT_FALSE(store);
-  EXPECT_EQ(store.error().code, ErrorCode::io);
+  EXPECT_EQ(store.error().code, ErrorCode::storage);
   EXPECT_EQ(store.error().path, "/nowhere/at/all.sqlite");
 }
 
@@ -120,14 +120,14 @@ TEST(DatabaseFile, ThatHasLostItsTableAnswersIo) {
   for (const char* suffix : {"", "-wal", "-shm"}) std::filesystem::remove(path.string() + suffix);
   Bench bench;
   bench.add<Database>("db", Store::open(path).value());
-  SQLite::Database(path.string(), SQLite::OPEN_READWRITE).exec("DROP TABLE entry");
+  SQLite::Database(path.string(), SQLite::OPEN_READWRITE).exec("DROP TABLE record");
   bench.call("db", "get", {"x"});
   bench.call("db", "add", {"x", 1});
   bench.call("db", "remove", {"x"});
   bench.call("db", "list");
   EXPECT_THAT(bench.responses(), ElementsAre("db.get !> io", "db.add !> io", "db.remove !> io", "db.list !> io"));
   EXPECT_EQ(bench.deliveries.front().data,
-            Value(Dict{{"code", "io"}, {"message", "cannot read `x`: no such table: entry"}}));
+            Value(Dict{{"code", "io"}, {"message", "cannot read `x`: no such table: record"}}));
 }
 
 }  // namespace

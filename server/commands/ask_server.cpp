@@ -1,0 +1,46 @@
+#include "server/commands/ask_server.h"
+
+#include <cstdio>
+
+#include "core/value/json.h"
+#include "server/commands/command.h"
+#include "server/http/client.h"
+
+namespace race::server {
+namespace {
+
+std::string text_of(const Value& error, std::string_view field) {
+  const Value* text = error.find(field);
+  return text && text->is_string() ? text->as_string() : std::string();
+}
+
+// Prints errors of the server (schemas/errors.json) as refuse() prints our own. Its codes may be of the HTTP layer.
+void print_errors(const HttpClient::Answer& answer, bool json) {
+  if (json) std::printf("%s\n", to_json(answer.body, 1).c_str());
+  const Value* errors = answer.body.find("errors");
+  if (!errors || !errors->is_list()) {
+    std::fprintf(stderr, "the server answers %d\n", answer.status);
+    return;
+  }
+  for (const Value& error : errors->as_list())
+    std::fprintf(stderr, "%s: %s: %s\n", text_of(error, "path").c_str(), text_of(error, "code").c_str(),
+                 text_of(error, "message").c_str());
+}
+
+}  // namespace
+
+tl::expected<Value, int> ask_server(const ServerOptions& server, std::string_view method, const std::string& target,
+                                    const std::optional<Value>& body) {
+  const auto client = HttpClient::create(server.url);
+  if (!client) {
+    const Error& error = client.error();
+    return tl::unexpected(refuse(Error{error.code, error.message, "--server"}, server.json));
+  }
+  auto answer = client->request(method, target, body);
+  if (!answer) return tl::unexpected(refuse(answer.error(), server.json));
+  if (answer->status >= 200 && answer->status < 300) return std::move(answer->body);
+  print_errors(*answer, server.json);
+  return tl::unexpected(kExitFindings);
+}
+
+}  // namespace race::server

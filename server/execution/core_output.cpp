@@ -1,0 +1,146 @@
+// What leaves a core: entries to the journal at once, everything else when they are durable.
+#include "core/execution/checkpoint.h"
+#include "core/execution/step_json.h"
+#include "server/execution/core.h"
+#include "server/wire/calendar.h"
+
+namespace race::server {
+
+using execution::Progress;
+
+namespace {
+
+Value integer(std::uint64_t n) { return static_cast<std::int64_t>(n); }
+
+}  // namespace
+
+// What came of a part of a macro step: the one place where anything leaves a core.
+void Core::emit(const Progress& progress) {
+  record(progress);
+  held_.add([this, calls = progress.calls, printed = progress.printed,
+             delta = execution_.is_watched() ? delta_of(progress) : Value(),
+             steps = progress.derivation ? steps_of(progress) : Value()](const Error* failure) {
+    if (failure) return;
+    for (const std::string& text : printed) resources_.watcher.printed(id_, text);
+    for (const semantics::OutgoingCall& call : calls)
+      resources_.host.call({id_, call.number}, call.service, call.name, call.args, call.kwargs);
+    if (!delta.is_null()) resources_.watcher.state_changed(id_, delta);
+    if (!steps.is_null()) resources_.watcher.derived(id_, steps);
+  });
+  if (paused_ || is_over()) publish_info();
+}
+
+// The entry with the first part of its macro step; after the last part, the checkpoint that is due and the run's end.
+void Core::record(const Progress& progress) {
+  JournalRecord record;
+  if (progress.first == 0) record.entry = progress.entry;
+  if (progress.complete && is_over())
+    record.end = run_end();
+  else if (progress.complete && progress.position % RunJournal::interval_at(progress.position) == 0)
+    record.checkpoint = checkpoint_json(execution_);
+  if (!record.entry && !record.checkpoint && !record.end) return;
+  if (record.checkpoint) record.checkpoint->freeze();
+  record.ticket = held_.next_ticket();
+  resources_.writer.append(journal_, std::move(record));
+}
+
+RunEnd Core::run_end() const {
+  RunEnd end{
+      std::string(semantics::name(run().status())), run().outcome(), {}, execution::root_results(run()), now_ms()};
+  if (run().fault()) end.fault = execution::fault_json(*run().fault());
+  end.fault.freeze();
+  end.results.freeze();
+  return end;
+}
+
+// schemas/core_delta.json
+Value Core::delta_of(const Progress& progress) const {
+  Dict delta{{"core", info_json()}};
+  if (progress.entry) delta.set("input", input_json(*progress.entry));
+  for (const auto& [key, value] : progress.delta) delta.set(key, value);
+  delta.set("calls", execution::calls_json(progress.calls));
+  Value frozen = std::move(delta);
+  return std::move(frozen.freeze());
+}
+
+Value Core::steps_of(const Progress& progress) const {
+  Dict step = trace_step(program(), progress);
+  step.set("first", integer(progress.first));
+  step.set("complete", progress.complete);
+  Value steps = Dict{{"steps", List{Value(std::move(step))}}};
+  return std::move(steps.freeze());
+}
+
+void Core::watch_state() {
+  state_watched_ = true;
+  strand_.post([self = shared_from_this()] { self->publish_snapshot(); });
+}
+
+void Core::publish_snapshot() {
+  Value snapshot = Dict{{"core", info_json()}, {"state", execution_.watch()}};
+  snapshot.freeze();
+  held_.add([this, snapshot](const Error* failure) {
+    if (!failure) resources_.watcher.state_snapshot(id_, snapshot);
+  });
+}
+
+void Core::watch_derivation(bool on) {
+  derivation_watched_ = on;
+  if (!on) return;
+  strand_.post([self = shared_from_this()] { self->publish_next_derivation(); });
+}
+
+void Core::watch_as(const Core& other) {
+  if (other.state_watched_) watch_state();
+  if (other.derivation_watched_) watch_derivation(true);
+}
+
+void Core::publish_next_derivation() {
+  Value next = Dict{{"next", integer(run().position() + 1)}};
+  next.freeze();
+  held_.add([this, next](const Error* failure) {
+    if (!failure) resources_.watcher.derivation_snapshot(id_, next);
+  });
+}
+
+void Core::publish_info() {
+  held_.add([this, info = info_json()](const Error* failure) {
+    if (!failure) set_info(info);
+  });
+}
+
+void Core::set_info(Value info) {
+  {
+    const services::MutexLock lock(mutex_);
+    info_ = info;
+  }
+  // Counters move with every input; the list of cores hears of what else changes.
+  Dict news = info.as_dict();
+  for (const char* counter : {"step", "micro", "waiting"}) news.erase(counter);
+  if (Value(news) == announced_) return;
+  announced_ = std::move(news);
+  resources_.watcher.core_changed(id_, std::move(info));
+}
+
+Value Core::info_json() const {
+  const bool over = is_over();
+  Dict info{{"id", id_}, {"document", record_.document}, {"revision", record_.revision}};
+  execution::set_status(run(), info);
+  if (!started_) info.set("status", "ready");
+  if (interruption_) {
+    info.set("status", "interrupted");
+    info.set("interruption", Dict{{"reason", interruption_->reason}, {"message", interruption_->message}});
+  }
+  info.set("paused", (paused_ || awaits_input()) && !over);
+  info.set("stepping", execution_.has_goal() && !over);
+  info.set("step", integer(run().position()));
+  info.set("micro", integer(execution_.micro()));
+  info.set("waiting", integer(execution_.waiting().size()));
+  info.set("arguments", header_.arguments);
+  info.set("breakpoints", breakpoints_json_);
+  if (over) info.set("results", execution::root_results(run()));
+  Value frozen = std::move(info);
+  return std::move(frozen.freeze());
+}
+
+}  // namespace race::server

@@ -1,0 +1,83 @@
+// Questions about a core: answered with what is durable; those about the past by a replay of the journal, on a strand
+// of its own.
+#include <algorithm>
+
+#include "core/execution/step_json.h"
+#include "core/execution/why.h"
+#include "server/execution/core_internal.h"
+
+namespace race::server {
+
+Expected<Value> Core::state() {
+  return on_strand<Value>([this]() -> Expected<Value> {
+    Value state = Dict{{"core", info_json()}, {"state", run().state_json()}};
+    return state.freeze();
+  });
+}
+
+Expected<Value> Core::why(const std::string& port) {
+  return on_strand<Value>([this, port]() -> Expected<Value> {
+    const auto id = program().find_port(port);
+    if (!id) return unexpected(ErrorCode::not_found, "there is no port of this path", port);
+    Value why = why_json(execution_, *id);
+    return why.freeze();
+  });
+}
+
+// `function` of the replay, on the strand of replays.
+template <typename F>
+Expected<Value> Core::replayed(F function) {
+  auto answer = replay_strand_.ask([replay = replay_, function = std::move(function)]() -> Expected<Value> {
+    ASSIGN_OR_RETURN(Value json, function(*replay));
+    return json.freeze();
+  });
+  if (!answer) return unexpected(ErrorCode::unavailable, "the replay takes long, ask again");
+  return std::move(*answer);
+}
+
+Expected<Core::Reached> Core::reached() {
+  return on_strand<Reached>([this]() -> Expected<Reached> {
+    Reached reached{run().position(), execution_.is_open() ? static_cast<int>(execution_.micro()) : -1, {}};
+    execution::set_status(run(), reached.status);
+    return reached;
+  });
+}
+
+Expected<Value> Core::why_before(const std::string& port, std::size_t step, int micro) {
+  const auto id = program().find_port(port);
+  if (!id) return unexpected(ErrorCode::not_found, "there is no port of this path", port);
+  ASSIGN_OR_RETURN(const Reached now, reached());
+  if (step < 1 || step > now.step)
+    return unexpected(ErrorCode::out_of_range, "there are macro steps 1 to " + std::to_string(now.step), "step");
+  const int done = step == now.step && now.micro >= 0 ? std::min(micro, now.micro) : micro;
+  return replayed([step, done, id](execution::Replay& replay) -> Expected<Value> {
+    ASSIGN_OR_RETURN(execution::Execution past, replay.before(step, done));
+    return why_json(past, *id);
+  });
+}
+
+Expected<execution::Journal> Core::journal() {
+  ASSIGN_OR_RETURN(const Reached now, reached());
+  if (now.step == 0) return execution::Journal{header_, {}};
+  ASSIGN_OR_RETURN(auto entries, resources_.runs.entries(run_id(), program(), 1, now.step));
+  return execution::Journal{header_, std::move(entries)};
+}
+
+Expected<Value> Core::derivations(std::size_t from, std::size_t to) {
+  ASSIGN_OR_RETURN(Reached now, reached());
+  if (from == 0) from = now.step;
+  if (to == 0) to = from;
+  if (now.step > 0 && (from > to || to > now.step || to - from >= 100))
+    return unexpected(ErrorCode::out_of_range,
+                      "macro steps 1 to " + std::to_string(now.step) + " can be had, at most 100 at once");
+  Dict json = std::move(now.status);
+  ASSIGN_OR_RETURN(Value derived, replayed([from, to, last = now.step,
+                                            micro = now.micro](execution::Replay& replay) -> Expected<Value> {
+                     if (last == 0) return List();
+                     return replay.steps(from, to, last, micro);
+                   }));
+  json.set("steps", std::move(derived));
+  return Value(std::move(json));
+}
+
+}  // namespace race::server

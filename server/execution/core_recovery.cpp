@@ -1,0 +1,79 @@
+// Interruptions: a run is rebuilt from its journal, after the server ended under it or when the disk fails.
+#include <tuple>
+#include <utility>
+
+#include "server/execution/core.h"
+
+namespace race::server {
+
+using execution::Execution;
+
+Expected<std::shared_ptr<Core>> Core::recover(RunRecord run, execution::JournalHeader header,
+                                              const CoreResources& resources) {
+  ASSIGN_OR_RETURN(auto core, create(std::move(run), std::move(header), resources));
+  core->paused_ = true;
+  core->interruption_ = {"restart", "the server ended while the run was under way"};
+  if (auto rebuilt = core->rebuild(); !rebuilt) return tl::unexpected(std::move(rebuilt).error());
+  const services::MutexLock lock(core->mutex_);
+  core->info_ = core->info_json();
+  return core;
+}
+
+// Where its journal is written, and who hears of it.
+void Core::open_journal() {
+  const std::shared_ptr<RunSink> sink(shared_from_this(), this);
+  journal_ = std::make_shared<RunJournal>(record_, sink);
+}
+
+void Core::durable(std::uint64_t ticket) {
+  strand_.post([self = shared_from_this(), ticket] {
+    const bool was_ahead = self->held_.size() >= kMostHeld;
+    self->held_.release(ticket);
+    if (was_ahead) self->schedule();
+  });
+}
+
+void Core::failed(const Error& error) {
+  strand_.post([self = shared_from_this(), error] { self->interrupt(error); });
+}
+
+// What it was about to say is never said. What it has set in motion is told to stop, by nobody's call: no answer to
+// these reaches a run.
+void Core::interrupt(const Error& error) {
+  for (const semantics::OutgoingCall& call : run().safe_calls())
+    resources_.host.call({"", 0}, call.service, call.name, {}, {});
+  const bool was_paused = std::exchange(paused_, true);
+  execution_.set_goal(std::nullopt);
+  interruption_ = {"storage", error.message};
+  held_.fail(error);
+  if (auto rebuilt = rebuild(); !rebuilt) interruption_->message += "; " + rebuilt.error().message;
+  if (!started_) paused_ = was_paused;
+  publish_info();
+}
+
+// The run as its journal says. Its open calls are answered `unavailable` (R7) and never sent again; what had arrived
+// before is forgotten. One that had not begun waits to be started.
+Expected<void> Core::rebuild() {
+  ASSIGN_OR_RETURN(RunRecord stored, resources_.runs.get(run_id()));
+  execution::Replay replay(header_, resources_.runs.source(run_id(), header_.program));
+  ASSIGN_OR_RETURN(Execution rebuilt, replay.after(stored.steps));
+  rebuilt.post_lost();
+  rebuilt.set_breakpoints(breakpoints_);
+  execution_ = std::move(rebuilt);
+  record_ = std::move(stored);
+  open_journal();
+  started_ = record_.steps > 0;
+  if (interruption_) interruption_->rebuilt = true;
+  if (is_over()) {  // the journal has its last entry, but not yet that it is the last
+    resources_.writer.append(journal_, {.ticket = held_.next_ticket(), .end = run_end()});
+  } else if (started_) {
+    // A disk that takes nothing leaves it as `running`: when the server has ended, that means the same.
+    std::ignore = resources_.runs.set_status(run_id(), "interrupted");
+  }
+  if (is_over() || !started_) interruption_.reset();
+  if (state_watched_) publish_snapshot();
+  if (derivation_watched_) publish_next_derivation();
+  return {};
+}
+
+}  // namespace race::server

@@ -1,0 +1,49 @@
+// GET /api/v1/backups, POST /api/v1/backups, DELETE /api/v1/backups/{name}, POST /api/v1/backups/{name}/restore.
+#include "server/execution/cores.h"
+#include "server/handlers/handlers.h"
+#include "server/store/backup.h"
+#include "server/wire/calendar.h"
+
+namespace race::server {
+namespace {
+
+bool goes_on(const Core& core) {
+  const Value info = core.info();
+  const Value& status = *info.find("status");
+  return status == Value("running") || status == Value("interrupted");
+}
+
+Handled answer_with(const Expected<Backup>& backup, int status) {
+  if (!backup) return failed(backup.error());
+  Reply reply = ok(backup_json(*backup));
+  reply.status = status;
+  return reply;
+}
+
+}  // namespace
+
+Handled list_backups(const Request&, Backups& backups) {
+  const auto found = backups.list();
+  if (!found) return failed(found.error());
+  List list;
+  for (const Backup& backup : *found) list.push_back(backup_json(backup));
+  return ok(Dict{{"backups", std::move(list)}});
+}
+
+Handled create_backup(const Request&, Backups& backups) { return answer_with(backups.create(now_ms()), 201); }
+
+Handled delete_backup(const Request& request, Backups& backups) {
+  return answer_with(backups.remove(request.parameters.at("name")), 200);
+}
+
+// Cores that are over or have not begun go: the store of that time knows others.
+Handled restore_backup(const Request& request, Backups& backups, Cores& cores) {
+  for (const auto& core : cores.all())
+    if (goes_on(*core)) return failed({ErrorCode::conflict, "the run of core " + core->id() + " is not over"});
+  const auto restored = backups.restore(request.parameters.at("name"), [&cores] {
+    for (const auto& core : cores.all()) cores.remove(core->id());
+  });
+  return answer_with(restored, 200);
+}
+
+}  // namespace race::server

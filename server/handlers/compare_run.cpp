@@ -1,0 +1,15 @@
+// GET /api/v1/runs/{run}/compare?with&from: where two runs first do different things.
+#include "server/handlers/runs.h"
+#include "server/runs/run_replay.h"
+
+namespace race::server {
+
+Handled compare_run(const Request& request, Runs& runs) {
+  const auto with = request.query.find("with");
+  if (with == request.query.end()) return failed({ErrorCode::missing, "with which run? ?with=2", "with"});
+  const auto from = query_number(request, "from", 1, 1);
+  if (!from) return failed(from.error());
+  return answer(compare_runs(runs, run_number(request.parameters.at("run")), run_number(with->second), *from));
+}
+
+}  // namespace race::server

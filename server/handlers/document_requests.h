@@ -1,0 +1,30 @@
+// What the routes of documents share: the fields of their requests and of their answers.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/value/fields.h"
+#include "server/handlers/handlers.h"
+#include "server/store/documents.h"
+
+namespace race::server {
+
+/// Who changes a document now, and why, by the query (`author`, `message`).
+Change change_of(const Request& request);
+/// The same, by the fields of a body.
+Change read_change(Fields& fields);
+
+/// The number from 1 at `name` of the query; nothing: it is absent. Error `out_of_range`.
+Expected<std::optional<std::int64_t>> number_of(const Request& request, std::string_view name);
+/// The field `revision`, a number from 1; a violation otherwise.
+std::optional<std::int64_t> read_revision_number(Fields& fields, Fields::Need need);
+
+/// schemas/revisions.json, `document_revision`.
+Value revision_json(const Revision& revision);
+/// schemas/document_entry.json.
+Value entry_json(const DocumentEntry& entry);
+/// The entry, with the status, or its errors.
+Handled answer_entry(const Checked<DocumentEntry>& entry, int status = 200);
+
+}  // namespace race::server

@@ -1,0 +1,14 @@
+// GET /api/v1/runs/{run}/journal: header and inputs of the run.
+#include "server/handlers/runs.h"
+
+namespace race::server {
+
+Handled get_run_journal(const Request& request, Runs& runs) {
+  const auto run = run_of(request, runs);
+  if (!run) return failed(run.error());
+  const auto journal = journal_of(*run, runs);
+  if (!journal) return failed(journal.error());
+  return ok(journal_json(*journal));
+}
+
+}  // namespace race::server

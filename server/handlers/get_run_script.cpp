@@ -1,0 +1,14 @@
+// GET /api/v1/runs/{run}/script: the run as a script for race derive.
+#include "server/handlers/runs.h"
+
+namespace race::server {
+
+Handled get_run_script(const Request& request, Runs& runs) {
+  const auto run = run_of(request, runs);
+  if (!run) return failed(run.error());
+  const auto journal = journal_of(*run, runs);
+  if (!journal) return failed(journal.error());
+  return ok(script_json(*journal));
+}
+
+}  // namespace race::server

@@ -1,0 +1,19 @@
+// POST /api/v1/documents/{name}/restore: makes an earlier revision the next one.
+#include "core/value/json.h"
+#include "server/handlers/document_requests.h"
+
+namespace race::server {
+
+Handled restore_document(const Request& request, Documents& documents) {
+  const auto body = parse_json(request.body);
+  if (!body) return failed(body.error());
+  std::vector<Error> errors;
+  Fields fields(*body, "", "the request", errors, Fields::Paths::field);
+  const auto revision = read_revision_number(fields, Fields::Need::required);
+  const Change change = read_change(fields);
+  fields.close();
+  if (!errors.empty()) return tl::unexpected(std::move(errors));
+  return answer_entry(documents.restore(request.parameters.at("name"), *revision, change));
+}
+
+}  // namespace race::server

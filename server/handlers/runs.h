@@ -1,0 +1,22 @@
+// What the handlers of /api/v1/runs share.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "server/handlers/handlers.h"
+#include "server/store/runs.h"
+
+namespace race::server {
+
+/// A whole number of the query, from `least`; `absent` if it is not there. Error `out_of_range`.
+Expected<std::uint64_t> query_number(const Request& request, std::string_view name, std::uint64_t least,
+                                     std::uint64_t absent);
+/// The number that `text` is; 0, which no run has, if it is none.
+RunId run_number(std::string_view text);
+/// The run of the route's `run`, or `not_found`.
+Expected<RunRecord> run_of(const Request& request, Runs& runs);
+/// Its whole journal. Error `too_large`: a file of it would be larger than kRunFileLimits.
+Expected<execution::Journal> journal_of(const RunRecord& run, Runs& runs);
+
+}  // namespace race::server

@@ -1,0 +1,53 @@
+// POST /api/v1/cores/{id}/start: a core begins, with other arguments than those of its creation if the body has some.
+#include "core/rcm/document.h"
+#include "core/value/json.h"
+#include "server/execution/cores.h"
+#include "server/handlers/handlers.h"
+#include "server/store/documents.h"
+
+namespace race::server {
+
+namespace {
+
+// Nothing: those of the creation stay.
+Checked<std::optional<Dict>> read_body(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  auto body = parse_json(text);
+  if (!body) return failed(std::move(body).error());
+  std::vector<Error> errors;
+  Fields fields(*body, "", "the request", errors, Fields::Paths::field);
+  auto arguments = read_arguments(fields);
+  fields.close();
+  if (!errors.empty()) return tl::unexpected(std::move(errors));
+  return arguments;
+}
+
+// The document that the core executes, in the revision that it was created of.
+Checked<StoredDocument> document_of(const Core& core, Documents& documents) {
+  const Value info = core.info();
+  const std::string& name = info.find("document")->as_string();
+  const std::int64_t revision = info.find("revision")->as_integer();
+  const auto entry = documents.entry(name, revision);
+  if (!entry) return tl::unexpected(entry.error());
+  auto document = rcm::read_document(entry->document);
+  if (!document) return tl::unexpected(std::move(document).error());
+  return StoredDocument{name, revision, std::move(*document)};
+}
+
+}  // namespace
+
+Handled start_core(const Request& request, Documents& documents, Cores& cores) {
+  auto core = core_of(request, cores);
+  if (!core) return tl::unexpected(core.error());
+  auto arguments = read_body(request.body);
+  if (!arguments) return tl::unexpected(std::move(arguments).error());
+  if (*arguments) {
+    const auto document = document_of(**core, documents);
+    if (!document) return tl::unexpected(document.error());
+    core = cores.load((*core)->id(), *document, std::move(**arguments));
+    if (!core) return tl::unexpected(core.error());
+  }
+  return answer((*core)->start());
+}
+
+}  // namespace race::server

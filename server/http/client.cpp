@@ -1,0 +1,92 @@
+#include "server/http/client.h"
+
+#include <boost/asio.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+
+#include "core/value/json.h"
+
+namespace race::server {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = beast::http;
+using asio::ip::tcp;
+using boost::system::error_code;
+
+constexpr auto kUse = asio::as_tuple(asio::use_awaitable);
+
+using Request = http::request<http::string_body>;
+
+Request make_request(const remote::Address& address, std::string_view method, std::string_view target,
+                     const std::optional<Value>& body) {
+  Request request(http::string_to_verb(method), target, 11);
+  request.set(http::field::host, address.host + ":" + std::to_string(address.port));
+  request.set(http::field::accept, "application/json");
+  request.keep_alive(false);
+  if (body) {
+    request.set(http::field::content_type, "application/json");
+    request.body() = to_json(*body);
+  }
+  request.prepare_payload();
+  return request;
+}
+
+// One request on a connection of its own.
+struct Exchange {
+  asio::awaitable<Expected<HttpClient::Answer>> run(const remote::Address& address, const Request& request,
+                                                    HttpClient::Timeouts timeouts) {
+    tcp::resolver resolver(io);
+    const auto [unknown, endpoints] = co_await resolver.async_resolve(address.host, std::to_string(address.port), kUse);
+    if (unknown) co_return failure(unknown);
+    stream.expires_after(timeouts.connect);
+    const auto [absent, endpoint] = co_await stream.async_connect(endpoints, kUse);
+    if (absent) co_return failure(absent);
+    stream.expires_after(timeouts.answer);
+    const auto [unsent, sent] = co_await http::async_write(stream, request, kUse);
+    if (unsent) co_return failure(unsent);
+    beast::flat_buffer buffer;
+    http::response_parser<http::string_body> parser;
+    parser.body_limit(HttpClient::kBodyBytes);
+    const auto [broken, received] = co_await http::async_read(stream, buffer, parser, kUse);
+    if (broken) co_return failure(broken);
+    auto body = parse_json(parser.get().body());
+    if (!body)
+      co_return unexpected(ErrorCode::io, "answers " + std::to_string(parser.get().result_int()) + " without JSON");
+    co_return HttpClient::Answer{static_cast<int>(parser.get().result_int()), std::move(*body)};
+  }
+
+  // Of the network; or of what is there, if it speaks no HTTP.
+  static tl::unexpected<Error> failure(error_code error) {
+    const bool is_http = error.category() == make_error_code(http::error::bad_method).category();
+    const bool ended = error == http::error::end_of_stream || error == http::error::partial_message;
+    return unexpected(is_http && !ended ? ErrorCode::io : ErrorCode::unavailable, error.message());
+  }
+
+  asio::io_context io{1};
+  beast::tcp_stream stream{io};
+};
+
+}  // namespace
+
+Expected<HttpClient> HttpClient::create(std::string url, Timeouts timeouts) {
+  ASSIGN_OR_RETURN(remote::Address address, remote::read_address(url));
+  return HttpClient(std::move(url), std::move(address), timeouts);
+}
+
+Expected<HttpClient::Answer> HttpClient::request(std::string_view method, std::string_view target,
+                                                 const std::optional<Value>& body) const {
+  const Request request = make_request(address_, method, target, body);
+  Exchange exchange;
+  Expected<Answer> answer = unexpected(ErrorCode::unavailable, "the connection failed");
+  asio::co_spawn(exchange.io, exchange.run(address_, request, timeouts_),
+                 [&answer](std::exception_ptr failed, Expected<Answer> result) {
+                   if (!failed) answer = std::move(result);
+                 });
+  exchange.io.run();
+  if (!answer) return unexpected(answer.error().code, answer.error().message, url_);
+  return answer;
+}
+
+}  // namespace race::server

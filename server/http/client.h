@@ -1,0 +1,53 @@
+// HttpClient: requests to a server, for commands. Each has a connection of its own; the caller waits. Boost stays in
+// client.cpp.
+//
+// Threads: any.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/value/expected.h"
+#include "core/value/value.h"
+#include "services/remote/address.h"
+
+namespace race::server {
+
+class HttpClient {
+ public:
+  /// What a server answered: the HTTP status, and the body, which is JSON.
+  struct Answer {
+    int status = 0;
+    Value body;
+  };
+  /// Greater than 0. A handler of the server answers within seven seconds (handlers/README.md).
+  struct Timeouts {
+    std::chrono::milliseconds connect{3'000};
+    std::chrono::milliseconds answer{30'000};  // from the connection to the last byte
+  };
+  static constexpr std::size_t kBodyBytes = 16 * 1024 * 1024;  // of an answer
+
+  /// Of the server at `url`, as remote::read_address takes it. Connects to nothing yet. Error `syntax`.
+  static Expected<HttpClient> create(std::string url, Timeouts timeouts);
+  static Expected<HttpClient> create(std::string url) { return create(std::move(url), Timeouts()); }
+
+  /// Sends a request and waits for its answer, whatever its status. `method`: of HTTP, "GET"; `target`: path and query,
+  /// encoded (message.h, encode_part). Errors, with the URL as path: `unavailable` (nothing listens there, or no answer
+  /// came in time; the server may have executed it), `io` (what answers speaks no HTTP or no JSON, or more than
+  /// kBodyBytes).
+  Expected<Answer> request(std::string_view method, std::string_view target,
+                           const std::optional<Value>& body = {}) const;
+
+ private:
+  HttpClient(std::string url, remote::Address address, Timeouts timeouts)
+      : url_(std::move(url)), address_(std::move(address)), timeouts_(timeouts) {}
+
+  std::string url_;
+  remote::Address address_;
+  Timeouts timeouts_;
+};
+
+}  // namespace race::server

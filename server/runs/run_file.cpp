@@ -1,0 +1,255 @@
+#include "server/runs/run_file.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <tuple>
+#include <utility>
+
+#include "core/execution/checkpoint.h"
+#include "core/execution/journal_walk.h"
+#include "core/execution/step_json.h"
+#include "core/rcm/document.h"
+#include "core/rcm/ids.h"
+#include "core/rsm/document.h"
+#include "core/value/fields.h"
+#include "core/value/json.h"
+#include "server/runs/run_json.h"
+#include "server/store/journal_chain.h"
+
+namespace race::server {
+namespace {
+
+using Errors = std::vector<Error>;
+constexpr auto kRequired = Fields::Need::required;
+constexpr auto kByField = Fields::Paths::field;
+
+// Work that a file may ask for when it is opened.
+constexpr std::uint64_t kMostMicroSteps = 4'000'000;
+constexpr std::uint64_t kCheckpointInterval = 256, kMostCheckpoints = 64;
+
+tl::unexpected<Errors> one(Error error) { return tl::unexpected(Errors{std::move(error)}); }
+
+tl::unexpected<Error> corrupt(const std::string& what, std::string path) {
+  return unexpected(ErrorCode::corrupt, what, std::move(path));
+}
+
+void append(Errors& errors, Errors more, const std::string& below) {
+  for (Error& error : more) {
+    error.path = error.path.empty() ? below : below + "/" + error.path;
+    errors.push_back(std::move(error));
+  }
+}
+
+/// A whole number from 0; 0 (a violation) if it is another.
+std::int64_t read_count(Fields& fields, std::string_view key, Fields::Need need = kRequired) {
+  const Value* number = fields.find(key, need);
+  if (!number) return 0;
+  if (number->is_integer() && number->as_integer() >= 0) return number->as_integer();
+  fields.violation(ErrorCode::out_of_range, "`" + std::string(key) + "` must be an integer from 0", key);
+  return 0;
+}
+
+bool is_status(const std::string& status) {
+  constexpr std::array kStatus = {"ready", "running", "interrupted", "ended", "faulted", "aborted"};
+  return std::ranges::find(kStatus, status) != kStatus.end();
+}
+
+/// schemas/run.json, and the chain that it has. What follows from the journal is held against it later.
+std::pair<RunRecord, std::string> read_record(const Value& json, Errors& errors) {
+  RunRecord run;
+  Fields fields(json, "run", "the run", errors, kByField);
+  fields.text("id", kRequired);
+  run.document = fields.text("document", kRequired).value_or("");
+  if (!rcm::is_id(run.document)) fields.violation(ErrorCode::name, "`document` must be the name of one", "document");
+  run.revision = read_count(fields, "revision");
+  const Value arguments = fields.constant("arguments", kRequired).value_or(Dict());
+  if (arguments.is_dict()) run.arguments = arguments.as_dict();
+  run.status = fields.text("status", kRequired).value_or("ready");
+  if (!is_status(run.status)) fields.violation(ErrorCode::type, "`status` must be that of a run", "status");
+  run.outcome = fields.text("outcome").value_or("");
+  run.fault = fields.constant("fault").value_or(Value());
+  run.results = fields.constant("results").value_or(Value());
+  run.steps = static_cast<std::uint64_t>(read_count(fields, "steps"));
+  const std::string chain = fields.text("chain", kRequired).value_or("");
+  run.created_ms = read_count(fields, "created");
+  run.ended_ms = read_count(fields, "ended", Fields::Need::optional);
+  fields.boolean("imported");
+  read_count(fields, "bytes");
+  fields.close();
+  return {std::move(run), chain};
+}
+
+std::map<std::string, rsm::Service> read_services(Fields& file, Errors& errors) {
+  std::map<std::string, rsm::Service> services;
+  const Value* json = file.find("services", kRequired);
+  if (!json) return services;
+  if (!json->is_dict()) file.violation(ErrorCode::type, "`services` must be an object", "services");
+  if (!json->is_dict()) return services;
+  for (const auto& [key, text] : json->as_dict()) {
+    auto service = rsm::read_service(text, "services/" + key.as_string());
+    if (service)
+      services.emplace(key.as_string(), std::move(*service));
+    else
+      std::ranges::move(service.error(), std::back_inserter(errors));
+  }
+  return services;
+}
+
+/// schemas/cell_pose.json as far as a display needs it: a time, joints and bodies.
+void check_pose(const Value& json, const std::string& path, Errors& errors) {
+  Fields fields(json, path, "a pose", errors, kByField);
+  if (!fields.number("time")) fields.violation(ErrorCode::missing, "a pose has a `time`", "time");
+  for (const char* key : {"joints", "bodies"}) {
+    const Value* part = fields.find(key, kRequired);
+    if (part && !part->is_dict())
+      fields.violation(ErrorCode::type, "`" + std::string(key) + "` must be an object", key);
+  }
+  fields.find("hands");
+  fields.close();
+}
+
+std::vector<Sample> read_samples(Fields& file, Errors& errors) {
+  std::vector<Sample> samples;
+  const List& list = file.list("samples", kRequired);
+  if (list.size() > Samples::kMost) {
+    file.violation(ErrorCode::too_large, "at most " + std::to_string(Samples::kMost) + " samples", "samples");
+    return samples;
+  }
+  for (const Value& json : list) {
+    const std::string path = "samples/" + std::to_string(samples.size());
+    Fields fields(json, path, "a sample", errors, kByField);
+    Sample sample;
+    sample.step = static_cast<std::uint64_t>(read_count(fields, "step"));
+    sample.pose = fields.constant("pose", kRequired).value_or(Dict());
+    fields.close();
+    check_pose(sample.pose, path + "/pose", errors);
+    sample.pose.freeze();
+    samples.push_back(std::move(sample));
+  }
+  return samples;
+}
+
+/// Budgets beyond ours would let a file keep a thread busy.
+Expected<void> check_budgets(const semantics::Budgets& budgets) {
+  const semantics::Budgets ours;
+  if (budgets.micro_steps <= ours.micro_steps && budgets.evaluation.steps <= ours.evaluation.steps &&
+      budgets.evaluation.value_units <= ours.evaluation.value_units)
+    return {};
+  return unexpected(ErrorCode::out_of_range, "the budgets are beyond those of this server", "journal/header/budgets");
+}
+
+/// What the run came to is what the journal says, else `corrupt`. A file may have been written in the macro step that
+/// ended the run: then it is over.
+Expected<void> check_outcome(const execution::Execution& execution, RunRecord& run) {
+  const semantics::Run& ours = execution.run();
+  const std::string status(semantics::name(ours.status()));
+  if (!execution.is_over() && !run.is_over()) return {};
+  if (!run.is_over()) {
+    run.status = status;
+    run.outcome = ours.outcome();
+    run.fault = ours.fault() ? execution::fault_json(*ours.fault()) : Value();
+    run.results = execution::root_results(ours);
+    return {};
+  }
+  if (run.status != status) return corrupt("the journal says that the run is " + status, "run/status");
+  if (run.status == "ended" && run.outcome != ours.outcome())
+    return corrupt("the journal says that the outcome is " + ours.outcome(), "run/outcome");
+  if (ours.fault() && run.fault != execution::fault_json(*ours.fault()))
+    return corrupt("the journal says that the run has another fault", "run/fault");
+  if (run.results != execution::root_results(ours))
+    return corrupt("the journal says that the run has other results", "run/results");
+  return {};
+}
+
+/// Does the run again; every so many macro steps, a checkpoint.
+Expected<void> check_replay(RunFile& file, std::map<std::uint64_t, std::string>* checkpoints) {
+  const std::uint64_t steps = file.journal.entries.size();
+  const std::uint64_t interval = std::max(kCheckpointInterval, steps / kMostCheckpoints + 1);
+  ASSIGN_OR_RETURN(execution::JournalWalk walk,
+                   execution::JournalWalk::create(
+                       file.journal.header, std::make_shared<execution::MemoryJournal>(file.journal.entries), steps));
+  for (std::uint64_t micro_steps = 0; !walk.at_end();) {
+    auto progress = walk.next({.entry = false});
+    if (!progress)
+      return unexpected(progress.error().code, progress.error().message, "journal/" + progress.error().path);
+    micro_steps += (*progress)->micro;
+    if (micro_steps > kMostMicroSteps)
+      return unexpected(ErrorCode::too_large,
+                        "the run has more than " + std::to_string(kMostMicroSteps) + " micro steps", "journal");
+    const std::uint64_t position = walk.execution().run().position();
+    if (checkpoints && position % interval == 0 && !walk.execution().is_over())
+      checkpoints->emplace(position, to_json(execution::checkpoint_json(walk.execution())));
+  }
+  return check_outcome(walk.execution(), file.record);
+}
+
+/// The record against the journal.
+Expected<void> check(RunFile& file, const std::string& chain, std::map<std::uint64_t, std::string>* checkpoints) {
+  const execution::Journal& journal = file.journal;
+  if (file.record.steps != journal.entries.size())
+    return corrupt("the journal has " + std::to_string(journal.entries.size()) + " entries", "run/steps");
+  if (Value(file.record.arguments) != Value(journal.header.arguments))
+    return corrupt("the journal has other arguments", "run/arguments");
+  sqlite::Digest ours = header_chain(journal.header);
+  for (const execution::JournalEntry& entry : journal.entries) ours = chain_after(ours, input_text(entry));
+  if (sqlite::hex(ours) != chain) return corrupt("the chain is not that of the journal", "run/chain");
+  if (auto within = check_budgets(journal.header.budgets); !within) return within;
+  return check_replay(file, checkpoints);
+}
+
+}  // namespace
+
+Expected<std::string> write_run_file(const RunFile& file) {
+  Dict services;
+  for (const auto& [key, service] : file.services) services.set(key, rsm::write_service(service));
+  Dict json{
+      {"version", kRunFileVersion}, {"run", run_json(file.record)}, {"journal", execution::journal_json(file.journal)}};
+  if (file.document) json.set("document", *file.document);
+  json.set("services", std::move(services));
+  json.set("samples", samples_json(file.samples));
+  std::string text = to_json(json);
+  if (text.size() <= kRunFileLimits.bytes) return text;
+  return unexpected(ErrorCode::too_large,
+                    "the file would have more than " + std::to_string(kRunFileLimits.bytes) + " bytes");
+}
+
+bool is_run_file(const Value& json) { return json.find("journal") != nullptr || json.find("run") != nullptr; }
+
+Checked<RunFile> read_run_file_text(std::string_view text, std::map<std::uint64_t, std::string>* checkpoints) {
+  auto json = parse_json(text, kRunFileLimits);
+  if (!json) return one(std::move(json).error());
+  return read_run_file(*json, checkpoints);
+}
+
+Checked<RunFile> read_run_file(const Value& json, std::map<std::uint64_t, std::string>* checkpoints) {
+  Errors errors;
+  RunFile file;
+  Fields fields(json, "", "the file of a run", errors, kByField);
+  const Value* version = fields.find("version", kRequired);
+  if (version && *version != Value(kRunFileVersion))
+    return one({ErrorCode::version, "`version` must be " + std::to_string(kRunFileVersion), "version"});
+  const Value* run = fields.find("run", kRequired);
+  const Value* journal = fields.find("journal", kRequired);
+  std::string chain;
+  if (run) std::tie(file.record, chain) = read_record(*run, errors);
+  file.document = fields.constant("document");
+  if (file.document)
+    if (auto document = rcm::read_document(*file.document); !document)
+      append(errors, std::move(document).error(), "document");
+  file.services = read_services(fields, errors);
+  file.samples = read_samples(fields, errors);
+  fields.close();
+  if (journal) {
+    auto read = execution::read_journal(*journal);
+    if (read)
+      file.journal = std::move(*read);
+    else
+      append(errors, std::move(read).error(), "journal");
+  }
+  if (!errors.empty()) return tl::unexpected(std::move(errors));
+  if (auto checked = check(file, chain, checkpoints); !checked) return one(std::move(checked).error());
+  return file;
+}
+
+}  // namespace race::server

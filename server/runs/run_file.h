@@ -1,0 +1,53 @@
+// The file of a run (schemas/run_file.json): all of a run in one JSON text, which any server opens: its record, its
+// journal, the document of which it was made, the RSMs of the moment, and samples of the cell.
+//
+// Threads: any; pure functions.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/execution/journal.h"
+#include "core/rsm/model.h"
+#include "core/value/expected.h"
+#include "server/store/runs.h"
+#include "server/store/samples.h"
+
+namespace race::server {
+
+inline constexpr int kRunFileVersion = 1;
+
+/// What a run file may be: of one that is larger, nothing is written or read. A journal in it is as deep as one alone,
+/// two levels further down.
+inline constexpr JsonLimits kRunFileLimits{
+    .depth = execution::kJournalLimits.depth + 2, .bytes = 16U << 20U, .keep_out_of_range = true};
+/// Entries that a file certainly has no room for are not even read.
+inline constexpr std::uint64_t kRunFileEntries = kRunFileLimits.bytes / 40;
+
+struct RunFile {
+  RunRecord record;
+  execution::Journal journal;
+  std::optional<Value> document;                 // schemas/document.json; none: that revision is not kept any more
+  std::map<std::string, rsm::Service> services;  // the RSMs
+  std::vector<Sample> samples;
+};
+
+/// The text. Error `too_large`.
+Expected<std::string> write_run_file(const RunFile& file);
+
+/// Reads what write_run_file wrote, and holds it against itself: the journal against its chain, and the record against
+/// what the journal comes to when it is done again. Errors, with paths: `json`, `too_large`, `too_deep`, `version`;
+/// those of Fields, execution::read_journal (below `journal`), the document, the RSMs; `corrupt`: the chain or what
+/// the run came to is another; `conflict`: an entry that the run does not take. `checkpoints`: some on the way, as
+/// Runs::import takes them.
+Checked<RunFile> read_run_file_text(std::string_view text, std::map<std::uint64_t, std::string>* checkpoints = nullptr);
+
+/// Whether a parsed text is the file of a run, not a journal alone.
+bool is_run_file(const Value& json);
+/// As read_run_file_text, of a text as parse_json gives it with kRunFileLimits.
+Checked<RunFile> read_run_file(const Value& json, std::map<std::uint64_t, std::string>* checkpoints = nullptr);
+
+}  // namespace race::server

@@ -1,0 +1,63 @@
+#include "server/runs/run_keeper.h"
+
+#include <charconv>
+
+namespace race::server {
+
+RunKeeper::~RunKeeper() {
+  strand_.post([this] {
+    while (!waiting_.empty()) flush(waiting_.begin()->first);
+  });
+}
+
+void RunKeeper::connect(const Cores& cores, CellWorld* world) {
+  cores_ = &cores;
+  world_ = world;
+}
+
+void RunKeeper::core_changed(const std::string& id, const Value& core) {
+  const bool running = core.is_dict() && core.find("status")->as_string() == "running";
+  {
+    const services::MutexLock lock(mutex_);
+    const bool changed = running ? running_.insert(id).second : running_.erase(id) > 0;
+    if (changed && world_) world_->record_pose(!running_.empty());
+  }
+  if (running || (core.is_dict() && !core.find("results"))) return;
+  apply_limits();  // the run is over, or its core was removed
+}
+
+void RunKeeper::record(const Value& pose) {
+  const double time = pose.find("time")->to_double();
+  if (time < due_ && due_ <= time + kInterval) return;  // the second: a world that came back begins anew
+  due_ = time + kInterval;
+  strand_.post([this, pose] { take(pose); });
+}
+
+void RunKeeper::take(const Value& pose) {
+  for (const auto& core : cores_->all()) {
+    const Value info = core->info();
+    if (info.find("status")->as_string() != "running" || info.find("paused")->as_bool()) continue;
+    std::vector<Sample>& waiting = waiting_[core->run_id()];
+    waiting.push_back({static_cast<std::uint64_t>(info.find("step")->as_integer()), pose});
+    if (waiting.size() >= kWritten) flush(core->run_id());
+  }
+}
+
+void RunKeeper::flush(RunId run) {
+  const auto waiting = waiting_.extract(run);
+  if (auto stored = samples_.append(run, waiting.mapped()); !stored) log_(to_string(stored.error()));
+}
+
+void RunKeeper::apply_limits() {
+  strand_.post([this] {
+    while (!waiting_.empty()) flush(waiting_.begin()->first);
+    const auto hosted = [this](RunId id) { return cores_->find(std::to_string(id)).has_value(); };
+    const auto removed = apply_retention(runs_, limits_, hosted);
+    if (!removed)
+      log_(to_string(removed.error()));
+    else if (*removed > 0)
+      log_("removed the oldest runs: " + std::to_string(*removed));
+  });
+}
+
+}  // namespace race::server

@@ -1,0 +1,51 @@
+// Revision: a document as somebody stored it once: who, when, why, and where the text came from.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace race::server {
+
+/// Where the text of a revision comes from.
+struct Origin {
+  enum class Kind {
+    put,      // a client sent it
+    restore,  // of `revision` of the same document
+    branch,   // of `revision` of `document`
+    demo,     // of the server's demo
+    older,    // an older version of the program stored it, which kept no more than the text
+  };
+  Kind kind = Kind::put;
+  std::string document = {};
+  std::int64_t revision = 0;
+  bool operator==(const Origin&) const = default;
+};
+
+/// As routes and the store write it, such as "restore".
+const char* name(Origin::Kind kind);
+
+/// Who changes a document, when, and why.
+struct Change {
+  std::string author = {};
+  std::string message = {};
+  std::int64_t time_ms = 0;  // since 1970; 0: not known
+  bool operator==(const Change&) const = default;
+};
+
+/// A revision without its text.
+struct Revision {
+  std::string document = {};
+  std::int64_t number = 1;
+  Change change = {};
+  Origin origin = {};
+  std::int64_t errors = 0;  // violations, as they were counted when it was stored
+  std::string doc = {};     // of the root, as DocumentText::doc
+  bool operator==(const Revision&) const = default;
+};
+
+struct RevisionText {
+  Revision revision;
+  std::string text;
+};
+
+}  // namespace race::server

@@ -1,0 +1,201 @@
+#include "server/store/revision_rows.h"
+
+#include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Statement.h>
+
+#include <algorithm>
+#include <array>
+
+#include "services/sqlite/digest.h"
+
+namespace race::server {
+namespace {
+
+constexpr std::array kKinds = {Origin::Kind::put, Origin::Kind::restore, Origin::Kind::branch, Origin::Kind::demo,
+                               Origin::Kind::older};
+
+// All columns of `revision` but `text`.
+constexpr const char* kColumns =
+    "revision.document, revision.number, revision.author, revision.time, revision.message, revision.origin,"
+    " revision.from_document, revision.from_revision, revision.errors, revision.doc, revision.text_digest,"
+    " revision.digest";
+constexpr int kColumnCount = 12;
+
+tl::unexpected<Error> damaged(const std::string& name, std::int64_t number, const char* what) {
+  const std::string text = std::to_string(number);
+  return unexpected(ErrorCode::corrupt, "revision " + text + " of the document `" + name + "` is " + what,
+                    name + "/revisions/" + text);
+}
+
+tl::unexpected<Error> damaged(const std::string& name) {
+  return unexpected(ErrorCode::corrupt, "the entry of the document `" + name + "` is damaged or lost", name);
+}
+
+sqlite::Digest digest_of(const std::string& name, RevisionRange range) {
+  return sqlite::sha256_of({name, std::to_string(range.first), std::to_string(range.last)});
+}
+
+sqlite::Digest digest_of(const Revision& revision, std::string_view text_digest) {
+  const auto& [document, number, change, origin, errors, doc] = revision;
+  return sqlite::sha256_of({document, std::to_string(number), change.author, std::to_string(change.time_ms),
+                            change.message, name(origin.kind), origin.document, std::to_string(origin.revision),
+                            std::to_string(errors), doc, text_digest});
+}
+
+void bind_digest(SQLite::Statement& statement, int index, const sqlite::Digest& digest) {
+  statement.bind(index, digest.data(), static_cast<int>(digest.size()));
+}
+
+struct Row {
+  Revision revision;
+  std::string text_digest;
+  bool is_sound = false;
+};
+
+/// Of kColumns from column `first` on.
+Row read_row(SQLite::Statement& select, int first = 0) {
+  const auto text = [&](int column) { return select.getColumn(first + column).getString(); };
+  const auto number = [&](int column) { return select.getColumn(first + column).getInt64(); };
+  Row row;
+  const std::string kind = text(5);
+  const auto known = std::ranges::find(kKinds, kind, [](Origin::Kind each) { return std::string(name(each)); });
+  row.revision = {text(0),   number(1), {text(2), text(4), number(3)}, {Origin::Kind::put, text(6), number(7)},
+                  number(8), text(9)};
+  row.text_digest = text(10);
+  if (known == kKinds.end()) return row;
+  row.revision.origin.kind = *known;
+  row.is_sound = sqlite::bytes(digest_of(row.revision, row.text_digest)) == text(11);
+  return row;
+}
+
+/// A document that has revisions but no entry; empty: there is none. Looks for each name once.
+std::string find_lost_entry(SQLite::Database& file) {
+  SQLite::Statement select(file,
+                           "WITH RECURSIVE each(name) AS (SELECT min(document) FROM revision UNION ALL"
+                           " SELECT (SELECT min(document) FROM revision WHERE document > name) FROM each"
+                           "  WHERE name IS NOT NULL)"
+                           " SELECT name FROM each WHERE name IS NOT NULL AND name NOT IN (SELECT name FROM document)");
+  return select.executeStep() ? select.getColumn(0).getString() : std::string();
+}
+
+}  // namespace
+
+const char* name(Origin::Kind kind) {
+  switch (kind) {
+    case Origin::Kind::put:
+      return "put";
+    case Origin::Kind::restore:
+      return "restore";
+    case Origin::Kind::branch:
+      return "branch";
+    case Origin::Kind::demo:
+      return "demo";
+    case Origin::Kind::older:
+      return "older";
+  }
+  return "";
+}
+
+Expected<std::optional<RevisionRange>> find_range(SQLite::Database& file, const std::string& name) {
+  SQLite::Statement select(file, "SELECT first, last, digest FROM document WHERE name = ?");
+  select.bind(1, name);
+  if (select.executeStep()) {
+    const RevisionRange range{select.getColumn(0).getInt64(), select.getColumn(1).getInt64()};
+    if (sqlite::bytes(digest_of(name, range)) != select.getColumn(2).getString()) return damaged(name);
+    return range;
+  }
+  SQLite::Statement any(file, "SELECT 1 FROM revision WHERE document = ? LIMIT 1");
+  any.bind(1, name);
+  if (any.executeStep()) return damaged(name);
+  return std::nullopt;
+}
+
+Expected<RevisionText> read_revision(SQLite::Database& file, const std::string& name, std::int64_t number) {
+  SQLite::Statement select(
+      file, std::string("SELECT ") + kColumns + ", revision.text FROM revision WHERE document = ? AND number = ?");
+  select.bind(1, name);
+  select.bind(2, number);
+  if (!select.executeStep()) return damaged(name, number, "lost");
+  Row row = read_row(select);
+  std::string text = select.getColumn(kColumnCount);
+  if (!row.is_sound || sqlite::bytes(sqlite::sha256(text)) != row.text_digest) return damaged(name, number, "damaged");
+  return RevisionText{std::move(row.revision), std::move(text)};
+}
+
+Expected<std::vector<Revision>> list_revisions(SQLite::Database& file, const std::string& name, RevisionRange range) {
+  SQLite::Statement select(file, std::string("SELECT ") + kColumns +
+                                     " FROM revision WHERE document = ? AND number BETWEEN ? AND ?"
+                                     " ORDER BY number DESC");
+  select.bind(1, name);
+  select.bind(2, range.first);
+  select.bind(3, range.last);
+  std::vector<Revision> found;
+  std::int64_t next = range.last;
+  for (; select.executeStep(); --next) {
+    Row row = read_row(select);
+    if (row.revision.number != next) return damaged(name, next, "lost");
+    if (!row.is_sound) return damaged(name, next, "damaged");
+    found.push_back(std::move(row.revision));
+  }
+  if (next >= range.first) return damaged(name, next, "lost");
+  return found;
+}
+
+Expected<std::vector<Revision>> list_heads(SQLite::Database& file) {
+  if (const std::string lost = find_lost_entry(file); !lost.empty()) return damaged(lost);
+  SQLite::Statement select(file, std::string("SELECT ") + kColumns +
+                                     ", document.name, document.first, document.last, document.digest"
+                                     " FROM document LEFT JOIN revision ON revision.document = document.name"
+                                     "  AND revision.number = document.last ORDER BY document.name");
+  std::vector<Revision> found;
+  while (select.executeStep()) {
+    const std::string name = select.getColumn(kColumnCount);
+    const RevisionRange range{select.getColumn(kColumnCount + 1).getInt64(),
+                              select.getColumn(kColumnCount + 2).getInt64()};
+    if (sqlite::bytes(digest_of(name, range)) != select.getColumn(kColumnCount + 3).getString()) return damaged(name);
+    Row row = read_row(select);
+    if (!row.is_sound) return damaged(name, range.last, "damaged or lost");
+    found.push_back(std::move(row.revision));
+  }
+  return found;
+}
+
+std::int64_t count_documents(SQLite::Database& file) {
+  return file.execAndGet("SELECT count(*) FROM document").getInt64();
+}
+
+bool has_only_demo(SQLite::Database& file, const std::string& name) {
+  SQLite::Statement select(file,
+                           "SELECT NOT EXISTS (SELECT 1 FROM revision WHERE document = ? AND origin <> 'demo'"
+                           " AND NOT (origin = 'older' AND number = 1))");
+  select.bind(1, name);
+  return select.executeStep() && select.getColumn(0).getInt() != 0;
+}
+
+void add_revision(SQLite::Database& file, const RevisionText& added, std::int64_t first) {
+  const auto& [revision, text] = added;
+  const sqlite::Digest text_digest = sqlite::sha256(text);
+  SQLite::Statement insert(file, "INSERT INTO revision VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  insert.bind(1, revision.document);
+  insert.bind(2, revision.number);
+  insert.bind(3, revision.change.author);
+  insert.bind(4, revision.change.time_ms);
+  insert.bind(5, revision.change.message);
+  insert.bind(6, name(revision.origin.kind));
+  insert.bind(7, revision.origin.document);
+  insert.bind(8, revision.origin.revision);
+  insert.bind(9, revision.errors);
+  insert.bind(10, revision.doc);
+  bind_digest(insert, 11, text_digest);
+  bind_digest(insert, 12, digest_of(revision, sqlite::bytes(text_digest)));
+  insert.bind(13, text);
+  insert.exec();
+  SQLite::Statement entry(file, "INSERT OR REPLACE INTO document VALUES (?, ?, ?, ?)");
+  entry.bind(1, revision.document);
+  entry.bind(2, first);
+  entry.bind(3, revision.number);
+  bind_digest(entry, 4, digest_of(revision.document, {first, revision.number}));
+  entry.exec();
+}
+
+}  // namespace race::server

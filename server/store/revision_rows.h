@@ -1,0 +1,49 @@
+// The rows of the tables `document` and `revision` (schema.h), each held against its digest: what is damaged or lost is
+// an error `corrupt` that names document and revision.
+//
+// Threads: that of the connection. All throw SQLite::Exception.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/value/expected.h"
+#include "server/store/revision.h"
+
+namespace SQLite {
+class Database;
+}
+
+namespace race::server {
+
+/// The numbers of a document's revisions, without gaps.
+struct RevisionRange {
+  std::int64_t first = 1, last = 1;
+  bool contains(std::int64_t number) const { return first <= number && number <= last; }
+  std::int64_t count() const { return last - first + 1; }
+};
+
+/// Nothing if there is no document of this name.
+Expected<std::optional<RevisionRange>> find_range(SQLite::Database& file, const std::string& name);
+
+/// Requires that the document has this revision.
+Expected<RevisionText> read_revision(SQLite::Database& file, const std::string& name, std::int64_t number);
+
+/// Revisions `from` to `to`, the newest first. Requires that the document has them. Reads no texts.
+Expected<std::vector<Revision>> list_revisions(SQLite::Database& file, const std::string& name, RevisionRange range);
+
+/// The last revision of every document, in order of name. Reads no texts.
+Expected<std::vector<Revision>> list_heads(SQLite::Database& file);
+
+std::int64_t count_documents(SQLite::Database& file);
+
+/// Whether the server's demo is all that was ever stored under this name, as far as is known.
+bool has_only_demo(SQLite::Database& file, const std::string& name);
+
+/// Adds the revision, and with it the range of its document. Requires a transaction, and that `first` is the document's
+/// first revision and revision.number its next one.
+void add_revision(SQLite::Database& file, const RevisionText& revision, std::int64_t first);
+
+}  // namespace race::server

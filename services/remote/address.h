@@ -1,0 +1,21 @@
+// Addresses of servers, as command lines name them. Pure.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/value/expected.h"
+
+namespace race::remote {
+
+/// Where a server is.
+struct Address {
+  std::string host;
+  std::uint16_t port = 80;
+};
+
+/// Reads `http://HOST[:PORT]`, with or without a `/` at its end. Error `syntax`.
+Expected<Address> read_address(std::string_view url);
+
+}  // namespace race::remote

@@ -1,0 +1,172 @@
+// Runs that are interrupted, and go on when a person says so: the server is killed while a task runs, and started again; or its disk is full.
+import { spawn, type ChildProcess } from "node:child_process";
+import { devices, type Page } from "playwright-core";
+import { openFixture, settled, type Fixture } from "./fixture";
+
+let fixture: Fixture;
+let page: Page;
+
+beforeAll(async () => {
+  fixture = await openFixture();
+  page = fixture.page;
+});
+afterAll(() => fixture.close());
+
+interface CoreAnswer {
+  readonly id: string;
+  readonly status: string;
+  readonly step: number;
+}
+
+async function send(method: string, path: string, body?: unknown): Promise<CoreAnswer> {
+  const answer = await fetch(`${fixture.url}/api/v1${path}`, { method, body: body === undefined ? null : JSON.stringify(body), headers: { "content-type": "application/json" } });
+  if (!answer.ok) throw new Error(`${path}: ${answer.status} ${await answer.text()}`);
+  return (await answer.json()) as CoreAnswer;
+}
+
+/** Waits for an hour; if that call is lost, for a moment, and is over. */
+const root = {
+  state: "Root",
+  first: "Wait",
+  children: [
+    { state: "Wait", entry: "svc.timer.start(3600)", ports: [{ name: "lost", when: "svc.timer.start.error", to: "After" }] },
+    { state: "After", entry: "svc.timer.start(0.05)", ports: [{ name: "done", when: "svc.timer.start.result" }] },
+  ],
+  ports: [{ name: "recovered", when: "chi.After.port.done" }],
+};
+/** Stores an entry of its journal every tenth of a second. */
+const beating = {
+  state: "Root",
+  first: "Tick",
+  children: [
+    { state: "Tick", entry: "svc.timer.start(0.1)", ports: [{ name: "next", when: "svc.timer.start.result", to: "Tock" }, { name: "lost", when: "svc.timer.start.error", to: "Tock" }] },
+    { state: "Tock", entry: "svc.timer.start(0.1)", ports: [{ name: "next", when: "svc.timer.start.result", to: "Tick" }, { name: "lost", when: "svc.timer.start.error", to: "Tick" }] },
+  ],
+  ports: [{ name: "never", when: "False" }],
+};
+
+const kSoon = { timeout: 20_000 };
+const notice = (of: Page) => of.getByRole("alert", { name: "Interruption" });
+const status = (of: Page) => of.getByRole("status", { name: "Run status" }).locator("strong").innerText();
+const enabled = () => page.getByRole("toolbar", { name: "Run" }).locator("button.run-button:enabled").allInnerTexts();
+const watched = (of: Page) => of.getByRole("combobox", { name: "Watched run" });
+const isActive = (path: string) => page.locator(`[data-path="${path}"]`).first().getAttribute("data-active");
+
+describe("a run that its server has left", () => {
+  let run: CoreAnswer;
+
+  it("is shown as it was, with the loss of the server, while the server is away", async () => {
+    await send("PUT", "/documents/waiting", { rcm: 1, name: "waiting", root });
+    const { id } = await send("POST", "/cores", { document: "waiting" });
+    await send("POST", `/cores/${id}/start`);
+    await page.goto(`${fixture.url}/pro/`);
+    await expect.poll(() => isActive("Root/Wait"), kSoon).toBe("true");
+    expect(await status(page)).toBe("Running");
+    run = await send("GET", `/cores/${id}`);
+    // Newer than the run, and waits for nobody.
+    await send("POST", "/cores", { document: "waiting" });
+    await fixture.kill();
+    await page.getByText("Connection lost, trying again").waitFor(kSoon);
+    expect(await isActive("Root/Wait")).toBe("true");
+  });
+
+  it("is interrupted when the server is back: the page says what happened, and what may be done", async () => {
+    await fixture.restart();
+    await notice(page).waitFor(kSoon);
+    const text = await notice(page).innerText();
+    expect(text).toContain(`Run ${run.id} is interrupted`);
+    expect(text).toContain("Open calls were answered unavailable");
+    expect(text).toContain("Nothing moves until someone resumes");
+    expect(await status(page)).toBe("Interrupted");
+    expect(await watched(page).inputValue()).toBe(run.id);
+    expect(await watched(page).locator("option:checked").innerText()).toContain("Interrupted");
+    expect(await enabled()).toEqual(["Resume", "Micro step", "Macro step", "Stop"]);
+    expect(await page.getByText("Connected", { exact: true }).count()).toBe(1);
+    await settled(page);
+    await fixture.screenshot("interrupted");
+  });
+
+  it("is what a page shows that is opened now, also on a phone, where each way out has a name", async () => {
+    const browser = page.context().browser();
+    if (browser === null) throw new Error("there is no browser");
+    const context = await browser.newContext({ ...devices["Pixel 7"] });
+    const phone = await context.newPage();
+    await phone.goto(`${fixture.url}/pro/`);
+    await notice(phone).waitFor(kSoon);
+    expect(await watched(phone).inputValue()).toBe(run.id);
+    expect(await phone.getByRole("toolbar", { name: "Run" }).locator("button.run-button:enabled span:visible").allInnerTexts()).toEqual(["Resume", "Micro step", "Macro step", "Stop"]);
+    const width = phone.viewportSize()?.width ?? 0;
+    expect(await phone.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
+    await settled(phone);
+    await fixture.screenshot("interrupted-phone", phone);
+    await context.close();
+  });
+
+  it("does not move by itself", async () => {
+    expect(await send("GET", `/cores/${run.id}`)).toMatchObject({ status: "interrupted", step: run.step });
+    expect(await isActive("Root/Wait")).toBe("true");
+  });
+
+  it("is still shown after the page is loaded again, and goes on by key from the lost call", async () => {
+    await page.reload();
+    await notice(page).waitFor(kSoon);
+    expect(page.url()).toBe(`${fixture.url}/pro/?run=${run.id}`);
+    await page.keyboard.press("F5");
+    await expect.poll(() => status(page), kSoon).toBe("Ended: recovered");
+    expect(await notice(page).count()).toBe(0);
+    expect(await watched(page).inputValue()).toBe(run.id);
+  });
+});
+
+/** Until the result is called, every write of the server to a file fails as on a full disk. */
+async function fillDisk(): Promise<() => Promise<void>> {
+  const calls = "pwrite64,pwritev,ftruncate,fallocate";
+  const tracer: ChildProcess = spawn("strace", ["-f", "-q", "-p", String(fixture.pid()), "-e", `trace=${calls}`, "-e", `inject=${calls}:error=ENOSPC`, "-o", "/dev/null"], { stdio: "ignore" });
+  await new Promise((resolve, reject) => tracer.once("spawn", resolve).once("error", reject));
+  return async () => {
+    if (tracer.exitCode !== null) throw new Error(`strace ended with status ${tracer.exitCode}`);
+    const ended = new Promise((resolve) => tracer.once("exit", resolve));
+    tracer.kill("SIGINT");
+    await ended;
+  };
+}
+
+describe("a run whose journal cannot be stored", () => {
+  const problem = () => page.locator(".problem");
+  let free: (() => Promise<void>) | undefined;
+  afterAll(() => free?.());
+
+  it("is interrupted, and the page says why", async () => {
+    await send("PUT", "/documents/beating", { rcm: 1, name: "beating", root: beating });
+    const { id } = await send("POST", "/cores", { document: "beating" });
+    await watched(page).selectOption(id);
+    await send("POST", `/cores/${id}/start`);
+    await expect.poll(() => status(page), kSoon).toBe("Running");
+    free = await fillDisk();
+    await notice(page).waitFor(kSoon);
+    expect(await notice(page).innerText()).toContain(`Run ${id} is interrupted: its journal cannot be stored`);
+  });
+
+  it("refuses to go on while the disk is full: the message stays until it is dismissed, and the server is not lost", async () => {
+    await page.keyboard.press("F5");
+    await problem().waitFor(kSoon);
+    expect(await status(page)).toBe("Interrupted");
+    await page.getByRole("tab", { name: "Log" }).click();
+    await fixture.screenshot("interrupted-disk");
+    expect(await page.getByText("Connected", { exact: true }).count()).toBe(1);
+    expect(await problem().count()).toBe(1);
+    await page.getByRole("button", { name: "Dismiss" }).click();
+    expect(await problem().count()).toBe(0);
+  });
+
+  it("goes on when there is space again", async () => {
+    await free?.();
+    free = undefined;
+    await page.keyboard.press("F5");
+    await expect.poll(() => status(page), kSoon).toBe("Running");
+    expect(await notice(page).count()).toBe(0);
+    expect(await problem().count()).toBe(0);
+    await page.keyboard.press("F8");
+    await expect.poll(() => status(page), kSoon).toBe("Stopped");
+  });
+});

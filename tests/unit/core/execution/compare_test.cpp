@@ -1,0 +1,97 @@
+// Comparison of runs: random ones with themselves, and with what was changed in them.
+#include "core/execution/compare.h"
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "core/execution/replay.h"
+#include "tests/unit/core/execution/journals.h"
+#include "tests/unit/core/semantics/random_runs.h"
+
+namespace race::execution {
+namespace {
+
+using semantics::setting;
+
+JournalWalk walk_of(const Journal& journal, std::uint64_t from = 1) {
+  auto source = std::make_shared<MemoryJournal>(journal.entries);
+  Replay replay(journal.header, source);
+  return JournalWalk(replay.after(from - 1).value(), source, journal.entries.size());
+}
+
+Comparison compared(const Journal& first, const Journal& second, std::uint64_t most = 1000, std::uint64_t from = 1) {
+  JournalWalk a = walk_of(first, from), b = walk_of(second, from);
+  return compare(a, b, most).value();
+}
+
+// A run of a task that counts what `t.tick` brings.
+Journal counting(const std::vector<int>& ticks, int first = 0) {
+  static const rcm::Document document = rcm::read_document_text(R"({"rcm": 1, "services": {"t": "timer"},
+    "root": {"state": "Root", "parameters": [{"name": "first", "value": 0}], "results": [{"name": "n", "initial": 0}],
+             "actions": [{"when": "svc.t.tick", "do": "res.n = res.n + svc.t.tick"}]}})")
+                                            .value();
+  static const rsm::Service timer = rsm::read_service_text(R"({"events": [{"name": "tick"}]})", "timer").value();
+  Journal journal = journal_of(document, {{"t", timer}}, Dict{{"first", first}});
+  journal.entries.emplace_back(StartEntry{});
+  for (const int tick : ticks) journal.entries.emplace_back(EventEntry{"t", "tick", tick});
+  return journal;
+}
+
+TEST(Compare, FindsNoDifferenceBetweenARunAndItself) {
+  const std::uint64_t seed = setting("RACE_SEED", 5);
+  std::cout << "RACE_SEED=" << seed << std::endl;
+  for (std::uint64_t i = 0; i < 50; ++i) {
+    SCOPED_TRACE("seed " + std::to_string(seed + i));
+    const Journal journal = random_journal(seed + i, 40).first;
+    const Comparison whole = compared(journal, journal);
+    EXPECT_FALSE(whole.difference);
+    EXPECT_EQ(whole.compared, journal.entries.size());
+  }
+}
+
+TEST(Compare, FindsTheFirstStepThatDiffers) {
+  const Comparison found = compared(counting({1, 2, 3, 4}), counting({1, 2, 5, 4}));
+  EXPECT_EQ(found.compared, 3u);
+  ASSERT_TRUE(found.difference);
+  EXPECT_EQ(found.difference->step, 4u);
+  EXPECT_EQ(*found.difference->first.find("input")->find("data"), Value(3));
+  EXPECT_EQ(*found.difference->second.find("input")->find("data"), Value(5));
+}
+
+TEST(Compare, FindsTheStepThatOneRunDoesNotHave) {
+  const Comparison found = compared(counting({1, 2}), counting({1}));
+  ASSERT_TRUE(found.difference);
+  EXPECT_EQ(found.difference->step, 3u);
+  EXPECT_TRUE(found.difference->first.is_dict());
+  EXPECT_TRUE(found.difference->second.is_null());
+}
+
+TEST(Compare, FindsArgumentsThatMakeADifference) {
+  const Comparison found = compared(counting({1}, 0), counting({1}, 1));
+  ASSERT_TRUE(found.difference);
+  EXPECT_EQ(found.difference->step, 1u);
+}
+
+TEST(Compare, StopsAtItsBoundAndGoesOnFromThere) {
+  const Journal one = counting({1, 2, 3, 4, 5}), other = counting({1, 2, 3, 4, 6});
+  const Comparison part = compared(one, other, 3);
+  EXPECT_FALSE(part.difference);
+  EXPECT_EQ(part.compared, 3u);
+  const Comparison rest = compared(one, other, 3, part.compared + 1);
+  ASSERT_TRUE(rest.difference);
+  EXPECT_EQ(rest.difference->step, 6u);
+}
+
+TEST(Compare, ReportsAnEntryThatTheRunDoesNotTake) {
+  Journal wrong = counting({1, 2});
+  wrong.entries[2] = ResponseEntry{7, "t", "go", false, Value()};
+  JournalWalk a = walk_of(counting({1, 2})), b = walk_of(wrong);
+  const auto found = compare(a, b, 10);
+  ASSERT_FALSE(found);
+  EXPECT_EQ(found.error().code, ErrorCode::conflict);
+  EXPECT_EQ(found.error().path, "entries/2");
+}
+
+}  // namespace
+}  // namespace race::execution

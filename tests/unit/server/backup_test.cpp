@@ -1,0 +1,195 @@
+// Backups: whole copies, made while others write; a damaged one is never brought back.
+#include "server/store/backup.h"
+
+#include <SQLiteCpp/Database.h>
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <thread>
+
+#include "server/store/data_folder.h"
+#include "services/database/store.h"
+#include "tests/unit/services/sqlite/faulty_vfs.h"
+#include "tests/unit/services/sqlite/folder.h"
+
+namespace race::server {
+namespace {
+
+namespace fs = std::filesystem;
+using sqlite::FaultyVfs;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+constexpr std::int64_t kTime = 1'795'357'864'123;  // 2026-11-22 14:31:04.123 UTC
+constexpr const char* kName = "20261122T143104.123Z";
+
+struct BackupTest : testing::Test {
+  BackupTest() { EXPECT_TRUE(DataFolder::open(data)); }
+
+  database::Store values() const { return database::Store::open(data / "database.sqlite").value(); }
+  void put(const char* key, int value) const { ASSERT_TRUE(values().put(key, value)); }
+  Value get(const char* key) const { return values().get(key).value_or(Value()); }
+  std::vector<std::string> files_of_backups() const {
+    std::vector<std::string> names;
+    if (fs::exists(data / "backups"))
+      for (const auto& entry : fs::directory_iterator(data / "backups")) names.push_back(entry.path().filename());
+    return names;
+  }
+
+  const sqlite::Folder folder{"backup"};
+  const fs::path data = folder.file("data");
+  Backups backups{data};
+};
+
+TEST_F(BackupTest, BringsBackWhatWasThere) {
+  put("x", 1);
+  const auto backup = backups.create(kTime);
+  ASSERT_TRUE(backup) << to_string(backup.error());
+  EXPECT_EQ(backup->name, kName);
+  EXPECT_EQ(backup->created_ms, kTime);
+  EXPECT_GT(backup->bytes, 8192U);
+  put("x", 2);
+  put("y", 3);
+  auto open_meanwhile = values();
+  ASSERT_TRUE(backups.restore(kName, [] {}));
+  EXPECT_EQ(open_meanwhile.get("x").value(), Value(1)) << "who has it open sees it too";
+  EXPECT_THAT(open_meanwhile.keys("").value(), ElementsAre("x"));
+  EXPECT_TRUE(open_meanwhile.put("z", 4));
+  EXPECT_EQ(get("z"), Value(4));
+  EXPECT_TRUE(DataFolder::open(data));
+}
+
+TEST_F(BackupTest, IsListedByTimeAndCanBeRemoved) {
+  ASSERT_TRUE(backups.create(kTime));
+  ASSERT_TRUE(backups.create(kTime - 1));
+  const auto list = backups.list().value();
+  ASSERT_EQ(list.size(), 2U);
+  EXPECT_EQ(list[0].name, "20261122T143104.122Z");
+  EXPECT_EQ(list[1].name, kName);
+  ASSERT_TRUE(backups.remove(kName));
+  EXPECT_THAT(files_of_backups(), ElementsAre("20261122T143104.122Z"));
+}
+
+TEST_F(BackupTest, ThatIsNotThereIsNotFound) {
+  for (const char* name : {kName, "", "..", "../backups", "20261322T143104.123Z", "x"}) {
+    EXPECT_EQ(backups.remove(name).error().code, ErrorCode::not_found) << name;
+    EXPECT_EQ(backups.restore(name, [] { FAIL(); }).error().code, ErrorCode::not_found) << name;
+  }
+}
+
+TEST_F(BackupTest, AreTwentyAtMost) {
+  for (std::size_t i = 0; i < Backups::kMost; ++i) ASSERT_TRUE(backups.create(kTime + static_cast<int>(i)));
+  EXPECT_EQ(backups.create(kTime + 1000).error().code, ErrorCode::conflict);
+  ASSERT_TRUE(backups.remove(kName));
+  EXPECT_TRUE(backups.create(kTime + 1000));
+}
+
+TEST_F(BackupTest, OfTheSameMillisecondIsAConflict) {
+  ASSERT_TRUE(backups.create(kTime));
+  EXPECT_EQ(backups.create(kTime).error().code, ErrorCode::conflict);
+}
+
+TEST_F(BackupTest, WithAnyByteChangedIsRefusedAndNothingIsChanged) {
+  put("x", 1);
+  ASSERT_TRUE(backups.create(kTime));
+  put("x", 2);
+  for (const char* name : {"race.sqlite", "database.sqlite", "digests.json"}) {
+    const fs::path path = data / "backups" / kName / name;
+    for (const std::uint64_t at : {std::uint64_t{5}, static_cast<std::uint64_t>(fs::file_size(path)) - 3}) {
+      std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+      file.seekg(static_cast<std::streamoff>(at));
+      const char old = static_cast<char>(file.get());
+      file.seekp(static_cast<std::streamoff>(at)) << static_cast<char>(old ^ 1) << std::flush;
+      const auto refused = backups.restore(kName, [] { FAIL(); });
+      ASSERT_FALSE(refused) << name;
+      EXPECT_EQ(refused.error().code, ErrorCode::corrupt) << name;
+      EXPECT_EQ(get("x"), Value(2));
+      file.seekp(static_cast<std::streamoff>(at)) << old;
+    }
+  }
+  EXPECT_TRUE(backups.restore(kName, [] {}));
+}
+
+TEST_F(BackupTest, WithAFileLostIsRefused) {
+  put("x", 1);
+  ASSERT_TRUE(backups.create(kTime));
+  fs::remove(data / "backups" / kName / "database.sqlite");
+  EXPECT_EQ(backups.restore(kName, [] { FAIL(); }).error().code, ErrorCode::io);
+}
+
+TEST_F(BackupTest, OfANewerVersionIsRefused) {
+  SQLite::Database(data / "race.sqlite", SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 1000");
+  ASSERT_TRUE(backups.create(kTime));
+  EXPECT_EQ(backups.restore(kName, [] { FAIL(); }).error().code, ErrorCode::version);
+}
+
+TEST_F(BackupTest, IsOfOneMomentWhileValuesAreWritten) {
+  std::atomic<bool> stop{false};
+  std::jthread writer([&] {
+    auto store = values();
+    for (int i = 0; !stop; ++i)
+      for (const char* key : {"first", "second"}) EXPECT_TRUE(store.put(key, i));
+  });
+  for (int i = 0; i < 10; ++i) ASSERT_TRUE(backups.create(kTime + i));
+  stop = true;
+  writer.join();
+  const auto all = backups.list().value();
+  for (const Backup& backup : all) {
+    ASSERT_TRUE(backups.restore(backup.name, [] {}));
+    const Value first = get("first"), second = get("second");
+    if (first == Value()) continue;  // before the first value
+    const std::int64_t behind = first.as_integer() - (second == Value() ? -1 : second.as_integer());
+    EXPECT_TRUE(behind == 0 || behind == 1) << behind;
+  }
+}
+
+TEST_F(BackupTest, ThatCannotBeWrittenLeavesNothing) {
+  put("x", 1);
+  bool failed = true;
+  for (std::uint64_t nth = 1; failed; ++nth) {
+    FaultyVfs vfs;
+    vfs.fail_at(nth, FaultyVfs::Fault::full, true);
+    const auto backup = backups.create(kTime);
+    failed = vfs.has_failed();
+    ASSERT_EQ(backup.has_value(), !failed) << nth;
+    if (failed) {
+      EXPECT_EQ(backup.error().code, ErrorCode::storage) << to_string(backup.error());
+      EXPECT_THAT(files_of_backups(), IsEmpty());
+    }
+  }
+}
+
+TEST_F(BackupTest, ThatCannotBeBroughtBackLeavesTheValuesWhole) {
+  put("x", 1);
+  ASSERT_TRUE(backups.create(kTime));
+  put("x", 2);
+  bool failed = true;
+  for (std::uint64_t nth = 1; failed; ++nth) {
+    FaultyVfs vfs;
+    vfs.fail_at(nth, FaultyVfs::Fault::full, true);
+    const auto restored = backups.restore(kName, [] {});
+    failed = vfs.has_failed();
+    vfs.repair();
+    ASSERT_TRUE(restored || restored.error().code == ErrorCode::storage) << to_string(restored.error());
+    const Value x = get("x");
+    EXPECT_TRUE(x == Value(1) || (!restored && x == Value(2))) << nth;
+  }
+}
+
+TEST_F(BackupTest, ThatACrashHasLeftInPartIsRemoved) {
+  fs::create_directories(data / "backups" / (std::string(kName) + ".unfinished"));
+  EXPECT_THAT(backups.list().value(), IsEmpty());
+  const Backups again(data);
+  EXPECT_THAT(files_of_backups(), IsEmpty());
+}
+
+TEST_F(BackupTest, TakesThePlaceOfADamagedFile) {
+  put("x", 1);
+  ASSERT_TRUE(backups.create(kTime));
+  std::ofstream(data / "database.sqlite") << std::string(8192, 'x');
+  ASSERT_TRUE(restore_files(data / "backups" / kName, data, [&] { remove_damaged(data); }));
+  EXPECT_EQ(get("x"), Value(1));
+}
+
+}  // namespace
+}  // namespace race::server

@@ -1,0 +1,144 @@
+// What commands are told of a server that answers, does not, or is none of ours, over real sockets.
+#include "server/http/client.h"
+
+#include <arpa/inet.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <thread>
+
+#include "server/http/listener.h"
+#include "server/http/refusal.h"
+#include "tests/unit/server/bench.h"
+
+namespace race::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+std::string url_of(std::uint16_t port) { return "http://127.0.0.1:" + std::to_string(port); }
+
+// Our own server, which answers with what it was asked.
+struct ClientTest : testing::Test {
+  ClientTest() {
+    server = HttpServer::listen(0, "", {answer, hub, displays, remotes, [](const std::string&) {}}).value();
+    thread = std::thread([this] { server->run(); });
+  }
+  ~ClientTest() override {
+    server->stop();
+    thread.join();
+  }
+  static Reply answer(const Request& request) {
+    if (request.path == "/api/refused") return refusal(std::vector<Error>{{ErrorCode::conflict, "no", "x"}});
+    Reply reply;
+    reply.body = Dict{{"method", request.method}, {"path", request.path}, {"body", request.body}};
+    return reply;
+  }
+  HttpClient client() const { return HttpClient::create(url_of(server->port())).value(); }
+
+  Pool pool{1};
+  Hub hub{pool, 1, [](const std::string&) { return std::nullopt; }};
+  display::Screens screens;
+  Displays displays{screens, hub};
+  services::WorldClock clock;
+  NoObserver observer;
+  services::Host host{clock, observer};
+  remote::Remotes remotes{host, clock, 1s};
+  std::unique_ptr<HttpServer> server;
+  std::thread thread;
+};
+
+TEST_F(ClientTest, SendsMethodPathAndBody) {
+  const auto got = client().request("GET", "/api/" + encode_part("a /b"));
+  ASSERT_TRUE(got) << to_string(got.error());
+  EXPECT_EQ(got->status, 200);
+  EXPECT_EQ(*got->body.find("method"), Value("GET"));
+  EXPECT_EQ(*got->body.find("path"), Value("/api/a /b"));
+  EXPECT_EQ(*got->body.find("body"), Value(""));
+  const auto put = client().request("PUT", "/api/c", Dict{{"d", 1}});
+  ASSERT_TRUE(put) << to_string(put.error());
+  EXPECT_EQ(*put->body.find("method"), Value("PUT"));
+  EXPECT_EQ(*put->body.find("body"), Value(R"({"d":1})"));
+}
+
+TEST_F(ClientTest, GivesARefusalAsAnAnswer) {
+  const auto refused = client().request("DELETE", "/api/refused");
+  ASSERT_TRUE(refused) << to_string(refused.error());
+  EXPECT_EQ(refused->status, 409);
+  EXPECT_EQ(*refused->body.find("errors")->as_list().front().find("code"), Value("conflict"));
+}
+
+// Accepts one connection, says `text`, and holds it until the test is over.
+class StrangeServer {
+ public:
+  explicit StrangeServer(std::string text) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof(address);
+    EXPECT_EQ(::bind(socket_, reinterpret_cast<const sockaddr*>(&address), size), 0);
+    EXPECT_EQ(::listen(socket_, 1), 0);
+    EXPECT_EQ(::getsockname(socket_, reinterpret_cast<sockaddr*>(&address), &size), 0);
+    url_ = url_of(ntohs(address.sin_port));
+    thread_ = std::thread([this, text = std::move(text)] {
+      const int client = ::accept(socket_, nullptr, nullptr);
+      char byte = 0;
+      // Answers once the request begins, and waits for the client to leave.
+      if (::recv(client, &byte, 1, 0) == 1 && ::send(client, text.data(), text.size(), MSG_NOSIGNAL) >= 0)
+        while (::recv(client, &byte, 1, 0) > 0) {
+        }
+      ::close(client);
+    });
+  }
+  ~StrangeServer() {
+    thread_.join();
+    ::close(socket_);
+  }
+  StrangeServer(const StrangeServer&) = delete;
+  StrangeServer& operator=(const StrangeServer&) = delete;
+  const std::string& url() const { return url_; }
+
+ private:
+  int socket_;
+  std::string url_;
+  std::thread thread_;
+};
+
+Error error_with(const std::string& text, HttpClient::Timeouts timeouts = {}) {
+  const StrangeServer server(text);
+  const auto answer = HttpClient::create(server.url(), timeouts)->request("GET", "/api/v1/health");
+  EXPECT_FALSE(answer);
+  EXPECT_EQ(answer.error().path, server.url());
+  return answer.error();
+}
+
+TEST(HttpClient, CallsWhatIsNoServerOfOursIo) {
+  EXPECT_EQ(error_with("SSH-2.0-OpenSSH\r\n\r\n").code, ErrorCode::io);
+  EXPECT_EQ(error_with("HTTP/1.1 200 OK\r\nContent-Length: 6\r\n\r\n<html>").code, ErrorCode::io);
+  const std::string size = std::to_string(HttpClient::kBodyBytes + 1);
+  EXPECT_EQ(error_with("HTTP/1.1 200 OK\r\nContent-Length: " + size + "\r\n\r\n").code, ErrorCode::io);
+}
+
+TEST(HttpClient, GivesUpWhatDoesNotAnswerInTime) {
+  EXPECT_EQ(error_with("", {3s, 100ms}).code, ErrorCode::unavailable);
+  EXPECT_EQ(error_with("HTTP/1.1 200 OK\r\nContent-Length: 6\r\n\r\n{", {3s, 100ms}).code, ErrorCode::unavailable);
+}
+
+TEST(HttpClient, NamesTheUrlWhereNothingListens) {
+  std::string url;
+  {
+    const StrangeServer gone("");
+    url = gone.url();
+    EXPECT_FALSE(HttpClient::create(url, {3s, 100ms})->request("GET", "/"));
+  }
+  const auto answer = HttpClient::create(url)->request("GET", "/");
+  ASSERT_FALSE(answer);
+  EXPECT_EQ(answer.error().code, ErrorCode::unavailable);
+  EXPECT_EQ(answer.error().path, url);
+}
+
+TEST(HttpClient, IsOfAUrl) { EXPECT_EQ(HttpClient::create("127.0.0.1:80").error().code, ErrorCode::syntax); }
+
+}  // namespace
+}  // namespace race::server

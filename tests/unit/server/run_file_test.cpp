@@ -1,0 +1,169 @@
+// Files of runs: what is read is what was written, and whatever does not fit together is refused.
+#include "server/runs/run_file.h"
+
+#include "core/execution/step_json.h"
+#include "core/value/json.h"
+#include "server/store/journal_chain.h"
+#include "tests/unit/server/run_store.h"
+
+namespace race::server {
+namespace {
+
+/// The file of a run as a server that executed it writes it.
+RunFile file_of(execution::Journal journal) {
+  RunFile file;
+  execution::Execution execution =
+      execution::Execution::create(journal.header.program, journal.header.arguments, journal.header.budgets).value();
+  file.record.chain = header_chain(journal.header);
+  for (const execution::JournalEntry& entry : journal.entries) {
+    execution.replay(entry, {}).value();
+    file.record.chain = chain_after(file.record.chain, input_text(entry));
+  }
+  file.record.id = 12;
+  file.record.document = "task";
+  file.record.revision = 3;
+  file.record.arguments = journal.header.arguments;
+  file.record.steps = journal.entries.size();
+  file.record.created_ms = 1700000000000;
+  file.record.status = semantics::name(execution.run().status());
+  if (file.record.is_over()) {
+    file.record.outcome = execution.run().outcome();
+    file.record.results = execution::root_results(execution.run());
+    file.record.ended_ms = 1700000001000;
+  }
+  file.services = {{"t", timer_service()}};
+  Value pose = Dict{{"time", 0.2}, {"joints", Dict{{"a1", 0.5}}}, {"bodies", Dict()}};
+  file.samples = {{1, pose.freeze()}};
+  file.journal = std::move(journal);
+  return file;
+}
+
+Value json_of(const RunFile& file) { return parse_json(write_run_file(file).value(), kRunFileLimits).value(); }
+
+/// `json` with another value at `path` ("run/steps"); an unknown one removes the field.
+Value changed(const Value& json, std::string_view path, const Value& value) {
+  Value out = json;
+  const std::string_view key = path.substr(0, path.find('/'));
+  const std::string_view rest = path.size() > key.size() ? path.substr(key.size() + 1) : "";
+  if (out.is_list()) {
+    Value& item = out.mutable_list().at(static_cast<std::size_t>(key.front() - '0'));
+    item = rest.empty() ? value : changed(item, rest, value);
+    return out;
+  }
+  if (value.is_unknown() && rest.empty())
+    out.mutable_dict().erase(key);
+  else
+    out.mutable_dict().set(key, rest.empty() ? value : changed(out.find(key) ? *out.find(key) : Value(), rest, value));
+  return out;
+}
+
+std::pair<ErrorCode, std::string> refusal_of(const Value& json) {
+  const auto read = read_run_file(json);
+  if (read) return {ErrorCode::json, "was read"};
+  return {read.error().front().code, read.error().front().path};
+}
+
+TEST(RunFiles, AreReadAsTheyWereWritten) {
+  for (const auto& ticks : {std::vector<int>{}, {1, 2}, {60, 60}}) {
+    RunFile file = file_of(counting(ticks));
+    file.document = parse_json(R"({"rcm": 1, "root": {"state": "Root"}})").value();
+    const auto read = read_run_file_text(write_run_file(file).value());
+    ASSERT_TRUE(read) << to_string(read.error().front());
+    EXPECT_EQ(read->journal.entries, file.journal.entries);
+    EXPECT_EQ(json_of(*read).find("journal")->find("header")->find("native")->size_units(),
+              file.journal.header.native.size_units());
+    EXPECT_EQ(read->record.status, file.record.status);
+    EXPECT_EQ(read->record.results, file.record.results);
+    EXPECT_EQ(read->services, file.services);
+    EXPECT_EQ(read->document, file.document);
+    ASSERT_EQ(read->samples.size(), 1u);
+    EXPECT_EQ(read->samples[0].pose, file.samples[0].pose);
+  }
+}
+
+TEST(RunFiles, HoldTheRecordAgainstTheJournal) {
+  using Code = ErrorCode;
+  const Value json = json_of(file_of(counting({60, 60})));
+  const std::string wrong(64, 'a');
+  for (const auto& [path, value, code] :
+       std::vector<std::tuple<std::string, Value, Code>>{{"run/steps", 2, Code::corrupt},
+                                                         {"run/arguments", Dict{{"x", 1}}, Code::corrupt},
+                                                         {"run/chain", wrong, Code::corrupt},
+                                                         {"run/status", "aborted", Code::corrupt},
+                                                         {"run/outcome", "failed", Code::corrupt},
+                                                         {"run/results", Dict{{"n", 121}}, Code::corrupt},
+                                                         {"run/status", "asleep", Code::type},
+                                                         {"run/steps", -1, Code::out_of_range},
+                                                         {"run/created", 1.5, Code::out_of_range},
+                                                         {"run/chain", Value::unknown(), Code::missing},
+                                                         {"run/color", 1, Code::unknown_field},
+                                                         {"version", 2, Code::version},
+                                                         {"journal", Value::unknown(), Code::missing},
+                                                         {"journal/entries/1/position", 3, Code::out_of_range},
+                                                         {"journal/header/semantics", "0", Code::version},
+                                                         {"services/t", 1, Code::type},
+                                                         {"samples/0/pose/time", Value::unknown(), Code::missing},
+                                                         {"samples/0/pose/joints", 1, Code::type},
+                                                         {"samples/0/step", -1, Code::out_of_range},
+                                                         {"document", Dict{{"rcm", 1}}, Code::missing}}) {
+    SCOPED_TRACE(path + " = " + (value.is_unknown() ? "" : to_json(value)));
+    const auto [found, where] = refusal_of(changed(json, path, value));
+    EXPECT_EQ(name(found), name(code)) << where;
+    EXPECT_TRUE(where.starts_with(path)) << where;
+  }
+}
+
+TEST(RunFiles, OfARunInItsLastMacroStepAreOfOneThatIsOver) {
+  RunFile file = file_of(counting({100}));
+  file.record.status = "running";
+  file.record.outcome.clear();
+  file.record.results = Value();
+  const auto read = read_run_file_text(write_run_file(file).value());
+  ASSERT_TRUE(read) << to_string(read.error().front());
+  EXPECT_EQ(read->record.status, "ended");
+  EXPECT_EQ(read->record.outcome, "done");
+  EXPECT_EQ(read->record.results, Value(Dict{{"n", 100}}));
+}
+
+TEST(RunFiles, HoldAChangedInputAgainstTheChain) {
+  const Value json = json_of(file_of(counting({1, 2})));
+  EXPECT_EQ(refusal_of(changed(json, "journal/entries/1/input/data", 2)),
+            (std::pair(ErrorCode::corrupt, std::string("run/chain"))));
+  EXPECT_EQ(refusal_of(changed(json, "journal/header/native/document/name", "other")),
+            (std::pair(ErrorCode::corrupt, std::string("run/chain"))));
+}
+
+TEST(RunFiles, AreRefusedIfTheRunDoesNotTakeTheirEntries) {
+  RunFile file = file_of(counting({100}));
+  file.journal.entries.emplace_back(execution::EventEntry{"t", "tick", 1});  // after the end
+  file.record.chain = chain_after(file.record.chain, input_text(file.journal.entries.back()));
+  ++file.record.steps;
+  EXPECT_EQ(refusal_of(json_of(file)), (std::pair(ErrorCode::conflict, std::string("journal/entries/2"))));
+}
+
+TEST(RunFiles, AskForNoMoreWorkThanARunOfThisServer) {
+  execution::Journal journal = counting({1});
+  journal.header.budgets.micro_steps = semantics::Budgets().micro_steps + 1;
+  EXPECT_EQ(refusal_of(json_of(file_of(std::move(journal)))),
+            (std::pair(ErrorCode::out_of_range, std::string("journal/header/budgets"))));
+}
+
+TEST(RunFiles, HaveABound) {
+  RunFile file = file_of(counting({1}));
+  Value pose = Dict{{"time", 0.2}, {"joints", Dict()}, {"bodies", Dict()}, {"hands", std::string(15 << 20, 'x')}};
+  file.samples = {{1, pose.freeze()}};
+  const std::string text = write_run_file(file).value();
+  EXPECT_TRUE(read_run_file_text(text));
+  const std::size_t room = kRunFileLimits.bytes - text.size();
+  file.record.document = "task" + std::string(room, 'x');
+  EXPECT_EQ(write_run_file(file)->size(), kRunFileLimits.bytes);
+  file.record.document += 'x';
+  EXPECT_EQ(write_run_file(file).error().code, ErrorCode::too_large);
+  EXPECT_EQ(read_run_file_text(text + std::string(room + 1, ' ')).error().front().code, ErrorCode::too_large);
+  file = file_of(counting({1}));
+  file.samples.resize(Samples::kMost + 1, file.samples[0]);
+  EXPECT_EQ(refusal_of(json_of(file)), (std::pair(ErrorCode::too_large, std::string("samples"))));
+}
+
+}  // namespace
+}  // namespace race::server

@@ -1,0 +1,35 @@
+// An interrupted run in words: what happened, and what holds until somebody resumes it.
+import type { Core } from "../../generated/messages";
+
+export interface InterruptionText {
+  readonly title: string;
+  /** The message of the server. */
+  readonly happened: string | undefined;
+  /** With code in backquotes. */
+  readonly holds: string;
+}
+
+export const isInterrupted = (core: Core): boolean => core.status === "interrupted";
+
+/** What the page says of an interrupted core; nothing of any other. */
+export function interruptionText(core: Core): InterruptionText | undefined {
+  if (!isInterrupted(core)) return undefined;
+  const happened = core.interruption?.message;
+  if (core.interruption?.reason === "storage") {
+    return {
+      title: `Run ${core.id} is interrupted: its journal cannot be stored`,
+      happened,
+      holds: "It is as its journal says. Open calls are answered `unavailable`; none is sent again. Nothing moves until someone resumes, steps or stops it; while the disk fails, that is refused.",
+    };
+  }
+  return {
+    title: `Run ${core.id} is interrupted: the server ended and was started again`,
+    happened,
+    holds: "Open calls were answered `unavailable`; none is sent again. Nothing moves until someone resumes, steps or stops it.",
+  };
+}
+
+/** The interrupted cores that are not watched, newest first. */
+export function interruptedElsewhere(cores: readonly Core[], watched: string | undefined): readonly Core[] {
+  return cores.filter((core) => isInterrupted(core) && core.id !== watched).reverse();
+}

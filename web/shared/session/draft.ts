@@ -1,0 +1,38 @@
+// Documents with errors. They are stored as drafts; no run can be made of them.
+import type { DocumentEntry, DocumentSummary, ServerError } from "../../generated/messages";
+
+/** A stored document with its errors, as the page lists them. */
+export interface Draft {
+  readonly name: string;
+  readonly revision: number;
+  readonly errors: readonly ServerError[];
+}
+
+/** A server that stores no drafts sends no errors. */
+type Summary = Pick<DocumentSummary, "name"> & { readonly errors?: number };
+type Entry = Pick<DocumentEntry, "name" | "revision"> & { readonly errors?: readonly ServerError[] };
+
+export const errorCount = ({ errors }: Summary): number => errors ?? 0;
+
+export const draftOf = ({ name, revision, errors }: Entry): Draft => ({ name, revision, errors: errors ?? [] });
+
+/** "1 error", "3 errors". */
+export const errorsText = (count: number): string => `${count} ${count === 1 ? "error" : "errors"}`;
+
+/** The document in a list. */
+export function documentText(summary: Summary): string {
+  const count = errorCount(summary);
+  return count === 0 ? summary.name : `${summary.name} · draft, ${errorsText(count)}`;
+}
+
+/** Why no run can be made of the document; nothing if one can. */
+export function refusalToStart(summary: Summary): string | undefined {
+  const count = errorCount(summary);
+  return count === 0 ? undefined : `${summary.name} is a draft with ${errorsText(count)}: it cannot be started`;
+}
+
+/** Where in the document an error is. */
+export function placeText({ path, line, column }: ServerError): string {
+  const at = line === undefined ? "" : `line ${line}${column === undefined ? "" : `, column ${column}`}`;
+  return [path === "" ? "the whole document" : path, at].filter((part) => part !== "").join(", ");
+}

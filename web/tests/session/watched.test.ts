@@ -1,0 +1,24 @@
+import { describe, expect, it } from "vitest";
+import type { Core } from "../../generated/messages";
+import { addressOfRun, coreToWatch, runOfAddress } from "../../shared/session/watched";
+
+const core = (id: string, status: Core["status"]): Core => ({ id, document: "pick", revision: 1, status, paused: false, stepping: false, step: 1, micro: 0, waiting: 0, arguments: {}, breakpoints: [] });
+const cores = [core("1", "interrupted"), core("2", "interrupted"), core("3", "running"), core("4", "ended")];
+
+describe("coreToWatch", () => {
+  it("is the wanted core, whatever its status", () => expect(coreToWatch(cores, "4")?.id).toBe("4"));
+  it("is an interrupted core before one that runs, as it waits for a person", () => expect(coreToWatch(cores, undefined)?.id).toBe("2"));
+  it("is the newest that is not over, else the newest, if the wanted one is gone", () => {
+    expect(coreToWatch(cores.slice(2), "9")?.id).toBe("3");
+    expect(coreToWatch(cores.slice(3), "9")?.id).toBe("4");
+    expect(coreToWatch([], "9")).toBeUndefined();
+  });
+});
+
+describe("the address", () => {
+  it("names the run, and keeps what else it says", () => {
+    expect(runOfAddress(addressOfRun("", "7"))).toBe("7");
+    expect(addressOfRun("?lang=en&run=7", "8")).toBe("?lang=en&run=8");
+    expect(runOfAddress("")).toBeUndefined();
+  });
+});
