@@ -71,6 +71,8 @@ class Load final : public server::RunSink {
     load->journal_ = std::make_shared<server::RunJournal>(record, load);
     load->append(load->execution_.start({}).entry.value());
     load->wait_until_durable();
+    const std::lock_guard lock(load->mutex_);
+    load->waited_.clear();
     return load;
   }
 
@@ -84,7 +86,7 @@ class Load final : public server::RunSink {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return durable_ == ticket_; });
   }
-  /// From the beginning of each macro step until it was durable, the start included.
+  /// From the beginning of each macro step until it was durable; without the start.
   std::vector<double> waited() {
     const std::lock_guard lock(mutex_);
     return waited_;
