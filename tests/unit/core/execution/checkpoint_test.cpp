@@ -35,6 +35,7 @@ void expect_same(const Execution& a, const Execution& b) {
   ASSERT_EQ(x.response_tick, y.response_tick);
   if (!a.is_over()) {  // a run that is over needs no counts
     ASSERT_EQ(x.arrivals, y.arrivals);
+    ASSERT_EQ(x.active_states, y.active_states);
   }
   for (std::size_t s = 0; s < x.live.size(); ++s) {
     ASSERT_EQ(x.live[s].activations, y.live[s].activations);
@@ -232,6 +233,38 @@ TEST(Checkpoint, KeepsNumbersApartAndWhatHasNoValue) {
   EXPECT_NE(text.find("[1,1.0,true,-0.0,9223372036854775807,5e-324,null,"), std::string::npos) << text;
   EXPECT_EQ(text.find("never"), std::string::npos) << text;
   EXPECT_EQ(read.waiting().size(), 1U);
+}
+
+// A has arrived at the barrier; P is left, by its own port, and entered again without A: it is an arrival no more.
+TEST(Checkpoint, KeepsTheArrivalsThatGoWithTheirState) {
+  static constexpr const char* kDocument = R"json({"rcm": 1, "name": "arrivals", "services": {"t": "timer"}, "root": {
+    "state": "Root", "first": "P", "children": [{"state": "P", "first": "S", "children": [
+        {"state": "S", "ports": [{"name": "both", "when": "svc.t.both", "to": "fork"}, {"name": "one", "when": "svc.t.one", "to": "B"}]},
+        {"barrier": "fork", "to": ["A", "B"]}, {"barrier": "join", "to": ["C"]}, {"state": "C"},
+        {"state": "A", "ports": [{"name": "done", "when": "svc.t.a", "to": "join"}]},
+        {"state": "B", "ports": [{"name": "done", "when": "svc.t.b", "to": "join"}]}],
+      "ports": [{"name": "again", "when": "svc.t.again", "to": "P"}]}]}})json";
+  static constexpr const char* kTimer =
+      R"({"operations": [], "events": [{"name": "a"}, {"name": "b"}, {"name": "both"}, {"name": "one"}, {"name": "again"}]})";
+  const JournalHeader header =
+      journal_of(rcm::read_document_text(kDocument).value(), {{"t", rsm::read_service_text(kTimer, "timer").value()}})
+          .header;
+  Execution execution = Execution::create(header.program, {}, header.budgets).value();
+  execution.start({});
+  for (const char* event : {"both", "a"}) {
+    execution.post_event("t", event, true);
+    execution.step({});
+  }
+  Execution read = read_text(header, text_of(execution)).value();
+  for (const char* event : {"again", "one", "b"}) {
+    for (Execution* each : {&execution, &read}) {
+      each->post_event("t", event, true);
+      each->step({});
+    }
+    expect_same(execution, read);
+  }
+  EXPECT_EQ(read.run().state_json().find("activated")->as_dict().size(), 1U) << "B has arrived, A has not";
+  EXPECT_FALSE(read.run().is_active(header.program->find_state("Root/P/C").value()));
 }
 
 TEST(Checkpoint, IsAsLargeAsWhatHasBeenActive) {
