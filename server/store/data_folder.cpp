@@ -12,6 +12,7 @@
 
 #include "server/store/schema.h"
 #include "services/sqlite/file.h"
+#include "services/sqlite/log_check.h"
 
 namespace race::server {
 namespace {
@@ -43,6 +44,7 @@ Expected<void> take_over_documents(const fs::path& folder) try {
 }
 
 Expected<void> prepare(const fs::path& path) try {
+  if (auto whole = sqlite::check_log(path); !whole) return whole;
   const auto file = sqlite::open(path);
   if (auto sound = sqlite::check(*file); !sound) return sound;
   return sqlite::migrate(*file, store_migrations());
