@@ -34,6 +34,7 @@ Expected<int> take_lock(const fs::path& folder) {
 Expected<void> take_over_documents(const fs::path& folder) try {
   const fs::path old = folder / "documents.sqlite", store = folder / "race.sqlite";
   if (fs::exists(store) || !fs::exists(old)) return {};
+  if (auto whole = sqlite::check_log(old); !whole) return whole;
   sqlite::open(old)->exec("PRAGMA journal_mode = DELETE");
   fs::rename(old, store);
   return {};
@@ -44,6 +45,7 @@ Expected<void> take_over_documents(const fs::path& folder) try {
 }
 
 Expected<void> prepare(const fs::path& path) try {
+  if (auto whole = sqlite::check_log(path); !whole) return whole;
   const auto file = sqlite::open(path);
   if (auto sound = sqlite::check(*file); !sound) return sound;
   return sqlite::migrate(*file, store_migrations());
@@ -64,8 +66,6 @@ Expected<DataFolder> DataFolder::take(const std::string& path) {
 Expected<DataFolder> DataFolder::open(const std::string& path) {
   ASSIGN_OR_RETURN(DataFolder folder, take(path));
   auto ready = take_over_documents(path);
-  for (const std::string& file : {folder.store(), folder.database()})
-    if (ready) ready = sqlite::check_log(file);
   if (ready) ready = prepare(folder.store());
   if (!ready) {
     Error wrong = std::move(ready).error();

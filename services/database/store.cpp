@@ -5,6 +5,7 @@
 #include "core/value/fields.h"
 #include "core/value/json.h"
 #include "services/database/schema.h"
+#include "services/sqlite/log_check.h"
 #include "services/sqlite/table_hash.h"
 
 namespace race::database {
@@ -59,6 +60,8 @@ Store::Store(Store&&) noexcept = default;
 Store::~Store() = default;
 
 Expected<Store> Store::open(const std::string& path) try {
+  if (path != ":memory:")
+    if (auto whole = sqlite::check_log(path); !whole) return tl::unexpected(std::move(whole).error());
   Store store(sqlite::open(path));
   auto ready = sqlite::check(*store.file_);
   if (ready) ready = sqlite::migrate(*store.file_, migrations());

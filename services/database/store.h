@@ -25,7 +25,8 @@ class Store {
   static constexpr std::size_t kValueDepth = 64;
 
   /// Opens the file, or makes it; ":memory:" is a store in memory. Reads and checks all of it. Errors: `storage`, `io`;
-  /// `corrupt` (its structure is damaged, or a row is lost), `version` (a newer version of the program wrote it).
+  /// `corrupt` (its structure or its log is damaged, or a row is lost), `version` (a newer version of the program wrote
+  /// it).
   static Expected<Store> open(const std::string& path);
   Store(Store&&) noexcept;
   ~Store();

@@ -1,8 +1,7 @@
-// The write-ahead log that a process left which did not close its file. SQLite reads it up to the first frame that does
-// not fit and takes the rest for what a crash tore; so damage in the middle would undo, in silence, every commit after
-// it.
+// check_log: whether the write-ahead log of an SQLite file is whole. SQLite itself takes a damaged frame for the end of
+// the log, and drops every transaction after it without a word.
 //
-// Threads: any; nobody writes to the file meanwhile.
+// Threads: any.
 #pragma once
 
 #include <string>
@@ -11,10 +10,15 @@
 
 namespace race::sqlite {
 
-/// Whether the log of the file at `path`, if there is one, ends as a crash may leave it: what does not fit is of its
-/// last transaction. Errors: `corrupt`: there are whole commits behind a frame that does not fit, or its header is
-/// damaged; `storage`: it cannot be read. Damage to the last transaction itself looks like a crash before it was
-/// durable.
-Expected<void> check_log(const std::string& path);
+/// Reads the log of the file at `database_path`, before the file is opened; no log is sound. Error `corrupt`, with the
+/// path of the log: it is damaged, and SQLite would drop transactions that were committed. `storage`: the disk does not
+/// give it.
+///
+/// Every transaction is synchronised before the next one begins (file.h), so that a loss of power can leave the last
+/// one torn, and no other: a frame is damaged if there is a transaction after its own. What SQLite drops for good
+/// reason is sound: a torn last transaction, frames of an earlier log, and a log of which the header is damaged if the
+/// database has all of it (a reset that the disk did not finish). Limit: damage of the last transaction cannot be told
+/// from a torn one.
+Expected<void> check_log(const std::string& database_path);
 
 }  // namespace race::sqlite
