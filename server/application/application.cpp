@@ -10,6 +10,12 @@ namespace {
 
 tl::unexpected<std::vector<Error>> one(Error error) { return tl::unexpected(std::vector<Error>{std::move(error)}); }
 
+/// Names the file where the error names nothing in it.
+tl::unexpected<std::vector<Error>> of_store(Error error, const DataFolder& folder) {
+  if (error.path.empty()) error.path = folder.store();
+  return one(std::move(error));
+}
+
 }  // namespace
 
 Checked<std::unique_ptr<Application>> Application::create(const Setup& setup) {
@@ -17,7 +23,7 @@ Checked<std::unique_ptr<Application>> Application::create(const Setup& setup) {
   if (auto opened = app->open_store(setup); !opened) return tl::unexpected(std::move(opened).error());
   app->create_stream(setup.first_sequence);
   if (auto created = app->create_cell(setup); !created) return tl::unexpected(std::move(created).error());
-  if (auto created = app->create_cores(setup); !created) return one(std::move(created).error());
+  if (auto created = app->create_cores(setup); !created) return of_store(std::move(created).error(), *app->folder_);
   if (setup.script)
     if (auto added = app->add_operator(*setup.script); !added) return tl::unexpected(std::move(added).error());
   app->cell_->start_real_time();
@@ -30,20 +36,20 @@ Checked<void> Application::open_store(const Setup& setup) {
   if (!folder) return one(std::move(folder).error());
   folder_.emplace(std::move(*folder));
   auto documents = Documents::open(folder_->store());
-  if (!documents) return one(std::move(documents).error());
+  if (!documents) return of_store(std::move(documents).error(), *folder_);
   documents_ = std::move(*documents);
   backups_ = std::make_unique<Backups>(folder_->path(), [this] { return cores_->recover(); });
   auto runs = Runs::open(folder_->store());
-  if (!runs) return one(std::move(runs).error());
+  if (!runs) return of_store(std::move(runs).error(), *folder_);
   runs_ = std::move(*runs);
   auto samples = Samples::open(folder_->store());
-  if (!samples) return one(std::move(samples).error());
+  if (!samples) return of_store(std::move(samples).error(), *folder_);
   samples_ = std::move(*samples);
   auto writer = JournalWriter::open(folder_->store());
-  if (!writer) return one(std::move(writer).error());
+  if (!writer) return of_store(std::move(writer).error(), *folder_);
   writer_ = std::move(*writer);
   auto boot_list = BootList::open(folder_->store());
-  if (!boot_list) return one(std::move(boot_list).error());
+  if (!boot_list) return of_store(std::move(boot_list).error(), *folder_);
   boot_list_ = std::move(*boot_list);
   if (setup.demo.empty()) return {};
   return documents_->put_demo(setup.demo, now_ms());
