@@ -19,11 +19,13 @@ Expected<Execution> Replay::nearest(std::uint64_t position) {
   const auto next = checkpoints_.upper_bound(position);
   const std::uint64_t kept = next == checkpoints_.begin() ? 0 : std::prev(next)->first;
   if (position - kept > interval_) {
-    ASSIGN_OR_RETURN(const Value stored, source_->checkpoint(position));
-    if (!stored.is_unknown()) {
-      ASSIGN_OR_RETURN(Execution execution, read_checkpoint(header_, stored));
-      execution.drop_waiting();
-      if (execution.run().position() > kept) return execution;
+    // One that cannot be read costs time, not the run.
+    const auto stored = source_->checkpoint(position);
+    auto execution = stored && !stored->is_unknown() ? read_checkpoint(header_, *stored)
+                                                     : Expected<Execution>(tl::unexpect, Error{});
+    if (execution && execution->run().position() > kept) {
+      execution->drop_waiting();
+      return execution;
     }
   }
   if (kept > 0) return std::prev(next)->second;

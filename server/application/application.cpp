@@ -76,8 +76,9 @@ Checked<void> Application::create_cell(const Setup& setup) {
   cell_ = std::move(*cell);
   flows_ = std::make_unique<FlowChannels>(cell_->host(), *hub_, *stream_pool_);
   if (CellWorld* world = cell_->world())
-    world->on_pose([this](Value pose) {
+    world->on_pose([this, world](Value pose) {
       keeper_->record(pose);
+      if (!world->is_pose_watched()) return;
       hub_->publish_delta(std::string(kCellPoseChannel), std::move(pose));
     });
   return {};

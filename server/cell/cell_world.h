@@ -42,6 +42,10 @@ class CellWorld {
   /// before the first step.
   void on_pose(std::function<void(Value)> publish) { publish_pose_ = std::move(publish); }
   void watch_pose(bool on) { want_pose(kWatched, on); }
+  bool is_pose_watched() const {
+    const services::MutexLock lock(mutex_);
+    return wanted_[kWatched];
+  }
   /// The same for those who record poses: they are published while somebody watches or records.
   void record_pose(bool on) { want_pose(kRecorded, on); }
 
@@ -57,7 +61,7 @@ class CellWorld {
     set_pose_wanted(wanted_[kWatched] || wanted_[kRecorded]);
   }
 
-  services::Mutex mutex_;
+  mutable services::Mutex mutex_;
   std::array<bool, 2> wanted_ GUARDED_BY(mutex_) = {};
 };
 

@@ -34,7 +34,10 @@ int back_up(const Options& options) {
 int restore(const Options& options, const std::string& from) {
   const auto folder = DataFolder::take(options.data);
   if (!folder) return refuse(folder.error());
-  const auto begin = [&] { remove_damaged(folder->path()); };
+  const auto begin = [&]() -> Expected<void> {
+    remove_damaged(folder->path());
+    return {};
+  };
   if (auto done = restore_files(from, folder->path(), begin); !done) return refuse(done.error());
   return kExitOk;
 }

@@ -41,13 +41,14 @@ Expected<std::shared_ptr<Core>> Core::create(RunRecord run, execution::JournalHe
 
 Core::Core(RunRecord run, execution::JournalHeader header, Execution execution, const CoreResources& resources)
     : id_(std::to_string(run.id)),
+      run_id_(run.id),
       header_(std::move(header)),
       resources_(resources),
       strand_(resources.pool),
       replay_strand_(resources.pool),
       record_(std::move(run)),
       execution_(std::move(execution)),
-      replay_(std::make_shared<execution::Replay>(header_, resources.runs.source(record_.id, header_.program))) {
+      replay_(std::make_shared<execution::Replay>(header_, resources.runs.source(run_id_, header_.program))) {
   info_ = info_json();
 }
 
@@ -72,6 +73,7 @@ void Core::deliver(const services::Delivery& delivery) {
 // The first macro step begins at once, so that the answer says that it has.
 Expected<Value> Core::start() {
   return on_strand<Value>([this]() -> Expected<Value> {
+    rebuild_if_possible();
     if (started_) return conflict("core " + id_ + " was started before");
     if (closed_) return conflict("core " + id_ + " has another model now");
     started_ = true;
@@ -84,6 +86,7 @@ Expected<Value> Core::start() {
 Expected<Core::Preparation> Core::retire() {
   return on_strand<Preparation>([this]() -> Expected<Preparation> {
     if (started_) return conflict("core " + id_ + " was started before");
+    if (closed_) return conflict("core " + id_ + " is going away");
     closed_ = true;
     return Preparation{paused_, breakpoint_names_};
   });
@@ -109,7 +112,8 @@ Expected<Value> Core::pause() {
 
 Expected<Value> Core::resume() {
   return on_strand<Value>([this]() -> Expected<Value> {
-    if (auto ready = ready_to_go_on(); !ready) return tl::unexpected(std::move(ready).error());
+    if (started_ || interruption_)
+      if (auto ready = ready_to_go_on(); !ready) return tl::unexpected(std::move(ready).error());
     paused_ = false;
     execution_.set_goal(std::nullopt);
     schedule();
@@ -121,18 +125,33 @@ Expected<Value> Core::resume() {
 Expected<Value> Core::stop() {
   return on_strand<Value>([this]() -> Expected<Value> {
     if (!started_) return conflict("core " + id_ + " was not started");
-    if (auto ready = ready_to_go_on(); !ready) return tl::unexpected(std::move(ready).error());
-    execution_.set_goal(std::nullopt);
-    execution_.set_breakpoints({});
-    while (execution_.is_open()) do_part(Execution::kNoLimit);
-    if (!is_over()) emit(execution_.abort());
+    if (auto ended = end_run_now(); !ended) return tl::unexpected(std::move(ended).error());
     return info_json();
   });
 }
 
+Expected<bool> Core::dismiss() {
+  return on_strand<bool>([this]() -> Expected<bool> {
+    closed_ = closed_ || !started_;
+    if (!started_ || (is_over() && !interruption_)) return started_;
+    if (auto ended = end_run_now(); !ended && ended.error().code != ErrorCode::conflict)
+      return tl::unexpected(std::move(ended).error());
+    return true;
+  });
+}
+
+Expected<void> Core::end_run_now() {
+  if (auto ready = ready_to_go_on(); !ready) return ready;
+  execution_.set_goal(std::nullopt);
+  execution_.set_breakpoints({});
+  while (execution_.is_open()) do_part(Execution::kNoLimit);
+  if (!is_over()) emit(execution_.abort());
+  return {};
+}
+
 Expected<Value> Core::step(execution::GoalName name) {
   return on_strand<Value>([this, name = std::move(name)]() -> Expected<Value> {
-    if (is_over()) return conflict("core " + id_ + " is over");
+    if (is_over() && !interruption_) return conflict("core " + id_ + " is over");
     if (!started_ || !(paused_ || awaits_input())) return conflict("core " + id_ + " is not paused");
     ASSIGN_OR_RETURN(const Goal goal, find_goal(program(), name));
     if (auto ready = ready_to_go_on(); !ready) return tl::unexpected(std::move(ready).error());
@@ -221,11 +240,12 @@ void Core::hold() {
 
 // That the run goes on is stored, too: who resumes it learns whether the disk works.
 Expected<void> Core::ready_to_go_on() {
-  if (is_over()) return conflict("core " + id_ + " is over");
-  if (!interruption_) return {};
-  if (!interruption_->rebuilt)
+  if (interruption_ && !interruption_->rebuilt)
     if (auto done = rebuild(); !done) return done;
+  if (interruption_ && is_over()) end_rebuilt_run();
   if (is_over()) return conflict("core " + id_ + " is over");
+  if (!started_) return conflict("core " + id_ + " was not started");
+  if (!interruption_) return {};
   interruption_.reset();
   resources_.writer.append(journal_, {.ticket = held_.next_ticket()});
   return {};

@@ -68,7 +68,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   void announce();
 
   const std::string& id() const { return id_; }
-  RunId run_id() const { return record_.id; }
+  RunId run_id() const { return run_id_; }
   const semantics::Program& program() const { return *header_.program; }
   const execution::JournalHeader& header() const { return header_; }
   /// As published last (schemas/core.json).
@@ -85,6 +85,8 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   Expected<Value> resume();
   /// Ends the run between macro steps.
   Expected<Value> stop();
+  /// Ends the run for good, or keeps one that has not begun from beginning: whether it has begun. Errors: as stop().
+  Expected<bool> dismiss();
   /// What a person has said about a run that has not begun.
   struct Preparation {
     bool paused = false;
@@ -158,6 +160,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   const execution::Progress& next_part(std::uint32_t limit);
   void hold();
   Expected<void> ready_to_go_on();
+  Expected<void> end_run_now();
 
   // core_output.cpp: what leaves.
   void emit(const execution::Progress& progress);
@@ -173,6 +176,9 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
 
   // core_recovery.cpp: interruptions.
   void interrupt(const Error& error);
+  void rebuild_if_possible();
+  void end_rebuilt_run();
+  Expected<void> readable() const;
   Expected<void> rebuild();
   void open_journal();
 
@@ -180,6 +186,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   static constexpr std::size_t kMostHeld = 256;  // outputs that wait for the disk; then no macro step begins
 
   const std::string id_;
+  const RunId run_id_;
   const execution::JournalHeader header_;
   const CoreResources resources_;
   Strand strand_, replay_strand_;
@@ -202,7 +209,8 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   struct Interruption {
     const char* reason;  // schemas/core.json
     std::string message;
-    bool rebuilt = false;
+    bool was_paused = false;  // before it
+    bool rebuilt = false;     // the execution is as the journal says
   };
   std::optional<Interruption> interruption_;
 

@@ -10,6 +10,7 @@ namespace race::server {
 
 Expected<Value> Core::state() {
   return on_strand<Value>([this]() -> Expected<Value> {
+    if (auto sound = readable(); !sound) return tl::unexpected(std::move(sound).error());
     Value state = Dict{{"core", info_json()}, {"state", run().state_json()}};
     return state.freeze();
   });
@@ -19,6 +20,7 @@ Expected<Value> Core::why(const std::string& port) {
   return on_strand<Value>([this, port]() -> Expected<Value> {
     const auto id = program().find_port(port);
     if (!id) return unexpected(ErrorCode::not_found, "there is no port of this path", port);
+    if (auto sound = readable(); !sound) return tl::unexpected(std::move(sound).error());
     Value why = why_json(execution_, *id);
     return why.freeze();
   });
@@ -37,6 +39,7 @@ Expected<Value> Core::replayed(F function) {
 
 Expected<Core::Reached> Core::reached() {
   return on_strand<Reached>([this]() -> Expected<Reached> {
+    if (auto sound = readable(); !sound) return tl::unexpected(std::move(sound).error());
     Reached reached{run().position(), execution_.is_open() ? static_cast<int>(execution_.micro()) : -1, {}};
     execution::set_status(run(), reached.status);
     return reached;

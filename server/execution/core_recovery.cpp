@@ -14,8 +14,11 @@ Expected<std::shared_ptr<Core>> Core::recover(RunRecord run, execution::JournalH
   core->paused_ = true;
   core->interruption_ = {"restart", "the server ended while the run was under way"};
   if (auto rebuilt = core->rebuild(); !rebuilt) return tl::unexpected(std::move(rebuilt).error());
-  const services::MutexLock lock(core->mutex_);
-  core->info_ = core->info_json();
+  {
+    const services::MutexLock lock(core->mutex_);
+    core->info_ = core->info_json();
+  }
+  if (core->is_over()) core->strand_.post([core] { core->end_rebuilt_run(); });
   return core;
 }
 
@@ -38,17 +41,44 @@ void Core::failed(const Error& error) {
 }
 
 // What it was about to say is never said. What it has set in motion is told to stop, by nobody's call: no answer to
-// these reaches a run.
+// these reaches a run. Rebuilding reads the disk, so it comes after the safe calls of all cores that fail at once.
 void Core::interrupt(const Error& error) {
   for (const semantics::OutgoingCall& call : run().safe_calls())
     resources_.host.call({"", 0}, call.service, call.name, {}, {});
-  const bool was_paused = std::exchange(paused_, true);
+  interruption_ = {"storage", error.message, std::exchange(paused_, true)};
   execution_.set_goal(std::nullopt);
-  interruption_ = {"storage", error.message};
   held_.fail(error);
-  if (auto rebuilt = rebuild(); !rebuilt) interruption_->message += "; " + rebuilt.error().message;
+  strand_.post([self = shared_from_this()] { self->rebuild_if_possible(); });
+}
+
+void Core::rebuild_if_possible() {
+  if (!interruption_ || interruption_->rebuilt) return;
+  const bool was_paused = interruption_->was_paused;
+  if (auto rebuilt = rebuild(); !rebuilt) {
+    interruption_->message += "; " + rebuilt.error().message;
+    // As it was known last: what was computed since is in no journal.
+    Dict info = this->info().as_dict();
+    info.set("status", "interrupted");
+    info.set("interruption", Dict{{"reason", interruption_->reason}, {"message", interruption_->message}});
+    info.set("paused", true);
+    Value frozen = std::move(info);
+    return set_info(std::move(frozen.freeze()));
+  }
   if (!started_) paused_ = was_paused;
   publish_info();
+}
+
+// The journal has its last entry, but not that it is the last.
+void Core::end_rebuilt_run() {
+  interruption_.reset();
+  resources_.writer.append(journal_, {.ticket = held_.next_ticket(), .end = run_end()});
+  publish_info();
+}
+
+/// Error `storage`: the run cannot be read, and what is in memory is not in its journal.
+Expected<void> Core::readable() const {
+  if (interruption_ && !interruption_->rebuilt) return unexpected(ErrorCode::storage, interruption_->message);
+  return {};
 }
 
 // The run as its journal says. Its open calls are answered `unavailable` (R7) and never sent again; what had arrived
@@ -64,13 +94,9 @@ Expected<void> Core::rebuild() {
   open_journal();
   started_ = record_.steps > 0;
   if (interruption_) interruption_->rebuilt = true;
-  if (is_over()) {  // the journal has its last entry, but not yet that it is the last
-    resources_.writer.append(journal_, {.ticket = held_.next_ticket(), .end = run_end()});
-  } else if (started_) {
-    // A disk that takes nothing leaves it as `running`: when the server has ended, that means the same.
-    std::ignore = resources_.runs.set_status(run_id(), "interrupted");
-  }
-  if (is_over() || !started_) interruption_.reset();
+  // A disk that takes nothing leaves it as `running`: when the server has ended, that means the same.
+  if (started_ && !is_over()) std::ignore = resources_.runs.set_status(run_id(), "interrupted");
+  if (!started_) interruption_.reset();
   if (state_watched_) publish_snapshot();
   if (derivation_watched_) publish_next_derivation();
   return {};

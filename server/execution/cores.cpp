@@ -68,8 +68,7 @@ Checked<execution::JournalHeader> Cores::header_of(const StoredDocument& stored,
 Checked<std::shared_ptr<Core>> Cores::create(const StoredDocument& stored, Dict arguments) {
   auto header = header_of(stored, std::move(arguments));
   if (!header) return tl::unexpected(std::move(header).error());
-  if (!reserve_place())
-    return one({ErrorCode::conflict, "there are " + std::to_string(kMost) + " cores already; delete one"});
+  if (auto reserved = reserve_place(); !reserved) return one(std::move(reserved).error());
   auto core = create_run(stored, std::move(*header));
   if (core) add(*core);
   const services::MutexLock lock(mutex_);
@@ -78,11 +77,18 @@ Checked<std::shared_ptr<Core>> Cores::create(const StoredDocument& stored, Dict 
   return *core;
 }
 
-bool Cores::reserve_place() {
+Expected<void> Cores::reserve_place() {
   const services::MutexLock lock(mutex_);
-  if (cores_.size() + coming_ >= kMost) return false;
+  if (restoring_) return unexpected(ErrorCode::conflict, "a backup is being restored");
+  if (cores_.size() + coming_ >= kMost)
+    return unexpected(ErrorCode::conflict, "there are " + std::to_string(kMost) + " cores already; delete one");
   ++coming_;
-  return true;
+  return {};
+}
+
+bool Cores::is_restoring() const {
+  const services::MutexLock lock(mutex_);
+  return restoring_;
 }
 
 Expected<std::shared_ptr<Core>> Cores::create_run(const StoredDocument& stored, execution::JournalHeader header) {
@@ -98,6 +104,7 @@ Checked<std::shared_ptr<Core>> Cores::load(const std::string& id, const StoredDo
   auto header = header_of(stored, std::move(arguments));
   if (!header) return tl::unexpected(std::move(header).error());
   const services::MutexLock one_at_a_time(loading_);
+  if (is_restoring()) return one({ErrorCode::conflict, "a backup is being restored"});
   auto preparation = (*old)->retire();
   if (!preparation) return one(std::move(preparation).error());
   auto run =
@@ -150,23 +157,44 @@ std::vector<std::shared_ptr<Core>> Cores::all() const {
 }
 
 Expected<std::shared_ptr<Core>> Cores::remove(const std::string& id) {
+  const services::MutexLock one_at_a_time(loading_);
   ASSIGN_OR_RETURN(auto core, find(id));
-  const auto stopped = core->stop();
-  // `conflict`: the run is over or was never started; there is nothing to stop.
-  if (!stopped && stopped.error().code == ErrorCode::storage) return tl::unexpected(stopped.error());
-  if (!stopped && stopped.error().code != ErrorCode::conflict)
-    resources_.watcher.printed(core->id(), to_string(stopped.error()));
-  if (!stopped && core->retire())
+  const auto had_begun = core->dismiss();
+  // One whose journal is damaged cannot go on in any case; the run stays in the store.
+  if (!had_begun && had_begun.error().code != ErrorCode::corrupt) return tl::unexpected(had_begun.error());
+  if (had_begun && !*had_begun)
     if (auto removed = resources_.runs.remove(core->run_id()); !removed) return tl::unexpected(removed.error());
   core->close();
   {
     const services::MutexLock lock(mutex_);
-    const auto found = cores_.find(core->run_id());
-    if (found == cores_.end() || found->second != core) return no_core(id);
-    cores_.erase(found);
+    cores_.erase(core->run_id());
   }
   resources_.watcher.core_removed(core->id());
   return core;
+}
+
+// A core that has not begun is retired, so that no start gets through.
+Expected<void> Cores::close_for_restore() {
+  const services::MutexLock one_at_a_time(loading_);
+  {
+    const services::MutexLock lock(mutex_);
+    if (restoring_ || coming_ > 0) return unexpected(ErrorCode::conflict, "a core is being created, ask again");
+    restoring_ = true;
+  }
+  for (const auto& core : all()) {
+    if (core->retire()) continue;
+    const std::string status = core->info().find("status")->as_string();
+    if (status == "ended" || status == "faulted" || status == "aborted") continue;
+    reopen();
+    return unexpected(ErrorCode::conflict, "the run of core " + core->id() + " is not over");
+  }
+  return {};
+}
+
+void Cores::reopen() {
+  for (const auto& core : all()) core->reinstate();
+  const services::MutexLock lock(mutex_);
+  restoring_ = false;
 }
 
 void Cores::deliver(const services::Delivery& delivery) {

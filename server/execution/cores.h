@@ -38,10 +38,15 @@ class Cores {
   Expected<std::shared_ptr<Core>> find(const std::string& id) const;
   /// In order of creation.
   std::vector<std::shared_ptr<Core>> all() const;
-  /// Stops a core's run, removes the core and reports the removal; waits for the core. A run that never began is
-  /// removed from the store, too. Errors: `not_found`; `storage`: it is stopped, and is there as long as its end cannot
-  /// be stored.
-  Expected<std::shared_ptr<Core>> remove(const std::string& id);
+  /// Ends a core's run, removes the core and reports the removal; waits for the core. A run that never began is removed
+  /// from the store, too. Errors, after which the core is there: `not_found`, `unavailable` (it is busy), `storage`
+  /// (its end cannot be stored).
+  Expected<std::shared_ptr<Core>> remove(const std::string& id) EXCLUDES(loading_);
+
+  /// From now on no run begins and no core is created, until reopen(); the store may become another. `conflict`: a run
+  /// is not over, or a core is being created.
+  Expected<void> close_for_restore() EXCLUDES(loading_, mutex_);
+  void reopen() EXCLUDES(mutex_);
 
   /// An event goes to every core that names it, a response to the core whose call it answers.
   void deliver(const services::Delivery& delivery);
@@ -50,7 +55,8 @@ class Cores {
 
  private:
   Checked<execution::JournalHeader> header_of(const StoredDocument& stored, Dict arguments) const;
-  bool reserve_place() EXCLUDES(mutex_);
+  Expected<void> reserve_place() EXCLUDES(mutex_);
+  bool is_restoring() const EXCLUDES(mutex_);
   Expected<std::shared_ptr<Core>> create_run(const StoredDocument& stored, execution::JournalHeader header);
   void add(const std::shared_ptr<Core>& core) EXCLUDES(mutex_);
 
@@ -59,6 +65,7 @@ class Cores {
   mutable services::Mutex mutex_;
   std::map<RunId, std::shared_ptr<Core>> cores_ GUARDED_BY(mutex_);
   std::size_t coming_ GUARDED_BY(mutex_) = 0;  // being created
+  bool restoring_ GUARDED_BY(mutex_) = false;
 };
 
 /// schemas/cores.json, frozen.

@@ -7,12 +7,6 @@
 namespace race::server {
 namespace {
 
-bool goes_on(const Core& core) {
-  const Value info = core.info();
-  const Value& status = *info.find("status");
-  return status == Value("running") || status == Value("interrupted");
-}
-
 Handled answer_with(const Expected<Backup>& backup, int status) {
   if (!backup) return failed(backup.error());
   Reply reply = ok(backup_json(*backup));
@@ -38,11 +32,13 @@ Handled delete_backup(const Request& request, Backups& backups) {
 
 // Cores that are over or have not begun go: the store of that time knows others.
 Handled restore_backup(const Request& request, Backups& backups, Cores& cores) {
-  for (const auto& core : cores.all())
-    if (goes_on(*core)) return failed({ErrorCode::conflict, "the run of core " + core->id() + " is not over"});
-  const auto restored = backups.restore(request.parameters.at("name"), [&cores] {
-    for (const auto& core : cores.all()) cores.remove(core->id());
+  if (auto closed = cores.close_for_restore(); !closed) return failed(std::move(closed).error());
+  const auto restored = backups.restore(request.parameters.at("name"), [&cores]() -> Expected<void> {
+    for (const auto& core : cores.all())
+      if (auto removed = cores.remove(core->id()); !removed) return tl::unexpected(std::move(removed).error());
+    return {};
   });
+  cores.reopen();
   return answer_with(restored, 200);
 }
 

@@ -1,4 +1,6 @@
 // POST /api/v1/runs: the file of a run, of this server or another one; checked whole, then stored under a new number.
+#include <tuple>
+
 #include "server/handlers/runs.h"
 #include "server/http/request_filter.h"
 #include "server/runs/run_file.h"
@@ -15,7 +17,10 @@ Handled import_run(const Request& request, Runs& runs, Samples& samples) {
   const Runs::NewRun run{file->record.document, file->record.revision, file->journal.header, file->services};
   const auto record = runs.import(file->record, run, file->journal.entries, checkpoints);
   if (!record) return failed(record.error());
-  if (auto stored = samples.append(record->id, file->samples); !stored) return failed(std::move(stored).error());
+  if (auto stored = samples.append(record->id, file->samples); !stored) {
+    std::ignore = runs.remove(record->id);  // whole or not at all
+    return failed(std::move(stored).error());
+  }
   Reply reply = ok(run_json(*record));
   reply.status = 201;
   return reply;

@@ -2,6 +2,7 @@
 #include "server/handlers/runs.h"
 
 #include <charconv>
+#include <limits>
 
 #include "server/runs/run_file.h"
 
@@ -14,7 +15,9 @@ Expected<std::uint64_t> query_number(const Request& request, std::string_view na
   const std::string& text = found->second;
   std::uint64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error == std::errc() && end == text.data() + text.size() && number >= least) return number;
+  if (error == std::errc() && end == text.data() + text.size() && number >= least &&
+      number <= static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()))
+    return number;
   return unexpected(ErrorCode::out_of_range, "must be a whole number from " + std::to_string(least), std::string(name));
 }
 

@@ -16,6 +16,7 @@
 #include "core/value/json.h"
 #include "server/runs/run_json.h"
 #include "server/store/journal_chain.h"
+#include "server/store/journal_writer.h"
 
 namespace race::server {
 namespace {
@@ -124,6 +125,8 @@ std::vector<Sample> read_samples(Fields& file, Errors& errors) {
     sample.pose = fields.constant("pose", kRequired).value_or(Dict());
     fields.close();
     check_pose(sample.pose, path + "/pose", errors);
+    if (deeper_than(sample.pose, JsonLimits{}.depth))
+      errors.push_back({ErrorCode::too_deep, "a pose is not so deep", path + "/pose"});
     sample.pose.freeze();
     samples.push_back(std::move(sample));
   }
@@ -178,8 +181,10 @@ Expected<void> check_replay(RunFile& file, std::map<std::uint64_t, std::string>*
       return unexpected(ErrorCode::too_large,
                         "the run has more than " + std::to_string(kMostMicroSteps) + " micro steps", "journal");
     const std::uint64_t position = walk.execution().run().position();
-    if (checkpoints && position % interval == 0 && !walk.execution().is_over())
-      checkpoints->emplace(position, to_json(execution::checkpoint_json(walk.execution())));
+    if (checkpoints && position % interval == 0 && !walk.execution().is_over()) {
+      std::string text = to_json(execution::checkpoint_json(walk.execution()));
+      if (text.size() <= RunJournal::kCheckpointBytes) checkpoints->emplace(position, std::move(text));
+    }
   }
   return check_outcome(walk.execution(), file.record);
 }

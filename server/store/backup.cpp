@@ -155,13 +155,14 @@ std::optional<std::int64_t> time_of(const std::string& name) {
 Expected<void> copy_files(const fs::path& data, const fs::path& to) try {
   if (!fs::exists(data / kFiles.front().name)) return unexpected(ErrorCode::not_found, "holds no store", data);
   if (fs::exists(to)) return unexpected(ErrorCode::conflict, "is there already", to);
-  const fs::path whole = fs::absolute(to).lexically_normal();
+  fs::path whole = fs::absolute(to).lexically_normal();
+  if (!whole.has_filename()) whole = whole.parent_path();  // of `to/`
   const fs::path beside = whole.parent_path() / (whole.filename().string() + kUnfinished);
   fs::remove_all(beside);
   fs::create_directories(beside);
   auto done = copy_all(data, beside);
   if (done) {
-    fs::rename(beside, to);
+    fs::rename(beside, whole);
     return synchronise_folder(whole.parent_path());
   }
   std::error_code unknown;
@@ -171,7 +172,8 @@ Expected<void> copy_files(const fs::path& data, const fs::path& to) try {
   return cannot("cannot write the backup", error);
 }
 
-Expected<void> restore_files(const fs::path& from, const fs::path& data, const std::function<void()>& begin) try {
+Expected<void> restore_files(const fs::path& from, const fs::path& data,
+                             const std::function<Expected<void>()>& begin) try {
   ASSIGN_OR_RETURN(std::vector<StoredFile> files, sound_files(from));
   const fs::path copies = data / (std::string("restore") + kUnfinished);
   fs::remove_all(copies);
@@ -179,7 +181,7 @@ Expected<void> restore_files(const fs::path& from, const fs::path& data, const s
   Expected<void> done;
   for (const StoredFile& file : files)
     if (done) done = prepare(from, copies, file);
-  if (done) begin();
+  if (done) done = begin();
   if (done) done = bring_back(copies, data, std::move(files));
   std::error_code unknown;
   fs::remove_all(copies, unknown);
@@ -239,7 +241,7 @@ Expected<Backup> Backups::remove(const std::string& name) try {
   return cannot("cannot remove the backup", error);
 }
 
-Expected<Backup> Backups::restore(const std::string& name, const std::function<void()>& begin) try {
+Expected<Backup> Backups::restore(const std::string& name, const std::function<Expected<void>()>& begin) try {
   const services::MutexLock lock(mutex_);
   ASSIGN_OR_RETURN(Backup backup, find(name));
   if (auto done = restore_files(folder_ / name, data_, begin); !done) return tl::unexpected(std::move(done).error());

@@ -46,10 +46,10 @@ class Backups {
   /// `not_found`
   Expected<Backup> remove(const std::string& name) EXCLUDES(mutex_);
   /// Makes the files what they were, and each in one transaction: who has them open sees the old content or the new.
-  /// Requires that no run goes on. `begin` is called before anything is changed, when the backup is known to be sound.
-  /// Errors, with nothing changed: `not_found`; `corrupt` (the backup is damaged); `version` (a newer version of the
-  /// program made it). If the disk fails between the two files, one is restored: restore again.
-  Expected<Backup> restore(const std::string& name, const std::function<void()>& begin) EXCLUDES(mutex_);
+  /// Requires that no run goes on. `begin` is called before anything is changed, when the backup is known to be sound;
+  /// its error ends it. Errors, with nothing changed: `not_found`; `corrupt` (the backup is damaged); `version` (a
+  /// newer version of the program made it). If the disk fails between the two files, one is restored: restore again.
+  Expected<Backup> restore(const std::string& name, const std::function<Expected<void>()>& begin) EXCLUDES(mutex_);
 
  private:
   Expected<Backup> find(const std::string& name) const REQUIRES(mutex_);
@@ -65,7 +65,7 @@ class Backups {
 Expected<void> copy_files(const std::filesystem::path& data, const std::filesystem::path& to);
 /// Brings the files of a copy back into `data`, as Backups::restore.
 Expected<void> restore_files(const std::filesystem::path& from, const std::filesystem::path& data,
-                             const std::function<void()>& begin);
+                             const std::function<Expected<void>()>& begin);
 
 /// Removes files of `data` that are damaged, so that those of a copy can take their place. Requires that nobody has
 /// them open.

@@ -194,6 +194,7 @@ Expected<RevisionText> Documents::find(const std::string& name, std::optional<st
 // Only this connection writes documents, so what was read before is still so; the transaction is short, as the journals
 // of runs wait for it.
 Expected<Revision> Documents::append(RevisionText next) {
+  sqlite::WriteTransaction transaction(*file_);
   ASSIGN_OR_RETURN(const auto range, find_range(*file_, next.revision.document));
   if (!range && count_documents(*file_) >= limits_.documents)
     return unexpected(ErrorCode::too_large, "there are already " + std::to_string(limits_.documents) + " documents",
@@ -202,7 +203,6 @@ Expected<Revision> Documents::append(RevisionText next) {
     return unexpected(ErrorCode::too_large, "it has already " + std::to_string(limits_.revisions) + " revisions",
                       next.revision.document);
   next.revision.number = range ? range->last + 1 : 1;
-  sqlite::WriteTransaction transaction(*file_);
   add_revision(*file_, next, range ? range->first : 1);
   transaction.commit();
   return std::move(next.revision);

@@ -29,6 +29,7 @@ void write_entry_of(SQLite::Database& file, RunRecord& run, const execution::Jou
 // Of the old ones, those at today's interval are kept.
 void write_checkpoint_of(SQLite::Database& file, RunRecord& run, const Value& checkpoint) {
   const std::string text = to_json(checkpoint);
+  if (text.size() > RunJournal::kCheckpointBytes) return;
   write_checkpoint(file, run.id, run.steps, text);
   run.bytes += text.size();
   SQLite::Statement thin(file, "DELETE FROM checkpoint WHERE run = ? AND position % ? != 0");
@@ -47,6 +48,10 @@ void end_run(RunRecord& run, const RunEnd& end) {
 
 /// A run that is written to is under way, unless this is its end.
 void write_record(SQLite::Database& file, RunRecord& run, const JournalRecord& record) {
+  if (!record.entry && !record.end) {  // it is resumed. SQLite writes nothing for a row that stays as it is
+    run.status = "interrupted";
+    update_row(file, run);
+  }
   run.status = "running";
   if (record.entry) write_entry_of(file, run, *record.entry);
   if (record.checkpoint) write_checkpoint_of(file, run, *record.checkpoint);

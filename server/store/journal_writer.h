@@ -51,6 +51,8 @@ class RunJournal {
   /// A checkpoint is due at multiples of this many entries, of more in a long run: it has kCheckpoints at most.
   static constexpr std::uint64_t kInterval = 1024;
   static constexpr std::uint64_t kCheckpoints = 64;
+  /// One that is larger is not kept: it saves time, no more.
+  static constexpr std::size_t kCheckpointBytes = std::size_t{8} << 20U;
   /// Of a run that has come to `position`; a power of two times kInterval.
   static std::uint64_t interval_at(std::uint64_t position);
 

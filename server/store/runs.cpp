@@ -4,6 +4,7 @@
 #include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -17,6 +18,8 @@
 
 namespace race::server {
 namespace {
+
+constexpr std::int64_t kMostSampleBytes = std::int64_t{1} << 28U;  // of a run; more is damage
 
 using execution::JournalEntry;
 using execution::JournalHeader;
@@ -407,12 +410,20 @@ Expected<void> Runs::set_status(RunId id, const std::string& status) try {
 
 Expected<std::vector<std::pair<RunId, std::uint64_t>>> Runs::sizes() try {
   const services::MutexLock lock(mutex_);
-  SQLite::Statement select(*file_,
-                           "SELECT id, run.bytes + coalesce(sampling.bytes, 0) FROM run LEFT JOIN sampling ON run = id"
-                           " WHERE status IN ('ended', 'faulted', 'aborted') OR imported ORDER BY id DESC");
+  SQLite::Statement select(*file_, "SELECT " + std::string(kRunColumns) +
+                                       ", coalesce((SELECT bytes FROM sampling WHERE run = id), 0) FROM run"
+                                       " WHERE status IN ('ended', 'faulted', 'aborted') OR imported ORDER BY id DESC");
+  const int sampled = 17;  // the column after those of read_row()
   std::vector<std::pair<RunId, std::uint64_t>> found;
-  while (select.executeStep())
-    found.emplace_back(select.getColumn(0).getInt64(), static_cast<std::uint64_t>(select.getColumn(1).getInt64()));
+  while (select.executeStep()) {
+    const auto run = read_row(select);
+    if (!run) {  // what a damaged row says of its size counts for nothing
+      found.emplace_back(select.getColumn(0).getInt64(), 0);
+      continue;
+    }
+    const std::int64_t bytes = std::clamp<std::int64_t>(select.getColumn(sampled).getInt64(), 0, kMostSampleBytes);
+    found.emplace_back(run->id, run->bytes + static_cast<std::uint64_t>(bytes));
+  }
   return found;
 } catch (const SQLite::Exception& exception) {
   return failure(exception, "cannot read runs");

@@ -2,7 +2,6 @@
 
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Statement.h>
-#include <SQLiteCpp/Transaction.h>
 
 #include <algorithm>
 
@@ -10,6 +9,7 @@
 #include "server/store/run_row.h"
 #include "server/store/schema.h"
 #include "services/sqlite/file.h"
+#include "services/sqlite/write_transaction.h"
 
 namespace race::server {
 namespace {
@@ -86,7 +86,7 @@ Expected<std::unique_ptr<Samples>> Samples::open(const std::string& path) try {
 
 Expected<void> Samples::append(RunId run, const std::vector<Sample>& samples) try {
   const services::MutexLock lock(mutex_);
-  SQLite::Transaction transaction(*file_, SQLite::TransactionBehavior::IMMEDIATE);
+  sqlite::WriteTransaction transaction(*file_);
   if (!has_run(*file_, run)) return {};
   Sampling sampling = read_sampling(*file_, run);
   for (const Sample& sample : samples) {

@@ -73,6 +73,10 @@ class Backups(unittest.TestCase):
             writer.join()
             for name in reversed(names):
                 server.post(f"/backups/{name}/restore", None, "backup")
+                # A run that was under way then is interrupted now.
+                for core in server.get("/cores", "cores")["cores"]:
+                    self.assertIn(core["status"], ("interrupted", "ready"))
+                    server.expect("DELETE", f"/cores/{core['id']}", None, "core", 200)
                 value = stored(server, "x")
                 listed = {entry["name"]: entry["revision"] for entry in server.get("/documents", "documents")["documents"]}
                 # The documents are copied before the values; a document is put before its value is stored.

@@ -4,6 +4,7 @@ import shutil
 import subprocess
 import tempfile
 import unittest
+from itertools import pairwise
 from pathlib import Path
 
 import models
@@ -110,7 +111,7 @@ class Runs(unittest.TestCase):
             status, text, _ = race("replay", path)
             self.assertEqual((status, json.loads(text)["steps"]), (0, [as_derived(step) for step in derivations["steps"]]))
             hashes = race("replay", path, "--hash")
-            self.assertEqual(hashes, race("replay", run["id"], "--data", self.data, "--hash")[:2] + (hashes[2],))
+            self.assertEqual(hashes[:2], race("replay", run["id"], "--data", self.data, "--hash")[:2])
             path.write_text(json.dumps(file["journal"]))
             self.assertEqual(race("replay", path, "--hash")[:2], hashes[:2])
             file["journal"]["entries"].pop()
@@ -170,7 +171,7 @@ class Runs(unittest.TestCase):
             times = [sample["pose"]["time"] for sample in samples]
             self.assertGreaterEqual(len(times), 5)
             self.assertEqual(times, sorted(set(times)))
-            self.assertGreaterEqual(min(b - a for a, b in zip(times, times[1:])), 0.19)
+            self.assertGreaterEqual(min(later - earlier for earlier, later in pairwise(times)), 0.19)
             file = server.get(f"/runs/{core}/export", "run_file")
             self.assertEqual(file["samples"], samples)
             imported = server.post("/runs", file, "run", 201)

@@ -15,6 +15,12 @@
 namespace race::server {
 namespace {
 
+Expected<void> nothing() { return {}; }
+Expected<void> never() {
+  ADD_FAILURE() << "begun with a backup that is not sound";
+  return {};
+}
+
 namespace fs = std::filesystem;
 using sqlite::FaultyVfs;
 using testing::ElementsAre;
@@ -51,7 +57,7 @@ TEST_F(BackupTest, BringsBackWhatWasThere) {
   put("x", 2);
   put("y", 3);
   auto open_meanwhile = values();
-  ASSERT_TRUE(backups.restore(kName, [] {}));
+  ASSERT_TRUE(backups.restore(kName, nothing));
   EXPECT_EQ(open_meanwhile.get("x").value(), Value(1)) << "who has it open sees it too";
   EXPECT_THAT(open_meanwhile.keys("").value(), ElementsAre("x"));
   EXPECT_TRUE(open_meanwhile.put("z", 4));
@@ -73,7 +79,7 @@ TEST_F(BackupTest, IsListedByTimeAndCanBeRemoved) {
 TEST_F(BackupTest, ThatIsNotThereIsNotFound) {
   for (const char* name : {kName, "", "..", "../backups", "20261322T143104.123Z", "x"}) {
     EXPECT_EQ(backups.remove(name).error().code, ErrorCode::not_found) << name;
-    EXPECT_EQ(backups.restore(name, [] { FAIL(); }).error().code, ErrorCode::not_found) << name;
+    EXPECT_EQ(backups.restore(name, never).error().code, ErrorCode::not_found) << name;
   }
 }
 
@@ -100,27 +106,27 @@ TEST_F(BackupTest, WithAnyByteChangedIsRefusedAndNothingIsChanged) {
       file.seekg(static_cast<std::streamoff>(at));
       const char old = static_cast<char>(file.get());
       file.seekp(static_cast<std::streamoff>(at)) << static_cast<char>(old ^ 1) << std::flush;
-      const auto refused = backups.restore(kName, [] { FAIL(); });
+      const auto refused = backups.restore(kName, never);
       ASSERT_FALSE(refused) << name;
       EXPECT_EQ(refused.error().code, ErrorCode::corrupt) << name;
       EXPECT_EQ(get("x"), Value(2));
       file.seekp(static_cast<std::streamoff>(at)) << old;
     }
   }
-  EXPECT_TRUE(backups.restore(kName, [] {}));
+  EXPECT_TRUE(backups.restore(kName, nothing));
 }
 
 TEST_F(BackupTest, WithAFileLostIsRefused) {
   put("x", 1);
   ASSERT_TRUE(backups.create(kTime));
   fs::remove(data / "backups" / kName / "database.sqlite");
-  EXPECT_EQ(backups.restore(kName, [] { FAIL(); }).error().code, ErrorCode::io);
+  EXPECT_EQ(backups.restore(kName, never).error().code, ErrorCode::io);
 }
 
 TEST_F(BackupTest, OfANewerVersionIsRefused) {
   SQLite::Database(data / "race.sqlite", SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 1000");
   ASSERT_TRUE(backups.create(kTime));
-  EXPECT_EQ(backups.restore(kName, [] { FAIL(); }).error().code, ErrorCode::version);
+  EXPECT_EQ(backups.restore(kName, never).error().code, ErrorCode::version);
 }
 
 TEST_F(BackupTest, IsOfOneMomentWhileValuesAreWritten) {
@@ -135,7 +141,7 @@ TEST_F(BackupTest, IsOfOneMomentWhileValuesAreWritten) {
   writer.join();
   const auto all = backups.list().value();
   for (const Backup& backup : all) {
-    ASSERT_TRUE(backups.restore(backup.name, [] {}));
+    ASSERT_TRUE(backups.restore(backup.name, nothing));
     const Value first = get("first"), second = get("second");
     if (first == Value()) continue;  // before the first value
     const std::int64_t behind = first.as_integer() - (second == Value() ? -1 : second.as_integer());
@@ -167,7 +173,7 @@ TEST_F(BackupTest, ThatCannotBeBroughtBackLeavesTheValuesWhole) {
   for (std::uint64_t nth = 1; failed; ++nth) {
     FaultyVfs vfs;
     vfs.fail_at(nth, FaultyVfs::Fault::full, true);
-    const auto restored = backups.restore(kName, [] {});
+    const auto restored = backups.restore(kName, nothing);
     failed = vfs.has_failed();
     vfs.repair();
     ASSERT_TRUE(restored || restored.error().code == ErrorCode::storage) << to_string(restored.error());
@@ -187,7 +193,10 @@ TEST_F(BackupTest, TakesThePlaceOfADamagedFile) {
   put("x", 1);
   ASSERT_TRUE(backups.create(kTime));
   std::ofstream(data / "database.sqlite") << std::string(8192, 'x');
-  ASSERT_TRUE(restore_files(data / "backups" / kName, data, [&] { remove_damaged(data); }));
+  ASSERT_TRUE(restore_files(data / "backups" / kName, data, [&] {
+    remove_damaged(data);
+    return Expected<void>();
+  }));
   EXPECT_EQ(get("x"), Value(1));
 }
 

@@ -1,0 +1,282 @@
+// What leaves a core waits for its entry; a run is rebuilt from its journal, after the server ended and when the disk
+// fails, and goes on when somebody says so.
+#include <SQLiteCpp/Database.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <future>
+#include <thread>
+
+#include "core/rcm/document.h"
+#include "server/execution/cores.h"
+#include "services/sqlite/file.h"
+#include "services/sqlite/write_transaction.h"
+#include "tests/unit/core/execution/journals.h"
+#include "tests/unit/server/bench.h"
+#include "tests/unit/services/sqlite/faulty_vfs.h"
+
+namespace race::server {
+namespace {
+
+// Calls that reached the host: nobody offers a service, so each is answered at once.
+struct CallObserver final : services::HostObserver {
+  void delivered(const services::Delivery& delivery) override {
+    const services::MutexLock lock(mutex);
+    names.push_back(delivery.caller.core + ":" + delivery.name);
+  }
+  void changed(const services::ServiceStatus&) override {}
+  void logged(services::Time, const std::string&, const std::string&) override {}
+  std::vector<std::string> calls() {
+    const services::MutexLock lock(mutex);
+    return names;
+  }
+  services::Mutex mutex;
+  std::vector<std::string> names GUARDED_BY(mutex);
+};
+
+struct Interruption : testing::Test, CoreWatcher {
+  ~Interruption() override { end_server(); }
+
+  // A server on the same data folder as the one before.
+  void begin_server() {
+    runs = Runs::open(folder.store()).value();
+    writer = JournalWriter::open(folder.store()).value();
+    pool = std::make_unique<Pool>(2);
+    cores = std::make_unique<Cores>(*pool, host, *this, *runs, *writer);
+    ASSERT_TRUE(cores->recover());
+  }
+  void end_server() {
+    if (cores) cores->close();
+    if (writer) writer->close();
+    pool.reset();
+    cores.reset();
+    writer.reset();
+    runs.reset();
+  }
+  // A core of the task that calls `go` and `wait` when it starts, and waits for their responses.
+  std::shared_ptr<Core> small_core() {
+    const execution::JournalHeader header = execution::small_journal().header;
+    RunRecord run = runs->create({"small", 1, header, {}}, 0).value();
+    return Core::create(std::move(run), header, {*pool, host, *this, *runs, *writer}).value();
+  }
+  static void answer(Core& core, std::uint64_t call, const Value& data) {
+    services::Delivery delivery;
+    delivery.kind = services::Delivery::Kind::response;
+    delivery.caller = {core.id(), call};
+    delivery.data = data;
+    core.deliver(delivery);
+  }
+  static std::string status(const Expected<Value>& info) { return info.value().find("status")->as_string(); }
+  static Value wait(Core& core, const std::function<bool(const Value&)>& condition) {
+    while (!condition(core.info())) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return core.info();
+  }
+
+  void core_changed(const std::string&, Value json) override {
+    const services::MutexLock lock(mutex);
+    told.push_back(json.find("status")->as_string());
+  }
+  void core_removed(const std::string&) override {}
+  void state_snapshot(const std::string&, Value) override {}
+  void state_changed(const std::string&, Value) override {
+    const services::MutexLock lock(mutex);
+    told.emplace_back("delta");
+  }
+  void derivation_snapshot(const std::string&, Value) override {}
+  void derived(const std::string&, Value) override {}
+  void printed(const std::string&, const std::string& text) override {
+    const services::MutexLock lock(mutex);
+    told.push_back(text);
+  }
+  std::vector<std::string> all_told() {
+    const services::MutexLock lock(mutex);
+    return told;
+  }
+
+  services::Mutex mutex;
+  std::vector<std::string> told GUARDED_BY(mutex);
+  services::WorldClock clock;
+  CallObserver observer;
+  services::Host host{clock, observer};
+  sqlite::FaultyVfs disk;
+  TemporaryFolder place;
+  DataFolder folder = DataFolder::open(place.path).value();
+  std::unique_ptr<Runs> runs;
+  std::unique_ptr<JournalWriter> writer;
+  std::unique_ptr<Pool> pool;
+  std::unique_ptr<Cores> cores;
+};
+
+TEST_F(Interruption, NothingLeavesACoreBeforeItsEntryIsDurable) {
+  begin_server();
+  const auto core = small_core();
+  core->watch_state();
+  const auto file = sqlite::open(folder.store());
+  auto busy = std::make_unique<sqlite::WriteTransaction>(*file);  // the writer stands in line
+  auto started = std::async(std::launch::async, [&] { return core->start(); });
+  EXPECT_EQ(started.wait_for(std::chrono::milliseconds(300)), std::future_status::timeout) << "answered too early";
+  EXPECT_EQ(observer.calls(), std::vector<std::string>{});
+  EXPECT_EQ(all_told(), std::vector<std::string>{});
+  EXPECT_EQ(status(core->info()), "ready");
+  busy.reset();
+  EXPECT_EQ(status(started.get()), "running");
+  EXPECT_EQ(observer.calls(), (std::vector<std::string>{core->id() + ":go", core->id() + ":wait"}));
+  EXPECT_EQ(runs->get(core->run_id())->steps, 1U);
+}
+
+TEST_F(Interruption, ARunIsRebuiltWhenTheServerBeginsAndWaitsForAPerson) {
+  begin_server();
+  const RunId id = [this] {
+    const auto core = small_core();
+    EXPECT_EQ(status(core->start()), "running");
+    answer(*core, 2, 7);  // `wait` of A: B waits now
+    wait(*core, [](const Value& info) { return info.find("step")->as_integer() == 2; });
+    return core->run_id();
+  }();
+  const auto calls_before = observer.calls();
+  end_server();
+  begin_server();
+  const auto core = cores->find(std::to_string(id)).value();
+  const Value info = core->state().value().find("core")->as_dict();
+  EXPECT_EQ(info.find("status")->as_string(), "interrupted");
+  EXPECT_EQ(info.find("interruption")->find("reason")->as_string(), "restart");
+  EXPECT_EQ(info.find("step")->as_integer(), 2);
+  EXPECT_EQ(info.find("waiting")->as_integer(), 2) << "both open calls are lost";
+  EXPECT_EQ(core->start().error().code, ErrorCode::conflict);
+  EXPECT_EQ(observer.calls(), calls_before) << "nothing is called before somebody says so";
+  EXPECT_EQ(status(core->resume()), "running");
+  wait(*core, [](const Value& now) { return now.find("step")->as_integer() == 4; });
+  const auto journal = core->journal().value();
+  const auto& lost = std::get<execution::ResponseEntry>(journal.entries[2]);
+  EXPECT_EQ(lost.call, 1U);
+  EXPECT_TRUE(lost.is_error);
+  EXPECT_EQ(lost.data, Value(Dict{{"code", "unavailable"}}));
+  EXPECT_EQ(observer.calls(), calls_before) << "no call is sent again";
+  EXPECT_EQ(status(core->stop()), "aborted");
+  EXPECT_EQ(runs->get(id)->status, "aborted");
+}
+
+TEST_F(Interruption, ARunThatHadNotBegunIsReadyAgainAndOneThatIsOverIsNoCore) {
+  begin_server();
+  const RunId ready = small_core()->run_id();
+  const auto over = small_core();
+  ASSERT_TRUE(over->start());
+  ASSERT_TRUE(over->stop());
+  end_server();
+  begin_server();
+  ASSERT_EQ(cores->all().size(), 1U);
+  EXPECT_EQ(cores->all().front()->run_id(), ready);
+  EXPECT_EQ(status(cores->all().front()->start()), "running");
+}
+
+TEST_F(Interruption, AFailingDiskStopsTheRunAndWhatItHasSetInMotion) {
+  begin_server();
+  const auto core = small_core();
+  ASSERT_TRUE(core->start());
+  answer(*core, 2, 7);
+  wait(*core, [](const Value& info) { return info.find("step")->as_integer() == 2; });
+  const auto calls_before = observer.calls();
+  disk.fail_at(1, sqlite::FaultyVfs::Fault::full, true);
+  answer(*core, 3, 8);
+  const Value info = wait(*core, [](const Value& now) { return now.find("status")->as_string() == "interrupted"; });
+  EXPECT_EQ(info.find("interruption")->find("reason")->as_string(), "storage");
+  EXPECT_EQ(info.find("step")->as_integer(), 2) << "what is not stored has not happened";
+  auto calls = observer.calls();
+  calls.erase(calls.begin(), calls.begin() + static_cast<std::ptrdiff_t>(calls_before.size()));
+  EXPECT_EQ(calls, std::vector<std::string>{":stop"});
+  EXPECT_EQ(core->resume().error().code, ErrorCode::storage);
+  EXPECT_EQ(core->step({execution::Goal::Kind::macro}).error().code, ErrorCode::storage);
+  EXPECT_EQ(core->stop().error().code, ErrorCode::storage);
+  disk.repair();
+  EXPECT_EQ(status(core->resume()), "running");
+  wait(*core, [](const Value& now) { return now.find("step")->as_integer() == 4; });
+  EXPECT_EQ(status(core->stop()), "aborted");
+}
+
+TEST_F(Interruption, AStartThatCannotBeStoredHasNotHappened) {
+  begin_server();
+  const auto core = small_core();
+  disk.fail_at(1, sqlite::FaultyVfs::Fault::io, true);
+  EXPECT_EQ(core->start().error().code, ErrorCode::storage);
+  disk.repair();
+  wait(*core, [](const Value& now) { return now.find("status")->as_string() == "ready"; });
+  const auto started = core->start();
+  ASSERT_TRUE(started) << started.error().message;
+  EXPECT_EQ(status(started), "running");
+}
+
+// The entry of the last macro step is durable, the record that it is the last is not.
+TEST_F(Interruption, ARunWhoseEndCannotBeStoredIsInterruptedOnceAndEndsWhenTheDiskWorks) {
+  begin_server();
+  const auto core = small_core();
+  ASSERT_TRUE(core->start());
+  disk.fail_at(1, sqlite::FaultyVfs::Fault::full, true);
+  EXPECT_EQ(core->stop().error().code, ErrorCode::storage);
+  wait(*core, [](const Value& now) { return now.find("status")->as_string() == "interrupted"; });
+  const auto calls = observer.calls();
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_EQ(observer.calls(), calls) << "it is not interrupted again and again";
+  disk.repair();
+  EXPECT_EQ(status(core->stop()), "aborted");
+  EXPECT_EQ(runs->get(core->run_id())->status, "aborted");
+}
+
+TEST_F(Interruption, ARunWithoutTheRecordOfItsEndIsOverWhenTheServerBegins) {
+  begin_server();
+  const auto core = small_core();
+  const RunId id = core->run_id();
+  ASSERT_TRUE(core->start());
+  ASSERT_TRUE(core->stop());
+  end_server();
+  runs = Runs::open(folder.store()).value();
+  ASSERT_TRUE(runs->set_status(id, "running"));
+  begin_server();
+  const auto again = cores->find(std::to_string(id)).value();
+  wait(*again, [](const Value& now) { return now.find("status")->as_string() == "aborted"; });
+  EXPECT_EQ(runs->get(id)->status, "aborted");
+}
+
+// Neither written nor read: what is in memory is in no journal.
+TEST_F(Interruption, WhatCannotBeReadBackIsNotShown) {
+  begin_server();
+  const auto core = small_core();
+  ASSERT_TRUE(core->start());
+  disk.fail_at(1, sqlite::FaultyVfs::Fault::io, true);
+  EXPECT_EQ(core->stop().error().code, ErrorCode::storage);
+  const Value info = wait(*core, [](const Value& now) { return now.find("status")->as_string() == "interrupted"; });
+  EXPECT_EQ(info.find("step")->as_integer(), 1) << "the abort is not stored";
+  EXPECT_EQ(info.find("results"), nullptr);
+  disk.repair();
+  EXPECT_EQ(status(core->resume()), "running") << "the run is not over";
+  EXPECT_EQ(status(core->stop()), "aborted");
+}
+
+TEST_F(Interruption, ACoreIsNotRemovedBeforeItsEndIsStored) {
+  begin_server();
+  const auto document = rcm::read_document_text(R"({"rcm": 1, "root": {"state": "R"}})").value();
+  const auto core = cores->create({"r", 1, document}, {}).value();
+  ASSERT_TRUE(core->start());
+  disk.fail_at(1, sqlite::FaultyVfs::Fault::full, true);
+  EXPECT_EQ(cores->remove(core->id()).error().code, ErrorCode::storage);
+  EXPECT_TRUE(cores->find(core->id()));
+  disk.repair();
+  EXPECT_TRUE(cores->remove(core->id()));
+  EXPECT_EQ(runs->get(core->run_id())->status, "aborted");
+}
+
+TEST_F(Interruption, NothingBeginsWhileTheStoreBecomesAnother) {
+  begin_server();
+  const auto document = rcm::read_document_text(R"({"rcm": 1, "root": {"state": "R"}})").value();
+  const auto ready = cores->create({"r", 1, document}, {}).value();
+  ASSERT_TRUE(cores->close_for_restore());
+  EXPECT_EQ(ready->start().error().code, ErrorCode::conflict);
+  EXPECT_EQ(cores->create({"r", 1, document}, {}).error().front().code, ErrorCode::conflict);
+  EXPECT_EQ(cores->load(ready->id(), {"r", 1, document}, {}).error().front().code, ErrorCode::conflict);
+  cores->reopen();
+  ASSERT_TRUE(ready->start());
+  EXPECT_EQ(cores->close_for_restore().error().code, ErrorCode::conflict) << "a run goes on";
+  EXPECT_TRUE(cores->create({"r", 1, document}, {}));
+}
+
+}  // namespace
+}  // namespace race::server

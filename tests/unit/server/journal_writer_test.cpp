@@ -1,0 +1,168 @@
+// The writer of journals: what it says is durable survives a loss of power, what failed was never said, and cores that
+// are busy at once share a commit.
+#include "server/store/journal_writer.h"
+
+#include <SQLiteCpp/Database.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "services/sqlite/file.h"
+#include "services/sqlite/write_transaction.h"
+#include "tests/unit/core/execution/journals.h"
+#include "tests/unit/server/bench.h"
+#include "tests/unit/services/sqlite/faulty_vfs.h"
+
+namespace race::server {
+namespace {
+
+using execution::EventEntry;
+using execution::StartEntry;
+
+struct Heard final : RunSink {
+  void durable(std::uint64_t ticket) override { last = ticket; }
+  void failed(const Error& error) override {
+    code = error.code;
+    ++failures;
+  }
+  std::atomic<std::uint64_t> last{0};
+  std::atomic<int> failures{0};
+  std::atomic<ErrorCode> code{ErrorCode::io};
+};
+
+struct Writing {
+  Writing(Runs& runs, JournalWriter& to)
+      : run(runs.create({"small", 1, execution::small_journal().header, {}}, 0).value()),
+        writer(to),
+        journal(std::make_shared<RunJournal>(run, heard)) {}
+  void append(execution::JournalEntry entry) {
+    writer.append(journal, {.ticket = ++ticket, .entry = std::move(entry)});
+  }
+  void append_some(int count) {
+    if (ticket == 0) append(StartEntry{});
+    for (int i = 0; i < count; ++i) append(EventEntry{"t", "tick", i});
+  }
+  /// Whether all of it is durable; false if it has failed.
+  bool settled() const {
+    while (heard->last < ticket && heard->failures == 0) std::this_thread::sleep_for(std::chrono::microseconds(100));
+    return heard->failures == 0;
+  }
+  RunRecord run;
+  JournalWriter& writer;
+  std::shared_ptr<Heard> heard = std::make_shared<Heard>();
+  std::shared_ptr<RunJournal> journal;
+  std::uint64_t ticket = 0;
+};
+
+TEST(JournalWriter, ContinuesTheChainThatReadersCheck) {
+  TemporaryStore store;
+  Writing writing(*store.runs, *store.writer);
+  writing.append_some(5);
+  ASSERT_TRUE(writing.settled());
+  const auto program = execution::small_journal().header.program;
+  const auto entries = store.runs->entries(writing.run.id, *program, 1, 6);
+  ASSERT_TRUE(entries) << to_string(entries.error());
+  EXPECT_EQ(std::get<EventEntry>(entries->back()).data, Value(4));
+  EXPECT_EQ(store.runs->get(writing.run.id)->status, "running");
+}
+
+TEST(JournalWriter, WritesWhatWaitsInOneCommit) {
+  TemporaryStore store;
+  std::vector<std::unique_ptr<Writing>> all;
+  for (int i = 0; i < 10; ++i) all.push_back(std::make_unique<Writing>(*store.runs, *store.writer));
+  const auto file = sqlite::open(store.folder.store());
+  auto busy = std::make_unique<sqlite::WriteTransaction>(*file);
+  all.front()->append_some(1);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));  // the writer stands in line with these
+  for (const auto& each : all) each->append_some(9);
+  busy.reset();
+  for (const auto& each : all) ASSERT_TRUE(each->settled());
+  const auto [commits, entries] = store.writer->commits();
+  EXPECT_EQ(entries, 101U);
+  EXPECT_LE(commits, 2U);
+}
+
+TEST(JournalWriter, KeepsAFewCheckpointsOfALongRun) {
+  EXPECT_EQ(RunJournal::interval_at(1), 1024U);
+  EXPECT_EQ(RunJournal::interval_at(64 * 1024), 1024U);
+  EXPECT_EQ(RunJournal::interval_at(64 * 1024 + 1), 2048U);
+  EXPECT_EQ(RunJournal::interval_at(1'000'000), 16384U);
+  for (std::uint64_t position = 1; position < 10'000'000; position += 997)
+    ASSERT_LE(position / RunJournal::interval_at(position), RunJournal::kCheckpoints) << position;
+}
+
+// At every operation of the disk: what was said to be durable is there after a loss of power.
+TEST(JournalWriter, WhatItSaysIsDurableSurvivesALossOfPower) {
+  sqlite::FaultyVfs disk;
+  TemporaryStore store;
+  TemporaryFolder copy;
+  Writing first(*store.runs, *store.writer), second(*store.runs, *store.writer);
+  const auto program = execution::small_journal().header.program;
+  int looked = 0;
+  const auto look = [&](std::uint64_t operation) {
+    if (operation % 3 != 0) return;
+    ++looked;
+    disk.lose_power(store.place.path, copy.path, operation % 2 == 0 ? 0 : 0.5, operation);
+    const auto runs = Runs::open(copy.path / "race.sqlite");
+    ASSERT_TRUE(runs) << to_string(runs.error());
+    for (const Writing* each : {&first, &second}) {
+      const std::uint64_t said = each->heard->last;
+      const auto run = (*runs)->get(each->run.id);
+      ASSERT_TRUE(run) << to_string(run.error());
+      ASSERT_GE(run->steps, said) << "operation " << operation;
+      if (run->steps > 0) {
+        ASSERT_TRUE((*runs)->entries(run->id, *program, 1, run->steps));
+      }
+    }
+  };
+  disk.before_each(look);
+  for (int i = 0; i < 20; ++i) {
+    first.append_some(1);
+    second.append_some(2);
+    ASSERT_TRUE(first.settled() && second.settled());
+  }
+  disk.before_each(nullptr);
+  EXPECT_GT(looked, 20);
+}
+
+TEST(JournalWriter, AfterAFailureNothingMoreIsWrittenToAJournalUntilItIsReadAgain) {
+  sqlite::FaultyVfs disk;
+  TemporaryStore store;
+  const auto program = execution::small_journal().header.program;
+  for (const auto fault : {sqlite::FaultyVfs::Fault::full, sqlite::FaultyVfs::Fault::io})
+    for (const bool for_ever : {false, true})
+      for (std::uint64_t nth = 1; nth <= 6; ++nth) {
+        SCOPED_TRACE("operation " + std::to_string(nth));
+        Writing writing(*store.runs, *store.writer);
+        writing.append_some(3);
+        ASSERT_TRUE(writing.settled());
+        disk.fail_at(nth, fault, for_ever);
+        for (int i = 0; i < 4 && writing.heard->failures == 0; ++i) {
+          writing.append_some(1);
+          writing.settled();
+        }
+        const bool failed = disk.has_failed();
+        disk.repair();
+        const std::uint64_t said = writing.heard->last;
+        if (failed) {
+          EXPECT_EQ(writing.heard->failures, 1);
+          EXPECT_EQ(writing.heard->code, ErrorCode::storage);
+        }
+        writing.append_some(2);  // of a run that has failed: dropped
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        const RunRecord stored = store.runs->get(writing.run.id).value();
+        if (failed) {
+          EXPECT_EQ(stored.steps, said);
+        }
+        const auto heard = std::make_shared<Heard>();
+        store.writer->append(std::make_shared<RunJournal>(stored, heard),
+                             {.ticket = 1, .entry = EventEntry{"t", "tick", 0}});
+        while (heard->last == 0 && heard->failures == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        EXPECT_EQ(heard->last, 1U);
+        EXPECT_TRUE(store.runs->entries(stored.id, *program, 1, stored.steps + 1));
+      }
+}
+
+}  // namespace
+}  // namespace race::server
