@@ -40,8 +40,9 @@ void Core::failed(const Error& error) {
   strand_.post([self = shared_from_this(), error] { self->interrupt(error); });
 }
 
-// What it was about to say is never said. What it has set in motion is told to stop, by nobody's call: no answer to
-// these reaches a run. Rebuilding reads the disk, so it comes after the safe calls of all cores that fail at once.
+// core/SEMANTICS.md section 10. What it was about to say is never said. What it has set in motion is told to stop, by
+// nobody's call: no answer to these reaches a run. Rebuilding reads the disk, so it comes after the safe calls of all
+// cores that fail at once.
 void Core::interrupt(const Error& error) {
   for (const semantics::OutgoingCall& call : run().safe_calls())
     resources_.host.call({"", 0}, call.service, call.name, {}, {});

@@ -1,4 +1,4 @@
-// What tests of the server hand to a Host whose news nobody wants, and a data folder of their own.
+// What tests of the server share: a Host whose news nobody wants, folders that are removed at the end, a store.
 #pragma once
 
 #include <unistd.h>

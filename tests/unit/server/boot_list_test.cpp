@@ -7,20 +7,18 @@
 #include <filesystem>
 
 #include "server/store/data_folder.h"
+#include "tests/unit/server/bench.h"
 
 namespace race::server {
 namespace {
 
 struct BootListTest : testing::Test {
   BootListTest() {
-    std::string name = std::filesystem::temp_directory_path() / "race-boot-XXXXXX";
-    path = ::mkdtemp(name.data());
-    store = DataFolder::open(path)->store();  // with all tables
+    store = DataFolder::open(place.path)->store();  // with all tables
     list = BootList::open(store).value();
   }
-  ~BootListTest() override { std::filesystem::remove_all(path); }
 
-  std::filesystem::path path;
+  TemporaryFolder place;
   std::string store;
   std::unique_ptr<BootList> list;
 };

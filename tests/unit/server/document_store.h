@@ -3,7 +3,6 @@
 
 #include <SQLiteCpp/Database.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <string>
@@ -13,6 +12,7 @@
 #include "server/store/documents.h"
 #include "server/store/schema.h"
 #include "services/sqlite/file.h"
+#include "tests/unit/server/bench.h"
 
 namespace race::server {
 
@@ -26,9 +26,6 @@ inline constexpr const char* kTornDraft = R"({"rcm": 1,   "root": {"state": "R",
 
 class DocumentStore : public testing::Test {
  protected:
-  DocumentStore() { std::filesystem::create_directories(folder_); }
-  ~DocumentStore() override { std::filesystem::remove_all(folder_); }
-
   std::string path() const { return folder_ / "race.sqlite"; }
   /// Migrates, as DataFolder does.
   std::unique_ptr<Documents> open(Documents::Limits limits = {}) const {
@@ -36,8 +33,8 @@ class DocumentStore : public testing::Test {
     return Documents::open(path(), limits).value();
   }
 
-  const std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("race_documents_" + std::to_string(::getpid()));
+  const TemporaryFolder place_;
+  const std::filesystem::path folder_ = place_.path;
 };
 
 inline Documents::Put as_draft() { return {.draft = true, .seen = {}}; }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <memory>
@@ -11,6 +10,7 @@
 #include "core/rsm/document.h"
 #include "server/store/runs.h"
 #include "tests/unit/core/execution/journals.h"
+#include "tests/unit/server/bench.h"
 
 namespace race::server {
 
@@ -33,9 +33,6 @@ inline execution::Journal counting(const std::vector<int>& ticks) {
 
 class StoredRuns : public testing::Test {
  protected:
-  StoredRuns() { std::filesystem::create_directories(folder_); }
-  ~StoredRuns() override { std::filesystem::remove_all(folder_); }
-
   std::string path() const { return folder_ / "race.sqlite"; }
   std::unique_ptr<Runs> open() const { return Runs::open(path()).value(); }
   static Runs::NewRun run_of(const execution::Journal& journal, const std::string& document = "task") {
@@ -47,8 +44,8 @@ class StoredRuns : public testing::Test {
     return runs.import(record, run_of(journal), journal.entries).value();
   }
 
-  const std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("race_run_" + std::to_string(::getpid()));
+  const TemporaryFolder place_;
+  const std::filesystem::path folder_ = place_.path;
 };
 
 }  // namespace race::server

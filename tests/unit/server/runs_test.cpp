@@ -4,7 +4,6 @@
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Statement.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 
@@ -15,6 +14,7 @@
 #include "server/store/journal_chain.h"
 #include "server/store/run_row.h"
 #include "tests/unit/core/execution/journals.h"
+#include "tests/unit/server/bench.h"
 
 namespace race::server {
 namespace {
@@ -27,9 +27,6 @@ rsm::Service timer() { return rsm::read_service_text(R"({"events": [{"name": "ti
 
 class RunStore : public testing::Test {
  protected:
-  RunStore() { fs::create_directories(folder_); }
-  ~RunStore() override { fs::remove_all(folder_); }
-
   std::string path() const { return folder_ / "race.sqlite"; }
   std::unique_ptr<Runs> open() const { return Runs::open(path()).value(); }
 
@@ -50,7 +47,8 @@ class RunStore : public testing::Test {
     return file.execAndGet("SELECT count(*) FROM " + table).getInt64();
   }
 
-  const fs::path folder_ = fs::temp_directory_path() / ("race_runs_" + std::to_string(::getpid()));
+  const TemporaryFolder place_;
+  const fs::path folder_ = place_.path;
   const Journal journal_ = execution::small_journal();
 };
 
