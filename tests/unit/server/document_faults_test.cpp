@@ -1,5 +1,6 @@
 // The store of documents on a disk that loses power, is full or fails, at each operation of a scenario: what was
 // acknowledged is there, and what was refused has changed nothing.
+#include "tests/unit/core/semantics/random_runs.h"
 #include "tests/unit/server/document_scenario.h"
 #include "tests/unit/services/sqlite/faulty_vfs.h"
 
@@ -60,10 +61,11 @@ TEST_F(DocumentFaults, LoseNothingAcknowledgedWithThePower) {
 }
 
 TEST_F(DocumentFaults, ChangeNothingAndAreOverWhenTheDiskWorks) {
+  const std::uint64_t stride = semantics::setting("RACE_FAULT_STRIDE", 1);  // every so many operations
   for (const auto fault : {FaultyVfs::Fault::full, FaultyVfs::Fault::io})
     for (const bool for_ever : {false, true}) {
       bool failed = true;
-      for (std::uint64_t nth = 1; failed; ++nth) {
+      for (std::uint64_t nth = 1; failed; nth += stride) {
         SCOPED_TRACE("operation " + std::to_string(nth) + (for_ever ? " and all after" : ""));
         reset();
         FaultyVfs vfs;

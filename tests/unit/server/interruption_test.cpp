@@ -35,7 +35,8 @@ struct CallObserver final : services::HostObserver {
 };
 
 struct Interruption : testing::Test, CoreWatcher {
-  ~Interruption() override { end_server(); }
+  // Not by the destructor: threads of the server call this watcher until then.
+  void TearDown() override { end_server(); }
 
   // A server on the same data folder as the one before.
   void begin_server() {

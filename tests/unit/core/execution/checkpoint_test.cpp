@@ -139,10 +139,10 @@ class RunWithCheckpoints {
 
 TEST(Checkpoint, OfARandomRunGoesOnAsTheRunDoes) {
   const std::uint64_t seed = setting("RACE_SEED", 20261122);
-  const std::uint64_t models = setting("RACE_STEPS", 150);
-  std::cout << "RACE_SEED=" << seed << std::endl;
+  const std::uint64_t journals = setting("RACE_JOURNALS", 150);
+  std::cout << "RACE_SEED=" << seed << " RACE_JOURNALS=" << journals << std::endl;
   std::size_t restored = 0, with_waiting = 0, steps_after = 0;
-  for (std::uint64_t i = 0; i < models && !HasFailure(); ++i) {
+  for (std::uint64_t i = 0; i < journals && !HasFailure(); ++i) {
     SCOPED_TRACE("RACE_SEED=" + std::to_string(seed + i));
     RunWithCheckpoints run(seed + i);
     run.run(40);
@@ -152,8 +152,8 @@ TEST(Checkpoint, OfARandomRunGoesOnAsTheRunDoes) {
   }
   std::cout << restored << " checkpoints, " << with_waiting << " with waiting inputs, " << steps_after
             << " steps after them" << std::endl;
-  EXPECT_GT(with_waiting, models / 2);
-  EXPECT_GT(steps_after, models);
+  EXPECT_GT(with_waiting, journals / 2);
+  EXPECT_GT(steps_after, journals);
 }
 
 // A journal with checkpoints at some positions, as a store has it.

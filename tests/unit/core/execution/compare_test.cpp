@@ -39,9 +39,9 @@ Journal counting(const std::vector<int>& ticks, int first = 0) {
 }
 
 TEST(Compare, FindsNoDifferenceBetweenARunAndItself) {
-  const std::uint64_t seed = setting("RACE_SEED", 5);
-  std::cout << "RACE_SEED=" << seed << std::endl;
-  for (std::uint64_t i = 0; i < 50; ++i) {
+  const std::uint64_t seed = setting("RACE_SEED", 5), journals = setting("RACE_JOURNALS", 50);
+  std::cout << "RACE_SEED=" << seed << " RACE_JOURNALS=" << journals << std::endl;
+  for (std::uint64_t i = 0; i < journals; ++i) {
     SCOPED_TRACE("seed " + std::to_string(seed + i));
     const Journal journal = random_journal(seed + i, 40).first;
     const Comparison whole = compared(journal, journal);

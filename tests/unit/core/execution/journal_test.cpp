@@ -10,6 +10,7 @@
 
 #include "core/execution/script.h"
 #include "tests/unit/core/execution/journals.h"
+#include "tests/unit/core/semantics/random_runs.h"
 
 namespace race::execution {
 namespace {
@@ -98,11 +99,11 @@ TEST(Journal, OfTheDeepestModelIsReadBack) {
 }
 
 TEST(Journal, OfARandomRunIsReadBackAndGivesThatRunAgain) {
-  const char* const chosen = std::getenv("RACE_SEED");
-  const std::uint64_t seed = chosen ? std::strtoull(chosen, nullptr, 10) : 20261122;
-  std::cout << "RACE_SEED=" << seed << std::endl;
-  std::size_t entries = 0, open_responses = 0;
-  for (std::uint64_t i = 0; i < 150 && !HasFailure(); ++i) {
+  const std::uint64_t seed = semantics::setting("RACE_SEED", 20261122);
+  const std::uint64_t journals = semantics::setting("RACE_JOURNALS", 150);
+  std::cout << "RACE_SEED=" << seed << " RACE_JOURNALS=" << journals << std::endl;
+  std::size_t entries = 0;
+  for (std::uint64_t i = 0; i < journals && !HasFailure(); ++i) {
     SCOPED_TRACE("RACE_SEED=" + std::to_string(seed + i));
     const auto [journal, execution] = random_journal(seed + i, 40);
     const Journal read = read_back(journal);
@@ -113,12 +114,8 @@ TEST(Journal, OfARandomRunIsReadBackAndGivesThatRunAgain) {
     EXPECT_EQ(to_json(again.run().state_json()), to_json(execution.run().state_json()));
     EXPECT_EQ(again.run().state().call_count, execution.run().state().call_count);
     entries += read.entries.size();
-    for (const JournalEntry& entry : read.entries)
-      if (const auto* response = std::get_if<ResponseEntry>(&entry))
-        open_responses += response->service == "v" || response->service == "w" ? 1U : 0U;
   }
-  EXPECT_GT(entries, 1500U);
-  EXPECT_GT(open_responses, 0U) << "no response of a service that nobody declares";
+  EXPECT_GT(entries, journals * 10);
 }
 
 // ---- Refusals.
