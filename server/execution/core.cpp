@@ -103,6 +103,7 @@ void Core::replace(const Core& other, Preparation preparation) {
 
 Expected<Value> Core::pause() {
   return on_strand<Value>([this]() -> Expected<Value> {
+    if (auto sound = readable(); !sound) return tl::unexpected(std::move(sound).error());
     if (is_over()) return conflict("core " + id_ + " is over");
     while (execution_.is_open() && !execution_.has_goal() && !paused_) do_part(Execution::kNoLimit);
     if (!paused_) hold();
@@ -165,6 +166,7 @@ Expected<Value> Core::step(execution::GoalName name) {
 
 Expected<Value> Core::set_breakpoints(std::vector<execution::GoalName> names) {
   return on_strand<Value>([this, names = std::move(names)]() -> Expected<Value> {
+    if (auto sound = readable(); !sound) return tl::unexpected(std::move(sound).error());
     if (is_over()) return conflict("core " + id_ + " is over");
     if (names.size() > kMostBreakpoints)
       return unexpected(ErrorCode::too_large, "there may be " + std::to_string(kMostBreakpoints) + " breakpoints",
@@ -240,6 +242,7 @@ void Core::hold() {
 
 // That the run goes on is stored, too: who resumes it learns whether the disk works.
 Expected<void> Core::ready_to_go_on() {
+  if (interruption_ && interruption_->stalled) return unexpected(ErrorCode::storage, interruption_->message);
   if (interruption_ && !interruption_->rebuilt)
     if (auto done = rebuild(); !done) return done;
   if (interruption_ && is_over()) end_rebuilt_run();

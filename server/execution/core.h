@@ -133,6 +133,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
 
   // RunSink.
   void durable(std::uint64_t ticket) override;
+  void stalled(const Error& error) override;
   void failed(const Error& error) override;
 
   /// Where a run is: `micro` steps of the macro step `step`, -1 if it is complete.
@@ -176,6 +177,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
 
   // core_recovery.cpp: interruptions.
   void interrupt(const Error& error);
+  void publish_interruption();
   void rebuild_if_possible();
   void end_rebuilt_run();
   Expected<void> readable() const;
@@ -210,6 +212,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
     const char* reason;  // schemas/core.json
     std::string message;
     bool was_paused = false;  // before it
+    bool stalled = false;     // the disk has not answered: what the journal says is not known yet
     bool rebuilt = false;     // the execution is as the journal says
   };
   std::optional<Interruption> interruption_;

@@ -11,26 +11,38 @@
 
 namespace race::server {
 
-// Posts `function` and waits for its value until all that caused it is durable.
+// Posts `function` and waits for its value until all that caused it is durable, or never will be. When the core does
+// not come round in time, the function is not executed any more: who asked is told that nothing has happened, and it is
+// so.
 template <typename T, typename F>
 Expected<T> Core::on_strand(F function) {
   constexpr std::chrono::seconds kPatience{5};
-  auto promise = std::make_shared<std::promise<Expected<T>>>();
-  auto abandoned = std::make_shared<std::atomic<bool>>(false);
-  auto answer = promise->get_future();
-  strand_.post([self = shared_from_this(), function = std::move(function), promise, abandoned] {
-    if (*abandoned) return;  // who asked was told that it has not happened
+  enum class Stage : std::uint8_t { posted, taken, abandoned };
+  struct Question {
+    std::promise<Expected<T>> promise;
+    std::atomic<Stage> stage{Stage::posted};
+    bool move_to(Stage next) {
+      Stage posted = Stage::posted;
+      return stage.compare_exchange_strong(posted, next);
+    }
+  };
+  auto question = std::make_shared<Question>();
+  auto answer = question->promise.get_future();
+  strand_.post([self = shared_from_this(), function = std::move(function), question] {
+    if (!question->move_to(Stage::taken)) return;
     try {
-      self->held_.add([promise, value = Expected<T>(function())](const Error* failure) {
-        promise->set_value(failure ? Expected<T>(tl::unexpect, *failure) : value);
+      self->held_.add([question, value = Expected<T>(function())](const Error* failure) {
+        question->promise.set_value(failure ? Expected<T>(tl::unexpect, *failure) : value);
       });
     } catch (...) {
-      promise->set_exception(std::current_exception());
+      question->promise.set_exception(std::current_exception());
     }
   });
   if (answer.wait_for(kPatience) != std::future_status::ready) {
-    *abandoned = true;
-    return unexpected(ErrorCode::unavailable, "core " + id_ + " is busy");
+    if (question->move_to(Stage::abandoned)) return unexpected(ErrorCode::unavailable, "core " + id_ + " is busy");
+    // It happens. A disk that hangs answers for it (DiskWatch).
+    if (answer.wait_for(kPatience) != std::future_status::ready)
+      return unexpected(ErrorCode::unavailable, "core " + id_ + " has begun this, and is busy");
   }
   try {
     return answer.get();

@@ -12,7 +12,7 @@ Expected<std::shared_ptr<Core>> Core::recover(RunRecord run, execution::JournalH
                                               const CoreResources& resources) {
   ASSIGN_OR_RETURN(auto core, create(std::move(run), std::move(header), resources));
   core->paused_ = true;
-  core->interruption_ = {"restart", "the server ended while the run was under way"};
+  core->interruption_ = {.reason = "restart", .message = "the server ended while the run was under way"};
   if (auto rebuilt = core->rebuild(); !rebuilt) return tl::unexpected(std::move(rebuilt).error());
   {
     const services::MutexLock lock(core->mutex_);
@@ -36,37 +36,53 @@ void Core::durable(std::uint64_t ticket) {
   });
 }
 
+// The run stands still until failed().
+void Core::stalled(const Error& error) {
+  strand_.post([self = shared_from_this(), error] {
+    self->interrupt(error);
+    self->interruption_->stalled = true;
+  });
+}
+
+// Rebuilding reads the disk, so it comes after the safe calls of all cores that fail at once.
 void Core::failed(const Error& error) {
-  strand_.post([self = shared_from_this(), error] { self->interrupt(error); });
+  strand_.post([self = shared_from_this(), error] {
+    const bool was_stalled = self->interruption_ && std::exchange(self->interruption_->stalled, false);
+    if (!was_stalled) self->interrupt(error);
+    self->strand_.post([self] { self->rebuild_if_possible(); });
+  });
 }
 
 // core/SEMANTICS.md section 10. What it was about to say is never said. What it has set in motion is told to stop, by
-// nobody's call: no answer to these reaches a run. Rebuilding reads the disk, so it comes after the safe calls of all
-// cores that fail at once.
+// nobody's call: no answer to these reaches a run.
 void Core::interrupt(const Error& error) {
   for (const semantics::OutgoingCall& call : run().safe_calls())
     resources_.host.call({"", 0}, call.service, call.name, {}, {});
-  interruption_ = {"storage", error.message, std::exchange(paused_, true)};
+  interruption_ = {.reason = "storage", .message = error.message, .was_paused = std::exchange(paused_, true)};
   execution_.set_goal(std::nullopt);
+  publish_interruption();
   held_.fail(error);
-  strand_.post([self = shared_from_this()] { self->rebuild_if_possible(); });
 }
 
 void Core::rebuild_if_possible() {
-  if (!interruption_ || interruption_->rebuilt) return;
+  if (!interruption_ || interruption_->stalled || interruption_->rebuilt) return;
   const bool was_paused = interruption_->was_paused;
   if (auto rebuilt = rebuild(); !rebuilt) {
     interruption_->message += "; " + rebuilt.error().message;
-    // As it was known last: what was computed since is in no journal.
-    Dict info = this->info().as_dict();
-    info.set("status", "interrupted");
-    info.set("interruption", Dict{{"reason", interruption_->reason}, {"message", interruption_->message}});
-    info.set("paused", true);
-    Value frozen = std::move(info);
-    return set_info(std::move(frozen.freeze()));
+    return publish_interruption();
   }
   if (!started_) paused_ = was_paused;
   publish_info();
+}
+
+// As it was known last: what was computed since is in no journal.
+void Core::publish_interruption() {
+  Dict info = this->info().as_dict();
+  info.set("status", "interrupted");
+  info.set("interruption", Dict{{"reason", interruption_->reason}, {"message", interruption_->message}});
+  info.set("paused", true);
+  Value frozen = std::move(info);
+  set_info(std::move(frozen.freeze()));
 }
 
 // The journal has its last entry, but not that it is the last.
@@ -95,6 +111,7 @@ Expected<void> Core::rebuild() {
   open_journal();
   started_ = record_.steps > 0;
   if (interruption_) interruption_->rebuilt = true;
+  if (record_.is_over()) interruption_.reset();  // the disk that hung has taken its end
   // A disk that takes nothing leaves it as `running`: when the server has ended, that means the same.
   if (started_ && !is_over()) std::ignore = resources_.runs.set_status(run_id(), "interrupted");
   if (!started_) interruption_.reset();

@@ -64,14 +64,15 @@ std::uint64_t RunJournal::interval_at(std::uint64_t position) {
   return kInterval * std::bit_ceil(std::max<std::uint64_t>(1, (position - 1) / (kInterval * kCheckpoints) + 1));
 }
 
-Expected<std::unique_ptr<JournalWriter>> JournalWriter::open(const std::string& path) try {
-  return std::unique_ptr<JournalWriter>(new JournalWriter(sqlite::open(path)));
+Expected<std::unique_ptr<JournalWriter>> JournalWriter::open(const std::string& path,
+                                                             std::chrono::milliseconds patience) try {
+  return std::unique_ptr<JournalWriter>(new JournalWriter(sqlite::open(path), patience));
 } catch (const SQLite::Exception& exception) {
   return tl::unexpected(sqlite::error_of(exception, "cannot open the journal"));
 }
 
-JournalWriter::JournalWriter(std::unique_ptr<SQLite::Database> file)
-    : file_(std::move(file)), thread_([this] { run(); }) {}
+JournalWriter::JournalWriter(std::unique_ptr<SQLite::Database> file, std::chrono::milliseconds patience)
+    : file_(std::move(file)), watch_(patience), thread_([this] { run(); }) {}
 
 JournalWriter::~JournalWriter() { close(); }
 
@@ -88,6 +89,7 @@ void JournalWriter::append(std::shared_ptr<RunJournal> journal, JournalRecord re
   {
     const services::MutexLock lock(mutex_);
     if (closed_) return;
+    watch_.waits(journal.get(), journal->sink_);
     waiting_.push_back({std::move(journal), std::move(record)});
     if (waiting_.size() > 1) return;  // who put the first one has woken it
   }
@@ -107,28 +109,38 @@ std::deque<JournalWriter::Item> JournalWriter::next() {
 
 // Those whose journal has failed before are dropped.
 void JournalWriter::write(const std::deque<Item>& items) {
-  std::map<RunJournal*, std::uint64_t> tickets;
-  for (const Item& item : items)
-    if (!item.journal->failed_) tickets[item.journal.get()] = item.record.ticket;
+  struct Written {
+    std::uint64_t ticket = 0;
+    std::size_t records = 0;
+  };
+  std::map<RunJournal*, Written> written;
+  for (const Item& item : items) {
+    Written& of = written[item.journal.get()];
+    of.ticket = item.record.ticket;
+    ++of.records;
+  }
   std::optional<Error> failure;
   try {
-    if (!tickets.empty()) commit(items);
+    commit(items);
   } catch (const SQLite::Exception& exception) {
     failure = sqlite::error_of(exception, "the journal cannot be written");
   }
-  for (const auto& [journal, ticket] : tickets) {
-    journal->failed_ = failure.has_value();
+  for (const auto& [journal, of] : written) {
+    const bool was_told = watch_.answered(journal, of.records);
+    if (journal->failed_) continue;
+    journal->failed_ = failure || was_told;
     const auto sink = journal->sink_.lock();
     if (!sink) continue;
-    if (failure)
-      sink->failed(*failure);
+    if (journal->failed_)
+      sink->failed(failure.value_or(Error{ErrorCode::storage, "the disk has answered too late", {}}));
     else
-      sink->durable(ticket);
+      sink->durable(of.ticket);
   }
 }
 
 // One transaction, one flush.
 void JournalWriter::commit(const std::deque<Item>& items) {
+  if (std::all_of(items.begin(), items.end(), [](const Item& item) { return item.journal->failed_; })) return;
   SQLite::Database& file = *file_;
   sqlite::WriteTransaction transaction(file);
   std::map<RunJournal*, const RunRecord*> written;

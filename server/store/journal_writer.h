@@ -5,6 +5,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <deque>
 #include <memory>
@@ -14,20 +15,11 @@
 
 #include "core/execution/journal.h"
 #include "core/value/expected.h"
+#include "server/store/disk_watch.h"
 #include "server/store/runs.h"
 #include "services/mutex.h"
 
 namespace race::server {
-
-/// Hears what became of a run's records. On the writer's thread; must be quick.
-class RunSink {
- public:
-  virtual ~RunSink() = default;
-  /// The records up to the one of `ticket` are durable.
-  virtual void durable(std::uint64_t ticket) = 0;
-  /// Records after the last durable one are not stored, nor will be. Once.
-  virtual void failed(const Error& error) = 0;
-};
 
 /// What a run has come to, as RunRecord has it.
 struct RunEnd {
@@ -69,8 +61,10 @@ class RunJournal {
 
 class JournalWriter {
  public:
-  /// Writes to the store at `path` (DataFolder::store). Errors: those of sqlite::error_of.
-  static Expected<std::unique_ptr<JournalWriter>> open(const std::string& path);
+  /// Writes to the store at `path` (DataFolder::store). A run whose records the disk has not taken after `patience` is
+  /// told so. Errors: those of sqlite::error_of.
+  static Expected<std::unique_ptr<JournalWriter>> open(const std::string& path,
+                                                       std::chrono::milliseconds patience = DiskWatch::kPatience);
   ~JournalWriter();
 
   /// The next record of a journal. How many may wait is limited by those who append: a core stops when it is ahead.
@@ -89,7 +83,7 @@ class JournalWriter {
     std::shared_ptr<RunJournal> journal;
     JournalRecord record;
   };
-  explicit JournalWriter(std::unique_ptr<SQLite::Database> file);
+  JournalWriter(std::unique_ptr<SQLite::Database> file, std::chrono::milliseconds patience);
   void run();
   std::deque<Item> next() EXCLUDES(mutex_);
   void write(const std::deque<Item>& items);
@@ -100,6 +94,7 @@ class JournalWriter {
   std::deque<Item> waiting_ GUARDED_BY(mutex_);
   bool closed_ GUARDED_BY(mutex_) = false;
   const std::unique_ptr<SQLite::Database> file_;  // of the writer's thread
+  DiskWatch watch_;
   std::atomic<std::uint64_t> commits_{0}, entries_{0};
   std::thread thread_;
 };

@@ -97,6 +97,7 @@ class Load final : public server::RunSink {
     for (; durable_ < ticket; ++durable_) waited_.push_back(milliseconds(Clock::now() - appended_[durable_]));
     changed_.notify_one();
   }
+  void stalled(const Error& error) override { failed(error); }
   void failed(const Error& error) override {
     std::fprintf(stderr, "%s\n", to_string(error).c_str());
     std::exit(1);

@@ -3,6 +3,7 @@
 #include <SQLiteCpp/Database.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <future>
 #include <thread>
@@ -41,7 +42,7 @@ struct Interruption : testing::Test, CoreWatcher {
   // A server on the same data folder as the one before.
   void begin_server() {
     runs = Runs::open(folder.store()).value();
-    writer = JournalWriter::open(folder.store()).value();
+    writer = JournalWriter::open(folder.store(), patience).value();
     pool = std::make_unique<Pool>(2);
     cores = std::make_unique<Cores>(*pool, host, *this, *runs, *writer);
     ASSERT_TRUE(cores->recover());
@@ -102,6 +103,7 @@ struct Interruption : testing::Test, CoreWatcher {
   sqlite::FaultyVfs disk;
   TemporaryFolder place;
   DataFolder folder = DataFolder::open(place.path).value();
+  std::chrono::milliseconds patience = DiskWatch::kPatience;
   std::unique_ptr<Runs> runs;
   std::unique_ptr<JournalWriter> writer;
   std::unique_ptr<Pool> pool;
@@ -192,6 +194,79 @@ TEST_F(Interruption, AFailingDiskStopsTheRunAndWhatItHasSetInMotion) {
   EXPECT_EQ(status(core->resume()), "running");
   wait(*core, [](const Value& now) { return now.find("step")->as_integer() == 4; });
   EXPECT_EQ(status(core->stop()), "aborted");
+}
+
+// Every operation of the disk waits until it is let go.
+class HangingDisk {
+ public:
+  explicit HangingDisk(sqlite::FaultyVfs& disk) : disk_(disk) {
+    disk_.before_each([this](std::uint64_t) { hangs_.wait(true); });
+  }
+  ~HangingDisk() {
+    let_go();
+    disk_.before_each({});
+  }
+  void let_go() {
+    hangs_ = false;
+    hangs_.notify_all();
+  }
+
+ private:
+  sqlite::FaultyVfs& disk_;
+  std::atomic<bool> hangs_{true};
+};
+
+TEST_F(Interruption, ADiskThatHangsStopsTheRunAsOneThatFails) {
+  patience = std::chrono::milliseconds(100);
+  begin_server();
+  const auto core = small_core();
+  ASSERT_TRUE(core->start());
+  answer(*core, 2, 7);
+  wait(*core, [](const Value& info) { return info.find("step")->as_integer() == 2; });
+  auto calls_before = observer.calls();
+  HangingDisk hanging(disk);
+  answer(*core, 3, 8);
+  const Value info = wait(*core, [](const Value& now) { return now.find("status")->as_string() == "interrupted"; });
+  EXPECT_EQ(info.find("interruption")->find("reason")->as_string(), "storage");
+  EXPECT_EQ(info.find("step")->as_integer(), 2) << "whether the third is stored is not known yet";
+  calls_before.push_back(":stop");
+  EXPECT_EQ(observer.calls(), calls_before);
+  EXPECT_EQ(core->resume().error().code, ErrorCode::storage);
+  EXPECT_EQ(core->stop().error().code, ErrorCode::storage);
+  EXPECT_EQ(core->pause().error().code, ErrorCode::storage);
+  EXPECT_EQ(core->state().error().code, ErrorCode::storage);
+  hanging.let_go();
+  const Value after = wait(*core, [](const Value& now) { return now.find("step")->as_integer() == 3; });
+  EXPECT_EQ(status(after), "interrupted") << "who was told that it stands still must not see it go on";
+  EXPECT_EQ(observer.calls(), calls_before);
+  EXPECT_EQ(status(core->resume()), "running");
+  EXPECT_EQ(status(core->stop()), "aborted");
+}
+
+TEST_F(Interruption, AStartThatADiskHoldsUpIsRefusedAndCommandsNothingLater) {
+  patience = std::chrono::milliseconds(100);
+  begin_server();
+  const auto core = small_core();
+  {
+    HangingDisk hanging(disk);
+    EXPECT_EQ(core->start().error().code, ErrorCode::storage);
+  }
+  wait(*core, [](const Value& now) { return now.find("step")->as_integer() == 1; });
+  EXPECT_EQ(status(core->info()), "interrupted");
+  EXPECT_EQ(observer.calls(), std::vector<std::string>{":stop"});
+}
+
+TEST_F(Interruption, AnEndThatADiskHeldUpIsTheEnd) {
+  patience = std::chrono::milliseconds(100);
+  begin_server();
+  const auto core = small_core();
+  ASSERT_TRUE(core->start());
+  {
+    HangingDisk hanging(disk);
+    EXPECT_EQ(core->stop().error().code, ErrorCode::storage);
+    EXPECT_EQ(status(core->info()), "interrupted");
+  }
+  wait(*core, [](const Value& now) { return now.find("status")->as_string() == "aborted"; });
 }
 
 TEST_F(Interruption, AStartThatCannotBeStoredHasNotHappened) {

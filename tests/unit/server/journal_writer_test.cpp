@@ -22,12 +22,13 @@ using execution::StartEntry;
 
 struct Heard final : RunSink {
   void durable(std::uint64_t ticket) override { last = ticket; }
+  void stalled(const Error&) override { ++stalls; }
   void failed(const Error& error) override {
     code = error.code;
     ++failures;
   }
   std::atomic<std::uint64_t> last{0};
-  std::atomic<int> failures{0};
+  std::atomic<int> failures{0}, stalls{0};
   std::atomic<ErrorCode> code{ErrorCode::io};
 };
 
@@ -81,6 +82,27 @@ TEST(JournalWriter, WritesWhatWaitsInOneCommit) {
   const auto [commits, entries] = store.writer->commits();
   EXPECT_EQ(entries, 101U);
   EXPECT_LE(commits, 2U);
+}
+
+// The writer stands in line meanwhile; what it has stored at last is in the store.
+TEST(JournalWriter, SaysThatTheDiskHangsAndThenThatTheJournalHasFailed) {
+  TemporaryStore store;
+  const auto writer = JournalWriter::open(store.folder.store(), std::chrono::milliseconds(40)).value();
+  Writing writing(*store.runs, *writer);
+  const auto file = sqlite::open(store.folder.store());
+  auto busy = std::make_unique<sqlite::WriteTransaction>(*file);
+  writing.append_some(2);
+  while (writing.heard->stalls == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_EQ(writing.heard->failures, 0) << "what is stored is not known yet";
+  busy.reset();
+  EXPECT_FALSE(writing.settled());
+  EXPECT_EQ(writing.heard->last, 0U);
+  const std::uint64_t stored = store.runs->get(writing.run.id)->steps;
+  EXPECT_GE(stored, 1U);
+  writing.append_some(1);
+  writer->close();
+  EXPECT_EQ(store.runs->get(writing.run.id)->steps, stored);
+  EXPECT_EQ(writing.heard->stalls + writing.heard->failures, 2) << "each is said once";
 }
 
 TEST(JournalWriter, KeepsAFewCheckpointsOfALongRun) {
