@@ -40,8 +40,8 @@ Expected<T> Core::on_strand(F function) {
   });
   if (answer.wait_for(kPatience) != std::future_status::ready) {
     if (question->move_to(Stage::abandoned)) return unexpected(ErrorCode::unavailable, "core " + id_ + " is busy");
-    // It happens. A disk that hangs answers for it (DiskWatch).
-    if (answer.wait_for(kPatience) != std::future_status::ready)
+    // It happens, and is answered as soon as the disk or its watch has answered.
+    if (answer.wait_for(2 * DiskWatch::kPatience) != std::future_status::ready)
       return unexpected(ErrorCode::unavailable, "core " + id_ + " has begun this, and is busy");
   }
   try {

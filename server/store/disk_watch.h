@@ -18,7 +18,7 @@ namespace race::server {
 class DiskWatch {
  public:
   /// Longer than any flush of a disk that works takes, and shorter than a person would wait.
-  static constexpr std::chrono::milliseconds kPatience{3000};
+  static constexpr std::chrono::milliseconds kPatience{5000};
 
   explicit DiskWatch(std::chrono::milliseconds patience);
   ~DiskWatch();

@@ -1,6 +1,6 @@
 // The fixture of a browser test: its own server on a free port, and a page in Chromium.
 import { spawn, type ChildProcess } from "node:child_process";
-import { mkdirSync, mkdtempSync, rmSync } from "node:fs";
+import { existsSync, mkdirSync, mkdtempSync, rmSync } from "node:fs";
 import { createServer } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -64,7 +64,8 @@ async function healthy(url: string, server: ChildProcess): Promise<void> {
 /** Starts `race serve` with these `further` options. */
 export async function openFixture(...further: readonly string[]): Promise<Fixture> {
   const port = await freePort();
-  const data = mkdtempSync(join(tmpdir(), "race-browser-"));
+  // In memory: a disk that is busy with something else would interrupt runs.
+  const data = mkdtempSync(join(existsSync("/dev/shm") ? "/dev/shm" : tmpdir(), "race-browser-"));
   const options = ["serve", "--port", String(port), "--data", data, "--demo", demo, "--web", web, ...further];
   const launch = async (): Promise<ChildProcess> => {
     const launched = spawn(binary, options, { stdio: ["ignore", "ignore", "inherit"] });

@@ -13,7 +13,7 @@ from pathlib import Path
 import models
 from client import Stream
 from crash_scenario import COMMANDED, EDITED, EDITS, TASK, Connection, Scenario
-from traced_server import MEMORY, TracedServer, data_folder
+from traced_server import TracedServer, data_folder
 
 FLIPS = int(os.environ.get("RACE_FLIPS", "40"))
 SEED = int(os.environ.get("RACE_SEED", "1"))
@@ -116,7 +116,7 @@ def is_named(path, was, now, log):
 
 def flipped(original, expected, file, bit):
     """What differs in silence after the bit was flipped; "" if nothing does. And whether anything was named."""
-    with tempfile.TemporaryDirectory(dir=MEMORY) as copy:
+    with tempfile.TemporaryDirectory() as copy:
         shutil.copytree(original, copy, dirs_exist_ok=True)
         path = Path(copy, file)
         content = bytearray(path.read_bytes())
@@ -152,7 +152,7 @@ class BitFlips(unittest.TestCase):
     def test_a_flipped_bit_is_named_or_harmless(self):
         expected = {}
         for name, folder in self.folders.items():
-            with tempfile.TemporaryDirectory(dir=MEMORY) as copy:
+            with tempfile.TemporaryDirectory() as copy:
                 shutil.copytree(folder, copy, dirs_exist_ok=True)
                 expected[name], _ = read(copy)
                 core = expected[name]["/cores/1"][1]

@@ -66,7 +66,7 @@ class Services(unittest.TestCase):
         self.check_stopped(FULL, 0.1)
 
     def test_the_robot_stops_when_the_disk_hangs(self):
-        self.check_stopped(HANGING, 0.03)
+        self.check_stopped(HANGING, 0.02)
 
     def check_stopped(self, fault, speed):
         server = self.server(fault, "--demo", str(DEMO))

@@ -10,10 +10,6 @@ from pathlib import Path
 
 from client import PROGRAM, TIMEOUT
 
-# A kill loses nothing that is in the page cache, and strace's failures are not the disk's: a real disk would add nothing
-# but time. What a loss of power does is tested below SQLite (tests/unit).
-MEMORY = "/dev/shm" if os.path.isdir("/dev/shm") else None
-
 # What changes a file, or makes a change of it durable.
 WRITES = ("pwrite64", "write", "fdatasync", "fsync", "ftruncate", "unlink", "rename", "fallocate")
 STORE = ("race.sqlite", "race.sqlite-wal", "race.sqlite-shm", "race.sqlite-journal")
@@ -21,8 +17,8 @@ DATABASE = ("database.sqlite", "database.sqlite-wal", "database.sqlite-shm", "da
 
 
 def data_folder():
-    """An empty folder in memory; the caller removes it."""
-    return tempfile.mkdtemp(prefix="race-test-", dir=MEMORY)
+    """An empty folder; the caller removes it."""
+    return tempfile.mkdtemp(prefix="race-test-")
 
 
 def strace():
