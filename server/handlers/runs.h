@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "server/handlers/handlers.h"
@@ -16,7 +17,7 @@ Expected<std::uint64_t> query_number(const Request& request, std::string_view na
 RunId run_number(std::string_view text);
 /// The run of the route's `run`, or `not_found`.
 Expected<RunRecord> run_of(const Request& request, Runs& runs);
-/// Its whole journal. Error `too_large`: a file of it would be larger than kRunFileLimits.
-Expected<execution::Journal> journal_of(const RunRecord& run, Runs& runs);
+/// A JSON text as it is, or its error.
+Handled answer_text(Expected<std::string> text);
 
 }  // namespace race::server

@@ -28,6 +28,7 @@ constexpr auto kByField = Fields::Paths::field;
 // Work that a file may ask for when it is opened.
 constexpr std::uint64_t kMostMicroSteps = 4'000'000;
 constexpr std::uint64_t kCheckpointInterval = 256, kMostCheckpoints = 64;
+constexpr std::uint64_t kBlock = 64;  // entries read at once
 
 tl::unexpected<Errors> one(Error error) { return tl::unexpected(Errors{std::move(error)}); }
 
@@ -203,7 +204,46 @@ Expected<void> check(RunFile& file, const std::string& chain, std::map<std::uint
   return check_replay(file, checkpoints);
 }
 
+tl::unexpected<Error> beyond_limits() {
+  return unexpected(ErrorCode::too_large,
+                    "more than " + std::to_string(kRunFileLimits.bytes) +
+                        " bytes; `race replay RUN --data DIR` reads the run where it is stored, and "
+                        "/api/v1/runs/RUN/derivations?from&to gives it in parts");
+}
+
 }  // namespace
+
+Expected<std::string> bounded_text(const Value& json) {
+  std::string text = to_json(json);
+  if (text.size() > kRunFileLimits.bytes) return beyond_limits();
+  return text;
+}
+
+Expected<execution::Journal> journal_of(const RunRecord& run, Runs& runs) {
+  ASSIGN_OR_RETURN(execution::JournalHeader header, runs.header(run.id));
+  execution::Journal journal{std::move(header), {}};
+  for (std::uint64_t from = 1, bytes = 0; from <= run.steps; from += kBlock) {
+    ASSIGN_OR_RETURN(const auto block,
+                     runs.entries(run.id, *journal.header.program, from, std::min(run.steps, from + kBlock - 1)));
+    for (const execution::JournalEntry& entry : block) bytes += input_text(entry).size();
+    if (bytes > kRunFileLimits.bytes) return beyond_limits();
+    journal.entries.insert(journal.entries.end(), block.begin(), block.end());
+  }
+  return journal;
+}
+
+Expected<std::map<std::string, rsm::Service>> services_of(RunId run, Runs& runs) {
+  std::map<std::string, rsm::Service> services;
+  ASSIGN_OR_RETURN(const Value stored, runs.services(run));
+  if (!stored.is_dict()) return corrupt("what is stored are no RSMs", "services");
+  for (const auto& [key, json] : stored.as_dict()) {
+    const std::string path = "services/" + key.as_string();
+    auto service = rsm::read_service(json, path);
+    if (!service) return corrupt("what is stored is no RSM: " + service.error().front().message, path);
+    services.emplace(key.as_string(), std::move(*service));
+  }
+  return services;
+}
 
 Expected<std::string> write_run_file(const RunFile& file) {
   Dict services;
@@ -213,10 +253,7 @@ Expected<std::string> write_run_file(const RunFile& file) {
   if (file.document) json.set("document", *file.document);
   json.set("services", std::move(services));
   json.set("samples", samples_json(file.samples));
-  std::string text = to_json(json);
-  if (text.size() <= kRunFileLimits.bytes) return text;
-  return unexpected(ErrorCode::too_large,
-                    "the file would have more than " + std::to_string(kRunFileLimits.bytes) + " bytes");
+  return bounded_text(json);
 }
 
 bool is_run_file(const Value& json) { return json.find("journal") != nullptr || json.find("run") != nullptr; }

@@ -1,7 +1,8 @@
 // The file of a run (schemas/run_file.json): all of a run in one JSON text, which any server opens: its record, its
-// journal, the document of which it was made, the RSMs of the moment, and samples of the cell.
+// journal, the document of which it was made, the RSMs of the moment, and samples of the cell. What the store has for
+// it is read here, too.
 //
-// Threads: any; pure functions.
+// Threads: any.
 #pragma once
 
 #include <map>
@@ -24,8 +25,15 @@ inline constexpr int kRunFileVersion = 1;
 /// two levels further down.
 inline constexpr JsonLimits kRunFileLimits{
     .depth = execution::kJournalLimits.depth + 2, .bytes = 16U << 20U, .keep_out_of_range = true};
-/// Entries that a file certainly has no room for are not even read.
-inline constexpr std::uint64_t kRunFileEntries = kRunFileLimits.bytes / 40;
+
+/// The text of a file of a run or a part of it, as kRunFileLimits allows. Error `too_large`, which says where to read
+/// the run instead.
+Expected<std::string> bounded_text(const Value& json);
+/// The whole journal of a stored run. No more is read than a file has room for. Errors: those of Runs; `too_large`, as
+/// bounded_text.
+Expected<execution::Journal> journal_of(const RunRecord& run, Runs& runs);
+/// The RSMs of a stored run. Errors: those of Runs; `corrupt`, at `services/KEY`: one of them is no RSM.
+Expected<std::map<std::string, rsm::Service>> services_of(RunId run, Runs& runs);
 
 struct RunFile {
   RunRecord record;

@@ -1,9 +1,13 @@
 // Files of runs: what is read is what was written, and whatever does not fit together is refused.
 #include "server/runs/run_file.h"
 
+#include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Statement.h>
+
 #include "core/execution/step_json.h"
 #include "core/value/json.h"
 #include "server/store/journal_chain.h"
+#include "server/store/run_row.h"
 #include "tests/unit/server/run_store.h"
 
 namespace race::server {
@@ -146,6 +150,52 @@ TEST(RunFiles, AskForNoMoreWorkThanARunOfThisServer) {
   journal.header.budgets.micro_steps = semantics::Budgets().micro_steps + 1;
   EXPECT_EQ(refusal_of(json_of(file_of(std::move(journal)))),
             (std::pair(ErrorCode::out_of_range, std::string("journal/header/budgets"))));
+}
+
+class FilesOfStoredRuns : public StoredRuns {};
+
+TEST_F(FilesOfStoredRuns, ReadNoLongerJournalThanAFileHasRoomFor) {
+  const auto runs = open();
+  execution::Journal journal = counting({});
+  std::size_t bytes = input_text(journal.entries[0]).size();
+  const auto add = [&](std::size_t size) {
+    journal.entries.emplace_back(execution::EventEntry{"t", "tick", std::string(size, 'x')});
+    bytes += input_text(journal.entries.back()).size();
+  };
+  for (int i = 0; i < 15; ++i) add(1 << 20);
+  const std::size_t around = input_text(execution::EventEntry{"t", "tick", ""}).size();
+  add(kRunFileLimits.bytes - bytes - around);
+  ASSERT_EQ(bytes, kRunFileLimits.bytes);
+  const auto whole = journal_of(import(*runs, journal), *runs);
+  ASSERT_TRUE(whole) << to_string(whole.error());
+  EXPECT_EQ(whole->entries.size(), journal.entries.size());
+  journal.entries.emplace_back(execution::EventEntry{"t", "tick", 1});
+  const Error refused = journal_of(import(*runs, journal), *runs).error();
+  EXPECT_EQ(refused.code, ErrorCode::too_large);
+  EXPECT_NE(refused.message.find("race replay"), std::string::npos) << "what to do instead";
+}
+
+TEST(RunFiles, ThatAreTextsHaveTheSameBound) {
+  const std::string longest(kRunFileLimits.bytes - 2, 'x');
+  EXPECT_EQ(bounded_text(longest)->size(), kRunFileLimits.bytes);
+  EXPECT_EQ(bounded_text(longest + 'x').error().code, ErrorCode::too_large);
+}
+
+TEST_F(FilesOfStoredRuns, NameAnRsmThatCannotBeRead) {
+  const auto runs = open();
+  RunRecord run = runs->create(run_of(counting({})), 1).value();
+  EXPECT_EQ(services_of(run.id, *runs).value(), (std::map<std::string, rsm::Service>{{"t", timer_service()}}));
+  const std::string other = R"({"t":{"events":1}})";
+  run.services = sqlite::sha256(other);
+  SQLite::Database file(path(), SQLite::OPEN_READWRITE);
+  SQLite::Statement insert(file, "INSERT INTO header VALUES (?, ?)");
+  bind_digest(insert, 1, run.services);
+  insert.bind(2, other);
+  insert.exec();
+  update_row(file, run);
+  const Error refused = services_of(run.id, *runs).error();
+  EXPECT_EQ(refused.code, ErrorCode::corrupt);
+  EXPECT_EQ(refused.path, "services/t");
 }
 
 TEST(RunFiles, HaveABound) {
