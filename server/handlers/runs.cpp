@@ -38,4 +38,10 @@ Handled answer_text(Expected<std::string> text) {
   return reply;
 }
 
+Handled answer_replay(Worker& replays, std::function<Expected<Value>(const Worker::Stop&)> replay) {
+  auto value = replays.ask(std::move(replay), kReplayTimeout);
+  if (!value) return failed(std::move(value).error());
+  return answer(std::move(*value));
+}
+
 }  // namespace race::server

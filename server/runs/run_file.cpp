@@ -167,14 +167,18 @@ Expected<void> check_outcome(const execution::Execution& execution, RunRecord& r
 }
 
 /// Does the run again; every so many macro steps, a checkpoint.
-Expected<void> check_replay(RunFile& file, std::map<std::uint64_t, std::string>* checkpoints) {
+Expected<void> check_replay(RunFile& file, std::map<std::uint64_t, std::string>* checkpoints,
+                            const std::atomic<bool>* stop) {
   const std::uint64_t steps = file.journal.entries.size();
   const std::uint64_t interval = std::max(kCheckpointInterval, steps / kMostCheckpoints + 1);
-  ASSIGN_OR_RETURN(execution::JournalWalk walk,
-                   execution::JournalWalk::create(
-                       file.journal.header, std::make_shared<execution::MemoryJournal>(file.journal.entries), steps));
+  execution::JournalHeader header = file.journal.header;
+  header.budgets.evaluation.stop = stop;
+  ASSIGN_OR_RETURN(
+      execution::JournalWalk walk,
+      execution::JournalWalk::create(header, std::make_shared<execution::MemoryJournal>(file.journal.entries), steps));
   for (std::uint64_t micro_steps = 0; !walk.at_end();) {
     auto progress = walk.next({.entry = false});
+    if (stop && *stop) return unexpected(ErrorCode::unavailable, "the run is not done again to its end");
     if (!progress)
       return unexpected(progress.error().code, progress.error().message, "journal/" + progress.error().path);
     micro_steps += (*progress)->micro;
@@ -191,7 +195,8 @@ Expected<void> check_replay(RunFile& file, std::map<std::uint64_t, std::string>*
 }
 
 /// The record against the journal.
-Expected<void> check(RunFile& file, const std::string& chain, std::map<std::uint64_t, std::string>* checkpoints) {
+Expected<void> check(RunFile& file, const std::string& chain, std::map<std::uint64_t, std::string>* checkpoints,
+                     const std::atomic<bool>* stop) {
   const execution::Journal& journal = file.journal;
   if (file.record.steps != journal.entries.size())
     return corrupt("the journal has " + std::to_string(journal.entries.size()) + " entries", "run/steps");
@@ -201,7 +206,7 @@ Expected<void> check(RunFile& file, const std::string& chain, std::map<std::uint
   for (const execution::JournalEntry& entry : journal.entries) ours = chain_after(ours, input_text(entry));
   if (sqlite::hex(ours) != chain) return corrupt("the chain is not that of the journal", "run/chain");
   if (auto within = check_budgets(journal.header.budgets); !within) return within;
-  return check_replay(file, checkpoints);
+  return check_replay(file, checkpoints, stop);
 }
 
 tl::unexpected<Error> beyond_limits() {
@@ -258,13 +263,15 @@ Expected<std::string> write_run_file(const RunFile& file) {
 
 bool is_run_file(const Value& json) { return json.find("journal") != nullptr || json.find("run") != nullptr; }
 
-Checked<RunFile> read_run_file_text(std::string_view text, std::map<std::uint64_t, std::string>* checkpoints) {
+Checked<RunFile> read_run_file_text(std::string_view text, std::map<std::uint64_t, std::string>* checkpoints,
+                                    const std::atomic<bool>* stop) {
   auto json = parse_json(text, kRunFileLimits);
   if (!json) return one(std::move(json).error());
-  return read_run_file(*json, checkpoints);
+  return read_run_file(*json, checkpoints, stop);
 }
 
-Checked<RunFile> read_run_file(const Value& json, std::map<std::uint64_t, std::string>* checkpoints) {
+Checked<RunFile> read_run_file(const Value& json, std::map<std::uint64_t, std::string>* checkpoints,
+                               const std::atomic<bool>* stop) {
   Errors errors;
   RunFile file;
   Fields fields(json, "", "the file of a run", errors, kByField);
@@ -290,7 +297,7 @@ Checked<RunFile> read_run_file(const Value& json, std::map<std::uint64_t, std::s
       append(errors, std::move(read).error(), "journal");
   }
   if (!errors.empty()) return tl::unexpected(std::move(errors));
-  if (auto checked = check(file, chain, checkpoints); !checked) return one(std::move(checked).error());
+  if (auto checked = check(file, chain, checkpoints, stop); !checked) return one(std::move(checked).error());
   return file;
 }
 

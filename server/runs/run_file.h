@@ -5,6 +5,7 @@
 // Threads: any.
 #pragma once
 
+#include <atomic>
 #include <map>
 #include <optional>
 #include <string>
@@ -49,13 +50,15 @@ Expected<std::string> write_run_file(const RunFile& file);
 /// Reads what write_run_file wrote, and holds it against itself: the journal against its chain, and the record against
 /// what the journal comes to when it is done again. Errors, with paths: `json`, `too_large`, `too_deep`, `version`;
 /// those of Fields, execution::read_journal (below `journal`), the document, the RSMs; `corrupt`: the chain or what
-/// the run came to is another; `conflict`: an entry that the run does not take. `checkpoints`: some on the way, as
-/// Runs::import takes them.
-Checked<RunFile> read_run_file_text(std::string_view text, std::map<std::uint64_t, std::string>* checkpoints = nullptr);
+/// the run came to is another; `conflict`: an entry that the run does not take; `unavailable`: somebody has set `stop`
+/// (which may be null) meanwhile. `checkpoints`: some on the way, as Runs::import takes them.
+Checked<RunFile> read_run_file_text(std::string_view text, std::map<std::uint64_t, std::string>* checkpoints = nullptr,
+                                    const std::atomic<bool>* stop = nullptr);
 
 /// Whether a parsed text is the file of a run, not a journal alone.
 bool is_run_file(const Value& json);
 /// As read_run_file_text, of a text as parse_json gives it with kRunFileLimits.
-Checked<RunFile> read_run_file(const Value& json, std::map<std::uint64_t, std::string>* checkpoints = nullptr);
+Checked<RunFile> read_run_file(const Value& json, std::map<std::uint64_t, std::string>* checkpoints = nullptr,
+                               const std::atomic<bool>* stop = nullptr);
 
 }  // namespace race::server

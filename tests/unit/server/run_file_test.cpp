@@ -8,37 +8,44 @@
 #include "core/value/json.h"
 #include "server/store/journal_chain.h"
 #include "server/store/run_row.h"
+#include "server/threads/worker.h"
 #include "tests/unit/server/run_store.h"
 
 namespace race::server {
 namespace {
 
-/// The file of a run as a server that executed it writes it.
-RunFile file_of(execution::Journal journal) {
+/// The file of a run that goes on, whose journal nobody has executed.
+RunFile unchecked_file_of(execution::Journal journal) {
   RunFile file;
-  execution::Execution execution =
-      execution::Execution::create(journal.header.program, journal.header.arguments, journal.header.budgets).value();
   file.record.chain = header_chain(journal.header);
-  for (const execution::JournalEntry& entry : journal.entries) {
-    execution.replay(entry, {}).value();
+  for (const execution::JournalEntry& entry : journal.entries)
     file.record.chain = chain_after(file.record.chain, input_text(entry));
-  }
   file.record.id = 12;
   file.record.document = "task";
   file.record.revision = 3;
   file.record.arguments = journal.header.arguments;
   file.record.steps = journal.entries.size();
   file.record.created_ms = 1700000000000;
+  file.record.status = "running";
+  file.services = {{"t", timer_service()}};
+  Value pose = Dict{{"time", 0.2}, {"joints", Dict{{"a1", 0.5}}}, {"bodies", Dict()}};
+  file.samples = {{1, pose.freeze()}};
+  file.journal = std::move(journal);
+  return file;
+}
+
+/// The file of a run as a server that executed it writes it.
+RunFile file_of(execution::Journal journal) {
+  execution::Execution execution =
+      execution::Execution::create(journal.header.program, journal.header.arguments, journal.header.budgets).value();
+  for (const execution::JournalEntry& entry : journal.entries) execution.replay(entry, {}).value();
+  RunFile file = unchecked_file_of(std::move(journal));
   file.record.status = semantics::name(execution.run().status());
   if (file.record.is_over()) {
     file.record.outcome = execution.run().outcome();
     file.record.results = execution::root_results(execution.run());
     file.record.ended_ms = 1700000001000;
   }
-  file.services = {{"t", timer_service()}};
-  Value pose = Dict{{"time", 0.2}, {"joints", Dict{{"a1", 0.5}}}, {"bodies", Dict()}};
-  file.samples = {{1, pose.freeze()}};
-  file.journal = std::move(journal);
   return file;
 }
 
@@ -150,6 +157,36 @@ TEST(RunFiles, AskForNoMoreWorkThanARunOfThisServer) {
   journal.header.budgets.micro_steps = semantics::Budgets().micro_steps + 1;
   EXPECT_EQ(refusal_of(json_of(file_of(std::move(journal)))),
             (std::pair(ErrorCode::out_of_range, std::string("journal/header/budgets"))));
+}
+
+/// A run whose first micro step takes minutes, all within the budgets.
+execution::Journal hostile(std::string_view root) {
+  Dict arguments{{"x", List(400'000, Value(1))}, {"y", List(400'000, Value(1))}};
+  const std::string document = R"({"rcm": 1, "root": {"state": "Root", "parameters": [{"name": "x"}, {"name": "y"}], )";
+  execution::Journal journal =
+      execution::journal_of(rcm::read_document_text(document + std::string(root) + "}}").value(), {}, arguments);
+  journal.entries.emplace_back(execution::StartEntry{});
+  return journal;
+}
+
+TEST(RunFiles, AreStoppedWhenTheirRunTakesTooLong) {
+  std::string comparisons = "par.x == par.y", ports;
+  for (int i = 0; i < 2000; ++i) comparisons += " and par.x == par.y";
+  for (int i = 0; i < 20; ++i) {
+    ports += i == 0 ? "" : ", ";
+    ports += R"({"name": "p)" + std::to_string(i) + R"(", "when": ")" + comparisons + R"( and False"})";
+  }
+  for (const std::string& root :
+       {std::string(R"("entry": "for i in range(30000):\n    z = [i] * 900000")"),
+        std::string(R"("ports": [{"name": "p", "when": "len([i for i in range(30000) if sum(par.x) < i]) > 0"}])"),
+        R"("ports": [)" + ports + "]"}) {
+    SCOPED_TRACE(root.substr(0, 100));
+    const std::string text = write_run_file(unchecked_file_of(hostile(root))).value();
+    Worker worker;
+    const auto read = [&](const Worker::Stop& stop) { return read_run_file_text(text, nullptr, &stop).has_value(); };
+    EXPECT_EQ(worker.ask(read, std::chrono::seconds(1)).error().code, ErrorCode::too_large);
+    EXPECT_TRUE(worker.ask([](const Worker::Stop&) { return true; }, std::chrono::seconds(1))) << "it is still busy";
+  }
 }
 
 class FilesOfStoredRuns : public StoredRuns {};
