@@ -86,7 +86,7 @@ Checked<void> Application::create_cell(const Setup& setup) {
 
 Expected<void> Application::create_cores(const Setup& setup) {
   pool_ = std::make_unique<Pool>(2);
-  cores_ = std::make_unique<Cores>(*pool_, cell_->host(), *core_publisher_, *runs_, *writer_);
+  cores_ = std::make_unique<Cores>(*pool_, cell_->host(), *core_publisher_, *runs_, *writer_, replays_);
   keeper_ = std::make_unique<RunKeeper>(*runs_, *samples_, setup.retention,
                                         [this](const std::string& text) { log("store", text); });
   keeper_->connect(*cores_, cell_->world());
@@ -129,7 +129,7 @@ void Application::log(const std::string& source, const std::string& text) {
 ChannelSources Application::channel_sources() { return {*hub_, *cores_, *cell_, *displays_, *flows_, *log_}; }
 
 Resources Application::resources() {
-  return {*documents_, *boot_list_, *backups_, *runs_, *samples_, *cores_, *cell_, *log_};
+  return {*documents_, *boot_list_, *backups_, *runs_, *samples_, *cores_, replays_, *cell_, *log_};
 }
 
 }  // namespace race::server

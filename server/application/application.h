@@ -28,6 +28,7 @@
 #include "server/stream/flow_channels.h"
 #include "server/stream/hub.h"
 #include "server/threads/strand.h"
+#include "server/threads/worker.h"
 #include "services/display/screens.h"
 
 namespace race::server {
@@ -49,6 +50,8 @@ class Application {
 
   /// What the sockets serve; the application outlives it.
   Backend make_backend();
+  /// Handlers that wait for a replay are answered, and no replay begins any more: the sockets end.
+  void stop_replays() { replays_.stop(); }
 
  private:
   Application() = default;
@@ -77,6 +80,7 @@ class Application {
   std::unique_ptr<JournalWriter> writer_;
   std::unique_ptr<BootList> boot_list_;
   std::unique_ptr<Pool> pool_;  // of the cores
+  Worker replays_;
   std::unique_ptr<Cell> cell_;
   std::unique_ptr<FlowChannels> flows_;
   std::unique_ptr<Cores> cores_;

@@ -29,6 +29,11 @@ void print_errors(const HttpClient::Answer& answer, bool json) {
 
 }  // namespace
 
+void ServerOptions::declare(Arguments& arguments, const std::string& json_help) {
+  arguments.text("--server", "URL", url, "where the server is");
+  arguments.flag("--json", json, json_help);
+}
+
 tl::expected<Value, int> ask_server(const ServerOptions& server, std::string_view method, const std::string& target,
                                     const std::optional<Value>& body) {
   const auto client = HttpClient::create(server.url);

@@ -12,10 +12,14 @@ namespace race::server {
 
 inline constexpr const char* kDefaultServer = "http://127.0.0.1:8080";
 
+class Arguments;
+
 /// The server that a command asks, and how it prints errors.
 struct ServerOptions {
   std::string url = kDefaultServer;
   bool json = false;  // also as JSON to stdout
+  /// Declares `--server` and `--json`; `json_help` says what is printed then.
+  void declare(Arguments& arguments, const std::string& json_help);
 };
 
 /// Sends a request and returns the body of its answer. Otherwise prints why not, and gives the exit code:

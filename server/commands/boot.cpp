@@ -104,8 +104,7 @@ std::function<int()> declare(Arguments& arguments) {
   arguments.positional("ACTION", options->action, "list, set DOCUMENT, remove DOCUMENT");
   arguments.positionals("WORD", options->words, false);
   arguments.text("--arguments", "JSON", options->arguments, "of set: parameters of the task, an object");
-  arguments.text("--server", "URL", options->server.url, "where the server is");
-  arguments.flag("--json", options->server.json, "prints the list as JSON");
+  options->server.declare(arguments, "prints the list as JSON");
   return [options] { return run(*options); };
 }
 

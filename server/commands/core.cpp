@@ -161,8 +161,7 @@ std::function<int()> declare(Arguments& arguments) {
   arguments.text("--arguments", "JSON", options->arguments,
                  "parameters of the task, an object; for create, load, start");
   arguments.flag("--start", options->start, "starts what was created or loaded");
-  arguments.text("--server", "URL", options->server.url, "where the server is");
-  arguments.flag("--json", options->server.json, "prints what the server answers, as JSON");
+  options->server.declare(arguments, "prints what the server answers, as JSON");
   return [options] { return run(*options); };
 }
 

@@ -61,6 +61,7 @@ int serve(const Options& options) {
   std::printf("race listens on http://127.0.0.1:%u\n", static_cast<unsigned>((*server)->port()));
   std::fflush(stdout);
   (*server)->run();
+  (*app)->stop_replays();
   return kExitOk;
 }
 

@@ -45,7 +45,6 @@ Core::Core(RunRecord run, execution::JournalHeader header, Execution execution, 
       header_(std::move(header)),
       resources_(resources),
       strand_(resources.pool),
-      replay_strand_(resources.pool),
       record_(std::move(run)),
       execution_(std::move(execution)),
       replay_(std::make_shared<execution::Replay>(header_, resources.runs.source(run_id_, header_.program))) {

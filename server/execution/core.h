@@ -11,6 +11,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,6 +24,7 @@
 #include "server/store/journal_writer.h"
 #include "server/store/runs.h"
 #include "server/threads/strand.h"
+#include "server/threads/worker.h"
 #include "services/host/host.h"
 #include "services/mutex.h"
 
@@ -50,6 +52,7 @@ struct CoreResources {
   CoreWatcher& watcher;
   Runs& runs;
   JournalWriter& writer;
+  Worker& replays;
 };
 
 class Core final : public std::enable_shared_from_this<Core>, private RunSink {
@@ -109,12 +112,12 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   Expected<Value> state();
   /// schemas/why.json; `not_found`: no such port.
   Expected<Value> why(const std::string& port);
-  /// The same as things were before micro step `micro` (from 0) of macro step `step` (from 1), recomputed on a strand
-  /// of its own. `out_of_range`: no such macro step.
+  /// The same as things were before micro step `micro` (from 0) of macro step `step` (from 1), recomputed on the
+  /// thread of replays. `out_of_range`: no such macro step.
   Expected<Value> why_before(const std::string& port, std::size_t step, int micro);
   /// The whole journal.
   Expected<execution::Journal> journal();
-  /// schemas/derivations.json, recomputed on a strand of its own. `out_of_range`: no such macro steps; 0 = the last
+  /// schemas/derivations.json, recomputed on the thread of replays. `out_of_range`: no such macro steps; 0 = the last
   /// one.
   Expected<Value> derivations(std::size_t from, std::size_t to);
 
@@ -186,12 +189,13 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
 
   static constexpr std::uint32_t kTurn = 256;    // micro steps in one turn of the strand
   static constexpr std::size_t kMostHeld = 256;  // outputs that wait for the disk; then no macro step begins
+  static constexpr std::chrono::seconds kReplayTimeout{5};
 
   const std::string id_;
   const RunId run_id_;
   const execution::JournalHeader header_;
   const CoreResources resources_;
-  Strand strand_, replay_strand_;
+  Strand strand_;
 
   mutable services::Mutex mutex_;
   std::vector<services::Delivery> inbox_ GUARDED_BY(mutex_);
@@ -217,7 +221,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   };
   std::optional<Interruption> interruption_;
 
-  const std::shared_ptr<execution::Replay> replay_;  // of the replay strand
+  const std::shared_ptr<execution::Replay> replay_;  // of the thread of replays
 };
 
 }  // namespace race::server

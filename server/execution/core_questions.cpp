@@ -1,5 +1,5 @@
-// Questions about a core: answered with what is durable; those about the past by a replay of the journal, on a strand
-// of its own.
+// Questions about a core: answered with what is durable; those about the past by a replay of the journal, on the thread
+// of replays.
 #include <algorithm>
 
 #include "core/execution/step_json.h"
@@ -26,15 +26,19 @@ Expected<Value> Core::why(const std::string& port) {
   });
 }
 
-// `function` of the replay, on the strand of replays.
+// `function` of the replay, on the thread of replays. It goes on when nobody waits any more: what it has done is kept,
+// so that it is faster when it is asked again.
 template <typename F>
 Expected<Value> Core::replayed(F function) {
-  auto answer = replay_strand_.ask([replay = replay_, function = std::move(function)]() -> Expected<Value> {
-    ASSIGN_OR_RETURN(Value json, function(*replay));
-    return json.freeze();
-  });
-  if (!answer) return unexpected(ErrorCode::unavailable, "the replay takes long, ask again");
-  return std::move(*answer);
+  auto answer = resources_.replays.ask(
+      [replay = replay_, function = std::move(function)](const Worker::Stop&) -> Expected<Value> {
+        ASSIGN_OR_RETURN(Value json, function(*replay));
+        return json.freeze();
+      },
+      kReplayTimeout);
+  if (answer) return std::move(*answer);
+  if (answer.error().code == ErrorCode::unavailable) return tl::unexpected(std::move(answer).error());
+  return unexpected(ErrorCode::unavailable, "the replay takes long, ask again");
 }
 
 Expected<Core::Reached> Core::reached() {

@@ -20,8 +20,8 @@ class Cores {
   static constexpr std::size_t kMost = 128;
 
   /// All outlive this.
-  Cores(Pool& pool, services::Host& host, CoreWatcher& watcher, Runs& runs, JournalWriter& writer)
-      : resources_{pool, host, watcher, runs, writer} {}
+  Cores(Pool& pool, services::Host& host, CoreWatcher& watcher, Runs& runs, JournalWriter& writer, Worker& replays)
+      : resources_{pool, host, watcher, runs, writer, replays} {}
 
   /// A core of a document in a revision that waits to be started; its run is stored. Errors: violations of the program
   /// (with `type` for a service of another type than the document expects), an argument that does not fit, `conflict`:

@@ -4,12 +4,15 @@
 
 namespace race::server {
 
-Handled compare_run(const Request& request, Runs& runs) {
+Handled compare_run(const Request& request, Runs& runs, Worker& replays) {
   const auto with = request.query.find("with");
   if (with == request.query.end()) return failed({ErrorCode::missing, "with which run? ?with=2", "with"});
   const auto from = query_number(request, "from", 1, 1);
   if (!from) return failed(from.error());
-  return answer(compare_runs(runs, run_number(request.parameters.at("run")), run_number(with->second), *from));
+  return answer_replay(replays, [&runs, first = run_number(request.parameters.at("run")),
+                                 second = run_number(with->second), from = *from](const Worker::Stop& stop) {
+    return compare_runs(runs, first, second, from, kMostCompared, &stop);
+  });
 }
 
 }  // namespace race::server

@@ -1,6 +1,7 @@
 // GET /api/v1/cores/{id}/journal: header and inputs of the run.
 #include "server/execution/cores.h"
-#include "server/handlers/handlers.h"
+#include "server/handlers/runs.h"
+#include "server/runs/run_file.h"
 
 namespace race::server {
 
@@ -9,7 +10,7 @@ Handled get_core_journal(const Request& request, Cores& cores) {
   if (!core) return tl::unexpected(core.error());
   const auto journal = (*core)->journal();
   if (!journal) return failed(journal.error());
-  return ok(journal_json(*journal));
+  return answer_text(bounded_text(journal_json(*journal)));
 }
 
 }  // namespace race::server

@@ -1,6 +1,7 @@
 // GET /api/v1/cores/{id}/script: the run so far as a script for race derive.
 #include "server/execution/cores.h"
-#include "server/handlers/handlers.h"
+#include "server/handlers/runs.h"
+#include "server/runs/run_file.h"
 
 namespace race::server {
 
@@ -9,7 +10,7 @@ Handled get_core_script(const Request& request, Cores& cores) {
   if (!core) return tl::unexpected(core.error());
   const auto journal = (*core)->journal();
   if (!journal) return failed(journal.error());
-  return ok(script_json(*journal));
+  return answer_text(bounded_text(script_json(*journal)));
 }
 
 }  // namespace race::server

@@ -4,11 +4,12 @@
 
 namespace race::server {
 
-Handled get_run_derivations(const Request& request, Runs& runs) {
+Handled get_run_derivations(const Request& request, Runs& runs, Worker& replays) {
   const auto from = query_number(request, "from", 1, 0), to = query_number(request, "to", 1, 0);
   if (!from) return failed(from.error());
   if (!to) return failed(to.error());
-  return answer(run_derivations(runs, run_number(request.parameters.at("run")), *from, *to));
+  return answer_replay(replays, [&runs, run = run_number(request.parameters.at("run")), from = *from, to = *to](
+                                    const Worker::Stop& stop) { return run_derivations(runs, run, from, to, &stop); });
 }
 
 }  // namespace race::server

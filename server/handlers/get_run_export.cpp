@@ -1,5 +1,4 @@
 // GET /api/v1/runs/{run}/export: all of a run in one file, which any server opens.
-#include "core/rsm/document.h"
 #include "server/handlers/runs.h"
 #include "server/runs/run_file.h"
 #include "server/store/documents.h"
@@ -21,10 +20,7 @@ Expected<std::string> write(const Request& request, Runs& runs, Samples& samples
   ASSIGN_OR_RETURN(file.record, run_of(request, runs));
   ASSIGN_OR_RETURN(file.journal, journal_of(file.record, runs));
   file.document = document_of(file.record, documents);
-  ASSIGN_OR_RETURN(const Value services, runs.services(file.record.id));
-  for (const auto& [key, json] : services.as_dict())
-    if (auto service = rsm::read_service(json, "services/" + key.as_string()))
-      file.services.emplace(key.as_string(), std::move(*service));
+  ASSIGN_OR_RETURN(file.services, services_of(file.record.id, runs));
   ASSIGN_OR_RETURN(file.samples, samples.read(file.record.id));
   return write_run_file(file);
 }
@@ -32,13 +28,10 @@ Expected<std::string> write(const Request& request, Runs& runs, Samples& samples
 }  // namespace
 
 Handled get_run_export(const Request& request, Runs& runs, Samples& samples, Documents& documents) {
-  auto text = write(request, runs, samples, documents);
-  if (!text) return failed(std::move(text).error());
-  Reply reply;
-  reply.text = std::move(*text);
-  reply.type = "application/json";
-  reply.headers.emplace_back("Content-Disposition",
-                             "attachment; filename=\"run-" + request.parameters.at("run") + ".json\"");
+  Handled reply = answer_text(write(request, runs, samples, documents));
+  if (reply)
+    reply->headers.emplace_back("Content-Disposition",
+                                "attachment; filename=\"run-" + request.parameters.at("run") + ".json\"");
   return reply;
 }
 

@@ -1,5 +1,6 @@
 // GET /api/v1/runs/{run}/script: the run as a script for race derive.
 #include "server/handlers/runs.h"
+#include "server/runs/run_file.h"
 
 namespace race::server {
 
@@ -8,7 +9,7 @@ Handled get_run_script(const Request& request, Runs& runs) {
   if (!run) return failed(run.error());
   const auto journal = journal_of(*run, runs);
   if (!journal) return failed(journal.error());
-  return ok(script_json(*journal));
+  return answer_text(bounded_text(script_json(*journal)));
 }
 
 }  // namespace race::server

@@ -22,6 +22,7 @@ class Cores;
 class Documents;
 class Runs;
 class Samples;
+class Worker;
 
 using Handled = Checked<Reply>;
 
@@ -58,16 +59,16 @@ Handled get_core_script(const Request& request, Cores& cores);
 Handled get_core_journal(const Request& request, Cores& cores);
 Handled get_why(const Request& request, Cores& cores);
 Handled list_runs(const Request& request, Runs& runs);
-Handled import_run(const Request& request, Runs& runs, Samples& samples);
+Handled import_run(const Request& request, Runs& runs, Samples& samples, Worker& replays);
 Handled get_run(const Request& request, Runs& runs);
 Handled delete_run(const Request& request, Runs& runs, Cores& cores);
 Handled get_run_native(const Request& request, Runs& runs);
-Handled get_run_derivations(const Request& request, Runs& runs);
+Handled get_run_derivations(const Request& request, Runs& runs, Worker& replays);
 Handled get_run_journal(const Request& request, Runs& runs);
 Handled get_run_script(const Request& request, Runs& runs);
 Handled get_run_samples(const Request& request, Runs& runs, Samples& samples);
 Handled get_run_export(const Request& request, Runs& runs, Samples& samples, Documents& documents);
-Handled compare_run(const Request& request, Runs& runs);
+Handled compare_run(const Request& request, Runs& runs, Worker& replays);
 Handled get_cell(const Request& request, Cell& cell);
 Handled get_person(const Request& request, Cell& cell);
 Handled execute_person_command(const Request& request, Cell& cell);

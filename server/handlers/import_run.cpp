@@ -10,14 +10,33 @@ namespace race::server {
 
 static_assert(RequestFilter::kRunFileBytes == kRunFileLimits.bytes);
 
-Handled import_run(const Request& request, Runs& runs, Samples& samples) {
+namespace {
+
+struct SoundFile {
+  RunFile file;
   std::map<std::uint64_t, std::string> checkpoints;
-  auto file = read_run_file_text(request.body, &checkpoints);
+};
+
+Checked<SoundFile> read(const std::string& text, const Worker::Stop& stop) {
+  SoundFile sound;
+  auto file = read_run_file_text(text, &sound.checkpoints, &stop);
   if (!file) return tl::unexpected(std::move(file).error());
-  const Runs::NewRun run{file->record.document, file->record.revision, file->journal.header, file->services};
-  const auto record = runs.import(file->record, run, file->journal.entries, checkpoints);
+  sound.file = std::move(*file);
+  return sound;
+}
+
+}  // namespace
+
+Handled import_run(const Request& request, Runs& runs, Samples& samples, Worker& replays) {
+  auto read_in_time =
+      replays.ask([text = request.body](const Worker::Stop& stop) { return read(text, stop); }, kReplayTimeout);
+  if (!read_in_time) return failed(std::move(read_in_time).error());
+  if (!*read_in_time) return tl::unexpected(std::move(*read_in_time).error());
+  const auto& [file, checkpoints] = **read_in_time;
+  const Runs::NewRun run{file.record.document, file.record.revision, file.journal.header, file.services};
+  const auto record = runs.import(file.record, run, file.journal.entries, checkpoints);
   if (!record) return failed(record.error());
-  if (auto stored = samples.append(record->id, file->samples); !stored) {
+  if (auto stored = samples.append(record->id, file.samples); !stored) {
     std::ignore = runs.remove(record->id);  // whole or not at all
     return failed(std::move(stored).error());
   }

@@ -1,10 +1,8 @@
-// What the handlers of /api/v1/runs share: which run a request means, and its journal.
+// What the handlers of /api/v1/runs share: which run a request means, and how they answer.
 #include "server/handlers/runs.h"
 
 #include <charconv>
 #include <limits>
-
-#include "server/runs/run_file.h"
 
 namespace race::server {
 
@@ -31,16 +29,19 @@ Expected<RunRecord> run_of(const Request& request, Runs& runs) {
   return runs.get(run_number(request.parameters.at("run")));
 }
 
-Expected<execution::Journal> journal_of(const RunRecord& run, Runs& runs) {
-  if (run.steps > kRunFileEntries)
-    return unexpected(ErrorCode::too_large, "the journal has " + std::to_string(run.steps) +
-                                                " entries; `race replay` reads it where it is stored");
-  ASSIGN_OR_RETURN(execution::JournalHeader header, runs.header(run.id));
-  std::vector<execution::JournalEntry> entries;
-  if (run.steps > 0) {
-    ASSIGN_OR_RETURN(entries, runs.entries(run.id, *header.program, 1, run.steps));
-  }
-  return execution::Journal{std::move(header), std::move(entries)};
+Handled answer_text(Expected<std::string> text) {
+  if (!text) return failed(std::move(text).error());
+  Reply reply;
+  reply.text = std::move(*text);
+  reply.type = "application/json";
+  reply.headers.emplace_back("Cache-Control", "no-store");
+  return reply;
+}
+
+Handled answer_replay(Worker& replays, std::function<Expected<Value>(const Worker::Stop&)> replay) {
+  auto value = replays.ask(std::move(replay), kReplayTimeout);
+  if (!value) return failed(std::move(value).error());
+  return answer(std::move(*value));
 }
 
 }  // namespace race::server

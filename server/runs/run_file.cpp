@@ -28,6 +28,7 @@ constexpr auto kByField = Fields::Paths::field;
 // Work that a file may ask for when it is opened.
 constexpr std::uint64_t kMostMicroSteps = 4'000'000;
 constexpr std::uint64_t kCheckpointInterval = 256, kMostCheckpoints = 64;
+constexpr std::uint64_t kBlock = 64;  // entries read at once
 
 tl::unexpected<Errors> one(Error error) { return tl::unexpected(Errors{std::move(error)}); }
 
@@ -166,14 +167,18 @@ Expected<void> check_outcome(const execution::Execution& execution, RunRecord& r
 }
 
 /// Does the run again; every so many macro steps, a checkpoint.
-Expected<void> check_replay(RunFile& file, std::map<std::uint64_t, std::string>* checkpoints) {
+Expected<void> check_replay(RunFile& file, std::map<std::uint64_t, std::string>* checkpoints,
+                            const std::atomic<bool>* stop) {
   const std::uint64_t steps = file.journal.entries.size();
   const std::uint64_t interval = std::max(kCheckpointInterval, steps / kMostCheckpoints + 1);
-  ASSIGN_OR_RETURN(execution::JournalWalk walk,
-                   execution::JournalWalk::create(
-                       file.journal.header, std::make_shared<execution::MemoryJournal>(file.journal.entries), steps));
+  execution::JournalHeader header = file.journal.header;
+  header.budgets.evaluation.stop = stop;
+  ASSIGN_OR_RETURN(
+      execution::JournalWalk walk,
+      execution::JournalWalk::create(header, std::make_shared<execution::MemoryJournal>(file.journal.entries), steps));
   for (std::uint64_t micro_steps = 0; !walk.at_end();) {
     auto progress = walk.next({.entry = false});
+    if (stop && *stop) return unexpected(ErrorCode::unavailable, "the run is not done again to its end");
     if (!progress)
       return unexpected(progress.error().code, progress.error().message, "journal/" + progress.error().path);
     micro_steps += (*progress)->micro;
@@ -190,7 +195,8 @@ Expected<void> check_replay(RunFile& file, std::map<std::uint64_t, std::string>*
 }
 
 /// The record against the journal.
-Expected<void> check(RunFile& file, const std::string& chain, std::map<std::uint64_t, std::string>* checkpoints) {
+Expected<void> check(RunFile& file, const std::string& chain, std::map<std::uint64_t, std::string>* checkpoints,
+                     const std::atomic<bool>* stop) {
   const execution::Journal& journal = file.journal;
   if (file.record.steps != journal.entries.size())
     return corrupt("the journal has " + std::to_string(journal.entries.size()) + " entries", "run/steps");
@@ -200,10 +206,49 @@ Expected<void> check(RunFile& file, const std::string& chain, std::map<std::uint
   for (const execution::JournalEntry& entry : journal.entries) ours = chain_after(ours, input_text(entry));
   if (sqlite::hex(ours) != chain) return corrupt("the chain is not that of the journal", "run/chain");
   if (auto within = check_budgets(journal.header.budgets); !within) return within;
-  return check_replay(file, checkpoints);
+  return check_replay(file, checkpoints, stop);
+}
+
+tl::unexpected<Error> beyond_limits() {
+  return unexpected(ErrorCode::too_large,
+                    "more than " + std::to_string(kRunFileLimits.bytes) +
+                        " bytes; `race replay RUN --data DIR` reads the run where it is stored, and "
+                        "/api/v1/runs/RUN/derivations?from&to gives it in parts");
 }
 
 }  // namespace
+
+Expected<std::string> bounded_text(const Value& json) {
+  std::string text = to_json(json);
+  if (text.size() > kRunFileLimits.bytes) return beyond_limits();
+  return text;
+}
+
+Expected<execution::Journal> journal_of(const RunRecord& run, Runs& runs) {
+  ASSIGN_OR_RETURN(execution::JournalHeader header, runs.header(run.id));
+  execution::Journal journal{std::move(header), {}};
+  for (std::uint64_t from = 1, bytes = 0; from <= run.steps; from += kBlock) {
+    ASSIGN_OR_RETURN(const auto block,
+                     runs.entries(run.id, *journal.header.program, from, std::min(run.steps, from + kBlock - 1)));
+    for (const execution::JournalEntry& entry : block) bytes += input_text(entry).size();
+    if (bytes > kRunFileLimits.bytes) return beyond_limits();
+    journal.entries.insert(journal.entries.end(), block.begin(), block.end());
+  }
+  return journal;
+}
+
+Expected<std::map<std::string, rsm::Service>> services_of(RunId run, Runs& runs) {
+  std::map<std::string, rsm::Service> services;
+  ASSIGN_OR_RETURN(const Value stored, runs.services(run));
+  if (!stored.is_dict()) return corrupt("what is stored are no RSMs", "services");
+  for (const auto& [key, json] : stored.as_dict()) {
+    const std::string path = "services/" + key.as_string();
+    auto service = rsm::read_service(json, path);
+    if (!service) return corrupt("what is stored is no RSM: " + service.error().front().message, path);
+    services.emplace(key.as_string(), std::move(*service));
+  }
+  return services;
+}
 
 Expected<std::string> write_run_file(const RunFile& file) {
   Dict services;
@@ -213,21 +258,20 @@ Expected<std::string> write_run_file(const RunFile& file) {
   if (file.document) json.set("document", *file.document);
   json.set("services", std::move(services));
   json.set("samples", samples_json(file.samples));
-  std::string text = to_json(json);
-  if (text.size() <= kRunFileLimits.bytes) return text;
-  return unexpected(ErrorCode::too_large,
-                    "the file would have more than " + std::to_string(kRunFileLimits.bytes) + " bytes");
+  return bounded_text(json);
 }
 
 bool is_run_file(const Value& json) { return json.find("journal") != nullptr || json.find("run") != nullptr; }
 
-Checked<RunFile> read_run_file_text(std::string_view text, std::map<std::uint64_t, std::string>* checkpoints) {
+Checked<RunFile> read_run_file_text(std::string_view text, std::map<std::uint64_t, std::string>* checkpoints,
+                                    const std::atomic<bool>* stop) {
   auto json = parse_json(text, kRunFileLimits);
   if (!json) return one(std::move(json).error());
-  return read_run_file(*json, checkpoints);
+  return read_run_file(*json, checkpoints, stop);
 }
 
-Checked<RunFile> read_run_file(const Value& json, std::map<std::uint64_t, std::string>* checkpoints) {
+Checked<RunFile> read_run_file(const Value& json, std::map<std::uint64_t, std::string>* checkpoints,
+                               const std::atomic<bool>* stop) {
   Errors errors;
   RunFile file;
   Fields fields(json, "", "the file of a run", errors, kByField);
@@ -253,7 +297,7 @@ Checked<RunFile> read_run_file(const Value& json, std::map<std::uint64_t, std::s
       append(errors, std::move(read).error(), "journal");
   }
   if (!errors.empty()) return tl::unexpected(std::move(errors));
-  if (auto checked = check(file, chain, checkpoints); !checked) return one(std::move(checked).error());
+  if (auto checked = check(file, chain, checkpoints, stop); !checked) return one(std::move(checked).error());
   return file;
 }
 

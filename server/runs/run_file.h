@@ -1,9 +1,11 @@
 // The file of a run (schemas/run_file.json): all of a run in one JSON text, which any server opens: its record, its
-// journal, the document of which it was made, the RSMs of the moment, and samples of the cell.
+// journal, the document of which it was made, the RSMs of the moment, and samples of the cell. What the store has for
+// it is read here, too.
 //
-// Threads: any; pure functions.
+// Threads: any.
 #pragma once
 
+#include <atomic>
 #include <map>
 #include <optional>
 #include <string>
@@ -24,8 +26,15 @@ inline constexpr int kRunFileVersion = 1;
 /// two levels further down.
 inline constexpr JsonLimits kRunFileLimits{
     .depth = execution::kJournalLimits.depth + 2, .bytes = 16U << 20U, .keep_out_of_range = true};
-/// Entries that a file certainly has no room for are not even read.
-inline constexpr std::uint64_t kRunFileEntries = kRunFileLimits.bytes / 40;
+
+/// The text of a file of a run or a part of it, as kRunFileLimits allows. Error `too_large`, which says where to read
+/// the run instead.
+Expected<std::string> bounded_text(const Value& json);
+/// The whole journal of a stored run. No more is read than a file has room for. Errors: those of Runs; `too_large`, as
+/// bounded_text.
+Expected<execution::Journal> journal_of(const RunRecord& run, Runs& runs);
+/// The RSMs of a stored run. Errors: those of Runs; `corrupt`, at `services/KEY`: one of them is no RSM.
+Expected<std::map<std::string, rsm::Service>> services_of(RunId run, Runs& runs);
 
 struct RunFile {
   RunRecord record;
@@ -41,13 +50,15 @@ Expected<std::string> write_run_file(const RunFile& file);
 /// Reads what write_run_file wrote, and holds it against itself: the journal against its chain, and the record against
 /// what the journal comes to when it is done again. Errors, with paths: `json`, `too_large`, `too_deep`, `version`;
 /// those of Fields, execution::read_journal (below `journal`), the document, the RSMs; `corrupt`: the chain or what
-/// the run came to is another; `conflict`: an entry that the run does not take. `checkpoints`: some on the way, as
-/// Runs::import takes them.
-Checked<RunFile> read_run_file_text(std::string_view text, std::map<std::uint64_t, std::string>* checkpoints = nullptr);
+/// the run came to is another; `conflict`: an entry that the run does not take; `unavailable`: somebody has set `stop`
+/// (which may be null) meanwhile. `checkpoints`: some on the way, as Runs::import takes them.
+Checked<RunFile> read_run_file_text(std::string_view text, std::map<std::uint64_t, std::string>* checkpoints = nullptr,
+                                    const std::atomic<bool>* stop = nullptr);
 
 /// Whether a parsed text is the file of a run, not a journal alone.
 bool is_run_file(const Value& json);
 /// As read_run_file_text, of a text as parse_json gives it with kRunFileLimits.
-Checked<RunFile> read_run_file(const Value& json, std::map<std::uint64_t, std::string>* checkpoints = nullptr);
+Checked<RunFile> read_run_file(const Value& json, std::map<std::uint64_t, std::string>* checkpoints = nullptr,
+                               const std::atomic<bool>* stop = nullptr);
 
 }  // namespace race::server

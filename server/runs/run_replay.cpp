@@ -13,9 +13,17 @@ namespace {
 
 Value integer(std::uint64_t n) { return static_cast<std::int64_t>(n); }
 
+/// The header of a replay that can be stopped.
+Expected<execution::JournalHeader> stoppable_header(Runs& runs, RunId id, const std::atomic<bool>* stop) {
+  ASSIGN_OR_RETURN(execution::JournalHeader header, runs.header(id));
+  header.budgets.evaluation.stop = stop;
+  return header;
+}
+
 /// A run that stands before macro step `from`.
-Expected<execution::JournalWalk> walk_from(Runs& runs, const RunRecord& run, std::uint64_t from) {
-  ASSIGN_OR_RETURN(const execution::JournalHeader header, runs.header(run.id));
+Expected<execution::JournalWalk> walk_from(Runs& runs, const RunRecord& run, std::uint64_t from,
+                                           const std::atomic<bool>* stop) {
+  ASSIGN_OR_RETURN(const execution::JournalHeader header, stoppable_header(runs, run.id, stop));
   const auto source = runs.source(run.id, header.program);
   execution::Replay replay(header, source);
   ASSIGN_OR_RETURN(execution::Execution execution, replay.after(from - 1));
@@ -24,7 +32,8 @@ Expected<execution::JournalWalk> walk_from(Runs& runs, const RunRecord& run, std
 
 }  // namespace
 
-Expected<Value> run_derivations(Runs& runs, RunId id, std::uint64_t from, std::uint64_t to) {
+Expected<Value> run_derivations(Runs& runs, RunId id, std::uint64_t from, std::uint64_t to,
+                                const std::atomic<bool>* stop) {
   ASSIGN_OR_RETURN(const RunRecord run, runs.get(id));
   if (from == 0) from = run.steps;
   if (to == 0) to = from;
@@ -36,7 +45,7 @@ Expected<Value> run_derivations(Runs& runs, RunId id, std::uint64_t from, std::u
   set_status(run, json);
   List steps;
   if (run.steps > 0) {
-    ASSIGN_OR_RETURN(const execution::JournalHeader header, runs.header(id));
+    ASSIGN_OR_RETURN(const execution::JournalHeader header, stoppable_header(runs, id, stop));
     execution::Replay replay(header, runs.source(id, header.program));
     ASSIGN_OR_RETURN(steps, replay.steps(from, to, run.steps, -1));
   }
@@ -44,7 +53,8 @@ Expected<Value> run_derivations(Runs& runs, RunId id, std::uint64_t from, std::u
   return Value(std::move(json));
 }
 
-Expected<Value> compare_runs(Runs& runs, RunId first, RunId second, std::uint64_t from, std::uint64_t most) {
+Expected<Value> compare_runs(Runs& runs, RunId first, RunId second, std::uint64_t from, std::uint64_t most,
+                             const std::atomic<bool>* stop) {
   ASSIGN_OR_RETURN(const RunRecord a, runs.get(first));
   ASSIGN_OR_RETURN(const RunRecord b, runs.get(second));
   if (from == 0) from = 1;
@@ -52,8 +62,8 @@ Expected<Value> compare_runs(Runs& runs, RunId first, RunId second, std::uint64_
   if (from > std::min(a.steps, b.steps) + 1)
     return unexpected(ErrorCode::out_of_range,
                       "both runs have macro steps 1 to " + std::to_string(std::min(a.steps, b.steps)), "from");
-  ASSIGN_OR_RETURN(execution::JournalWalk one, walk_from(runs, a, from));
-  ASSIGN_OR_RETURN(execution::JournalWalk other, walk_from(runs, b, from));
+  ASSIGN_OR_RETURN(execution::JournalWalk one, walk_from(runs, a, from, stop));
+  ASSIGN_OR_RETURN(execution::JournalWalk other, walk_from(runs, b, from, stop));
   ASSIGN_OR_RETURN(execution::Comparison comparison, execution::compare(one, other, most));
   Dict json{{"same", !comparison.difference.has_value()},
             {"steps", List{integer(a.steps), integer(b.steps)}},

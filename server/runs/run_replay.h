@@ -1,9 +1,11 @@
 // What is recomputed of a stored run: its derivations, and how it differs from another one. The work of a question is
 // bounded: a replay begins at the nearest checkpoint, and answers say where to go on.
 //
-// Threads: any; each question has a replay of its own.
+// Threads: any; each question has a replay of its own. If somebody sets `stop`, which may be null, a question ends
+// soon, with an answer to be thrown away.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 
 #include "core/execution/replay.h"
@@ -17,11 +19,12 @@ inline constexpr std::uint64_t kMostCompared = 2000;    // macro steps of an ans
 
 /// schemas/derivations.json of macro steps `from` to `to`, at most kMostDerivations; `from` 0: the last one, `to` 0:
 /// `from`. Errors: `not_found`, `out_of_range`, those of Runs and Replay.
-Expected<Value> run_derivations(Runs& runs, RunId id, std::uint64_t from, std::uint64_t to);
+Expected<Value> run_derivations(Runs& runs, RunId id, std::uint64_t from, std::uint64_t to,
+                                const std::atomic<bool>* stop = nullptr);
 
 /// schemas/run_comparison.json of two runs, from macro step `from` on (from 1), at most `most` macro steps. Errors: as
 /// run_derivations; `out_of_range`: one of them is shorter than `from`.
 Expected<Value> compare_runs(Runs& runs, RunId first, RunId second, std::uint64_t from,
-                             std::uint64_t most = kMostCompared);
+                             std::uint64_t most = kMostCompared, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace race::server

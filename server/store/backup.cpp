@@ -223,10 +223,7 @@ Expected<Backup> Backups::create(std::int64_t now_ms) try {
   return cannot("cannot write the backup", error);
 }
 
-Expected<std::vector<Backup>> Backups::list() try {
-  const services::MutexLock lock(mutex_);
-  return all();
-} catch (const fs::filesystem_error& error) {
+Expected<std::vector<Backup>> Backups::list() const try { return all(); } catch (const fs::filesystem_error& error) {
   return cannot("cannot list backups", error);
 }
 
@@ -253,9 +250,14 @@ Expected<Backup> Backups::restore(const std::string& name, const std::function<E
 
 Expected<Backup> Backups::find(const std::string& name) const {
   const auto time = time_of(name);
-  if (!time || !fs::exists(folder_ / name)) return unexpected(ErrorCode::not_found, "there is no such backup", name);
-  Backup backup{name, *time, 0};
-  for (const auto& entry : fs::directory_iterator(folder_ / name)) backup.bytes += entry.file_size();
+  std::error_code gone;  // while list() reads, another thread may remove it
+  auto files = time ? fs::directory_iterator(folder_ / name, gone) : fs::directory_iterator();
+  Backup backup{name, time.value_or(0), 0};
+  while (!gone && files != fs::directory_iterator()) {
+    backup.bytes += files->file_size(gone);
+    if (!gone) files.increment(gone);
+  }
+  if (!time || gone) return unexpected(ErrorCode::not_found, "there is no such backup", name);
   return backup;
 }
 

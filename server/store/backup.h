@@ -7,7 +7,7 @@
 // A backup appears whole or not at all: it is written beside, synchronised and renamed. race.sqlite is copied first:
 // values of the database may be newer than the journals of runs that go on meanwhile.
 //
-// Threads: any; one at a time inside.
+// Threads: any. One at a time makes, removes or brings back; list() waits for none of them.
 #pragma once
 
 #include <cstdint>
@@ -41,8 +41,8 @@ class Backups {
 
   /// Copies everything as it is now. Error `conflict`: there are kMost already, or one of this millisecond.
   Expected<Backup> create(std::int64_t now_ms) EXCLUDES(mutex_);
-  /// In order of time.
-  Expected<std::vector<Backup>> list() EXCLUDES(mutex_);
+  /// Those that are whole, in order of time; also while one is being made.
+  Expected<std::vector<Backup>> list() const;
   /// `not_found`
   Expected<Backup> remove(const std::string& name) EXCLUDES(mutex_);
   /// Makes the files what they were, and each in one transaction: who has them open sees the old content or the new.
@@ -52,8 +52,8 @@ class Backups {
   Expected<Backup> restore(const std::string& name, const std::function<Expected<void>()>& begin) EXCLUDES(mutex_);
 
  private:
-  Expected<Backup> find(const std::string& name) const REQUIRES(mutex_);
-  std::vector<Backup> all() const REQUIRES(mutex_);
+  Expected<Backup> find(const std::string& name) const;
+  std::vector<Backup> all() const;
 
   const std::filesystem::path data_, folder_;
   const std::function<Expected<void>()> restored_;

@@ -1,5 +1,5 @@
 // Pool and Strand: worker threads, and sequences of work on them. Work posted to a strand runs in order, one at a time,
-// on any thread of its pool. Each core has a strand; so do the stream and replays.
+// on any thread of its pool. Each core has a strand; so does the stream.
 //
 // Threads: post() and ask() on any.
 #pragma once

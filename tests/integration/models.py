@@ -61,6 +61,13 @@ def chain(name="chain"):
                            "ports": [{"name": "done", "when": "svc.timer.elapsed"}]})
 
 
+def slow(name="slow", lists=100):
+    """Ends after one macro step, which makes as many large lists: each takes some milliseconds."""
+    return document(name, {"state": "Root", "parameters": [{"name": "lists", "value": lists}], "results": [{"name": "n", "initial": 0}],
+                           "entry": "for i in range(par.lists):\n    x = [i] * 900000\nres.n = 1",
+                           "ports": [{"name": "done", "when": "res.n > 0"}]})
+
+
 def faulty(name="faulty"):
     """Divides by zero at the first tick."""
     return document(name, {"state": "Root", "variables": [{"name": "zero", "initial": 0}],

@@ -145,6 +145,21 @@ class Hosting(unittest.TestCase):
         self.command.lines("core", "load", core, "three", "--arguments", '{"last": 2}', "--start")
         self.assertEqual(self.server.ended(core)["results"], {"n": 2})
 
+    def test_the_command_line_starts_nothing_with_arguments_that_do_not_fit(self):
+        self.store(models.storing("fitting"))
+        [[core, *_]] = self.command.lines("core", "create", "fitting", "--arguments", '{"value": 7}')
+        for arguments, status, refused in (("[7]", 2, "--arguments: type: "), ("7", 2, "--arguments: type: "),
+                                           ('{"value": }', 2, "--arguments: json: "),
+                                           ('{"value": 8, "colour": 1}', 1, "arguments/colour: unknown_name: ")):
+            with self.subTest(arguments=arguments):
+                got, lines, errors = self.command.run("core", "start", core, "--arguments", arguments)
+                self.assertEqual((got, lines), (status, []))
+                self.assertTrue(errors.startswith(refused), errors)
+                waiting = self.command.json("core", "show", core)
+                self.assertEqual((waiting["status"], waiting["arguments"]), ("ready", {"value": 7}))
+        self.command.lines("core", "start", core, "--arguments", '{"key": "fit", "value": [1, {"a": 2.5}]}')
+        self.assertEqual(self.server.ended(core)["results"], {"read": [1, {"a": 2.5}]})
+
     def test_a_run_that_faulted_is_shown_with_its_fault_and_status_1(self):
         core = self.server.core(models.faulty("broken"))
         self.server.ended(core)
@@ -268,6 +283,26 @@ class Boot(unittest.TestCase):
             cores = [c for c in server.get("/cores", "cores")["cores"] if c["status"] == "running"]
             self.assertEqual([c["document"] for c in cores], ["endless"], "a run that is over is followed by another one")
             self.assertNotEqual(cores[0]["id"], core)
+
+    def test_a_document_with_an_open_run_is_not_started_a_second_time(self):
+        arguments = {"last": 1000000}
+        self.prepare([{"document": name, "arguments": arguments} for name in ("waiting", "going", "other")],
+                     *(models.ticking(name) for name in ("waiting", "going", "other")))
+        with Server(data=self.data) as server:
+            first = self.cores(server)
+            for name in ("waiting", "other"):
+                server.post(f"/cores/{first[name]['id']}/stop", None, "core")
+            ready = server.core(models.ticking("waiting"), start=False)  # it never begins
+            server.wait(first["going"]["id"], lambda c: c["step"] > 0)
+        with Server(data=self.data) as server:
+            cores = {(c["document"], c["id"], c["status"]) for c in server.get("/cores", "cores")["cores"]}
+            started = self.cores(server)["other"]["id"]
+            self.assertEqual(cores, {("waiting", ready, "ready"), ("going", first["going"]["id"], "interrupted"),
+                                     ("other", started, "running")})
+            self.assertNotEqual(started, first["other"]["id"])
+            text = self.log(server)
+            self.assertIn(f"boot: waiting is not started: its run {ready} is ready", text)
+            self.assertIn(f"boot: going is not started: its run {first['going']['id']} is interrupted", text)
 
     def test_a_list_that_is_none_is_refused_and_changes_nothing(self):
         entry = {"document": "mine", "arguments": {}}

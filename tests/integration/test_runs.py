@@ -1,9 +1,13 @@
 """Stored runs: listed, opened, replayed, compared, exported and imported, removed."""
+import http.client
 import json
 import shutil
 import subprocess
 import tempfile
+import threading
+import time
 import unittest
+from contextlib import suppress
 from itertools import pairwise
 from pathlib import Path
 
@@ -100,6 +104,31 @@ class Runs(unittest.TestCase):
             self.assertLessEqual({("run", "missing"), ("services", "missing")},
                                  {(error["path"], error["code"]) for error in errors})
             server.post("/runs", "{", status=400)
+
+    def test_a_server_that_ends_does_not_wait_for_a_long_replay(self):
+        with Server(data=self.data) as server:
+            core = server.core(models.slow(), start=False)
+            begun = time.monotonic()
+            server.post(f"/cores/{core}/start", {"arguments": {"lists": 200}}, "core")
+            server.ended(core)
+            lists = int(200 * 8 / (time.monotonic() - begun))  # so many take about eight seconds
+            core = server.core(models.slow(), {"lists": lists}, start=False)
+            with suppress(AssertionError):  # it takes longer than a request waits
+                server.post(f"/cores/{core}/start", None, "core")
+            server.ended(core, 60)
+            file = json.dumps(server.get(f"/runs/{core}/export", "run_file"))
+        server = Server()
+        asked = threading.Thread(target=self.import_into, args=(server, file))
+        asked.start()
+        time.sleep(1)
+        begun = time.monotonic()
+        server.stop()
+        asked.join()
+        self.assertLess(time.monotonic() - begun, 3)
+
+    def import_into(self, server, file):
+        with suppress(OSError, http.client.HTTPException):  # the server may end before it answers
+            server.post("/runs", file, status=503)
 
     def test_a_file_is_replayed_by_the_command(self):
         with Server(data=self.data) as server:

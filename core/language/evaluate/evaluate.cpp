@@ -14,7 +14,7 @@ inline void Machine::begin(const Program& program, Environment& environment, boo
   nodes_ = program.nodes.data();
   constants_ = program.constants.data();
   environment_ = &environment;
-  budget_left_ = static_cast<std::int64_t>(limits_.steps);
+  budget_left_ = is_told_to_stop() ? 0 : static_cast<std::int64_t>(limits_.steps);
   strict_ = strict;
   stopped_ = false;
   context_.failed = false;
@@ -95,7 +95,7 @@ const Value& Machine::checked(Value value, NodeId id, Value& out) {
 
 const Value& Machine::evaluate(NodeId id, Value& out) {
   const Node& n = nodes_[id];
-  if (--budget_left_ < 0) {
+  if (!take_unit()) {
     fail_over_budget(id);
     return kUnknown;
   }

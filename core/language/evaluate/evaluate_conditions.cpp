@@ -26,6 +26,7 @@ Truth Machine::test(NodeId id) {
     case Opcode::equal:
     case Opcode::not_equal:
       --budget_left_;
+      if (is_told_to_stop()) return budget_left_ = -1, Truth::unknown;  // the end of the evaluation sees it
       return compare_node(n, id);
     case Opcode::logical_and:
       --budget_left_;

@@ -7,7 +7,7 @@ namespace race::language {
 
 Machine::Flow Machine::execute(NodeId id) {
   const Node& n = nodes_[id];
-  if (--budget_left_ < 0) {
+  if (!take_unit()) {
     fail_over_budget(id);
     return Flow::halt;
   }

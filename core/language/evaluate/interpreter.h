@@ -1,6 +1,7 @@
 // The interpreter: evaluates Code in an Environment. It belongs to one thread.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -18,6 +19,9 @@ class Interpreter {
   struct Limits {
     std::uint64_t steps = 100'000;          // one unit for each evaluated syntax node
     std::uint64_t value_units = 1'000'000;  // elements plus string bytes of one value
+    /// If somebody sets it, every evaluation ends at its next syntax node, with a `budget` fault: for work that nobody
+    /// waits for any more, whose result is thrown away. Outlives the interpreter; null: nobody stops it.
+    const std::atomic<bool>* stop = nullptr;
   };
   Interpreter();
   explicit Interpreter(Limits limits);

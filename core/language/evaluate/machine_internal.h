@@ -44,6 +44,8 @@ class Machine {
 
   // evaluate.cpp: references and operators
   void begin(const Program& program, Environment& environment, bool strict);
+  bool is_told_to_stop() const;
+  bool take_unit();
   void fail_over_budget(NodeId id);
   bool over_budget();  // after an evaluation: whether it exceeded its budget, or stopped
   const Value& operand(NodeId id, Value& out);
@@ -133,6 +135,11 @@ class Machine {
   std::vector<Value> stack_;  // arguments of calls that are being made
 };
 
+inline bool Machine::is_told_to_stop() const { return limits_.stop && limits_.stop->load(std::memory_order_relaxed); }
+
+// False: the budget has no unit left, or the evaluation is told to stop.
+inline bool Machine::take_unit() { return --budget_left_ >= 0 && !is_told_to_stop(); }
+
 inline const Value& Machine::read_local(const Node& n, NodeId id) {
   const Value& v = locals_[n.a];
   return v.is_unknown() ? fail(FaultKind::name, program_->locals[n.a], id) : v;
@@ -158,7 +165,8 @@ inline const Value& Machine::operand(NodeId id, Value& out) {
 }
 
 struct Interpreter::State {
-  explicit State(Limits limits) : steps(limits.steps), machine(limits) {}
+  // One that may be stopped has no short way around the machine.
+  explicit State(Limits limits) : steps(limits.stop ? 0 : limits.steps), machine(limits) {}
   std::uint64_t steps;
   Machine machine;
 };

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <fstream>
+#include <future>
 #include <thread>
 
 #include "server/store/data_folder.h"
@@ -74,6 +75,19 @@ TEST_F(BackupTest, IsListedByTimeAndCanBeRemoved) {
   EXPECT_EQ(list[1].name, kName);
   ASSERT_TRUE(backups.remove(kName));
   EXPECT_THAT(files_of_backups(), ElementsAre("20261122T143104.122Z"));
+}
+
+TEST_F(BackupTest, IsListedWhileAnotherIsMadeOrBroughtBack) {
+  ASSERT_TRUE(backups.create(kTime));
+  fs::create_directories(data / "backups" / "20261122T143104.124Z.unfinished");
+  std::future<std::size_t> listed;
+  const auto begin = [&]() -> Expected<void> {
+    listed = std::async(std::launch::async, [&] { return backups.list().value().size(); });
+    EXPECT_EQ(listed.wait_for(std::chrono::seconds(5)), std::future_status::ready);
+    return {};
+  };
+  EXPECT_TRUE(backups.restore(kName, begin));
+  EXPECT_EQ(listed.get(), 1U);
 }
 
 TEST_F(BackupTest, ThatIsNotThereIsNotFound) {

@@ -67,7 +67,8 @@ struct CoreTest : testing::Test, CoreWatcher {
         rcm::write_native(document, native), semantics::Program::build(native, {}).value(), {}, {}};
     header.native.freeze();
     RunRecord run = store.runs->create({"long", 1, header, {}}, 0).value();
-    core = Core::create(std::move(run), std::move(header), {*pool, host, *this, *store.runs, *store.writer}).value();
+    core = Core::create(std::move(run), std::move(header), {*pool, host, *this, *store.runs, *store.writer, replays})
+               .value();
   }
   ~CoreTest() override {
     store.writer->close();
@@ -136,6 +137,7 @@ struct CoreTest : testing::Test, CoreWatcher {
   NoObserver observer;
   services::Host host{clock, observer};
   TemporaryStore store;
+  Worker replays;
   std::unique_ptr<Pool> pool = std::make_unique<Pool>(1);
   std::deque<View> views;
   std::vector<std::int64_t> micro;  // of the snapshots

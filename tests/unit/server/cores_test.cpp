@@ -35,7 +35,8 @@ struct CoresTest : testing::Test, CoreWatcher {
   services::Host host{clock, observer};
   std::unique_ptr<Pool> pool = std::make_unique<Pool>(1);
   TemporaryStore store;
-  Cores cores{*pool, host, *this, *store.runs, *store.writer};
+  Worker replays;
+  Cores cores{*pool, host, *this, *store.runs, *store.writer, replays};
 };
 
 TEST_F(CoresTest, WhoHearsOfACoreCanFindIt) {
@@ -82,6 +83,21 @@ TEST_F(CoresTest, ARunThatNeverBeganIsRemovedWithItsCore) {
   ASSERT_TRUE(cores.remove(begun->id()));
   EXPECT_EQ(store.runs->get(never->run_id()).error().code, ErrorCode::not_found);
   EXPECT_EQ(store.runs->get(begun->run_id())->status, "aborted");
+}
+
+TEST_F(CoresTest, ALongReplayDelaysNoCore) {
+  const auto busy = rcm::read_document_text(R"({"rcm": 1, "root": {"state": "R",
+    "entry": "for i in range(30):\n    x = [i] * 900000"}})")
+                        .value();
+  const auto quick = rcm::read_document_text(R"({"rcm": 1, "root": {"state": "R"}})").value();
+  const auto replayed = cores.create({"busy", 1, busy}, {}).value();
+  const auto other = cores.create({"quick", 1, quick}, {}).value();
+  ASSERT_TRUE(replayed->start());
+  auto derived = std::async(std::launch::async, [&] { return replayed->derivations(1, 1).has_value(); });
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_TRUE(other->start());
+  EXPECT_NE(derived.wait_for(std::chrono::seconds(0)), std::future_status::ready) << "the core waited for the replay";
+  EXPECT_TRUE(derived.get());
 }
 
 }  // namespace

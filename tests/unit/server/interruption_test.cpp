@@ -44,7 +44,7 @@ struct Interruption : testing::Test, CoreWatcher {
     runs = Runs::open(folder.store()).value();
     writer = JournalWriter::open(folder.store(), patience).value();
     pool = std::make_unique<Pool>(2);
-    cores = std::make_unique<Cores>(*pool, host, *this, *runs, *writer);
+    cores = std::make_unique<Cores>(*pool, host, *this, *runs, *writer, replays);
     ASSERT_TRUE(cores->recover());
   }
   void end_server() {
@@ -59,7 +59,7 @@ struct Interruption : testing::Test, CoreWatcher {
   std::shared_ptr<Core> small_core() {
     const execution::JournalHeader header = execution::small_journal().header;
     RunRecord run = runs->create({"small", 1, header, {}}, 0).value();
-    return Core::create(std::move(run), header, {*pool, host, *this, *runs, *writer}).value();
+    return Core::create(std::move(run), header, {*pool, host, *this, *runs, *writer, replays}).value();
   }
   static void answer(Core& core, std::uint64_t call, const Value& data) {
     services::Delivery delivery;
@@ -107,6 +107,7 @@ struct Interruption : testing::Test, CoreWatcher {
   std::unique_ptr<Runs> runs;
   std::unique_ptr<JournalWriter> writer;
   std::unique_ptr<Pool> pool;
+  Worker replays;
   std::unique_ptr<Cores> cores;
 };
 

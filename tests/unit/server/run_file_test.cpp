@@ -1,40 +1,51 @@
 // Files of runs: what is read is what was written, and whatever does not fit together is refused.
 #include "server/runs/run_file.h"
 
+#include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Statement.h>
+
 #include "core/execution/step_json.h"
 #include "core/value/json.h"
 #include "server/store/journal_chain.h"
+#include "server/store/run_row.h"
+#include "server/threads/worker.h"
 #include "tests/unit/server/run_store.h"
 
 namespace race::server {
 namespace {
 
-/// The file of a run as a server that executed it writes it.
-RunFile file_of(execution::Journal journal) {
+/// The file of a run that goes on, whose journal nobody has executed.
+RunFile unchecked_file_of(execution::Journal journal) {
   RunFile file;
-  execution::Execution execution =
-      execution::Execution::create(journal.header.program, journal.header.arguments, journal.header.budgets).value();
   file.record.chain = header_chain(journal.header);
-  for (const execution::JournalEntry& entry : journal.entries) {
-    execution.replay(entry, {}).value();
+  for (const execution::JournalEntry& entry : journal.entries)
     file.record.chain = chain_after(file.record.chain, input_text(entry));
-  }
   file.record.id = 12;
   file.record.document = "task";
   file.record.revision = 3;
   file.record.arguments = journal.header.arguments;
   file.record.steps = journal.entries.size();
   file.record.created_ms = 1700000000000;
+  file.record.status = "running";
+  file.services = {{"t", timer_service()}};
+  Value pose = Dict{{"time", 0.2}, {"joints", Dict{{"a1", 0.5}}}, {"bodies", Dict()}};
+  file.samples = {{1, pose.freeze()}};
+  file.journal = std::move(journal);
+  return file;
+}
+
+/// The file of a run as a server that executed it writes it.
+RunFile file_of(execution::Journal journal) {
+  execution::Execution execution =
+      execution::Execution::create(journal.header.program, journal.header.arguments, journal.header.budgets).value();
+  for (const execution::JournalEntry& entry : journal.entries) execution.replay(entry, {}).value();
+  RunFile file = unchecked_file_of(std::move(journal));
   file.record.status = semantics::name(execution.run().status());
   if (file.record.is_over()) {
     file.record.outcome = execution.run().outcome();
     file.record.results = execution::root_results(execution.run());
     file.record.ended_ms = 1700000001000;
   }
-  file.services = {{"t", timer_service()}};
-  Value pose = Dict{{"time", 0.2}, {"joints", Dict{{"a1", 0.5}}}, {"bodies", Dict()}};
-  file.samples = {{1, pose.freeze()}};
-  file.journal = std::move(journal);
   return file;
 }
 
@@ -146,6 +157,82 @@ TEST(RunFiles, AskForNoMoreWorkThanARunOfThisServer) {
   journal.header.budgets.micro_steps = semantics::Budgets().micro_steps + 1;
   EXPECT_EQ(refusal_of(json_of(file_of(std::move(journal)))),
             (std::pair(ErrorCode::out_of_range, std::string("journal/header/budgets"))));
+}
+
+/// A run whose first micro step takes minutes, all within the budgets.
+execution::Journal hostile(std::string_view root) {
+  Dict arguments{{"x", List(400'000, Value(1))}, {"y", List(400'000, Value(1))}};
+  const std::string document = R"({"rcm": 1, "root": {"state": "Root", "parameters": [{"name": "x"}, {"name": "y"}], )";
+  execution::Journal journal =
+      execution::journal_of(rcm::read_document_text(document + std::string(root) + "}}").value(), {}, arguments);
+  journal.entries.emplace_back(execution::StartEntry{});
+  return journal;
+}
+
+TEST(RunFiles, AreStoppedWhenTheirRunTakesTooLong) {
+  std::string comparisons = "par.x == par.y", ports;
+  for (int i = 0; i < 2000; ++i) comparisons += " and par.x == par.y";
+  for (int i = 0; i < 20; ++i) {
+    ports += i == 0 ? "" : ", ";
+    ports += R"({"name": "p)" + std::to_string(i) + R"(", "when": ")" + comparisons + R"( and False"})";
+  }
+  for (const std::string& root :
+       {std::string(R"("entry": "for i in range(30000):\n    z = [i] * 900000")"),
+        std::string(R"("ports": [{"name": "p", "when": "len([i for i in range(30000) if sum(par.x) < i]) > 0"}])"),
+        R"("ports": [)" + ports + "]"}) {
+    SCOPED_TRACE(root.substr(0, 100));
+    const std::string text = write_run_file(unchecked_file_of(hostile(root))).value();
+    Worker worker;
+    const auto read = [&](const Worker::Stop& stop) { return read_run_file_text(text, nullptr, &stop).has_value(); };
+    EXPECT_EQ(worker.ask(read, std::chrono::seconds(1)).error().code, ErrorCode::too_large);
+    EXPECT_TRUE(worker.ask([](const Worker::Stop&) { return true; }, std::chrono::seconds(1))) << "it is still busy";
+  }
+}
+
+class FilesOfStoredRuns : public StoredRuns {};
+
+TEST_F(FilesOfStoredRuns, ReadNoLongerJournalThanAFileHasRoomFor) {
+  const auto runs = open();
+  execution::Journal journal = counting({});
+  std::size_t bytes = input_text(journal.entries[0]).size();
+  const auto add = [&](std::size_t size) {
+    journal.entries.emplace_back(execution::EventEntry{"t", "tick", std::string(size, 'x')});
+    bytes += input_text(journal.entries.back()).size();
+  };
+  for (int i = 0; i < 15; ++i) add(1 << 20);
+  const std::size_t around = input_text(execution::EventEntry{"t", "tick", ""}).size();
+  add(kRunFileLimits.bytes - bytes - around);
+  ASSERT_EQ(bytes, kRunFileLimits.bytes);
+  const auto whole = journal_of(import(*runs, journal), *runs);
+  ASSERT_TRUE(whole) << to_string(whole.error());
+  EXPECT_EQ(whole->entries.size(), journal.entries.size());
+  journal.entries.emplace_back(execution::EventEntry{"t", "tick", 1});
+  const Error refused = journal_of(import(*runs, journal), *runs).error();
+  EXPECT_EQ(refused.code, ErrorCode::too_large);
+  EXPECT_NE(refused.message.find("race replay"), std::string::npos) << "what to do instead";
+}
+
+TEST(RunFiles, ThatAreTextsHaveTheSameBound) {
+  const std::string longest(kRunFileLimits.bytes - 2, 'x');
+  EXPECT_EQ(bounded_text(longest)->size(), kRunFileLimits.bytes);
+  EXPECT_EQ(bounded_text(longest + 'x').error().code, ErrorCode::too_large);
+}
+
+TEST_F(FilesOfStoredRuns, NameAnRsmThatCannotBeRead) {
+  const auto runs = open();
+  RunRecord run = runs->create(run_of(counting({})), 1).value();
+  EXPECT_EQ(services_of(run.id, *runs).value(), (std::map<std::string, rsm::Service>{{"t", timer_service()}}));
+  const std::string other = R"({"t":{"events":1}})";
+  run.services = sqlite::sha256(other);
+  SQLite::Database file(path(), SQLite::OPEN_READWRITE);
+  SQLite::Statement insert(file, "INSERT INTO header VALUES (?, ?)");
+  bind_digest(insert, 1, run.services);
+  insert.bind(2, other);
+  insert.exec();
+  update_row(file, run);
+  const Error refused = services_of(run.id, *runs).error();
+  EXPECT_EQ(refused.code, ErrorCode::corrupt);
+  EXPECT_EQ(refused.path, "services/t");
 }
 
 TEST(RunFiles, HaveABound) {

@@ -38,7 +38,7 @@ class StoredRuns : public testing::Test {
   static Runs::NewRun run_of(const execution::Journal& journal, const std::string& document = "task") {
     return {document, 3, journal.header, {{"t", timer_service()}}};
   }
-  static RunRecord import(Runs& runs, const execution::Journal& journal, const std::string& status = "running") {
+  static RunRecord import(Runs& runs, const execution::Journal& journal, const std::string& status = "aborted") {
     RunRecord record;
     record.status = status;
     return runs.import(record, run_of(journal), journal.entries).value();

@@ -13,8 +13,7 @@
 #include "core/value/json.h"
 #include "server/store/journal_chain.h"
 #include "server/store/run_row.h"
-#include "tests/unit/core/execution/journals.h"
-#include "tests/unit/server/bench.h"
+#include "tests/unit/server/run_store.h"
 
 namespace race::server {
 namespace {
@@ -23,21 +22,8 @@ namespace fs = std::filesystem;
 using execution::Journal;
 using execution::JournalEntry;
 
-rsm::Service timer() { return rsm::read_service_text(R"({"events": [{"name": "tick"}]})", "timer").value(); }
-
-class RunStore : public testing::Test {
+class RunStore : public StoredRuns {
  protected:
-  std::string path() const { return folder_ / "race.sqlite"; }
-  std::unique_ptr<Runs> open() const { return Runs::open(path()).value(); }
-
-  static Runs::NewRun run_of(const Journal& journal, const std::string& document = "task") {
-    return {document, 3, journal.header, {{"t", timer()}}};
-  }
-  RunRecord import(Runs& runs, const Journal& journal) const {
-    RunRecord record;
-    record.status = "aborted";
-    return runs.import(record, run_of(journal), journal.entries).value();
-  }
   int change(const std::string& statement) const {
     SQLite::Database file(path(), SQLite::OPEN_READWRITE);
     return file.exec(statement);
@@ -47,8 +33,6 @@ class RunStore : public testing::Test {
     return file.execAndGet("SELECT count(*) FROM " + table).getInt64();
   }
 
-  const TemporaryFolder place_;
-  const fs::path folder_ = place_.path;
   const Journal journal_ = execution::small_journal();
 };
 
@@ -79,7 +63,7 @@ TEST_F(RunStore, GivesARunANumberAndKeepsWhatItIs) {
   const auto runs = open();
   expect_same(runs->get(1).value(), created);
   EXPECT_EQ(to_json(execution::header_json(runs->header(1).value())), to_json(execution::header_json(journal_.header)));
-  EXPECT_EQ(runs->services(1).value(), Value(Dict{{"t", rsm::write_service(timer())}}));
+  EXPECT_EQ(runs->services(1).value(), Value(Dict{{"t", rsm::write_service(timer_service())}}));
 }
 
 TEST_F(RunStore, NeverUsesANumberAgain) {
