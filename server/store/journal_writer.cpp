@@ -11,6 +11,8 @@
 
 #include "core/value/json.h"
 #include "server/store/journal_chain.h"
+#include "server/store/run_checkpoints.h"
+#include "server/store/run_entries.h"
 #include "server/store/run_row.h"
 #include "services/sqlite/file.h"
 #include "services/sqlite/write_transaction.h"

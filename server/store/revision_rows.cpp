@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "server/store/digest_column.h"
 #include "services/sqlite/digest.h"
 
 namespace race::server {
@@ -40,10 +41,6 @@ sqlite::Digest digest_of(const Revision& revision, std::string_view text_digest)
   return sqlite::sha256_of({document, std::to_string(number), change.author, std::to_string(change.time_ms),
                             change.message, name(origin.kind), origin.document, std::to_string(origin.revision),
                             std::to_string(errors), doc, text_digest});
-}
-
-void bind_digest(SQLite::Statement& statement, int index, const sqlite::Digest& digest) {
-  statement.bind(index, digest.data(), static_cast<int>(digest.size()));
 }
 
 struct Row {

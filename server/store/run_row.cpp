@@ -3,10 +3,9 @@
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Statement.h>
 
-#include <cstring>
-
 #include "core/execution/journal.h"
 #include "core/value/json.h"
+#include "server/store/digest_column.h"
 
 namespace race::server {
 namespace {
@@ -40,6 +39,12 @@ Value read_value(const SQLite::Column& column) {
 
 }  // namespace
 
+std::string path_of(RunId id) { return "runs/" + std::to_string(id); }
+
+tl::unexpected<Error> damaged(const std::string& what, std::string path) {
+  return unexpected(ErrorCode::corrupt, what + " is damaged", std::move(path));
+}
+
 sqlite::Digest digest_of(const RunRecord& run) {
   const auto text = [](auto n) { return std::to_string(n); };
   return sqlite::sha256_of({text(run.id), run.document, text(run.revision), sqlite::bytes(run.header),
@@ -69,6 +74,26 @@ void update_row(SQLite::Database& file, const RunRecord& run) {
   update.exec();
 }
 
+std::string select_runs(std::string_view rest) {
+  return "SELECT " + std::string(kRunColumns) + " FROM run " + std::string(rest);
+}
+
+Expected<RunRecord> find_row(SQLite::Database& file, RunId id) {
+  SQLite::Statement select(file, select_runs("WHERE id = ?"));
+  select.bind(1, number(id));
+  if (!select.executeStep()) return unexpected(ErrorCode::not_found, "there is no run of this number", path_of(id));
+  return read_row(select);
+}
+
+Expected<std::vector<RunRecord>> read_rows(SQLite::Statement& select) {
+  std::vector<RunRecord> found;
+  while (select.executeStep()) {
+    ASSIGN_OR_RETURN(RunRecord run, read_row(select));
+    found.push_back(std::move(run));
+  }
+  return found;
+}
+
 Expected<RunRecord> read_row(SQLite::Statement& select) {
   RunRecord run;
   run.id = static_cast<RunId>(select.getColumn(0).getInt64());
@@ -88,42 +113,8 @@ Expected<RunRecord> read_row(SQLite::Statement& select) {
   run.imported = select.getColumn(14).getInt() != 0;
   run.bytes = static_cast<std::uint64_t>(select.getColumn(15).getInt64());
   if (digest_in(select, 16) != digest_of(run))
-    return unexpected(ErrorCode::corrupt, "the stored run is damaged", "runs/" + std::to_string(run.id));
+    return unexpected(ErrorCode::corrupt, "the stored run is damaged", path_of(run.id));
   return run;
-}
-
-void write_entry(SQLite::Database& file, RunId run, std::uint64_t position, const std::string& input,
-                 const sqlite::Digest& chain) {
-  SQLite::Statement insert(file, "INSERT INTO entry VALUES (?, ?, ?, ?)");
-  insert.bind(1, number(run));
-  insert.bind(2, number(position));
-  insert.bind(3, input);
-  bind_digest(insert, 4, chain);
-  insert.exec();
-}
-
-void write_checkpoint(SQLite::Database& file, RunId run, std::uint64_t position, const std::string& text) {
-  SQLite::Statement insert(file, "INSERT OR REPLACE INTO checkpoint VALUES (?, ?, ?, ?)");
-  insert.bind(1, number(run));
-  insert.bind(2, number(position));
-  insert.bind(3, text);
-  bind_digest(insert, 4, checkpoint_digest(run, position, text));
-  insert.exec();
-}
-
-sqlite::Digest checkpoint_digest(RunId run, std::uint64_t position, std::string_view text) {
-  return sqlite::sha256_of({std::to_string(run), std::to_string(position), text});
-}
-
-void bind_digest(SQLite::Statement& statement, int index, const sqlite::Digest& digest) {
-  statement.bind(index, digest.data(), static_cast<int>(digest.size()));
-}
-
-sqlite::Digest digest_in(SQLite::Statement& row, int column) {
-  const SQLite::Column blob = row.getColumn(column);
-  sqlite::Digest digest = {};
-  if (blob.getBytes() == static_cast<int>(digest.size())) std::memcpy(digest.data(), blob.getBlob(), digest.size());
-  return digest;
 }
 
 }  // namespace race::server

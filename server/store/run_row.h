@@ -1,12 +1,11 @@
-// Rows of a run, its journal and its checkpoints, as they are written by Runs and JournalWriter: each with its digest.
-// All may throw SQLite::Exception.
+// The row of a run, as it is written by Runs and JournalWriter, with its digest. All may throw SQLite::Exception.
 //
 // Threads: those of the connection.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/value/expected.h"
 #include "server/store/runs.h"
@@ -20,6 +19,11 @@ inline constexpr std::string_view kRunColumns =
     "ended,"
     " imported, bytes, digest";
 
+/// How errors name a run.
+std::string path_of(RunId id);
+/// `what` at `path` is damaged: error `corrupt`.
+tl::unexpected<Error> damaged(const std::string& what, std::string path);
+
 /// Of all fields of a run's row.
 sqlite::Digest digest_of(const RunRecord& run);
 
@@ -28,19 +32,14 @@ sqlite::Digest digest_of(const RunRecord& run);
 void write_row(SQLite::Database& file, RunRecord& run);
 /// The row of this run, as the record is now.
 void update_row(SQLite::Database& file, const RunRecord& run);
+
+/// The statement that selects rows for read_row(): `rest` is what follows FROM.
+std::string select_runs(std::string_view rest);
 /// The row at which `select` stands. Error `corrupt`, naming the run.
 Expected<RunRecord> read_row(SQLite::Statement& select);
-
-/// The entry at `position`, and the chain after it (journal_chain.h).
-void write_entry(SQLite::Database& file, RunId run, std::uint64_t position, const std::string& input,
-                 const sqlite::Digest& chain);
-/// The checkpoint after the macro step at `position`: the text of schemas/checkpoint.json.
-void write_checkpoint(SQLite::Database& file, RunId run, std::uint64_t position, const std::string& text);
-/// Of a checkpoint's row.
-sqlite::Digest checkpoint_digest(RunId run, std::uint64_t position, std::string_view text);
-
-void bind_digest(SQLite::Statement& statement, int index, const sqlite::Digest& digest);
-/// The digest in a column; one that is no text's if the column holds something else.
-sqlite::Digest digest_in(SQLite::Statement& row, int column);
+/// All rows that `select` has from here on. Error `corrupt`, naming the first damaged run.
+Expected<std::vector<RunRecord>> read_rows(SQLite::Statement& select);
+/// The row of a run. Errors: `not_found`, `corrupt`.
+Expected<RunRecord> find_row(SQLite::Database& file, RunId id);
 
 }  // namespace race::server

@@ -12,6 +12,7 @@
 #include "core/rsm/document.h"
 #include "core/value/json.h"
 #include "server/store/journal_chain.h"
+#include "server/store/run_checkpoints.h"
 #include "server/store/run_row.h"
 #include "tests/unit/core/execution/journals.h"
 #include "tests/unit/server/bench.h"
