@@ -8,9 +8,9 @@
 #include <bit>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "core/value/json.h"
-#include "server/store/journal_chain.h"
 #include "server/store/run_checkpoints.h"
 #include "server/store/run_entries.h"
 #include "server/store/run_row.h"
@@ -21,23 +21,12 @@ namespace race::server {
 
 namespace {
 
-void write_entry_of(SQLite::Database& file, RunRecord& run, const execution::JournalEntry& entry) {
-  const std::string input = input_text(entry);
-  run.chain = chain_after(run.chain, input);
-  write_entry(file, run.id, ++run.steps, input, run.chain);
-  run.bytes += input.size() + run.chain.size();
-}
-
 // Of the old ones, those at today's interval are kept.
-void write_checkpoint_of(SQLite::Database& file, RunRecord& run, const Value& checkpoint) {
-  const std::string text = to_json(checkpoint);
-  if (text.size() > RunJournal::kCheckpointBytes) return;
-  write_checkpoint(file, run.id, run.steps, text);
-  run.bytes += text.size();
-  SQLite::Statement thin(file, "DELETE FROM checkpoint WHERE run = ? AND position % ? != 0");
-  thin.bind(1, static_cast<std::int64_t>(run.id));
-  thin.bind(2, static_cast<std::int64_t>(RunJournal::interval_at(run.steps)));
-  thin.exec();
+void thin_checkpoints(Statements& statements, const RunRecord& run) {
+  const auto thin = statements.use("DELETE FROM checkpoint WHERE run = ? AND position % ? != 0");
+  thin->bind(1, static_cast<std::int64_t>(run.id));
+  thin->bind(2, static_cast<std::int64_t>(RunJournal::interval_at(run.steps)));
+  thin->exec();
 }
 
 void end_run(RunRecord& run, const RunEnd& end) {
@@ -48,17 +37,53 @@ void end_run(RunRecord& run, const RunEnd& end) {
   run.ended_ms = end.ended_ms;
 }
 
-/// A run that is written to is under way, unless this is its end.
-void write_record(SQLite::Database& file, RunRecord& run, const JournalRecord& record) {
-  if (!record.entry && !record.end) {  // it is resumed. SQLite writes nothing for a row that stays as it is
-    run.status = "interrupted";
-    update_row(file, run);
+/// What is written of a run at once. Texts and hashes are computed before the transaction begins: all who write the
+/// store wait while it lasts.
+class Batch {
+ public:
+  /// `run` as it was written last.
+  explicit Batch(RunRecord& run) : run_(run) {}
+
+  /// A run that is written to is under way, unless this is its end.
+  void add(const JournalRecord& record) {
+    ticket_ = record.ticket;
+    resumes_ |= !record.entry && !record.end;
+    run_.status = "running";
+    if (record.entry) entries_.push_back(append_entry(run_, *record.entry));
+    if (record.checkpoint) add_checkpoint(to_json(*record.checkpoint));
+    if (record.end) end_run(run_, *record.end);
   }
-  run.status = "running";
-  if (record.entry) write_entry_of(file, run, *record.entry);
-  if (record.checkpoint) write_checkpoint_of(file, run, *record.checkpoint);
-  if (record.end) end_run(run, *record.end);
-}
+
+  /// Error `not_found`: the run is not in the store; nothing is written.
+  Expected<void> write(Statements& statements) const {
+    if (resumes_) {  // SQLite writes nothing for a row that stays as it is
+      RunRecord interrupted = run_;
+      interrupted.status = "interrupted";
+      if (auto there = update_row(statements, interrupted); !there) return there;
+    }
+    if (auto there = update_row(statements, run_); !there) return there;
+    for (const EntryRow& entry : entries_) write_entry(statements, run_.id, entry);
+    for (const CheckpointRow& checkpoint : checkpoints_) write_checkpoint(statements, run_.id, checkpoint);
+    if (!checkpoints_.empty()) thin_checkpoints(statements, run_);
+    return {};
+  }
+
+  std::uint64_t ticket() const { return ticket_; }
+  std::size_t entries() const { return entries_.size(); }
+
+ private:
+  void add_checkpoint(std::string text) {
+    if (text.size() > RunJournal::kCheckpointBytes) return;
+    run_.bytes += text.size();
+    checkpoints_.push_back(checkpoint_row(run_.id, run_.steps, std::move(text)));
+  }
+
+  RunRecord& run_;
+  std::uint64_t ticket_ = 0;
+  bool resumes_ = false;
+  std::vector<EntryRow> entries_;
+  std::vector<CheckpointRow> checkpoints_;
+};
 
 }  // namespace
 
@@ -73,7 +98,7 @@ Expected<std::unique_ptr<JournalWriter>> JournalWriter::open(const std::string& 
 }
 
 JournalWriter::JournalWriter(std::unique_ptr<SQLite::Database> file)
-    : file_(std::move(file)), thread_([this] { run(); }) {}
+    : file_(std::move(file)), statements_(*file_), thread_([this] { run(); }) {}
 
 JournalWriter::~JournalWriter() { close(); }
 
@@ -107,45 +132,40 @@ std::deque<JournalWriter::Item> JournalWriter::next() {
   return std::exchange(waiting_, {});
 }
 
-// Those whose journal has failed before are dropped.
+// Those whose journal has failed before are dropped. One transaction, one flush.
 void JournalWriter::write(const std::deque<Item>& items) {
-  std::map<RunJournal*, std::uint64_t> tickets;
-  for (const Item& item : items)
-    if (!item.journal->failed_) tickets[item.journal.get()] = item.record.ticket;
-  std::optional<Error> failure;
+  std::map<RunJournal*, Batch> batches;
+  for (const Item& item : items) {
+    RunJournal& journal = *item.journal;
+    if (!journal.failed_) batches.try_emplace(&journal, journal.record_).first->second.add(item.record);
+  }
+  if (batches.empty()) return;
+  std::map<RunJournal*, Expected<void>> written;
   try {
-    if (!tickets.empty()) commit(items);
+    sqlite::WriteTransaction transaction(*file_);
+    std::uint64_t entries = 0;
+    for (const auto& [journal, batch] : batches) {
+      written[journal] = batch.write(statements_);
+      if (written[journal]) entries += batch.entries();
+    }
+    transaction.commit();
+    ++commits_;
+    entries_ += entries;
   } catch (const SQLite::Exception& exception) {
-    failure = sqlite::error_of(exception, "the journal cannot be written");
+    const Error error = sqlite::error_of(exception, "the journal cannot be written");
+    for (const auto& [journal, batch] : batches) written[journal] = tl::unexpected(error);
   }
-  for (const auto& [journal, ticket] : tickets) {
-    journal->failed_ = failure.has_value();
-    const auto sink = journal->sink_.lock();
-    if (!sink) continue;
-    if (failure)
-      sink->failed(*failure);
-    else
-      sink->durable(ticket);
-  }
+  for (const auto& [journal, batch] : batches) report(*journal, batch.ticket(), written[journal]);
 }
 
-// One transaction, one flush.
-void JournalWriter::commit(const std::deque<Item>& items) {
-  SQLite::Database& file = *file_;
-  sqlite::WriteTransaction transaction(file);
-  std::map<RunJournal*, const RunRecord*> written;
-  std::uint64_t entries = 0;
-  for (const Item& item : items) {
-    if (item.journal->failed_) continue;
-    RunRecord& run = item.journal->record_;
-    write_record(file, run, item.record);
-    written[item.journal.get()] = &run;
-    entries += item.record.entry ? 1 : 0;
-  }
-  for (const auto& [journal, run] : written) update_row(file, *run);
-  transaction.commit();
-  ++commits_;
-  entries_ += entries;
+void JournalWriter::report(RunJournal& journal, std::uint64_t ticket, const Expected<void>& written) {
+  journal.failed_ = !written;
+  const auto sink = journal.sink_.lock();
+  if (!sink) return;
+  if (written)
+    sink->durable(ticket);
+  else
+    sink->failed(written.error());
 }
 
 }  // namespace race::server

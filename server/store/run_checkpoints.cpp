@@ -3,6 +3,8 @@
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Statement.h>
 
+#include <utility>
+
 #include "core/execution/journal.h"
 #include "core/value/json.h"
 #include "server/store/digest_column.h"
@@ -19,13 +21,18 @@ sqlite::Digest digest_of(RunId run, std::uint64_t position, std::string_view tex
 
 }  // namespace
 
-void write_checkpoint(SQLite::Database& file, RunId run, std::uint64_t position, const std::string& text) {
-  SQLite::Statement insert(file, "INSERT OR REPLACE INTO checkpoint VALUES (?, ?, ?, ?)");
-  insert.bind(1, number(run));
-  insert.bind(2, number(position));
-  insert.bind(3, text);
-  bind_digest(insert, 4, digest_of(run, position, text));
-  insert.exec();
+CheckpointRow checkpoint_row(RunId run, std::uint64_t position, std::string text) {
+  const sqlite::Digest digest = digest_of(run, position, text);
+  return {position, std::move(text), digest};
+}
+
+void write_checkpoint(Statements& statements, RunId run, const CheckpointRow& row) {
+  const auto insert = statements.use("INSERT OR REPLACE INTO checkpoint VALUES (?, ?, ?, ?)");
+  insert->bind(1, number(run));
+  insert->bind(2, number(row.position));
+  insert->bind(3, row.text);
+  bind_digest(*insert, 4, row.digest);
+  insert->exec();
 }
 
 Expected<Value> read_checkpoint(SQLite::Database& file, RunId run, std::uint64_t position) {

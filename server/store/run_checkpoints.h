@@ -9,11 +9,19 @@
 
 #include "core/value/expected.h"
 #include "server/store/runs.h"
+#include "server/store/statements.h"
 
 namespace race::server {
 
-/// The checkpoint after the macro step at `position`: the text of schemas/checkpoint.json. Requires a transaction.
-void write_checkpoint(SQLite::Database& file, RunId run, std::uint64_t position, const std::string& text);
+struct CheckpointRow {
+  std::uint64_t position = 0;  // after the macro step there
+  std::string text;            // schemas/checkpoint.json
+  sqlite::Digest digest = {};
+};
+
+CheckpointRow checkpoint_row(RunId run, std::uint64_t position, std::string text);
+/// Requires a transaction.
+void write_checkpoint(Statements& statements, RunId run, const CheckpointRow& row);
 /// The newest one at or before `position`; unknown: there is none. Error `corrupt`, naming the checkpoint.
 Expected<Value> read_checkpoint(SQLite::Database& file, RunId run, std::uint64_t position);
 /// Positions of all, in order.

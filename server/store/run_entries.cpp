@@ -63,14 +63,20 @@ Expected<JournalEntry> read_entry(const EntryRow& row, RunId id, const JournalEn
 
 }  // namespace
 
-void write_entry(SQLite::Database& file, RunId run, std::uint64_t position, const std::string& input,
-                 const sqlite::Digest& chain) {
-  SQLite::Statement insert(file, "INSERT INTO entry VALUES (?, ?, ?, ?)");
-  insert.bind(1, number(run));
-  insert.bind(2, number(position));
-  insert.bind(3, input);
-  bind_digest(insert, 4, chain);
-  insert.exec();
+EntryRow append_entry(RunRecord& run, const JournalEntry& entry) {
+  std::string input = input_text(entry);
+  run.chain = chain_after(run.chain, input);
+  run.bytes += input.size() + run.chain.size();
+  return {++run.steps, std::move(input), run.chain};
+}
+
+void write_entry(Statements& statements, RunId run, const EntryRow& row) {
+  const auto insert = statements.use("INSERT INTO entry VALUES (?, ?, ?, ?)");
+  insert->bind(1, number(run));
+  insert->bind(2, number(row.position));
+  insert->bind(3, row.input);
+  bind_digest(*insert, 4, row.chain);
+  insert->exec();
 }
 
 Expected<std::vector<EntryRow>> read_entry_rows(SQLite::Database& file, const RunRecord& run, std::uint64_t from,

@@ -10,6 +10,7 @@
 #include "core/execution/journal.h"
 #include "core/value/expected.h"
 #include "server/store/runs.h"
+#include "server/store/statements.h"
 
 namespace race::server {
 
@@ -19,9 +20,10 @@ struct EntryRow {
   sqlite::Digest chain = {};  // after it
 };
 
-/// The entry at `position`, and the chain after it. Requires a transaction.
-void write_entry(SQLite::Database& file, RunId run, std::uint64_t position, const std::string& input,
-                 const sqlite::Digest& chain);
+/// The next entry of a run: in the record, and the row to be written.
+EntryRow append_entry(RunRecord& run, const execution::JournalEntry& entry);
+/// Requires a transaction.
+void write_entry(Statements& statements, RunId run, const EntryRow& row);
 
 /// The rows `from` - 1 (if there is one) to `to`. Error `corrupt`, naming the entry: one is missing or is not as the
 /// chain has it. Requires 1 <= from <= to <= run.steps, and a transaction, so that all is of one moment.

@@ -25,15 +25,13 @@ std::string text_of(const std::map<std::string, rsm::Service>& services) {
 }
 
 // One that was damaged is whole again when it is stored again.
-sqlite::Digest write_text(SQLite::Database& file, const std::string& text) {
-  const sqlite::Digest digest = sqlite::sha256(text);
-  SQLite::Statement insert(file,
-                           "INSERT INTO header VALUES (?, ?)"
-                           " ON CONFLICT DO UPDATE SET text = excluded.text WHERE text <> excluded.text");
-  bind_digest(insert, 1, digest);
-  insert.bind(2, text);
-  insert.exec();
-  return digest;
+void write_text(Statements& statements, const sqlite::Digest& digest, const std::string& text) {
+  const auto insert = statements.use(
+      "INSERT INTO header VALUES (?, ?)"
+      " ON CONFLICT DO UPDATE SET text = excluded.text WHERE text <> excluded.text");
+  bind_digest(*insert, 1, digest);
+  insert->bind(2, text);
+  insert->exec();
 }
 
 Expected<Value> read_text(SQLite::Database& file, const sqlite::Digest& digest, RunId id, const char* what) {
@@ -47,13 +45,20 @@ Expected<Value> read_text(SQLite::Database& file, const sqlite::Digest& digest, 
 
 }  // namespace
 
-void describe(SQLite::Database& file, const Runs::NewRun& run, RunRecord& record) {
+RunTexts describe(const Runs::NewRun& run, RunRecord& record) {
+  RunTexts texts = {text_without_arguments(run.header), text_of(run.services)};
   record.document = run.document;
   record.revision = run.revision;
   record.arguments = run.header.arguments;
   record.chain = header_chain(run.header);
-  record.header = write_text(file, text_without_arguments(run.header));
-  record.services = write_text(file, text_of(run.services));
+  record.header = sqlite::sha256(texts.header);
+  record.services = sqlite::sha256(texts.services);
+  return texts;
+}
+
+void write_texts(Statements& statements, const RunRecord& run, const RunTexts& texts) {
+  write_text(statements, run.header, texts.header);
+  write_text(statements, run.services, texts.services);
 }
 
 Expected<Value> read_header_text(SQLite::Database& file, const RunRecord& run) {

@@ -4,13 +4,23 @@
 // Threads: those of the connection. All may throw SQLite::Exception.
 #pragma once
 
+#include <string>
+
 #include "core/value/expected.h"
 #include "server/store/runs.h"
+#include "server/store/statements.h"
 
 namespace race::server {
 
-/// What a run has of its header and its services, in the record; stores their texts. Requires a transaction.
-void describe(SQLite::Database& file, const Runs::NewRun& run, RunRecord& record);
+struct RunTexts {
+  std::string header;    // schemas/journal.json, `header`, without `arguments`
+  std::string services;  // key -> schemas/service.json
+};
+
+/// What a run has of its header and its services: in the record, and the texts to be stored with it.
+RunTexts describe(const Runs::NewRun& run, RunRecord& record);
+/// Stores the texts of a run. Requires a transaction.
+void write_texts(Statements& statements, const RunRecord& run, const RunTexts& texts);
 
 /// schemas/journal.json, `header`: its fields in the order in which they are hashed. Error `corrupt`, naming the run.
 Expected<Value> read_header_text(SQLite::Database& file, const RunRecord& run);

@@ -8,9 +8,10 @@
 #include <filesystem>
 #include <utility>
 
-#include "server/store/journal_chain.h"
 #include "server/store/run_checkpoints.h"
 #include "server/store/run_entries.h"
+#include "server/store/run_numbers.h"
+#include "server/store/run_removal.h"
 #include "server/store/run_row.h"
 #include "server/store/run_texts.h"
 #include "server/store/schema.h"
@@ -31,12 +32,6 @@ tl::unexpected<Error> failure(const SQLite::Exception& exception, const char* wh
   return tl::unexpected(sqlite::error_of(exception, what));
 }
 
-void remove_rows(SQLite::Database& file, const char* statement, RunId id) {
-  SQLite::Statement remove(file, statement);
-  remove.bind(1, number(id));
-  remove.exec();
-}
-
 class StoredJournal final : public execution::JournalSource {
  public:
   StoredJournal(Runs& runs, RunId id, std::shared_ptr<const semantics::Program> program)
@@ -54,12 +49,13 @@ class StoredJournal final : public execution::JournalSource {
 
 }  // namespace
 
-Runs::Runs(std::unique_ptr<SQLite::Database> file) : file_(std::move(file)) {}
+Runs::Runs(std::unique_ptr<SQLite::Database> file) : file_(std::move(file)), statements_(*file_) {}
 Runs::~Runs() = default;
 
 Expected<std::unique_ptr<Runs>> Runs::open(const std::string& path) try {
   auto file = sqlite::open(path);
   if (auto done = sqlite::migrate(*file, store_migrations()); !done) return tl::unexpected(std::move(done).error());
+  finish_removals(*file);
   return std::unique_ptr<Runs>(new Runs(std::move(file)));
 } catch (const SQLite::Exception& exception) {
   return failure(exception, "cannot open the runs");
@@ -76,12 +72,14 @@ Expected<std::unique_ptr<Runs>> Runs::open_to_read(const std::string& path) try 
 }
 
 Expected<RunRecord> Runs::create(const NewRun& run, std::int64_t now_ms) try {
-  const services::MutexLock lock(mutex_);
-  sqlite::WriteTransaction transaction(*file_);
   RunRecord record;
   record.created_ms = now_ms;
-  describe(*file_, run, record);
-  write_row(*file_, record);
+  const RunTexts texts = describe(run, record);
+  const services::MutexLock lock(mutex_);
+  sqlite::WriteTransaction transaction(*file_);
+  record.id = take_run_number(*file_);
+  write_texts(statements_, record, texts);
+  write_row(statements_, record);
   transaction.commit();
   return record;
 } catch (const SQLite::Exception& exception) {
@@ -90,37 +88,12 @@ Expected<RunRecord> Runs::create(const NewRun& run, std::int64_t now_ms) try {
 
 Expected<RunRecord> Runs::replace(RunId id, const NewRun& run) try {
   const services::MutexLock lock(mutex_);
-  sqlite::WriteTransaction transaction(*file_);
   ASSIGN_OR_RETURN(RunRecord record, find_row(*file_, id));
-  describe(*file_, run, record);
-  update_row(*file_, record);
-  remove_unused_texts(*file_);
-  transaction.commit();
-  return record;
-} catch (const SQLite::Exception& exception) {
-  return failure(exception, "cannot store the run");
-}
-
-Expected<RunRecord> Runs::import(RunRecord record, const NewRun& run, const std::vector<JournalEntry>& entries,
-                                 const std::map<std::uint64_t, std::string>& checkpoints) try {
-  const services::MutexLock lock(mutex_);
+  const RunTexts texts = describe(run, record);
   sqlite::WriteTransaction transaction(*file_);
-  describe(*file_, run, record);
-  record.imported = true;
-  record.steps = 0;
-  record.bytes = 0;
-  write_row(*file_, record);
-  for (const JournalEntry& entry : entries) {
-    const std::string input = input_text(entry);
-    record.chain = chain_after(record.chain, input);
-    record.bytes += input.size();
-    write_entry(*file_, record.id, ++record.steps, input, record.chain);
-  }
-  for (const auto& [position, text] : checkpoints) {
-    record.bytes += text.size();
-    write_checkpoint(*file_, record.id, position, text);
-  }
-  update_row(*file_, record);
+  write_texts(statements_, record, texts);
+  if (auto there = update_row(statements_, record); !there) return tl::unexpected(std::move(there).error());
+  remove_unused_texts(*file_);
   transaction.commit();
   return record;
 } catch (const SQLite::Exception& exception) {
@@ -129,28 +102,45 @@ Expected<RunRecord> Runs::import(RunRecord record, const NewRun& run, const std:
 
 Expected<RunRecord> Runs::get(RunId id) try {
   const services::MutexLock lock(mutex_);
+  SQLite::Transaction snapshot(*file_);
   return find_row(*file_, id);
 } catch (const SQLite::Exception& exception) {
   return failure(exception, "cannot read runs");
 }
 
-Expected<std::vector<RunRecord>> Runs::list(RunId before, std::size_t most, const std::string& document) try {
+std::vector<Error> RunList::errors() const {
+  std::vector<Error> errors;
+  for (const DamagedRun& run : damaged) errors.push_back(run.error);
+  return errors;
+}
+
+Expected<RunList> Runs::list(RunId before, std::size_t most, const std::string& document) try {
   const services::MutexLock lock(mutex_);
+  SQLite::Transaction snapshot(*file_);
   SQLite::Statement select(
       *file_, select_runs("WHERE (?1 = 0 OR id < ?1) AND (?3 = '' OR document = ?3) ORDER BY id DESC LIMIT ?2"));
   select.bind(1, number(before));
-  select.bind(2, number(most));
+  select.bind(2, number(most) + 1);
   select.bind(3, document);
-  return read_rows(select);
+  RunList list = read_rows(select, most);
+  for (const RunId lost : lost_runs(*file_)) {  // of any document
+    const bool is_here = (before == 0 || lost < before) && lost > list.next.value_or(0);
+    if (is_here && list.damaged.size() < most) list.damaged.push_back({lost, lost_row(lost)});
+  }
+  return list;
 } catch (const SQLite::Exception& exception) {
   return failure(exception, "cannot read runs");
 }
 
-Expected<std::vector<RunRecord>> Runs::open_runs() try {
+// What a damaged row says of its status may be wrong: all rows are read.
+Expected<RunList> Runs::open_runs() try {
   const services::MutexLock lock(mutex_);
-  SQLite::Statement select(
-      *file_, select_runs("WHERE status NOT IN ('ended', 'faulted', 'aborted') AND imported = 0 ORDER BY id"));
-  return read_rows(select);
+  SQLite::Transaction snapshot(*file_);
+  SQLite::Statement select(*file_, select_runs("ORDER BY id"));
+  RunList list = read_rows(select, kLastRunNumber);
+  std::erase_if(list.runs, [](const RunRecord& run) { return run.is_over() || run.imported; });
+  for (const RunId lost : lost_runs(*file_)) list.damaged.push_back({lost, lost_row(lost)});
+  return list;
 } catch (const SQLite::Exception& exception) {
   return failure(exception, "cannot read runs");
 }
@@ -221,7 +211,7 @@ Expected<void> Runs::set_status(RunId id, const std::string& status) try {
   sqlite::WriteTransaction transaction(*file_);
   ASSIGN_OR_RETURN(RunRecord record, find_row(*file_, id));
   record.status = status;
-  update_row(*file_, record);
+  if (auto there = update_row(statements_, record); !there) return there;
   transaction.commit();
   return {};
 } catch (const SQLite::Exception& exception) {
@@ -237,7 +227,8 @@ Expected<std::vector<std::pair<RunId, std::uint64_t>>> Runs::sizes() try {
   std::vector<std::pair<RunId, std::uint64_t>> found;
   while (select.executeStep()) {
     const auto run = read_row(select);
-    if (!run) {  // what a damaged row says of its size counts for nothing
+    if (!run) {  // what a damaged row says of its size counts for nothing; it may be of a run that is not over
+      if (!is_over(select.getColumn(6).getString())) continue;
       found.emplace_back(select.getColumn(0).getInt64(), 0);
       continue;
     }
@@ -249,20 +240,32 @@ Expected<std::vector<std::pair<RunId, std::uint64_t>>> Runs::sizes() try {
   return failure(exception, "cannot read runs");
 }
 
-Expected<void> Runs::remove(RunId id) try {
-  const services::MutexLock lock(mutex_);
-  sqlite::WriteTransaction transaction(*file_);
-  const auto record = find_row(*file_, id);
-  if (!record && record.error().code != ErrorCode::corrupt) return tl::unexpected(record.error());
-  for (const char* rows :
-       {"DELETE FROM entry WHERE run = ?", "DELETE FROM checkpoint WHERE run = ?", "DELETE FROM sample WHERE run = ?",
-        "DELETE FROM sampling WHERE run = ?", "DELETE FROM run WHERE id = ?"})
-    remove_rows(*file_, rows, id);
-  remove_unused_texts(*file_);
-  transaction.commit();
+Expected<void> Runs::remove(RunId id) {
+  try {
+    const services::MutexLock lock(mutex_);
+    sqlite::WriteTransaction transaction(*file_);
+    const auto record = find_row(*file_, id);
+    if (!record && record.error().code != ErrorCode::corrupt) return tl::unexpected(record.error());
+    begin_removal(*file_, id);
+    const auto remove = statements_.use("DELETE FROM run WHERE id = ?");
+    remove->bind(1, number(id));
+    remove->exec();
+    remove_unused_texts(*file_);
+    transaction.commit();
+  } catch (const SQLite::Exception& exception) {
+    return failure(exception, "cannot remove the run");
+  }
+  return remove_rest(id);
+}
+
+Expected<void> Runs::remove_rest(RunId id) try {
+  for (bool more = true; more;) {
+    const services::MutexLock lock(mutex_);
+    more = remove_some(*file_, id);
+  }
   return {};
 } catch (const SQLite::Exception& exception) {
-  return failure(exception, "cannot remove the run");
+  return failure(exception, "cannot remove the rest of the run");
 }
 
 }  // namespace race::server
