@@ -38,7 +38,9 @@ Checked<void> Application::open_store(const Setup& setup) {
   auto documents = Documents::open(folder_->store());
   if (!documents) return of_store(std::move(documents).error(), *folder_);
   documents_ = std::move(*documents);
-  backups_ = std::make_unique<Backups>(folder_->path(), [this] { return cores_->recover(); });
+  backups_ = std::make_unique<Backups>(
+      folder_->path(),
+      Backups::Users{.flush = [this] { keeper_->flush(); }, .restored = [this] { return cores_->recover(); }});
   auto runs = Runs::open(folder_->store());
   if (!runs) return of_store(std::move(runs).error(), *folder_);
   runs_ = std::move(*runs);
