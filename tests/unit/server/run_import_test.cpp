@@ -101,10 +101,10 @@ TEST_F(RunImport, ThatFailsLeavesNothing) {
     failed = disk.has_failed();
     disk.repair();
     runs.reset();
-    if (!run) EXPECT_EQ(run.error().code, ErrorCode::storage);
+    EXPECT_TRUE(run || run.error().code == ErrorCode::storage);
     EXPECT_EQ(is_whole_or_gone(last + 1, journal) || is_whole_or_gone(last + 2, journal), run.has_value());
     runs = open();
-    if (run) ASSERT_TRUE(runs->remove(run->id));
+    ASSERT_TRUE(!run || runs->remove(run->id));
     const RunId next = runs->create(run_of(journal), 1)->id;
     EXPECT_GT(next, run ? run->id : last) << "no number is used twice";
     last = next;
@@ -127,8 +127,8 @@ TEST_F(RunImport, ARemovalThatFailsIsFinishedWhenTheStoreIsOpened) {
     const bool was_there = runs->get(id).has_value();
     runs.reset();
     EXPECT_EQ(is_whole_or_gone(id, journal), was_there) << "one that is gone comes back";
-    if (removed) EXPECT_FALSE(was_there);
-    if (was_there) ASSERT_TRUE(open()->remove(id));
+    EXPECT_FALSE(removed && was_there);
+    ASSERT_TRUE(!was_there || open()->remove(id));
   }
 }
 
