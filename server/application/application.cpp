@@ -26,6 +26,7 @@ Checked<std::unique_ptr<Application>> Application::create(const Setup& setup) {
   if (auto created = app->create_cores(setup); !created) return of_store(std::move(created).error(), *app->folder_);
   if (setup.script)
     if (auto added = app->add_operator(*setup.script); !added) return tl::unexpected(std::move(added).error());
+  app->name_damaged_documents();
   app->cell_->start_real_time();
   boot({*app->boot_list_, *app->documents_, *app->runs_, *app->cores_, *app->log_, app->cell_->clock()});
   return app;
@@ -38,7 +39,9 @@ Checked<void> Application::open_store(const Setup& setup) {
   auto documents = Documents::open(folder_->store());
   if (!documents) return of_store(std::move(documents).error(), *folder_);
   documents_ = std::move(*documents);
-  backups_ = std::make_unique<Backups>(folder_->path(), [this] { return cores_->recover(); });
+  backups_ = std::make_unique<Backups>(
+      folder_->path(),
+      Backups::Users{.flush = [this] { keeper_->flush(); }, .restored = [this] { return cores_->recover(); }});
   auto runs = Runs::open(folder_->store());
   if (!runs) return of_store(std::move(runs).error(), *folder_);
   runs_ = std::move(*runs);
@@ -82,6 +85,13 @@ Checked<void> Application::create_cell(const Setup& setup) {
       hub_->publish_delta(std::string(kCellPoseChannel), std::move(pose));
     });
   return {};
+}
+
+// Damaged runs are named when the cores are made of them.
+void Application::name_damaged_documents() {
+  const auto heads = documents_->heads();
+  if (!heads) return log("store", to_string(heads.error()));
+  for (const Error& error : heads->damaged) log("store", to_string(error));
 }
 
 Expected<void> Application::create_cores(const Setup& setup) {

@@ -59,6 +59,7 @@ class Application {
   void create_stream(std::int64_t first_sequence);
   Checked<void> create_cell(const Setup& setup);
   Expected<void> create_cores(const Setup& setup);
+  void name_damaged_documents();
   Checked<void> add_operator(const OperatorScript& script);
   void log(const std::string& source, const std::string& text);
   ChannelSources channel_sources();

@@ -37,9 +37,12 @@ void boot(const BootResources& resources) {
   if (!entries) return say("nothing is started: " + to_string(entries.error()));
   const auto open_runs = resources.runs.open_runs();
   if (!open_runs) return say("nothing is started: " + to_string(open_runs.error()));
+  const auto damaged = std::ranges::find(open_runs->damaged, false, &DamagedRun::is_over);
+  if (damaged != open_runs->damaged.end())  // it may be of any document
+    return say("nothing is started: " + to_string(damaged->error));
   for (const BootEntry& entry : *entries) {
-    const auto open = std::ranges::find(*open_runs, entry.document, &RunRecord::document);
-    if (open != open_runs->end()) {
+    const auto open = std::ranges::find(open_runs->runs, entry.document, &RunRecord::document);
+    if (open != open_runs->runs.end()) {
       say(entry.document + " is not started: its run " + std::to_string(open->id) + " is " +
           status_of(*open, resources.cores));
       continue;

@@ -1,5 +1,6 @@
 // race backup --data DIR [TO]: copies all that a server keeps, also while it runs: into TO, or to its other backups.
-// race restore --data DIR FROM: brings a backup back; no server may run.
+// race restore --data DIR FROM: brings a backup back; no server may run. A damaged file that it replaces is kept as
+// NAME.damaged-TIME.
 #include "server/store/backup.h"
 
 #include <cstdio>
@@ -34,10 +35,7 @@ int back_up(const Options& options) {
 int restore(const Options& options, const std::string& from) {
   const auto folder = DataFolder::take(options.data);
   if (!folder) return refuse(folder.error());
-  const auto begin = [&]() -> Expected<void> {
-    remove_damaged(folder->path());
-    return {};
-  };
+  const auto begin = [&] { return set_damaged_aside(folder->path(), from, now_ms()); };
   if (auto done = restore_files(from, folder->path(), begin); !done) return refuse(done.error());
   return kExitOk;
 }

@@ -1,13 +1,18 @@
 // race runs --data DIR [--json]: lists the runs that are stored in a data folder, the newest first, also while a server
-// runs.
+// runs. Damaged ones are named; then the exit code is 1.
 #include "server/store/runs.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "core/value/json.h"
 #include "server/commands/command.h"
 #include "server/runs/run_json.h"
+#include "server/wire/errors.h"
 
 namespace race::server {
 namespace {
@@ -25,20 +30,25 @@ int list(const std::string& data, bool json) {
   const auto runs = Runs::open_to_read(data + "/race.sqlite");
   if (!runs) return refuse(runs.error(), json);
   List all;
-  for (RunId before = 0;;) {
-    const auto block = (*runs)->list(before, kBlock);
+  std::vector<Error> damaged;
+  for (std::optional<RunId> before = 0; before;) {
+    const auto block = (*runs)->list(*before, kBlock);
     if (!block) return refuse(block.error(), json);
-    for (const RunRecord& run : *block) {
+    std::ranges::copy(block->errors(), std::back_inserter(damaged));
+    for (const RunRecord& run : block->runs) {
       if (json)
         all.push_back(run_json(run));
       else
         print(run);
     }
-    if (block->size() < kBlock) break;
-    before = block->back().id;
+    before = block->next;
   }
-  if (json) std::printf("%s\n", to_json(Dict{{"runs", std::move(all)}}, 1).c_str());
-  return kExitOk;
+  Dict list{{"runs", std::move(all)}};
+  if (!damaged.empty()) list.set("damaged", *errors_json(damaged).find("errors"));
+  if (json) std::printf("%s\n", to_json(std::move(list), 1).c_str());
+  if (damaged.empty()) return kExitOk;
+  refuse(damaged);
+  return kExitFindings;
 }
 
 std::function<int()> declare(Arguments& arguments) {

@@ -121,8 +121,11 @@ Checked<std::shared_ptr<Core>> Cores::load(const std::string& id, const StoredDo
 }
 
 Expected<void> Cores::recover() {
-  ASSIGN_OR_RETURN(const std::vector<RunRecord> runs, resources_.runs.open_runs());
-  for (const RunRecord& run : runs) {
+  ASSIGN_OR_RETURN(const RunList open, resources_.runs.open_runs());
+  for (const DamagedRun& run : open.damaged)
+    resources_.watcher.printed(std::to_string(run.id),
+                               (run.is_over ? "is damaged: " : "cannot be rebuilt: ") + to_string(run.error));
+  for (const RunRecord& run : open.runs) {
     auto header = resources_.runs.header(run.id);
     auto core = !header          ? Expected<std::shared_ptr<Core>>(tl::unexpect, header.error())
                 : run.steps == 0 ? Core::create(run, std::move(*header), resources_)

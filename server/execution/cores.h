@@ -33,7 +33,7 @@ class Cores {
       EXCLUDES(loading_);
   /// Every stored run that is not over becomes a core again; those that had begun are interrupted. To be called
   /// before any core is created, and when the store has become another one. Those that cannot be rebuilt stay in the
-  /// store; the watcher is told why. Error `corrupt`: a row says nothing that could be trusted.
+  /// store; the watcher is told why. Errors: those of Runs, of the file as a whole.
   Expected<void> recover();
   /// `not_found`: there is none of this id.
   Expected<std::shared_ptr<Core>> find(const std::string& id) const;

@@ -1,18 +1,19 @@
 #include "server/runs/run_keeper.h"
 
-#include <charconv>
+#include <future>
+#include <utility>
 
 namespace race::server {
 
 RunKeeper::~RunKeeper() {
-  strand_.post([this] {
-    while (!waiting_.empty()) flush(waiting_.begin()->first);
-  });
+  runs_.on_import({});
+  strand_.post([this] { write_all(); });
 }
 
 void RunKeeper::connect(const Cores& cores, CellWorld* world) {
   cores_ = &cores;
   world_ = world;
+  runs_.on_import([this] { apply_limits(); });
 }
 
 void RunKeeper::core_changed(const std::string& id, const Value& core) {
@@ -39,18 +40,31 @@ void RunKeeper::take(const Value& pose) {
     if (info.find("status")->as_string() != "running" || info.find("paused")->as_bool()) continue;
     std::vector<Sample>& waiting = waiting_[core->run_id()];
     waiting.push_back({static_cast<std::uint64_t>(info.find("step")->as_integer()), pose});
-    if (waiting.size() >= kWritten) flush(core->run_id());
+    if (waiting.size() >= kWritten) write(core->run_id());
   }
 }
 
-void RunKeeper::flush(RunId run) {
+void RunKeeper::flush() {
+  std::promise<void> written;
+  strand_.post([&] {
+    write_all();
+    written.set_value();
+  });
+  written.get_future().wait();
+}
+
+void RunKeeper::write_all() {
+  while (!waiting_.empty()) write(waiting_.begin()->first);
+}
+
+void RunKeeper::write(RunId run) {
   const auto waiting = waiting_.extract(run);
   if (auto stored = samples_.append(run, waiting.mapped()); !stored) log_(to_string(stored.error()));
 }
 
 void RunKeeper::apply_limits() {
   strand_.post([this] {
-    while (!waiting_.empty()) flush(waiting_.begin()->first);
+    write_all();
     const auto hosted = [this](RunId id) { return cores_->find(std::to_string(id)).has_value(); };
     const auto removed = apply_retention(runs_, limits_, hosted);
     if (!removed)

@@ -1,5 +1,5 @@
 // RunKeeper: what is done beside the runs of a server: samples of the cell are stored while they are running, and when
-// one is over, the store is brought within its limits.
+// one is over or was imported, the store is brought within its limits.
 //
 // Threads: any, after connect(); the work is done on a thread of its own.
 #pragma once
@@ -41,11 +41,14 @@ class RunKeeper {
   void record(const Value& pose);
   /// Brings the store within its limits.
   void apply_limits();
+  /// Returns when the samples until now are written and no run is being removed. Not on its thread.
+  void flush();
 
  private:
   // On its thread.
   void take(const Value& pose);
-  void flush(RunId run);
+  void write(RunId run);
+  void write_all();
 
   Runs& runs_;
   Samples& samples_;

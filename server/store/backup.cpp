@@ -12,15 +12,21 @@
 #include <ctime>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <thread>
 
 #include "core/value/json.h"
+#include "server/store/damaged_file.h"
 #include "server/store/durable_files.h"
 #include "server/store/files.h"
+#include "server/store/run_numbers.h"
+#include "server/store/run_removal.h"
 #include "server/store/schema.h"
+#include "server/store/unfinished_folder.h"
 #include "services/database/schema.h"
 #include "services/sqlite/digest.h"
 #include "services/sqlite/file.h"
+#include "services/sqlite/write_transaction.h"
 
 namespace race::server {
 namespace {
@@ -28,13 +34,14 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kDigests = "digests.json";
-constexpr const char* kUnfinished = ".unfinished";  // a backup that is being made, or a copy that is being brought back
+constexpr std::string_view kStore = "race.sqlite";
+constexpr const char* kRestore = "restore";  // copies that are being brought back
 
 struct StoredFile {
   const char* name;
   std::span<const sqlite::Migration> (*migrations)();
 };
-constexpr std::array kFiles = {StoredFile{"race.sqlite", store_migrations},
+constexpr std::array kFiles = {StoredFile{kStore.data(), store_migrations},
                                StoredFile{"database.sqlite", database::migrations}};
 
 tl::unexpected<Error> cannot(const std::string& what, const SQLite::Exception& exception, const fs::path& path) {
@@ -104,27 +111,42 @@ Expected<std::vector<StoredFile>> sound_files(const fs::path& from) {
   return files;
 }
 
+/// The last number of a run in a store; 0: it does not say.
+RunId last_number_in(const fs::path& store) try {
+  if (!fs::exists(store)) return 0;
+  return last_run_number(*sqlite::open_to_read(store));
+} catch (const SQLite::Exception&) {  // damaged, or of an older version
+  return 0;
+}
+
 /// A copy of the backup, in today's form.
 Expected<void> prepare(const fs::path& from, const fs::path& to, const StoredFile& file) try {
   fs::copy_file(from / file.name, to / file.name);
   const auto opened = sqlite::open(to / file.name);
   if (auto sound = sqlite::check(*opened); !sound) return sound;
-  return sqlite::migrate(*opened, file.migrations());
+  if (auto done = sqlite::migrate(*opened, file.migrations()); !done) return done;
+  if (file.name == kStore) finish_removals(*opened);
+  return {};
 } catch (const SQLite::Exception& exception) {
   return cannot("cannot open the backup", exception, from);
 }
 
-// Values first: what a crash leaves between the files can be brought back once more.
-Expected<void> bring_back(const fs::path& from, const fs::path& data, std::vector<StoredFile> files) {
-  std::ranges::reverse(files);
-  for (const StoredFile& file : files) try {
-      const auto source = sqlite::open(from / file.name);
-      const auto live = sqlite::open(data / file.name);
-      if (auto done = copy(*source, *live); !done) return done;
-    } catch (const SQLite::Exception& exception) {
-      return cannot("cannot restore", exception, data / file.name);
-    }
-  return {};
+void raise_numbers(SQLite::Database& store, RunId last) {
+  sqlite::WriteTransaction transaction(store);
+  raise_run_numbers(store, last);
+  transaction.commit();
+}
+
+/// Makes the file of the data folder what the copy is. Runs that are created later have numbers after `last_run`, and
+/// after that of a run that is created until now: other writers wait.
+Expected<void> replace(const fs::path& copied, const fs::path& data, const StoredFile& file, RunId last_run) try {
+  const auto source = sqlite::open(copied / file.name);
+  const auto live = sqlite::open(data / file.name);
+  const sqlite::WriteTurn turn(*live);
+  if (file.name == kStore) raise_numbers(*source, std::max(last_run, last_number_in(data / file.name)));
+  return copy(*source, *live);
+} catch (const SQLite::Exception& exception) {
+  return cannot("cannot restore", exception, data / file.name);
 }
 
 std::string name_of(std::int64_t now_ms) {
@@ -153,62 +175,47 @@ std::optional<std::int64_t> time_of(const std::string& name) {
 }  // namespace
 
 Expected<void> copy_files(const fs::path& data, const fs::path& to) try {
-  if (!fs::exists(data / kFiles.front().name)) return unexpected(ErrorCode::not_found, "holds no store", data);
+  if (!fs::exists(data / kStore)) return unexpected(ErrorCode::not_found, "holds no store", data);
   if (fs::exists(to)) return unexpected(ErrorCode::conflict, "is there already", to);
   fs::path whole = fs::absolute(to).lexically_normal();
   if (!whole.has_filename()) whole = whole.parent_path();  // of `to/`
-  const fs::path beside = whole.parent_path() / (whole.filename().string() + kUnfinished);
-  fs::remove_all(beside);
-  fs::create_directories(beside);
-  auto done = copy_all(data, beside);
-  if (done) {
-    fs::rename(beside, whole);
-    return synchronise_folder(whole.parent_path());
-  }
-  std::error_code unknown;
-  fs::remove_all(beside, unknown);
-  return done;
+  fs::create_directories(whole.parent_path());
+  UnfinishedFolder::remove_abandoned(whole.parent_path(), whole.filename());
+  ASSIGN_OR_RETURN(UnfinishedFolder beside, UnfinishedFolder::create(whole));
+  if (auto done = copy_all(data, beside.path()); !done) return done;
+  return beside.finish();
 } catch (const fs::filesystem_error& error) {
   return cannot("cannot write the backup", error);
 }
 
+// Values first: what a crash leaves between the files can be brought back once more.
 Expected<void> restore_files(const fs::path& from, const fs::path& data,
                              const std::function<Expected<void>()>& begin) try {
-  ASSIGN_OR_RETURN(std::vector<StoredFile> files, sound_files(from));
-  const fs::path copies = data / (std::string("restore") + kUnfinished);
-  fs::remove_all(copies);
-  fs::create_directories(copies);
-  Expected<void> done;
+  ASSIGN_OR_RETURN(const std::vector<StoredFile> files, sound_files(from));
+  UnfinishedFolder::remove_abandoned(data, kRestore);
+  ASSIGN_OR_RETURN(const UnfinishedFolder copies, UnfinishedFolder::create(fs::absolute(data) / kRestore));
   for (const StoredFile& file : files)
-    if (done) done = prepare(from, copies, file);
-  if (done) done = begin();
-  if (done) done = bring_back(copies, data, std::move(files));
-  std::error_code unknown;
-  fs::remove_all(copies, unknown);
-  return done;
+    if (auto done = prepare(from, copies.path(), file); !done) return done;
+  const RunId last_run = last_number_in(data / kStore);  // before it may be set aside
+  if (auto done = begin(); !done) return done;
+  for (auto file = files.rbegin(); file != files.rend(); ++file)
+    if (auto done = replace(copies.path(), data, *file, last_run); !done) return done;
+  return {};
 } catch (const fs::filesystem_error& error) {
   return cannot("cannot restore", error);
 }
 
-void remove_damaged(const fs::path& data) {
+Expected<void> set_damaged_aside(const fs::path& data, const fs::path& from, std::int64_t now_ms) {
   for (const StoredFile& file : kFiles) {
-    const std::string path = data / file.name;
-    bool sound = false;
-    try {
-      sound = sqlite::check(*sqlite::open(path)).has_value();
-    } catch (const SQLite::Exception&) {  // so it is not
-    }
-    std::error_code unknown;
-    if (!sound)
-      for (const char* suffix : {"-wal", "-shm", ""}) fs::remove(path + suffix, unknown);
+    if (!fs::exists(from / file.name)) continue;
+    if (auto done = set_aside_if_damaged(data / file.name, name_of(now_ms)); !done) return done;
   }
+  return {};
 }
 
-Backups::Backups(fs::path data, std::function<Expected<void>()> restored)
-    : data_(std::move(data)), folder_(data_ / "backups"), restored_(std::move(restored)) {
-  std::error_code none;
-  for (const auto& entry : fs::directory_iterator(folder_, none))
-    if (entry.path().extension() == kUnfinished) fs::remove_all(entry.path(), none);
+Backups::Backups(fs::path data, Users users)
+    : data_(std::move(data)), folder_(data_ / "backups"), users_(std::move(users)) {
+  UnfinishedFolder::remove_abandoned(folder_);
 }
 
 Expected<Backup> Backups::create(std::int64_t now_ms) try {
@@ -230,8 +237,7 @@ Expected<std::vector<Backup>> Backups::list() const try { return all(); } catch 
 Expected<Backup> Backups::remove(const std::string& name) try {
   const services::MutexLock lock(mutex_);
   ASSIGN_OR_RETURN(Backup backup, find(name));
-  const fs::path away = folder_ / (name + kUnfinished);  // one that is removed in part is none
-  fs::rename(folder_ / name, away);
+  const fs::path away = UnfinishedFolder::abandon(folder_ / name);  // one that is removed in part is none
   fs::remove_all(away);
   return backup;
 } catch (const fs::filesystem_error& error) {
@@ -241,8 +247,13 @@ Expected<Backup> Backups::remove(const std::string& name) try {
 Expected<Backup> Backups::restore(const std::string& name, const std::function<Expected<void>()>& begin) try {
   const services::MutexLock lock(mutex_);
   ASSIGN_OR_RETURN(Backup backup, find(name));
-  if (auto done = restore_files(folder_ / name, data_, begin); !done) return tl::unexpected(std::move(done).error());
-  if (auto done = restored_(); !done) return tl::unexpected(std::move(done).error());
+  const auto ready = [&] {
+    auto done = begin();
+    if (done) users_.flush();
+    return done;
+  };
+  if (auto done = restore_files(folder_ / name, data_, ready); !done) return tl::unexpected(std::move(done).error());
+  if (auto done = users_.restored(); !done) return tl::unexpected(std::move(done).error());
   return backup;
 } catch (const fs::filesystem_error& error) {
   return cannot("cannot restore", error);

@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/value/expected.h"
@@ -32,10 +33,16 @@ class Backups {
  public:
   static constexpr std::size_t kMost = 20;
 
-  /// Of the data folder `data`. What a crash has left of a backup is removed. `restored` is called when the files have
-  /// become others: who keeps something of them reads it again; its error is that of restore().
-  explicit Backups(
-      std::filesystem::path data, std::function<Expected<void>()> restored = [] { return Expected<void>(); });
+  /// Who keeps something of the files.
+  struct Users {
+    /// Called before the files become others: what waits to be written is written now.
+    std::function<void()> flush = [] {};
+    /// Called when they have: who has read something reads it again. The error is that of restore().
+    std::function<Expected<void>()> restored = [] { return Expected<void>(); };
+  };
+  /// Of the data folder `data`. What a crash has left of a backup is removed; one that another process is making, not.
+  explicit Backups(std::filesystem::path data, Users users);
+  explicit Backups(std::filesystem::path data) : Backups(std::move(data), Users{}) {}
 
   // Errors of all: `storage`, `io`, `corrupt`.
 
@@ -56,20 +63,23 @@ class Backups {
   std::vector<Backup> all() const;
 
   const std::filesystem::path data_, folder_;
-  const std::function<Expected<void>()> restored_;
+  const Users users_;
   services::Mutex mutex_;
 };
 
 /// Copies the files of the data folder into `to`, a folder that is not there yet, while a server may write. Errors:
 /// `conflict` (there is something), `not_found` (no store in `data`), `storage`, `io`, `corrupt`.
 Expected<void> copy_files(const std::filesystem::path& data, const std::filesystem::path& to);
-/// Brings the files of a copy back into `data`, as Backups::restore.
+/// Brings the files of a copy back into `data`, as Backups::restore. Runs that are created later have numbers after the
+/// last one of the store that is replaced, if it can be read (run_numbers.h).
 Expected<void> restore_files(const std::filesystem::path& from, const std::filesystem::path& data,
                              const std::function<Expected<void>()>& begin);
 
-/// Removes files of `data` that are damaged, so that those of a copy can take their place. Requires that nobody has
-/// them open.
-void remove_damaged(const std::filesystem::path& data);
+/// Renames files of `data` that are damaged (`corrupt`) to NAME.damaged-TIME, with their logs, so that those of the
+/// copy `from` can take their place; others are left alone. Requires that nobody has them open. Errors: `storage`,
+/// `io`: a file cannot be read or renamed.
+Expected<void> set_damaged_aside(const std::filesystem::path& data, const std::filesystem::path& from,
+                                 std::int64_t now_ms);
 
 /// schemas/backup.json
 Value backup_json(const Backup& backup);

@@ -35,6 +35,7 @@ Checked<void> Documents::put_demo_file(const std::string& name, const std::strin
   if (!document->errors.empty()) return tl::unexpected(std::move(document->errors));
   const services::MutexLock lock(mutex_);
   const auto old = head(name);
+  if (!old && old.error().code == ErrorCode::corrupt) return {};  // it stays as it is; others are named
   if (!old) return failed(old.error());
   if (!has_only_demo(*file_, name)) return {};
   auto next = next_text(*document, *text, *old ? (*old)->text : "");

@@ -64,11 +64,18 @@ Expected<std::unique_ptr<Documents>> Documents::open(const std::string& path, Li
   return unexpected(error.code, std::move(error.message), path);
 }
 
-Checked<std::vector<Revision>> Documents::list() try {
+Expected<DocumentHeads> Documents::heads() try {
   const services::MutexLock lock(mutex_);
-  return checked(list_heads(*file_));
+  return list_heads(*file_);
 } catch (const SQLite::Exception& exception) {
-  return failure(kCannotRead, exception);
+  return tl::unexpected(sqlite::error_of(exception, kCannotRead));
+}
+
+Checked<std::vector<Revision>> Documents::list() {
+  auto found = heads();
+  if (!found) return failed(std::move(found).error());
+  if (!found->damaged.empty()) return failed(std::move(found->damaged.front()));
+  return std::move(found->revisions);
 }
 
 Checked<StoredDocument> Documents::get(const std::string& name) try {

@@ -55,7 +55,9 @@ class Documents {
   static Expected<std::unique_ptr<Documents>> open(const std::string& path) { return open(path, Limits{}); }
   ~Documents();
 
-  /// The last revision of each, drafts among them, in order of name.
+  /// The last revision of each, drafts among them, in order of name; those that are damaged are named beside them.
+  Expected<DocumentHeads> heads() EXCLUDES(mutex_);
+  /// The same, or an error if one is damaged.
   Checked<std::vector<Revision>> list() EXCLUDES(mutex_);
   /// The last revision, to be executed. `not_found`: there is none; every violation of a draft.
   Checked<StoredDocument> get(const std::string& name) EXCLUDES(mutex_);
@@ -89,8 +91,8 @@ class Documents {
   /// Makes a revision the first one of another document; elements keep their ids. `not_found`, `name`, `too_large`;
   /// `conflict`: there is a document of this name.
   Checked<DocumentEntry> branch(const std::string& name, const Branch& branch, const Change& change) EXCLUDES(mutex_);
-  /// Puts every *.rcm.json of `folder` that is not there or that nobody has changed since it was put. Errors name the
-  /// file.
+  /// Puts every *.rcm.json of `folder` that is not there or that nobody has changed since it was put; none in place of
+  /// a damaged document. Errors name the file.
   Checked<void> put_demo(const std::string& folder, std::int64_t now_ms);
 
  private:

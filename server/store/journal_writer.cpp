@@ -8,9 +8,11 @@
 #include <bit>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "core/value/json.h"
-#include "server/store/journal_chain.h"
+#include "server/store/run_checkpoints.h"
+#include "server/store/run_entries.h"
 #include "server/store/run_row.h"
 #include "services/sqlite/file.h"
 #include "services/sqlite/write_transaction.h"
@@ -19,23 +21,12 @@ namespace race::server {
 
 namespace {
 
-void write_entry_of(SQLite::Database& file, RunRecord& run, const execution::JournalEntry& entry) {
-  const std::string input = input_text(entry);
-  run.chain = chain_after(run.chain, input);
-  write_entry(file, run.id, ++run.steps, input, run.chain);
-  run.bytes += input.size() + run.chain.size();
-}
-
 // Of the old ones, those at today's interval are kept.
-void write_checkpoint_of(SQLite::Database& file, RunRecord& run, const Value& checkpoint) {
-  const std::string text = to_json(checkpoint);
-  if (text.size() > RunJournal::kCheckpointBytes) return;
-  write_checkpoint(file, run.id, run.steps, text);
-  run.bytes += text.size();
-  SQLite::Statement thin(file, "DELETE FROM checkpoint WHERE run = ? AND position % ? != 0");
-  thin.bind(1, static_cast<std::int64_t>(run.id));
-  thin.bind(2, static_cast<std::int64_t>(RunJournal::interval_at(run.steps)));
-  thin.exec();
+void thin_checkpoints(Statements& statements, const RunRecord& run) {
+  const auto thin = statements.use("DELETE FROM checkpoint WHERE run = ? AND position % ? != 0");
+  thin->bind(1, static_cast<std::int64_t>(run.id));
+  thin->bind(2, static_cast<std::int64_t>(RunJournal::interval_at(run.steps)));
+  thin->exec();
 }
 
 void end_run(RunRecord& run, const RunEnd& end) {
@@ -46,17 +37,53 @@ void end_run(RunRecord& run, const RunEnd& end) {
   run.ended_ms = end.ended_ms;
 }
 
-/// A run that is written to is under way, unless this is its end.
-void write_record(SQLite::Database& file, RunRecord& run, const JournalRecord& record) {
-  if (!record.entry && !record.end) {  // it is resumed. SQLite writes nothing for a row that stays as it is
-    run.status = "interrupted";
-    update_row(file, run);
+/// What is written of a run at once. Texts and hashes are computed before the transaction begins: all who write the
+/// store wait while it lasts.
+class Batch {
+ public:
+  /// `run` as it was written last.
+  explicit Batch(RunRecord& run) : run_(run) {}
+
+  /// A run that is written to is under way, unless this is its end.
+  void add(const JournalRecord& record) {
+    ticket_ = record.ticket;
+    resumes_ |= !record.entry && !record.end;
+    run_.status = "running";
+    if (record.entry) entries_.push_back(append_entry(run_, *record.entry));
+    if (record.checkpoint) add_checkpoint(to_json(*record.checkpoint));
+    if (record.end) end_run(run_, *record.end);
   }
-  run.status = "running";
-  if (record.entry) write_entry_of(file, run, *record.entry);
-  if (record.checkpoint) write_checkpoint_of(file, run, *record.checkpoint);
-  if (record.end) end_run(run, *record.end);
-}
+
+  /// Error `not_found`: the run is not in the store; nothing is written.
+  Expected<void> write(Statements& statements) const {
+    if (resumes_) {  // SQLite writes nothing for a row that stays as it is
+      RunRecord interrupted = run_;
+      interrupted.status = "interrupted";
+      if (auto there = update_row(statements, interrupted); !there) return there;
+    }
+    if (auto there = update_row(statements, run_); !there) return there;
+    for (const EntryRow& entry : entries_) write_entry(statements, run_.id, entry);
+    for (const CheckpointRow& checkpoint : checkpoints_) write_checkpoint(statements, run_.id, checkpoint);
+    if (!checkpoints_.empty()) thin_checkpoints(statements, run_);
+    return {};
+  }
+
+  std::uint64_t ticket() const { return ticket_; }
+  std::size_t entries() const { return entries_.size(); }
+
+ private:
+  void add_checkpoint(std::string text) {
+    if (text.size() > RunJournal::kCheckpointBytes) return;
+    run_.bytes += text.size();
+    checkpoints_.push_back(checkpoint_row(run_.id, run_.steps, std::move(text)));
+  }
+
+  RunRecord& run_;
+  std::uint64_t ticket_ = 0;
+  bool resumes_ = false;
+  std::vector<EntryRow> entries_;
+  std::vector<CheckpointRow> checkpoints_;
+};
 
 }  // namespace
 
@@ -72,7 +99,7 @@ Expected<std::unique_ptr<JournalWriter>> JournalWriter::open(const std::string& 
 }
 
 JournalWriter::JournalWriter(std::unique_ptr<SQLite::Database> file, std::chrono::milliseconds patience)
-    : file_(std::move(file)), watch_(patience), thread_([this] { run(); }) {}
+    : file_(std::move(file)), statements_(*file_), watch_(patience), thread_([this] { run(); }) {}
 
 JournalWriter::~JournalWriter() { close(); }
 
@@ -107,55 +134,44 @@ std::deque<JournalWriter::Item> JournalWriter::next() {
   return std::exchange(waiting_, {});
 }
 
-// Those whose journal has failed before are dropped.
+// Those whose journal has failed before are dropped. One transaction, one flush.
 void JournalWriter::write(const std::deque<Item>& items) {
-  struct Written {
-    std::uint64_t ticket = 0;
-    std::size_t records = 0;
-  };
-  std::map<RunJournal*, Written> written;
+  std::map<RunJournal*, Batch> batches;
+  std::map<RunJournal*, std::size_t> records;
   for (const Item& item : items) {
-    Written& of = written[item.journal.get()];
-    of.ticket = item.record.ticket;
-    ++of.records;
+    RunJournal& journal = *item.journal;
+    ++records[&journal];
+    if (!journal.failed_) batches.try_emplace(&journal, journal.record_).first->second.add(item.record);
   }
-  std::optional<Error> failure;
-  try {
-    commit(items);
-  } catch (const SQLite::Exception& exception) {
-    failure = sqlite::error_of(exception, "the journal cannot be written");
-  }
-  for (const auto& [journal, of] : written) {
-    const bool was_told = watch_.answered(journal, of.records);
-    if (journal->failed_) continue;
-    journal->failed_ = failure || was_told;
-    const auto sink = journal->sink_.lock();
-    if (!sink) continue;
-    if (journal->failed_)
-      sink->failed(failure.value_or(Error{ErrorCode::storage, "the disk has answered too late", {}}));
-    else
-      sink->durable(of.ticket);
-  }
+  std::map<RunJournal*, Expected<void>> written;
+  if (!batches.empty()) try {
+      sqlite::WriteTransaction transaction(*file_);
+      std::uint64_t entries = 0;
+      for (const auto& [journal, batch] : batches) {
+        written[journal] = batch.write(statements_);
+        if (written[journal]) entries += batch.entries();
+      }
+      transaction.commit();
+      ++commits_;
+      entries_ += entries;
+    } catch (const SQLite::Exception& exception) {
+      const Error error = sqlite::error_of(exception, "the journal cannot be written");
+      for (const auto& [journal, batch] : batches) written[journal] = tl::unexpected(error);
+    }
+  for (const auto& [journal, count] : records)
+    if (watch_.answered(journal, count) && written[journal])
+      written[journal] = unexpected(ErrorCode::storage, "the disk has answered too late");
+  for (const auto& [journal, batch] : batches) report(*journal, batch.ticket(), written[journal]);
 }
 
-// One transaction, one flush.
-void JournalWriter::commit(const std::deque<Item>& items) {
-  if (std::all_of(items.begin(), items.end(), [](const Item& item) { return item.journal->failed_; })) return;
-  SQLite::Database& file = *file_;
-  sqlite::WriteTransaction transaction(file);
-  std::map<RunJournal*, const RunRecord*> written;
-  std::uint64_t entries = 0;
-  for (const Item& item : items) {
-    if (item.journal->failed_) continue;
-    RunRecord& run = item.journal->record_;
-    write_record(file, run, item.record);
-    written[item.journal.get()] = &run;
-    entries += item.record.entry ? 1 : 0;
-  }
-  for (const auto& [journal, run] : written) update_row(file, *run);
-  transaction.commit();
-  ++commits_;
-  entries_ += entries;
+void JournalWriter::report(RunJournal& journal, std::uint64_t ticket, const Expected<void>& written) {
+  journal.failed_ = !written;
+  const auto sink = journal.sink_.lock();
+  if (!sink) return;
+  if (written)
+    sink->durable(ticket);
+  else
+    sink->failed(written.error());
 }
 
 }  // namespace race::server

@@ -17,6 +17,7 @@
 #include "core/value/expected.h"
 #include "server/store/disk_watch.h"
 #include "server/store/runs.h"
+#include "server/store/statements.h"
 #include "services/mutex.h"
 
 namespace race::server {
@@ -87,13 +88,14 @@ class JournalWriter {
   void run();
   std::deque<Item> next() EXCLUDES(mutex_);
   void write(const std::deque<Item>& items);
-  void commit(const std::deque<Item>& items);
+  static void report(RunJournal& journal, std::uint64_t ticket, const Expected<void>& written);
 
   services::Mutex mutex_;
   services::ConditionVariable appended_;
   std::deque<Item> waiting_ GUARDED_BY(mutex_);
   bool closed_ GUARDED_BY(mutex_) = false;
-  const std::unique_ptr<SQLite::Database> file_;  // of the writer's thread
+  const std::unique_ptr<SQLite::Database> file_;  // of the writer's thread, as the next
+  Statements statements_;
   DiskWatch watch_;
   std::atomic<std::uint64_t> commits_{0}, entries_{0};
   std::thread thread_;

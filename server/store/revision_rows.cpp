@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "server/store/digest_column.h"
 #include "services/sqlite/digest.h"
 
 namespace race::server {
@@ -42,10 +43,6 @@ sqlite::Digest digest_of(const Revision& revision, std::string_view text_digest)
                             std::to_string(errors), doc, text_digest});
 }
 
-void bind_digest(SQLite::Statement& statement, int index, const sqlite::Digest& digest) {
-  statement.bind(index, digest.data(), static_cast<int>(digest.size()));
-}
-
 struct Row {
   Revision revision;
   std::string text_digest;
@@ -68,14 +65,27 @@ Row read_row(SQLite::Statement& select, int first = 0) {
   return row;
 }
 
-/// A document that has revisions but no entry; empty: there is none. Looks for each name once.
-std::string find_lost_entry(SQLite::Database& file) {
+/// Documents that have revisions but no entry. Looks for each name once.
+std::vector<std::string> find_lost_entries(SQLite::Database& file) {
   SQLite::Statement select(file,
                            "WITH RECURSIVE each(name) AS (SELECT min(document) FROM revision UNION ALL"
                            " SELECT (SELECT min(document) FROM revision WHERE document > name) FROM each"
                            "  WHERE name IS NOT NULL)"
                            " SELECT name FROM each WHERE name IS NOT NULL AND name NOT IN (SELECT name FROM document)");
-  return select.executeStep() ? select.getColumn(0).getString() : std::string();
+  std::vector<std::string> lost;
+  while (select.executeStep()) lost.push_back(select.getColumn(0).getString());
+  return lost;
+}
+
+/// The last revision of the document at which `select` stands (list_heads).
+Expected<Revision> read_head(SQLite::Statement& select) {
+  const std::string name = select.getColumn(kColumnCount);
+  const RevisionRange range{select.getColumn(kColumnCount + 1).getInt64(),
+                            select.getColumn(kColumnCount + 2).getInt64()};
+  if (sqlite::bytes(digest_of(name, range)) != select.getColumn(kColumnCount + 3).getString()) return damaged(name);
+  Row row = read_row(select);
+  if (!row.is_sound) return damaged(name, range.last, "damaged or lost");
+  return std::move(row.revision);
 }
 
 }  // namespace
@@ -141,23 +151,20 @@ Expected<std::vector<Revision>> list_revisions(SQLite::Database& file, const std
   return found;
 }
 
-Expected<std::vector<Revision>> list_heads(SQLite::Database& file) {
-  if (const std::string lost = find_lost_entry(file); !lost.empty()) return damaged(lost);
+DocumentHeads list_heads(SQLite::Database& file) {
+  DocumentHeads heads;
+  for (const std::string& lost : find_lost_entries(file)) heads.damaged.push_back(damaged(lost).value());
   SQLite::Statement select(file, std::string("SELECT ") + kColumns +
                                      ", document.name, document.first, document.last, document.digest"
                                      " FROM document LEFT JOIN revision ON revision.document = document.name"
                                      "  AND revision.number = document.last ORDER BY document.name");
-  std::vector<Revision> found;
   while (select.executeStep()) {
-    const std::string name = select.getColumn(kColumnCount);
-    const RevisionRange range{select.getColumn(kColumnCount + 1).getInt64(),
-                              select.getColumn(kColumnCount + 2).getInt64()};
-    if (sqlite::bytes(digest_of(name, range)) != select.getColumn(kColumnCount + 3).getString()) return damaged(name);
-    Row row = read_row(select);
-    if (!row.is_sound) return damaged(name, range.last, "damaged or lost");
-    found.push_back(std::move(row.revision));
+    if (auto head = read_head(select))
+      heads.revisions.push_back(std::move(*head));
+    else
+      heads.damaged.push_back(std::move(head).error());
   }
-  return found;
+  return heads;
 }
 
 std::int64_t count_documents(SQLite::Database& file) {

@@ -34,8 +34,12 @@ Expected<RevisionText> read_revision(SQLite::Database& file, const std::string& 
 /// Revisions `from` to `to`, the newest first. Requires that the document has them. Reads no texts.
 Expected<std::vector<Revision>> list_revisions(SQLite::Database& file, const std::string& name, RevisionRange range);
 
+struct DocumentHeads {
+  std::vector<Revision> revisions;
+  std::vector<Error> damaged;  // `corrupt`: of a document each
+};
 /// The last revision of every document, in order of name. Reads no texts.
-Expected<std::vector<Revision>> list_heads(SQLite::Database& file);
+DocumentHeads list_heads(SQLite::Database& file);
 
 std::int64_t count_documents(SQLite::Database& file);
 

@@ -3,18 +3,19 @@
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Statement.h>
 
-#include <cstring>
-
 #include "core/execution/journal.h"
 #include "core/value/json.h"
+#include "server/store/digest_column.h"
+#include "server/store/run_removal.h"
 
 namespace race::server {
 namespace {
 
 std::int64_t number(std::uint64_t n) { return static_cast<std::int64_t>(n); }
 
-// Fields 2 to 17 of kRunColumns.
-void bind_run(SQLite::Statement& row, const RunRecord& run, const sqlite::Digest& digest) {
+// Fields 1 to 17 of kRunColumns.
+void bind_run(SQLite::Statement& row, const RunRecord& run) {
+  row.bind(1, number(run.id));
   row.bind(2, run.document);
   row.bind(3, run.revision);
   bind_digest(row, 4, run.header);
@@ -30,7 +31,7 @@ void bind_run(SQLite::Statement& row, const RunRecord& run, const sqlite::Digest
   row.bind(14, run.ended_ms);
   row.bind(15, run.imported ? 1 : 0);
   row.bind(16, number(run.bytes));
-  bind_digest(row, 17, digest);
+  bind_digest(row, 17, digest_of(run));
 }
 
 Value read_value(const SQLite::Column& column) {
@@ -38,7 +39,21 @@ Value read_value(const SQLite::Column& column) {
   return value.freeze();
 }
 
+tl::unexpected<Error> no_run(RunId id) {
+  return unexpected(ErrorCode::not_found, "there is no run of this number", path_of(id));
+}
+
 }  // namespace
+
+std::string path_of(RunId id) { return "runs/" + std::to_string(id); }
+
+tl::unexpected<Error> damaged(const std::string& what, std::string path) {
+  return unexpected(ErrorCode::corrupt, what + " is damaged", std::move(path));
+}
+
+bool RunRecord::is_over() const { return server::is_over(status); }
+
+bool is_over(std::string_view status) { return status == "ended" || status == "faulted" || status == "aborted"; }
 
 sqlite::Digest digest_of(const RunRecord& run) {
   const auto text = [](auto n) { return std::to_string(n); };
@@ -48,25 +63,67 @@ sqlite::Digest digest_of(const RunRecord& run) {
                             text(run.created_ms), text(run.ended_ms), run.imported ? "1" : "0", text(run.bytes)});
 }
 
-void write_row(SQLite::Database& file, RunRecord& run) {
-  SQLite::Statement insert(file,
-                           "INSERT INTO run VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14,"
-                           " ?15, ?16, ?17)");  // ?1 is null: SQLite gives the number
-  bind_run(insert, run, {});
-  insert.exec();
-  run.id = static_cast<RunId>(file.getLastInsertRowid());
-  update_row(file, run);  // its digest is also of the number
+void write_row(Statements& statements, const RunRecord& run) {
+  const auto insert = statements.use(
+      "INSERT INTO run VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16, ?17)");
+  bind_run(*insert, run);
+  insert->exec();
 }
 
-void update_row(SQLite::Database& file, const RunRecord& run) {
-  SQLite::Statement update(
-      file,
+Expected<void> update_row(Statements& statements, const RunRecord& run) {
+  const auto update = statements.use(
       "UPDATE run SET document = ?2, revision = ?3, header = ?4, services = ?5, arguments = ?6, status = ?7,"
       " outcome = ?8, fault = ?9, results = ?10, steps = ?11, chain = ?12, created = ?13, ended = ?14, imported = ?15,"
       " bytes = ?16, digest = ?17 WHERE id = ?1");
-  update.bind(1, number(run.id));
-  bind_run(update, run, digest_of(run));
-  update.exec();
+  bind_run(*update, run);
+  if (update->exec() == 0) return no_run(run.id);
+  return {};
+}
+
+std::string select_runs(std::string_view rest) {
+  return "SELECT " + std::string(kRunColumns) + " FROM run " + std::string(rest);
+}
+
+Expected<RunRecord> find_row(SQLite::Database& file, RunId id) {
+  SQLite::Statement select(file, select_runs("WHERE id = ?"));
+  select.bind(1, number(id));
+  if (select.executeStep()) return read_row(select);
+  SQLite::Statement entry(file, "SELECT 1 FROM entry WHERE run = ? LIMIT 1");
+  entry.bind(1, number(id));
+  if (entry.executeStep() && !is_being_removed(file, id)) return tl::unexpected(lost_row(id));
+  return no_run(id);
+}
+
+// Looks for each number once.
+std::vector<RunId> lost_runs(SQLite::Database& file) {
+  SQLite::Statement select(file,
+                           "WITH RECURSIVE each(run) AS (SELECT min(run) FROM entry UNION ALL"
+                           " SELECT (SELECT min(entry.run) FROM entry WHERE entry.run > each.run) FROM each"
+                           "  WHERE each.run IS NOT NULL)"
+                           " SELECT run FROM each WHERE run IS NOT NULL AND run NOT IN (SELECT id FROM run)");
+  std::vector<RunId> lost;
+  while (select.executeStep()) lost.push_back(static_cast<RunId>(select.getColumn(0).getInt64()));
+  std::erase_if(lost, [&](RunId run) { return is_being_removed(file, run); });
+  return lost;
+}
+
+Error lost_row(RunId id) { return {ErrorCode::corrupt, "the row of the run is lost", path_of(id)}; }
+
+RunList read_rows(SQLite::Statement& select, std::size_t most) {
+  RunList list;
+  RunId last = 0;
+  for (std::size_t count = 0; select.executeStep(); ++count) {
+    if (count == most) {
+      list.next = last;
+      break;
+    }
+    last = static_cast<RunId>(select.getColumn(0).getInt64());
+    if (auto run = read_row(select))
+      list.runs.push_back(std::move(*run));
+    else
+      list.damaged.push_back({last, std::move(run).error(), is_over(select.getColumn(6).getString())});
+  }
+  return list;
 }
 
 Expected<RunRecord> read_row(SQLite::Statement& select) {
@@ -88,42 +145,8 @@ Expected<RunRecord> read_row(SQLite::Statement& select) {
   run.imported = select.getColumn(14).getInt() != 0;
   run.bytes = static_cast<std::uint64_t>(select.getColumn(15).getInt64());
   if (digest_in(select, 16) != digest_of(run))
-    return unexpected(ErrorCode::corrupt, "the stored run is damaged", "runs/" + std::to_string(run.id));
+    return unexpected(ErrorCode::corrupt, "the stored run is damaged", path_of(run.id));
   return run;
-}
-
-void write_entry(SQLite::Database& file, RunId run, std::uint64_t position, const std::string& input,
-                 const sqlite::Digest& chain) {
-  SQLite::Statement insert(file, "INSERT INTO entry VALUES (?, ?, ?, ?)");
-  insert.bind(1, number(run));
-  insert.bind(2, number(position));
-  insert.bind(3, input);
-  bind_digest(insert, 4, chain);
-  insert.exec();
-}
-
-void write_checkpoint(SQLite::Database& file, RunId run, std::uint64_t position, const std::string& text) {
-  SQLite::Statement insert(file, "INSERT OR REPLACE INTO checkpoint VALUES (?, ?, ?, ?)");
-  insert.bind(1, number(run));
-  insert.bind(2, number(position));
-  insert.bind(3, text);
-  bind_digest(insert, 4, checkpoint_digest(run, position, text));
-  insert.exec();
-}
-
-sqlite::Digest checkpoint_digest(RunId run, std::uint64_t position, std::string_view text) {
-  return sqlite::sha256_of({std::to_string(run), std::to_string(position), text});
-}
-
-void bind_digest(SQLite::Statement& statement, int index, const sqlite::Digest& digest) {
-  statement.bind(index, digest.data(), static_cast<int>(digest.size()));
-}
-
-sqlite::Digest digest_in(SQLite::Statement& row, int column) {
-  const SQLite::Column blob = row.getColumn(column);
-  sqlite::Digest digest = {};
-  if (blob.getBytes() == static_cast<int>(digest.size())) std::memcpy(digest.data(), blob.getBlob(), digest.size());
-  return digest;
 }
 
 }  // namespace race::server

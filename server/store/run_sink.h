@@ -17,6 +17,7 @@ class RunSink {
   /// answered, even if it says that all is well: who has been told otherwise must not go on.
   virtual void stalled(const Error& error) = 0;
   /// The records after the last durable one are stored or not, which the store says, and none will be. Once.
+  /// `not_found`: the run is not in the store.
   virtual void failed(const Error& error) = 0;
 };
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -17,13 +18,9 @@
 #include "core/execution/journal_source.h"
 #include "core/rsm/model.h"
 #include "core/value/expected.h"
+#include "server/store/statements.h"
 #include "services/mutex.h"
 #include "services/sqlite/digest.h"
-
-namespace SQLite {
-class Database;
-class Statement;
-}  // namespace SQLite
 
 namespace race::server {
 
@@ -46,7 +43,21 @@ struct RunRecord {
   bool imported = false;                      // it was executed by another server
   std::uint64_t bytes = 0;                    // of its entries and checkpoints
 
-  bool is_over() const { return status == "ended" || status == "faulted" || status == "aborted"; }
+  bool is_over() const;
+};
+
+/// A run of which the row is damaged or lost; its journal may be whole.
+struct DamagedRun {
+  RunId id = 0;
+  Error error;           // `corrupt`
+  bool is_over = false;  // as far as can be read
+};
+
+struct RunList {
+  std::vector<RunRecord> runs;
+  std::vector<DamagedRun> damaged;
+  std::optional<RunId> next;          // there are more: list() goes on before this one
+  std::vector<Error> errors() const;  // of `damaged`
 };
 
 class Runs {
@@ -70,17 +81,21 @@ class Runs {
   /// The same run with another header: another model was loaded, or other arguments. Requires that it has not begun.
   Expected<RunRecord> replace(RunId id, const NewRun& run) EXCLUDES(mutex_);
   /// An executed run, whole: checked before by execution::read_journal. Gets a new number. `checkpoints`: position ->
-  /// text.
+  /// text. Stored in short transactions, between which others write; the run is there after the last one. What a
+  /// failure leaves is removed when the store is opened. Error `conflict`: a backup was restored meanwhile.
   Expected<RunRecord> import(RunRecord record, const NewRun& run, const std::vector<execution::JournalEntry>& entries,
                              const std::map<std::uint64_t, std::string>& checkpoints = {}) EXCLUDES(mutex_);
+  /// `imported` is called after each import, on its thread; nothing: nobody. Not during an import.
+  void on_import(std::function<void()> imported) EXCLUDES(mutex_);
 
-  /// `not_found`: there is none.
+  /// `not_found`: there is none. `corrupt` also if its row is lost and its journal is there.
   Expected<RunRecord> get(RunId id) EXCLUDES(mutex_);
-  /// The newest first, those before run `before` (0: from the newest), at most `most`; of one document if it is given.
-  Expected<std::vector<RunRecord>> list(RunId before, std::size_t most, const std::string& document = "")
-      EXCLUDES(mutex_);
-  /// Those that are not over and were not imported, in order of number: to be hosted when the server begins.
-  Expected<std::vector<RunRecord>> open_runs() EXCLUDES(mutex_);
+  /// The newest first, those before run `before` (0: from the newest), at most `most`, damaged ones included; of one
+  /// document if it is given.
+  Expected<RunList> list(RunId before, std::size_t most, const std::string& document = "") EXCLUDES(mutex_);
+  /// Those that are not over and were not imported, in order of number: to be hosted when the server begins. And all
+  /// that are damaged or lost.
+  Expected<RunList> open_runs() EXCLUDES(mutex_);
   Expected<execution::JournalHeader> header(RunId id) EXCLUDES(mutex_);
   /// Key -> RSM (schemas/service.json), as they were when the run was created.
   Expected<Value> services(RunId id) EXCLUDES(mutex_);
@@ -99,13 +114,23 @@ class Runs {
   /// What each run that is over, or was imported, holds: bytes of its entries, checkpoints and samples. The newest
   /// first.
   Expected<std::vector<std::pair<RunId, std::uint64_t>>> sizes() EXCLUDES(mutex_);
-  /// The run, its journal, its samples and what no other run shares; also of one that is damaged. `not_found`.
+  /// The run, its journal, its samples and what no other run shares; also of one that is damaged. The run goes at once,
+  /// durably; the rest in short transactions, between which others write. What a failure leaves of the rest is removed
+  /// when the store is opened. `not_found`.
   Expected<void> remove(RunId id) EXCLUDES(mutex_);
 
  private:
   explicit Runs(std::unique_ptr<SQLite::Database> file);
+  struct Import;  // run_import.cpp
+  Expected<void> store(Import& import) EXCLUDES(mutex_);
+  Expected<RunId> begin_import() EXCLUDES(mutex_);
+  Expected<void> continue_import(RunId id, const std::function<void(Statements&)>& write) EXCLUDES(mutex_);
+  Expected<void> remove_rest(RunId id) EXCLUDES(mutex_);
+
   services::Mutex mutex_;
   const std::unique_ptr<SQLite::Database> file_ PT_GUARDED_BY(mutex_);
+  Statements statements_ GUARDED_BY(mutex_);
+  std::function<void()> imported_ GUARDED_BY(mutex_);
 };
 
 }  // namespace race::server

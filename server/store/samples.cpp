@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "core/value/json.h"
-#include "server/store/run_row.h"
+#include "server/store/digest_column.h"
 #include "server/store/schema.h"
 #include "services/sqlite/file.h"
 #include "services/sqlite/write_transaction.h"

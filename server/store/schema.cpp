@@ -41,7 +41,13 @@ void add_boot(SQLite::Database& file) {
       " digest BLOB NOT NULL)");
 }
 
-constexpr std::array<sqlite::Migration, 4> kMigrations = {give_document_ids, add_runs, add_revisions, add_boot};
+// 5: runs of which something may be left to be removed (run_removal.h).
+void add_removals(SQLite::Database& file) {
+  file.exec("CREATE TABLE removal (run INTEGER PRIMARY KEY, digest BLOB NOT NULL)");
+}
+
+constexpr std::array<sqlite::Migration, 5> kMigrations = {give_document_ids, add_runs, add_revisions, add_boot,
+                                                          add_removals};
 
 }  // namespace
 

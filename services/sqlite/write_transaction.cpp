@@ -12,7 +12,7 @@
 namespace race::sqlite {
 
 // Those who write one file, in order of arrival.
-class WriteTransaction::Line {
+class WriteTurn::Line {
  public:
   void enter() EXCLUDES(mutex_) {
     const services::MutexLock lock(mutex_);
@@ -33,18 +33,7 @@ class WriteTransaction::Line {
   std::uint64_t first_ GUARDED_BY(mutex_) = 0, last_ GUARDED_BY(mutex_) = 0;
 };
 
-class WriteTransaction::Turn {
- public:
-  explicit Turn(std::shared_ptr<Line> line) : line_(std::move(line)) { line_->enter(); }
-  ~Turn() { line_->leave(); }
-  Turn(const Turn&) = delete;
-  Turn& operator=(const Turn&) = delete;
-
- private:
-  const std::shared_ptr<Line> line_;  // held by those who stand in it
-};
-
-std::shared_ptr<WriteTransaction::Line> WriteTransaction::line_of(const SQLite::Database& file) {
+std::shared_ptr<WriteTurn::Line> WriteTurn::line_of(const SQLite::Database& file) {
   static services::Mutex mutex;
   static std::map<std::string, std::weak_ptr<Line>> lines;
   const services::MutexLock lock(mutex);
@@ -55,9 +44,11 @@ std::shared_ptr<WriteTransaction::Line> WriteTransaction::line_of(const SQLite::
   return line;
 }
 
+WriteTurn::WriteTurn(const SQLite::Database& file) : line_(line_of(file)) { line_->enter(); }
+WriteTurn::~WriteTurn() { line_->leave(); }
+
 WriteTransaction::WriteTransaction(SQLite::Database& file)
-    : turn_(std::make_unique<Turn>(line_of(file))),
-      transaction_(std::make_unique<SQLite::Transaction>(file, SQLite::TransactionBehavior::IMMEDIATE)) {}
+    : turn_(file), transaction_(std::make_unique<SQLite::Transaction>(file, SQLite::TransactionBehavior::IMMEDIATE)) {}
 
 WriteTransaction::~WriteTransaction() = default;
 

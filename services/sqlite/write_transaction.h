@@ -14,6 +14,22 @@ class Transaction;
 
 namespace race::sqlite {
 
+/// The turn alone: other writers of the process wait while it is there. For what SQLite writes outside of a transaction
+/// of ours.
+class WriteTurn {
+ public:
+  /// Waits for the writers that came before.
+  explicit WriteTurn(const SQLite::Database& file);
+  ~WriteTurn();
+  WriteTurn(const WriteTurn&) = delete;
+  WriteTurn& operator=(const WriteTurn&) = delete;
+
+ private:
+  class Line;
+  static std::shared_ptr<Line> line_of(const SQLite::Database& file);
+  const std::shared_ptr<Line> line_;  // held by those who stand in it
+};
+
 class WriteTransaction {
  public:
   /// Begins when the writers that came before have ended (BEGIN IMMEDIATE). Throws SQLite::Exception.
@@ -26,11 +42,7 @@ class WriteTransaction {
   void commit();
 
  private:
-  class Line;
-  class Turn;
-  static std::shared_ptr<Line> line_of(const SQLite::Database& file);
-
-  const std::unique_ptr<Turn> turn_;
+  const WriteTurn turn_;
   std::unique_ptr<SQLite::Transaction> transaction_;
 };
 

@@ -128,10 +128,14 @@ class Backups(unittest.TestCase):
             status, _, error = race("restore", "--data", data, copy)
             self.assertEqual(status, 2)
             self.assertIn("conflict", error)
+            last = server.core(models.ticking())
         (data / "database.sqlite").write_bytes(b"x" * 8192)
         self.assertEqual(race("restore", "--data", data, copy), (0, "", ""))
+        self.assertEqual([kept.stat().st_size for kept in data.glob("database.sqlite.damaged-*")], [8192])
+        self.assertEqual(list(data.glob("race.sqlite.damaged-*")), [])
         with Server(data=str(data)) as server:
             self.assertEqual(stored(server, "x"), 1)
+            self.assertGreater(int(server.core(models.ticking())), int(last), "numbers do not go back")
         new = self.data / "new"
         self.assertEqual(race("restore", "--data", new, copy)[0], 0)
         with Server(data=str(new)) as server:

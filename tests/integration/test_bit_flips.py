@@ -109,6 +109,9 @@ def is_named(path, was, now, log):
     if path == "values" and status == 200:  # each is as it was, or an error
         old, new = was[1]["values"], answer.get("values", ())
         return len(old) == len(new) and all(b == a or b in NAMED for a, b in zip(old, new, strict=True))
+    if path == "/runs" and status == 200:  # the damaged ones beside the others
+        named = {error["path"] for error in answer.get("damaged", ())}
+        return [run for run in was[1]["runs"] if f"runs/{run['id']}" not in named] == answer["runs"]
     if status in (500, 503, 507) and {error["code"] for error in answer["errors"]} <= NAMED:
         return True
     return path.startswith("/cores") and "cannot be rebuilt" in log

@@ -1,8 +1,11 @@
 """Documents and drafts with every revision over REST: author, message, restore, branch; they survive a restart."""
 import shutil
+import sqlite3
 import tempfile
 import time
 import unittest
+from contextlib import closing
+from pathlib import Path
 
 import models
 from client import Server
@@ -50,6 +53,23 @@ class Documents(unittest.TestCase):
         self.assertEqual(self.server.get("/documents/task", "document_entry"), second)
         self.assertEqual(self.server.get("/documents", "documents")["documents"],
                          [{"name": "task", "revision": 2, "errors": 0, "doc": "two"}])
+
+    def test_one_that_is_damaged_is_named_and_the_others_are_as_before(self):
+        self.put(task(doc="one"))
+        self.put(task("other"), name="other")
+        self.server.stop()
+        with closing(sqlite3.connect(Path(self.data, "race.sqlite"))) as store, store:
+            store.execute("UPDATE revision SET author = 'Eve' WHERE document = 'task'")
+        self.server = Server(data=self.data)
+        listed = self.server.get("/documents", "documents")
+        self.assertEqual([each["name"] for each in listed["documents"]], ["other"])
+        self.assertEqual([(each["path"], each["code"]) for each in listed["damaged"]], [("task/revisions/1", "corrupt")])
+        self.assertEqual(self.server.get("/health", "health")["documents"], 1)
+        self.assertEqual(codes(self.server.get("/documents/task", status=500)), ["corrupt"])
+        self.server.core(task("third"))
+        with self.server.stream() as stream:
+            stream.subscribe("log")
+            self.assertIn("revision 1 of the document `task` is damaged", str(stream.message()))
 
     def test_revisions_are_listed_by_pages(self):
         for i in range(103):

@@ -2,12 +2,13 @@
 import http.client
 import json
 import shutil
+import sqlite3
 import subprocess
 import tempfile
 import threading
 import time
 import unittest
-from contextlib import suppress
+from contextlib import closing, suppress
 from itertools import pairwise
 from pathlib import Path
 
@@ -177,6 +178,34 @@ class Runs(unittest.TestCase):
             server.get("/runs/x", status=404)
             later = server.core(models.ticking("removed"), start=False)
             self.assertGreater(int(later), int(core))
+
+    def test_one_that_is_damaged_is_named_and_stays_and_the_others_are_hosted(self):
+        with Server(data=self.data) as server:
+            waiting, damaged = (server.core(models.ticking(name), start=False) for name in ("one", "other"))
+        with closing(sqlite3.connect(Path(self.data, "race.sqlite"))) as store, store:
+            store.execute("UPDATE run SET steps = 7 WHERE id = ?", [damaged])
+            row = store.execute("SELECT * FROM run WHERE id = ?", [damaged]).fetchone()
+        with Server(data=self.data) as server:
+            self.assertEqual([core["id"] for core in server.get("/cores", "cores")["cores"]], [waiting])
+            with server.stream() as stream:
+                stream.subscribe("log")
+                self.assertIn("cannot be rebuilt", str(stream.message()))
+            listed = server.get("/runs", "runs")
+            self.assertEqual([run["id"] for run in listed["runs"]], [waiting])
+            self.assertEqual([(each["path"], each["code"]) for each in listed["damaged"]], [(f"runs/{damaged}", "corrupt")])
+            self.assertEqual(server.get(f"/runs/{damaged}", status=500)["errors"], listed["damaged"])
+            status, text, errors = race("runs", "--data", self.data)
+            self.assertEqual((status, text.split()[0]), (1, waiting))
+            self.assertIn(f"runs/{damaged}: corrupt: ", errors)
+        with closing(sqlite3.connect(Path(self.data, "race.sqlite"))) as store:
+            self.assertEqual(store.execute("SELECT * FROM run WHERE id = ?", [damaged]).fetchone(), row)
+
+    def test_the_oldest_runs_are_removed_after_an_import(self):
+        with Server("--keep-runs", "1", data=self.data) as server:
+            run, _ = self.run_once(server, models.ticking("exported", last=1))
+            file = server.get(f"/runs/{run['id']}/export", "run_file")
+            imported = server.post("/runs", file, "run", 201)["id"]
+            server.wait_for(lambda: [each["id"] for each in server.get("/runs", "runs")["runs"]] == [imported])
 
     def test_the_oldest_runs_are_removed_beyond_the_limit(self):
         with Server("--keep-runs", "2", data=self.data) as server:

@@ -9,7 +9,11 @@
 #include <thread>
 
 #include "server/store/data_folder.h"
+#include "server/store/run_removal.h"
+#include "server/store/runs.h"
+#include "server/store/unfinished_folder.h"
 #include "services/database/store.h"
+#include "tests/unit/core/execution/journals.h"
 #include "tests/unit/services/sqlite/faulty_vfs.h"
 #include "tests/unit/services/sqlite/folder.h"
 
@@ -197,20 +201,105 @@ TEST_F(BackupTest, ThatCannotBeBroughtBackLeavesTheValuesWhole) {
 }
 
 TEST_F(BackupTest, ThatACrashHasLeftInPartIsRemoved) {
-  fs::create_directories(data / "backups" / (std::string(kName) + ".unfinished"));
+  for (const char* suffix : {".unfinished", ".unfinished-1-1"})
+    fs::create_directories(data / "backups" / (std::string(kName) + suffix));
   EXPECT_THAT(backups.list().value(), IsEmpty());
   const Backups again(data);
   EXPECT_THAT(files_of_backups(), IsEmpty());
 }
 
-TEST_F(BackupTest, TakesThePlaceOfADamagedFile) {
+TEST_F(BackupTest, ThatAnotherProcessIsMakingIsLeftAlone) {
+  fs::create_directories(data / "backups");
+  auto other = UnfinishedFolder::create(data / "backups" / kName);
+  ASSERT_TRUE(other) << to_string(other.error());
+  const Backups again(data);
+  EXPECT_TRUE(fs::exists(other->path()));
+  ASSERT_TRUE(backups.create(kTime)) << "of the same millisecond";
+  EXPECT_EQ(other->finish().error().code, ErrorCode::conflict);
+  EXPECT_THAT(backups.list().value(), testing::SizeIs(1));
+}
+
+TEST_F(BackupTest, IsBroughtBackWhenWhatWaitsIsWritten) {
+  std::vector<std::string> calls;
+  Backups used(data, {.flush =
+                          [&] {
+                            calls.push_back("flush");
+                            put("x", 2);
+                          },
+                      .restored =
+                          [&] {
+                            calls.push_back("restored");
+                            return nothing();
+                          }});
+  put("x", 1);
+  ASSERT_TRUE(used.create(kTime));
+  ASSERT_TRUE(used.restore(kName, [&] {
+    calls.push_back("begin");
+    return nothing();
+  }));
+  EXPECT_THAT(calls, ElementsAre("begin", "flush", "restored"));
+  EXPECT_EQ(get("x"), Value(1));
+}
+
+TEST_F(BackupTest, DoesNotBringBackNumbersOfRuns) {
+  const auto runs = Runs::open(data / "race.sqlite").value();
+  const auto next = [&] { return runs->create({"r", 1, execution::small_journal().header, {}}, 1)->id; };
+  EXPECT_EQ(next(), 1U);
+  ASSERT_TRUE(backups.create(kTime));
+  EXPECT_EQ(next(), 2U);
+  ASSERT_TRUE(backups.restore(kName, [&] {
+    EXPECT_EQ(next(), 3U);
+    return nothing();
+  }));
+  EXPECT_EQ(runs->list(0, 10)->runs.size(), 1U);
+  EXPECT_EQ(next(), 4U);
+  ASSERT_TRUE(backups.restore(kName, nothing));
+  EXPECT_EQ(Runs::open(data / "race.sqlite").value()->create({"r", 1, execution::small_journal().header, {}}, 1)->id,
+            5U);
+}
+
+TEST_F(BackupTest, FinishesTheRemovalOfARunThatWasUnderWay) {
+  const fs::path store = data / "race.sqlite";
+  const auto runs = Runs::open(store).value();
+  const RunId run = runs->create({"r", 1, execution::small_journal().header, {}}, 1)->id;
+  SQLite::Database file(store, SQLite::OPEN_READWRITE);
+  begin_removal(file, run);
+  file.exec("DELETE FROM run; INSERT INTO sampling VALUES (1, 1, 1, 1)");
+  ASSERT_TRUE(backups.create(kTime));
+  ASSERT_TRUE(backups.restore(kName, nothing));
+  EXPECT_EQ(file.execAndGet("SELECT (SELECT count(*) FROM removal) + (SELECT count(*) FROM sampling)").getInt(), 0);
+}
+
+TEST_F(BackupTest, LeavesFilesAloneThatItDoesNotReplaceOrThatAreSound) {
+  ASSERT_TRUE(backups.create(kTime));
+  std::ofstream(data / "database.sqlite") << std::string(8192, 'x');
+  ASSERT_TRUE(set_damaged_aside(data, data / "backups" / kName, kTime));
+  EXPECT_EQ(fs::file_size(data / "database.sqlite"), 8192U);
+  for (const auto& entry : fs::directory_iterator(data))
+    EXPECT_EQ(entry.path().string().find("damaged"), std::string::npos) << entry.path();
+}
+
+TEST_F(BackupTest, TakesNoPlaceOfAFileThatTheDiskDoesNotGive) {
+  put("x", 1);
+  ASSERT_TRUE(backups.create(kTime));
+  FaultyVfs vfs;
+  vfs.fail_at(1, FaultyVfs::Fault::io, true);
+  const auto refused = set_damaged_aside(data, data / "backups" / kName, kTime);
+  vfs.repair();
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().code, ErrorCode::corrupt);
+  EXPECT_EQ(get("x"), Value(1));
+}
+
+TEST_F(BackupTest, TakesThePlaceOfADamagedFileWhichIsKept) {
   put("x", 1);
   ASSERT_TRUE(backups.create(kTime));
   std::ofstream(data / "database.sqlite") << std::string(8192, 'x');
-  ASSERT_TRUE(restore_files(data / "backups" / kName, data, [&] {
-    remove_damaged(data);
-    return Expected<void>();
-  }));
+  std::ofstream(data / "database.sqlite-wal") << "log";
+  ASSERT_TRUE(restore_files(data / "backups" / kName, data,
+                            [&] { return set_damaged_aside(data, data / "backups" / kName, kTime); }));
+  EXPECT_EQ(fs::file_size(data / ("database.sqlite.damaged-" + std::string(kName))), 8192U);
+  EXPECT_EQ(fs::file_size(data / ("database.sqlite.damaged-" + std::string(kName) + "-wal")), 3U);
   EXPECT_EQ(get("x"), Value(1));
 }
 

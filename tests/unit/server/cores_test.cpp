@@ -1,11 +1,14 @@
 #include "server/execution/cores.h"
 
+#include <SQLiteCpp/Database.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <future>
 
 #include "core/rcm/document.h"
+#include "services/sqlite/file.h"
+#include "tests/unit/core/execution/journals.h"
 #include "tests/unit/server/bench.h"
 
 namespace race::server {
@@ -25,11 +28,11 @@ struct CoresTest : testing::Test, CoreWatcher {
   void state_changed(const std::string&, Value) override {}
   void derivation_snapshot(const std::string&, Value) override {}
   void derived(const std::string&, Value) override {}
-  void printed(const std::string&, const std::string&) override {}
+  void printed(const std::string& id, const std::string& text) override { said.push_back(id + ": " + text); }
 
   std::atomic<bool> heard{false};
   std::promise<bool> found;
-  std::vector<std::string> removed;
+  std::vector<std::string> removed, said;
   services::WorldClock clock;
   NoObserver observer;
   services::Host host{clock, observer};
@@ -73,6 +76,17 @@ TEST_F(CoresTest, AModelThatIsLoadedTakesThePlaceOfOneThatHasNotBegun) {
   EXPECT_EQ(cores.all().size(), 1U);
   ASSERT_TRUE(core->start());
   EXPECT_EQ(cores.load(id, {"r", 1, first}, Dict{{"n", 1}}).error().front().code, ErrorCode::conflict);
+}
+
+TEST_F(CoresTest, ARunThatIsDamagedIsNamedAndTheOthersAreHostedAgain) {
+  const execution::Journal journal = execution::small_journal();
+  for (int i = 0; i < 3; ++i) store.runs->create({"small", 1, journal.header, {}}, i).value();
+  sqlite::open(store.folder.store())->exec("UPDATE run SET steps = 7 WHERE id = 2");
+  ASSERT_TRUE(cores.recover());
+  EXPECT_EQ(cores.all().size(), 2U);
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_EQ(said[0].substr(0, 37), "2: cannot be rebuilt: runs/2: corrupt");
+  EXPECT_EQ(store.runs->get(2).error().code, ErrorCode::corrupt) << "it stays";
 }
 
 TEST_F(CoresTest, ARunThatNeverBeganIsRemovedWithItsCore) {

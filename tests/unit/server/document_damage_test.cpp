@@ -52,6 +52,28 @@ TEST_F(DocumentDamage, OfAnyFieldOfARevisionIsNamed) {
   }
 }
 
+TEST_F(DocumentDamage, OfOneDocumentLeavesTheOthersListed) {
+  execute("UPDATE revision SET author = 'Eve' WHERE document = 'task'; DELETE FROM document WHERE name = 'mine'");
+  const auto documents = Documents::open(path()).value();
+  const DocumentHeads heads = documents->heads().value();
+  ASSERT_EQ(heads.revisions.size(), 1U);
+  EXPECT_EQ(heads.revisions[0].document, "large");
+  ASSERT_EQ(heads.damaged.size(), 2U);
+  EXPECT_EQ(heads.damaged[0].path, "mine");
+  EXPECT_EQ(heads.damaged[1].path, "task/revisions/4");
+}
+
+TEST_F(DocumentDamage, OfTheDemoLeavesItAndTheOthersArePut) {
+  const auto demo = folder_ / "demo";
+  std::filesystem::create_directory(demo);
+  for (const char* name : {"task.rcm.json", "another.rcm.json"}) std::ofstream(demo / name) << kTask;
+  execute("UPDATE revision SET author = 'Eve' WHERE document = 'task'");
+  const auto documents = Documents::open(path()).value();
+  ASSERT_TRUE(documents->put_demo(demo, 1));
+  EXPECT_TRUE(documents->get("another"));
+  expect_corrupt(documents->entry("task"), "task/revisions/4");
+}
+
 TEST_F(DocumentDamage, OfATextIsNamedWhenItIsRead) {
   execute("UPDATE revision SET text = text || ' ' WHERE document = 'task' AND number = 4");
   const auto documents = Documents::open(path()).value();

@@ -105,6 +105,26 @@ TEST(JournalWriter, SaysThatTheDiskHangsAndThenThatTheJournalHasFailed) {
   EXPECT_EQ(writing.heard->stalls + writing.heard->failures, 2) << "each is said once";
 }
 
+TEST(JournalWriter, WritesNothingOfARunThatIsNotInTheStoreAndTheOthersWhole) {
+  TemporaryStore store;
+  Writing lost(*store.runs, *store.writer), other(*store.runs, *store.writer);
+  lost.append_some(1);
+  ASSERT_TRUE(lost.settled());
+  ASSERT_TRUE(store.runs->remove(lost.run.id));
+  const auto file = sqlite::open(store.folder.store());
+  auto busy = std::make_unique<sqlite::WriteTransaction>(*file);
+  other.append_some(1);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));  // the writer stands in line with these
+  lost.append_some(3);
+  other.append_some(3);
+  busy.reset();
+  EXPECT_FALSE(lost.settled());
+  EXPECT_EQ(lost.heard->code, ErrorCode::not_found);
+  EXPECT_TRUE(other.settled());
+  EXPECT_EQ(store.runs->get(other.run.id)->steps, 5U);
+  EXPECT_EQ(file->execAndGet("SELECT count(*) FROM entry").getInt(), 5) << "all of the other run";
+}
+
 TEST(JournalWriter, KeepsAFewCheckpointsOfALongRun) {
   EXPECT_EQ(RunJournal::interval_at(1), 1024U);
   EXPECT_EQ(RunJournal::interval_at(64 * 1024), 1024U);
@@ -151,6 +171,7 @@ TEST(JournalWriter, WhatItSaysIsDurableSurvivesALossOfPower) {
 TEST(JournalWriter, AfterAFailureNothingMoreIsWrittenToAJournalUntilItIsReadAgain) {
   sqlite::FaultyVfs disk;
   TemporaryStore store;
+  const auto file = sqlite::open(store.folder.store());
   const auto program = execution::small_journal().header.program;
   for (const auto fault : {sqlite::FaultyVfs::Fault::full, sqlite::FaultyVfs::Fault::io})
     for (const bool for_ever : {false, true})
@@ -182,6 +203,7 @@ TEST(JournalWriter, AfterAFailureNothingMoreIsWrittenToAJournalUntilItIsReadAgai
                              {.ticket = 1, .entry = EventEntry{"t", "tick", 0}});
         while (heard->last == 0 && heard->failures == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
         EXPECT_EQ(heard->last, 1U);
+        EXPECT_EQ(file->execAndGet("PRAGMA wal_checkpoint(TRUNCATE)").getInt(), 0) << "a transaction was left open";
         EXPECT_TRUE(store.runs->entries(stored.id, *program, 1, stored.steps + 1));
       }
 }

@@ -24,7 +24,7 @@ class Retention : public StoredRuns {
   std::vector<RunId> numbers() {
     std::vector<RunId> found;
     const auto all = runs_->list(0, 100).value();
-    for (const RunRecord& run : all) found.push_back(run.id);
+    for (const RunRecord& run : all.runs) found.push_back(run.id);
     return found;
   }
   const std::unique_ptr<Runs> runs_ = open();
@@ -58,6 +58,14 @@ TEST_F(Retention, KeepsRunsThatAreHosted) {
   for (int i = 0; i < 3; ++i) add("ended");
   EXPECT_EQ(apply({.runs = 1}, 1), 1u);
   EXPECT_EQ(numbers(), (std::vector<RunId>{3, 1}));
+}
+
+TEST_F(Retention, KeepsADamagedRunThatMayGoOn) {
+  add_hosted("interrupted");
+  add("ended");
+  SQLite::Database(path(), SQLite::OPEN_READWRITE).exec("UPDATE run SET imported = 1 WHERE id = 1");
+  EXPECT_EQ(apply({.runs = 0}), 1u);
+  EXPECT_EQ(runs_->get(1).error().code, ErrorCode::corrupt);
 }
 
 TEST_F(Retention, RemovesARunThatIsDamaged) {

@@ -12,6 +12,7 @@
 #include "core/rsm/document.h"
 #include "core/value/json.h"
 #include "server/store/journal_chain.h"
+#include "server/store/run_checkpoints.h"
 #include "server/store/run_row.h"
 #include "tests/unit/server/run_store.h"
 
@@ -87,7 +88,7 @@ TEST_F(RunStore, ListsTheNewestFirst) {
   const auto runs = open();
   for (int i = 0; i < 5; ++i) runs->create(run_of(journal_, i % 2 == 0 ? "even" : "odd"), i).value();
   const auto numbers = [&](RunId before, std::size_t most, const std::string& document) {
-    return numbers_of(runs->list(before, most, document).value());
+    return numbers_of(runs->list(before, most, document)->runs);
   };
   EXPECT_EQ(numbers(0, 10, ""), (std::vector<RunId>{5, 4, 3, 2, 1}));
   EXPECT_EQ(numbers(4, 2, ""), (std::vector<RunId>{3, 2}));
@@ -102,7 +103,7 @@ TEST_F(RunStore, HostsAgainWhatIsNotOverAndWasNotImported) {
   RunRecord record;
   record.status = "running";
   runs->import(record, run_of(journal_), {}).value();
-  EXPECT_EQ(numbers_of(runs->open_runs().value()), (std::vector<RunId>{1, 2, 3}));
+  EXPECT_EQ(numbers_of(runs->open_runs()->runs), (std::vector<RunId>{1, 2, 3}));
 }
 
 TEST_F(RunStore, ReplacesTheHeaderOfARunThatHasNotBegun) {
@@ -136,7 +137,8 @@ TEST_F(RunStore, RemovesARunWithItsJournal) {
   const RunId id = import(*runs, journal_).id;
   {
     SQLite::Database file(path(), SQLite::OPEN_READWRITE);
-    write_checkpoint(file, id, 2, "{}");
+    Statements statements(file);
+    write_checkpoint(statements, id, checkpoint_row(id, 2, "{}"));
   }
   ASSERT_TRUE(runs->remove(id));
   for (const char* table : {"run", "entry", "checkpoint", "header"}) EXPECT_EQ(count(table), 0) << table;
@@ -178,9 +180,10 @@ TEST_F(RunStore, ReadsTheNewestCheckpointBeforeAPosition) {
   std::vector<Value> checkpoints;
   {
     SQLite::Database file(path(), SQLite::OPEN_READWRITE);
+    Statements statements(file);
     for (const std::uint64_t position : {2u, 4u}) {
       checkpoints.push_back(checkpoint_json(replay.after(position).value()));
-      write_checkpoint(file, run.id, position, to_json(checkpoints.back()));
+      write_checkpoint(statements, run.id, checkpoint_row(run.id, position, to_json(checkpoints.back())));
     }
   }
   EXPECT_TRUE(runs->checkpoint(run.id, 1)->is_unknown());
@@ -213,7 +216,8 @@ class DamagedRunStore : public RunStore {
     const auto runs = open();
     import(*runs, journal_);
     SQLite::Database file(path(), SQLite::OPEN_READWRITE);
-    write_checkpoint(file, 1, 3, "{}");
+    Statements statements(file);
+    write_checkpoint(statements, 1, checkpoint_row(1, 3, "{}"));
   }
   void expect_named(const Damage& damage) const {
     SCOPED_TRACE(damage.statement);
@@ -237,6 +241,35 @@ TEST_F(DamagedRunStore, NamesARunOfWhichAnyFieldIsDamaged) {
         "status = 'ended'", "outcome = 'x'", "fault = '{}'", "results = '1'", "steps = 5", "chain = digest",
         "created = 7", "ended = 7", "imported = 0", "bytes = 1", "digest = chain", "arguments = '{'"})
     expect_named({"PRAGMA foreign_keys = OFF; UPDATE run SET " + std::string(field), "runs/1"});
+}
+
+TEST_F(DamagedRunStore, NamesARunWhoseRowIsLost) {
+  expect_named({"PRAGMA foreign_keys = OFF; DELETE FROM run", "runs/1"});
+  expect_named({"UPDATE run SET id = 65", "runs/1"});
+}
+
+TEST_F(DamagedRunStore, ListsTheOthersBesideRunsThatAreDamaged) {
+  const auto runs = open();
+  for (int i = 0; i < 4; ++i) runs->create(run_of(journal_), i).value();
+  import(*runs, journal_);
+  ASSERT_TRUE(runs->set_status(4, "ended"));
+  change("UPDATE run SET outcome = 'x' WHERE id IN (2, 4)");
+  change("PRAGMA foreign_keys = OFF; DELETE FROM run WHERE id = 5");
+  const auto paths = [](const RunList& list) {
+    std::vector<std::string> paths;
+    for (const Error& error : list.errors()) paths.push_back(to_string(error).substr(0, 15));
+    return paths;
+  };
+  const RunList hosted = runs->open_runs().value();
+  EXPECT_EQ(numbers_of(hosted.runs), (std::vector<RunId>{1, 3}));
+  EXPECT_EQ(paths(hosted), (std::vector<std::string>{"runs/2: corrupt", "runs/4: corrupt", "runs/5: corrupt"}));
+  EXPECT_FALSE(hosted.damaged[0].is_over);
+  EXPECT_TRUE(hosted.damaged[1].is_over);
+  const RunList first = runs->list(0, 3).value(), rest = runs->list(first.next.value(), 3).value();
+  EXPECT_EQ(numbers_of(first.runs), (std::vector<RunId>{3}));
+  EXPECT_EQ(paths(first), (std::vector<std::string>{"runs/4: corrupt", "runs/2: corrupt", "runs/5: corrupt"}));
+  EXPECT_EQ(numbers_of(rest.runs), (std::vector<RunId>{1}));
+  EXPECT_FALSE(rest.next);
 }
 
 TEST_F(DamagedRunStore, NamesARunWhoseHeaderOrServicesAreDamaged) {
