@@ -207,9 +207,10 @@ TEST_F(FilesOfStoredRuns, ReadNoLongerJournalThanAFileHasRoomFor) {
   ASSERT_TRUE(whole) << to_string(whole.error());
   EXPECT_EQ(whole->entries.size(), journal.entries.size());
   journal.entries.emplace_back(execution::EventEntry{"t", "tick", 1});
-  const Error refused = journal_of(import(*runs, journal), *runs).error();
-  EXPECT_EQ(refused.code, ErrorCode::too_large);
-  EXPECT_NE(refused.message.find("race replay"), std::string::npos) << "what to do instead";
+  const auto longer = journal_of(import(*runs, journal), *runs);
+  ASSERT_FALSE(longer);
+  EXPECT_EQ(longer.error().code, ErrorCode::too_large);
+  EXPECT_NE(longer.error().message.find("race replay"), std::string::npos) << "what to do instead";
 }
 
 TEST(RunFiles, ThatAreTextsHaveTheSameBound) {
@@ -230,9 +231,10 @@ TEST_F(FilesOfStoredRuns, NameAnRsmThatCannotBeRead) {
   insert.bind(2, other);
   insert.exec();
   update_row(file, run);
-  const Error refused = services_of(run.id, *runs).error();
-  EXPECT_EQ(refused.code, ErrorCode::corrupt);
-  EXPECT_EQ(refused.path, "services/t");
+  const auto read = services_of(run.id, *runs);
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().code, ErrorCode::corrupt);
+  EXPECT_EQ(read.error().path, "services/t");
 }
 
 TEST(RunFiles, HaveABound) {
