@@ -6,8 +6,10 @@
 
 #include "core/execution/step_json.h"
 #include "core/value/json.h"
+#include "server/store/digest_column.h"
 #include "server/store/journal_chain.h"
 #include "server/store/run_row.h"
+#include "server/store/statements.h"
 #include "server/threads/worker.h"
 #include "tests/unit/server/run_store.h"
 
@@ -230,7 +232,8 @@ TEST_F(FilesOfStoredRuns, NameAnRsmThatCannotBeRead) {
   bind_digest(insert, 1, run.services);
   insert.bind(2, other);
   insert.exec();
-  update_row(file, run);
+  Statements statements(file);
+  ASSERT_TRUE(update_row(statements, run));
   const auto read = services_of(run.id, *runs);
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().code, ErrorCode::corrupt);

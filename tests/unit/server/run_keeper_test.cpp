@@ -50,7 +50,8 @@ struct RunKeeperTest : testing::Test, CoreWatcher {
   std::unique_ptr<Pool> pool = std::make_unique<Pool>(1);
   TemporaryStore store;
   std::unique_ptr<Samples> samples = Samples::open(store.folder.store()).value();
-  Cores cores{*pool, host, *this, *store.runs, *store.writer};
+  Worker replays;
+  Cores cores{*pool, host, *this, *store.runs, *store.writer, replays};
 };
 
 TEST_F(RunKeeperTest, FlushWritesTheSamplesThatWait) {
