@@ -71,8 +71,8 @@ void Core::deliver(const services::Delivery& delivery) {
 
 // The first macro step begins at once, so that the answer says that it has.
 Expected<Value> Core::start() {
+  if (auto ready = ensure_rebuilt(); !ready) return tl::unexpected(std::move(ready).error());
   return on_strand<Value>([this]() -> Expected<Value> {
-    rebuild_if_possible();
     if (started_) return conflict("core " + id_ + " was started before");
     if (closed_) return conflict("core " + id_ + " has another model now");
     started_ = true;
@@ -111,6 +111,7 @@ Expected<Value> Core::pause() {
 }
 
 Expected<Value> Core::resume() {
+  if (auto ready = ensure_rebuilt(); !ready) return tl::unexpected(std::move(ready).error());
   return on_strand<Value>([this]() -> Expected<Value> {
     if (started_ || interruption_)
       if (auto ready = ready_to_go_on(); !ready) return tl::unexpected(std::move(ready).error());
@@ -123,6 +124,7 @@ Expected<Value> Core::resume() {
 }
 
 Expected<Value> Core::stop() {
+  if (auto ready = ensure_rebuilt(); !ready) return tl::unexpected(std::move(ready).error());
   return on_strand<Value>([this]() -> Expected<Value> {
     if (!started_) return conflict("core " + id_ + " was not started");
     if (auto ended = end_run_now(); !ended) return tl::unexpected(std::move(ended).error());
@@ -131,6 +133,7 @@ Expected<Value> Core::stop() {
 }
 
 Expected<bool> Core::dismiss() {
+  if (auto ready = ensure_rebuilt(); !ready) return tl::unexpected(std::move(ready).error());
   return on_strand<bool>([this]() -> Expected<bool> {
     closed_ = closed_ || !started_;
     if (!started_ || (is_over() && !interruption_)) return started_;
@@ -150,6 +153,7 @@ Expected<void> Core::end_run_now() {
 }
 
 Expected<Value> Core::step(execution::GoalName name) {
+  if (auto ready = ensure_rebuilt(); !ready) return tl::unexpected(std::move(ready).error());
   return on_strand<Value>([this, name = std::move(name)]() -> Expected<Value> {
     if (is_over() && !interruption_) return conflict("core " + id_ + " is over");
     if (!started_ || !(paused_ || awaits_input())) return conflict("core " + id_ + " is not paused");
@@ -241,9 +245,7 @@ void Core::hold() {
 
 // That the run goes on is stored, too: who resumes it learns whether the disk works.
 Expected<void> Core::ready_to_go_on() {
-  if (interruption_ && interruption_->stalled) return unexpected(ErrorCode::storage, interruption_->message);
-  if (interruption_ && !interruption_->rebuilt)
-    if (auto done = rebuild(); !done) return done;
+  if (auto sound = readable(); !sound) return sound;
   if (interruption_ && is_over()) end_rebuilt_run();
   if (is_over()) return conflict("core " + id_ + " is over");
   if (!started_) return conflict("core " + id_ + " was not started");

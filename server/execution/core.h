@@ -115,8 +115,8 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   /// The same as things were before micro step `micro` (from 0) of macro step `step` (from 1), recomputed on the
   /// thread of replays. `out_of_range`: no such macro step.
   Expected<Value> why_before(const std::string& port, std::size_t step, int micro);
-  /// The whole journal.
-  Expected<execution::Journal> journal();
+  /// How many entries its journal has.
+  Expected<std::uint64_t> position();
   /// schemas/derivations.json, recomputed on the thread of replays. `out_of_range`: no such macro steps; 0 = the last
   /// one.
   Expected<Value> derivations(std::size_t from, std::size_t to);
@@ -179,13 +179,22 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   Value info_json() const;
 
   // core_recovery.cpp: interruptions.
+  struct Rebuilt {
+    RunRecord record;
+    execution::Execution execution;
+  };
   void interrupt(const Error& error);
   void publish_interruption();
-  void rebuild_if_possible();
   void end_rebuilt_run();
   Expected<void> readable() const;
-  Expected<void> rebuild();
+  bool is_to_rebuild() const { return interruption_ && !interruption_->stalled && !interruption_->rebuilt; }
+  void rebuild_later();
+  void take_rebuilt(std::uint64_t interruption, Expected<Rebuilt> rebuilt);
+  void take(Rebuilt rebuilt);
   void open_journal();
+  // On any other thread: they wait for the disk.
+  Expected<Rebuilt> rebuild() const;
+  Expected<void> ensure_rebuilt();
 
   static constexpr std::uint32_t kTurn = 256;    // micro steps in one turn of the strand
   static constexpr std::size_t kMostHeld = 256;  // outputs that wait for the disk; then no macro step begins
@@ -213,13 +222,15 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
 
   // Interrupted: since when it is as the journal says, until somebody lets it go on.
   struct Interruption {
-    const char* reason;  // schemas/core.json
+    std::uint64_t number;  // what is read back for an earlier one comes too late
+    const char* reason;    // schemas/core.json
     std::string message;
     bool was_paused = false;  // before it
     bool stalled = false;     // the disk has not answered: what the journal says is not known yet
     bool rebuilt = false;     // the execution is as the journal says
   };
   std::optional<Interruption> interruption_;
+  std::uint64_t interruptions_ = 0;
 
   const std::shared_ptr<execution::Replay> replay_;  // of the thread of replays
 };

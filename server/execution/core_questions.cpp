@@ -63,11 +63,9 @@ Expected<Value> Core::why_before(const std::string& port, std::size_t step, int 
   });
 }
 
-Expected<execution::Journal> Core::journal() {
+Expected<std::uint64_t> Core::position() {
   ASSIGN_OR_RETURN(const Reached now, reached());
-  if (now.step == 0) return execution::Journal{header_, {}};
-  ASSIGN_OR_RETURN(auto entries, resources_.runs.entries(run_id(), program(), 1, now.step));
-  return execution::Journal{header_, std::move(entries)};
+  return now.step;
 }
 
 Expected<Value> Core::derivations(std::size_t from, std::size_t to) {

@@ -2,7 +2,7 @@
 #include <tuple>
 #include <utility>
 
-#include "server/execution/core.h"
+#include "server/execution/core_internal.h"
 
 namespace race::server {
 
@@ -12,8 +12,9 @@ Expected<std::shared_ptr<Core>> Core::recover(RunRecord run, execution::JournalH
                                               const CoreResources& resources) {
   ASSIGN_OR_RETURN(auto core, create(std::move(run), std::move(header), resources));
   core->paused_ = true;
-  core->interruption_ = {.reason = "restart", .message = "the server ended while the run was under way"};
-  if (auto rebuilt = core->rebuild(); !rebuilt) return tl::unexpected(std::move(rebuilt).error());
+  core->interruption_ = {.number = 0, .reason = "restart", .message = "the server ended while the run was under way"};
+  ASSIGN_OR_RETURN(Rebuilt rebuilt, core->rebuild());
+  core->take(std::move(rebuilt));
   {
     const services::MutexLock lock(core->mutex_);
     core->info_ = core->info_json();
@@ -44,12 +45,11 @@ void Core::stalled(const Error& error) {
   });
 }
 
-// Rebuilding reads the disk, so it comes after the safe calls of all cores that fail at once.
 void Core::failed(const Error& error) {
   strand_.post([self = shared_from_this(), error] {
     const bool was_stalled = self->interruption_ && std::exchange(self->interruption_->stalled, false);
     if (!was_stalled) self->interrupt(error);
-    self->strand_.post([self] { self->rebuild_if_possible(); });
+    self->rebuild_later();
   });
 }
 
@@ -58,21 +58,51 @@ void Core::failed(const Error& error) {
 void Core::interrupt(const Error& error) {
   for (const semantics::OutgoingCall& call : run().safe_calls())
     resources_.host.call({"", 0}, call.service, call.name, {}, {});
-  interruption_ = {.reason = "storage", .message = error.message, .was_paused = std::exchange(paused_, true)};
+  interruption_ = {.number = ++interruptions_,
+                   .reason = "storage",
+                   .message = error.message,
+                   .was_paused = std::exchange(paused_, true)};
   execution_.set_goal(std::nullopt);
   publish_interruption();
   held_.fail(error);
 }
 
-void Core::rebuild_if_possible() {
-  if (!interruption_ || interruption_->stalled || interruption_->rebuilt) return;
-  const bool was_paused = interruption_->was_paused;
-  if (auto rebuilt = rebuild(); !rebuilt) {
+// Not on the strand: the threads of the cores never wait for the disk, so that the safe calls of all are made at once.
+void Core::rebuild_later() {
+  resources_.writer.recover([self = shared_from_this(), number = interruption_->number] {
+    self->strand_.post([self, number, rebuilt = std::make_shared<Expected<Rebuilt>>(self->rebuild())] {
+      self->take_rebuilt(number, std::move(*rebuilt));
+    });
+  });
+}
+
+void Core::take_rebuilt(std::uint64_t interruption, Expected<Rebuilt> rebuilt) {
+  if (!is_to_rebuild() || interruption_->number != interruption) return;
+  if (!rebuilt) {
     interruption_->message += "; " + rebuilt.error().message;
     return publish_interruption();
   }
+  const bool was_paused = interruption_->was_paused;
+  take(std::move(*rebuilt));
   if (!started_) paused_ = was_paused;
   publish_info();
+}
+
+/// What could not be read back before is, if the disk works now. Errors: `storage`, `corrupt`.
+Expected<void> Core::ensure_rebuilt() {
+  if (info().find("status")->as_string() != "interrupted") return {};
+  ASSIGN_OR_RETURN(const std::optional<std::uint64_t> interruption,
+                   on_strand<std::optional<std::uint64_t>>([this]() -> Expected<std::optional<std::uint64_t>> {
+                     return is_to_rebuild() ? std::optional(interruption_->number) : std::nullopt;
+                   }));
+  if (!interruption) return {};
+  auto rebuilt = std::make_shared<Expected<Rebuilt>>(rebuild());
+  if (!*rebuilt) return tl::unexpected(rebuilt->error());
+  ASSIGN_OR_RETURN(std::ignore, on_strand<bool>([this, interruption, rebuilt]() -> Expected<bool> {
+                     take_rebuilt(*interruption, std::move(*rebuilt));
+                     return true;
+                   }));
+  return {};
 }
 
 // As it was known last: what was computed since is in no journal.
@@ -99,25 +129,28 @@ Expected<void> Core::readable() const {
 }
 
 // The run as its journal says. Its open calls are answered `unavailable` (R7) and never sent again; what had arrived
-// before is forgotten. One that had not begun waits to be started.
-Expected<void> Core::rebuild() {
+// before is forgotten.
+Expected<Core::Rebuilt> Core::rebuild() const {
   ASSIGN_OR_RETURN(RunRecord stored, resources_.runs.get(run_id()));
   execution::Replay replay(header_, resources_.runs.source(run_id(), header_.program));
   ASSIGN_OR_RETURN(Execution rebuilt, replay.after(stored.steps));
   rebuilt.post_lost();
-  rebuilt.set_breakpoints(breakpoints_);
-  execution_ = std::move(rebuilt);
-  record_ = std::move(stored);
+  // A disk that takes nothing leaves it as `running`: when the server has ended, that means the same.
+  if (stored.steps > 0 && !rebuilt.is_over()) std::ignore = resources_.runs.set_status(run_id(), "interrupted");
+  return Rebuilt{std::move(stored), std::move(rebuilt)};
+}
+
+// One that had not begun waits to be started.
+void Core::take(Rebuilt rebuilt) {
+  rebuilt.execution.set_breakpoints(breakpoints_);
+  execution_ = std::move(rebuilt.execution);
+  record_ = std::move(rebuilt.record);
   open_journal();
   started_ = record_.steps > 0;
-  if (interruption_) interruption_->rebuilt = true;
-  if (record_.is_over()) interruption_.reset();  // the disk that hung has taken its end
-  // A disk that takes nothing leaves it as `running`: when the server has ended, that means the same.
-  if (started_ && !is_over()) std::ignore = resources_.runs.set_status(run_id(), "interrupted");
-  if (!started_) interruption_.reset();
+  interruption_->rebuilt = true;
+  if (!started_ || record_.is_over()) interruption_.reset();  // the disk that hung may have taken its end
   if (state_watched_) publish_snapshot();
   if (derivation_watched_) publish_next_derivation();
-  return {};
 }
 
 }  // namespace race::server

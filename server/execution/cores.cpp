@@ -166,7 +166,8 @@ Expected<std::shared_ptr<Core>> Cores::remove(const std::string& id) {
   // One whose journal is damaged cannot go on in any case; the run stays in the store.
   if (!had_begun && had_begun.error().code != ErrorCode::corrupt) return tl::unexpected(had_begun.error());
   if (had_begun && !*had_begun)
-    if (auto removed = resources_.runs.remove(core->run_id()); !removed) return tl::unexpected(removed.error());
+    if (auto removed = resources_.runs.remove(core->run_id()); !removed && removed.error().code != ErrorCode::not_found)
+      return tl::unexpected(removed.error());
   core->close();
   {
     const services::MutexLock lock(mutex_);

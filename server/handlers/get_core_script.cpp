@@ -5,10 +5,10 @@
 
 namespace race::server {
 
-Handled get_core_script(const Request& request, Cores& cores) {
+Handled get_core_script(const Request& request, Cores& cores, Runs& runs) {
   const auto core = core_of(request, cores);
   if (!core) return tl::unexpected(core.error());
-  const auto journal = (*core)->journal();
+  const auto journal = journal_of(**core, runs);
   if (!journal) return failed(journal.error());
   return answer_text(bounded_text(script_json(*journal)));
 }

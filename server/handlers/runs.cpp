@@ -4,6 +4,8 @@
 #include <charconv>
 #include <limits>
 
+#include "server/runs/run_file.h"
+
 namespace race::server {
 
 Expected<std::uint64_t> query_number(const Request& request, std::string_view name, std::uint64_t least,
@@ -23,6 +25,11 @@ RunId run_number(std::string_view text) {
   RunId id = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), id);
   return error == std::errc() && end == text.data() + text.size() ? id : 0;
+}
+
+Expected<execution::Journal> journal_of(Core& core, Runs& runs) {
+  ASSIGN_OR_RETURN(const std::uint64_t steps, core.position());
+  return journal_of(core.run_id(), core.header(), steps, runs);
 }
 
 Expected<RunRecord> run_of(const Request& request, Runs& runs) {

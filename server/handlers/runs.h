@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/execution/journal.h"
+#include "server/execution/core.h"
 #include "server/handlers/handlers.h"
 #include "server/store/runs.h"
 #include "server/threads/worker.h"
@@ -20,6 +22,8 @@ Expected<std::uint64_t> query_number(const Request& request, std::string_view na
 RunId run_number(std::string_view text);
 /// The run of the route's `run`, or `not_found`.
 Expected<RunRecord> run_of(const Request& request, Runs& runs);
+/// What is durable of the journal of a hosted run. Errors: those of Core::position() and journal_of().
+Expected<execution::Journal> journal_of(Core& core, Runs& runs);
 /// A JSON text as it is, or its error.
 Handled answer_text(Expected<std::string> text);
 

@@ -226,10 +226,14 @@ Expected<std::string> bounded_text(const Value& json) {
 
 Expected<execution::Journal> journal_of(const RunRecord& run, Runs& runs) {
   ASSIGN_OR_RETURN(execution::JournalHeader header, runs.header(run.id));
+  return journal_of(run.id, std::move(header), run.steps, runs);
+}
+
+Expected<execution::Journal> journal_of(RunId run, execution::JournalHeader header, std::uint64_t steps, Runs& runs) {
   execution::Journal journal{std::move(header), {}};
-  for (std::uint64_t from = 1, bytes = 0; from <= run.steps; from += kBlock) {
+  for (std::uint64_t from = 1, bytes = 0; from <= steps; from += kBlock) {
     ASSIGN_OR_RETURN(const auto block,
-                     runs.entries(run.id, *journal.header.program, from, std::min(run.steps, from + kBlock - 1)));
+                     runs.entries(run, *journal.header.program, from, std::min(steps, from + kBlock - 1)));
     for (const execution::JournalEntry& entry : block) bytes += input_text(entry).size();
     if (bytes > kRunFileLimits.bytes) return beyond_limits();
     journal.entries.insert(journal.entries.end(), block.begin(), block.end());

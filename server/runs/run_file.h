@@ -33,6 +33,8 @@ Expected<std::string> bounded_text(const Value& json);
 /// The whole journal of a stored run. No more is read than a file has room for. Errors: those of Runs; `too_large`, as
 /// bounded_text.
 Expected<execution::Journal> journal_of(const RunRecord& run, Runs& runs);
+/// The same of the first `steps` entries of a run whose header is at hand.
+Expected<execution::Journal> journal_of(RunId run, execution::JournalHeader header, std::uint64_t steps, Runs& runs);
 /// The RSMs of a stored run. Errors: those of Runs; `corrupt`, at `services/KEY`: one of them is no RSM.
 Expected<std::map<std::string, rsm::Service>> services_of(RunId run, Runs& runs);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace race::server {
 
@@ -30,7 +31,7 @@ bool DiskWatch::answered(const void* journal, std::size_t records) {
   const auto found = waiting_.find(journal);
   if (found == waiting_.end()) return false;
   Waiting& waiting = found->second;
-  const bool told = waiting.told;
+  const bool told = std::exchange(waiting.told, false);
   waiting.records -= std::min(records, waiting.records);
   waiting.since = Clock::now();
   if (waiting.records == 0) waiting_.erase(found);

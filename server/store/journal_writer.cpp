@@ -110,6 +110,12 @@ void JournalWriter::close() {
   }
   appended_.notify_one();
   if (thread_.joinable()) thread_.join();
+  recovery_.reset();
+}
+
+void JournalWriter::recover(Work work) {
+  const services::MutexLock lock(mutex_);
+  if (!closed_) recovery_->post(std::move(work));
 }
 
 void JournalWriter::append(std::shared_ptr<RunJournal> journal, JournalRecord record) {
@@ -158,10 +164,12 @@ void JournalWriter::write(const std::deque<Item>& items) {
       const Error error = sqlite::error_of(exception, "the journal cannot be written");
       for (const auto& [journal, batch] : batches) written[journal] = tl::unexpected(error);
     }
+  // One that has failed before is told again if it was told since that the disk hangs.
   for (const auto& [journal, count] : records)
-    if (watch_.answered(journal, count) && written[journal])
+    if (watch_.answered(journal, count) && (journal->failed_ || written[journal]))
       written[journal] = unexpected(ErrorCode::storage, "the disk has answered too late");
-  for (const auto& [journal, batch] : batches) report(*journal, batch.ticket(), written[journal]);
+  for (const auto& [journal, outcome] : written)
+    report(*journal, batches.contains(journal) ? batches.at(journal).ticket() : 0, outcome);
 }
 
 void JournalWriter::report(RunJournal& journal, std::uint64_t ticket, const Expected<void>& written) {

@@ -1,7 +1,7 @@
 // JournalWriter: makes entries of all journals durable on one thread: what waits when it comes round shares one
 // transaction, so cores that are busy at once share a flush of the disk.
 //
-// Threads: append() and close() on any.
+// Threads: append(), recover() and close() on any.
 #pragma once
 
 #include <atomic>
@@ -18,6 +18,7 @@
 #include "server/store/disk_watch.h"
 #include "server/store/runs.h"
 #include "server/store/statements.h"
+#include "server/threads/strand.h"
 #include "services/mutex.h"
 
 namespace race::server {
@@ -70,7 +71,9 @@ class JournalWriter {
 
   /// The next record of a journal. How many may wait is limited by those who append: a core stops when it is ahead.
   void append(std::shared_ptr<RunJournal> journal, JournalRecord record) EXCLUDES(mutex_);
-  /// Writes what waits, and ends; what is appended later is dropped.
+  /// Does `work` on a thread of its own: what reads a journal back that has failed. The disk may keep it for long.
+  void recover(Work work) EXCLUDES(mutex_);
+  /// Writes what waits, and ends; what is appended later, or is to be recovered, is dropped.
   void close() EXCLUDES(mutex_);
 
   /// Commits so far, and entries in them.
@@ -94,6 +97,7 @@ class JournalWriter {
   services::ConditionVariable appended_;
   std::deque<Item> waiting_ GUARDED_BY(mutex_);
   bool closed_ GUARDED_BY(mutex_) = false;
+  std::unique_ptr<Pool> recovery_ = std::make_unique<Pool>(1);
   const std::unique_ptr<SQLite::Database> file_;  // of the writer's thread, as the next
   Statements statements_;
   DiskWatch watch_;

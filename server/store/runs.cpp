@@ -55,10 +55,18 @@ Runs::~Runs() = default;
 Expected<std::unique_ptr<Runs>> Runs::open(const std::string& path) try {
   auto file = sqlite::open(path);
   if (auto done = sqlite::migrate(*file, store_migrations()); !done) return tl::unexpected(std::move(done).error());
-  finish_removals(*file);
-  return std::unique_ptr<Runs>(new Runs(std::move(file)));
+  std::unique_ptr<Runs> runs(new Runs(std::move(file)));
+  runs->finish_removals();
+  return runs;
 } catch (const SQLite::Exception& exception) {
   return failure(exception, "cannot open the runs");
+}
+
+// Nothing needs the room: a full disk does not keep a server from starting.
+void Runs::finish_removals() try {
+  const services::MutexLock lock(mutex_);
+  server::finish_removals(*file_);
+} catch (const SQLite::Exception&) {
 }
 
 Expected<std::unique_ptr<Runs>> Runs::open_to_read(const std::string& path) try {
@@ -255,7 +263,8 @@ Expected<void> Runs::remove(RunId id) {
   } catch (const SQLite::Exception& exception) {
     return failure(exception, "cannot remove the run");
   }
-  return remove_rest(id);
+  std::ignore = remove_rest(id);  // the run is gone; what a disk keeps of it is removed when the store is opened
+  return {};
 }
 
 Expected<void> Runs::remove_rest(RunId id) try {

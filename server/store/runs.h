@@ -126,6 +126,7 @@ class Runs {
   Expected<RunId> begin_import() EXCLUDES(mutex_);
   Expected<void> continue_import(RunId id, const std::function<void(Statements&)>& write) EXCLUDES(mutex_);
   Expected<void> remove_rest(RunId id) EXCLUDES(mutex_);
+  void finish_removals() EXCLUDES(mutex_);
 
   services::Mutex mutex_;
   const std::unique_ptr<SQLite::Database> file_ PT_GUARDED_BY(mutex_);

@@ -105,6 +105,27 @@ TEST(JournalWriter, SaysThatTheDiskHangsAndThenThatTheJournalHasFailed) {
   EXPECT_EQ(writing.heard->stalls + writing.heard->failures, 2) << "each is said once";
 }
 
+// Its core may have appended more before it heard of the failure.
+TEST(JournalWriter, AFailedJournalIsToldTheEndOfEachTimeThatTheDiskHangs) {
+  sqlite::FaultyVfs disk;
+  TemporaryStore store;
+  const auto writer = JournalWriter::open(store.folder.store(), std::chrono::milliseconds(40)).value();
+  Writing failed(*store.runs, *writer), other(*store.runs, *writer);
+  disk.fail_at(1, sqlite::FaultyVfs::Fault::full, true);
+  failed.append_some(1);
+  EXPECT_FALSE(failed.settled());
+  disk.repair();
+  const auto file = sqlite::open(store.folder.store());
+  auto busy = std::make_unique<sqlite::WriteTransaction>(*file);
+  other.append_some(1);
+  failed.append_some(1);
+  while (failed.heard->stalls == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  busy.reset();
+  EXPECT_FALSE(other.settled());
+  while (failed.heard->failures < 2) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_EQ(store.runs->get(failed.run.id)->steps, 0U);
+}
+
 TEST(JournalWriter, WritesNothingOfARunThatIsNotInTheStoreAndTheOthersWhole) {
   TemporaryStore store;
   Writing lost(*store.runs, *store.writer), other(*store.runs, *store.writer);
