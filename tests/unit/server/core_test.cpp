@@ -70,7 +70,8 @@ struct CoreTest : testing::Test, CoreWatcher {
     core = Core::create(std::move(run), std::move(header), {*pool, host, *this, *store.runs, *store.writer, replays})
                .value();
   }
-  ~CoreTest() override {
+  // Not by the destructor: threads call this watcher until then.
+  void TearDown() override {
     store.writer->close();
     pool.reset();
   }

@@ -200,21 +200,18 @@ TEST_F(Interruption, AFailingDiskStopsTheRunAndWhatItHasSetInMotion) {
 // Every operation of the disk waits until it is let go.
 class HangingDisk {
  public:
-  explicit HangingDisk(sqlite::FaultyVfs& disk) : disk_(disk) {
-    disk_.before_each([this](std::uint64_t) { hangs_.wait(true); });
+  explicit HangingDisk(sqlite::FaultyVfs& disk) {
+    disk.before_each([hangs = hangs_](std::uint64_t) { hangs->wait(true); });
   }
-  ~HangingDisk() {
-    let_go();
-    disk_.before_each({});
-  }
+  ~HangingDisk() { let_go(); }
   void let_go() {
-    hangs_ = false;
-    hangs_.notify_all();
+    *hangs_ = false;
+    hangs_->notify_all();
   }
 
  private:
-  sqlite::FaultyVfs& disk_;
-  std::atomic<bool> hangs_{true};
+  // Of the disk, too: who waits looks at it when this has ended.
+  const std::shared_ptr<std::atomic<bool>> hangs_ = std::make_shared<std::atomic<bool>>(true);
 };
 
 TEST_F(Interruption, ADiskThatHangsStopsTheRunAsOneThatFails) {

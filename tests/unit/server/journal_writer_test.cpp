@@ -115,14 +115,16 @@ TEST(JournalWriter, AFailedJournalIsToldTheEndOfEachTimeThatTheDiskHangs) {
   failed.append_some(1);
   EXPECT_FALSE(failed.settled());
   disk.repair();
+  const int stalls = failed.heard->stalls, failures = failed.heard->failures;
   const auto file = sqlite::open(store.folder.store());
   auto busy = std::make_unique<sqlite::WriteTransaction>(*file);
   other.append_some(1);
   failed.append_some(1);
-  while (failed.heard->stalls == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  while (failed.heard->stalls == stalls || other.heard->stalls == 0)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   busy.reset();
   EXPECT_FALSE(other.settled());
-  while (failed.heard->failures < 2) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  while (failed.heard->failures == failures) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   EXPECT_EQ(store.runs->get(failed.run.id)->steps, 0U);
 }
 

@@ -11,7 +11,8 @@ namespace race::server {
 namespace {
 
 struct RunKeeperTest : testing::Test, CoreWatcher {
-  ~RunKeeperTest() override {
+  // Not by the destructor: threads call this watcher until then.
+  void TearDown() override {
     cores.close();
     store.writer->close();
     pool.reset();
