@@ -218,6 +218,7 @@ Expected<void> Runs::set_status(RunId id, const std::string& status) try {
   const services::MutexLock lock(mutex_);
   sqlite::WriteTransaction transaction(*file_);
   ASSIGN_OR_RETURN(RunRecord record, find_row(*file_, id));
+  if (record.is_over() && status == "interrupted") return {};
   record.status = status;
   if (auto there = update_row(statements_, record); !there) return there;
   transaction.commit();

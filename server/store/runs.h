@@ -109,7 +109,8 @@ class Runs {
   /// For a Replay. The run outlives it or its questions are answered `not_found`; Runs outlives it.
   std::shared_ptr<execution::JournalSource> source(RunId id, std::shared_ptr<const semantics::Program> program);
 
-  /// Of a run that a crash or a failing disk has interrupted; `running` when a person has resumed it.
+  /// Of a run that a crash or a failing disk has interrupted. `interrupted` changes none that is over: who rebuilds a
+  /// run may be late.
   Expected<void> set_status(RunId id, const std::string& status) EXCLUDES(mutex_);
   /// What each run that is over, or was imported, holds: bytes of its entries, checkpoints and samples. The newest
   /// first.

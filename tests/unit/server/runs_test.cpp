@@ -253,6 +253,8 @@ TEST_F(DamagedRunStore, ListsTheOthersBesideRunsThatAreDamaged) {
   for (int i = 0; i < 4; ++i) runs->create(run_of(journal_), i).value();
   import(*runs, journal_);
   ASSERT_TRUE(runs->set_status(4, "ended"));
+  ASSERT_TRUE(runs->set_status(4, "interrupted"));
+  EXPECT_EQ(runs->get(4)->status, "ended");
   change("UPDATE run SET outcome = 'x' WHERE id IN (2, 4)");
   change("PRAGMA foreign_keys = OFF; DELETE FROM run WHERE id = 5");
   const auto paths = [](const RunList& list) {
