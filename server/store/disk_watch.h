@@ -1,5 +1,5 @@
-// DiskWatch: tells a run whose records the disk has not taken for too long. A disk that hangs stops a run as one that
-// fails does: the robot does not go on while nothing can be stored.
+// DiskWatch: tells a run whose records the disk has not taken for too long. A disk that hangs interrupts a run as one
+// that fails does (core/SEMANTICS.md section 10): the robot does not go on while nothing can be stored.
 //
 // Threads: any; a thread of its own looks.
 #pragma once
