@@ -106,6 +106,12 @@ std::optional<ListName> list_of(std::string_view name) {
   return static_cast<ListName>(found - kListNames.begin());
 }
 
+const Place* place_of(const Operation& operation) {
+  if (const auto* insert = std::get_if<Insert>(&operation)) return &insert->place;
+  if (const auto* move = std::get_if<Move>(&operation)) return &move->place;
+  return nullptr;
+}
+
 Value write_edit(const Edit& edit) {
   List operations;
   for (const Operation& operation : edit.operations)

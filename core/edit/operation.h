@@ -57,6 +57,9 @@ struct Set {
 };
 using Operation = std::variant<Insert, Remove, Move, Set>;
 
+/// Where an operation puts its element; nullptr if nowhere.
+const Place* place_of(const Operation& operation);
+
 struct Edit {
   std::vector<Operation> operations;
   bool operator==(const Edit&) const = default;
