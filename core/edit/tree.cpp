@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/edit/extent.h"
 #include "core/value/fields.h"
 #include "core/value/json.h"
 
@@ -58,6 +59,8 @@ Expected<Tree> Tree::read(const rcm::Document& document) {
   if (const Value* notes = document.meta.find("notes"); notes && notes->is_dict() && notes->as_dict().empty())
     out.fields_.meta.mutable_dict().erase("notes");
   normalize_entries(out.fields_.meta);
+  out.text_bound_ = edit::text_bound(document.name, document.layout) + edit::text_bound("", document.meta);
+  for (const auto& [key, type] : document.services) out.text_bound_ += edit::text_bound(key, Value(type));
   out.root_ = document.root.meta.id;
   if (auto added = out.add(document.root, "", std::nullopt); !added) return tl::unexpected(added.error());
   for (const rcm::State& state : document.library) {
@@ -71,6 +74,7 @@ Expected<void> Tree::add(Content node, const std::string& parent, std::optional<
   std::vector<Identified> added;
   if (auto flat = flatten(std::move(node), parent, list, added); !flat) return flat;
   for (std::size_t i = 0; i < added.size(); ++i) {
+    text_bound_ += edit::text_bound(added[i].element.content);
     if (elements_.try_emplace(added[i].id, std::move(added[i].element)).second) continue;
     for (std::size_t k = 0; k < i; ++k) elements_.erase(added[k].id);
     return unexpected(ErrorCode::duplicate, "an element has the id `" + added[i].id + "` already");
@@ -217,6 +221,7 @@ Expected<Operation> Tree::move(const Move& move) {
   if (new_level > level(element->parent, element->list)) {
     if (auto fits = check_level(write(move.id), new_level); !fits)
       return unexpected(fits.error().code, fits.error().message, "parent");
+    for (const std::string& id : subtree(move.id)) text_bound_ += edit::text_bound(find(id)->content);
   }
   Move inverse{move.id, {element->parent, *element->list, before(move.id)}};
   unlist(*element, move.id);

@@ -60,6 +60,11 @@ class Tree {
     visit_below(library_, kLibraryLevel, visit);
   }
 
+  /// At least the size of the text of the document, in bytes: it grows with what is added and set.
+  std::size_t text_bound() const { return text_bound_; }
+  /// Once the size is known.
+  void set_text_bound(std::size_t bytes) { text_bound_ = bytes; }
+
   // The operations of apply.h, one at a time. Each returns the operation that takes it back. Errors have the field of
   // the operation as path:
   //   not_found     there is no such element, or `after` is not in the list
@@ -103,6 +108,7 @@ class Tree {
   Ids library_;
   std::string root_;
   Elements elements_;
+  std::size_t text_bound_ = 0;
 };
 
 }  // namespace race::edit

@@ -1,6 +1,7 @@
 // The fields of the elements of a tree, and of its document.
 #include <utility>
 
+#include "core/edit/extent.h"
 #include "core/edit/tree.h"
 
 namespace race::edit {
@@ -35,6 +36,7 @@ bool holds_entries(std::string_view field) {
 }  // namespace
 
 Expected<Operation> Tree::set(const Set& set) {
+  if (set.value) text_bound_ += edit::text_bound(set.key.value_or(""), *set.value);
   if (set.id.empty()) return set_document(set);
   Element* element = mutable_find(set.id);
   if (!element) return unexpected(ErrorCode::not_found, "there is no element `" + set.id + "`", "id");
