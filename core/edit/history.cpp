@@ -35,6 +35,7 @@ struct History::Request {
   const Edit& edit;
   const std::vector<Departure>* departures = nullptr;  // of the edit that it takes back
   Departure since = 0;                                 // what its author has seen
+  Departure until = 0;                                 // what was there before it
 };
 
 History::History(Tree tree, Revision revision, HistoryLimits limits)
@@ -43,7 +44,7 @@ History::History(Tree tree, Revision revision, HistoryLimits limits)
 tl::expected<Positions::Spot, Rejection> History::spot(const Request& request, const Place& place,
                                                        Departure returning) const {
   if (auto own = positions_.spot(place.parent, place.list, returning)) return *std::move(own);
-  if (auto found = positions_.spot(place, request.since)) return *std::move(found);
+  if (auto found = positions_.spot(place, request.since, request.until)) return *std::move(found);
   return tl::unexpected(Rejection{
       Error{ErrorCode::not_found, "there is no element `" + *place.after + "` in this list", "after"}, 0, ""});
 }
@@ -166,8 +167,8 @@ History::Result History::apply(std::string_view author, Revision base, Edit edit
   if (base < oldest)
     return refused(ErrorCode::conflict, "revision " + std::to_string(base) +
                                             " is too old; the oldest that can be edited is " + std::to_string(oldest));
-  auto entry =
-      execute({Conflicts(log_, tree_, Conflicts::Of::change, base, author), edit, nullptr, last_departure(base)});
+  auto entry = execute({Conflicts(log_, tree_, Conflicts::Of::change, base, author), edit, nullptr,
+                        last_departure(base), positions_.last()});
   if (!entry) return tl::unexpected(std::move(entry).error());
   entry->accepted.author = author;
   const Accepted* accepted = commit(*std::move(entry));
@@ -190,8 +191,8 @@ History::Result History::take_back(std::string_view author, Steps Stacks::*from,
   const Revision revision = latest->revision;
   const LogEntry& taken = entry_of(revision);
   const auto of = is_undo ? Conflicts::Of::undo : Conflicts::Of::redo;
-  auto entry = execute(
-      {Conflicts(log_, tree_, of, revision, author), taken.accepted.inverse, &taken.departures, taken.last_departure});
+  auto entry = execute({Conflicts(log_, tree_, of, revision, author), taken.accepted.inverse, &taken.departures,
+                        taken.last_departure, positions_.last()});
   if (!entry) {
     latest->is_blocked = true;
     return tl::unexpected(std::move(entry).error());

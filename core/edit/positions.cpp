@@ -48,7 +48,7 @@ Positions::Spot Positions::spot_at(const Key& key, const Slots& slots, std::size
   return out;
 }
 
-std::optional<Positions::Spot> Positions::spot(const Place& place, Departure since) const {
+std::optional<Positions::Spot> Positions::spot(const Place& place, Departure since, Departure until) const {
   const Key key{place.parent, place.list};
   const Slots& slots = lists_.at(key);
   if (!place.after) return Spot{place, 0, false};
@@ -56,7 +56,8 @@ std::optional<Positions::Spot> Positions::spot(const Place& place, Departure sin
   for (std::size_t i = 0; i < slots.size(); ++i) {
     if (slots[i].id != *place.after) continue;
     if (slots[i].left == 0) return Spot{place, i + 1, false};
-    if (slots[i].left > since && (!best || slots[i].left > slots[*best].left)) best = i;
+    const bool counts = slots[i].left > since && slots[i].left <= until;
+    if (counts && (!best || slots[i].left > slots[*best].left)) best = i;
   }
   if (!best) return std::nullopt;
   return spot_at(key, slots, *best + 1, false);

@@ -43,9 +43,10 @@ class Positions {
   /// An element leaves its place. Requires a list in sync that has it.
   Departure leave(const std::string& parent, ListName list, std::string_view id);
 
-  /// Behind `place.after`, or behind the place that it has left after departure `since`, and there behind the nearest
-  /// element that is still present; nothing if it never stood there. Requires a list in sync.
-  std::optional<Spot> spot(const Place& place, Departure since) const;
+  /// Behind `place.after`, or behind the place that it has left with a departure after `since`, up to `until`, and
+  /// there behind the nearest element that is still present; nothing if there is no such place. Requires a list in
+  /// sync.
+  std::optional<Spot> spot(const Place& place, Departure since, Departure until) const;
 
   /// The place that was left by `departure`; nothing if it was pruned. Requires a list in sync.
   std::optional<Spot> spot(const std::string& parent, ListName list, Departure departure) const;

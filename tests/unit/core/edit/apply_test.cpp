@@ -30,8 +30,10 @@ struct Subject {
   /// The error, as `path: code`; the document is as before.
   std::string refusal(const std::string& operations) {
     const std::string before = text_of(tree);
+    const std::size_t size = tree.size();
     const auto inverse = edit::apply(tree, edit_of(operations));
     EXPECT_EQ(text_of(tree), before);
+    EXPECT_EQ(tree.size(), size);
     return inverse ? "accepted" : inverse.error().path + ": " + std::string(name(inverse.error().code));
   }
 

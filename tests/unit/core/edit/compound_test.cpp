@@ -60,7 +60,8 @@ class Model {
 
   /// A field of an element, as JSON.
   std::string field(const std::string& path, std::string_view name) const {
-    const Value json = tree_.write((*this)[path]);
+    const std::string id = (*this)[path];
+    const Value json = id.empty() ? Value() : tree_.write(id);
     const Value* found = json.find(name);
     return found ? to_json(*found) : "";
   }
@@ -360,11 +361,11 @@ rcm::Document demo(const char* file) {
   return rcm::read_document_text(text.str()).value();
 }
 
-/// Some 150 elements, from all parts.
+/// Some 80 elements, from all parts.
 Ids some_of(const Tree& tree) {
   Ids all, out;
   tree.for_each([&](const Element& element, std::size_t) { all.push_back(meta_of(element.content).id); });
-  for (std::size_t i = 0; i < all.size(); i += 1 + all.size() / 150) out.push_back(all[i]);
+  for (std::size_t i = 0; i < all.size(); i += 1 + all.size() / 80) out.push_back(all[i]);
   return out;
 }
 

@@ -91,6 +91,9 @@ TEST(ALateInsert, StandsWhereTheRemovedSiblingStood) {
   s.edit("ann", 2, remove("a"));
   EXPECT_EQ(s.edit("bob", 0, insert("o", "a")), "revision 4");
   EXPECT_EQ(s.children("r"), "o m c") << "there is no sibling before it";
+  s.edit("ann", 4, remove("c"));
+  EXPECT_EQ(s.edit("bob", 4, insert("q", "c")), "revision 6");
+  EXPECT_EQ(s.children("r"), "o m q") << "the nearest of those before it";
 }
 
 TEST(ALateInsert, StandsWhereASiblingStoodThatWasMovedAway) {
@@ -109,6 +112,7 @@ TEST(ALateInsert, IsRejectedIfItsParentIsGone) {
   EXPECT_EQ(s.edit("bob", 0, insert("m", "x", "b")), "operations/0/parent: conflict, ann 1");
   EXPECT_EQ(s.edit("bob", 1, insert("m", "b")), "operations/0/after: not_found") << "bob has seen that it is gone";
   EXPECT_EQ(s.edit("bob", 1, insert("m", "x")), "operations/0/after: not_found") << "it never stood there";
+  EXPECT_EQ(s.edit("bob", 1, remove("a") + "}, {" + insert("m", "a")), "operations/1/after: not_found");
 }
 
 TEST(ALateRemoval, IsRejectedIfOthersHaveChangedWhatItWouldTakeAway) {
