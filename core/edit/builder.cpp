@@ -52,6 +52,16 @@ const rcm::State* state_of(const Tree& tree, std::string_view id) {
   return element ? std::get_if<rcm::State>(&element->content) : nullptr;
 }
 
+std::string behaviour_of(const Tree& tree, std::string_view id) {
+  std::string out(id);
+  for (std::size_t links = 0; links <= tree.size(); ++links) {
+    const rcm::State* state = state_of(tree, out);
+    if (!state || !state->link) return state ? out : std::string();
+    out = find_by_name(tree, "", ListName::library, *state->link);
+  }
+  return {};
+}
+
 const std::string& name_of(const Tree& tree, std::string_view id) { return name_of(tree.find(id)->content); }
 
 std::string find_by_name(const Tree& tree, std::string_view parent, ListName list, std::string_view name) {

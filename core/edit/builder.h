@@ -50,6 +50,8 @@ class NewIds {
 
 /// The state, or nullptr if `id` is none.
 const rcm::State* state_of(const Tree& tree, std::string_view id);
+/// The state whose behaviour a state has: itself, or where its links lead; empty if they lead nowhere.
+std::string behaviour_of(const Tree& tree, std::string_view id);
 const std::string& name_of(const Tree& tree, std::string_view id);
 /// The element of a list with this name; empty if there is none.
 std::string find_by_name(const Tree& tree, std::string_view parent, ListName list, std::string_view name);

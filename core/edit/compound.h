@@ -40,7 +40,9 @@ Expected<Edit> disconnect(const Tree& tree, std::string_view barrier, std::strin
 ///   `A_done` parameters   one for each parameter of the parent, and for each result or parameter of a sibling outside,
 ///   that the
 ///                parameters of the states read: taken when the group is entered
-///   results      one for each result that code of the parent reads, with an action that takes it over
+///   results      one for each result that code of the parent reads, with an action that takes it over: once in a macro
+///                step, so the parent may see a change one macro step later
+/// It keeps its values (`keep`). `keep`: a state that does so itself would not when the group is entered again.
 /// `scope`: the parameters of a state read something else of the parent (its results, variables, or `par` as a whole),
 /// or the parent reads something else of a state (whether it is active, its parameters, a port that leads to another
 /// state of the group). `oracle`: the parent chooses among its children. `barrier_target`: a barrier inside leads

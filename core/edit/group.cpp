@@ -22,7 +22,10 @@ class Group {
     const rcm::State& composite = *state_of(tree_, parent_);
     if (composite.oracle) fail(ErrorCode::oracle, "the parent chooses among its children", parent_);
     find_first(composite);
-    for (const std::string& id : members_) check_barrier(id);
+    for (const std::string& id : members_) {
+      check_barrier(id);
+      check_keep(id);
+    }
     export_ports();
     for (const CodeText& text : texts_in_scope(tree_, parent_)) {
       const References references = references_in(text);
@@ -82,6 +85,13 @@ class Group {
     const auto* barrier = std::get_if<rcm::Barrier>(&tree_.find(id)->content);
     if (barrier && !std::ranges::all_of(barrier->to, [&](const auto& to) { return is_inside(to); }))
       fail(ErrorCode::barrier_target, "the barrier " + quoted(barrier->name) + " leads outside", id);
+  }
+
+  /// What a state keeps (R8), it keeps within one activation of its parent, which would be the group.
+  void check_keep(const std::string& id) {
+    const rcm::State* state = state_of(tree_, behaviour_of(tree_, id));
+    if (state && (state->keep || (state->oracle && state->oracle->kind == rcm::Oracle::Kind::history)))
+      fail(ErrorCode::keep, quoted(name_of(tree_, id)) + " keeps what it had when it is entered again", id);
   }
 
   std::string unique(std::set<std::string>& taken, std::string name) {
@@ -184,9 +194,9 @@ class Group {
     entry->second = unique(result_names_, state + "_" + name);
     Dict result{{"name", entry->second}};
     const std::string member = find_by_name(tree_, parent_, ListName::children, state);
-    if (const std::string id = find_by_name(tree_, member, ListName::results, name); !id.empty()) {
+    if (const std::string id = find_by_name(tree_, behaviour_of(tree_, member), ListName::results, name); !id.empty()) {
       const Value declared = tree_.write(id);
-      for (const char* field : {"type", "unit", "doc"}) {
+      for (const char* field : {"initial", "type", "unit", "doc"}) {
         if (const Value* value = declared.find(field)) result.set(field, *value);
       }
     }
@@ -215,6 +225,7 @@ class Group {
     set_list("actions", actions_);
     if (first_) node.set("first", *first_);
     set_list("ports", ports_);
+    node.set("keep", true);  // what its states had stays to be read when it is entered again, as outside
     node.set("meta", Dict{{"id", own}});
     builder_.add(Insert{{parent_, ListName::children, tree_.before(members_.front())}, std::move(node)});
     std::optional<std::string> after;

@@ -287,6 +287,13 @@ TEST(Group, RefusesWhatItCouldNotKeep) {
   m = chain();
   m.apply(Edit{{Set{m["R"], "exit", {}, Value("var.x = chi.B.active")}}});
   EXPECT_EQ(refused(m, {"R/B", "R/C"}), m["R"] + ": scope");
+  m = chain();
+  m.apply(Edit{{Set{m["R/C"], "keep", {}, Value(true)}}});
+  EXPECT_EQ(refused(m, {"R/B", "R/C"}), m["R/C"] + ": keep");
+  m = chain();
+  m.apply(extract(m.tree(), m["R/B"], "Linked", "s"));
+  m.apply(Edit{{Set{m["library/Linked"], "oracle", {}, json("{'kind':'history'}")}}});
+  EXPECT_EQ(refused(m, {"R/B", "R/C"}), m["R/B"] + ": keep");
   m = task();
   EXPECT_EQ(refused(m, {"Root/b"}), m["Root"] + ": first");
   m.apply(Edit{{Set{m["Root/A/done"], "to", {}, {}}}});
@@ -338,7 +345,7 @@ TEST(Ungroup, RefusesStatesThatDoSomethingThemselves) {
     return refusal(ungroup(m.tree(), m["R/G"])) == m["R/G"] + ": not_accepted";
   };
   EXPECT_TRUE(refused("entry", "'pass'"));
-  EXPECT_TRUE(refused("keep", "true"));
+  EXPECT_TRUE(refused("keep", "['B_no']"));
   EXPECT_TRUE(refused("oracle", "{'kind':'history'}"));
   EXPECT_TRUE(refused("first", "'Nobody'"));
   Model m = chain();
