@@ -104,7 +104,10 @@ const Element* Tree::find(std::string_view id) const {
   return found == elements_.end() ? nullptr : &found->second;
 }
 
-Element* Tree::mutable_find(std::string_view id) { return const_cast<Element*>(std::as_const(*this).find(id)); }
+Element* Tree::mutable_find(std::string_view id) {
+  const auto found = elements_.find(id);
+  return found == elements_.end() ? nullptr : &found->second;
+}
 
 const Ids& Tree::list(std::string_view parent, ListName list) const {
   if (parent.empty()) return list == ListName::library ? library_ : kNone;

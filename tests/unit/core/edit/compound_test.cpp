@@ -368,11 +368,11 @@ rcm::Document demo(const char* file) {
   return rcm::read_document_text(text.str()).value();
 }
 
-/// Some 80 elements, from all parts.
+/// Some 40 elements, from all parts.
 Ids some_of(const Tree& tree) {
   Ids all, out;
   tree.for_each([&](const Element& element, std::size_t) { all.push_back(meta_of(element.content).id); });
-  for (std::size_t i = 0; i < all.size(); i += 1 + all.size() / 80) out.push_back(all[i]);
+  for (std::size_t i = 0; i < all.size(); i += 1 + all.size() / 40) out.push_back(all[i]);
   return out;
 }
 

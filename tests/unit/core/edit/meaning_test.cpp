@@ -100,7 +100,7 @@ class Sequences {
 
 struct Setting {
   std::uint64_t seed = semantics::setting("RACE_SEED", 20261122);
-  std::uint64_t models = semantics::setting("RACE_EDITED_MODELS", 20);
+  std::uint64_t models = semantics::setting("RACE_EDITED_MODELS", 12);
 };
 
 std::string edited_calls(const rcm::Document& document, const Edit& edit, std::uint64_t seed) {
@@ -157,7 +157,7 @@ TEST(Meaning, OfASequenceIsTheSameInAGroup) {
     const rcm::Document document = Sequences(seed).document();
     ASSERT_TRUE(rcm::violations(document).empty()) << to_string(rcm::violations(document).front());
     const Tree tree = Tree::read(document).value();
-    const Ids children = tree.list(tree.root(), ListName::children);
+    const Ids& children = tree.list(tree.root(), ListName::children);
     for (std::size_t i = 0; i < children.size(); ++i) {
       for (std::size_t k = i; k < children.size(); ++k) {
         const auto edit = group(tree, {children[i], children[k]}, "Grouped", "seed");

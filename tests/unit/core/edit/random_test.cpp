@@ -114,7 +114,7 @@ class Meeting {
 
 TEST(RandomEdits, ReplicasAgreeAndUndoOfEverythingGivesTheFirstDocument) {
   const std::uint64_t seed = semantics::setting("RACE_SEED", 20261122);
-  const std::uint64_t meetings = semantics::setting("RACE_MEETINGS", 24);
+  const std::uint64_t meetings = semantics::setting("RACE_MEETINGS", 16);
   std::cout << "RACE_SEED=" << seed << " RACE_MEETINGS=" << meetings << std::endl;
   std::size_t accepted = 0, rejected = 0, conflicts = 0;
   for (std::uint64_t i = 0; i < meetings && !testing::Test::HasFatalFailure(); ++i) {
