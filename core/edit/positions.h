@@ -1,0 +1,75 @@
+// Positions: the lists that edits have touched, with the places that elements have left. Whoever inserts behind an
+// element that has gone meanwhile still finds where it stood, and an element that returns (undo) stands where it was,
+// whatever happened around it: places are never reordered.
+//
+// A value. Each departure has a number, in order; departures that nobody needs any more are pruned.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/edit/operation.h"
+#include "core/edit/tree.h"
+
+namespace race::edit {
+
+/// The number of a departure, from 1; 0: none.
+using Departure = std::uint64_t;
+
+class Positions {
+ public:
+  /// A place for an element to enter, in terms of the tree.
+  struct Spot {
+    Place place;
+    std::size_t slot = 0;
+    bool is_return = false;  // to a slot that is there already
+  };
+
+  Departure last() const { return last_; }
+
+  /// Changes from here on are kept (commit) or taken back together.
+  void begin() { saved_.clear(); }
+  void rollback();
+
+  /// Must come before the other calls for a list, while the tree is as these calls left it.
+  void sync(const Tree& tree, const std::string& parent, ListName list);
+
+  /// An element leaves its place. Requires a list in sync that has it.
+  Departure leave(const std::string& parent, ListName list, std::string_view id);
+
+  /// Behind `place.after`, or behind the place that it has left with a departure after `since`, up to `until`, and
+  /// there behind the nearest element that is still present; nothing if there is no such place. Requires a list in
+  /// sync.
+  std::optional<Spot> spot(const Place& place, Departure since, Departure until) const;
+
+  /// The place that was left by `departure`; nothing if it was pruned. Requires a list in sync.
+  std::optional<Spot> spot(const std::string& parent, ListName list, Departure departure) const;
+
+  /// An element enters a place that nothing has changed since.
+  void enter(const Spot& spot, std::string_view id);
+
+  /// Forgets all departures up to `departure`.
+  void prune(Departure departure);
+
+ private:
+  struct Slot {
+    std::string id;
+    Departure left = 0;  // 0: the element is there
+  };
+  using Slots = std::vector<Slot>;
+  using Key = std::pair<std::string, ListName>;
+
+  static Spot spot_at(const Key& key, const Slots& slots, std::size_t slot, bool is_return);
+
+  std::map<Key, Slots> lists_;
+  std::map<Key, std::optional<Slots>> saved_;  // what lists were at begin()
+  Departure last_ = 0;
+};
+
+}  // namespace race::edit

@@ -1,0 +1,198 @@
+// Renaming elements and services with all that names them.
+#include <algorithm>
+#include <set>
+
+#include "core/edit/builder.h"
+#include "core/edit/compound.h"
+#include "core/edit/references.h"
+#include "core/value/fields.h"
+
+namespace race::edit {
+namespace {
+
+using Path = std::vector<std::string>;
+
+class Renaming {
+ public:
+  Renaming(const Tree& tree, std::string old, std::string_view name)
+      : builder_(tree), old_(std::move(old)), name_(name) {}
+
+  Expected<Edit> take() { return builder_.take(); }
+  const Tree& tree() const { return builder_.tree(); }
+
+  void element(std::string_view id, ListName list, const std::string& parent) {
+    builder_.set(id, name_field(tree().find(id)->content), Value(name_));
+    switch (list) {
+      case ListName::children:
+        return child(parent);
+      case ListName::library:
+        return links();
+      case ListName::ports:
+        port_lists(parent);
+        return of_state(parent, "port", ListName::ports);
+      case ListName::parameters:
+        return of_state(parent, "par", list);
+      case ListName::results:
+        return of_state(parent, "res", std::nullopt);
+      case ListName::variables:
+        return in_scope(parent, {"var", old_});
+      case ListName::actions:
+        return;
+    }
+  }
+
+  /// Renames the last name of `path` in all texts of a scope.
+  void in_scope(std::string_view state, const Path& path) {
+    for (const CodeText& text : texts_in_scope(tree(), state)) {
+      const References references = references_in(text);
+      if (!references.is_parsed) {
+        unparsed(text);
+        continue;
+      }
+      std::vector<Replacement> replacements;
+      for (const Reference& reference : references.found) {
+        if (reference.begins_with(path))
+          replacements.push_back(with_name(text.text, reference, path.size() - 1, name_));
+      }
+      if (!replacements.empty())
+        builder_.set(text.id, text.field, field_with(tree(), text, replaced(text.text, std::move(replacements))));
+    }
+  }
+
+  void services() {
+    const auto& services = tree().fields().services;
+    if (const auto entry = services.find(old_); entry != services.end()) {
+      builder_.add(Set{"", "services", name_, Value(entry->second)});
+      builder_.add(Set{"", "services", old_, std::nullopt});
+    }
+    for (const std::string& id : all_states()) in_scope(id, {"svc", old_});
+  }
+
+ private:
+  void unparsed(const CodeText& text) {
+    if (text.text.find(old_) == std::string::npos) return;
+    builder_.fail({ErrorCode::syntax, "`" + text.field + "` cannot be parsed and may name `" + old_ + "`", text.id});
+  }
+
+  void child(const std::string& parent) {
+    for (const std::string& sibling : Ids(tree().list(parent, ListName::children))) {
+      for (const std::string& port : Ids(tree().list(sibling, ListName::ports))) {
+        if (std::get<rcm::Port>(tree().find(port)->content).to == old_) builder_.set(port, "to", Value(name_));
+      }
+      if (const auto* barrier = std::get_if<rcm::Barrier>(&tree().find(sibling)->content))
+        builder_.set(sibling, "to", renamed(barrier->to));
+    }
+    const rcm::State& composite = *state_of(tree(), parent);
+    if (composite.first == old_) builder_.set(parent, "first", Value(name_));
+    in_scope(parent, {"chi", old_});
+    const auto& oracle = state_of(tree(), parent)->oracle;
+    if (!oracle || oracle->kind != rcm::Oracle::Kind::expr) return;
+    const std::string text = replaced(oracle->text, renamed_values(oracle->text, old_, name_));
+    builder_.set(parent, "oracle", Dict{{"kind", "expr"}, {"expr", text}});
+  }
+
+  void links() {
+    for (const std::string& id : all_states()) {
+      if (state_of(tree(), id)->link == old_) builder_.set(id, "link", Value(name_));
+    }
+  }
+
+  void port_lists(const std::string& parent) {
+    const rcm::State& state = *state_of(tree(), parent);
+    if (state.keep && !state.keep->any) builder_.set(parent, "keep", renamed(state.keep->ports));
+    const auto& oracle = state_of(tree(), parent)->oracle;
+    if (oracle && oracle->resume)
+      builder_.set(parent, "oracle", Dict{{"kind", "history"}, {"resume", renamed(*oracle->resume)}});
+  }
+
+  /// A port, parameter or result of a state: in its own texts, in those of its parent, and the same for the states that
+  /// link it. `overridden`: the list in which a link may have it, too.
+  void of_state(const std::string& state, const std::string& collection, std::optional<ListName> overridden) {
+    in_scope(state, {collection, old_});
+    for (const std::string& user : users_of(state)) {
+      const Element& element = *tree().find(user);
+      if (element.list == ListName::children)
+        in_scope(element.parent, {"chi", name_of(tree(), user), collection, old_});
+      if (user == state || !overridden) continue;
+      const std::string own = find_by_name(tree(), user, *overridden, old_);
+      if (!own.empty()) builder_.set(own, "name", Value(name_));
+    }
+  }
+
+  /// `state` and all states whose links lead to it.
+  Ids users_of(const std::string& state) const {
+    Ids out{state};
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      const Element& user = *tree().find(out[i]);
+      if (user.list != ListName::library) continue;
+      for (const std::string& id : all_states()) {
+        if (state_of(tree(), id)->link == name_of(user.content) && std::ranges::find(out, id) == out.end())
+          out.push_back(id);
+      }
+    }
+    return out;
+  }
+
+  Ids all_states() const {
+    Ids out;
+    tree().for_each([&](const Element& element, std::size_t) {
+      if (std::holds_alternative<rcm::State>(element.content)) out.push_back(meta_of(element.content).id);
+    });
+    return out;
+  }
+
+  Value renamed(const std::vector<std::string>& names) const {
+    List out;
+    for (const std::string& one : names) out.emplace_back(one == old_ ? name_ : one);
+    return out;
+  }
+
+  Builder builder_;
+  const std::string old_, name_;
+};
+
+/// Whether code of the scope names an undeclared variable `name`.
+bool uses_variable(const Tree& tree, std::string_view state, std::string_view name) {
+  return std::ranges::any_of(texts_in_scope(tree, state), [&](const CodeText& text) {
+    return std::ranges::any_of(references_in(text).found, [&](const Reference& reference) {
+      return reference.begins_with({"var", std::string(name)});
+    });
+  });
+}
+
+}  // namespace
+
+Expected<Edit> rename(const Tree& tree, std::string_view id, std::string_view name) {
+  const Element* element = tree.find(id);
+  if (!element) return no_element(id, "id");
+  if (name_field(element->content).empty()) return unexpected(ErrorCode::not_accepted, "an action has no name", "id");
+  const std::string& old = name_of(element->content);
+  if (old == name) return Edit{};
+  const ListName list = element->list.value_or(ListName::actions);  // nothing refers to the root
+  const std::string parent = element->parent;
+  const rcm::State* owner = state_of(tree, parent);
+  if (owner && owner->link && (list == ListName::ports || list == ListName::parameters))
+    return unexpected(list == ListName::ports ? ErrorCode::link_port : ErrorCode::link_parameter,
+                      "`" + old + "` is what `" + *owner->link + "` of the library calls it", "id");
+  if (auto fits = check_new_name(tree, parent, list, name); !fits) return tl::unexpected(fits.error());
+  if (list == ListName::variables && uses_variable(tree, parent, name))
+    return unexpected(ErrorCode::duplicate, "code uses a variable `" + std::string(name) + "` already", "name");
+  Renaming renaming(tree, old, name);
+  renaming.element(id, list, parent);
+  return renaming.take();
+}
+
+Expected<Edit> rename_service(const Tree& tree, std::string_view key, std::string_view name) {
+  if (!is_name(name)) return unexpected(ErrorCode::name, "`" + std::string(name) + "` is no name", "name");
+  if (key == name) return Edit{};
+  if (tree.fields().services.contains(std::string(name)))
+    return unexpected(ErrorCode::duplicate, "there is a service `" + std::string(name) + "` already", "name");
+  Renaming renaming(tree, std::string(key), name);
+  renaming.services();
+  auto edit = renaming.take();
+  if (edit && edit->operations.empty())
+    return unexpected(ErrorCode::not_found, "there is no service `" + std::string(key) + "`", "key");
+  return edit;
+}
+
+}  // namespace race::edit

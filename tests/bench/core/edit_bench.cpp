@@ -1,0 +1,95 @@
+// What edits of a large model take, in milliseconds of CPU time, best of 5. States have two parameters, a result, a
+// variable, an action and two ports each. Usage: edit_bench [states]
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <string>
+
+#include "core/edit/apply.h"
+#include "core/edit/compound.h"
+#include "core/edit/history.h"
+#include "core/rcm/constraints.h"
+#include "core/rcm/document.h"
+#include "core/rcm/ids.h"
+
+namespace {
+
+using namespace race;
+
+rcm::State state(const std::string& name, const std::string& next) {
+  rcm::State out;
+  out.name = name;
+  out.parameters.resize(2);
+  out.parameters[0].name = "speed";
+  out.parameters[0].from = "par.speed";
+  out.parameters[1].name = "force";
+  out.parameters[1].value = Value(1.5);
+  out.results.emplace_back().name = "r";
+  out.variables.emplace_back().name = "v";
+  out.variables[0].initial = Value(0);
+  out.entry = "var.v = par.speed * 2\nsvc.robot.move([par.speed, 0, 1], speed=par.force)";
+  out.actions.push_back({"available(svc.robot.pose)", "res.r = svc.robot.pose", {}});
+  out.ports.push_back({"done", "svc.robot.move.result and res.r > var.v", next, {}});
+  out.ports.push_back({"error", "svc.robot.move.error", std::nullopt, {}});
+  return out;
+}
+
+/// Groups of at most 25 states.
+rcm::Document document_of(int count) {
+  rcm::Document out;
+  out.root = state("Root", "x");
+  out.root.parameters[0].from.reset();
+  out.root.ports.clear();
+  for (int made = 1; made < count;) {
+    rcm::State group = state("G" + std::to_string(made++), "x");
+    group.ports[0].to.reset();
+    for (int i = 0; i < 24 && made < count; ++i, ++made)
+      group.children.emplace_back(state("S" + std::to_string(i), "S0"));
+    group.first = "S0";
+    out.root.children.emplace_back(std::move(group));
+  }
+  rcm::give_ids(out);
+  return out;
+}
+
+template <typename Act>
+void print_row(const char* what, Act act) {
+  double best = 1e300;
+  for (int i = 0; i < 5; ++i) {
+    const std::clock_t start = std::clock();
+    if (!act(i)) std::abort();
+    best = std::min(best, 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+  }
+  std::printf("%-44s %9.2f\n", what, best);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int states = argc > 1 ? std::max(2, std::atoi(argv[1])) : 500;
+  const rcm::Document document = document_of(states);
+  const edit::Tree tree = edit::Tree::read(document).value();
+  std::printf("ms of CPU, %d states, %zu elements, %zu bytes of text\n", states, tree.size(),
+              rcm::format_document(document).size());
+  const std::string group = tree.list(tree.root(), edit::ListName::children)[0];
+  const auto doc = [&](int i) { return edit::Edit{{edit::Set{group, "doc", {}, Value(std::to_string(i))}}}; };
+  print_row("a document edited", [&](int i) { return edit::apply(document, doc(i)).has_value(); });
+  edit::History history(tree);
+  print_row("a history: set", [&](int i) { return history.apply("a", history.revision(), doc(i)).has_value(); });
+  print_row("a history: move", [&](int) {
+    const edit::Edit move{{edit::Move{group, {tree.root(), edit::ListName::children, {}}}}};
+    return history.apply("a", history.revision(), move).has_value();
+  });
+  print_row("a history: remove", [&](int i) {
+    const std::string id = tree.list(group, edit::ListName::children)[static_cast<std::size_t>(i)];
+    return history.apply("a", history.revision(), edit::Edit{{edit::Remove{id}}}).has_value();
+  });
+  print_row("undo", [&](int) { return history.undo("a").has_value(); });
+  print_row("the document of a history", [&](int) { return !history.tree().document().root.name.empty(); });
+  print_row("its violations", [&](int) { return rcm::violations(document).size() < 1'000'000; });
+  print_row("rename of a state", [&](int) { return edit::rename(tree, group, "Another").has_value(); });
+  print_row("rename of a parameter of the root", [&](int) {
+    return edit::rename(tree, tree.list(tree.root(), edit::ListName::parameters)[0], "another").has_value();
+  });
+}

@@ -1,0 +1,84 @@
+// The test vectors of api/examples/edits, which the clients read, too: what an edit makes of a document.
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "core/edit/history.h"
+#include "tests/unit/core/edit/documents.h"
+
+namespace race::edit {
+namespace {
+
+struct Vector {
+  std::string name;
+  Value json;
+  const Value& operator[](std::string_view field) const { return *json.find(field); }
+};
+
+std::vector<Vector> vectors(std::string_view prefix) {
+  std::vector<Vector> out;
+  for (const auto& entry : std::filesystem::directory_iterator(RACE_SOURCE_DIR "/api/examples/edits")) {
+    const std::string name = entry.path().filename();
+    if (!name.starts_with(prefix)) continue;
+    std::ostringstream text;
+    text << std::ifstream(entry.path()).rdbuf();
+    out.push_back({name, parse_json(text.str()).value()});
+  }
+  EXPECT_GT(out.size(), 4U);
+  return out;
+}
+
+std::string text_of(const Value& document) { return rcm::format_document(document_of(document)); }
+
+TEST(Vectors, OfEditsThatAreApplied) {
+  for (const Vector& vector : vectors("apply.")) {
+    SCOPED_TRACE(vector.name);
+    const auto applied = apply(document_of(vector["document"]), read_edit(vector["edit"]).value());
+    ASSERT_TRUE(applied) << to_string(applied.error());
+    EXPECT_EQ(rcm::format_document(applied->document), text_of(vector["result"]));
+    EXPECT_EQ(to_json(write_edit(applied->inverse), 1), to_json(vector["inverse"], 1));
+    const auto back = apply(applied->document, applied->inverse);
+    ASSERT_TRUE(back);
+    EXPECT_EQ(rcm::format_document(back->document), text_of(vector["document"]));
+  }
+}
+
+TEST(Vectors, OfEditsThatAreRefused) {
+  for (const Vector& vector : vectors("refuse.")) {
+    SCOPED_TRACE(vector.name);
+    const auto applied = apply(document_of(vector["document"]), read_edit(vector["edit"]).value());
+    ASSERT_FALSE(applied);
+    EXPECT_EQ(applied.error().path, vector["error"].find("path")->as_string());
+    EXPECT_EQ(name(applied.error().code), vector["error"].find("code")->as_string());
+  }
+}
+
+Value rejection_json(const Rejection& rejection) {
+  Dict out{{"path", rejection.error.path}, {"code", name(rejection.error.code)}};
+  if (rejection.revision > 0) {
+    out.set("author", rejection.author);
+    out.set("revision", static_cast<std::int64_t>(rejection.revision));
+  }
+  return out;
+}
+
+TEST(Vectors, OfHistories) {
+  for (const Vector& vector : vectors("history.")) {
+    SCOPED_TRACE(vector.name);
+    History history(Tree::read(document_of(vector["document"])).value());
+    for (const Value& step : vector["steps"].as_list()) {
+      const std::string& author = step.find("author")->as_string();
+      const auto result = step.find("undo")   ? history.undo(author)
+                          : step.find("redo") ? history.redo(author)
+                                              : history.apply(author, Revision(step.find("base")->as_integer()),
+                                                              read_edit(*step.find("edit")).value());
+      const Value expected = step.find("accepted") ? *step.find("accepted") : *step.find("rejected");
+      const Value found = result ? write_edit((*result)->edit) : rejection_json(result.error());
+      EXPECT_EQ(to_json(found, 1), to_json(expected, 1));
+    }
+    EXPECT_EQ(edit::text_of(history.tree()), text_of(vector["result"]));
+  }
+}
+
+}  // namespace
+}  // namespace race::edit
