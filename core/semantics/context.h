@@ -102,6 +102,7 @@ struct RunState {
   std::vector<std::uint64_t> triggered;                  // epoch, by PortId (R9)
   std::vector<std::vector<CallRecord>> calls;            // by OperationId, latest last
   std::uint64_t call_count = 0;
+  PortId forced = kNoPort;  // of this macro step (R24)
 
   std::vector<StateId> recheck;              // states that are dirty again in the next macro step
   bool started = false;                      // the root has been activated

@@ -24,6 +24,22 @@ template <Recorder R>
   return kNoPort;
 }
 
+/// REFINEMENT R24: a condition that counts as fulfilled, whatever it is.
+template <Recorder R>
+void forced_condition(Step<R>& step, StateId s, PortId p) {
+  auto rule = step.apply(Rule::Cond, s, p);
+  rule.value(language::Truth::yes);
+  rule.refinement(24);
+}
+
+/// REFINEMENT R24: the port of `s` that somebody has forced, in the activation that there was then; or none.
+template <Recorder R>
+PortId forced_port(const Step<R>& step, StateId s) {
+  if constexpr (!R::kVisitsAll) return kNoPort;  // OPTIMIZATION: nobody else pays for it
+  const PortId p = step.run.forced;
+  return p != kNoPort && step.program[p].state == s && step.ports_see_occurrence(s) ? p : kNoPort;
+}
+
 // PTrigger (3.27): a port whose condition is fulfilled takes its state out of play.
 //
 //   Δ ⊢ s.active ⇝ true     p ∈ s.ports    Σ,Δ ⊢ p.cond ⇝ true
@@ -32,12 +48,17 @@ template <Recorder R>
 //   Σ,Δ ⊢ s → s',Δ''
 template <Recorder R>
 bool PTrigger(Step<R>& step, StateId s) {
-  const PortId p = first_fulfilled_port(step, s);
+  const PortId forced = forced_port(step, s);
+  const PortId p = forced == kNoPort ? first_fulfilled_port(step, s) : forced;
   if (p == kNoPort) return false;
   auto rule = step.apply(Rule::PTrigger, s, p);
   Active(step, s);
-  step.trace(step.program[p].when, s, step.ports_see_occurrence(s));
-  Cond(step, s, p, language::Truth::yes);
+  if (forced == kNoPort) {
+    step.trace(step.program[p].when, s, step.ports_see_occurrence(s));
+    Cond(step, s, p, language::Truth::yes);
+  } else {
+    forced_condition(step, s, p);
+  }
   step.set_triggered(p);
   SDeact2(step, s);
   Act(step, p);

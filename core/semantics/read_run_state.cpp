@@ -251,15 +251,17 @@ class StateReader {
       const std::string path = below(below(fields.path(), "actions"), std::to_string(number++));
       Fields action(json, path, "action", errors_, kByField);
       const std::uint64_t which = read_number(action, "action", 0, kMost, kRequired),
-                          executed = read_number(action, "executed", 1, r_.epoch, kRequired),
+                          executed = read_number(action, "executed", 0, r_.epoch),
                           served = read_number(action, "served", 0, r_.tick);
+      if (executed == 0 && served == 0)
+        action.violation(ErrorCode::missing, "an action has been executed or served", "executed");
       action.close();
       if (which >= info.actions.size()) {
         unknown_name(below(path, "action"), "action", std::to_string(which));
         continue;
       }
       const ActionId a = info.actions.low + static_cast<ActionId>(which);
-      if (r_.executed[a] != 0) violation(ErrorCode::duplicate, path, "the action is there already");
+      if (r_.executed[a] != 0 || r_.served[a] != 0) violation(ErrorCode::duplicate, path, "the action is there already");
       r_.executed[a] = executed;
       r_.served[a] = served;
     }

@@ -14,7 +14,9 @@
 
 #include "core/language/evaluate/explain.h"
 #include "core/language/evaluate/interpreter.h"
+#include "core/semantics/carry_over.h"
 #include "core/semantics/context.h"
+#include "core/semantics/force.h"
 #include "core/semantics/order.h"
 #include "core/semantics/program.h"
 #include "core/semantics/recorder.h"
@@ -98,6 +100,14 @@ class Run {
     }
     return status() != Status::running;
   }
+  // Edits (section 9): the run as a macro step of its own begins, which delivers the edit. Each requires status running,
+  // that no macro step is open and no output waits.
+  /// The run with an edited program; or what the edit waits for: what `program` has no place for.
+  tl::expected<Run, std::vector<Obstacle>> edited(std::shared_ptr<const Program> program) const;
+  /// The run with a value that somebody has set, or a port through which an active state is to be left: R24. Errors, at
+  /// the path of the state: `not_found`; `conflict`, the state of the port is not active; `constant`, the value is not
+  /// finite; `too_large`, it is beyond the budget.
+  Expected<Run> forced(const Force& force) const;
   /// Ends the run between macro steps: no exit function runs; safe_calls() are made.
   void abort();
   /// A call of each operation marked `safe` of the services that the run has called, in order of their first call; with
@@ -145,6 +155,7 @@ class Run {
   explicit Run(std::unique_ptr<Body> body);
   template <Recorder R>
   bool micro_step(R& recorder, const Order& order);
+  std::unique_ptr<Body> carried_body(std::shared_ptr<const Program> program, const Correspondence& same) const;
   void complete_micro_step();
   void end();
   void fail(RunFault fault);

@@ -125,8 +125,9 @@ class Writer {
   List actions(const StateInfo& info) const {
     List out;
     for (const ActionId a : info.actions) {
-      if (r_.executed[a] == 0) continue;
-      Dict action{{"action", integer(a - info.actions.low)}, {"executed", integer(r_.executed[a])}};
+      if (r_.executed[a] == 0 && r_.served[a] == 0) continue;
+      Dict action{{"action", integer(a - info.actions.low)}};
+      set_number(action, "executed", r_.executed[a]);
       set_number(action, "served", r_.served[a]);
       out.emplace_back(std::move(action));
     }

@@ -76,6 +76,7 @@ void Run::begin(std::optional<Input>&& input) {
   const Program& program = *body_->program;
   body_->micro_steps = 0;
   ++body_->position;
+  run.forced = kNoPort;
   if (!input) return;
   ++run.epoch;  // `executed`, `triggered` and the states activated in this macro step are empty
   const bool active = run.flags[program.flag(Program::root)] != 0;
