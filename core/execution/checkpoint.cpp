@@ -1,6 +1,7 @@
 #include "core/execution/checkpoint.h"
 
 #include <cassert>
+#include <limits>
 #include <utility>
 
 #include "core/execution/journal_input.h"
@@ -36,7 +37,7 @@ void read_waiting(Execution& execution, const List& items, Errors& errors) {
   const JournalEntry start = StartEntry{};
   for (std::size_t i = 0; i < items.size() && errors.empty(); ++i) {
     const std::string path = "waiting/" + std::to_string(i);
-    auto entry = read_input(items[i], &start, execution.run().program());
+    auto entry = read_input(items[i], &start);
     if (!entry) {
       for (Error& error : entry.error()) {
         error.path.replace(0, std::string_view("input").size(), path);
@@ -48,12 +49,37 @@ void read_waiting(Execution& execution, const List& items, Errors& errors) {
   }
 }
 
+Value model_json(const ExecutedModel& model) {
+  Dict json{{"native", model.native}, {"services", interfaces_json(*model.program)}};
+  if (model.revision > 0) json.set("revision", model.revision);
+  return json;
+}
+
+Expected<ExecutedModel> read_model(const Value& json) {
+  Errors errors;
+  Fields fields(json, "model", "model", errors, Fields::Paths::field);
+  const Value* native = fields.find("native", Fields::Need::required);
+  const Value* services = fields.find("services", Fields::Need::required);
+  if (services && !services->is_dict()) fields.violation(ErrorCode::type, "`services` must be an object", "services");
+  const auto revision = fields.integer("revision", 1, std::numeric_limits<std::int64_t>::max());
+  fields.close();
+  if (!errors.empty()) return tl::unexpected(std::move(errors.front()));
+  const Interfaces interfaces = read_interfaces(services->as_dict(), "model/services", errors);
+  if (!errors.empty()) return tl::unexpected(std::move(errors.front()));
+  auto model = build_model(*native, interfaces, "model/native");
+  if (!model) return tl::unexpected(std::move(model.error().front()));
+  model->revision = revision.value_or(0);
+  return std::move(*model);
+}
+
 }  // namespace
 
 Value checkpoint_json(const Execution& execution) {
   assert(!execution.is_open());
-  Value json =
-      Dict{{"checkpoint", kVersion}, {"run", execution.run().checkpoint_json()}, {"waiting", waiting_json(execution)}};
+  Dict checkpoint{
+      {"checkpoint", kVersion}, {"run", execution.run().checkpoint_json()}, {"waiting", waiting_json(execution)}};
+  if (execution.is_edited()) checkpoint.set("model", model_json(execution.model()));
+  Value json = std::move(checkpoint);
   return json.freeze();
 }
 
@@ -64,11 +90,20 @@ Expected<Execution> read_checkpoint(const JournalHeader& header, const Value& js
     return unexpected(ErrorCode::version, "`checkpoint` must be " + std::to_string(kVersion), "checkpoint");
   const Value* run_json = fields.find("run", Fields::Need::required);
   const List& waiting = fields.list("waiting", Fields::Need::required);
+  const Value* model_json = fields.find("model");
   fields.close();
   if (!errors.empty()) return tl::unexpected(std::move(errors.front()));
-  auto run = semantics::Run::read_checkpoint(header.program, header.arguments, header.budgets, *run_json, "run");
+  ExecutedModel model{header.native, header.program, 0};
+  if (model_json) {
+    ASSIGN_OR_RETURN(model, read_model(*model_json));
+  }
+  // The arguments were for the root's parameters at the start (R13).
+  auto run = semantics::Run::read_checkpoint(model.program, model_json ? Dict() : header.arguments, header.budgets,
+                                             *run_json, "run");
   if (!run) return tl::unexpected(std::move(run.error().front()));
   Execution execution(std::move(*run));
+  execution.model_ = std::move(model);
+  execution.is_edited_ = model_json != nullptr;
   read_waiting(execution, waiting, errors);
   if (!errors.empty()) return tl::unexpected(std::move(errors.front()));
   return execution;

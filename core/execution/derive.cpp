@@ -1,7 +1,6 @@
 #include "core/execution/derive.h"
 
 #include "core/rcm/document.h"
-#include "core/rcm/translate.h"
 #include "core/value/json.h"
 
 namespace race::execution {
@@ -24,9 +23,7 @@ Checked<Value> derive_texts(std::string_view model, std::string_view script, Ord
   auto steps = read_script_text(script);
   if (!steps) add(errors, steps.error());
   if (!errors.empty()) return tl::unexpected(std::move(errors));
-  auto native = rcm::translate(*document);
-  if (!native) return tl::unexpected(std::move(native).error());
-  return derive(*native, *steps, order);
+  return derive(*document, *steps, order);
 }
 
 Value errors_json(const std::vector<Error>& errors) {

@@ -15,6 +15,12 @@ Expected<Execution> Execution::create(std::shared_ptr<const semantics::Program> 
   return Execution(std::move(run));
 }
 
+Expected<Execution> Execution::create(const JournalHeader& header) {
+  ASSIGN_OR_RETURN(Execution execution, create(header.program, header.arguments, header.budgets));
+  execution.model_ = {header.native, header.program, 0};
+  return execution;
+}
+
 // What has come of the micro steps leaves the run.
 inline const Progress& Execution::finish() {
   run_.take_output(progress_.calls, progress_.printed);
@@ -55,6 +61,8 @@ Expected<const Progress*> Execution::replay(const JournalEntry& entry, Recording
   if (std::holds_alternative<StartEntry>(entry) != (run_.position() == 0))
     return unexpected(ErrorCode::conflict, "a run begins with `start`, and only begins with it");
   if (std::holds_alternative<StartEntry>(entry)) return &start(recording, limit);
+  if (const auto* edited = std::get_if<EditEntry>(&entry)) return replay_edit(*edited, recording, limit);
+  if (const auto* forced = std::get_if<ForceEntry>(&entry)) return force(forced->force, recording, limit);
   ASSIGN_OR_RETURN(Input input, input_of(run_, entry));
   if (recording.entry)
     progress_.entry = entry;
@@ -98,16 +106,17 @@ const Progress& Execution::begin(std::optional<Input>&& input, Recording recordi
 const Progress& Execution::continue_step(std::uint32_t limit) {
   assert(open_ && (limit > 0 || progress_.micro == 0));
   progress_.first = progress_.micro;
+  progress_.edited = false;
   progress_.complete = progress_.reached_goal = false;
   progress_.derivation.reset();
   if (recording_.derivation) {
     semantics::TreeRecorder trees;
     do_micro_steps(trees, limit);
     progress_.derivation = std::move(trees.derivation);
-  } else if (order_.is_declared()) {
+  } else if (order_.is_declared() && run_.state().forced == semantics::kNoPort) {
     semantics::NoRecorder none;
     do_micro_steps(none, limit);
-  } else {  // a recorder that visits all, as another order requires
+  } else {  // a recorder that visits all, as another order requires, and a forced port
     semantics::NameRecorder names;
     do_micro_steps(names, limit);
   }

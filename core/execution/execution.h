@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/execution/executed_model.h"
 #include "core/execution/goal.h"
 #include "core/execution/journal.h"
 #include "core/execution/state_view.h"
@@ -36,7 +37,8 @@ struct Progress {
   std::vector<std::string> printed = {};            // without the end of the line
   Dict delta = {};                                  // while it is watched: what StateView tells
   std::optional<semantics::Derivation> derivation = {};  // of the micro steps of this part
-  bool complete = false;                                 // the macro step is over
+  bool edited = false;    // the model is another one than in the part before: `delta` says nothing, watch() all
+  bool complete = false;  // the macro step is over
   bool reached_goal = false;
 };
 
@@ -46,7 +48,9 @@ class Execution {
 
   /// Of a run between macro steps.
   explicit Execution(semantics::Run run) : run_(std::move(run)) {}
-  /// An execution of `program` that has not begun. Error: as Run::create.
+  /// An execution of the run of this header, which has not begun. Error: as Run::create.
+  static Expected<Execution> create(const JournalHeader& header);
+  /// The same without a native model: it cannot be edited.
   static Expected<Execution> create(std::shared_ptr<const semantics::Program> program, const Dict& arguments,
                                     semantics::Budgets budgets = {});
 
@@ -74,6 +78,14 @@ class Execution {
   /// With the input of an entry, as a replay does; the inputs that wait stay. Error `conflict`: the run does not
   /// take it here.
   Expected<const Progress*> replay(const JournalEntry& entry, Recording recording, std::uint32_t limit = kNoLimit);
+  /// Delivers an edit (core/SEMANTICS.md section 9), whose entry is `entry`, and after which the model is `model`
+  /// (executed_model.h). What waits and what `model` does not name is dropped, and so are goals and breakpoints of what
+  /// it does not have. Or what the edit waits for: nothing is changed then. Requires that the run has begun.
+  tl::expected<const Progress*, std::vector<semantics::Obstacle>> edit(EditEntry entry, ExecutedModel model,
+                                                                       Recording recording,
+                                                                       std::uint32_t limit = kNoLimit);
+  /// Sets a value or takes a port (R24). Errors: as Run::forced; `conflict`: the run has not begun.
+  Expected<const Progress*> force(const semantics::Force& force, Recording recording, std::uint32_t limit = kNoLimit);
   /// The open macro step goes on.
   const Progress& continue_step(std::uint32_t limit = kNoLimit);
   /// Ends the run between macro steps (core/SEMANTICS.md section 10): no exit function runs, what is safe is called.
@@ -99,12 +111,21 @@ class Execution {
   Value watch();
   bool is_watched() const { return view_.has_value(); }
 
+  /// What it executes. As edits have made it.
+  const ExecutedModel& model() const { return model_; }
+  bool is_edited() const { return is_edited_; }
   const semantics::Run& run() const { return run_; }
   semantics::Run::Why why(semantics::PortId port) { return run_.why(port); }
   bool is_over() const { return run_.status() != semantics::Status::running; }
 
  private:
+  friend Expected<Execution> read_checkpoint(const JournalHeader& header, const Value& json);
+
   const Progress& begin(std::optional<semantics::Input>&& input, Recording recording, std::uint32_t limit);
+  const Progress& begin_with(semantics::Run&& run, std::optional<JournalEntry> entry, Recording recording,
+                             std::uint32_t limit);
+  void carry_goals(const semantics::Run& before);
+  Expected<const Progress*> replay_edit(const EditEntry& entry, Recording recording, std::uint32_t limit);
   template <semantics::Recorder R>
   void do_micro_steps(R& recorder, std::uint32_t limit);
   bool after_micro_step();
@@ -112,6 +133,8 @@ class Execution {
   const Progress& finish();
 
   semantics::Run run_;
+  ExecutedModel model_;
+  bool is_edited_ = false;
   WaitingInputs waiting_;
   std::optional<StateView> view_;
   semantics::Order order_ = semantics::Order::declared();

@@ -46,6 +46,17 @@ void GoalWatch::set(const Run& run) {
   if (goal_.port != semantics::kNoPort) active_ = run.state().flags[run.program().flag(goal_.port)] != 0;
 }
 
+bool GoalWatch::carry_over(const semantics::Correspondence& same) {
+  const auto carry = [](auto& id, const std::vector<std::uint32_t>& before, auto none) {
+    if (id == none) return true;
+    const auto found = std::ranges::find(before, index(id));
+    if (found == before.end()) return false;
+    id = std::remove_reference_t<decltype(id)>{static_cast<std::uint32_t>(found - before.begin())};
+    return true;
+  };
+  return carry(goal_.state, same.states, semantics::kNoState) && carry(goal_.port, same.ports, semantics::kNoPort);
+}
+
 bool GoalWatch::reached(const Run& run) {
   bool reached = false;
   switch (goal_.kind) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/semantics/correspondence.h"
 #include "core/semantics/run.h"
 
 namespace race::execution {
@@ -44,6 +45,8 @@ class GoalWatch {
   const Goal& goal() const { return goal_; }
   /// To be asked after each micro step. One that is reached counts anew from there.
   bool reached(const semantics::Run& run);
+  /// The same in an edited program. False: it has no such state or port.
+  bool carry_over(const semantics::Correspondence& same);
 
  private:
   void set(const semantics::Run& run);

@@ -2,33 +2,12 @@
 
 #include <utility>
 
+#include "core/execution/executed_model.h"
+
 namespace race::execution {
 namespace {
 
 Value integer(std::uint64_t n) { return static_cast<std::int64_t>(n); }
-
-// The services as they had described themselves when the program was compiled.
-Value services_json(const semantics::Program& program) {
-  const language::ServiceTable& table = program.services;
-  Dict services;
-  for (const std::string& key : table.declared_services()) {
-    List operations, events;
-    for (const auto& operation : table.operations())
-      if (operation.declared && operation.service == key) {
-        Dict each{{"name", operation.name}};
-        if (operation.safe) each.set("safe", true);
-        operations.emplace_back(std::move(each));
-      }
-    for (const auto& event : table.events())
-      if (event.declared && event.service == key) {
-        Dict each{{"name", event.name}};
-        if (event.sampled) each.set("sampled", true);
-        events.emplace_back(std::move(each));
-      }
-    services.set(key, Dict{{"operations", std::move(operations)}, {"events", std::move(events)}});
-  }
-  return services;
-}
 
 Dict event_json(const EventEntry& entry) {
   return {{"service", entry.service}, {"event", entry.event}, {"data", entry.data}};
@@ -41,10 +20,27 @@ Dict response_json(const ResponseEntry& entry) {
           {entry.is_error ? "error" : "result", entry.data}};
 }
 
+Dict edit_json(const EditEntry& entry) {
+  Dict json{{"kind", "edit"}};
+  if (entry.revision > 0) json.set("revision", entry.revision);
+  json.set("edit", edit::write_edit(entry.edit));
+  if (!entry.origin.empty()) json.set("origin", entry.origin);
+  if (!entry.services.empty()) json.set("services", entry.services);
+  return json;
+}
+
+Dict force_json(const semantics::Force& force) {
+  Dict json{{"path", force.path}, {"scope", name(force.scope)}, {"name", force.name}};
+  if (!force.value.is_unknown()) json.set("value", force.value);
+  return json;
+}
+
 struct InputWriter {
   Dict operator()(const StartEntry&) const { return {{"kind", "start"}}; }
   Dict operator()(const EventEntry& entry) const { return with_kind("event", event_json(entry)); }
   Dict operator()(const ResponseEntry& entry) const { return with_kind("response", response_json(entry)); }
+  Dict operator()(const EditEntry& entry) const { return edit_json(entry); }
+  Dict operator()(const ForceEntry& entry) const { return {{"kind", "force"}, {"force", force_json(entry.force)}}; }
   Dict operator()(const AbortEntry&) const { return {{"kind", "abort"}}; }
 
   static Dict with_kind(const char* kind, const Dict& rest) {
@@ -57,6 +53,8 @@ struct InputWriter {
 Dict script_step(const JournalEntry& entry) {
   if (const auto* event = std::get_if<EventEntry>(&entry)) return {{"events", List{event_json(*event)}}};
   if (const auto* response = std::get_if<ResponseEntry>(&entry)) return {{"responses", List{response_json(*response)}}};
+  if (const auto* edit = std::get_if<EditEntry>(&entry)) return {{"edit", edit::write_edit(edit->edit)}};
+  if (const auto* forced = std::get_if<ForceEntry>(&entry)) return {{"force", force_json(forced->force)}};
   return {};
 }
 
@@ -66,7 +64,7 @@ Value header_json(const JournalHeader& header) {
   const semantics::Budgets& budgets = header.budgets;
   return Dict{{"native", header.native},
               {"arguments", header.arguments},
-              {"services", services_json(*header.program)},
+              {"services", interfaces_json(*header.program)},
               {"semantics", kSemanticsVersion},
               {"budgets", Dict{{"steps", integer(budgets.evaluation.steps)},
                                {"value_units", integer(budgets.evaluation.value_units)},
@@ -89,7 +87,7 @@ Value script_json(const Journal& journal) {
     steps.emplace_back(script_step(entry));
   }
   return Dict{{"arguments", journal.header.arguments},
-              {"services", services_json(*journal.header.program)},
+              {"services", interfaces_json(*journal.header.program)},
               {"closed", true},
               {"steps", std::move(steps)}};
 }

@@ -11,7 +11,9 @@
 #include <variant>
 #include <vector>
 
+#include "core/edit/operation.h"
 #include "core/rcm/constraints.h"
+#include "core/semantics/force.h"
 #include "core/semantics/run.h"
 #include "core/value/expected.h"
 #include "core/value/json.h"
@@ -45,12 +47,25 @@ struct ResponseEntry {
   Value data;
   bool operator==(const ResponseEntry&) const = default;
 };
+/// The model is edited (core/SEMANTICS.md section 9); executed_model.h makes and applies entries.
+struct EditEntry {
+  edit::Edit edit;            // of the native model before it
+  Dict origin;                // what changes in the native model's `origin`; null: no longer there
+  Dict services;              // interfaces that are new, or others than before, as the header has them
+  std::int64_t revision = 0;  // of the document that it leads to; 0: not known
+  bool operator==(const EditEntry&) const = default;
+};
+/// Somebody sets a value, or takes a port.
+struct ForceEntry {
+  semantics::Force force;
+  bool operator==(const ForceEntry&) const = default;
+};
 /// The run is ended from outside.
 struct AbortEntry {
   bool operator==(const AbortEntry&) const = default;
 };
 /// One macro step each.
-using JournalEntry = std::variant<StartEntry, EventEntry, ResponseEntry, AbortEntry>;
+using JournalEntry = std::variant<StartEntry, EventEntry, ResponseEntry, EditEntry, ForceEntry, AbortEntry>;
 
 struct JournalHeader {
   Value native;                                       // schemas/native.json; frozen
@@ -77,16 +92,17 @@ Value journal_json(const Journal& journal);
 Checked<JournalHeader> read_header(const Value& json);
 
 /// Reads what input_json wrote: the entry after `before`, null for the first one. Errors: those of one entry of
-/// read_journal.
-Checked<JournalEntry> read_input(const Value& json, const JournalEntry* before, const semantics::Program& program);
+/// read_journal, but for names: what the model of that time does not have, its run does not take.
+Checked<JournalEntry> read_input(const Value& json, const JournalEntry* before);
 
 /// Reads what journal_json wrote; the program is built anew, from the native model and the interfaces of the services.
 /// `json` is a text as parse_json gives it with kJournalLimits. A journal is refused as a whole. All errors of the
 /// header are listed, of the entries those of the first wrong one, at paths such as `entries/3/input/kind`. Codes:
 /// those of Fields, rcm::read_native (at `header/native`) and semantics::check_arguments (at `header/arguments`);
 /// `version` of the semantics; `type` of the first entry, which is the start or an abort, and of one after these;
-/// `unknown_name` of what the program has no input for; `out_of_range` of positions, numbers of calls and budgets;
-/// `too_deep` of data. Whether a response answers a call that counts is known only when the run has come there.
+/// `unknown_name` of what the program has no input for, before the first edit; `out_of_range` of positions, numbers of
+/// calls and budgets; `too_deep` of data; those of edit::read_edit. Whether a response answers a call that counts, and
+/// whether an edit fits, is known only when the run has come there.
 Checked<Journal> read_journal(const Value& json);
 
 /// script.json: with the native model, `race derive` gives this run's derivations. It is closed and its services are

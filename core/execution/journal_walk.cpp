@@ -12,7 +12,7 @@ constexpr std::uint64_t kBlock = 256;  // entries read at once
 
 Expected<JournalWalk> JournalWalk::create(const JournalHeader& header, std::shared_ptr<JournalSource> source,
                                           std::uint64_t last) {
-  ASSIGN_OR_RETURN(Execution execution, Execution::create(header.program, header.arguments, header.budgets));
+  ASSIGN_OR_RETURN(Execution execution, Execution::create(header));
   return JournalWalk(std::move(execution), std::move(source), last);
 }
 

@@ -1,12 +1,11 @@
 // Reading journals: the header, which gives the program, then the entries against it.
 #include <limits>
-#include <map>
 #include <optional>
 #include <utility>
 
+#include "core/execution/executed_model.h"
+#include "core/execution/input_fields.h"
 #include "core/execution/journal.h"
-#include "core/rcm/native.h"
-#include "core/rsm/document.h"
 #include "core/value/fields.h"
 
 namespace race::execution {
@@ -14,7 +13,6 @@ namespace {
 
 using semantics::Program;
 using Errors = std::vector<Error>;
-using Services = std::map<std::string, rsm::Service>;
 constexpr auto kRequired = Fields::Need::required;
 constexpr auto kByField = Fields::Paths::field;
 
@@ -31,19 +29,6 @@ std::optional<std::uint64_t> read_count(Fields& fields, std::string_view key,
   return number ? std::optional(static_cast<std::uint64_t>(*number)) : std::nullopt;
 }
 
-/// Any JSON, frozen; nothing (a violation) if it is absent or beyond the limits of a text.
-std::optional<Value> read_data(Fields& fields, std::string_view key) {
-  constexpr std::size_t kLevels = JsonLimits{}.depth;
-  auto data = fields.constant(key, kRequired);
-  if (!data) return std::nullopt;
-  if (deeper_than(*data, kLevels)) {
-    fields.violation(ErrorCode::too_deep, "more than " + std::to_string(kLevels) + " levels of nesting", key);
-    return std::nullopt;
-  }
-  data->freeze();
-  return data;
-}
-
 void append(Errors& errors, Errors more, const std::string& below) {
   for (Error& error : more) {
     error.path = below + error.path;
@@ -53,41 +38,10 @@ void append(Errors& errors, Errors more, const std::string& below) {
 
 // ---- The header.
 
-/// The items of the list `key`, each an object with a name and perhaps the flag `flag`.
-template <typename Item>
-std::vector<Item> read_items(Fields& service, std::string_view key, std::string_view flag, bool Item::*member,
-                             Errors& errors) {
-  std::vector<Item> items;
-  for (const Value& json : service.list(key, kRequired)) {
-    const std::string path = service.path() + "/" + std::string(key) + "/" + std::to_string(items.size());
-    Fields fields(json, path, "an item of `" + std::string(key) + "`", errors, kByField);
-    Item& item = items.emplace_back();
-    item.name = fields.text("name", kRequired).value_or("");
-    item.*member = fields.boolean(flag).value_or(false);
-    fields.close();
-  }
-  return items;
-}
-
-rsm::Service read_interface(const Value& json, const std::string& path, Errors& errors) {
-  const std::size_t before = errors.size();
-  Fields fields(json, path, "service", errors, kByField);
-  rsm::Service service;
-  service.operations = read_items(fields, "operations", "safe", &rsm::Operation::safe, errors);
-  service.events = read_items(fields, "events", "sampled", &rsm::Event::sampled, errors);
-  fields.close();
-  if (errors.size() == before) append(errors, rsm::violations(service, path), "");
-  return service;
-}
-
-Services read_services(Fields& header, Errors& errors) {
-  Services services;
+Interfaces read_services(Fields& header, Errors& errors) {
   const Value* json = header.find("services", kRequired);
   if (json && !json->is_dict()) wrong_type(header, "services", "an object", *json);
-  if (!json || !json->is_dict()) return services;
-  for (const auto& [key, service] : json->as_dict())
-    services.emplace(key.as_string(), read_interface(service, "header/services/" + key.as_string(), errors));
-  return services;
+  return json && json->is_dict() ? read_interfaces(json->as_dict(), "header/services", errors) : Interfaces();
 }
 
 semantics::Budgets read_budgets(Fields& header, Errors& errors) {
@@ -101,21 +55,6 @@ semantics::Budgets read_budgets(Fields& header, Errors& errors) {
   budgets.evaluation = {steps.value_or(0), units.value_or(0)};
   budgets.micro_steps = static_cast<std::uint32_t>(micro_steps.value_or(0));
   return budgets;
-}
-
-/// The program of `native` and `services`; null (violations) if there is none.
-std::shared_ptr<const Program> build(const Value& native, const Services& services, Errors& errors) {
-  const auto model = rcm::read_native(native, "header/native");
-  if (!model) {
-    append(errors, model.error(), "");
-    return nullptr;
-  }
-  auto program = Program::build(*model, services);
-  if (!program) {
-    append(errors, std::move(program).error(), "header/native/document/");
-    return nullptr;
-  }
-  return std::move(*program);
 }
 
 /// Of another version, only that is said: what else would have to be there is not known.
@@ -134,18 +73,21 @@ JournalHeader read_header_at(const Value& json, Errors& errors) {
   }
   fields.find("semantics", kRequired);
   if (const Value* native = fields.find("native", kRequired)) header.native = *native;
-  const Services services = read_services(fields, errors);
+  const Interfaces services = read_services(fields, errors);
   header.budgets = read_budgets(fields, errors);
   const auto arguments = read_data(fields, "arguments");
   if (arguments && !arguments->is_dict()) wrong_type(fields, "arguments", "an object", *arguments);
   fields.close();
   if (!errors.empty()) return header;
   header.arguments = arguments->as_dict();
-  auto program = build(header.native, services, errors);
-  if (!program) return header;
-  append(errors, semantics::check_arguments(*program, header.arguments), "header/");
-  header.native.freeze();
-  header.program = std::move(program);
+  auto model = build_model(header.native, services, "header/native");
+  if (!model) {
+    append(errors, std::move(model).error(), "");
+    return header;
+  }
+  append(errors, semantics::check_arguments(*model->program, header.arguments), "header/");
+  header.native = std::move(model->native);
+  header.program = std::move(model->program);
   return header;
 }
 
@@ -156,15 +98,15 @@ void unknown_name(Fields& fields, const std::string& what, const std::string& se
   fields.violation(ErrorCode::unknown_name, "the model reads no " + what + " `" + service + "." + name + "`", key);
 }
 
-JournalEntry read_event(Fields& fields, const Program& program) {
+JournalEntry read_event(Fields& fields, const Program* program) {
   const auto service = fields.text("service", kRequired), event = fields.text("event", kRequired);
   EventEntry entry{service.value_or(""), event.value_or(""), read_data(fields, "data").value_or(Value())};
-  if (service && event && !program.names_event(program.services.find_event(*service, *event)))
+  if (program && service && event && !program->names_event(program->services.find_event(*service, *event)))
     unknown_name(fields, "event", *service, *event, "event");
   return entry;
 }
 
-JournalEntry read_response(Fields& fields, const Program& program) {
+JournalEntry read_response(Fields& fields, const Program* program) {
   ResponseEntry entry;
   entry.call = read_count(fields, "call").value_or(0);
   const auto service = fields.text("service", kRequired), operation = fields.text("operation", kRequired);
@@ -176,8 +118,35 @@ JournalEntry read_response(Fields& fields, const Program& program) {
   }
   entry.service = service.value_or("");
   entry.operation = operation.value_or("");
-  if (service && operation && !program.names_response(program.services.dynamic_operation(*service, *operation)))
+  if (program && service && operation &&
+      !program->names_response(program->services.dynamic_operation(*service, *operation)))
     unknown_name(fields, "response of", *service, *operation, "operation");
+  return entry;
+}
+
+JournalEntry read_edit_entry(Fields& fields, Errors& errors) {
+  EditEntry entry;
+  if (const Value* json = fields.find("edit", kRequired)) {
+    if (auto edit = edit::read_edit(*json))
+      entry.edit = std::move(*edit);
+    else
+      append(errors, std::move(edit).error(), fields.path() + "/edit/");
+  }
+  entry.revision = fields.integer("revision", 1, std::numeric_limits<std::int64_t>::max()).value_or(0);
+  for (const auto& [key, dict] : {std::pair("origin", &entry.origin), std::pair("services", &entry.services)}) {
+    const auto json = fields.find(key) ? read_data(fields, key) : std::nullopt;
+    if (json && !json->is_dict()) wrong_type(fields, key, "an object", *json);
+    if (json && json->is_dict()) *dict = json->as_dict();
+  }
+  return entry;
+}
+
+JournalEntry read_force_entry(Fields& fields, Errors& errors) {
+  const Value* json = fields.find("force", kRequired);
+  if (!json) return ForceEntry{};
+  Fields force(*json, fields.path() + "/force", "force", errors, kByField);
+  ForceEntry entry{read_force(force)};
+  force.close();
   return entry;
 }
 
@@ -192,7 +161,7 @@ void check_order(Fields& fields, const std::string& kind, const JournalEntry* be
 }
 
 JournalEntry read_input_at(const Value& json, const std::string& path, const JournalEntry* before,
-                           const Program& program, Errors& errors) {
+                           const Program* program, Errors& errors) {
   Fields fields(json, path, "input", errors, kByField);
   const auto kind = fields.text("kind", kRequired);
   if (!kind) return {};
@@ -202,15 +171,21 @@ JournalEntry read_input_at(const Value& json, const std::string& path, const Jou
     entry = read_event(fields, program);
   else if (*kind == "response")
     entry = read_response(fields, program);
+  else if (*kind == "edit")
+    entry = read_edit_entry(fields, errors);
+  else if (*kind == "force")
+    entry = read_force_entry(fields, errors);
   else if (*kind == "abort")
     entry = AbortEntry{};
   else if (*kind != "start")
-    fields.violation(ErrorCode::type, "`kind` must be `start`, `event`, `response` or `abort`", "kind");
+    fields.violation(ErrorCode::type, "`kind` must be `start`, `event`, `response`, `edit`, `force` or `abort`",
+                     "kind");
   fields.close();
   return entry;
 }
 
-void read_entry(const Value& json, Journal& journal, Errors& errors) {
+// `program`: of the header; null once the model has been edited.
+void read_entry(const Value& json, Journal& journal, const Program* program, Errors& errors) {
   const std::string path = "entries/" + std::to_string(journal.entries.size());
   const std::size_t position = journal.entries.size() + 1;
   Fields fields(json, path, "entry", errors, kByField);
@@ -221,7 +196,7 @@ void read_entry(const Value& json, Journal& journal, Errors& errors) {
   fields.close();
   if (!input) return;
   const JournalEntry* before = journal.entries.empty() ? nullptr : &journal.entries.back();
-  JournalEntry entry = read_input_at(*input, path + "/input", before, *journal.header.program, errors);
+  JournalEntry entry = read_input_at(*input, path + "/input", before, program, errors);
   journal.entries.push_back(std::move(entry));
 }
 
@@ -234,9 +209,9 @@ Checked<JournalHeader> read_header(const Value& json) {
   return header;
 }
 
-Checked<JournalEntry> read_input(const Value& json, const JournalEntry* before, const Program& program) {
+Checked<JournalEntry> read_input(const Value& json, const JournalEntry* before) {
   Errors errors;
-  JournalEntry entry = read_input_at(json, "input", before, program, errors);
+  JournalEntry entry = read_input_at(json, "input", before, nullptr, errors);
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   return entry;
 }
@@ -249,8 +224,11 @@ Checked<Journal> read_journal(const Value& json) {
   const List& entries = fields.list("entries", kRequired);
   fields.close();
   if (header) journal.header = read_header_at(*header, errors);
-  for (auto entry = entries.begin(); entry != entries.end() && errors.empty(); ++entry)
-    read_entry(*entry, journal, errors);
+  const Program* program = journal.header.program.get();
+  for (auto entry = entries.begin(); entry != entries.end() && errors.empty(); ++entry) {
+    read_entry(*entry, journal, program, errors);
+    if (!journal.entries.empty() && std::holds_alternative<EditEntry>(journal.entries.back())) program = nullptr;
+  }
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   return journal;
 }

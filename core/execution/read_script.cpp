@@ -1,3 +1,4 @@
+#include "core/execution/input_fields.h"
 #include "core/execution/script.h"
 #include "core/rsm/document.h"
 #include "core/value/fields.h"
@@ -50,6 +51,18 @@ ScriptStep read_step(const Value& json, const std::string& path, std::vector<Err
   fields.find("doc");
   for (const Value& item : fields.list("events")) step.events.push_back(read_event(item, path, errors));
   for (const Value& item : fields.list("responses")) step.responses.push_back(read_response(item, path, errors));
+  if (const Value* json = fields.find("edit")) {
+    if (auto edit = edit::read_edit(*json))
+      step.edit = std::move(*edit);
+    else
+      for (Error& error : edit.error()) errors.push_back({error.code, error.message, path + "/edit/" + error.path});
+  }
+  if (const Value* json = fields.find("force")) {
+    Fields force(*json, path + "/force", "force", errors);
+    step.force = read_force(force);
+    force.close();
+  }
+  if (step.edit && step.force) fields.violation(ErrorCode::conflict, "a step has an edit or a force, not both");
   for (const Value& item : fields.list("transitions")) {
     Fields transition(item, path, "transition", errors);
     step.transitions.emplace_back(required_text(transition, "service"), required_text(transition, "id"));

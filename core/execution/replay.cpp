@@ -29,7 +29,7 @@ Expected<Execution> Replay::nearest(std::uint64_t position) {
     }
   }
   if (kept > 0) return std::prev(next)->second;
-  return Execution::create(header_.program, header_.arguments, header_.budgets);
+  return Execution::create(header_);
 }
 
 Expected<Execution> Replay::after(std::uint64_t position) {
@@ -62,7 +62,7 @@ Expected<List> Replay::steps(std::uint64_t from, std::uint64_t to, std::uint64_t
     const bool partial = step == last && micro >= 0;
     const std::uint32_t limit = partial ? static_cast<std::uint32_t>(micro) : Execution::kNoLimit;
     ASSIGN_OR_RETURN(const Progress* progress, execution.replay(entries[step - from], {.derivation = true}, limit));
-    Dict json = trace_step(*header_.program, *progress);
+    Dict json = trace_step(execution.run().program(), *progress);
     json.set("state", execution.run().state_json());
     if (partial) json.set("complete", false);
     steps.push_back(std::move(json));
@@ -80,7 +80,7 @@ Expected<Execution> Replay::before(std::uint64_t step, int micro) {
 
 Expected<Value> derive_journal(const Journal& journal) {
   const JournalHeader& header = journal.header;
-  ASSIGN_OR_RETURN(Execution execution, Execution::create(header.program, header.arguments, header.budgets));
+  ASSIGN_OR_RETURN(Execution execution, Execution::create(header));
   List steps;
   for (const JournalEntry& entry : journal.entries) {
     const auto progress = execution.replay(entry, {.entry = false, .derivation = true});

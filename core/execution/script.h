@@ -3,13 +3,16 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/edit/operation.h"
 #include "core/execution/order_choice.h"
 #include "core/rcm/model.h"
 #include "core/rsm/model.h"
+#include "core/semantics/force.h"
 #include "core/value/expected.h"
 #include "core/value/value.h"
 
@@ -28,8 +31,12 @@ struct ScriptResponse {
   Value data;
 };
 
-/// Inputs that join those that wait, then one Exec (4.20), in which services take the transitions named here.
+/// Inputs that join those that wait, then one Exec (4.20), in which services take the transitions named here. With
+/// `force`, that is its macro step; an edit is tried now and before each later macro step, until it can be carried
+/// over, in a macro step of its own.
 struct ScriptStep {
+  std::optional<edit::Edit> edit;  // of the document
+  std::optional<semantics::Force> force;
   std::vector<ScriptEvent> events;
   std::vector<ScriptResponse> responses;
   std::vector<std::pair<std::string, std::string>> transitions;  // service, transition
@@ -47,7 +54,8 @@ struct Script {
 /// such as `steps/3`.
 Checked<Script> read_script(const Value& json);
 
-/// The document that `race derive` prints. Errors: an argument that the root does not have; violations of the program.
-Checked<Value> derive(const rcm::NativeModel& model, const Script& script, OrderChoice order = {});
+/// The document that `race derive` prints. Errors: violations of the document and its program; an argument that the
+/// root does not have; at `steps/N/edit/...` and `steps/N/force` what does not fit the document and the run.
+Checked<Value> derive(const rcm::Document& document, const Script& script, OrderChoice order = {});
 
 }  // namespace race::execution

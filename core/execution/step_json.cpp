@@ -44,6 +44,17 @@ Value derived_step(const Execution& execution, const Progress& progress) {
   return Dict{{"micro", std::move(micro)}, {"calls", std::move(calls)}, {"state", execution.run().state_json()}};
 }
 
+List obstacles_json(const std::vector<semantics::Obstacle>& obstacles) {
+  List list;
+  for (const semantics::Obstacle& obstacle : obstacles) {
+    Dict json{{"path", obstacle.path}};
+    if (!obstacle.id.empty()) json.set("id", obstacle.id);
+    if (!obstacle.parameter.empty()) json.set("parameter", obstacle.parameter);
+    list.emplace_back(std::move(json));
+  }
+  return list;
+}
+
 Value root_results(const Run& run) {
   Dict results;
   const semantics::StateInfo& root = run.program()[semantics::Program::root];

@@ -21,6 +21,9 @@ Dict trace_step(const semantics::Program& program, const Progress& progress);
 /// section 7): calls without their numbers, and the state after it.
 Value derived_step(const Execution& execution, const Progress& progress);
 
+/// What holds an edit up: {"path", "id"?, "parameter"?} of each.
+List obstacles_json(const std::vector<semantics::Obstacle>& obstacles);
+
 /// The results of the root that are set.
 Value root_results(const semantics::Run& run);
 

@@ -83,6 +83,18 @@ bool WaitingInputs::contains(EventId event) const {
                              [&](const Input& input) { return is_occurrence(input, event); });
 }
 
+void WaitingInputs::carry_over(const Run& before, const Run& after) {
+  if (&before.program() == &after.program()) return;
+  drop_taken();
+  std::vector<Input> inputs = std::exchange(inputs_, {});
+  const auto& events = before.program().services.events();
+  for (Input& input : inputs)
+    if (input.kind == Input::Kind::event)
+      post_event(after, events[input.number].service, events[input.number].name, std::move(input.data));
+    else
+      post_response(after, input.call, input.is_error, std::move(input.data));
+}
+
 void WaitingInputs::clear() {
   inputs_.clear();
   taken_ = 0;

@@ -28,6 +28,8 @@ class WaitingInputs {
   std::optional<semantics::Input> take(const semantics::Run& run);
   /// Whether take() would give one.
   bool any(const semantics::Run& run) const;
+  /// `after` is the run `before`, edited: what its model does not name is dropped.
+  void carry_over(const semantics::Run& before, const semantics::Run& after);
   /// Whether an occurrence of `event` waits.
   bool contains(semantics::EventId event) const;
   std::size_t size() const { return inputs_.size() - taken_; }

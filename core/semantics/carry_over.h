@@ -1,5 +1,5 @@
-// Carrying a run over to an edited program (core/SEMANTICS.md section 9): what stays of Δ and Σ, and what holds the edit
-// up. Pure functions.
+// Carrying a run over to an edited program (core/SEMANTICS.md section 9): what stays of Δ and Σ, and what holds the
+// edit up. Pure functions.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct Obstacle {
     active,      // a node is active that the edited model does not have in this place
     unresolved,  // a parameter of an active state would have no value
   } kind = Kind::active;
-  std::string path, id;       // the node, in the model before the edit; of `unresolved`: the state, in the one after it
+  std::string path, id;  // the node, in the model before the edit; of `unresolved`: the state, in the one after it
   std::string parameter = {};  // of `unresolved`
   bool operator==(const Obstacle&) const = default;
 };

@@ -13,8 +13,8 @@ namespace race::semantics {
 struct Force {
   /// As in the function language: `par`, `res`, `var`; or a port, through which its state is left.
   enum class Scope : std::uint8_t { par, res, var, port } scope = Scope::var;
-  std::string path, name;            // of the state; of the value or port
-  Value value = Value::unknown();    // of a port: unknown
+  std::string path, name;          // of the state; of the value or port
+  Value value = Value::unknown();  // of a port: unknown
   bool operator==(const Force&) const = default;
 };
 

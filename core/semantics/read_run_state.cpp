@@ -261,7 +261,8 @@ class StateReader {
         continue;
       }
       const ActionId a = info.actions.low + static_cast<ActionId>(which);
-      if (r_.executed[a] != 0 || r_.served[a] != 0) violation(ErrorCode::duplicate, path, "the action is there already");
+      if (r_.executed[a] != 0 || r_.served[a] != 0)
+        violation(ErrorCode::duplicate, path, "the action is there already");
       r_.executed[a] = executed;
       r_.served[a] = served;
     }

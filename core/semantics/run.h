@@ -100,8 +100,8 @@ class Run {
     }
     return status() != Status::running;
   }
-  // Edits (section 9): the run as a macro step of its own begins, which delivers the edit. Each requires status running,
-  // that no macro step is open and no output waits.
+  // Edits (section 9): the run as a macro step of its own begins, which delivers the edit. Each requires status
+  // running, that no macro step is open and no output waits.
   /// The run with an edited program; or what the edit waits for: what `program` has no place for.
   tl::expected<Run, std::vector<Obstacle>> edited(std::shared_ptr<const Program> program) const;
   /// The run with a value that somebody has set, or a port through which an active state is to be left: R24. Errors, at

@@ -88,8 +88,8 @@ tl::expected<Run, std::vector<Obstacle>> Run::edited(std::shared_ptr<const Progr
 namespace {
 
 tl::unexpected<Error> not_found(const Force& force) {
-  return unexpected(ErrorCode::not_found, "the state has no `" + std::string(name(force.scope)) + "." + force.name + "`",
-                    force.path);
+  return unexpected(ErrorCode::not_found,
+                    "the state has no `" + std::string(name(force.scope)) + "." + force.name + "`", force.path);
 }
 
 std::optional<ValueIndex> find_value(const StateInfo& info, const Force& force) {

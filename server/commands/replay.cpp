@@ -67,7 +67,7 @@ Expected<Replayed> of_store(const std::string& data, const std::string& text) {
   ASSIGN_OR_RETURN(run.header, run.store->header(id));
   ASSIGN_OR_RETURN(run.checkpoints, run.store->checkpoints(id));
   std::erase_if(run.checkpoints, [&](std::uint64_t position) { return position > record.steps; });  // a server goes on
-  run.source = run.store->source(id, run.header.program);
+  run.source = run.store->source(id);
   run.steps = record.steps;
   return run;
 }

@@ -47,7 +47,7 @@ Core::Core(RunRecord run, execution::JournalHeader header, Execution execution, 
       strand_(resources.pool),
       record_(std::move(run)),
       execution_(std::move(execution)),
-      replay_(std::make_shared<execution::Replay>(header_, resources.runs.source(run_id_, header_.program))) {
+      replay_(std::make_shared<execution::Replay>(header_, resources.runs.source(run_id_))) {
   info_ = info_json();
 }
 

@@ -132,7 +132,7 @@ Expected<void> Core::readable() const {
 // before is forgotten.
 Expected<Core::Rebuilt> Core::rebuild() const {
   ASSIGN_OR_RETURN(RunRecord stored, resources_.runs.get(run_id()));
-  execution::Replay replay(header_, resources_.runs.source(run_id(), header_.program));
+  execution::Replay replay(header_, resources_.runs.source(run_id()));
   ASSIGN_OR_RETURN(Execution rebuilt, replay.after(stored.steps));
   rebuilt.post_lost();
   // A disk that takes nothing leaves it as `running`: when the server has ended, that means the same.

@@ -232,8 +232,7 @@ Expected<execution::Journal> journal_of(const RunRecord& run, Runs& runs) {
 Expected<execution::Journal> journal_of(RunId run, execution::JournalHeader header, std::uint64_t steps, Runs& runs) {
   execution::Journal journal{std::move(header), {}};
   for (std::uint64_t from = 1, bytes = 0; from <= steps; from += kBlock) {
-    ASSIGN_OR_RETURN(const auto block,
-                     runs.entries(run, *journal.header.program, from, std::min(steps, from + kBlock - 1)));
+    ASSIGN_OR_RETURN(const auto block, runs.entries(run, from, std::min(steps, from + kBlock - 1)));
     for (const execution::JournalEntry& entry : block) bytes += input_text(entry).size();
     if (bytes > kRunFileLimits.bytes) return beyond_limits();
     journal.entries.insert(journal.entries.end(), block.begin(), block.end());

@@ -24,7 +24,7 @@ Expected<execution::JournalHeader> stoppable_header(Runs& runs, RunId id, const 
 Expected<execution::JournalWalk> walk_from(Runs& runs, const RunRecord& run, std::uint64_t from,
                                            const std::atomic<bool>* stop) {
   ASSIGN_OR_RETURN(const execution::JournalHeader header, stoppable_header(runs, run.id, stop));
-  const auto source = runs.source(run.id, header.program);
+  const auto source = runs.source(run.id);
   execution::Replay replay(header, source);
   ASSIGN_OR_RETURN(execution::Execution execution, replay.after(from - 1));
   return execution::JournalWalk(std::move(execution), source, run.steps);
@@ -46,7 +46,7 @@ Expected<Value> run_derivations(Runs& runs, RunId id, std::uint64_t from, std::u
   List steps;
   if (run.steps > 0) {
     ASSIGN_OR_RETURN(const execution::JournalHeader header, stoppable_header(runs, id, stop));
-    execution::Replay replay(header, runs.source(id, header.program));
+    execution::Replay replay(header, runs.source(id));
     ASSIGN_OR_RETURN(steps, replay.steps(from, to, run.steps, -1));
   }
   json.set("steps", std::move(steps));

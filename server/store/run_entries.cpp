@@ -48,11 +48,10 @@ Expected<void> check_no_other(SQLite::Database& file, const RunRecord& run) {
   return {};
 }
 
-Expected<JournalEntry> read_entry(const EntryRow& row, RunId id, const JournalEntry* before,
-                                  const semantics::Program& program) {
+Expected<JournalEntry> read_entry(const EntryRow& row, RunId id, const JournalEntry* before) {
   const auto json = parse_json(row.input, execution::kJournalLimits);
   if (!json) return damaged("the journal", path_of(id, row.position));
-  auto entry = execution::read_input(*json, before, program);
+  auto entry = execution::read_input(*json, before);
   if (!entry) {
     const Error& error = entry.error().front();
     return unexpected(ErrorCode::corrupt, "the journal is damaged: " + error.message,
@@ -101,13 +100,12 @@ Expected<std::vector<EntryRow>> read_entry_rows(SQLite::Database& file, const Ru
   return found;
 }
 
-Expected<std::vector<JournalEntry>> read_entries(const std::vector<EntryRow>& rows, RunId run,
-                                                 const semantics::Program& program, std::uint64_t from) {
+Expected<std::vector<JournalEntry>> read_entries(const std::vector<EntryRow>& rows, RunId run, std::uint64_t from) {
   std::vector<JournalEntry> entries;
   const JournalEntry some = execution::EventEntry{};  // before the row before `from`
   for (const EntryRow& each : rows) {
     const JournalEntry* before = !entries.empty() ? &entries.back() : each.position == 1 ? nullptr : &some;
-    ASSIGN_OR_RETURN(JournalEntry entry, read_entry(each, run, before, program));
+    ASSIGN_OR_RETURN(JournalEntry entry, read_entry(each, run, before));
     entries.push_back(std::move(entry));
   }
   if (from > 1) entries.erase(entries.begin());

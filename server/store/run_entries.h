@@ -32,6 +32,6 @@ Expected<std::vector<EntryRow>> read_entry_rows(SQLite::Database& file, const Ru
 
 /// What the rows of read_entry_rows() say, those from `from` on. Error `corrupt`, naming the entry.
 Expected<std::vector<execution::JournalEntry>> read_entries(const std::vector<EntryRow>& rows, RunId run,
-                                                            const semantics::Program& program, std::uint64_t from);
+                                                            std::uint64_t from);
 
 }  // namespace race::server

@@ -34,17 +34,15 @@ tl::unexpected<Error> failure(const SQLite::Exception& exception, const char* wh
 
 class StoredJournal final : public execution::JournalSource {
  public:
-  StoredJournal(Runs& runs, RunId id, std::shared_ptr<const semantics::Program> program)
-      : runs_(runs), id_(id), program_(std::move(program)) {}
+  StoredJournal(Runs& runs, RunId id) : runs_(runs), id_(id) {}
   Expected<std::vector<JournalEntry>> entries(std::uint64_t from, std::uint64_t to) override {
-    return runs_.entries(id_, *program_, from, to);
+    return runs_.entries(id_, from, to);
   }
   Expected<Value> checkpoint(std::uint64_t position) override { return runs_.checkpoint(id_, position); }
 
  private:
   Runs& runs_;
   const RunId id_;
-  const std::shared_ptr<const semantics::Program> program_;
 };
 
 }  // namespace
@@ -179,8 +177,7 @@ Expected<Value> Runs::services(RunId id) try {
   return failure(exception, "cannot read runs");
 }
 
-Expected<std::vector<JournalEntry>> Runs::entries(RunId id, const semantics::Program& program, std::uint64_t from,
-                                                  std::uint64_t to) {
+Expected<std::vector<JournalEntry>> Runs::entries(RunId id, std::uint64_t from, std::uint64_t to) {
   std::vector<EntryRow> found;
   try {
     const services::MutexLock lock(mutex_);
@@ -193,7 +190,7 @@ Expected<std::vector<JournalEntry>> Runs::entries(RunId id, const semantics::Pro
   } catch (const SQLite::Exception& exception) {
     return failure(exception, "cannot read runs");
   }
-  return read_entries(found, id, program, from);
+  return read_entries(found, id, from);
 }
 
 Expected<Value> Runs::checkpoint(RunId id, std::uint64_t position) try {
@@ -210,9 +207,7 @@ Expected<std::vector<std::uint64_t>> Runs::checkpoints(RunId id) try {
   return failure(exception, "cannot read runs");
 }
 
-std::shared_ptr<execution::JournalSource> Runs::source(RunId id, std::shared_ptr<const semantics::Program> program) {
-  return std::make_shared<StoredJournal>(*this, id, std::move(program));
-}
+std::shared_ptr<execution::JournalSource> Runs::source(RunId id) { return std::make_shared<StoredJournal>(*this, id); }
 
 Expected<void> Runs::set_status(RunId id, const std::string& status) try {
   const services::MutexLock lock(mutex_);

@@ -100,14 +100,14 @@ class Runs {
   /// Key -> RSM (schemas/service.json), as they were when the run was created.
   Expected<Value> services(RunId id) EXCLUDES(mutex_);
   /// Entries `from` to `to`, both from 1, held against the chain. Requires that they are there.
-  Expected<std::vector<execution::JournalEntry>> entries(RunId id, const semantics::Program& program,
-                                                         std::uint64_t from, std::uint64_t to) EXCLUDES(mutex_);
+  Expected<std::vector<execution::JournalEntry>> entries(RunId id, std::uint64_t from, std::uint64_t to)
+      EXCLUDES(mutex_);
   /// The newest checkpoint at or before `position`; unknown: there is none.
   Expected<Value> checkpoint(RunId id, std::uint64_t position) EXCLUDES(mutex_);
   /// Positions of all checkpoints of a run, in order.
   Expected<std::vector<std::uint64_t>> checkpoints(RunId id) EXCLUDES(mutex_);
   /// For a Replay. The run outlives it or its questions are answered `not_found`; Runs outlives it.
-  std::shared_ptr<execution::JournalSource> source(RunId id, std::shared_ptr<const semantics::Program> program);
+  std::shared_ptr<execution::JournalSource> source(RunId id);
 
   /// Of a run that a crash or a failing disk has interrupted. `interrupted` changes none that is over: who rebuilds a
   /// run may be late.

@@ -150,7 +150,7 @@ TEST_F(Interruption, ARunIsRebuiltWhenTheServerBeginsAndWaitsForAPerson) {
   EXPECT_EQ(observer.calls(), calls_before) << "nothing is called before somebody says so";
   EXPECT_EQ(status(core->resume()), "running");
   wait(*core, [](const Value& now) { return now.find("step")->as_integer() == 4; });
-  const auto entries = runs->entries(id, core->program(), 1, 4).value();
+  const auto entries = runs->entries(id, 1, 4).value();
   const auto& lost = std::get<execution::ResponseEntry>(entries[2]);
   EXPECT_EQ(lost.call, 1U);
   EXPECT_TRUE(lost.is_error);

@@ -227,7 +227,7 @@ TEST(JournalWriter, AfterAFailureNothingMoreIsWrittenToAJournalUntilItIsReadAgai
         while (heard->last == 0 && heard->failures == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
         EXPECT_EQ(heard->last, 1U);
         EXPECT_EQ(file->execAndGet("PRAGMA wal_checkpoint(TRUNCATE)").getInt(), 0) << "a transaction was left open";
-        EXPECT_TRUE(store.runs->entries(stored.id, *program, 1, stored.steps + 1));
+        EXPECT_TRUE(store.runs->entries(stored.id, 1, stored.steps + 1));
       }
 }
 

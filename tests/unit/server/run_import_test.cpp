@@ -43,7 +43,7 @@ class RunImport : public StoredRuns {
       return false;
     }
     EXPECT_EQ(run->steps, journal.entries.size());
-    EXPECT_TRUE(runs->entries(id, *journal.header.program, 1, run->steps));
+    EXPECT_TRUE(runs->entries(id, 1, run->steps));
     EXPECT_EQ(runs->checkpoints(id)->size(), 2U);
     return true;
   }

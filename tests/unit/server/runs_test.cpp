@@ -81,7 +81,7 @@ TEST_F(RunStore, KnowsNoOtherNumber) {
   EXPECT_EQ(runs->get(~std::uint64_t{0}).error().code, ErrorCode::not_found);
   EXPECT_EQ(runs->remove(1).error().code, ErrorCode::not_found);
   EXPECT_EQ(runs->set_status(1, "running").error().code, ErrorCode::not_found);
-  EXPECT_EQ(runs->source(1, journal_.header.program)->entries(1, 1).error().code, ErrorCode::not_found);
+  EXPECT_EQ(runs->source(1)->entries(1, 1).error().code, ErrorCode::not_found);
 }
 
 TEST_F(RunStore, ListsTheNewestFirst) {
@@ -153,10 +153,10 @@ TEST_F(RunStore, ReadsAnyPartOfAJournal) {
   expect_same(runs->get(run.id).value(), run);
   for (std::size_t from = 1; from <= run.steps; ++from)
     for (std::size_t to = from; to <= run.steps; ++to)
-      EXPECT_EQ(runs->entries(run.id, *journal_.header.program, from, to).value(),
+      EXPECT_EQ(runs->entries(run.id, from, to).value(),
                 std::vector(journal_.entries.begin() + static_cast<std::ptrdiff_t>(from - 1),
                             journal_.entries.begin() + static_cast<std::ptrdiff_t>(to)));
-  EXPECT_EQ(runs->entries(run.id, *journal_.header.program, 1, run.steps + 1).error().code, ErrorCode::out_of_range);
+  EXPECT_EQ(runs->entries(run.id, 1, run.steps + 1).error().code, ErrorCode::out_of_range);
 }
 
 TEST_F(RunStore, IsReplayed) {
@@ -166,7 +166,7 @@ TEST_F(RunStore, IsReplayed) {
     auto [journal, execution] = execution::random_journal(seed, 30);
     const RunRecord run = import(*runs, journal);
     const execution::JournalHeader header = runs->header(run.id).value();
-    execution::Replay replay(header, runs->source(run.id, header.program), 4);
+    execution::Replay replay(header, runs->source(run.id), 4);
     execution::Replay expected(journal.header, std::make_shared<execution::MemoryJournal>(journal.entries));
     ASSERT_EQ(Value(replay.steps(1, run.steps, 0, -1).value()), Value(expected.steps(1, run.steps, 0, -1).value()));
   }
@@ -208,7 +208,7 @@ class DamagedRunStore : public RunStore {
     ASSIGN_OR_RETURN(const RunRecord run, runs->get(1));
     ASSIGN_OR_RETURN(const execution::JournalHeader header, runs->header(1));
     ASSIGN_OR_RETURN(const Value services, runs->services(1));
-    ASSIGN_OR_RETURN(const std::vector<JournalEntry> entries, runs->entries(1, *header.program, 1, run.steps));
+    ASSIGN_OR_RETURN(const std::vector<JournalEntry> entries, runs->entries(1, 1, run.steps));
     ASSIGN_OR_RETURN(const Value checkpoint, runs->checkpoint(1, run.steps));
     return {};
   }

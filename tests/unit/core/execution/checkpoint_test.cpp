@@ -369,7 +369,7 @@ TEST(Checkpoint, IsRefusedWithThePlaceAndTheCode) {
       {"run/states/Root/ports", Dict{{"over", Dict{{"arrived", true}}}}, ErrorCode::conflict, "run/states/Root"},
       {"run/active_barriers", List{"Root/b"}, ErrorCode::unknown_name, "run/active_barriers/0"},
       {"waiting/0/kind", "abort", ErrorCode::unknown_field, "waiting/0/service"},
-      {"waiting/0/event", "unread", ErrorCode::unknown_name, "waiting/0/event"},
+      {"waiting/0/event", "unread", ErrorCode::conflict, "waiting/0"},
       {"waiting", List{Dict{{"kind", "abort"}}}, ErrorCode::conflict, "waiting/0"},
       {"waiting",
        List{Dict{{"kind", "response"}, {"call", 77}, {"service", "t"}, {"operation", "wait"}, {"result", 1}}},

@@ -212,7 +212,9 @@ TEST(RandomRuns, ExportedAsScriptsHaveTheSameDerivations) {
     if (live.status == semantics::Status::faulted) continue;  // perhaps by the small budget of this test
     const auto script = read_script(script_json(live.journal()));
     ASSERT_TRUE(script) << "seed " << seed + i << ": " << to_string(script.error()[0]);
-    const auto derived = derive(live.native, *script);
+    rcm::Document document;
+    document.root = live.native.root;
+    const auto derived = derive(document, *script);
     ASSERT_TRUE(derived) << "seed " << seed + i;
     const List& steps = derived->find("steps")->as_list();
     const bool aborted = live.status == semantics::Status::aborted;

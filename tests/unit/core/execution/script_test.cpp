@@ -20,7 +20,7 @@ Value json(std::string text) {
 // The outcome of a run of `root`, or its status while it has none.
 std::string outcome(const std::string& root, const std::string& script) {
   const auto document = rcm::read_document(json("{'rcm': 1, 'root': " + root + "}")).value();
-  const Value derived = derive(rcm::translate(document).value(), read_script(json(script)).value()).value();
+  const Value derived = derive(document, read_script(json(script)).value()).value();
   const Value* end = derived.find("outcome");
   return (end ? end : derived.find("status"))->as_string();
 }
