@@ -97,6 +97,7 @@ void Application::name_damaged_documents() {
 Expected<void> Application::create_cores(const Setup& setup) {
   pool_ = std::make_unique<Pool>(2);
   cores_ = std::make_unique<Cores>(*pool_, cell_->host(), *core_publisher_, *runs_, *writer_, replays_);
+  live_edits_ = std::make_unique<LiveEdits>(*documents_, *cores_);
   keeper_ = std::make_unique<RunKeeper>(*runs_, *samples_, setup.retention,
                                         [this](const std::string& text) { log("store", text); });
   keeper_->connect(*cores_, cell_->world());
@@ -120,6 +121,7 @@ Checked<void> Application::add_operator(const OperatorScript& script) {
 }
 
 Application::~Application() {
+  if (live_edits_) live_edits_->close();
   if (cores_) cores_->close();
   if (cell_) cell_->stop();
   if (writer_) writer_->close();  // before the strands that it tells
@@ -139,7 +141,7 @@ void Application::log(const std::string& source, const std::string& text) {
 ChannelSources Application::channel_sources() { return {*hub_, *cores_, *cell_, *displays_, *flows_, *log_}; }
 
 Resources Application::resources() {
-  return {*documents_, *boot_list_, *backups_, *runs_, *samples_, *cores_, replays_, *cell_, *log_};
+  return {*documents_, *boot_list_, *backups_, *runs_, *samples_, *cores_, *live_edits_, replays_, *cell_, *log_};
 }
 
 }  // namespace race::server

@@ -13,7 +13,7 @@
 #include "server/channels/channels.h"
 #include "server/channels/core_publisher.h"
 #include "server/channels/service_publisher.h"
-#include "server/execution/cores.h"
+#include "server/execution/live_edits.h"
 #include "server/handlers/routes.h"
 #include "server/http/listener.h"
 #include "server/log/event_log.h"
@@ -85,6 +85,7 @@ class Application {
   std::unique_ptr<Cell> cell_;
   std::unique_ptr<FlowChannels> flows_;
   std::unique_ptr<Cores> cores_;
+  std::unique_ptr<LiveEdits> live_edits_;
   std::unique_ptr<RunKeeper> keeper_;
   std::unique_ptr<Operator> operator_;  // destroyed first, when the cell that calls it has stopped
 };

@@ -32,7 +32,7 @@ Expected<std::vector<Goal>> find_goals(const semantics::Program& program,
 
 Expected<std::shared_ptr<Core>> Core::create(RunRecord run, execution::JournalHeader header,
                                              const CoreResources& resources) {
-  ASSIGN_OR_RETURN(Execution execution, Execution::create(header.program, header.arguments, header.budgets));
+  ASSIGN_OR_RETURN(Execution execution, Execution::create(header));
   // Held by the registry, and by work on its way through the strand.
   std::shared_ptr<Core> core(new Core(std::move(run), std::move(header), std::move(execution), resources));
   core->open_journal();
@@ -45,9 +45,11 @@ Core::Core(RunRecord run, execution::JournalHeader header, Execution execution, 
       header_(std::move(header)),
       resources_(resources),
       strand_(resources.pool),
+      model_(execution.model()),
       record_(std::move(run)),
       execution_(std::move(execution)),
       replay_(std::make_shared<execution::Replay>(header_, resources.runs.source(run_id_))) {
+  revision_ = record_.revision;
   info_ = info_json();
 }
 
@@ -93,9 +95,10 @@ Expected<Core::Preparation> Core::retire() {
 
 void Core::replace(const Core& other, Preparation preparation) {
   std::erase_if(preparation.breakpoints,
-                [this](const execution::GoalName& name) { return !find_goal(program(), name).has_value(); });
+                [this](const execution::GoalName& name) { return !find_goal(*header_.program, name).has_value(); });
   std::ignore = set_breakpoints(std::move(preparation.breakpoints));
   if (preparation.paused) std::ignore = pause();
+  live_ = other.live_.load();
   if (other.state_watched_) watch_state();
   if (other.derivation_watched_) watch_derivation(true);
 }
@@ -199,6 +202,10 @@ void Core::advance() {
   for (std::uint32_t left = kTurn; left > 0;) {
     if (held_.size() >= kMostHeld) return;
     if (!execution_.is_open()) take_inbox();
+    if (!execution_.is_open() && deliver_edit(left)) {
+      if (paused_ || is_over()) return;
+      continue;
+    }
     if (!execution_.is_open() && !has_input()) return publish_info();
     left -= do_part(left);
     if (paused_ || is_over()) return;

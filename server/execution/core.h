@@ -21,6 +21,7 @@
 #include "core/execution/replay.h"
 #include "core/value/expected.h"
 #include "server/execution/held_outputs.h"
+#include "server/execution/live_edit.h"
 #include "server/store/journal_writer.h"
 #include "server/store/runs.h"
 #include "server/threads/strand.h"
@@ -72,8 +73,12 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
 
   const std::string& id() const { return id_; }
   RunId run_id() const { return run_id_; }
-  const semantics::Program& program() const { return *header_.program; }
+  /// Of the run as it began; edits may have replaced its model since.
   const execution::JournalHeader& header() const { return header_; }
+  /// What it executes now; perhaps of an edit that is not durable yet.
+  execution::ExecutedModel model() const EXCLUDES(mutex_);
+  /// Whether its model names the event.
+  bool names_event(const std::string& service, const std::string& event) const EXCLUDES(mutex_);
   /// As published last (schemas/core.json).
   Value info() const EXCLUDES(mutex_);
 
@@ -107,9 +112,25 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   static constexpr std::size_t kMostBreakpoints = 100;  // every delta has them
   Expected<Value> set_breakpoints(std::vector<execution::GoalName> goals);
 
+  /// Sets a value or takes a port of a run that has begun, in a macro step of its own; a paused one stays paused.
+  /// `conflict`: it is not running, or paused in a macro step; those of semantics::Run::forced.
+  Expected<Value> force(semantics::Force force);
+
+  // Edits: a live core follows the revisions of its document without violations, between macro steps, or as soon as it
+  // can. Not to be started by default: a new port or action may move the robot.
+  bool is_live() const { return live_; }
+  /// Waits. `conflict`: it is over.
+  Expected<Value> set_live(bool live);
+  /// Gets to another revision; in place of what waits. Does not wait.
+  void follow(LiveEdit edit);
+  /// It cannot get to this revision, and stays as it is. Does not wait.
+  void refuse_edit(std::int64_t revision, const std::vector<Error>& errors);
+
   // Questions: wait. They are answered with what is durable.
   /// schemas/core_state.json
   Expected<Value> state();
+  /// schemas/native.json of what it executes.
+  Expected<Value> native();
   /// schemas/why.json; `not_found`: no such port.
   Expected<Value> why(const std::string& port);
   /// The same as things were before micro step `micro` (from 0) of macro step `step` (from 1), recomputed on the
@@ -153,6 +174,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
 
   // All below: on the strand.
   const semantics::Run& run() const { return execution_.run(); }
+  const semantics::Program& program() const { return run().program(); }
   bool is_over() const { return execution_.is_over(); }
   bool has_input() const { return run().position() == 0 || execution_.has_input(); }
   /// It is led by a goal, and no macro step can begin.
@@ -177,6 +199,15 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   void publish_next_derivation();
   void set_info(Value info) EXCLUDES(mutex_);
   Value info_json() const;
+
+  // core_edits.cpp
+  void take_edit(LiveEdit edit);
+  bool deliver_edit(std::uint32_t limit);
+  void look_ahead();
+  void note_obstacles(const std::vector<semantics::Obstacle>& obstacles);
+  void find_breakpoints();
+  void set_model(execution::ExecutedModel model) EXCLUDES(mutex_);
+  Dict edit_info() const;
 
   // core_recovery.cpp: interruptions.
   struct Rebuilt {
@@ -209,7 +240,8 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   mutable services::Mutex mutex_;
   std::vector<services::Delivery> inbox_ GUARDED_BY(mutex_);
   Value info_ GUARDED_BY(mutex_);
-  std::atomic<bool> state_watched_{false}, derivation_watched_{false}, closed_{false};
+  execution::ExecutedModel model_ GUARDED_BY(mutex_);
+  std::atomic<bool> state_watched_{false}, derivation_watched_{false}, closed_{false}, live_{false};
 
   RunRecord record_;  // as it was stored when the core was made, or rebuilt; its number and document stay
   std::shared_ptr<RunJournal> journal_;
@@ -219,6 +251,16 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   std::vector<execution::GoalName> breakpoint_names_;
   bool started_ = false, paused_ = false, scheduled_ = false;
   Value announced_ = Value::unknown();  // what the list of cores was told last
+
+  std::int64_t revision_;          // of its document, which it executes
+  std::uint64_t model_since_ = 0;  // macro step in which the model became what it is; 0: it is that of the header
+  struct WaitingEdit {
+    LiveEdit edit;
+    List waits;                               // schemas/core.json
+    std::optional<semantics::StateId> state;  // which has to be left before it can be delivered
+  };
+  std::optional<WaitingEdit> edit_;
+  Value refused_edit_ = Value::unknown();  // schemas/core.json
 
   // Interrupted: since when it is as the journal says, until somebody lets it go on.
   struct Interruption {

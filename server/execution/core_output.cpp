@@ -25,7 +25,7 @@ List breakpoints_json(const std::vector<execution::GoalName>& breakpoints) {
 void Core::emit(const Progress& progress) {
   record(progress);
   held_.add([this, calls = progress.calls, printed = progress.printed,
-             delta = execution_.is_watched() ? delta_of(progress) : Value(),
+             delta = execution_.is_watched() && !progress.edited ? delta_of(progress) : Value(),
              steps = progress.derivation ? steps_of(progress) : Value()](const Error* failure) {
     if (failure) return;
     for (const std::string& text : printed) resources_.watcher.printed(id_, text);
@@ -34,6 +34,7 @@ void Core::emit(const Progress& progress) {
     if (!delta.is_null()) resources_.watcher.state_changed(id_, delta);
     if (!steps.is_null()) resources_.watcher.derived(id_, steps);
   });
+  if (progress.edited && execution_.is_watched()) publish_snapshot();
   if (paused_ || is_over()) publish_info();
 }
 
@@ -126,7 +127,7 @@ void Core::set_info(Value info) {
 
 Value Core::info_json() const {
   const bool over = is_over();
-  Dict info{{"id", id_}, {"document", record_.document}, {"revision", record_.revision}};
+  Dict info{{"id", id_}, {"document", record_.document}, {"revision", revision_}};
   execution::set_status(run(), info);
   if (!started_) info.set("status", "ready");
   if (interruption_) {
@@ -138,6 +139,7 @@ Value Core::info_json() const {
   info.set("step", integer(run().position()));
   info.set("micro", integer(execution_.micro()));
   info.set("waiting", integer(execution_.waiting().size()));
+  for (const auto& [key, value] : edit_info()) info.set(key.as_string(), value);
   info.set("arguments", header_.arguments);
   info.set("breakpoints", breakpoints_json(breakpoint_names_));
   if (over) info.set("results", execution::root_results(run()));

@@ -51,14 +51,14 @@ Expected<Core::Reached> Core::reached() {
 }
 
 Expected<Value> Core::why_before(const std::string& port, std::size_t step, int micro) {
-  const auto id = program().find_port(port);
-  if (!id) return unexpected(ErrorCode::not_found, "there is no port of this path", port);
   ASSIGN_OR_RETURN(const Reached now, reached());
   if (step < 1 || step > now.step)
     return unexpected(ErrorCode::out_of_range, "there are macro steps 1 to " + std::to_string(now.step), "step");
   const int done = step == now.step && now.micro >= 0 ? std::min(micro, now.micro) : micro;
-  return replayed([step, done, id](execution::Replay& replay) -> Expected<Value> {
+  return replayed([step, done, port](execution::Replay& replay) -> Expected<Value> {
     ASSIGN_OR_RETURN(execution::Execution past, replay.before(step, done));
+    const auto id = past.run().program().find_port(port);
+    if (!id) return unexpected(ErrorCode::not_found, "there was no port of this path", port);
     return why_json(past, *id);
   });
 }

@@ -142,9 +142,13 @@ Expected<Core::Rebuilt> Core::rebuild() const {
 
 // One that had not begun waits to be started.
 void Core::take(Rebuilt rebuilt) {
-  rebuilt.execution.set_breakpoints(breakpoints_);
   execution_ = std::move(rebuilt.execution);
   record_ = std::move(rebuilt.record);
+  revision_ = std::max(record_.revision, execution_.model().revision);
+  model_since_ = execution_.is_edited() ? run().position() : 0;
+  set_model(execution_.model());
+  find_breakpoints();
+  execution_.set_breakpoints(breakpoints_);
   open_journal();
   started_ = record_.steps > 0;
   interruption_->rebuilt = true;

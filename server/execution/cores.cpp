@@ -65,6 +65,24 @@ Checked<execution::JournalHeader> Cores::header_of(const StoredDocument& stored,
   return execution::JournalHeader{std::move(model.freeze()), std::move(*program), std::move(arguments), {}};
 }
 
+Checked<LiveEdit> Cores::edit_for(const Core& core, const StoredDocument& stored) const {
+  const services::Host& host = resources_.host;
+  if (auto errors = wrong_types(stored.document, host.services()); !errors.empty())
+    return tl::unexpected(std::move(errors));
+  const auto native = native_json(stored.document);
+  if (!native) return tl::unexpected(native.error());
+  const execution::ExecutedModel base = core.model();
+  auto entry = execution::edit_between(base, *native, host.models());
+  if (!entry) return one(std::move(entry).error());
+  entry->revision = stored.revision;
+  LiveEdit edit{stored.revision, base.program, std::move(*entry), {}, {}};
+  if (edit.changes_nothing()) return edit;
+  auto model = execution::edited(base, edit.entry);
+  if (!model) return tl::unexpected(std::move(model).error());
+  edit.model = std::move(*model);
+  return edit;
+}
+
 Checked<std::shared_ptr<Core>> Cores::create(const StoredDocument& stored, Dict arguments) {
   auto header = header_of(stored, std::move(arguments));
   if (!header) return tl::unexpected(std::move(header).error());
@@ -209,8 +227,7 @@ void Cores::deliver(const services::Delivery& delivery) {
     return;
   }
   for (const auto& [number, core] : cores_) {
-    const semantics::Program& program = core->program();
-    if (program.names_event(program.services.find_event(delivery.key, delivery.name))) core->deliver(delivery);
+    if (core->names_event(delivery.key, delivery.name)) core->deliver(delivery);
   }
 }
 

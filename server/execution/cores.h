@@ -31,6 +31,9 @@ class Cores {
   /// has; `not_found`.
   Checked<std::shared_ptr<Core>> load(const std::string& id, const StoredDocument& stored, Dict arguments)
       EXCLUDES(loading_);
+  /// The edit that brings a core that has begun to a revision of its document. Errors: as create(), and those of
+  /// execution::edit_between.
+  Checked<LiveEdit> edit_for(const Core& core, const StoredDocument& stored) const;
   /// Every stored run that is not over becomes a core again; those that had begun are interrupted. To be called
   /// before any core is created, and when the store has become another one. Those that cannot be rebuilt stay in the
   /// store; the watcher is told why. Errors: those of Runs, of the file as a whole.

@@ -13,11 +13,19 @@ Checked<CoreModel> read_core_model(const Request& request, Documents& documents)
   Fields fields(*body, "", "the request", errors, Fields::Paths::field);
   const auto name = fields.text("document", Fields::Need::required);
   auto arguments = read_arguments(fields);
+  const auto live = fields.boolean("live");
   fields.close();
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   auto document = documents.get(*name);
   if (!document) return tl::unexpected(std::move(document).error());
-  return CoreModel{std::move(*document), std::move(arguments).value_or(Dict())};
+  return CoreModel{std::move(*document), std::move(arguments).value_or(Dict()), live};
+}
+
+Expected<Value> follow_document(Core& core, const CoreModel& model, LiveEdits& edits) {
+  if (!model.live) return core.info();
+  auto info = core.set_live(*model.live);
+  if (info && *model.live) edits.changed(model.document.name);
+  return info;
 }
 
 }  // namespace race::server

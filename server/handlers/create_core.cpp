@@ -1,16 +1,18 @@
 // POST /api/v1/cores: a core of a document and arguments, which waits to be started.
-#include "server/execution/cores.h"
+#include "server/execution/live_edits.h"
 #include "server/handlers/core_model.h"
 #include "server/handlers/handlers.h"
 
 namespace race::server {
 
-Handled create_core(const Request& request, Documents& documents, Cores& cores) {
+Handled create_core(const Request& request, Documents& documents, Cores& cores, LiveEdits& edits) {
   auto model = read_core_model(request, documents);
   if (!model) return tl::unexpected(std::move(model).error());
   const auto core = cores.create(model->document, std::move(model->arguments));
   if (!core) return tl::unexpected(core.error());
-  Reply reply = ok((*core)->info());
+  const auto info = follow_document(**core, *model, edits);
+  if (!info) return failed(info.error());
+  Reply reply = ok(*info);
   reply.status = 201;
   return reply;
 }

@@ -7,7 +7,7 @@ namespace race::server {
 Handled get_core_native(const Request& request, Cores& cores) {
   const auto core = core_of(request, cores);
   if (!core) return tl::unexpected(core.error());
-  return ok((*core)->header().native);
+  return answer((*core)->native());
 }
 
 }  // namespace race::server

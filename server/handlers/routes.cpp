@@ -51,6 +51,8 @@ constexpr std::array kRoutes = {
     Route{"POST", "/api/v1/cores/{id}/stop", call<stop_core>},
     Route{"POST", "/api/v1/cores/{id}/step", call<step_core>},
     Route{"PUT", "/api/v1/cores/{id}/breakpoints", call<set_breakpoints>},
+    Route{"PUT", "/api/v1/cores/{id}/live", call<set_core_live>},
+    Route{"POST", "/api/v1/cores/{id}/force", call<force_core>},
     Route{"GET", "/api/v1/cores/{id}/native", call<get_core_native>},
     Route{"GET", "/api/v1/cores/{id}/state", call<get_core_state>},
     Route{"GET", "/api/v1/cores/{id}/derivations", call<get_derivations>},

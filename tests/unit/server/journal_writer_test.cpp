@@ -62,7 +62,7 @@ TEST(JournalWriter, ContinuesTheChainThatReadersCheck) {
   writing.append_some(5);
   ASSERT_TRUE(writing.settled());
   const auto program = execution::small_journal().header.program;
-  const auto entries = store.runs->entries(writing.run.id, *program, 1, 6);
+  const auto entries = store.runs->entries(writing.run.id, 1, 6);
   ASSERT_TRUE(entries) << to_string(entries.error());
   EXPECT_EQ(std::get<EventEntry>(entries->back()).data, Value(4));
   EXPECT_EQ(store.runs->get(writing.run.id)->status, "running");
@@ -177,7 +177,7 @@ TEST(JournalWriter, WhatItSaysIsDurableSurvivesALossOfPower) {
       ASSERT_TRUE(run) << to_string(run.error());
       ASSERT_GE(run->steps, said) << "operation " << operation;
       if (run->steps > 0) {
-        ASSERT_TRUE((*runs)->entries(run->id, *program, 1, run->steps));
+        ASSERT_TRUE((*runs)->entries(run->id, 1, run->steps));
       }
     }
   };

@@ -1,0 +1,167 @@
+// Edits of a running core, and what a person sets in it (core/SEMANTICS.md section 9). They are delivered between macro
+// steps; an edit that cannot be waits, and everyone sees for what.
+#include <tuple>
+
+#include "core/execution/step_json.h"
+#include "server/execution/core_internal.h"
+#include "server/wire/errors.h"
+
+namespace race::server {
+
+namespace {
+
+/// The state for which the edit waits, if it is one that is active: until it is left, nobody need try again.
+std::optional<semantics::StateId> state_of(const semantics::Program& program,
+                                           const std::vector<semantics::Obstacle>& obstacles) {
+  const semantics::Obstacle& first = obstacles.front();
+  if (first.kind != semantics::Obstacle::Kind::active) return std::nullopt;
+  return first.id.empty() ? program.find_state(first.path) : program.state_with_id(first.id);
+}
+
+}  // namespace
+
+execution::ExecutedModel Core::model() const {
+  const services::MutexLock lock(mutex_);
+  return model_;
+}
+
+bool Core::names_event(const std::string& service, const std::string& event) const {
+  const services::MutexLock lock(mutex_);
+  return model_.program->names_event(model_.program->services.find_event(service, event));
+}
+
+void Core::set_model(execution::ExecutedModel model) {
+  const services::MutexLock lock(mutex_);
+  model_ = std::move(model);
+}
+
+Expected<Value> Core::native() {
+  return on_strand<Value>([this]() -> Expected<Value> {
+    if (auto sound = readable(); !sound) return tl::unexpected(std::move(sound).error());
+    return execution_.model().native;
+  });
+}
+
+Expected<Value> Core::set_live(bool live) {
+  return on_strand<Value>([this, live]() -> Expected<Value> {
+    if (is_over()) return unexpected(ErrorCode::conflict, "core " + id_ + " is over");
+    live_ = live;
+    if (!live) {
+      edit_.reset();
+      refused_edit_ = Value::unknown();
+    }
+    publish_info();
+    return info_json();
+  });
+}
+
+void Core::follow(LiveEdit edit) {
+  strand_.post([self = shared_from_this(), edit = std::move(edit)]() mutable { self->take_edit(std::move(edit)); });
+}
+
+void Core::refuse_edit(std::int64_t revision, const std::vector<Error>& errors) {
+  Value refused = Dict{{"revision", revision}, {"errors", *errors_json(errors).find("errors")}};
+  strand_.post([self = shared_from_this(), refused = refused.freeze()] {
+    if (!self->live_ || self->is_over()) return;
+    self->edit_.reset();
+    self->refused_edit_ = refused;
+    self->publish_info();
+  });
+}
+
+// One that waits gives way to a later one, which has it in it.
+void Core::take_edit(LiveEdit edit) {
+  if (!live_ || is_over()) return;
+  if (edit.base != execution_.model().program) return edit.stale();
+  edit_.reset();
+  refused_edit_ = Value::unknown();
+  if (edit.changes_nothing()) {
+    revision_ = edit.revision;
+  } else {
+    edit_.emplace(WaitingEdit{std::move(edit), {}, std::nullopt});
+    if (!execution_.is_open() && run().position() > 0) look_ahead();
+  }
+  publish_info();
+  schedule();
+}
+
+// What it waits for, though nothing can begin now.
+void Core::look_ahead() {
+  const auto edited = run().edited(edit_->edit.model.program);
+  if (!edited) note_obstacles(edited.error());
+}
+
+void Core::note_obstacles(const std::vector<semantics::Obstacle>& obstacles) {
+  edit_->state = state_of(program(), obstacles);
+  List waits = execution::obstacles_json(obstacles);
+  if (waits == edit_->waits) return;
+  edit_->waits = std::move(waits);
+  publish_info();
+}
+
+// Whether it was delivered, as a macro step of its own. Between macro steps.
+bool Core::deliver_edit(std::uint32_t limit) {
+  if (!edit_ || run().position() == 0) return false;
+  if (edit_->edit.base != execution_.model().program) {
+    edit_->edit.stale();
+    edit_.reset();
+    return false;
+  }
+  if (edit_->state && run().is_active(*edit_->state)) return false;
+  const LiveEdit& edit = edit_->edit;
+  auto progress = execution_.edit(edit.entry, edit.model, {.derivation = derivation_watched_}, limit);
+  if (!progress) {
+    note_obstacles(progress.error());
+    return false;
+  }
+  revision_ = edit.revision;
+  model_since_ = run().position();
+  edit_.reset();
+  set_model(execution_.model());
+  find_breakpoints();
+  if ((*progress)->reached_goal) paused_ = true;
+  emit(**progress);
+  publish_info();
+  return true;
+}
+
+// Those that the model has; a name stays as it was given.
+void Core::find_breakpoints() {
+  breakpoints_.clear();
+  std::erase_if(breakpoint_names_, [this](const execution::GoalName& name) {
+    const auto goal = find_goal(program(), name);
+    if (goal) breakpoints_.push_back(*goal);
+    return !goal;
+  });
+}
+
+// A person's command: it takes effect at once, also in a core that is paused, which stays so.
+Expected<Value> Core::force(semantics::Force force) {
+  if (auto ready = ensure_rebuilt(); !ready) return tl::unexpected(std::move(ready).error());
+  force.value.freeze();
+  return on_strand<Value>([this, force = std::move(force)]() -> Expected<Value> {
+    if (auto sound = readable(); !sound) return tl::unexpected(std::move(sound).error());
+    if (interruption_) return unexpected(ErrorCode::conflict, "core " + id_ + " is interrupted");
+    if (!started_ || is_over()) return unexpected(ErrorCode::conflict, "core " + id_ + " is not running");
+    while (execution_.is_open() && !paused_) do_part(execution::Execution::kNoLimit);
+    if (execution_.is_open()) return unexpected(ErrorCode::conflict, "core " + id_ + " is paused in a macro step");
+    if (is_over()) return unexpected(ErrorCode::conflict, "core " + id_ + " is over");
+    ASSIGN_OR_RETURN(const execution::Progress* progress, execution_.force(force, {.derivation = derivation_watched_}));
+    if (progress->reached_goal) paused_ = true;
+    emit(*progress);
+    schedule();
+    publish_info();
+    return info_json();
+  });
+}
+
+Dict Core::edit_info() const {
+  Dict info;
+  info.set("live", live_.load());
+  info.set("model", static_cast<std::int64_t>(model_since_));
+  if (edit_) info.set("waiting_edit", Dict{{"revision", edit_->edit.revision}, {"waits", edit_->waits}});
+  if (!refused_edit_.is_unknown()) info.set("refused_edit", refused_edit_);
+  return info;
+}
+
+}  // namespace race::server
