@@ -9,6 +9,7 @@ import { run, session, useView, view } from "./client";
 import { Drawer } from "./panels/Drawer";
 import { DraftErrors } from "./panels/DraftErrors";
 import { Interruption } from "./panels/Interruption";
+import { WaitingEdit } from "./panels/WaitingEdit";
 import { KeyHelp } from "./panels/KeyHelp";
 import { PropertiesPanel } from "./panels/PropertiesPanel";
 import { RunBar } from "./panels/RunBar";
@@ -62,6 +63,7 @@ export function App() {
         {page === "task" && <CellInset />}
       </div>
       <footer className="foot">
+        <WaitingEdit />
         <Interruption />
         <RunBar />
         <Drawer />

@@ -3,6 +3,7 @@ import { createApi, RefusedError } from "../shared/api";
 import type { CellPose, Core, Packet, StepRequest, TraceStep } from "../generated/messages";
 import { buildTree } from "../shared/model/modelTree";
 import type { Command, UntilRequest } from "../shared/run/controls";
+import { modelKey } from "../shared/run/edits";
 import { draftOf } from "../shared/session/draft";
 import { firstShown, lastShown, type LastShown } from "../shared/session/firstShown";
 import { applyEvent, cellUnavailable, emptySession, watchedCore, type Session, type SessionEvent } from "../shared/session/session";
@@ -67,6 +68,7 @@ export function connect(): void {
       else session.dispatch({ type: "update", update });
       if (update.type === "derivation_position") void loadPast(update.id, update.next);
       if (update.type === "cores" || update.type === "core") watchSomething();
+      refreshModel();
     },
   });
   for (const channel of ["cores", "services", "log", "cell/pose"]) stream.subscribe(channel);
@@ -76,6 +78,12 @@ function opened(): void {
   void loadLists();
   const { watched, model } = session.get();
   if (watched !== undefined && model === undefined) loadModel(watched);
+}
+
+/** An edit of the run has made another model of it. */
+function refreshModel(): void {
+  const core = watchedCore(session.get());
+  if (core !== undefined && session.get().model !== undefined && modelKey(core) !== session.get().modelKey) loadModel(core.id);
 }
 
 async function loadLists(): Promise<void> {
@@ -124,13 +132,37 @@ export function watch(id: string | undefined): void {
   loadModel(id);
 }
 
+/** The model that is being loaded: one at a time of each edit. */
+let loading: string | undefined;
+
 function loadModel(id: string): void {
-  void api.coreModel(id).then((model) => {
-    const now = session.get();
-    if (now.watched !== id || now.model !== undefined) return;
-    view.dispatch({ type: "show_again", shown: firstShown(buildTree(model.root), now.document, last, view.get().detail) });
-    session.dispatch({ type: "model", id, model });
-  }, problem);
+  const core = watchedCore(session.get());
+  const key = core === undefined ? "" : modelKey(core);
+  if (loading === `${id} ${key}`) return;
+  loading = `${id} ${key}`;
+  void api
+    .coreModel(id)
+    .then((model) => {
+      const now = session.get();
+      if (now.watched !== id || now.modelKey === key) return;
+      if (now.model === undefined)
+        view.dispatch({ type: "show_again", shown: firstShown(buildTree(model.root), now.document, last, view.get().detail) });
+      session.dispatch({ type: "model", id, key, model });
+    }, problem)
+    .finally(() => {
+      loading = undefined;
+    });
+}
+
+/** Lets the watched core follow the edits of its document, or not. */
+export async function follow(live: boolean): Promise<void> {
+  const core = watchedCore(session.get());
+  if (core === undefined) return;
+  try {
+    await api.setLive(core.id, live);
+  } catch (error) {
+    problem(error);
+  }
 }
 
 /** Watches a data flow; the result ends that. Its service produces packets meanwhile. A flow has at most one watcher here. */

@@ -42,7 +42,7 @@ function readNative({ document, origin }: Native): RcmDocument {
 
 /** Requests below `base` (`/api/v1`); `fetcher` is the browser's fetch, or a test's. */
 export function createApi(base: string, fetcher: typeof fetch) {
-  async function request<T>(method: string, path: string, validator: Validator<T>, body?: CoreCreate | PersonCommand | StepRequest): Promise<T> {
+  async function request<T>(method: string, path: string, validator: Validator<T>, body?: CoreCreate | PersonCommand | StepRequest | { readonly live: boolean }): Promise<T> {
     const init: RequestInit = body === undefined ? { method } : { method, body: JSON.stringify(body), headers: { "content-type": "application/json" } };
     const answer = await fetcher(`${base}${path}`, init);
     const data: unknown = await answer.json();
@@ -63,6 +63,7 @@ export function createApi(base: string, fetcher: typeof fetch) {
     resume: (id: string): Promise<Core> => command(id, "resume"),
     stop: (id: string): Promise<Core> => command(id, "stop"),
     step: (id: string, step: StepRequest): Promise<Core> => request("POST", `/cores/${segment(id)}/step`, schema.core, step),
+    setLive: (id: string, live: boolean): Promise<Core> => request("PUT", `/cores/${segment(id)}/live`, schema.core, { live }),
     derivations: async (id: string, from: number, to: number): Promise<readonly TraceStep[]> =>
       (await get(`/cores/${segment(id)}/derivations?from=${from}&to=${to}`, schema.derivations)).steps,
     /** As things are now, or as they were before a past micro step. */

@@ -1,7 +1,7 @@
 // Properties when nothing is selected: the run as a whole.
-import { statusText } from "../../shared/run/controls";
+import { isOver, statusText } from "../../shared/run/controls";
 import { inputText } from "../../shared/run/inputText";
-import { useCore, useSession, view } from "../client";
+import { follow, useCore, useSession, view } from "../client";
 import { CodeText } from "./CodeText";
 import { ValueTable } from "./ValueTable";
 
@@ -59,6 +59,18 @@ export function RunProperties() {
           )}
         </dl>
       </section>
+      {!isOver(core) && (
+        <section>
+          <h3>Document</h3>
+          <p className="quiet">
+            {core.document}, revision {core.revision}
+          </p>
+          <label className="follow">
+            <input type="checkbox" checked={core.live} onChange={(event) => void follow(event.target.checked)} /> Follow edits while it runs
+          </label>
+          <p className="quiet">Each edit without errors then changes this run between its macro steps. A new port or action may move the robot.</p>
+        </section>
+      )}
       <ValueTable title="Arguments" values={core.arguments} names={Object.keys(core.arguments)} />
       <p className="quiet">Select a state, a barrier or a port to see its values.</p>
     </>

@@ -1,5 +1,5 @@
 // The input of a macro step, and a call, in one line each.
-import type { Call, Input } from "../../generated/messages";
+import type { Call, Force, Input } from "../../generated/messages";
 import { clip, valueText } from "../model/describe";
 
 export function inputText(input: Input): string {
@@ -10,9 +10,17 @@ export function inputText(input: Input): string {
       return `response ${input.service}.${input.operation} ${
         input.error === undefined ? `→ ${clip(valueText(input.result ?? null), 60)}` : `✕ ${clip(valueText(input.error), 60)}`
       }`;
+    case "edit":
+      return input.revision === undefined ? "edit" : `edit: revision ${input.revision}`;
+    case "force":
+      return `force ${forceText(input.force)}`;
     default:
       return input.kind;
   }
+}
+
+function forceText({ path, scope, name, value }: Force): string {
+  return scope === "port" ? `${path}.${name}` : `${path} ${scope}.${name} = ${clip(valueText(value ?? null), 60)}`;
 }
 
 export function callText(call: Call): string {

@@ -23,6 +23,8 @@ export interface Session {
   /** Name of the document of the watched core, also after that core was removed. */
   readonly document: string | undefined;
   readonly model: RcmDocument | undefined;
+  /** Of which edit of the run `model` is (modelKey). */
+  readonly modelKey: string | undefined;
   readonly run: RunState | undefined;
   readonly fired: Fired;
   readonly lastInput: Input | undefined;
@@ -40,7 +42,7 @@ export type SessionEvent =
   | { readonly type: "draft"; readonly draft: Draft }
   | { readonly type: "rules"; readonly rules: readonly Rule[] }
   | { readonly type: "watched"; readonly id: string | undefined }
-  | { readonly type: "model"; readonly id: string; readonly model: RcmDocument }
+  | { readonly type: "model"; readonly id: string; readonly key: string; readonly model: RcmDocument }
   | { readonly type: "past"; readonly id: string; readonly steps: readonly TraceStep[] }
   | { readonly type: "update"; readonly update: StreamUpdate }
   | { readonly type: "problem"; readonly text: string | undefined };
@@ -57,6 +59,7 @@ export const emptySession: Session = {
   watched: undefined,
   document: undefined,
   model: undefined,
+  modelKey: undefined,
   run: undefined,
   fired: noneFired,
   lastInput: undefined,
@@ -94,13 +97,14 @@ export function applyEvent(session: Session, event: SessionEvent): Session {
         watched: event.id,
         document: session.cores.find((core) => core.id === event.id)?.document,
         model: undefined,
+        modelKey: undefined,
         run: undefined,
         fired: noneFired,
         steps: [],
         lastInput: undefined,
       };
     case "model":
-      return event.id === session.watched ? { ...session, model: event.model } : session;
+      return event.id === session.watched ? { ...session, model: event.model, modelKey: event.key } : session;
     case "past":
       return event.id === session.watched ? { ...session, steps: mergeSteps(event.steps, session.steps) } : session;
     case "update":

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import * as schema from "../../generated/validators";
 import { check, SchemaError } from "../../shared/messages/check";
 
-const core = { id: "1", document: "pick", revision: 3, status: "ready", paused: false, stepping: false, step: 0, micro: 0, waiting: 0, arguments: {}, breakpoints: [] };
+const core = { id: "1", document: "pick", revision: 3, status: "ready", paused: false, stepping: false, step: 0, micro: 0, waiting: 0, arguments: {}, breakpoints: [], live: false, model: 0 };
 
 describe("check", () => {
   it("gives the value itself", () => expect(check(schema.core, core)).toBe(core));

@@ -8,7 +8,7 @@ import { atomAdvice, codePieces, constantText, readsText, whyHeadline, whySenten
 import { caseNames, modelOf, runOf } from "../conformance";
 import { checkExample } from "../schemas";
 
-const core: Core = { id: "1", document: "pick", revision: 3, status: "running", paused: false, stepping: false, step: 1, micro: 0, waiting: 0, arguments: {}, breakpoints: [] };
+const core: Core = { id: "1", document: "pick", revision: 3, status: "running", paused: false, stepping: false, step: 1, micro: 0, waiting: 0, arguments: {}, breakpoints: [], live: false, model: 0 };
 const empty: RunState = { active: [], ports: [], activated: {}, parameters: {}, results: {}, variables: {} };
 
 function flags(before: readonly string[], after: readonly string[]): Record<string, boolean> {

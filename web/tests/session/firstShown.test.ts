@@ -55,11 +55,11 @@ describe("followModel of a task that has become large", () => {
 });
 
 describe("firstShown", () => {
-  const core = (id: string, document: string): Core => ({ id, document, revision: 1, status: "ended", paused: false, stepping: false, step: 1, micro: 0, waiting: 0, arguments: {}, breakpoints: [] });
+  const core = (id: string, document: string): Core => ({ id, document, revision: 1, status: "ended", paused: false, stepping: false, step: 1, micro: 0, waiting: 0, arguments: {}, breakpoints: [], live: false, model: 0 });
   const known = applyEvent(emptySession, { type: "update", update: { type: "cores", cores: [core("1", "pick"), core("2", "pick"), core("3", "place")] } });
   const turnTo = (session: Session, id: string): Session => applyEvent(session, { type: "watched", id });
   const model = { name: "", services: {}, library: [], root: state("Root", "r", pick("Pick", "p")) };
-  const one = applyEvent(turnTo(known, "1"), { type: "model", id: "1", model });
+  const one = applyEvent(turnTo(known, "1"), { type: "model", id: "1", key: "1/0", model });
   const edited = buildTree(state("Root", "r", pick("Fetch", "p")));
   const asBefore = shown("Root/Fetch", "Root/Fetch");
   const last = lastShown(one, shown("Root/Pick", "Root/Pick"), undefined);

@@ -5,7 +5,7 @@ import { applyEvent, cellUnavailable, emptySession, watchedCore, type Session } 
 import { applyGesture, firstView, initialView } from "../../shared/session/view";
 import { runOf } from "../conformance";
 
-const core: Core = { id: "1", document: "pick", revision: 3, status: "running", paused: false, stepping: false, step: 1, micro: 0, waiting: 0, arguments: {}, breakpoints: [] };
+const core: Core = { id: "1", document: "pick", revision: 3, status: "running", paused: false, stepping: false, step: 1, micro: 0, waiting: 0, arguments: {}, breakpoints: [], live: false, model: 0 };
 const first = runOf("thesis-pick").steps[0];
 if (first === undefined) throw new Error("the recorded run is empty");
 

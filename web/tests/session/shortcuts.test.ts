@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import type { Core } from "../../generated/messages";
 import { commandOf, keysOf, shortcutOf, shortcuts, type KeyPress } from "../../shared/session/shortcuts";
 
-const core: Core = { id: "1", document: "pick", revision: 3, status: "running", paused: false, stepping: false, step: 1, micro: 0, waiting: 0, arguments: {}, breakpoints: [] };
+const core: Core = { id: "1", document: "pick", revision: 3, status: "running", paused: false, stepping: false, step: 1, micro: 0, waiting: 0, arguments: {}, breakpoints: [], live: false, model: 0 };
 const press = (key: string, held: Partial<KeyPress> = {}): KeyPress => ({ key, code: "", ctrlKey: false, metaKey: false, shiftKey: false, altKey: false, ...held });
 const ctrl = { ctrlKey: true };
 

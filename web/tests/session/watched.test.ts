@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import type { Core } from "../../generated/messages";
 import { addressOfRun, coreToWatch, runOfAddress } from "../../shared/session/watched";
 
-const core = (id: string, status: Core["status"]): Core => ({ id, document: "pick", revision: 1, status, paused: false, stepping: false, step: 1, micro: 0, waiting: 0, arguments: {}, breakpoints: [] });
+const core = (id: string, status: Core["status"]): Core => ({ id, document: "pick", revision: 1, status, paused: false, stepping: false, step: 1, micro: 0, waiting: 0, arguments: {}, breakpoints: [], live: false, model: 0 });
 const cores = [core("1", "interrupted"), core("2", "interrupted"), core("3", "running"), core("4", "ended")];
 
 describe("coreToWatch", () => {

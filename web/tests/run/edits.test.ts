@@ -1,0 +1,60 @@
+import { describe, expect, it } from "vitest";
+import type { Core } from "../../generated/messages";
+import { editText, modelKey } from "../../shared/run/edits";
+import { inputText } from "../../shared/run/inputText";
+
+const core: Core = {
+  id: "1",
+  document: "pick",
+  revision: 3,
+  status: "running",
+  paused: false,
+  stepping: false,
+  step: 7,
+  micro: 0,
+  waiting: 0,
+  arguments: {},
+  breakpoints: [],
+  live: true,
+  model: 0,
+};
+
+describe("an edit of a running task", () => {
+  it("is not spoken of when there is none", () => {
+    expect(editText(core)).toBeUndefined();
+  });
+
+  it("names the active states that it removes, and the parameters that would have no value", () => {
+    const waits = [{ path: "Pick/Grasp", id: "g" }, { path: "Pick/Move", parameter: "goal" }];
+    expect(editText({ ...core, waiting_edit: { revision: 4, waits } })).toEqual({
+      title: "Revision 4 of pick waits",
+      waits: [
+        { path: "Pick/Grasp", text: "Pick/Grasp is active, and the edit removes it" },
+        { path: "Pick/Move", text: "Pick/Move would have no value for its parameter goal" },
+      ],
+      holds: "Until then the run goes on with revision 3.",
+    });
+  });
+
+  it("says that a paused run gets it when it goes on", () => {
+    expect(editText({ ...core, paused: true, waiting_edit: { revision: 4, waits: [] } })?.holds).toBe("It is delivered when the run goes on.");
+    expect(editText({ ...core, waiting_edit: { revision: 4, waits: [] } })?.holds).toBe("It is delivered at the end of this macro step.");
+  });
+
+  it("that cannot be executed is named with its errors, before one that waits", () => {
+    const errors = [{ path: "Pick", code: "first", message: "names no child" }];
+    const text = editText({ ...core, refused_edit: { revision: 5, errors }, waiting_edit: { revision: 4, waits: [] } });
+    expect(text?.title).toBe("Revision 5 of pick cannot be executed");
+    expect(text?.waits).toEqual([{ path: "Pick", text: "Pick: names no child" }]);
+  });
+
+  it("changes the key of the model, by which the page loads it anew", () => {
+    expect(modelKey({ ...core, model: 8 })).not.toBe(modelKey(core));
+  });
+
+  it("is an input of the run, and so is what somebody forces", () => {
+    expect(inputText({ kind: "edit", revision: 4, edit: { operations: [] } })).toBe("edit: revision 4");
+    expect(inputText({ kind: "force", force: { path: "Pick", scope: "var", name: "n", value: 1 } })).toBe("force Pick var.n = 1");
+    expect(inputText({ kind: "force", force: { path: "Pick", scope: "port", name: "done" } })).toBe("force Pick.done");
+  });
+});
