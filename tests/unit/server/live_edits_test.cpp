@@ -1,0 +1,145 @@
+// Cores that follow the edits of their documents: what is durable is what everyone sees, also when the disk fails.
+#include "server/execution/live_edits.h"
+
+#include <SQLiteCpp/Database.h>
+#include <gtest/gtest.h>
+
+#include "services/sqlite/file.h"
+#include "services/sqlite/write_transaction.h"
+#include "tests/unit/server/hosted_cores.h"
+
+namespace race::server {
+namespace {
+
+constexpr const char* kDocument = R"({"rcm": 1, "name": "live", "root": {"state": "Root",
+  "variables": [{"name": "n", "initial": 0}],
+  "children": [{"state": "A", "ports": [{"name": "next", "when": "False", "to": "B"}]}, {"state": "B"}], "first": "A"}})";
+
+struct LiveEditsOfCores : HostedCores {
+  void SetUp() override {
+    begin_server();
+    documents = Documents::open(folder.store()).value();
+    edits = std::make_unique<LiveEdits>(*documents, *cores);
+    ASSERT_TRUE(documents->put("live", kDocument));
+    core = cores->create(documents->get("live").value(), {}).value();
+    ASSERT_TRUE(core->start());
+    ASSERT_TRUE(core->set_live(true));
+  }
+  void TearDown() override {
+    edits->close();
+    edits.reset();
+    core.reset();
+    end_server();
+  }
+
+  // Stores the document with one more variable; its revision.
+  std::int64_t put_variable(const std::string& name) {
+    static const std::string kVariables = R"("variables":[)";
+    std::string text = to_json(documents->entry("live").value().document);
+    text.insert(text.find(kVariables) + kVariables.size(), R"({"name":")" + name + R"(","initial":1},)");
+    return documents->put("live", text).value().revision.number;
+  }
+  Value at(std::int64_t revision) {
+    return wait(*core, [revision](const Value& info) {
+      return *info.find("revision") == Value(revision) && !info.find("waiting_edit");
+    });
+  }
+  std::vector<std::string> kinds() {
+    std::vector<std::string> kinds;
+    const std::uint64_t steps = runs->get(core->run_id())->steps;
+    const auto entries = runs->entries(core->run_id(), 1, steps).value();
+    for (const execution::JournalEntry& entry : entries)
+      kinds.push_back(execution::input_json(entry).find("kind")->as_string());
+    return kinds;
+  }
+  static std::int64_t revision_of(const Value& info) { return info.find("revision")->as_integer(); }
+
+  std::unique_ptr<Documents> documents;
+  std::unique_ptr<LiveEdits> edits;
+  std::shared_ptr<Core> core;
+};
+
+TEST_F(LiveEditsOfCores, AnEditIsSeenByNobodyBeforeItsEntryIsDurable) {
+  const std::int64_t revision = put_variable("x");
+  const auto file = sqlite::open(folder.store());
+  auto busy = std::make_unique<sqlite::WriteTransaction>(*file);  // the writer stands in line
+  edits->changed("live");
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  EXPECT_EQ(revision_of(core->info()), revision - 1);
+  busy.reset();
+  EXPECT_EQ(at(revision).find("model")->as_integer(), 2);
+  EXPECT_EQ(kinds(), (std::vector<std::string>{"start", "edit"}));
+}
+
+TEST_F(LiveEditsOfCores, AnEditThatCannotBeStoredHasNotHappenedAndComesAgain) {
+  const std::int64_t revision = put_variable("x");
+  const auto before = core->model().program;
+  disk.fail_at(1, sqlite::FaultyVfs::Fault::full, true);
+  edits->changed("live");
+  const Value info = wait(*core, [](const Value& now) { return now.find("status")->as_string() == "interrupted"; });
+  EXPECT_EQ(revision_of(info), revision - 1);
+  disk.repair();
+  EXPECT_EQ(status(core->resume()), "running");
+  edits->changed("live");
+  EXPECT_EQ(at(revision).find("status")->as_string(), "running");
+  EXPECT_NE(core->model().program, before);
+  EXPECT_EQ(kinds(), (std::vector<std::string>{"start", "edit"}));
+}
+
+TEST_F(LiveEditsOfCores, OneThatWaitsForAModelThatIsNoMoreIsMadeAnew) {
+  const std::int64_t first = put_variable("x");
+  const Value paused = core->pause().value();
+  edits->changed("live");
+  wait(*core, [](const Value& now) { return now.find("waiting_edit") != nullptr; });
+  disk.fail_at(1, sqlite::FaultyVfs::Fault::full, true);
+  ASSERT_TRUE(core->resume());
+  wait(*core, [](const Value& now) { return now.find("status")->as_string() == "interrupted"; });
+  disk.repair();
+  const std::int64_t second = put_variable("y");
+  edits->changed("live");
+  ASSERT_TRUE(core->resume());
+  at(second);
+  EXPECT_EQ(core->force({semantics::Force::Scope::var, "Root", "x", 5})->find("revision")->as_integer(), second);
+  EXPECT_GT(second, first);
+  EXPECT_EQ(kinds(), (std::vector<std::string>{"start", "edit", "force"}));
+}
+
+TEST_F(LiveEditsOfCores, ManyEditsLeadToTheLast) {
+  std::int64_t revision = 0;
+  for (int i = 0; i < 30; ++i) {
+    revision = put_variable("x" + std::to_string(i));
+    edits->changed("live");
+  }
+  at(revision);
+  const Value state = *core->state()->find("state");
+  EXPECT_EQ(state.find("variables")->find("Root")->as_dict().size(), 31U);
+  const RunRecord run = runs->get(core->run_id()).value();
+  execution::Replay replay(core->header(), runs->source(core->run_id()));
+  EXPECT_EQ(replay.after(run.steps)->run().state_json(), state);
+}
+
+TEST_F(LiveEditsOfCores, OnePausedInAMacroStepGetsItAtItsEnd) {
+  ASSERT_TRUE(core->pause());
+  ASSERT_TRUE(core->set_breakpoints({{execution::Goal::Kind::entered, {}, "Root/B"}}));
+  ASSERT_TRUE(core->force({semantics::Force::Scope::port, "Root/A", "next"}));
+  EXPECT_NE(core->info().find("micro")->as_integer(), 0);
+  EXPECT_EQ(core->force({semantics::Force::Scope::var, "Root", "n", 1}).error().code, ErrorCode::conflict);
+  const std::int64_t revision = put_variable("x");
+  edits->changed("live");
+  const Value held = wait(*core, [](const Value& now) { return now.find("waiting_edit") != nullptr; });
+  EXPECT_EQ(held.find("waiting_edit")->find("waits")->as_list().size(), 0U);
+  ASSERT_TRUE(core->resume());
+  EXPECT_EQ(at(revision).find("step")->as_integer(), 3);
+}
+
+TEST_F(LiveEditsOfCores, NothingIsForcedInAnInterruptedCore) {
+  disk.fail_at(1, sqlite::FaultyVfs::Fault::full, true);
+  EXPECT_EQ(core->force({semantics::Force::Scope::var, "Root", "n", 1}).error().code, ErrorCode::storage);
+  disk.repair();
+  EXPECT_EQ(core->force({semantics::Force::Scope::var, "Root", "n", 1}).error().code, ErrorCode::conflict);
+  ASSERT_TRUE(core->resume());
+  EXPECT_TRUE(core->force({semantics::Force::Scope::var, "Root", "n", 1}));
+}
+
+}  // namespace
+}  // namespace race::server
