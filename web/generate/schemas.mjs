@@ -33,7 +33,7 @@ export const kRead = [
 ];
 
 /** Messages that the pages write. */
-export const kWritten = ["core_create.json", "person_command.json", "step_request.json", "stream_request.json"];
+export const kWritten = ["core_create.json", "edit.json", "person_command.json", "step_request.json", "stream_request.json"];
 
 /** Names of types that are not the names of their schemas. */
 const kNames = new Map([
