@@ -32,15 +32,15 @@ export const requiredTexts: FieldReader = (value, field) => {
   throw wrongType(field, "a list of strings");
 };
 
-function isFinite(value: JsonValue): boolean {
+function hasFiniteNumbers(value: JsonValue): boolean {
   if (typeof value === "number") return Number.isFinite(value);
   if (typeof value !== "object" || value === null) return true;
-  return Object.values(value).every(isFinite);
+  return Object.values(value).every(hasFiniteNumbers);
 }
 
 /** Any JSON. */
 export const constant: FieldReader = (value, field) => {
-  if (value === undefined || isFinite(value)) return value;
+  if (value === undefined || hasFiniteNumbers(value)) return value;
   throw new Refusal("constant", `\`${field}\` has a number out of the range of a double`);
 };
 
@@ -60,7 +60,7 @@ function isType(type: JsonValue): boolean {
   if (keys === "list" || keys === "list,size") return list !== undefined && isType(list) && (size === undefined || (Number.isInteger(size) && Number(size) >= 0));
   if (keys === "record") return isObject(record) && Object.entries(record).every(([key, field]) => kName.test(key) && isType(field));
   if (keys === "optional") return optional !== undefined && isType(optional);
-  return keys === "enum" && Array.isArray(constants) && constants.length > 0 && isFinite(constants);
+  return keys === "enum" && Array.isArray(constants) && constants.length > 0 && hasFiniteNumbers(constants);
 }
 
 export const type: FieldReader = (value, field) => {
@@ -80,7 +80,7 @@ export const oracle: FieldReader = (value, field) => {
   if (!isObject(value)) throw wrongType(field, "an object");
   const kind = requiredText(entryOf(value, "kind"), "kind");
   const fields = typeof kind === "string" && Object.hasOwn(kOracles, kind) ? kOracles[kind] : undefined;
-  if (fields === undefined) throw new Refusal("oracle", `there is no oracle of the kind \`${String(kind)}\``);
+  if (fields === undefined) throw new Refusal("oracle", `there is no oracle of the kind ${JSON.stringify(kind)}`);
   return readFields(value, { kind: requiredText, ...fields });
 };
 

@@ -5,6 +5,8 @@ import { apply, type Applied } from "../../shared/edit/apply";
 import { Refusal } from "../../shared/edit/refusal";
 import type { Tree } from "../../shared/edit/tree";
 import type { JsonObject } from "../../shared/json";
+import type { Rejection } from "./server/conflicts";
+import { History } from "./server/history";
 import { documentText, textOf, treeOf, vector, vectorNames } from "./documents";
 
 interface ApplyVector {
@@ -42,5 +44,32 @@ describe("vectors of edits that are refused", () => {
     const refusal = apply(treeOf(document), edit);
     expect(refusal).toBeInstanceOf(Refusal);
     expect(refusal).toMatchObject(error);
+  });
+});
+
+interface HistoryVector {
+  readonly document: JsonObject;
+  readonly steps: readonly {
+    readonly author: string;
+    readonly base?: number;
+    readonly edit?: Edit;
+    readonly undo?: true;
+    readonly redo?: true;
+    readonly accepted?: Edit;
+    readonly rejected?: Rejection;
+  }[];
+  readonly result: JsonObject;
+}
+
+// The simulated server of the tests of sessions is held to what the server does.
+describe("vectors of histories", () => {
+  it.each(vectorNames("history."))("%s", (name) => {
+    const { document, steps, result } = vector(name) as HistoryVector;
+    const history = new History(treeOf(document));
+    for (const { author, base = 0, edit, undo, redo, accepted, rejected } of steps) {
+      const found = undo === true ? history.undo(author) : redo === true ? history.redo(author) : history.apply(author, base, edit ?? { operations: [] });
+      expect("edit" in found ? found.edit : found).toEqual(accepted ?? rejected);
+    }
+    expect(documentText(history.tree)).toBe(documentText(treeOf(result)));
   });
 });
