@@ -1,17 +1,16 @@
 // The session of a page that edits a document with others: the document that the server has confirmed, and the edits that the page has made
 // and the server has not answered yet, which are shown at once. A state machine: what happens goes in, the next session and what is to be
 // done come out. It has no socket and no clock.
-import type { ServerError } from "../../generated/messages";
+import type { AcceptedEdit, CompoundEdit, DocumentSnapshot, EditRefusal, ServerError, StreamRequest } from "../../generated/messages";
 import { apply, type Operation } from "./apply";
 import { plain, writeExact, type Exact } from "./exact";
-import type { AcceptedEdit, DocumentSnapshot, EditCompound, EditRefused, StreamRequest } from "./protocol";
 import { Refusal } from "./refusal";
 import { readTree, type Tree } from "./tree";
 
 /** What a user does. Only operations are shown before the server has answered: the server makes the others on its own document. */
 export type Change =
   | { readonly operations: readonly Exact<Operation>[] }
-  | { readonly compound: Exact<EditCompound> }
+  | { readonly compound: Exact<CompoundEdit> }
   | { readonly undo: true }
   | { readonly redo: true };
 
@@ -61,7 +60,7 @@ export type SessionInput =
   | { readonly type: "accepted"; readonly edit: AcceptedEdit }
   /** To this page only; the channel says the same, before or after, if it is subscribed. */
   | { readonly type: "acknowledged"; readonly edit: AcceptedEdit }
-  | { readonly type: "refused"; readonly refusal: EditRefused }
+  | { readonly type: "refused"; readonly refusal: EditRefusal }
   | { readonly type: "connection"; readonly connected: boolean };
 
 /** For the user: an edit is not in the document and will not be. */
@@ -162,7 +161,7 @@ function accepted(session: EditSession, edit: AcceptedEdit): SessionOutput {
   return quiet(shown({ ...known, confirmed: { tree: result.tree, revision }, errors, depths, pending: without(known.pending, revision) }));
 }
 
-function refused(session: EditSession, { request, errors, revision, author }: EditRefused): SessionOutput {
+function refused(session: EditSession, { request, errors, revision, author }: EditRefusal): SessionOutput {
   const found = session.pending.find((each) => each.request === request && each.accepted === undefined);
   if (found === undefined) return quiet(session);
   // Another copy is under way, and may still be accepted: the last answer counts.

@@ -1,9 +1,9 @@
 // Eight clients edit one document on a simulated server, with delay, loss of connections and deltas, and messages of different clients in
 // any order: in the end all have the server's document, and each edit is either in it once or was refused once.
 import { expect, it } from "vitest";
+import type { StreamRequest } from "../../generated/messages";
 import type { JsonObject } from "../../shared/json";
 import { writeExact } from "../../shared/edit/exact";
-import type { StreamRequest } from "../../shared/edit/protocol";
 import { newSession, step, type Change, type EditSession, type SessionInput } from "../../shared/edit/session";
 import { documentText, treeOf, vector } from "./documents";
 import { randomOf, setting, type Random } from "./random";

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { readExact, writeExact } from "../../shared/edit/exact";
-import type { AcceptedEdit } from "../../shared/edit/protocol";
+import type { AcceptedEdit } from "../../generated/messages";
 import type { Operation } from "../../shared/edit/apply";
 import { kMaxMessageBytes, kMaxPending, newSession, step, type EditSession, type SessionInput, type SessionOutput } from "../../shared/edit/session";
 import { elementOf } from "../../shared/edit/tree";

@@ -1,7 +1,7 @@
 // A simulated server of one document, and its connections: each delivers in order, late, and may break with what is under way.
 
 import type { Operation } from "../../../shared/edit/apply";
-import type { AcceptedEdit, StreamRequest } from "../../../shared/edit/protocol";
+import type { AcceptedEdit, StreamRequest } from "../../../generated/messages";
 import { documentOf, type Tree } from "../../../shared/edit/tree";
 import type { SessionInput } from "../../../shared/edit/session";
 import type { JsonObject } from "../../../shared/json";
@@ -75,24 +75,28 @@ export class SimulatedServer {
   }
 
   private apply(author: string, message: EditMessage): ReturnType<History["apply"]> {
-    if ("undo" in message) return this.history.undo(author);
-    if ("redo" in message) return this.history.redo(author);
-    return this.history.apply(author, message.revision, { operations: "operations" in message ? message.operations : [] });
+    if (message.undo === true) return this.history.undo(author);
+    if (message.redo === true) return this.history.redo(author);
+    return this.history.apply(author, message.revision ?? 0, { operations: message.operations ?? [] });
   }
 
   private edit(connection: Connection, message: EditMessage): void {
-    const known = this.accepted.get(message.request);
+    const { request = "" } = message;
+    const known = this.accepted.get(request);
     if (known !== undefined) {
       connection.toClient.push({ input: { type: "acknowledged", edit: known } });
       return;
     }
     const author = message.author ?? "";
     const result = this.apply(author, message);
-    if ("edit" in result) return this.publish(connection, message.request, result);
+    if ("edit" in result) {
+      this.publish(connection, request, result);
+      return;
+    }
     const { path, code, revision, author: other } = result;
     const errors = [{ path, code, message: "rejected" }];
     const reason = { ...(revision !== undefined && { revision }), ...(other !== undefined && { author: other }) };
-    connection.toClient.push({ input: { type: "refused", refusal: { document: this.document, request: message.request, errors, ...reason } } });
+    connection.toClient.push({ input: { type: "refused", refusal: { document: this.document, request, errors, ...reason } } });
   }
 
   private publish(sender: Connection, request: string, { revision, author, kind, of, edit }: LogEntry): void {
