@@ -29,9 +29,9 @@ export function connect(name: string, draw: (page: DisplayPage, actions: Actions
 
   const actions: Actions = {
     answer: (question, answer) => {
-      if (canAnswer(page) && stream.sendAction({ type: "answer", question, answer })) dispatch({ type: "sent" });
+      if (canAnswer(page) && stream.send({ type: "answer", question, answer })) dispatch({ type: "sent" });
     },
-    press: (button) => void stream.sendAction({ type: "press", button }),
+    press: (button) => void stream.send({ type: "press", button }),
     key: (key) => dispatch({ type: "key", key }),
   };
 
@@ -55,7 +55,7 @@ export function connect(name: string, draw: (page: DisplayPage, actions: Actions
     playing = sound?.id;
     player.silence();
     if (sound === undefined || !page.sound) return;
-    player.play(schedule(sound), sound.volume, () => stream.sendAction({ type: "played", sound: sound.id }));
+    player.play(schedule(sound), sound.volume, () => stream.send({ type: "played", sound: sound.id }));
   }
 
   // Browsers play no sound before the first touch. The hint is removed after the tap, so that nothing moves under

@@ -5,6 +5,7 @@ const folder = new URL("../../api/schemas/", import.meta.url);
 
 /** Messages that the pages read. Each gets a validator. */
 export const kRead = [
+  "accepted_edit.json",
   "cell_pose.json",
   "core.json",
   "core_delta.json",
@@ -26,6 +27,8 @@ export const kRead = [
   "stream_message.json#/$defs/cores_delta",
   "stream_message.json#/$defs/derivation_position",
   "stream_message.json#/$defs/derivation_steps",
+  "stream_message.json#/$defs/document_snapshot",
+  "stream_message.json#/$defs/edit_refusal",
   "stream_message.json#/$defs/envelope",
   "stream_message.json#/$defs/log_entries",
   "stream_message.json#/$defs/services_delta",
@@ -33,7 +36,7 @@ export const kRead = [
 ];
 
 /** Messages that the pages write. */
-export const kWritten = ["core_create.json", "person_command.json", "step_request.json", "stream_request.json"];
+export const kWritten = ["core_create.json", "edit.json", "person_command.json", "step_request.json", "stream_request.json"];
 
 /** Names of types that are not the names of their schemas. */
 const kNames = new Map([

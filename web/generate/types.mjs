@@ -16,6 +16,8 @@ function simplify(schema) {
   const result = minItems === maxItems ? schema : rest;
   // Alternatives that differ in their required fields alone.
   if (result.oneOf?.every((each) => Object.keys(each).join() === "required")) delete result.oneOf;
+  // An object of which nothing else is said.
+  if (result.type === "object" && result.properties === undefined && result.additionalProperties === undefined) result.additionalProperties = true;
   for (const key of ["items", "additionalProperties"]) if (result[key] === true) result[key] = kAnyJson;
   for (const [name, property] of Object.entries(result.properties ?? {})) {
     if (property === true) result.properties[name] = kAnyJson;

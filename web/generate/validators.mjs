@@ -4,13 +4,14 @@ import standaloneCode from "ajv/dist/standalone/index.js";
 import { mapSchemas, typeName, validatorName } from "./schemas.mjs";
 
 const kAnnotations = new Set(["$schema", "title", "description", "default", "contentEncoding"]);
+const kClosing = new Set(["additionalProperties", "unevaluatedProperties"]);
 
 /**
  * What a validator needs of a schema. Fields that the schema does not have are accepted: a page of an older build reads
  * the messages of a newer server.
  */
 function essence(schema) {
-  const kept = Object.entries(schema).filter(([key, value]) => !kAnnotations.has(key) && !(key === "additionalProperties" && value === false));
+  const kept = Object.entries(schema).filter(([key, value]) => !kAnnotations.has(key) && !(kClosing.has(key) && value === false));
   return withDiscriminator(Object.fromEntries(kept));
 }
 

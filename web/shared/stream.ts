@@ -1,9 +1,12 @@
 // The stream's client: keeps one WebSocket open and subscribes the wanted channels from their last known message.
 import type { StreamRequest } from "../generated/messages";
+import { writeExact, type Exact } from "./edit/exact";
 import { SchemaError } from "./messages/check";
 import { readStreamMessage, type StreamUpdate } from "./messages/stream";
 
-type DisplayRequest = Exclude<StreamRequest, { readonly type: "subscribe" | "unsubscribe" }>;
+type DisplayRequest = Extract<StreamRequest, { readonly type: "display" }>;
+/** A request that the stream does not make by itself. */
+export type OwnRequest = Exclude<StreamRequest, { readonly type: "subscribe" | "unsubscribe" | "display" }>;
 
 export type Connection = "connecting" | "open" | "lost";
 
@@ -15,12 +18,13 @@ export interface StreamHandlers {
 }
 
 export interface Stream {
+  /** From its snapshot on; of a channel that is subscribed, the snapshot comes once more. */
   subscribe(channel: string): void;
   unsubscribe(channel: string): void;
   /** Makes this page a display, now and after each reconnect; its channel is subscribed with that. */
   announceDisplay(name: string, sound: boolean): void;
-  /** Sends an action of the user on this display; false if the connection is lost. */
-  sendAction(request: Exclude<DisplayRequest, { readonly type: "display" }>): boolean;
+  /** Sends what a user does; false if the connection is lost. */
+  send(request: Exact<OwnRequest>): boolean;
   close(): void;
 }
 
@@ -43,11 +47,11 @@ export function openStream(url: string, handlers: StreamHandlers): Stream {
   let socket: WebSocket | undefined;
   let attempt = 0;
   let closed = false;
-  let display: Extract<DisplayRequest, { readonly type: "display" }> | undefined;
+  let display: DisplayRequest | undefined;
 
-  const send = (request: StreamRequest): boolean => {
+  const send = (request: Exact<StreamRequest>): boolean => {
     if (socket?.readyState !== WebSocket.OPEN) return false;
-    socket.send(JSON.stringify(request));
+    socket.send(writeExact(request));
     return true;
   };
 
@@ -61,7 +65,7 @@ export function openStream(url: string, handlers: StreamHandlers): Stream {
     try {
       const message = readStreamMessage(JSON.parse(text));
       if (!isWanted(message.channel)) return;
-      seen.set(message.channel, message.sequence);
+      if (message.sequence !== undefined) seen.set(message.channel, message.sequence);
       handlers.onUpdate(message.update);
     } catch (error) {
       if (!(error instanceof SchemaError)) throw error;
@@ -75,9 +79,9 @@ export function openStream(url: string, handlers: StreamHandlers): Stream {
     socket = opened;
     opened.onopen = () => {
       attempt = 0;
-      handlers.onConnection("open");
       if (display !== undefined) send(display);
       resubscriptions(wanted, seen).forEach(send);
+      handlers.onConnection("open");
     };
     opened.onmessage = (event: MessageEvent<unknown>) => receive(String(event.data));
     opened.onclose = () => {
@@ -102,7 +106,7 @@ export function openStream(url: string, handlers: StreamHandlers): Stream {
       display = { type: "display", name, sound };
       send(display);
     },
-    sendAction: send,
+    send,
     close() {
       closed = true;
       socket?.close();

@@ -1,10 +1,13 @@
 // Messages of the stream (api/schemas/stream_message.json): what a channel says, as one union.
 import type {
+  AcceptedEdit,
   CellPose,
   Core,
   CoreDelta,
   CoreState,
   Display,
+  DocumentSnapshot,
+  EditRefusal,
   Envelope,
   HostedService,
   LogEntry,
@@ -30,12 +33,17 @@ export type StreamUpdate =
   | { readonly type: "cell"; readonly pose: CellPose }
   | { readonly type: "display"; readonly content: Display }
   | { readonly type: "packet"; readonly channel: string; readonly packet: Packet }
+  | { readonly type: "document"; readonly snapshot: DocumentSnapshot }
+  | { readonly type: "document_edited"; readonly edit: AcceptedEdit }
+  | { readonly type: "edit_accepted"; readonly edit: AcceptedEdit }
+  | { readonly type: "edit_refused"; readonly refusal: EditRefusal }
   | { readonly type: "log"; readonly entries: readonly LogEntry[]; readonly whole: boolean }
   | { readonly type: "refused"; readonly channel: string; readonly errors: readonly ServerError[] };
 
 export interface StreamMessage {
   readonly channel: string;
-  readonly sequence: number;
+  /** None of a message to this client alone. */
+  readonly sequence: number | undefined;
   readonly update: StreamUpdate;
 }
 
@@ -59,9 +67,17 @@ function servicesUpdate(snapshot: boolean, data: unknown): StreamUpdate {
   return { type: "services_changed", services: check(schema.servicesDelta, data, "/data").services };
 }
 
+function documentUpdate(snapshot: boolean, data: unknown): StreamUpdate {
+  if (snapshot) return { type: "document", snapshot: check(schema.documentSnapshot, data, "/data") };
+  return { type: "document_edited", edit: check(schema.acceptedEdit, data, "/data") };
+}
+
 function updateOf({ channel, kind, data }: Envelope): StreamUpdate {
   if (kind === "error") return { type: "refused", channel, errors: check(schema.errors, data, "/data").errors };
+  if (kind === "edit_accepted") return { type: kind, edit: check(schema.acceptedEdit, data, "/data") };
+  if (kind === "edit_refused") return { type: kind, refusal: check(schema.editRefusal, data, "/data") };
   const snapshot = kind === "snapshot";
+  if (channel.startsWith("document/")) return documentUpdate(snapshot, data);
   const [, id, subject] = /^core\/([^/]+)\/(state|derivation)$/.exec(channel) ?? [];
   if (id !== undefined && subject !== undefined) return coreUpdate(id, subject, snapshot, data);
   if (channel.startsWith("flow/")) return { type: "packet", channel, packet: check(schema.packet, data, "/data") };
@@ -82,5 +98,6 @@ function updateOf({ channel, kind, data }: Envelope): StreamUpdate {
 
 export function readStreamMessage(value: unknown): StreamMessage {
   const message = check(schema.envelope, value);
-  return { channel: message.channel, sequence: message.sequence, update: updateOf(message) };
+  const isPrivate = message.kind === "edit_accepted" || message.kind === "edit_refused";
+  return { channel: message.channel, sequence: isPrivate ? undefined : message.sequence, update: updateOf(message) };
 }

@@ -156,6 +156,10 @@ function applyUpdate(session: Session, update: StreamUpdate): Session {
     case "cell":
     case "display":
     case "packet":
+    case "document":
+    case "document_edited":
+    case "edit_accepted":
+    case "edit_refused":
       return session;
     default:
       return assertNever(update);

@@ -17,6 +17,7 @@ const by = <T>(validator: Validator<T>) => (value: unknown): T => check(validato
 
 /** How the pages read a message, by its schema. */
 const readers: Readonly<Record<string, (value: unknown) => unknown>> = {
+  accepted_edit: by(schema.acceptedEdit),
   cell_pose: by(schema.cellPose),
   core: by(schema.core),
   core_state: by(schema.coreState),
@@ -36,7 +37,7 @@ const readers: Readonly<Record<string, (value: unknown) => unknown>> = {
 /** Messages that the pages write, and messages between other programs. */
 const unread = new Set([
   "backup", "backups", "boot", "breakpoints", "checkpoint", "component_message", "component_request",
-  "core_create", "core_load", "core_start", "document_branch", "document_entry", "document_restore", "journal",
+  "core_create", "core_load", "core_start", "document_branch", "document_entry", "document_restore", "edit_request", "journal",
   "operator", "person_command", "revisions", "run", "run_comparison", "run_file", "runs", "samples",
   "step_request", "stream_request",
 ]);

@@ -1,0 +1,73 @@
+// The adapter between the session of a document and the stream: passes messages on, and gives each edit its token.
+import type { Connection, Stream } from "../stream";
+import type { StreamUpdate } from "../messages/stream";
+import { channelOf, newSession, step, type Change, type EditSession, type Notice, type SessionInput } from "./session";
+
+export interface EditorHandlers {
+  readonly onSession: (session: EditSession) => void;
+  readonly onNotice: (notice: Notice) => void;
+}
+
+export interface Editor {
+  readonly session: () => EditSession;
+  readonly edit: (change: Change) => void;
+  /** Every update of the stream; those that are not of this document are ignored. */
+  readonly receive: (update: StreamUpdate) => void;
+  readonly connection: (connection: Connection) => void;
+  readonly close: () => void;
+}
+
+function inputOf(update: StreamUpdate): SessionInput | undefined {
+  switch (update.type) {
+    case "document":
+      return { type: "snapshot", snapshot: update.snapshot };
+    case "document_edited":
+      return { type: "accepted", edit: update.edit };
+    case "edit_accepted":
+      return { type: "acknowledged", edit: update.edit };
+    case "edit_refused":
+      return { type: "refused", refusal: update.refusal };
+    default:
+      return undefined;
+  }
+}
+
+/** The document that an input is about; nothing if it is about none. */
+function documentIn(input: SessionInput): string | undefined {
+  if (input.type === "snapshot") return input.snapshot.document;
+  if (input.type === "refused") return input.refusal.document;
+  return input.type === "edit" || input.type === "connection" ? undefined : input.edit.document;
+}
+
+/** Follows and edits `document` as `author`. `newToken`: 1 to 64 of A-Z a-z 0-9 _ -, each time others. */
+export function openEditor(
+  stream: Pick<Stream, "send" | "subscribe" | "unsubscribe">,
+  document: string,
+  author: string,
+  handlers: EditorHandlers,
+  newToken: () => string = () => crypto.randomUUID(),
+): Editor {
+  let session = newSession(document, author);
+  const put = (input: SessionInput) => {
+    const { session: next, messages, notices } = step(session, input);
+    const isNew = next !== session;
+    session = next;
+    for (const message of messages) {
+      if (message.type === "subscribe") stream.subscribe(message.channel);
+      else if (message.type === "edit") stream.send(message);
+    }
+    if (isNew) handlers.onSession(session);
+    notices.forEach(handlers.onNotice);
+  };
+  stream.subscribe(channelOf(document));
+  return {
+    session: () => session,
+    edit: (change) => put({ type: "edit", request: newToken(), change }),
+    receive: (update) => {
+      const input = inputOf(update);
+      if (input !== undefined && documentIn(input) === document) put(input);
+    },
+    connection: (connection) => put({ type: "connection", connected: connection === "open" }),
+    close: () => stream.unsubscribe(channelOf(document)),
+  };
+}
