@@ -17,6 +17,9 @@ export interface Editor {
   readonly close: () => void;
 }
 
+/** How long an edit waits that the server had no room for [ms]. */
+const kRetry = 500;
+
 function inputOf(update: StreamUpdate): SessionInput | undefined {
   switch (update.type) {
     case "document":
@@ -34,9 +37,17 @@ function inputOf(update: StreamUpdate): SessionInput | undefined {
 
 /** The document that an input is about; nothing if it is about none. */
 function documentIn(input: SessionInput): string | undefined {
-  if (input.type === "snapshot") return input.snapshot.document;
-  if (input.type === "refused") return input.refusal.document;
-  return input.type === "edit" || input.type === "connection" ? undefined : input.edit.document;
+  switch (input.type) {
+    case "snapshot":
+      return input.snapshot.document;
+    case "refused":
+      return input.refusal.document;
+    case "accepted":
+    case "acknowledged":
+      return input.edit.document;
+    default:
+      return undefined;
+  }
 }
 
 /** Follows and edits `document` as `author`. `newToken`: 1 to 64 of A-Z a-z 0-9 _ -, each time others. */
@@ -48,14 +59,20 @@ export function openEditor(
   newToken: () => string = () => crypto.randomUUID(),
 ): Editor {
   let session = newSession(document, author);
+  let retrying: ReturnType<typeof setTimeout> | undefined;
   const put = (input: SessionInput) => {
-    const { session: next, messages, notices } = step(session, input);
+    const { session: next, messages, notices, retry } = step(session, input);
     const isNew = next !== session;
     session = next;
     for (const message of messages) {
       if (message.type === "subscribe") stream.subscribe(message.channel);
       else if (message.type === "edit") stream.send(message);
     }
+    if (retry)
+      retrying ??= setTimeout(() => {
+        retrying = undefined;
+        put({ type: "retry" });
+      }, kRetry);
     if (isNew) handlers.onSession(session);
     notices.forEach(handlers.onNotice);
   };
@@ -68,6 +85,9 @@ export function openEditor(
       if (input !== undefined && documentIn(input) === document) put(input);
     },
     connection: (connection) => put({ type: "connection", connected: connection === "open" }),
-    close: () => stream.unsubscribe(channelOf(document)),
+    close: () => {
+      clearTimeout(retrying);
+      stream.unsubscribe(channelOf(document));
+    },
   };
 }

@@ -61,7 +61,9 @@ export type SessionInput =
   /** To this page only; the channel says the same, before or after, if it is subscribed. */
   | { readonly type: "acknowledged"; readonly edit: AcceptedEdit }
   | { readonly type: "refused"; readonly refusal: EditRefusal }
-  | { readonly type: "connection"; readonly connected: boolean };
+  | { readonly type: "connection"; readonly connected: boolean }
+  /** A while after an output with `retry`. */
+  | { readonly type: "retry" };
 
 /** For the user: an edit is not in the document and will not be. */
 export interface Notice {
@@ -79,6 +81,8 @@ export interface SessionOutput {
   /** To send in this order. What cannot be sent need not be kept: it is sent again after a reconnect. */
   readonly messages: readonly Exact<StreamRequest>[];
   readonly notices: readonly Notice[];
+  /** The server had no room for an edit: `retry` is to come in a while. */
+  readonly retry?: true;
 }
 
 export function newSession(document: string, author: string): EditSession {
@@ -161,13 +165,28 @@ function accepted(session: EditSession, edit: AcceptedEdit): SessionOutput {
   return quiet(shown({ ...known, confirmed: { tree: result.tree, revision }, errors, depths, pending: without(known.pending, revision) }));
 }
 
+/** The server has not looked at the edit: it says nothing about it. */
+const isBusy = (errors: readonly ServerError[]): boolean => errors.some(({ code }) => code === "unavailable");
+
 function refused(session: EditSession, { request, errors, revision, author }: EditRefusal): SessionOutput {
   const found = session.pending.find((each) => each.request === request && each.accepted === undefined);
   if (found === undefined) return quiet(session);
   // Another copy is under way, and may still be accepted: the last answer counts.
-  if (found.copies > 1) return quiet({ ...session, pending: session.pending.map((each) => (each === found ? { ...each, copies: each.copies - 1 } : each)) });
+  if (found.copies > 1 || isBusy(errors)) {
+    const pending = session.pending.map((each) => (each === found ? { ...each, copies: each.copies - 1 } : each));
+    return { ...quiet({ ...session, pending }), ...(isBusy(errors) && { retry: true }) };
+  }
   const notice: Notice = { request, change: found.change, errors, ...(revision !== undefined && { revision }), ...(author !== undefined && { author }) };
   return { session: shown({ ...session, pending: session.pending.filter((each) => each !== found) }), messages: [], notices: [notice] };
+}
+
+/** Sends what no copy is under way of. */
+function retry(session: EditSession): SessionOutput {
+  if (!session.connected) return quiet(session);
+  const isIdle = ({ accepted, copies }: PendingEdit) => accepted === undefined && copies <= 0;
+  const messages = session.pending.filter(isIdle).map((edit) => messageOf(session, edit));
+  const pending = session.pending.map((edit) => (isIdle(edit) ? { ...edit, copies: 1 } : edit));
+  return { session: { ...session, pending }, messages, notices: [] };
 }
 
 export function step(session: EditSession, input: SessionInput): SessionOutput {
@@ -184,5 +203,7 @@ export function step(session: EditSession, input: SessionInput): SessionOutput {
       return refused(session, input.refusal);
     case "connection":
       return resend({ ...session, connected: input.connected, pending: session.pending.map((edit) => ({ ...edit, copies: 0 })) });
+    case "retry":
+      return retry(session);
   }
 }

@@ -53,6 +53,17 @@ describe("a session", () => {
     expect([docOf(session, "a"), docOf(session, "b")]).toEqual(["ann", "bob"]);
     expect(session.depths).toBeUndefined();
   });
+  it("keeps an edit that the server had no room for, and sends it again in a while", () => {
+    const busy: SessionInput = { type: "refused", refusal: { document: "small", request: "t1", errors: [{ path: "request", code: "unavailable", message: "too many" }] } };
+    const waiting = step(run(open, edit("t1", setDoc("a", "new"))).session, busy);
+    expect(waiting).toMatchObject({ retry: true, messages: [], notices: [] });
+    expect(docOf(waiting.session, "a")).toBe("new");
+    const again = step(waiting.session, { type: "retry" });
+    expect(again.messages).toMatchObject([{ request: "t1" }]);
+    expect(step(again.session, { type: "retry" }).messages, "a copy is under way").toEqual([]);
+    expect(run(again.session, refused("t1"))).toMatchObject({ session: { pending: [] }, notices: [{ request: "t1" }] });
+    expect(run(waiting.session, connection(false), { type: "retry" }).messages).toEqual([]);
+  });
   it("hides an edit that does not apply any more, until the server answers, and tells its author why it was refused, once", () => {
     const hidden = run(open, edit("t1", setDoc("b", "ann")), edit("t2", setDoc("a", "ann")), delta(6, "bob", [{ op: "remove", id: "b" }])).session;
     expect([hidden.view?.elements.has("b"), docOf(hidden, "a"), hidden.pending.length]).toEqual([false, "ann", 2]);
