@@ -37,6 +37,11 @@ void CorePublisher::state_snapshot(const std::string& id, Value state) {
   hub_.publish_snapshot(fill(kCoreStateChannel, {id}), std::move(state));
 }
 
+void CorePublisher::state_replaced(const std::string& id, Value state) {
+  if (operator_) operator_->state(id, state.find("state")->find("active")->as_list());
+  hub_.publish_replacement(fill(kCoreStateChannel, {id}), std::move(state));
+}
+
 void CorePublisher::state_changed(const std::string& id, Value delta) {
   if (operator_) operator_->changed(id, delta.find("active")->as_dict(), delta.find("fired")->as_list());
   hub_.publish_delta(fill(kCoreStateChannel, {id}), std::move(delta));

@@ -33,6 +33,7 @@ class CorePublisher final : public CoreWatcher {
   void core_changed(const std::string& id, Value core) override;
   void core_removed(const std::string& id) override;
   void state_snapshot(const std::string& id, Value state) override;
+  void state_replaced(const std::string& id, Value state) override;
   void state_changed(const std::string& id, Value delta) override;
   void derivation_snapshot(const std::string& id, Value next) override;
   void derived(const std::string& id, Value steps) override;

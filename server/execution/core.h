@@ -40,6 +40,8 @@ class CoreWatcher {
   virtual void core_changed(const std::string& id, Value core) = 0;
   virtual void core_removed(const std::string& id) = 0;
   virtual void state_snapshot(const std::string& id, Value state) = 0;
+  /// The model is another one: no delta leads from what was told before to this.
+  virtual void state_replaced(const std::string& id, Value state) = 0;
   virtual void state_changed(const std::string& id, Value delta) = 0;
   virtual void derivation_snapshot(const std::string& id, Value next) = 0;
   virtual void derived(const std::string& id, Value steps) = 0;
@@ -195,7 +197,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   Value delta_of(const execution::Progress& progress) const;
   Value steps_of(const execution::Progress& progress) const;
   void publish_info();
-  void publish_snapshot();
+  void publish_snapshot(void (CoreWatcher::*publish)(const std::string&, Value));
   void publish_next_derivation();
   void set_info(Value info) EXCLUDES(mutex_);
   Value info_json() const;

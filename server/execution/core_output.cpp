@@ -34,7 +34,7 @@ void Core::emit(const Progress& progress) {
     if (!delta.is_null()) resources_.watcher.state_changed(id_, delta);
     if (!steps.is_null()) resources_.watcher.derived(id_, steps);
   });
-  if (progress.edited && execution_.is_watched()) publish_snapshot();
+  if (progress.edited && execution_.is_watched()) publish_snapshot(&CoreWatcher::state_replaced);
   if (paused_ || is_over()) publish_info();
 }
 
@@ -81,14 +81,14 @@ Value Core::steps_of(const Progress& progress) const {
 
 void Core::watch_state() {
   state_watched_ = true;
-  strand_.post([self = shared_from_this()] { self->publish_snapshot(); });
+  strand_.post([self = shared_from_this()] { self->publish_snapshot(&CoreWatcher::state_snapshot); });
 }
 
-void Core::publish_snapshot() {
+void Core::publish_snapshot(void (CoreWatcher::*publish)(const std::string&, Value)) {
   Value snapshot = Dict{{"core", info_json()}, {"state", execution_.watch()}};
   snapshot.freeze();
-  held_.add([this, snapshot](const Error* failure) {
-    if (!failure) resources_.watcher.state_snapshot(id_, snapshot);
+  held_.add([this, snapshot, publish](const Error* failure) {
+    if (!failure) (resources_.watcher.*publish)(id_, snapshot);
   });
 }
 

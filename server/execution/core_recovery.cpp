@@ -153,7 +153,7 @@ void Core::take(Rebuilt rebuilt) {
   started_ = record_.steps > 0;
   interruption_->rebuilt = true;
   if (!started_ || record_.is_over()) interruption_.reset();  // the disk that hung may have taken its end
-  if (state_watched_) publish_snapshot();
+  if (state_watched_) publish_snapshot(&CoreWatcher::state_snapshot);
   if (derivation_watched_) publish_next_derivation();
 }
 

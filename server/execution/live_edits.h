@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 
+#include "server/editing/document_watcher.h"
 #include "server/execution/cores.h"
 #include "server/store/documents.h"
 #include "server/threads/strand.h"
@@ -16,13 +17,14 @@
 
 namespace race::server {
 
-class LiveEdits {
+class LiveEdits final : public DocumentWatcher {
  public:
   /// Both outlive this.
   LiveEdits(Documents& documents, Cores& cores) : documents_(documents), cores_(cores) {}
 
   /// The document has another revision, or a core begins to follow it.
   void changed(const std::string& document) EXCLUDES(mutex_);
+  void document_changed(const std::string& name, std::int64_t, bool) override { changed(name); }
   /// No more is brought.
   void close() EXCLUDES(mutex_);
 

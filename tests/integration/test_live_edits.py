@@ -40,11 +40,7 @@ class LiveEdits(unittest.TestCase):
         document = self.stored(name)["document"]
         change(document)
         path = f"/documents/{name}" + ("?draft=true" if draft else "")
-        revision = self.server.put(path, document, "document_entry")["revision"]
-        for c in self.server.get("/cores", "cores")["cores"]:  # TEMPORARY
-            if c["live"] and c["status"] in ("ready", "running"):
-                self.server.put(f"/cores/{c['id']}/live", {"live": True})
-        return revision
+        return self.server.put(path, document, "document_entry")["revision"]
 
     def live(self, document, start=True):
         core = self.server.core(document, start=start)
@@ -223,7 +219,6 @@ class AfterACrash(unittest.TestCase):
             document["root"]["children"].append({"state": "D"})
             document["root"]["children"][0]["ports"][0]["to"] = "D"
             revision = server.put("/documents/crash", document, "document_entry")["revision"]
-            server.put(f"/cores/{core}/live", {"live": True}, "core")
             server.wait(core, lambda c: c["revision"] == revision)
             server.post(f"/cores/{core}/force", {"path": "Root", "scope": "var", "name": "n", "value": 9}, "core")
             os.kill(server.process.pid, signal.SIGKILL)

@@ -82,6 +82,7 @@ struct CoreTest : testing::Test, CoreWatcher {
     if (on_status && json.find("status")->as_string() == "running") std::exchange(on_status, nullptr)();
   }
   void core_removed(const std::string&) override {}
+  void state_replaced(const std::string&, Value) override {}
   void state_snapshot(const std::string&, Value json) override {
     views.emplace_back(json);
     micro.push_back(json.find("core")->find("micro")->as_integer());

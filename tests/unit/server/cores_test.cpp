@@ -25,6 +25,7 @@ struct CoresTest : testing::Test, CoreWatcher {
     if (!heard.exchange(true)) found.set_value(cores.find(id).has_value());
   }
   void core_removed(const std::string& id) override { removed.push_back(id); }
+  void state_replaced(const std::string&, Value) override {}
   void state_snapshot(const std::string&, Value) override {}
   void state_changed(const std::string&, Value) override {}
   void derivation_snapshot(const std::string&, Value) override {}

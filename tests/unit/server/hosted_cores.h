@@ -78,6 +78,7 @@ struct HostedCores : testing::Test, CoreWatcher {
     told.push_back(json.find("status")->as_string());
   }
   void core_removed(const std::string&) override {}
+  void state_replaced(const std::string&, Value) override {}
   void state_snapshot(const std::string&, Value) override {}
   void state_changed(const std::string&, Value) override {
     const services::MutexLock lock(mutex);

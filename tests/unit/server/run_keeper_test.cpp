@@ -19,6 +19,7 @@ struct RunKeeperTest : testing::Test, CoreWatcher {
   }
   void core_changed(const std::string&, Value) override {}
   void core_removed(const std::string&) override {}
+  void state_replaced(const std::string&, Value) override {}
   void state_snapshot(const std::string&, Value) override {}
   void state_changed(const std::string&, Value) override {}
   void derivation_snapshot(const std::string&, Value) override {}
