@@ -11,9 +11,15 @@
 #include "server/store/data_folder.h"
 #include "server/store/journal_writer.h"
 #include "server/store/runs.h"
+#include "server/stream/requests.h"
 #include "services/host/host.h"
 
 namespace race::server {
+
+// No document is edited here.
+struct NoEdits final : EditRequests {
+  void request_edit(const std::shared_ptr<Subscriber>&, const Value&) override {}
+};
 
 struct NoObserver final : services::HostObserver {
   void delivered(const services::Delivery&) override {}

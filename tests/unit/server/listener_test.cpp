@@ -82,7 +82,8 @@ struct ListenerTest : testing::Test {
     if (thread.joinable()) thread.join();
   }
   void serve(const HttpServer::Limits& limits) {
-    server = HttpServer::listen(0, "", {answer, hub, displays, remotes, [](const std::string&) {}}, limits).value();
+    server =
+        HttpServer::listen(0, "", {answer, hub, displays, edits, remotes, [](const std::string&) {}}, limits).value();
     thread = std::thread([this] { server->run(); });
   }
   std::unique_ptr<Connection> connection(const std::string& text = "") {
@@ -96,6 +97,7 @@ struct ListenerTest : testing::Test {
   Pool pool{1};
   Hub hub{pool, 1, [](const std::string&) { return std::nullopt; }};
   display::Screens screens;
+  NoEdits edits;
   Displays displays{screens, hub};
   services::WorldClock clock;
   NoObserver observer;
