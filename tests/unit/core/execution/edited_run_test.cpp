@@ -71,9 +71,7 @@ struct EditedRun : testing::Test {
     steps.push_back(derived_step(*execution, progress));
     return progress;
   }
-  std::string active() const {
-    return to_json(*execution->run().state_json().find("active"));
-  }
+  std::string active() const { return to_json(*execution->run().state_json().find("active")); }
   Goal goal(Goal::Kind kind, const char* path) const {
     return find_goal(execution->run().program(), {kind, {}, path}).value();
   }
@@ -81,7 +79,8 @@ struct EditedRun : testing::Test {
   void run() {
     event("tick");
     services.emplace("robot", service(kRobot));
-    change(R"([{'op': 'set', 'id': 'a', 'field': 'state', 'value': 'Arm'}, {'op': 'set', 'id': 'r', 'field': 'first', 'value': 'Arm'},
+    change(
+        R"([{'op': 'set', 'id': 'a', 'field': 'state', 'value': 'Arm'}, {'op': 'set', 'id': 'r', 'field': 'first', 'value': 'Arm'},
       {'op': 'set', 'id': 'bgo', 'field': 'to', 'value': 'Arm'},
       {'op': 'insert', 'parent': 'r', 'list': 'actions', 'after': 'count',
        'node': {'when': 'svc.robot.force.x > 1', 'do': 'svc.robot.move(var.n)', 'meta': {'id': 'push'}}}])");
@@ -135,7 +134,8 @@ TEST_F(EditedRun, StopsWithTheEditThatTakesItsGoalAway) {
 }
 
 TEST_F(EditedRun, KeepsBreakpointsOfWhatThereIs) {
-  execution->set_breakpoints({goal(Goal::Kind::fired, "R/A.go"), goal(Goal::Kind::left, "R/B"), goal(Goal::Kind::entered, "R/A")});
+  execution->set_breakpoints(
+      {goal(Goal::Kind::fired, "R/A.go"), goal(Goal::Kind::left, "R/B"), goal(Goal::Kind::entered, "R/A")});
   EXPECT_TRUE(event("go").reached_goal);
   take(execution->continue_step());
   journal.entries.pop_back();
@@ -208,8 +208,9 @@ TEST_F(EditedRun, IsTheSameFromItsJournal) {
   EXPECT_THAT(again, testing::ElementsAreArray(steps));
   const auto& edit = std::get<EditEntry>(journal.entries[2]);
   EXPECT_EQ(edit.revision, 7);
-  EXPECT_EQ(to_json(Value(edit.services)),
-            R"({"robot":{"operations":[{"name":"move"},{"name":"halt","safe":true}],"events":[{"name":"force","sampled":true}]}})");
+  EXPECT_EQ(
+      to_json(Value(edit.services)),
+      R"({"robot":{"operations":[{"name":"move"},{"name":"halt","safe":true}],"events":[{"name":"force","sampled":true}]}})");
 }
 
 TEST_F(EditedRun, IsTheSameFromItsScript) {
@@ -252,8 +253,9 @@ TEST_F(EditedRun, CallsWhatIsSafeOfAServiceThatCameWithAnEdit) {
 }
 
 TEST_F(EditedRun, RefusesAnEditOfAnotherModel) {
-  for (const char* operations : {R"([{"op": "remove", "id": "nobody"}])", R"([{"op": "remove", "id": "b"}])",
-                                 R"([{"op": "set", "id": "r", "field": "first", "value": "B"}, {"op": "remove", "id": "a"}])"}) {
+  for (const char* operations :
+       {R"([{"op": "remove", "id": "nobody"}])", R"([{"op": "remove", "id": "b"}])",
+        R"([{"op": "set", "id": "r", "field": "first", "value": "B"}, {"op": "remove", "id": "a"}])"}) {
     EditEntry entry;
     entry.edit = edit::read_edit(Dict{{"operations", parse_json(operations).value()}}).value();
     const Value before = checkpoint_json(*execution);
@@ -305,35 +307,49 @@ std::string force_of(const std::string& fields) { return "{'kind': 'force', 'for
 using enum ErrorCode;
 INSTANTIATE_TEST_SUITE_P(
     Edits, RefusedEntry,
-    testing::Values(Refusal{"{'kind': 'edit'}", "input/edit", missing}, Refusal{"{'kind': 'edit', 'edit': 1}", "input/edit", type},
-                    Refusal{"{'kind': 'edit', 'edit': {}}", "input/edit/operations", missing},
-                    Refusal{"{'kind': 'edit', 'edit': {'operations': [{'op': 'swap'}]}}", "input/edit/operations/0/op", name},
-                    Refusal{edit_with("'more': 1"), "input/more", unknown_field},
-                    Refusal{edit_with("'revision': 0"), "input/revision", out_of_range},
-                    Refusal{edit_with("'revision': '1'"), "input/revision", type},
-                    Refusal{edit_with("'origin': []"), "input/origin", type},
-                    Refusal{edit_with("'origin': {'R': 1}"), "input/origin/R", type},
-                    Refusal{edit_with("'services': 1"), "input/services", type},
-                    Refusal{edit_with("'services': {'t': null}"), "input/services/t", type},
-                    Refusal{edit_with("'services': {'t': {'operations': []}}"), "input/services/t/events", missing},
-                    Refusal{edit_with("'services': {'t': {'operations': [{'name': 'f', 'safe': 1}], 'events': []}}"),
-                            "input/services/t/operations/0/safe", type},
-                    Refusal{edit_with("'services': {'t': {'operations': [], 'events': [{'name': 'a'}, {'name': 'a'}]}}"),
-                            "input/services/t", duplicate}));
+    testing::Values(
+        Refusal{"{'kind': 'edit'}", "input/edit", missing}, Refusal{"{'kind': 'edit', 'edit': 1}", "input/edit", type},
+        Refusal{"{'kind': 'edit', 'edit': {}}", "input/edit/operations", missing},
+        Refusal{"{'kind': 'edit', 'edit': {'operations': [{'op': 'swap'}]}}", "input/edit/operations/0/op", name},
+        Refusal{edit_with("'more': 1"), "input/more", unknown_field},
+        Refusal{edit_with("'revision': 0"), "input/revision", out_of_range},
+        Refusal{edit_with("'revision': '1'"), "input/revision", type},
+        Refusal{edit_with("'origin': []"), "input/origin", type},
+        Refusal{edit_with("'origin': {'R': 1}"), "input/origin/R", type},
+        Refusal{edit_with("'services': 1"), "input/services", type},
+        Refusal{edit_with("'services': {'t': null}"), "input/services/t", type},
+        Refusal{edit_with("'services': {'t': {'operations': []}}"), "input/services/t/events", missing},
+        Refusal{edit_with("'services': {'t': {'operations': [{'name': 'f', 'safe': 1}], 'events': []}}"),
+                "input/services/t/operations/0/safe", type},
+        Refusal{edit_with("'services': {'t': {'operations': [], 'events': [{'name': 'a'}, {'name': 'a'}]}}"),
+                "input/services/t", duplicate}));
 INSTANTIATE_TEST_SUITE_P(
     Forces, RefusedEntry,
-    testing::Values(Refusal{"{'kind': 'force'}", "input/force", missing}, Refusal{"{'kind': 'force', 'force': []}", "input/force", type},
-                    Refusal{force_of("'scope': 'var', 'name': 'n', 'value': 1"), "input/force/path", missing},
-                    Refusal{force_of("'path': 'R', 'name': 'n', 'value': 1"), "input/force/scope", missing},
-                    Refusal{force_of("'path': 'R', 'scope': 'chi', 'name': 'n', 'value': 1"), "input/force/scope", type},
-                    Refusal{force_of("'path': 'R', 'scope': 'var', 'value': 1"), "input/force/name", missing},
-                    Refusal{force_of("'path': 1, 'scope': 'var', 'name': 'n', 'value': 1"), "input/force/path", type},
-                    Refusal{force_of("'path': 'R', 'scope': 'var', 'name': 'n'"), "input/force/value", missing},
-                    Refusal{force_of("'path': 'R', 'scope': 'var', 'name': 'n', 'value': 1e999"), "input/force/value", constant},
-                    Refusal{force_of("'path': 'R', 'scope': 'var', 'name': 'n', 'value': " + std::string(65, '[') + std::string(65, ']')),
-                            "input/force/value", too_deep},
-                    Refusal{force_of("'path': 'R', 'scope': 'port', 'name': 'go', 'value': 1"), "input/force/value", unknown_field},
-                    Refusal{force_of("'path': 'R', 'scope': 'port', 'name': 'go', 'more': 1"), "input/force/more", unknown_field}));
+    testing::Values(
+        Refusal{"{'kind': 'force'}", "input/force", missing},
+        Refusal{"{'kind': 'force', 'force': []}", "input/force", type},
+        Refusal{force_of("'scope': 'var', 'name': 'n', 'value': 1"), "input/force/path", missing},
+        Refusal{force_of("'path': 'R', 'name': 'n', 'value': 1"), "input/force/scope", missing},
+        Refusal{force_of("'path': 'R', 'scope': 'chi', 'name': 'n', 'value': 1"), "input/force/scope", type},
+        Refusal{force_of("'path': 'R', 'scope': 'var', 'value': 1"), "input/force/name", missing},
+        Refusal{force_of("'path': 1, 'scope': 'var', 'name': 'n', 'value': 1"), "input/force/path", type},
+        Refusal{force_of("'path': 'R', 'scope': 'var', 'name': 'n'"), "input/force/value", missing},
+        Refusal{force_of("'path': 'R', 'scope': 'var', 'name': 'n', 'value': " + std::string(65, '[') +
+                         std::string(65, ']')),
+                "input/force/value", too_deep},
+        Refusal{force_of("'path': 'R', 'scope': 'port', 'name': 'go', 'value': 1"), "input/force/value", unknown_field},
+        Refusal{force_of("'path': 'R', 'scope': 'port', 'name': 'go', 'more': 1"), "input/force/more", unknown_field}));
+
+TEST(RefusedForce, HasANumberOutOfRange) {
+  const JournalEntry start = StartEntry{};
+  const Value value = List{Value::unknown()};  // as parse_json gives one
+  const auto read = read_input(
+      Dict{{"kind", "force"}, {"force", Dict{{"path", "R"}, {"scope", "var"}, {"name", "n"}, {"value", value}}}},
+      &start);
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().front().path, "input/force/value");
+  EXPECT_EQ(read.error().front().code, constant);
+}
 
 // ---- Entries between two models.
 

@@ -167,7 +167,8 @@ class Naive {
   void compare_head(const Value& carried) {
     for (const char* key : {"position", "epoch"})
       expect(key, Value(number(run_.checkpoint, key) + 1), field(carried, key));
-    for (const char* key : {"call_count", "services_called"}) expect(key, field(run_.checkpoint, key), field(carried, key));
+    for (const char* key : {"call_count", "services_called"})
+      expect(key, field(run_.checkpoint, key), field(carried, key));
     expect("occurrence", Value::unknown(), field(carried, "occurrence"));
     const std::string code = to_json(run_.after);
     for (const Value& event : items(carried, "events"))
@@ -307,7 +308,8 @@ class Naive {
     std::map<std::string, std::vector<std::int64_t>> equal;
     if (old)
       for (const Value& action : items(*before_.at(*old).json, "actions"))
-        equal[texts(action)].push_back(static_cast<std::int64_t>(&action - &items(*before_.at(*old).json, "actions")[0]));
+        equal[texts(action)].push_back(
+            static_cast<std::int64_t>(&action - &items(*before_.at(*old).json, "actions")[0]));
     std::map<std::string, std::size_t> taken;
     std::int64_t at = -1;
     for (const Value& action : items(*node.json, "actions")) {
@@ -346,7 +348,8 @@ class Naive {
     const std::string where = path + "." + text(port, "name");
     expect(where + "/active", field(then, "active"), field(carried, "active"));
     expect(where + "/triggered", Value::unknown(), field(carried, "triggered"));
-    expect(where + "/arrived", has_arrived(path, node, port) ? Value(true) : Value::unknown(), field(carried, "arrived"));
+    expect(where + "/arrived", has_arrived(path, node, port) ? Value(true) : Value::unknown(),
+           field(carried, "arrived"));
   }
 
   // "activated(b) := activated(b) ∩ in'(b)".

@@ -1,5 +1,5 @@
-// What core/SEMANTICS.md section 9 says of a carried run, computed again from its text: checkpoints and native models as
-// JSON, by ids and names alone. For models whose elements all have ids. Slow and plain, to compare with Run::edited.
+// What core/SEMANTICS.md section 9 says of a carried run, computed again from its text: checkpoints and native models
+// as JSON, by ids and names alone. For models whose elements all have ids. Slow and plain, to compare with Run::edited.
 #pragma once
 
 #include <set>

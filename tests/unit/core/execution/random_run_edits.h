@@ -12,8 +12,7 @@ namespace race::execution {
 
 class RandomRunEdits {
  public:
-  RandomRunEdits(std::uint64_t seed, const std::string& prefix)
-      : random_(seed, prefix), prefix_(prefix + "n") {}
+  RandomRunEdits(std::uint64_t seed, const std::string& prefix) : random_(seed, prefix), prefix_(prefix + "n") {}
 
   edit::Edit edit(const edit::Tree& tree) {
     if (chance(0.15)) return random_.edit(tree);
@@ -148,12 +147,11 @@ class RandomRunEdits {
         return edit::Insert{place(tree, state, List::ports),
                             Dict{{"name", "n" + number(99)}, {"when", condition()}, {"meta", meta()}}};
       case 4:
-        return edit::Insert{
-            place(tree, state, List::children),
-            Dict{{"state", "N" + number(99)},
-                 {"parameters", edit_list(Dict{{"name", "p"}, {"value", 1}, {"meta", meta()}})},
-                 {"ports", edit_list(Dict{{"name", "p0"}, {"when", condition()}, {"meta", meta()}})},
-                 {"meta", meta()}}};
+        return edit::Insert{place(tree, state, List::children),
+                            Dict{{"state", "N" + number(99)},
+                                 {"parameters", edit_list(Dict{{"name", "p"}, {"value", 1}, {"meta", meta()}})},
+                                 {"ports", edit_list(Dict{{"name", "p0"}, {"when", condition()}, {"meta", meta()}})},
+                                 {"meta", meta()}}};
       case 5:
         if (const auto action = any<rcm::Action>(tree))
           return chance(0.5) ? edit::Set{*action, "do", {}, Value(function())}

@@ -1,4 +1,5 @@
-// Carrying a run over to an edited program, and forcing values and ports (core/SEMANTICS.md section 9), on small models.
+// Carrying a run over to an edited program, and forcing values and ports (core/SEMANTICS.md section 9), on small
+// models.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -33,17 +34,19 @@ std::string child(const std::string& name, const std::string& id, const std::str
          (id.empty() ? "" : ", 'meta': {'id': '" + id + "'}") + "}";
 }
 std::string root_of(const std::string& children, const std::string& first, const std::string& rest = "") {
-  return "{'state': 'R', 'first': '" + first + "', 'children': [" + children + "]" +
-         (rest.empty() ? "" : ", " + rest) + "}";
+  return "{'state': 'R', 'first': '" + first + "', 'children': [" + children + "]" + (rest.empty() ? "" : ", " + rest) +
+         "}";
 }
 
 TEST(Edit, WaitsForTheOutermostActiveStateThatItDoesNotHave) {
-  SmallRun run(root_of(child("A", "a", "'first': 'X', 'children': [" + child("X", "x") + "]") + "," + child("B", "b"), "A"));
+  SmallRun run(
+      root_of(child("A", "a", "'first': 'X', 'children': [" + child("X", "x") + "]") + "," + child("B", "b"), "A"));
   run.step();
   EXPECT_THAT(waits(run, root_of(child("B", "b"), "B")), ElementsAre("R/A"));
   EXPECT_THAT(waits(run, root_of(child("A", "a") + "," + child("B", "b"), "B")), ElementsAre("R/A/X"));
-  EXPECT_THAT(waits(run, root_of(child("A", "a", "'children': [{'barrier': 'X', 'to': [], 'meta': {'id': 'x'}}]"), "A")),
-              ElementsAre("R/A/X"))
+  EXPECT_THAT(
+      waits(run, root_of(child("A", "a", "'children': [{'barrier': 'X', 'to': [], 'meta': {'id': 'x'}}]"), "A")),
+      ElementsAre("R/A/X"))
       << "a barrier is no state";
   EXPECT_THAT(waits(run, "{'state': 'R', 'meta': {'id': 'other'}}"), ElementsAre("R/A"))
       << "the root is the same: one has no id, the names are equal";
@@ -75,22 +78,26 @@ TEST(Edit, KeepsAValueThatCodeHasUsedBeforeItWasDeclared) {
 TEST(Edit, WaitsForEveryParameterThatDoesNotResolve) {
   SmallRun run(root_of(child("A", "a"), "A"));
   run.step();
-  EXPECT_THAT(waits(run, root_of(child("A", "a", R"('parameters': [{'name': 'required'}, {'name': 'faulty', 'from': '1 / 0'},
+  EXPECT_THAT(
+      waits(run, root_of(child("A", "a", R"('parameters': [{'name': 'required'}, {'name': 'faulty', 'from': '1 / 0'},
                   {'name': 'unknown', 'from': 'var.v'}, {'name': 'infinite', 'from': '1e308 * 10'}, {'name': 'fine', 'from': '1'}])"),
-                                 "A", "'parameters': [{'name': 'of_root'}]")),
-              ElementsAre("R par.of_root", "R/A par.required", "R/A par.faulty", "R/A par.unknown", "R/A par.infinite"));
-  EXPECT_THAT(waits(run, root_of(child("A", "a") + "," + child("B", "b", "'parameters': [{'name': 'p', 'from': '1 / 0'}]"), "A")),
-              IsEmpty())
+                         "A", "'parameters': [{'name': 'of_root'}]")),
+      ElementsAre("R par.of_root", "R/A par.required", "R/A par.faulty", "R/A par.unknown", "R/A par.infinite"));
+  EXPECT_THAT(
+      waits(run,
+            root_of(child("A", "a") + "," + child("B", "b", "'parameters': [{'name': 'p', 'from': '1 / 0'}]"), "A")),
+      IsEmpty())
       << "B is not active";
 }
 
 // A is left through `done` and entered again; n was counted.
 std::string keeping(const std::string& keep, const std::string& port, const std::string& id = "done") {
-  return root_of(
-      child("A", "a", "'variables': [{'name': 'n', 'initial': 0}], 'actions': [{'when': 'svc.t.s', 'do': 'var.n = 5'}], 'ports': [{'name': '" +
-                          port + "', 'when': 'svc.t.a', 'to': 'B', 'meta': {'id': '" + id + "'}}]" + keep) +
-          "," + child("B", "b", "'ports': [{'name': 'back', 'when': 'svc.t.b', 'to': 'A'}]"),
-      "A");
+  return root_of(child("A", "a",
+                       "'variables': [{'name': 'n', 'initial': 0}], 'actions': [{'when': 'svc.t.s', 'do': 'var.n = "
+                       "5'}], 'ports': [{'name': '" +
+                           port + "', 'when': 'svc.t.a', 'to': 'B', 'meta': {'id': '" + id + "'}}]" + keep) +
+                     "," + child("B", "b", "'ports': [{'name': 'back', 'when': 'svc.t.b', 'to': 'A'}]"),
+                 "A");
 }
 
 TEST(Edit, KeepsThePortByWhichAStateWithKeepWasLeft) {
@@ -98,8 +105,9 @@ TEST(Edit, KeepsThePortByWhichAStateWithKeepWasLeft) {
     std::string edited;
     int n;
   };
-  for (const Case& each : {Case{keeping(", 'keep': ['finished']", "finished"), 5}, Case{keeping(", 'keep': true", "done"), 5},
-                           Case{keeping("", "done"), 0}, Case{keeping(", 'keep': true", "done", "another"), 0}}) {
+  for (const Case& each :
+       {Case{keeping(", 'keep': ['finished']", "finished"), 5}, Case{keeping(", 'keep': true", "done"), 5},
+        Case{keeping("", "done"), 0}, Case{keeping(", 'keep': true", "done", "another"), 0}}) {
     SmallRun run(keeping(", 'keep': ['done']", "done"));
     run.step();
     run.event("s");
@@ -124,7 +132,8 @@ TEST(Edit, OfAStateThatGetsKeepDoesNotKnowByWhichPortItWasLeft) {
 // Only a computed name reaches w.f after the edit; its response has come before, while the action could not run.
 TEST(Edit, KnowsThatAResponseWasDeliveredAlsoIfOnlyComputedNamesMeanItNow) {
   const auto root = [](const std::string& naming) {
-    return R"({'state': 'R', 'variables': [{'name': 'n', 'initial': 1}], 'entry': 'svc[\'w\' if var.n else \'w\'].f()', 'actions': [)" + naming +
+    return R"({'state': 'R', 'variables': [{'name': 'n', 'initial': 1}], 'entry': 'svc[\'w\' if var.n else \'w\'].f()', 'actions': [)" +
+           naming +
            R"({'when': 'svc[\'w\' if var.n else \'w\'].f.result and var.n', 'do': 'svc.t.g()'},
       {'when': 'svc.t.a', 'do': 'svc[\'w\' if var.n else \'w\'].f()\nvar.n = 0'}, {'when': 'svc.t.b', 'do': 'var.n = 1'}]})";
   };
@@ -150,7 +159,9 @@ TEST(Edit, CompletesNoBarrierWithoutPorts) {
 
 // ---- Force.
 
-const std::string kForced = root_of(child("A", "a", "'parameters': [{'name': 'p', 'value': 1}], 'results': [{'name': 'r'}], 'ports': [{'name': 'go', 'when': 'False'}]") +
+const std::string kForced = root_of(child("A", "a",
+                                          "'parameters': [{'name': 'p', 'value': 1}], 'results': [{'name': 'r'}], "
+                                          "'ports': [{'name': 'go', 'when': 'False'}]") +
                                         "," + child("B", "b", "'ports': [{'name': 'go', 'when': 'False'}]"),
                                     "A");
 
@@ -169,12 +180,13 @@ TEST(Force, IsRefusedWithPathAndCode) {
     ErrorCode code;
   };
   const double infinite = std::numeric_limits<double>::infinity();
-  for (const Case& each : {Case{{par, "R/C", "p", 1}, ErrorCode::not_found}, Case{{par, "R/A", "r", 1}, ErrorCode::not_found},
-                           Case{{res, "R/A", "p", 1}, ErrorCode::not_found}, Case{{var, "R/A", "p", 1}, ErrorCode::not_found},
-                           Case{{port, "R/A", "stop"}, ErrorCode::not_found}, Case{{port, "R/B", "go"}, ErrorCode::conflict},
-                           Case{{par, "R/A", "p", infinite}, ErrorCode::constant},
-                           Case{{par, "R/A", "p", List{Dict{{"x", infinite}}}}, ErrorCode::constant},
-                           Case{{par, "R/A", "p", Value::unknown()}, ErrorCode::constant}}) {
+  for (const Case& each :
+       {Case{{par, "R/C", "p", 1}, ErrorCode::not_found}, Case{{par, "R/A", "r", 1}, ErrorCode::not_found},
+        Case{{res, "R/A", "p", 1}, ErrorCode::not_found}, Case{{var, "R/A", "p", 1}, ErrorCode::not_found},
+        Case{{port, "R/A", "stop"}, ErrorCode::not_found}, Case{{port, "R/B", "go"}, ErrorCode::conflict},
+        Case{{par, "R/A", "p", infinite}, ErrorCode::constant},
+        Case{{par, "R/A", "p", List{Dict{{"x", infinite}}}}, ErrorCode::constant},
+        Case{{par, "R/A", "p", Value::unknown()}, ErrorCode::constant}}) {
     const Error error = refusal(run, each.force);
     EXPECT_EQ(error.code, each.code) << error.message;
     EXPECT_EQ(error.path, each.force.path);
@@ -204,7 +216,8 @@ TEST(Force, KeepsEverythingElseAlsoWhereIdsAreRepeated) {
 }
 
 TEST(Force, OfAPortCountsAsFiringForThePortsOfTheNextActivation) {
-  SmallRun run(root_of(child("A", "a", "'ports': [{'name': 'again', 'when': 'svc.t.f.result', 'to': 'A'}]"), "A", "'entry': 'svc.t.f()'"));
+  SmallRun run(root_of(child("A", "a", "'ports': [{'name': 'again', 'when': 'svc.t.f.result', 'to': 'A'}]"), "A",
+                       "'entry': 'svc.t.f()'"));
   run.step();
   run.result(1, true);
   *run = DrivenRun(run->forced({Force::Scope::port, "R/A", "again"}).value());
