@@ -80,7 +80,7 @@ TEST(Edit, WaitsForEveryParameterThatDoesNotResolve) {
   run.step();
   EXPECT_THAT(
       waits(run, root_of(child("A", "a", R"('parameters': [{'name': 'required'}, {'name': 'faulty', 'from': '1 / 0'},
-                  {'name': 'unknown', 'from': 'var.v'}, {'name': 'infinite', 'from': '1e308 * 10'}, {'name': 'fine', 'from': '1'}])"),
+                  {'name': 'unknown', 'from': 'var.v'}, {'name': 'infinite', 'from': 'math.inf'}, {'name': 'fine', 'from': '1'}])"),
                          "A", "'parameters': [{'name': 'of_root'}]")),
       ElementsAre("R par.of_root", "R/A par.required", "R/A par.faulty", "R/A par.unknown", "R/A par.infinite"));
   EXPECT_THAT(
@@ -147,6 +147,27 @@ TEST(Edit, KnowsThatAResponseWasDeliveredAlsoIfOnlyComputedNamesMeanItNow) {
   edit(run, root(""));
   run.event("b");
   EXPECT_THAT(run.calls(), ElementsAre("t.g()#4"));
+}
+
+// Of the two equal actions, the first has run for the response; the second could not, as n was 1 by then.
+std::string with_equal_actions(int count) {
+  const std::string equal = R"({'when': 'svc.t.f.result and var.n == 0', 'do': 'var.n = 1\nsvc.t.g()'},)";
+  std::string root = "{'state': 'R', 'variables': [{'name': 'n', 'initial': 0}], 'entry': 'svc.t.f()', 'actions': [";
+  for (int i = 0; i < count; ++i) root += equal;
+  return root + "{'when': 'svc.t.b', 'do': 'var.n = 0'}]}";
+}
+
+TEST(Edit, KeepsTheKthOfEqualActionsAsTheKth) {
+  for (const int kept : {2, 1}) {
+    SmallRun run(with_equal_actions(2));
+    run.step();
+    EXPECT_THAT(run.result(1, 1), testing::Contains(testing::HasSubstr("Action1 R#0")));
+    edit(run, with_equal_actions(kept));
+    run.calls();
+    const auto steps = run.event("b");
+    EXPECT_THAT(run.calls().size(), kept - 1);
+    EXPECT_THAT(steps, testing::Contains(testing::HasSubstr(kept == 2 ? "Action2 R#0 R19, Action1 R#1" : "R#0 R19")));
+  }
 }
 
 TEST(Edit, CompletesNoBarrierWithoutPorts) {
