@@ -101,6 +101,8 @@ Expected<Execution> read_checkpoint(const JournalHeader& header, const Value& js
   auto run = semantics::Run::read_checkpoint(model.program, model_json ? Dict() : header.arguments, header.budgets,
                                              *run_json, "run");
   if (!run) return tl::unexpected(std::move(run.error().front()));
+  if (model_json && run->position() < 2)
+    return unexpected(ErrorCode::conflict, "a run is edited once it has begun", "model");
   Execution execution(std::move(*run));
   execution.model_ = std::move(model);
   execution.is_edited_ = model_json != nullptr;

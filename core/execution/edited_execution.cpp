@@ -59,11 +59,12 @@ const Progress& Execution::begin_with(Run&& run, std::optional<JournalEntry> ent
   return continue_step(limit);
 }
 
-// A goal that the model does not have any more is given up, as one that is reached.
+// A goal that the model does not have any more is given up: the execution stops after this macro step, as at one that
+// is reached.
 void Execution::carry_goals(const Run& before) {
   if (&before.program() == &run_.program()) return;
   const semantics::Correspondence same(before.program(), run_.program());
-  if (goal_ && !goal_->carry_over(same)) set_goal(Goal{Goal::Kind::micro});
+  if (goal_ && !goal_->carry_over(same)) set_goal(Goal{Goal::Kind::macro});
   std::erase_if(breakpoints_, [&](GoalWatch& breakpoint) { return !breakpoint.carry_over(same); });
 }
 

@@ -31,7 +31,7 @@ Force read_force(Fields& fields) {
   force.scope = scope.value_or(Force::Scope::port);
   if (force.scope != Force::Scope::port)
     force.value = read_data(fields, "value").value_or(Value());
-  else if (scope && fields.find("value"))
+  else if (fields.find("value") && scope)
     fields.violation(ErrorCode::unknown_field, "a port has no value", "value");
   return force;
 }

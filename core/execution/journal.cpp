@@ -80,14 +80,18 @@ Value journal_json(const Journal& journal) {
   return Dict{{"header", header_json(journal.header)}, {"entries", std::move(entries)}};
 }
 
+// A script has no services that come with an edit: all are there from the beginning.
 Value script_json(const Journal& journal) {
   List steps;
+  Dict services = interfaces_json(*journal.header.program);
   for (const JournalEntry& entry : journal.entries) {
     if (std::holds_alternative<AbortEntry>(entry)) break;  // no step of a script
     steps.emplace_back(script_step(entry));
+    if (const auto* edit = std::get_if<EditEntry>(&entry))
+      for (const auto& [key, service] : edit->services) services.set(key, service);
   }
   return Dict{{"arguments", journal.header.arguments},
-              {"services", interfaces_json(*journal.header.program)},
+              {"services", std::move(services)},
               {"closed", true},
               {"steps", std::move(steps)}};
 }

@@ -31,7 +31,7 @@ std::optional<std::uint64_t> read_count(Fields& fields, std::string_view key,
 
 void append(Errors& errors, Errors more, const std::string& below) {
   for (Error& error : more) {
-    error.path = below + error.path;
+    error.path = below + (below.empty() || error.path.empty() ? "" : "/") + error.path;
     errors.push_back(std::move(error));
   }
 }
@@ -85,7 +85,7 @@ JournalHeader read_header_at(const Value& json, Errors& errors) {
     append(errors, std::move(model).error(), "");
     return header;
   }
-  append(errors, semantics::check_arguments(*model->program, header.arguments), "header/");
+  append(errors, semantics::check_arguments(*model->program, header.arguments), "header");
   header.native = std::move(model->native);
   header.program = std::move(model->program);
   return header;
@@ -124,20 +124,29 @@ JournalEntry read_response(Fields& fields, const Program* program) {
   return entry;
 }
 
+/// An object, if it is there; else empty.
+Dict read_object(Fields& fields, std::string_view key) {
+  const auto json = fields.find(key) ? read_data(fields, key) : std::nullopt;
+  if (json && !json->is_dict()) wrong_type(fields, key, "an object", *json);
+  return json && json->is_dict() ? json->as_dict() : Dict();
+}
+
 JournalEntry read_edit_entry(Fields& fields, Errors& errors) {
   EditEntry entry;
   if (const Value* json = fields.find("edit", kRequired)) {
     if (auto edit = edit::read_edit(*json))
       entry.edit = std::move(*edit);
     else
-      append(errors, std::move(edit).error(), fields.path() + "/edit/");
+      append(errors, std::move(edit).error(), fields.path() + "/edit");
   }
   entry.revision = fields.integer("revision", 1, std::numeric_limits<std::int64_t>::max()).value_or(0);
-  for (const auto& [key, dict] : {std::pair("origin", &entry.origin), std::pair("services", &entry.services)}) {
-    const auto json = fields.find(key) ? read_data(fields, key) : std::nullopt;
-    if (json && !json->is_dict()) wrong_type(fields, key, "an object", *json);
-    if (json && json->is_dict()) *dict = json->as_dict();
-  }
+  entry.origin = read_object(fields, "origin");
+  entry.services = read_object(fields, "services");
+  for (const auto& [path, from] : entry.origin)
+    if (!from.is_string() && !from.is_null())
+      errors.push_back({ErrorCode::type, "an origin must be a string or null, got " + std::string(kind_name(from)),
+                        fields.path() + "/origin/" + path.as_string()});
+  read_interfaces(entry.services, fields.path() + "/services", errors);
   return entry;
 }
 

@@ -69,8 +69,8 @@ class CarryOver {
     }
   }
 
-  // R6, R20: by caller, service and operation. What code now finds under another entry (an operation that only
-  // computed names reach) was delivered to nobody who waits (R19): nothing is commanded anew.
+  // R6, R20: by caller, service and operation. What an open operation stood for may have an entry of its own now; the
+  // delivery stays with the open one, which all code that could have waited for it mentions (R19).
   void carry_calls() {
     std::vector<StateId> callers(old_.states.size(), kNoState);
     for (std::uint32_t s = 0; s < new_.states.size(); ++s)
@@ -81,8 +81,8 @@ class CarryOver {
         carry_call(callers, operations[o].open ? record.service : operations[o].service, operations[o].name, record);
       const OperationId after = operations[o].open
                                     ? open_operation(operations[o].name)
-                                    : new_.services.find_operation(operations[o].service, operations[o].name);
-      if (after != kNone) to_.response_tick[after] = from_.response_tick[o];
+                                    : new_.services.dynamic_operation(operations[o].service, operations[o].name);
+      if (after != kNone) to_.response_tick[after] = std::max(to_.response_tick[after], from_.response_tick[o]);
     }
     for (std::vector<CallRecord>& records : to_.calls) std::ranges::sort(records, {}, &CallRecord::number);
   }

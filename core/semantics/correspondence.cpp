@@ -1,5 +1,6 @@
 #include "core/semantics/correspondence.h"
 
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -119,13 +120,22 @@ class Matcher {
 
 }  // namespace
 
-Correspondence::Correspondence(const Program& before, const Program& after)
+Correspondence::Correspondence(const Program& after)
     : states(after.states.size(), kNone),
       barriers(after.barriers.size(), kNone),
       ports(after.ports.size(), kNone),
       actions(after.actions.size(), kNone),
-      values(after.initial.size(), kNone) {
+      values(after.initial.size(), kNone) {}
+
+Correspondence::Correspondence(const Program& before, const Program& after) : Correspondence(after) {
   Matcher(before, after, *this).match();
+}
+
+Correspondence Correspondence::identity(const Program& program) {
+  Correspondence same(program);
+  for (auto* numbers : {&same.states, &same.barriers, &same.ports, &same.actions, &same.values})
+    std::iota(numbers->begin(), numbers->end(), 0U);
+  return same;
 }
 
 }  // namespace race::semantics

@@ -50,6 +50,14 @@ std::string call_text(const Value& call) {
   return text + "(" + arguments + ")";
 }
 
+// Root/A par.x
+std::string obstacle_text(const Value& obstacle) {
+  std::string text;
+  if (const Value* path = obstacle.find("path")) text += word(*path);
+  if (const Value* parameter = obstacle.find("parameter")) text += " par." + word(*parameter);
+  return text;
+}
+
 class Transcript {
  public:
   std::string write(const Value& document) {
@@ -75,6 +83,7 @@ class Transcript {
       line(1, "micro " + std::to_string(++number));
       write_node(tree, 2);
     }
+    for (const Value& obstacle : items(step, "waits")) line(1, "the edit waits for " + obstacle_text(obstacle));
     for (const Value& call : items(step, "calls")) line(1, "call " + call_text(call));
     if (const Value* state = step.find("state")) write_state(*state, before);
   }

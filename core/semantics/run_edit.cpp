@@ -124,7 +124,7 @@ Expected<Run> Run::forced(const Force& force) const {
     return unexpected(ErrorCode::constant, "the value is not finite", force.path);
   if (at && force.value.size_units() > body_->budgets.evaluation.value_units)
     return unexpected(ErrorCode::too_large, "the value is larger than one of this run may be", force.path);
-  auto body = carried_body(body_->program, Correspondence(program, program));
+  auto body = carried_body(body_->program, Correspondence::identity(program));
   if (at) body->state.values[*at] = force.value;
   if (port) body->state.forced = *port;
   fill_lists(body->state, program);

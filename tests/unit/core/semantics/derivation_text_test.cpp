@@ -77,6 +77,7 @@ TEST(DerivationText, ShowsWhatChangedFromStepToStep) {
        "state": {"active": ["R", "R/A"], "ports": ["R/A.p"], "activated": {"R/b": ["R/A.p"]},
                  "parameters": {"R/A": {"x": 1}}, "results": {}, "variables": {"R": {"v": 1, "w": 1}}}},
       {"micro": [], "calls": [],
+       "waits": [{"path": "R/A", "id": "a"}, {"path": "R", "id": "r", "parameter": "p"}],
        "state": {"active": ["R"], "ports": [], "activated": {},
                  "parameters": {}, "results": {"R": {"y": [1]}}, "variables": {"R": {"v": 1, "w": 1.0}}}}],
       "status": "running"})"),
@@ -89,6 +90,8 @@ TEST(DerivationText, ShowsWhatChangedFromStepToStep) {
   set R var.v = 1
   set R var.w = 1
 step 2
+  the edit waits for R/A
+  the edit waits for R par.p
   active R
   unset R/A par.x
   set R res.y = [1]

@@ -69,8 +69,8 @@ class SmallRun {
   DrivenRun& operator*() { return run_; }
   DrivenRun* operator->() { return &run_; }
 
- private:
-  static DrivenRun create(std::string root, const Dict& arguments, Budgets budgets) {
+  /// The program of such a root.
+  static std::shared_ptr<const Program> program(std::string root) {
     for (char& c : root) c = c == '\'' ? '"' : c;
     auto document = rcm::read_document_text(R"({"rcm": 1, "root": )" + root + "}");
     if (!document) throw std::runtime_error(to_string(document.error()[0]));
@@ -91,7 +91,12 @@ class SmallRun {
     }
     auto program = Program::build(*native, {{"t", service}, {"u", service}});
     if (!program) throw std::runtime_error(to_string(program.error()[0]));
-    return DrivenRun(*Run::create(*program, arguments, budgets));
+    return *program;
+  }
+
+ private:
+  static DrivenRun create(std::string root, const Dict& arguments, Budgets budgets) {
+    return DrivenRun(*Run::create(program(std::move(root)), arguments, budgets));
   }
   static std::string name_of(const Value& path) { return path.as_string().substr(path.as_string().rfind('/') + 1); }
 
