@@ -1,7 +1,5 @@
 #include "core/edit/element.h"
 
-#include <algorithm>
-#include <map>
 #include <type_traits>
 #include <utility>
 
@@ -105,15 +103,9 @@ void normalize_entries(Value& entries) {
   const Dict& dict = entries.as_dict();
   if (dict.empty()) {
     entries = Value();
-    return;
+  } else if (!dict.is_sorted()) {
+    entries = dict.sorted();
   }
-  const auto before = [](const auto& a, const auto& b) { return a.first.as_string() < b.first.as_string(); };
-  if (std::is_sorted(dict.begin(), dict.end(), before)) return;
-  std::map<std::string_view, const Value*> sorted;
-  for (const auto& [key, value] : dict) sorted.emplace(key.as_string(), &value);
-  Dict out;
-  for (const auto& [key, value] : sorted) out.set(key, *value);
-  entries = std::move(out);
 }
 
 }  // namespace race::edit

@@ -90,31 +90,6 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
   std::vector<std::string> keys_;
 };
 
-void write_string(const std::string& text, std::string& out) {
-  static constexpr char kHex[] = "0123456789abcdef";
-  out += '"';
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      out += '\\';
-      out += c;
-    } else if (c == '\n') {
-      out += "\\n";
-    } else if (c == '\t') {
-      out += "\\t";
-    } else if (c == '\r') {
-      out += "\\r";
-    } else if (byte < 0x20) {
-      out += "\\u00";
-      out += kHex[byte >> 4];
-      out += kHex[byte & 15];
-    } else {
-      out += c;
-    }
-  }
-  out += '"';
-}
-
 void write_number(double v, std::string& out) {
   char buffer[32];
   const auto end = std::to_chars(buffer, buffer + sizeof buffer, v).ptr;
@@ -144,7 +119,7 @@ void write(const Value& value, int indent, int level, std::string& out) {
       write_number(value.as_number(), out);
       break;
     case Value::Kind::string:
-      write_string(value.as_string(), out);
+      append_json_string(value.as_string(), out);
       break;
     case Value::Kind::list: {
       out += '[';
@@ -166,7 +141,7 @@ void write(const Value& value, int indent, int level, std::string& out) {
         if (!first) out += ',';
         first = false;
         new_line(level + 1);
-        write_string(key.as_string(), out);
+        append_json_string(key.as_string(), out);
         out += indent < 0 ? ":" : ": ";
         write(item, indent, level + 1, out);
       }
@@ -186,6 +161,37 @@ Expected<Value> parse_json(std::string_view text, const JsonLimits& limits) {
   if (!nlohmann::json::sax_parse(text, &builder)) return tl::unexpected(builder.error);
   return std::move(builder.root);
 }
+
+void append_json_string(std::string_view text, std::string& out) {
+  static constexpr char kHex[] = "0123456789abcdef";
+  out += '"';
+  std::size_t written = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x20 && c != '"' && c != '\\') continue;
+    out += text.substr(written, i - written);
+    written = i + 1;
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (c == '\n') {
+      out += "\\n";
+    } else if (c == '\t') {
+      out += "\\t";
+    } else if (c == '\r') {
+      out += "\\r";
+    } else {
+      out += "\\u00";
+      out += kHex[byte >> 4];
+      out += kHex[byte & 15];
+    }
+  }
+  out += text.substr(written);
+  out += '"';
+}
+
+void append_json(const Value& value, std::string& out) { write(value, -1, 0, out); }
 
 std::string to_json(const Value& value, int indent) {
   std::string out;
