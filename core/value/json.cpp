@@ -1,5 +1,6 @@
 #include "core/value/json.h"
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -164,12 +165,18 @@ Expected<Value> parse_json(std::string_view text, const JsonLimits& limits) {
 
 void append_json_string(std::string_view text, std::string& out) {
   static constexpr char kHex[] = "0123456789abcdef";
+  static constexpr auto kIsEscaped = [] {
+    std::array<bool, 256> escaped{};
+    for (std::size_t i = 0; i < 0x20; ++i) escaped[i] = true;
+    escaped['"'] = escaped['\\'] = true;
+    return escaped;
+  }();
   out += '"';
   std::size_t written = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
     const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x20 && c != '"' && c != '\\') continue;
+    if (!kIsEscaped[byte]) continue;
     out += text.substr(written, i - written);
     written = i + 1;
     if (c == '"' || c == '\\') {
