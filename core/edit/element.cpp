@@ -1,6 +1,5 @@
 #include "core/edit/element.h"
 
-#include <type_traits>
 #include <utility>
 
 #include "core/rcm/document.h"
@@ -23,17 +22,6 @@ rcm::State holder(ListName list, Content element) {
   out.name = "S";
   append(out, list, std::move(element));
   return out;
-}
-
-void normalize_metas(rcm::State& state) {
-  normalize_entries(state.meta.rest);
-  for_each_element(state, [](ListName, auto& element) {
-    if constexpr (std::is_same_v<std::remove_reference_t<decltype(element)>, rcm::State>) {
-      normalize_metas(element);
-    } else {
-      normalize_entries(element.meta.rest);
-    }
-  });
 }
 
 /// The only element of `state`.
@@ -91,21 +79,10 @@ Expected<Content> read_content(const Value& json, ListName list) {
   const Value document = Dict{{"rcm", 1}, {"root", Dict{{"state", "S"}, {name(shown), List{json}}}}};
   rcm::Draft draft = rcm::read_draft(document);
   if (!draft.errors.empty()) return tl::unexpected(std::move(draft.errors.front()));
-  normalize_metas(draft.document.root);
   auto element = take_element(draft.document.root);
   if (!element || (list == ListName::library && !std::holds_alternative<rcm::State>(*element)))
     return unexpected(ErrorCode::type, "is no element of the list `" + std::string(name(list)) + "`");
   return std::move(*element);
-}
-
-void normalize_entries(Value& entries) {
-  if (!entries.is_dict()) return;
-  const Dict& dict = entries.as_dict();
-  if (dict.empty()) {
-    entries = Value();
-  } else if (!dict.is_sorted()) {
-    entries = dict.sorted();
-  }
 }
 
 }  // namespace race::edit

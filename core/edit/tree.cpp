@@ -80,10 +80,6 @@ Expected<Tree> Tree::read(const rcm::Document& document) {
   out.fields_.services = document.services;
   out.fields_.layout = document.layout;
   out.fields_.meta = document.meta;
-  normalize_entries(out.fields_.layout);
-  if (const Value* notes = document.meta.find("notes"); notes && notes->is_dict() && notes->as_dict().empty())
-    out.fields_.meta.mutable_dict().erase("notes");
-  normalize_entries(out.fields_.meta);
   out.text_bound_ = edit::text_bound(document.name, document.layout) + edit::text_bound("", document.meta);
   for (const auto& [key, type] : document.services) out.text_bound_ += edit::text_bound(key, Value(type));
   out.root_ = document.root.meta.id;

@@ -1,6 +1,6 @@
-// The fields of each element of the format, in order; what is empty is left out. for_each_field calls visit(key,
-// field), where a field is a text, texts, JSON, a `meta`, an oracle, a state or a list of elements. Used by write.cpp
-// (JSON as a value) and format.cpp (JSON as text).
+// The fields of each element of the format, in order; what is empty is left out, entries are in order (entries.h).
+// for_each_field calls visit(key, field), where a field is a text, texts, JSON, a `meta`, an oracle, a state or a list
+// of elements. Used by write.cpp (JSON as a value) and format.cpp (JSON as text).
 #pragma once
 
 #include <map>
@@ -9,12 +9,10 @@
 #include <string_view>
 #include <vector>
 
+#include "core/rcm/entries.h"
 #include "core/rcm/model.h"
 
 namespace race::rcm {
-
-/// The `meta` of an element as JSON; null: nothing.
-Value meta_json(const Meta& meta);
 
 /// Calls visit(key, field) unless `field` is empty.
 template <typename Visit>
@@ -39,7 +37,7 @@ void visit_list(std::string_view key, const std::vector<Element>& elements, Visi
 
 template <typename Visit>
 void visit_meta(const Meta& meta, Visit& visit) {
-  if (!meta.id.empty() || !meta.rest.is_null()) visit("meta", meta);
+  if (!meta.id.empty() || !ordered_entries(meta.rest).is_null()) visit("meta", meta);
 }
 
 template <typename Visit>
@@ -121,8 +119,8 @@ void for_each_field(const Document& document, Visit& visit) {
   if (!document.services.empty()) visit("services", document.services);
   visit_list("library", document.library, visit);
   visit("root", document.root);
-  visit_json("layout", document.layout, visit);
-  visit_json("meta", document.meta, visit);
+  visit_json("layout", ordered_entries(document.layout), visit);
+  visit_json("meta", ordered_document_meta(document.meta), visit);
 }
 
 }  // namespace race::rcm

@@ -269,9 +269,8 @@ class Formatter {
     });
   }
 
-  /// In order of the keys, each on one line.
+  /// Each on one line.
   void write_entries(const Dict& entries, std::size_t indent) {
-    if (!entries.is_sorted()) return write_entries(entries.sorted(), indent);
     write_dict(entries, indent, [&](std::string_view, const Value& entry, std::size_t) {
       line_end_ = std::string::npos;
       line(entry, std::numeric_limits<int>::max());

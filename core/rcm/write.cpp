@@ -39,15 +39,6 @@ Value json_of(const Element& element) {
 
 }  // namespace
 
-Value meta_json(const Meta& meta) {
-  if (meta.id.empty()) return meta.rest;
-  Dict entries{{"id", meta.id}};
-  if (meta.rest.is_dict()) {
-    for (const auto& [key, value] : meta.rest.as_dict()) entries.set(key, value);
-  }
-  return entries;
-}
-
 Value write_state(const State& state) { return json_of(state); }
 
 Value write_document(const Document& document) { return json_of(document); }
