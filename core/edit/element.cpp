@@ -17,10 +17,10 @@ Overloaded(Visits...) -> Overloaded<Visits...>;
 const std::string kNoName;
 
 /// A state with one element in one list is how the codec of documents gets to see a single element.
-rcm::State holder(ListName list, Content element) {
+rcm::State holder(ListName list, const Content& element) {
   rcm::State out;
   out.name = "S";
-  append(out, list, std::move(element));
+  append(out, list, element);
   return out;
 }
 
@@ -55,15 +55,15 @@ std::string_view name_field(const Content& content) {
                     content);
 }
 
-void append(rcm::State& state, ListName list, Content element) {
-  std::visit(Overloaded{[&](rcm::State& e) { state.children.emplace_back(std::move(e)); },
-                        [&](rcm::Barrier& e) { state.children.emplace_back(std::move(e)); },
-                        [&](rcm::Parameter& e) { state.parameters.push_back(std::move(e)); },
-                        [&](rcm::Datum& e) {
-                          (list == ListName::results ? state.results : state.variables).push_back(std::move(e));
+void append(rcm::State& state, ListName list, const Content& element) {
+  std::visit(Overloaded{[&](const rcm::State& e) { state.children.emplace_back(e); },
+                        [&](const rcm::Barrier& e) { state.children.emplace_back(e); },
+                        [&](const rcm::Parameter& e) { state.parameters.push_back(e); },
+                        [&](const rcm::Datum& e) {
+                          (list == ListName::results ? state.results : state.variables).push_back(e);
                         },
-                        [&](rcm::Action& e) { state.actions.push_back(std::move(e)); },
-                        [&](rcm::Port& e) { state.ports.push_back(std::move(e)); }},
+                        [&](const rcm::Action& e) { state.actions.push_back(e); },
+                        [&](const rcm::Port& e) { state.ports.push_back(e); }},
              element);
 }
 

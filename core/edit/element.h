@@ -43,6 +43,6 @@ void for_each_element(AnyState& state, Visit&& visit) {
 }
 
 /// Adds an element to the end of a list. Requires an element of that list.
-void append(rcm::State& state, ListName list, Content element);
+void append(rcm::State& state, ListName list, const Content& element);
 
 }  // namespace race::edit

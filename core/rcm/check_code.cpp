@@ -86,7 +86,7 @@ class CodeCheck {
 
   Symbols symbols_of(const State& state) const {
     Symbols out;
-    if (!names_) return out;
+    if (!names_ && !checks_) return out;
     auto own = interface_of(state);
     out.parameters = std::move(own.parameters);
     out.results = std::move(own.results);
@@ -99,7 +99,7 @@ class CodeCheck {
                                            : inner   ? language::ChildSymbols{}
                                                      : barrier_symbols());
     }
-    if (state.oracle) {
+    if (state.oracle && names_) {
       DerivedIds no_ids;
       out.children.emplace(kDispatcher, interface_of(dispatcher(state, no_ids)));
     }
@@ -148,11 +148,18 @@ class CodeCheck {
   template <typename Which, typename Where>
   void check(Which which, std::string_view text, CodeKind kind, const Scope& scope, Where where,
              Names names = Names::checked) {
-    if (scope.known) {
-      report(which, checks_->check(text, kind, scope.symbols, *scope.known), where, names);
+    if (checks_) {
+      report(which, known_errors(text, kind, scope), where, names);
     } else {
       report(which, language::check(text, kind, scope.symbols), where, names);
     }
+  }
+
+  /// A text without errors has none but of names with any other names, so that a violation of structure, because of
+  /// which names are not checked, does not make all texts be read again.
+  const std::vector<Error>& known_errors(std::string_view text, CodeKind kind, const Scope& scope) {
+    const std::vector<Error>& errors = checks_->check(text, kind, scope.symbols, *scope.known);
+    return names_ || errors.empty() ? errors : checks_->check(text, kind, open_.symbols, *open_.known);
   }
 
   template <typename Which, typename Where>

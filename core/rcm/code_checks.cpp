@@ -8,15 +8,18 @@
 namespace race::rcm {
 namespace {
 
-// Marks that no name has: of a document whose names are not valid none are checked, and its scopes are empty.
-constexpr char kEndOfName = '\n', kEndOfNames = '\t', kBarrier = '|';
+// Names may be any texts if they are not valid, so each has its length before it.
+constexpr char kEndOfLength = ':', kEndOfNames = ';', kBarrier = '|';
+
+void add_name(const std::string& name, std::string& out) {
+  out += std::to_string(name.size());
+  out += kEndOfLength;
+  out += name;
+}
 
 template <typename Names>
 void add_names(const Names& names, std::string& out) {
-  for (const auto& [name, number] : names) {
-    out += name;
-    out += kEndOfName;
-  }
+  for (const auto& [name, number] : names) add_name(name, out);
   out += kEndOfNames;
 }
 
@@ -28,8 +31,8 @@ std::string key_of(const language::Symbols& symbols) {
   add_names(symbols.variables, out);
   add_names(symbols.ports, out);
   for (const auto& [name, child] : symbols.children) {
-    out += name;
-    out += child.barrier ? kBarrier : kEndOfName;
+    add_name(name, out);
+    if (child.barrier) out += kBarrier;
     add_names(child.parameters, out);
     add_names(child.results, out);
     add_names(child.ports, out);

@@ -3,6 +3,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -163,6 +165,21 @@ Expected<Value> parse_json(std::string_view text, const JsonLimits& limits) {
   return std::move(builder.root);
 }
 
+namespace {
+
+/// Whether one of the next eight bytes may have to be escaped: is below space, or equals `"` or `\`; false for none of
+/// those, true for some others.
+bool has_escaped(const char* text) {
+  constexpr std::uint64_t kOnes = 0x0101010101010101U, kHighs = 0x8080808080808080U;
+  std::uint64_t word = 0;
+  std::memcpy(&word, text, sizeof word);
+  const auto has_zero = [](std::uint64_t w) { return (w - kOnes) & ~w & kHighs; };
+  const std::uint64_t controls = (word - kOnes * 0x20U) & ~word & kHighs;
+  return (controls | has_zero(word ^ (kOnes * '"')) | has_zero(word ^ (kOnes * '\\'))) != 0;
+}
+
+}  // namespace
+
 void append_json_string(std::string_view text, std::string& out) {
   static constexpr char kHex[] = "0123456789abcdef";
   static constexpr auto kIsEscaped = [] {
@@ -174,6 +191,8 @@ void append_json_string(std::string_view text, std::string& out) {
   out += '"';
   std::size_t written = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
+    while (i + sizeof(std::uint64_t) <= text.size() && !has_escaped(text.data() + i)) i += sizeof(std::uint64_t);
+    if (i == text.size()) break;
     const char c = text[i];
     const auto byte = static_cast<unsigned char>(c);
     if (!kIsEscaped[byte]) continue;

@@ -95,6 +95,18 @@ TEST(CodeChecks, ReadTheTextThatWasEditedAlone) {
   EXPECT_EQ(reads_after({"p", "name", {}, Value("q")}), 2U) << "the texts of the state whose parameter it is";
 }
 
+TEST(CodeChecks, ReadNoTextAgainBecauseOfAViolationOfStructure) {
+  History history(Tree::read(small_document()).value());
+  rcm::CodeChecks checks;
+  rcm::violations(history.tree().document(), checks);
+  const std::size_t before = checks.reads();
+  for (const char* target : {"Nowhere", "B", "Elsewhere"}) {
+    ASSERT_TRUE(history.apply("a", history.revision(), Edit{{Set{"adone", "to", {}, Value(target)}}}));
+    rcm::violations(history.tree().document(), checks);
+    EXPECT_EQ(checks.reads(), before) << target;
+  }
+}
+
 TEST(CodeChecks, HoldWhatTheLastDocumentHadAndNoMore) {
   History history(Tree::read(small_document()).value());
   rcm::CodeChecks checks;

@@ -147,6 +147,20 @@ TEST(WriteJson, EscapesAtTheBeginningInTheMiddleAndAtTheEnd) {
   }
 }
 
+TEST(WriteJson, EscapesAtEachOffsetOfTextsOfEachLength) {
+  for (int c = 0; c < 0x100; ++c) {
+    std::string alone;
+    append_json_string(std::string(1, static_cast<char>(c)), alone);
+    for (std::size_t size = 1; size <= 18; ++size) {
+      for (std::size_t at = 0; at < size; ++at) {
+        std::string out, before(at, '!'), behind(size - at - 1, '\x80');
+        append_json_string(before + static_cast<char>(c) + behind, out);
+        ASSERT_EQ(out, '"' + before + alone.substr(1, alone.size() - 2) + behind + '"') << "character " << c;
+      }
+    }
+  }
+}
+
 TEST(WriteJson, AddsToTheEndOfAText) {
   for (const Value& value : {Value(), Value(true), Value(-7), Value(0.5), Value("a\"b"), Value(List{1, List{}, "x"}),
                              Value(Dict{{"k\n", Dict{{"e", Dict{}}}}, {"l", 2}})}) {
