@@ -1,8 +1,5 @@
 #include "core/edit/element.h"
 
-#include <algorithm>
-#include <map>
-#include <type_traits>
 #include <utility>
 
 #include "core/rcm/document.h"
@@ -20,22 +17,11 @@ Overloaded(Visits...) -> Overloaded<Visits...>;
 const std::string kNoName;
 
 /// A state with one element in one list is how the codec of documents gets to see a single element.
-rcm::State holder(ListName list, Content element) {
+rcm::State holder(ListName list, const Content& element) {
   rcm::State out;
   out.name = "S";
-  append(out, list, std::move(element));
+  append(out, list, element);
   return out;
-}
-
-void normalize_metas(rcm::State& state) {
-  normalize_entries(state.meta.rest);
-  for_each_element(state, [](ListName, auto& element) {
-    if constexpr (std::is_same_v<std::remove_reference_t<decltype(element)>, rcm::State>) {
-      normalize_metas(element);
-    } else {
-      normalize_entries(element.meta.rest);
-    }
-  });
 }
 
 /// The only element of `state`.
@@ -69,15 +55,15 @@ std::string_view name_field(const Content& content) {
                     content);
 }
 
-void append(rcm::State& state, ListName list, Content element) {
-  std::visit(Overloaded{[&](rcm::State& e) { state.children.emplace_back(std::move(e)); },
-                        [&](rcm::Barrier& e) { state.children.emplace_back(std::move(e)); },
-                        [&](rcm::Parameter& e) { state.parameters.push_back(std::move(e)); },
-                        [&](rcm::Datum& e) {
-                          (list == ListName::results ? state.results : state.variables).push_back(std::move(e));
+void append(rcm::State& state, ListName list, const Content& element) {
+  std::visit(Overloaded{[&](const rcm::State& e) { state.children.emplace_back(e); },
+                        [&](const rcm::Barrier& e) { state.children.emplace_back(e); },
+                        [&](const rcm::Parameter& e) { state.parameters.push_back(e); },
+                        [&](const rcm::Datum& e) {
+                          (list == ListName::results ? state.results : state.variables).push_back(e);
                         },
-                        [&](rcm::Action& e) { state.actions.push_back(std::move(e)); },
-                        [&](rcm::Port& e) { state.ports.push_back(std::move(e)); }},
+                        [&](const rcm::Action& e) { state.actions.push_back(e); },
+                        [&](const rcm::Port& e) { state.ports.push_back(e); }},
              element);
 }
 
@@ -93,27 +79,10 @@ Expected<Content> read_content(const Value& json, ListName list) {
   const Value document = Dict{{"rcm", 1}, {"root", Dict{{"state", "S"}, {name(shown), List{json}}}}};
   rcm::Draft draft = rcm::read_draft(document);
   if (!draft.errors.empty()) return tl::unexpected(std::move(draft.errors.front()));
-  normalize_metas(draft.document.root);
   auto element = take_element(draft.document.root);
   if (!element || (list == ListName::library && !std::holds_alternative<rcm::State>(*element)))
     return unexpected(ErrorCode::type, "is no element of the list `" + std::string(name(list)) + "`");
   return std::move(*element);
-}
-
-void normalize_entries(Value& entries) {
-  if (!entries.is_dict()) return;
-  const Dict& dict = entries.as_dict();
-  if (dict.empty()) {
-    entries = Value();
-    return;
-  }
-  const auto before = [](const auto& a, const auto& b) { return a.first.as_string() < b.first.as_string(); };
-  if (std::is_sorted(dict.begin(), dict.end(), before)) return;
-  std::map<std::string_view, const Value*> sorted;
-  for (const auto& [key, value] : dict) sorted.emplace(key.as_string(), &value);
-  Dict out;
-  for (const auto& [key, value] : sorted) out.set(key, *value);
-  entries = std::move(out);
 }
 
 }  // namespace race::edit

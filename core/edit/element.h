@@ -29,12 +29,7 @@ std::string_view name_field(const Content& content);
 Value write_content(const Content& content, ListName list);
 
 /// Reads what write_content writes. Errors: those of rcm::read_draft, and `type` if it is no element of such a list.
-/// The entries of every `meta` are put in order of their keys: who gives one back after it was taken away finds it
-/// where it was.
 Expected<Content> read_content(const Value& json, ListName list);
-
-/// Puts the entries of an object in order of their keys; an empty object becomes null.
-void normalize_entries(Value& entries);
 
 /// Calls visit(list, element) for every element in the lists of `state`, in the order of the format.
 template <typename AnyState, typename Visit>
@@ -48,6 +43,6 @@ void for_each_element(AnyState& state, Visit&& visit) {
 }
 
 /// Adds an element to the end of a list. Requires an element of that list.
-void append(rcm::State& state, ListName list, Content element);
+void append(rcm::State& state, ListName list, const Content& element);
 
 }  // namespace race::edit

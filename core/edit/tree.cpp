@@ -47,6 +47,31 @@ Expected<void> flatten(Content node, const std::string& parent, std::optional<Li
   return {};
 }
 
+void reserve(rcm::State& state, const std::array<Ids, 7>& lists) {
+  const auto size = [&](ListName list) { return lists[static_cast<std::size_t>(list)].size(); };
+  state.parameters.reserve(size(ListName::parameters));
+  state.results.reserve(size(ListName::results));
+  state.variables.reserve(size(ListName::variables));
+  state.actions.reserve(size(ListName::actions));
+  state.children.reserve(size(ListName::children));
+  state.ports.reserve(size(ListName::ports));
+}
+
+/// Adds what is in the lists of `element` to its state.
+void fill(rcm::State& state, const Element& element, const Tree& tree) {
+  reserve(state, element.lists);
+  for (std::size_t i = 0; i < element.lists.size(); ++i) {
+    for (const std::string& id : element.lists[i]) {
+      const Element& inner = *tree.find(id);
+      if (const auto* child = std::get_if<rcm::State>(&inner.content)) {
+        fill(std::get<rcm::State>(state.children.emplace_back(*child)), inner, tree);
+      } else {
+        append(state, static_cast<ListName>(i), inner.content);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 Expected<Tree> Tree::read(const rcm::Document& document) {
@@ -55,10 +80,6 @@ Expected<Tree> Tree::read(const rcm::Document& document) {
   out.fields_.services = document.services;
   out.fields_.layout = document.layout;
   out.fields_.meta = document.meta;
-  normalize_entries(out.fields_.layout);
-  if (const Value* notes = document.meta.find("notes"); notes && notes->is_dict() && notes->as_dict().empty())
-    out.fields_.meta.mutable_dict().erase("notes");
-  normalize_entries(out.fields_.meta);
   out.text_bound_ = edit::text_bound(document.name, document.layout) + edit::text_bound("", document.meta);
   for (const auto& [key, type] : document.services) out.text_bound_ += edit::text_bound(key, Value(type));
   out.root_ = document.root.meta.id;
@@ -85,17 +106,14 @@ Expected<void> Tree::add(Content node, const std::string& parent, std::optional<
 rcm::Document Tree::document() const {
   rcm::Document out = fields_;
   out.root = std::get<rcm::State>(compose(*find(root_)));
+  out.library.reserve(library_.size());
   for (const std::string& id : library_) out.library.push_back(std::get<rcm::State>(compose(*find(id))));
   return out;
 }
 
 Content Tree::compose(const Element& element) const {
   Content out = element.content;
-  if (auto* state = std::get_if<rcm::State>(&out)) {
-    for (std::size_t i = 0; i < element.lists.size(); ++i) {
-      for (const std::string& id : element.lists[i]) append(*state, static_cast<ListName>(i), compose(*find(id)));
-    }
-  }
+  if (auto* state = std::get_if<rcm::State>(&out)) fill(*state, element, *this);
   return out;
 }
 

@@ -1,5 +1,5 @@
 // Tree: a document as its edits see it, every element by its id. It is what a document is, in another shape: read() and
-// document() lose nothing but the order of the entries of `meta` (that of the keys) and objects without entries.
+// document() lose nothing.
 //
 // A value, on one thread. Changing it costs what is changed; an operation that is refused changes nothing.
 #pragma once

@@ -3,6 +3,7 @@
 
 #include "core/edit/extent.h"
 #include "core/edit/tree.h"
+#include "core/rcm/entries.h"
 
 namespace race::edit {
 namespace {
@@ -17,7 +18,7 @@ std::optional<Value> exchange(Value& entries, std::string_view key, const std::o
   } else if (old) {
     entries.mutable_dict().erase(key);
   }
-  normalize_entries(entries);
+  entries = rcm::ordered_entries(entries);
   return old;
 }
 

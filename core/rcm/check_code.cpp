@@ -30,32 +30,44 @@ language::ChildSymbols barrier_symbols() {
 }
 
 std::string of_parameter(const Parameter& parameter) { return "parameter `" + parameter.name + "`"; }
+std::string of_action(std::size_t number, std::string_view field) {
+  return "action " + std::to_string(number) + ", `" + std::string(field) + "`";
+}
+
+/// The names that code of one state may use, and what is known of code that uses them.
+struct Scope {
+  Symbols symbols;
+  CodeChecks::Scope* known = nullptr;
+};
 
 class CodeCheck {
  public:
-  CodeCheck(const Library& library, bool names, std::vector<Error>& errors)
-      : library_(library), names_(names), errors_(errors) {}
+  CodeCheck(const Library& library, bool names, CodeChecks* checks, std::vector<Error>& errors)
+      : library_(library), names_(names), checks_(checks), open_(scope_of({})), errors_(errors) {}
 
   void check_state(const State& state, const std::string& path) {
     if (state.link) return;
-    const Symbols symbols = symbols_of(state);
-    if (state.entry) check("entry", *state.entry, CodeKind::function, symbols, path);
-    if (state.exit) check("exit", *state.exit, CodeKind::function, symbols, path);
+    const auto at_state = [&] { return path; };
+    const Scope scope = scope_of(symbols_of(state));
+    if (state.entry) check([] { return "entry"; }, *state.entry, CodeKind::function, scope, at_state);
+    if (state.exit) check([] { return "exit"; }, *state.exit, CodeKind::function, scope, at_state);
     for (std::size_t i = 0; i < state.actions.size(); ++i) {
-      const std::string which = "action " + std::to_string(i);
-      check(which + ", `when`", state.actions[i].when, CodeKind::condition, symbols, path);
-      check(which + ", `do`", state.actions[i].code, CodeKind::function, symbols, path);
+      const Action& action = state.actions[i];
+      check([&] { return of_action(i, "when"); }, action.when, CodeKind::condition, scope, at_state);
+      check([&] { return of_action(i, "do"); }, action.code, CodeKind::function, scope, at_state);
     }
-    if (state.oracle) check_oracle(*state.oracle, symbols, path);
+    if (state.oracle) check_oracle(*state.oracle, scope, path);
     for (const Node& child : state.children) {
       const auto* inner = std::get_if<State>(&child);
       if (!inner) continue;
       const std::string at = node_path(path, inner->name);
-      check_parameters(*inner, symbols, at);
+      check_parameters(*inner, scope, at);
       check_state(*inner, at);
     }
     for (const Port& port : state.ports) {
-      if (port.when) check("`when`", *port.when, CodeKind::condition, symbols, port_path(path, port.name));
+      if (!port.when) continue;
+      check([] { return "`when`"; }, *port.when, CodeKind::condition, scope,
+            [&] { return port_path(path, port.name); });
     }
   }
 
@@ -64,8 +76,8 @@ class CodeCheck {
   void check_open_parameters(const State& state, const std::string& path) {
     for (const Parameter& parameter : state.parameters) {
       if (parameter.from)
-        report(of_parameter(parameter), language::check(*parameter.from, CodeKind::expression, Symbols{}), path,
-               Names::open);
+        check([&] { return of_parameter(parameter); }, *parameter.from, CodeKind::expression, open_,
+              [&] { return path; }, Names::open);
     }
   }
 
@@ -74,11 +86,11 @@ class CodeCheck {
 
   Symbols symbols_of(const State& state) const {
     Symbols out;
-    if (!names_) return out;
-    const auto own = interface_of(state);
-    out.parameters = own.parameters;
-    out.results = own.results;
-    out.ports = own.ports;
+    if (!names_ && !checks_) return out;
+    auto own = interface_of(state);
+    out.parameters = std::move(own.parameters);
+    out.results = std::move(own.results);
+    out.ports = std::move(own.ports);
     for (const Datum& variable : state.variables) out.variables.emplace(variable.name, 0);
     for (const Node& child : state.children) {
       const auto* inner = std::get_if<State>(&child);
@@ -87,7 +99,7 @@ class CodeCheck {
                                            : inner   ? language::ChildSymbols{}
                                                      : barrier_symbols());
     }
-    if (state.oracle) {
+    if (state.oracle && names_) {
       DerivedIds no_ids;
       out.children.emplace(kDispatcher, interface_of(dispatcher(state, no_ids)));
     }
@@ -95,11 +107,21 @@ class CodeCheck {
     return out;
   }
 
+  Scope scope_of(Symbols symbols) const {
+    Scope out{std::move(symbols), nullptr};
+    if (checks_) out.known = &checks_->scope(out.symbols);
+    return out;
+  }
+
   /// The expressions of a child, in the scope of its parent. What a link takes over unchanged was checked in the
   /// library, but for the names.
-  void check_parameters(const State& child, const Symbols& parent, const std::string& path) {
+  void check_parameters(const State& child, const Scope& parent, const std::string& path) {
+    const auto check_from = [&](const Parameter& parameter, Names names) {
+      check([&] { return of_parameter(parameter); }, *parameter.from, CodeKind::expression, parent,
+            [&] { return path; }, names);
+    };
     for (const Parameter& parameter : child.parameters) {
-      if (parameter.from) check(of_parameter(parameter), *parameter.from, CodeKind::expression, parent, path);
+      if (parameter.from) check_from(parameter, Names::checked);
     }
     if (!child.link || !names_) return;
     std::set<std::string_view> own;
@@ -107,52 +129,68 @@ class CodeCheck {
       if (parameter.value || parameter.from) own.insert(parameter.name);
     }
     for (const Parameter& parameter : library_.parameters(child)) {
-      if (parameter.from && !own.contains(parameter.name))
-        report(of_parameter(parameter), language::check(*parameter.from, CodeKind::expression, parent), path,
-               Names::only);
+      if (parameter.from && !own.contains(parameter.name)) check_from(parameter, Names::only);
     }
   }
 
-  void check_oracle(const Oracle& oracle, const Symbols& symbols, const std::string& path) {
-    if (oracle.kind == Oracle::Kind::expr) check("oracle", oracle.text, CodeKind::expression, symbols, path);
+  void check_oracle(const Oracle& oracle, const Scope& scope, const std::string& path) {
+    const auto at = [&] { return path; };
+    if (oracle.kind == Oracle::Kind::expr) check([] { return "oracle"; }, oracle.text, CodeKind::expression, scope, at);
     if (oracle.kind != Oracle::Kind::external) return;
     const auto call = parse_call(oracle.text);
     if (!call) return;
     for (const auto& argument : call->arguments)
-      check("oracle, argument `" + argument.expression + "`", argument.expression, CodeKind::expression, symbols, path);
+      check([&] { return "oracle, argument `" + argument.expression + "`"; }, argument.expression, CodeKind::expression,
+            scope, at);
   }
 
-  /// `which`: the name of this text of the element at `path`, for messages.
-  void check(const std::string& which, std::string_view text, CodeKind kind, const Symbols& symbols,
-             const std::string& path) {
-    report(which, language::check(text, kind, symbols), path, Names::checked);
+  /// `which`() names this text of the element at the path `where`(), for messages.
+  template <typename Which, typename Where>
+  void check(Which which, std::string_view text, CodeKind kind, const Scope& scope, Where where,
+             Names names = Names::checked) {
+    if (checks_) {
+      report(which, known_errors(text, kind, scope), where, names);
+    } else {
+      report(which, language::check(text, kind, scope.symbols), where, names);
+    }
   }
 
-  void report(const std::string& which, std::vector<Error> found, const std::string& path, Names names) {
-    for (Error& error : found) {
+  /// A text without errors has none but of names with any other names, so that a violation of structure, because of
+  /// which names are not checked, does not make all texts be read again.
+  const std::vector<Error>& known_errors(std::string_view text, CodeKind kind, const Scope& scope) {
+    const std::vector<Error>& errors = checks_->check(text, kind, scope.symbols, *scope.known);
+    return names_ || errors.empty() ? errors : checks_->check(text, kind, open_.symbols, *open_.known);
+  }
+
+  template <typename Which, typename Where>
+  void report(Which which, const std::vector<Error>& found, Where where, Names names) {
+    for (const Error& error : found) {
       const bool unknown = error.code == ErrorCode::unknown_name;
       if (!names_ && (unknown || error.code == ErrorCode::scope)) continue;
       if ((names == Names::open && unknown) || (names == Names::only && !unknown)) continue;
-      error.path = path;
-      error.message = which + ": " + error.message;
-      errors_.push_back(std::move(error));
+      errors_.push_back(Error{error.code, which() + (": " + error.message), where(), error.where});
     }
   }
 
   const Library& library_;
   const bool names_;
+  CodeChecks* const checks_;
+  const Scope open_;
   std::vector<Error>& errors_;
 };
 
 }  // namespace
 
-void check_code(const Document& document, const Library& library, bool names, std::vector<Error>& errors) {
-  CodeCheck check(library, names, errors);
+void check_code(const Document& document, const Library& library, bool names, CodeChecks* checks,
+                std::vector<Error>& errors) {
+  if (checks) checks->begin();
+  CodeCheck check(library, names, checks, errors);
   for (const State& state : document.library) {
     check.check_open_parameters(state, library_path(state.name));
     check.check_state(state, library_path(state.name));
   }
   check.check_state(document.root, node_path("", document.root.name));
+  if (checks) checks->end();
 }
 
 }  // namespace race::rcm

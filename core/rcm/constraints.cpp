@@ -1,7 +1,9 @@
 #include "core/rcm/constraints.h"
 
+#include <algorithm>
+#include <iterator>
 #include <set>
-#include <string_view>
+#include <string>
 
 #include "core/rcm/constraints_internal.h"
 #include "core/rcm/extent.h"
@@ -11,8 +13,8 @@ namespace race::rcm {
 namespace {
 
 /// The paths of nodes without a name, for which reading has already reported a violation.
-std::set<std::string_view> said_nameless(const std::vector<Error>& errors) {
-  std::set<std::string_view> out;
+std::set<std::string> said_nameless(const std::vector<Error>& errors) {
+  std::set<std::string> out;
   for (const Error& error : errors) {
     if (error.path.ends_with('?')) out.insert(error.path);
   }
@@ -30,23 +32,38 @@ void check_extent(const Document& document, const Library& library, std::vector<
                                                 std::to_string(kMaxBytes >> 20U) + " MiB of text"});
 }
 
+/// Appends what is wrong with a document to what reading it has found.
+void add_violations(const Document& document, bool has_root, CodeChecks* checks, std::vector<Error>& errors) {
+  const auto nameless = said_nameless(errors);
+  const Library library(document);
+  std::vector<Error> structure;
+  check_structure(document, has_root, library, structure);
+  std::erase_if(structure,
+                [&](const Error& error) { return error.code == ErrorCode::name && nameless.contains(error.path); });
+  std::ranges::move(structure, std::back_inserter(errors));
+  if (errors.empty()) check_extent(document, library, errors);
+  const bool names = errors.empty();
+  check_code(document, library, names, checks, errors);
+}
+
 }  // namespace
 
 std::vector<Error> violations(const Draft& draft) {
   std::vector<Error> errors = draft.errors;
-  const auto nameless = said_nameless(draft.errors);
-  const Library library(draft.document);
-  std::vector<Error> structure;
-  check_structure(draft.document, draft.has_root, library, structure);
-  for (Error& error : structure) {
-    if (error.code != ErrorCode::name || !nameless.contains(error.path)) errors.push_back(std::move(error));
-  }
-  if (errors.empty()) check_extent(draft.document, library, errors);
-  const bool names = errors.empty();
-  check_code(draft.document, library, names, errors);
+  add_violations(draft.document, draft.has_root, nullptr, errors);
   return errors;
 }
 
-std::vector<Error> violations(const Document& document) { return violations(Draft{document, {}, true}); }
+std::vector<Error> violations(const Document& document) {
+  std::vector<Error> errors;
+  add_violations(document, true, nullptr, errors);
+  return errors;
+}
+
+std::vector<Error> violations(const Document& document, CodeChecks& checks) {
+  std::vector<Error> errors;
+  add_violations(document, true, &checks, errors);
+  return errors;
+}
 
 }  // namespace race::rcm

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/rcm/code_checks.h"
 #include "core/rcm/document.h"
 #include "core/rcm/model.h"
 #include "core/value/expected.h"
@@ -20,6 +21,9 @@ inline constexpr std::size_t kMaxBytes = 64U << 20U;
 /// All violations of a document. If its structure has violations, names in its code are not checked (`scope`,
 /// `unknown_name`).
 std::vector<Error> violations(const Document& document);
+
+/// The same, faster if `checks` comes from the revision before: what was checked then is not checked again.
+std::vector<Error> violations(const Document& document, CodeChecks& checks);
 
 /// The same of what could be read of a document, with the errors of reading it.
 std::vector<Error> violations(const Draft& draft);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/rcm/code_checks.h"
 #include "core/rcm/library.h"
 #include "core/rcm/model.h"
 #include "core/value/expected.h"
@@ -13,6 +14,8 @@ namespace race::rcm {
 void check_structure(const Document& document, bool has_root, const Library& library, std::vector<Error>& errors);
 
 /// Violations of code, appended to `errors`. `names`: whether names are checked, which requires a valid structure.
-void check_code(const Document& document, const Library& library, bool names, std::vector<Error>& errors);
+/// `checks`: of an earlier revision, or nullptr.
+void check_code(const Document& document, const Library& library, bool names, CodeChecks* checks,
+                std::vector<Error>& errors);
 
 }  // namespace race::rcm

@@ -33,8 +33,9 @@ Checked<Document> read_document(const Value& json);
 /// As read_document, from a text. Its own codes, with an empty path: `json`, `too_deep`, `too_large`.
 Checked<Document> read_document_text(std::string_view text);
 
-/// The JSON of a document, fields in the order of the format; empty lists, texts and null are left out. Reading it
-/// gives an equal document.
+/// The JSON of a document, fields in the order of the format, the entries of `meta`, `layout` and notes in order of
+/// their keys (entries.h); empty lists, texts and null are left out. Reading it gives an equal document, if `document`
+/// was read.
 Value write_document(const Document& document);
 
 /// The JSON of a state and all below it, such as the root of a native model.
@@ -44,8 +45,8 @@ Value write_state(const State& state);
 /// one element changes that element's lines alone, if its commas are not counted (the one of the line before appears
 /// with the last element of a list). So every element of a list stands on its own lines, a state always on several;
 /// another list or object on one line, if it holds no more than one level of lists and objects and fits into 120
-/// columns. `services`, `layout` and the `notes` of the document's meta have one line for each entry, in order of the
-/// keys.
+/// columns. `services`, `layout` and the `notes` of the document's meta have one line for each entry. Entries are in order
+/// as write_document has them.
 std::string format_document(const Document& document);
 
 /// The same for a text that is stored or written to a file. Ids and indentation make a text longer and deeper than what

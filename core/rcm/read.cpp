@@ -3,6 +3,7 @@
 
 #include "core/rcm/constraints.h"
 #include "core/rcm/document.h"
+#include "core/rcm/entries.h"
 #include "core/rcm/ids.h"
 #include "core/rcm/path.h"
 #include "core/rsm/type.h"
@@ -42,28 +43,29 @@ Value read_json_meta(Fields& fields) { return fields.constant("meta").value_or(V
 
 /// Of the document: `notes` on elements by their ids.
 Value read_document_meta(Fields& fields) {
-  Value meta = read_json_meta(fields);
+  const Value meta = read_json_meta(fields);
   const Value* notes = meta.find("notes");
   const bool are_texts = !notes || (notes->is_dict() && std::ranges::all_of(notes->as_dict(), [](const auto& note) {
                                       return note.second.is_string();
                                     }));
   if (!are_texts) fields.violation(ErrorCode::type, "`meta.notes` must be an object of texts, each by an id");
-  return meta;
+  return ordered_document_meta(meta);
 }
 
 Meta read_meta(Fields& fields, Errors& errors) {
-  Meta out{"", read_json_meta(fields)};
-  const Value* id = out.rest.find("id");
-  if (!id) return out;
+  const Value json = read_json_meta(fields);
+  const Value* id = json.find("id");
+  if (!id) return {"", ordered_entries(json)};
+  Meta out;
   if (id->is_string() && is_id(id->as_string())) {
     out.id = id->as_string();
   } else {
     ++errors.bad_ids;
     fields.violation(ErrorCode::type, "`meta.id` must be a text of 1 to 64 of A-Z a-z 0-9 _ -");
   }
-  Dict rest = out.rest.as_dict();
+  Dict rest = json.as_dict();
   rest.erase("id");
-  out.rest = rest.empty() ? Value() : Value(std::move(rest));
+  out.rest = ordered_entries(rest);
   return out;
 }
 
@@ -242,7 +244,7 @@ void read_fields(Fields& fields, Draft& out, Errors& errors) {
     out.document.root = read_state(*root, node_path("", label(*root, "state")), errors);
     out.has_root = root->is_dict();
   }
-  out.document.layout = fields.constant("layout").value_or(Value());
+  out.document.layout = ordered_entries(fields.constant("layout").value_or(Value()));
   if (!out.document.layout.is_null() && !out.document.layout.is_dict())
     fields.violation(ErrorCode::type, "`layout` must be an object");
   out.document.meta = read_document_meta(fields);

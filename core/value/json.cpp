@@ -1,7 +1,10 @@
 #include "core/value/json.h"
 
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -90,31 +93,6 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
   std::vector<std::string> keys_;
 };
 
-void write_string(const std::string& text, std::string& out) {
-  static constexpr char kHex[] = "0123456789abcdef";
-  out += '"';
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      out += '\\';
-      out += c;
-    } else if (c == '\n') {
-      out += "\\n";
-    } else if (c == '\t') {
-      out += "\\t";
-    } else if (c == '\r') {
-      out += "\\r";
-    } else if (byte < 0x20) {
-      out += "\\u00";
-      out += kHex[byte >> 4];
-      out += kHex[byte & 15];
-    } else {
-      out += c;
-    }
-  }
-  out += '"';
-}
-
 void write_number(double v, std::string& out) {
   char buffer[32];
   const auto end = std::to_chars(buffer, buffer + sizeof buffer, v).ptr;
@@ -144,7 +122,7 @@ void write(const Value& value, int indent, int level, std::string& out) {
       write_number(value.as_number(), out);
       break;
     case Value::Kind::string:
-      write_string(value.as_string(), out);
+      append_json_string(value.as_string(), out);
       break;
     case Value::Kind::list: {
       out += '[';
@@ -166,7 +144,7 @@ void write(const Value& value, int indent, int level, std::string& out) {
         if (!first) out += ',';
         first = false;
         new_line(level + 1);
-        write_string(key.as_string(), out);
+        append_json_string(key.as_string(), out);
         out += indent < 0 ? ":" : ": ";
         write(item, indent, level + 1, out);
       }
@@ -186,6 +164,60 @@ Expected<Value> parse_json(std::string_view text, const JsonLimits& limits) {
   if (!nlohmann::json::sax_parse(text, &builder)) return tl::unexpected(builder.error);
   return std::move(builder.root);
 }
+
+namespace {
+
+/// Whether one of the next eight bytes may have to be escaped: is below space, or equals `"` or `\`; false for none of
+/// those, true for some others.
+bool has_escaped(const char* text) {
+  constexpr std::uint64_t kOnes = 0x0101010101010101U, kHighs = 0x8080808080808080U;
+  std::uint64_t word = 0;
+  std::memcpy(&word, text, sizeof word);
+  const auto has_zero = [](std::uint64_t w) { return (w - kOnes) & ~w & kHighs; };
+  const std::uint64_t controls = (word - kOnes * 0x20U) & ~word & kHighs;
+  return (controls | has_zero(word ^ (kOnes * '"')) | has_zero(word ^ (kOnes * '\\'))) != 0;
+}
+
+}  // namespace
+
+void append_json_string(std::string_view text, std::string& out) {
+  static constexpr char kHex[] = "0123456789abcdef";
+  static constexpr auto kIsEscaped = [] {
+    std::array<bool, 256> escaped{};
+    for (std::size_t i = 0; i < 0x20; ++i) escaped[i] = true;
+    escaped['"'] = escaped['\\'] = true;
+    return escaped;
+  }();
+  out += '"';
+  std::size_t written = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    while (i + sizeof(std::uint64_t) <= text.size() && !has_escaped(text.data() + i)) i += sizeof(std::uint64_t);
+    if (i == text.size()) break;
+    const char c = text[i];
+    const auto byte = static_cast<unsigned char>(c);
+    if (!kIsEscaped[byte]) continue;
+    out += text.substr(written, i - written);
+    written = i + 1;
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (c == '\n') {
+      out += "\\n";
+    } else if (c == '\t') {
+      out += "\\t";
+    } else if (c == '\r') {
+      out += "\\r";
+    } else {
+      out += "\\u00";
+      out += kHex[byte >> 4];
+      out += kHex[byte & 15];
+    }
+  }
+  out += text.substr(written);
+  out += '"';
+}
+
+void append_json(const Value& value, std::string& out) { write(value, -1, 0, out); }
 
 std::string to_json(const Value& value, int indent) {
   std::string out;

@@ -28,4 +28,9 @@ Expected<Value> parse_json(std::string_view text, const JsonLimits& limits = {})
 /// UTF-8.
 std::string to_json(const Value& value, int indent = -1);
 
+/// to_json on one line, added to the end of `out`.
+void append_json(const Value& value, std::string& out);
+/// The same of a string.
+void append_json_string(std::string_view text, std::string& out);
+
 }  // namespace race

@@ -202,6 +202,21 @@ void Dict::clear() noexcept {
   index_.clear();
 }
 
+namespace {
+
+bool is_before(const Dict::Entry& a, const Dict::Entry& b) { return a.first.as_string() < b.first.as_string(); }
+
+}  // namespace
+
+bool Dict::is_sorted() const { return std::ranges::is_sorted(entries_, is_before); }
+
+Dict Dict::sorted() const {
+  Dict out = *this;
+  std::ranges::sort(out.entries_, is_before);
+  out.rebuild();
+  return out;
+}
+
 void Dict::freeze() {
   for (auto& [key, value] : entries_) {
     key.freeze();

@@ -179,6 +179,10 @@ class Dict {
   /// Removes `key`; false if there is none. The order of the others stays.
   bool erase(std::string_view key);
   void clear() noexcept;
+  /// Whether the entries are in order of their keys (byte by byte).
+  bool is_sorted() const;
+  /// The same entries in this order.
+  Dict sorted() const;
   /// Freezes every key and value.
   void freeze();
 

@@ -133,7 +133,9 @@ void collect(const Block& block, std::vector<std::string>& names) {
 }  // namespace
 
 Path path_of(const Expr& e) {
+  constexpr std::size_t kUsualNames = 5;  // svc.S.op.error.code
   Path path;
+  path.names.reserve(kUsualNames);
   const Expr* at = &e;
   for (; at->kind == ExprKind::attribute; at = at->items[0].get()) path.names.push_back(at->name);
   if (at->kind == ExprKind::index && at->items[0]->kind == ExprKind::name && at->items[0]->name == "svc" &&

@@ -1,6 +1,7 @@
 #include "core/language/primitives/utf8.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace race::language::utf8 {
 namespace {
@@ -17,11 +18,21 @@ std::size_t width(char c) {
   return byte < 0xF5 ? 4 : 0;
 }
 
+// The first byte from `at` on that is no ASCII; eight bytes at a time.
+std::size_t after_ascii(std::string_view text, std::size_t at) {
+  for (std::uint64_t word = 0; at + sizeof word <= text.size(); at += sizeof word) {
+    std::memcpy(&word, text.data() + at, sizeof word);
+    if ((word & 0x8080808080808080U) != 0) break;
+  }
+  while (at < text.size() && static_cast<unsigned char>(text[at]) < 0x80) ++at;
+  return at;
+}
+
 }  // namespace
 
 bool valid(std::string_view text) {
   std::size_t at = 0;
-  while (at < text.size()) {
+  while ((at = after_ascii(text, at)) < text.size()) {
     const std::size_t bytes = width(text[at]);
     if (bytes == 0 || at + bytes > text.size()) return false;
     for (std::size_t i = 1; i < bytes; ++i)
@@ -36,9 +47,7 @@ bool valid(std::string_view text) {
   return true;
 }
 
-bool ascii(std::string_view text) {
-  return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
-}
+bool ascii(std::string_view text) { return after_ascii(text, 0) == text.size(); }
 
 std::size_t length(std::string_view text) {
   return text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), continues));

@@ -17,6 +17,7 @@ class Lexer {
       : source_(source.substr(0, span.end)), at_(span.begin), layout_(layout), problems_(problems) {}
 
   std::vector<Token> run() {
+    tokens_.reserve((source_.size() - std::min(at_, source_.size())) / kBytesOfToken + 4);
     bool line_begins = layout_ == Layout::lines;
     while (!failed_) {
       if (line_begins && !indentation()) break;
@@ -37,6 +38,8 @@ class Lexer {
   }
 
  private:
+  static constexpr std::size_t kBytesOfToken = 3;  // about, with the space before it
+
   char peek(std::size_t ahead = 0) const { return at_ + ahead < source_.size() ? source_[at_ + ahead] : '\0'; }
   void put(TokenKind kind, std::size_t begin, std::size_t end) {
     const Span span{static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
@@ -204,21 +207,30 @@ class Lexer {
   }
 
   void operator_token() {
-    static constexpr std::array<std::string_view, 48> kOperators = {
-        "**=", "//=", ">>=", "<<=", "...", "==", "!=", "<=", ">=", "+=", "-=", "*=", "/=", "%=", "&=", "|=",
-        "^=",  "@=",  "**",  "//",  "<<",  ">>", "->", ":=", "+",  "-",  "*",  "/",  "%",  "&",  "|",  "^",
-        "~",   "<",   ">",   "=",   "(",   ")",  "[",  "]",  "{",  "}",  ",",  ":",  ".",  ";",  "@",  ""};
-    const std::string_view rest = source_.substr(at_);
-    const auto* found = std::find_if(kOperators.begin(), kOperators.end() - 1,
-                                     [&](std::string_view op) { return rest.substr(0, op.size()) == op; });
-    if (found == kOperators.end() - 1) {
+    const std::size_t size = operator_size(source_.substr(at_, 3));
+    if (size == 0) {
       if (static_cast<unsigned char>(peek()) >= 0x80)
         return fail(ErrorCode::forbidden, "names have the letters a-z, A-Z, digits and _", at_);
       return fail(ErrorCode::syntax, "unexpected character", at_);
     }
-    if (!bracket(rest[0])) return;
-    put(TokenKind::op, at_, at_ + found->size());
-    at_ += found->size();
+    if (!bracket(peek())) return;
+    put(TokenKind::op, at_, at_ + size);
+    at_ += size;
+  }
+
+  // Of the longest operator with which `text` begins; 0: none.
+  static std::size_t operator_size(std::string_view text) {
+    static constexpr std::array<std::string_view, 5> kThree = {"**=", "//=", ">>=", "<<=", "..."};
+    static constexpr std::array<std::string_view, 19> kTwo = {"==", "!=", "<=", ">=", "+=", "-=", "*=",
+                                                              "/=", "%=", "&=", "|=", "^=", "@=", "**",
+                                                              "//", "<<", ">>", "->", ":="};
+    static constexpr std::string_view kOne = "+-*/%&|^~<>=()[]{},:.;@";
+    const auto is_punctuation = [](char c) { return kOne.find(c) != kOne.npos || c == '!'; };
+    if (text.size() > 1 && is_punctuation(text[1])) {
+      if (text.size() > 2 && std::ranges::find(kThree, text) != kThree.end()) return 3;
+      if (std::ranges::find(kTwo, text.substr(0, 2)) != kTwo.end()) return 2;
+    }
+    return kOne.find(text[0]) == kOne.npos ? 0 : 1;
   }
 
   bool bracket(char c) {
@@ -262,7 +274,9 @@ bool is_keyword(std::string_view name) {
       "class", "continue", "def",   "del",    "elif", "else",   "except", "finally",  "for",
       "from",  "global",   "if",    "import", "in",   "is",     "lambda", "nonlocal", "not",
       "or",    "pass",     "raise", "return", "try",  "while",  "with",   "yield"};
-  return std::find(kKeywords.begin(), kKeywords.end(), name) != kKeywords.end();
+  constexpr std::size_t kLongest = 8;
+  return name.size() > 1 && name.size() <= kLongest &&
+         std::find(kKeywords.begin(), kKeywords.end(), name) != kKeywords.end();
 }
 
 std::vector<Token> lex(std::string_view source, Span span, Layout layout, std::vector<Problem>& problems) {

@@ -102,22 +102,24 @@ ExprPtr Parser::inversion() {
 ExprPtr Parser::comparison() {
   const std::size_t begin = peek().at.begin;
   ExprPtr first = bitwise();
+  std::vector<BinaryOperator> operators;
+  if (!comparison_operator(operators)) return first;
   ExprPtr e = make(ExprKind::compare, begin);
-  while (comparison_operator(*e)) {
+  e->items.push_back(std::move(first));
+  do {
     const bool identity =
-        e->operators.back() == BinaryOperator::is_none || e->operators.back() == BinaryOperator::is_not_none;
+        operators.back() == BinaryOperator::is_none || operators.back() == BinaryOperator::is_not_none;
     ExprPtr right = bitwise();
     if (identity && (right->kind != ExprKind::constant || !right->value.is_null()))
       forbid("'is' with other than None", right->at);
     e->items.push_back(std::move(right));
-  }
-  if (e->operators.empty()) return first;
-  e->items.insert(e->items.begin(), std::move(first));
+  } while (comparison_operator(operators));
+  e->operators = std::move(operators);
   return finish(std::move(e));
 }
 
 // comparison_operator → '<' | '<=' | '>' | '>=' | '==' | '!=' | 'in' | 'not' 'in' | 'is' | 'is' 'not'
-bool Parser::comparison_operator(Expr& e) {
+bool Parser::comparison_operator(std::vector<BinaryOperator>& operators) {
   static constexpr std::array<std::pair<std::string_view, BinaryOperator>, 7> kSimple = {
       {{"<", BinaryOperator::less},
        {"<=", BinaryOperator::less_equal},
@@ -127,14 +129,14 @@ bool Parser::comparison_operator(Expr& e) {
        {"!=", BinaryOperator::not_equal},
        {"in", BinaryOperator::in}}};
   for (const auto& [text, op] : kSimple)
-    if (accept(text)) return e.operators.push_back(op), true;
+    if (accept(text)) return operators.push_back(op), true;
   if (at("not") && peek(1).kind == TokenKind::keyword && peek(1).text == "in") {
     take();
     take();
-    return e.operators.push_back(BinaryOperator::not_in), true;
+    return operators.push_back(BinaryOperator::not_in), true;
   }
   if (accept("is"))
-    return e.operators.push_back(accept("not") ? BinaryOperator::is_not_none : BinaryOperator::is_none), true;
+    return operators.push_back(accept("not") ? BinaryOperator::is_not_none : BinaryOperator::is_none), true;
   return false;
 }
 

@@ -1,4 +1,5 @@
 // Statements: each function under its production.
+#include <algorithm>
 #include <array>
 
 #include "core/language/syntax/parser_internal.h"
@@ -221,9 +222,8 @@ bool Parser::forbidden_statement() {
                                                                    "with",   "return",   "raise", "assert", "del",
                                                                    "global", "nonlocal", "async", "await",  "yield"};
   const bool decorator = peek().kind == TokenKind::op && peek().text == "@";
-  bool found = decorator;
-  for (const std::string_view word : kStatements) found = found || at(word);
-  if (!found) return false;
+  const bool keyword = at_kind(TokenKind::keyword) && std::ranges::find(kStatements, peek().text) != kStatements.end();
+  if (!decorator && !keyword) return false;
   forbid("'" + std::string(peek().text) + "'", peek().at);
   skip_statement();
   while (at("except") || at("finally") || (at("else") && !failed_)) skip_statement();

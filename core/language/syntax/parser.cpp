@@ -19,25 +19,6 @@ Parser::Parser(std::string_view source, Span span, Layout layout, int nesting, s
   }
 }
 
-const Token& Parser::peek(std::size_t ahead) const { return tokens_[std::min(position_ + ahead, tokens_.size() - 1)]; }
-
-Token Parser::take() {
-  const Token token = peek();
-  if (position_ + 1 < tokens_.size()) ++position_;
-  return token;
-}
-
-bool Parser::at(std::string_view text) const {
-  const Token& token = peek();
-  return (token.kind == TokenKind::op || token.kind == TokenKind::keyword) && token.text == text;
-}
-
-bool Parser::accept(std::string_view text) {
-  if (!at(text)) return false;
-  take();
-  return true;
-}
-
 void Parser::expect(std::string_view text) {
   if (!accept(text)) fail("expected '" + std::string(text) + "'");
 }

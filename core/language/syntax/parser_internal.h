@@ -4,6 +4,8 @@
 // function needs to check for errors. After a forbidden construct it continues, to find the others.
 #pragma once
 
+#include <algorithm>
+
 #include "core/language/syntax/parser.h"
 
 namespace race::language {
@@ -42,7 +44,7 @@ class Parser {
   ExprPtr conjunction();
   ExprPtr inversion();
   ExprPtr comparison();
-  bool comparison_operator(Expr& comparison);
+  bool comparison_operator(std::vector<BinaryOperator>& operators);
   ExprPtr bitwise();
   ExprPtr sum();
   ExprPtr term();
@@ -72,11 +74,24 @@ class Parser {
   std::uint32_t replacement_field(Span body, bool raw, int level, std::vector<ExprPtr>& parts);
   std::uint32_t field_end(Span body);
 
-  // tokens
-  const Token& peek(std::size_t ahead = 0) const;
-  Token take();
-  bool at(std::string_view text) const;  // an operator or keyword
-  bool accept(std::string_view text);
+  // tokens; position_ is always that of one of them
+  const Token& peek() const { return tokens_[position_]; }
+  const Token& peek(std::size_t ahead) const { return tokens_[std::min(position_ + ahead, tokens_.size() - 1)]; }
+  const Token& take() {
+    const Token& token = peek();
+    if (position_ + 1 < tokens_.size()) ++position_;
+    return token;
+  }
+  /// Whether an operator or keyword is next.
+  bool at(std::string_view text) const {
+    const Token& token = peek();
+    return (token.kind == TokenKind::op || token.kind == TokenKind::keyword) && token.text == text;
+  }
+  bool accept(std::string_view text) {
+    if (!at(text)) return false;
+    take();
+    return true;
+  }
   void expect(std::string_view text);
   bool begins_expression() const;
   bool at_kind(TokenKind kind) const { return peek().kind == kind; }

@@ -62,11 +62,11 @@ TEST(FormatDocument, GivesEachServicePlaceAndNoteOneLine) {
     "r": {"x": 1, "bends": [[1, 2], [[3]]]}
   },
   "meta": {
-    "title": "t",
     "notes": {
       "a": "how",
       "r": "why"
-    }
+    },
+    "title": "t"
   }
 }
 )");

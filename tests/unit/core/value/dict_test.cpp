@@ -72,6 +72,30 @@ TEST(Dict, AClearedDictCanBeUsedAgain) {
   EXPECT_EQ(entries(dict), (Entries{{"7", 8}}));
 }
 
+TEST(Dict, IsSortedIfEachKeyIsBeforeTheNextByteByByte) {
+  EXPECT_TRUE(Dict().is_sorted());
+  EXPECT_TRUE((Dict{{"b", 1}}).is_sorted());
+  EXPECT_TRUE((Dict{{"", 4}, {"B", 3}, {"a", 2}, {"aa", 1}}).is_sorted());
+  EXPECT_TRUE((Dict{{"z", 1}, {"\xc3\xa4", 2}}).is_sorted()) << "bytes are unsigned";
+  EXPECT_FALSE((Dict{{"\xc3\xa4", 1}, {"z", 2}}).is_sorted());
+  EXPECT_FALSE((Dict{{"b", 1}, {"a", 2}}).is_sorted());
+  EXPECT_FALSE((Dict{{"a", 1}, {"b", 2}, {"d", 3}, {"c", 4}}).is_sorted());
+}
+
+TEST(Dict, SortedHasTheSameEntriesInOrderAndFindsEach) {
+  EXPECT_TRUE(Dict().sorted().empty());
+  for (const int count : {1, 2, 11, 12, 13, 60}) {
+    Dict dict;
+    for (int i = 0; i < count; ++i) dict.set(std::to_string(i * 7919 % count), i);
+    const Dict sorted = dict.sorted();
+    EXPECT_TRUE(sorted.is_sorted()) << count;
+    EXPECT_EQ(sorted, dict) << count;
+    for (const auto& [key, value] : dict) EXPECT_EQ(find(sorted, key.as_string())->as_integer(), value.as_integer());
+    EXPECT_EQ(find(sorted, "other"), nullptr);
+    EXPECT_EQ(dict.begin()->second.as_integer(), 0) << "the dict itself keeps its order";
+  }
+}
+
 // The plain way to keep entries, to compare with.
 struct PlainEntries {
   Entries list;

@@ -134,5 +134,47 @@ TEST(WriteJson, EscapesWhatMustBeEscapedAndNothingElse) {
   EXPECT_EQ(to_json(Value("ä/😀")), "\"ä/😀\"");
 }
 
+TEST(WriteJson, EscapesAtTheBeginningInTheMiddleAndAtTheEnd) {
+  for (int c = 0; c < 0x80; ++c) {
+    const std::string text(1, static_cast<char>(c));
+    std::string alone, between;
+    append_json_string(text, alone);
+    append_json_string(text + "a" + text + text + "b" + text, between);
+    const std::string written = alone.substr(1, alone.size() - 2);
+    EXPECT_EQ(between, "\"" + written + "a" + written + written + "b" + written + "\"");
+    EXPECT_EQ(written == text, c >= 0x20 && c != '"' && c != '\\') << "character " << c;
+    EXPECT_EQ(read(alone), Value(text)) << "character " << c;
+  }
+}
+
+TEST(WriteJson, EscapesAtEachOffsetOfTextsOfEachLength) {
+  for (int c = 0; c < 0x100; ++c) {
+    std::string alone;
+    append_json_string(std::string(1, static_cast<char>(c)), alone);
+    for (std::size_t size = 1; size <= 18; ++size) {
+      for (std::size_t at = 0; at < size; ++at) {
+        std::string out, before(at, '!'), behind(size - at - 1, '\x80');
+        append_json_string(before + static_cast<char>(c) + behind, out);
+        ASSERT_EQ(out, '"' + before + alone.substr(1, alone.size() - 2) + behind + '"') << "character " << c;
+      }
+    }
+  }
+}
+
+TEST(WriteJson, AddsToTheEndOfAText) {
+  for (const Value& value : {Value(), Value(true), Value(-7), Value(0.5), Value("a\"b"), Value(List{1, List{}, "x"}),
+                             Value(Dict{{"k\n", Dict{{"e", Dict{}}}}, {"l", 2}})}) {
+    std::string out = "[1, ";
+    append_json(value, out);
+    EXPECT_EQ(out, "[1, " + to_json(value));
+    append_json(value, out);
+    EXPECT_EQ(out, "[1, " + to_json(value) + to_json(value));
+  }
+  std::string out = "x";
+  append_json_string("", out);
+  append_json_string("y", out);
+  EXPECT_EQ(out, R"(x"""y")");
+}
+
 }  // namespace
 }  // namespace race
