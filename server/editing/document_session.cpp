@@ -125,7 +125,7 @@ tl::expected<DocumentSession::Acceptance, EditRefusal> DocumentSession::store(co
   const rcm::Document document = history_->tree().document();
   auto text = rcm::write_document_text(document);
   if (!text) return tl::unexpected(refused(std::move(text).error()));
-  DocumentEntry next{{}, rcm::write_document(document), rcm::violations(document)};
+  DocumentEntry next{{}, Value(), rcm::violations(document, checks_)};
   next.revision = {last_.revision.document,
                    revision() + 1,
                    {request.author, request.message, now_ms},
@@ -168,6 +168,11 @@ std::optional<Value> DocumentSession::replace(const DocumentEntry& entry) {
   history_.reset();
   if (tree) history_.emplace(std::move(*tree), number, kHistory);
   return std::nullopt;
+}
+
+Value DocumentSession::snapshot() const {
+  if (!last_.document.is_null() || !history_) return document_snapshot_json(last_);
+  return document_snapshot_json({last_.revision, rcm::write_document(history_->tree().document()), last_.errors});
 }
 
 void DocumentSession::remember(const std::string& author, const std::string& token, std::int64_t revision) {

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "core/edit/history.h"
+#include "core/rcm/code_checks.h"
 #include "core/value/expected.h"
 #include "server/editing/accepted_edit.h"
 #include "server/editing/edit_request.h"
@@ -30,7 +31,7 @@ class DocumentSession {
 
   std::int64_t revision() const { return last_.revision.number; }
   /// schemas/stream_message.json, `document_snapshot`.
-  Value snapshot() const { return document_snapshot_json(last_); }
+  Value snapshot() const;
   bool has_violations() const { return !last_.errors.empty(); }
 
   struct Acceptance {
@@ -60,7 +61,8 @@ class DocumentSession {
   using Token = std::pair<std::string, std::string>;  // author, `request`
 
   Documents* documents_;
-  DocumentEntry last_;
+  DocumentEntry last_;                    // its document is null once it was edited: that is in the history
+  rcm::CodeChecks checks_;                // of its revisions
   std::optional<edit::History> history_;  // nothing: it cannot be edited
   std::map<Token, std::int64_t> revisions_;
   std::deque<Token> tokens_;  // the oldest first

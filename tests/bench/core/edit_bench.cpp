@@ -134,7 +134,8 @@ void measure_findings(int count, bench::Density density) {
   edit::History history(edit::Tree::read(document).value());
   const edit::Ids states = ids_of_states(history.tree());
   std::printf("\na task of %zu states with behaviour, %zu elements, %zu bytes of text\n%-44s %19s %19s\n",
-              states.size(), history.tree().size(), rcm::format_document(document).size(), "ms, median and 99th percentile", "CPU", "wall");
+              states.size(), history.tree().size(), rcm::format_document(document).size(),
+              "ms, median and 99th percentile", "CPU", "wall");
   const auto apply = [&](int i) {
     const std::string& state = states[static_cast<std::size_t>(i / 6 * 31) % states.size()];
     return history.apply("a", history.revision(), edit_of(history.tree(), state, i)).has_value();
