@@ -42,7 +42,7 @@ Checked<void> Documents::put_demo_file(const std::string& name, const std::strin
   if (!next) return failed(std::move(next).error());
   if (*old && (*old)->text == *next) return {};
   const Origin demo{Origin::Kind::demo};
-  const auto put = append({{name, 1, {"", "", now_ms}, demo, 0, document->doc()}, std::move(*next)});
+  const auto put = append({{name, 1, {"", "", now_ms}, demo, 0, doc_of(document->document)}, std::move(*next)});
   if (!put) return failed(put.error());
   return {};
 } catch (const SQLite::Exception& exception) {

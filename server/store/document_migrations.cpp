@@ -38,7 +38,7 @@ Revision describe(const std::string& text) {
   out.origin.kind = Origin::Kind::older;
   const auto read = read_document_or_draft(text);
   out.errors = static_cast<std::int64_t>(read ? read->errors.size() : read.error().size());
-  if (read) out.doc = read->doc();
+  if (read) out.doc = doc_of(read->document);
   return out;
 }
 

@@ -22,7 +22,7 @@ void give_ids_after(std::string_view previous, rcm::Document& document) {
 
 }  // namespace
 
-std::string DocumentText::doc() const {
+std::string doc_of(const rcm::Document& document) {
   const std::string& all = document.root.doc;
   return all.substr(0, language::utf8::offset(all, kMaxDoc));
 }

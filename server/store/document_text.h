@@ -16,9 +16,10 @@ struct DocumentText {
   rcm::Document document;     // what of it has the right shape
   bool is_whole = false;      // all of it has: `document` says all that the text says
   std::vector<Error> errors;  // every violation; none: it is a document
-  /// The beginning of the root's `doc`: at most 1000 code points.
-  std::string doc() const;
 };
+
+/// The beginning of the root's `doc`: at most 1000 code points.
+std::string doc_of(const rcm::Document& document);
 
 /// Errors, of a text that is no draft either: `json`, `too_large`, `too_deep`, `type` (no object), and all violations
 /// if it has a number out of range, which a Value cannot hold.

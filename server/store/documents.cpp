@@ -136,7 +136,7 @@ Expected<DocumentEntry> Documents::put_next(const std::string& name, std::string
     return out;
   }
   const auto errors = static_cast<std::int64_t>(out.errors.size());
-  ASSIGN_OR_RETURN(out.revision, append({{name, 1, change, {}, errors, document.doc()}, std::move(next)}));
+  ASSIGN_OR_RETURN(out.revision, append({{name, 1, change, {}, errors, doc_of(document.document)}, std::move(next)}));
   return out;
 }
 
@@ -151,6 +151,54 @@ Checked<DocumentEntry> Documents::restore(const std::string& name, std::int64_t 
   return append_copy(std::move(*old), name, {Origin::Kind::restore, "", revision}, change);
 } catch (const SQLite::Exception& exception) {
   return failure("cannot store " + name, exception);
+}
+
+Checked<DocumentPast> Documents::past(const std::string& name, std::int64_t most) try {
+  DocumentPast out;
+  const auto last = find_past(name, most, out);
+  if (!last) return failed(last.error());
+  auto entry = read(*last);
+  if (!entry) return tl::unexpected(std::move(entry).error());
+  out.last = std::move(*entry);
+  return out;
+} catch (const SQLite::Exception& exception) {
+  return failure(kCannotRead, exception);
+}
+
+Expected<RevisionText> Documents::find_past(const std::string& name, std::int64_t most, DocumentPast& out) {
+  const services::MutexLock lock(mutex_);
+  ASSIGN_OR_RETURN(RevisionText last, find(name, {}));
+  ASSIGN_OR_RETURN(const auto range, find_range(*file_, name));
+  std::int64_t number = last.revision.number;
+  for (; number > range->first && last.revision.number - number < most; --number) {
+    auto revision = list_revisions(*file_, name, {number, number});
+    if (!revision || !is_edit(revision->front().origin.kind)) break;
+    auto edit = find_edit(*file_, name, number);
+    if (!edit) break;
+    out.edits.push_back({std::move(revision->front()), std::move(*edit)});
+  }
+  std::ranges::reverse(out.edits);
+  auto first = read_revision(*file_, name, number);
+  if (!first) out.edits.clear();
+  out.first = first ? std::move(first->text) : last.text;
+  return last;
+}
+
+Expected<RevisionEdit> Documents::edit_of(const std::string& name, std::int64_t revision) try {
+  const services::MutexLock lock(mutex_);
+  return find_edit(*file_, name, revision);
+} catch (const SQLite::Exception& exception) {
+  return tl::unexpected(sqlite::error_of(exception, kCannotRead));
+}
+
+Expected<void> Documents::append_edit(RevisionText next, const RevisionEdit& edit) try {
+  if (auto fits = check(next.revision.change); !fits) return fits;
+  const services::MutexLock lock(mutex_);
+  auto appended = append(std::move(next), &edit);
+  if (!appended) return tl::unexpected(std::move(appended).error());
+  return {};
+} catch (const SQLite::Exception& exception) {
+  return tl::unexpected(sqlite::error_of(exception, "cannot store an edit"));
 }
 
 Checked<DocumentEntry> Documents::branch(const std::string& name, const Branch& branch, const Change& change) try {
@@ -200,7 +248,7 @@ Expected<RevisionText> Documents::find(const std::string& name, std::optional<st
 
 // Only this connection writes documents, so what was read before is still so; the transaction is short, as the journals
 // of runs wait for it.
-Expected<Revision> Documents::append(RevisionText next) {
+Expected<Revision> Documents::append(RevisionText next, const RevisionEdit* edit) {
   sqlite::WriteTransaction transaction(*file_);
   ASSIGN_OR_RETURN(const auto range, find_range(*file_, next.revision.document));
   if (!range && count_documents(*file_) >= limits_.documents)
@@ -209,8 +257,11 @@ Expected<Revision> Documents::append(RevisionText next) {
   if (range && range->count() >= limits_.revisions)
     return unexpected(ErrorCode::too_large, "it has already " + std::to_string(limits_.revisions) + " revisions",
                       next.revision.document);
-  next.revision.number = range ? range->last + 1 : 1;
-  add_revision(*file_, next, range ? range->first : 1);
+  const std::int64_t number = range ? range->last + 1 : 1;
+  if (edit && (!range || next.revision.number != number))
+    return unexpected(ErrorCode::conflict, "somebody else has stored another revision", next.revision.document);
+  next.revision.number = number;
+  add_revision(*file_, next, range ? range->first : 1, edit);
   transaction.commit();
   return std::move(next.revision);
 }

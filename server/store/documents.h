@@ -42,6 +42,17 @@ struct DocumentEntry {
   std::vector<Error> errors;  // every violation, by the rules of this version of the program
 };
 
+/// A document with the edits that have made it, as far as they reach back without another origin.
+struct DocumentPast {
+  struct Edit {
+    Revision revision;
+    RevisionEdit edit;
+  };
+  DocumentEntry last;
+  std::vector<Edit> edits;  // the oldest first
+  std::string first;        // the text before them
+};
+
 class Documents {
  public:
   /// How many there may be.
@@ -84,6 +95,15 @@ class Documents {
   /// Makes the text of `revision` the next revision; that of the last one keeps its revision. `not_found`, `too_large`;
   /// what entry() says of a text that is no draft.
   Checked<DocumentEntry> restore(const std::string& name, std::int64_t revision, const Change& change) EXCLUDES(mutex_);
+  /// The last revision, with at most `most` edits that led to it; those before one that cannot be read are left out.
+  /// Errors: those of entry().
+  Checked<DocumentPast> past(const std::string& name, std::int64_t most) EXCLUDES(mutex_);
+  /// The edit that made a revision. Requires one that an edit made.
+  Expected<RevisionEdit> edit_of(const std::string& name, std::int64_t revision) EXCLUDES(mutex_);
+  /// Stores what an edit has made of the last revision; revision.number is the next one. Requires that `next.text` is
+  /// the text of the last revision after the edit (core/edit). Errors: `conflict`: the document has another last
+  /// revision; `too_large`.
+  Expected<void> append_edit(RevisionText next, const RevisionEdit& edit) EXCLUDES(mutex_);
   struct Branch {
     std::string as;                        // name of the new document
     std::optional<std::int64_t> revision;  // else the last one
@@ -99,6 +119,7 @@ class Documents {
   Documents(std::unique_ptr<SQLite::Database> file, Limits limits);
   Expected<std::optional<RevisionText>> head(const std::string& name) REQUIRES(mutex_);
   Expected<RevisionText> find(const std::string& name, std::optional<std::int64_t> revision) REQUIRES(mutex_);
+  Expected<RevisionText> find_past(const std::string& name, std::int64_t most, DocumentPast& out) EXCLUDES(mutex_);
   Expected<DocumentEntry> put_next(const std::string& name, std::string_view text, DocumentText& document,
                                    const Change& change, const Put& options) REQUIRES(mutex_);
   Checked<void> put_demo_file(const std::string& name, const std::string& path, std::int64_t now_ms) EXCLUDES(mutex_);
@@ -106,7 +127,7 @@ class Documents {
   Checked<DocumentEntry> append_copy(RevisionText copy, const std::string& name, Origin origin, const Change& change)
       REQUIRES(mutex_);
   /// After the last revision, or as the first one. Error `too_large`.
-  Expected<Revision> append(RevisionText next) REQUIRES(mutex_);
+  Expected<Revision> append(RevisionText next, const RevisionEdit* edit = nullptr) REQUIRES(mutex_);
 
   services::Mutex mutex_;
   const Limits limits_;

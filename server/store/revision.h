@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include "core/value/expected.h"
+
 namespace race::server {
 
 /// Where the text of a revision comes from.
@@ -14,6 +16,9 @@ struct Origin {
     branch,   // of `revision` of `document`
     demo,     // of the server's demo
     older,    // an older version of the program stored it, which kept no more than the text
+    edit,     // an edit made it of the revision before
+    undo,     // so did one that takes back the edit that made `revision`
+    redo,     // so did one that takes back the undo that made `revision`
   };
   Kind kind = Kind::put;
   std::string document = {};
@@ -23,6 +28,17 @@ struct Origin {
 
 /// As routes and the store write it, such as "restore".
 const char* name(Origin::Kind kind);
+/// Whether it is what an edit made of the revision before.
+inline bool is_edit(Origin::Kind kind) {
+  return kind == Origin::Kind::edit || kind == Origin::Kind::undo || kind == Origin::Kind::redo;
+}
+
+/// Numbers of revisions of a document, without gaps.
+struct RevisionRange {
+  std::int64_t first = 1, last = 1;
+  bool contains(std::int64_t number) const { return first <= number && number <= last; }
+  std::int64_t count() const { return last - first + 1; }
+};
 
 /// Who changes a document, when, and why.
 struct Change {
@@ -39,7 +55,7 @@ struct Revision {
   Change change = {};
   Origin origin = {};
   std::int64_t errors = 0;  // violations, as they were counted when it was stored
-  std::string doc = {};     // of the root, as DocumentText::doc
+  std::string doc = {};     // of the root, as doc_of (document_text.h)
   bool operator==(const Revision&) const = default;
 };
 
@@ -47,5 +63,8 @@ struct RevisionText {
   Revision revision;
   std::string text;
 };
+
+/// `corrupt`, naming document and revision. `what`: "damaged", "lost".
+tl::unexpected<Error> damaged_revision(const std::string& document, std::int64_t number, const char* what);
 
 }  // namespace race::server

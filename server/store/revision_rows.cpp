@@ -7,13 +7,14 @@
 #include <array>
 
 #include "server/store/digest_column.h"
+#include "server/store/revision_text.h"
 #include "services/sqlite/digest.h"
 
 namespace race::server {
 namespace {
 
-constexpr std::array kKinds = {Origin::Kind::put, Origin::Kind::restore, Origin::Kind::branch, Origin::Kind::demo,
-                               Origin::Kind::older};
+constexpr std::array kKinds = {Origin::Kind::put,   Origin::Kind::restore, Origin::Kind::branch, Origin::Kind::demo,
+                               Origin::Kind::older, Origin::Kind::edit,    Origin::Kind::undo,   Origin::Kind::redo};
 
 // All columns of `revision` but `text`.
 constexpr const char* kColumns =
@@ -21,12 +22,6 @@ constexpr const char* kColumns =
     " revision.from_document, revision.from_revision, revision.errors, revision.doc, revision.text_digest,"
     " revision.digest";
 constexpr int kColumnCount = 12;
-
-tl::unexpected<Error> damaged(const std::string& name, std::int64_t number, const char* what) {
-  const std::string text = std::to_string(number);
-  return unexpected(ErrorCode::corrupt, "revision " + text + " of the document `" + name + "` is " + what,
-                    name + "/revisions/" + text);
-}
 
 tl::unexpected<Error> damaged(const std::string& name) {
   return unexpected(ErrorCode::corrupt, "the entry of the document `" + name + "` is damaged or lost", name);
@@ -65,6 +60,24 @@ Row read_row(SQLite::Statement& select, int first = 0) {
   return row;
 }
 
+/// A row with its column `text`, which is empty where the text is that of a chain (revision_text.h).
+struct StoredRow {
+  Row row;
+  std::string text;
+  bool has_its_text() const { return sqlite::bytes(sqlite::sha256(text)) == row.text_digest; }
+};
+
+Expected<StoredRow> read_stored(SQLite::Database& file, const std::string& name, std::int64_t number) {
+  SQLite::Statement select(
+      file, std::string("SELECT ") + kColumns + ", revision.text FROM revision WHERE document = ? AND number = ?");
+  select.bind(1, name);
+  select.bind(2, number);
+  if (!select.executeStep()) return damaged_revision(name, number, "lost");
+  StoredRow stored{read_row(select), select.getColumn(kColumnCount)};
+  if (!stored.row.is_sound) return damaged_revision(name, number, "damaged");
+  return stored;
+}
+
 /// Documents that have revisions but no entry. Looks for each name once.
 std::vector<std::string> find_lost_entries(SQLite::Database& file) {
   SQLite::Statement select(file,
@@ -84,7 +97,7 @@ Expected<Revision> read_head(SQLite::Statement& select) {
                             select.getColumn(kColumnCount + 2).getInt64()};
   if (sqlite::bytes(digest_of(name, range)) != select.getColumn(kColumnCount + 3).getString()) return damaged(name);
   Row row = read_row(select);
-  if (!row.is_sound) return damaged(name, range.last, "damaged or lost");
+  if (!row.is_sound) return damaged_revision(name, range.last, "damaged or lost");
   return std::move(row.revision);
 }
 
@@ -102,8 +115,20 @@ const char* name(Origin::Kind kind) {
       return "demo";
     case Origin::Kind::older:
       return "older";
+    case Origin::Kind::edit:
+      return "edit";
+    case Origin::Kind::undo:
+      return "undo";
+    case Origin::Kind::redo:
+      return "redo";
   }
   return "";
+}
+
+tl::unexpected<Error> damaged_revision(const std::string& document, std::int64_t number, const char* what) {
+  const std::string text = std::to_string(number);
+  return unexpected(ErrorCode::corrupt, "revision " + text + " of the document `" + document + "` is " + what,
+                    document + "/revisions/" + text);
 }
 
 Expected<std::optional<RevisionRange>> find_range(SQLite::Database& file, const std::string& name) {
@@ -121,15 +146,15 @@ Expected<std::optional<RevisionRange>> find_range(SQLite::Database& file, const 
 }
 
 Expected<RevisionText> read_revision(SQLite::Database& file, const std::string& name, std::int64_t number) {
-  SQLite::Statement select(
-      file, std::string("SELECT ") + kColumns + ", revision.text FROM revision WHERE document = ? AND number = ?");
-  select.bind(1, name);
-  select.bind(2, number);
-  if (!select.executeStep()) return damaged(name, number, "lost");
-  Row row = read_row(select);
-  std::string text = select.getColumn(kColumnCount);
-  if (!row.is_sound || sqlite::bytes(sqlite::sha256(text)) != row.text_digest) return damaged(name, number, "damaged");
-  return RevisionText{std::move(row.revision), std::move(text)};
+  ASSIGN_OR_RETURN(StoredRow stored, read_stored(file, name, number));
+  if (stored.text.empty() && is_edit(stored.row.revision.origin.kind)) {
+    ASSIGN_OR_RETURN(const std::int64_t depth, chain_depth(file, name, number));
+    ASSIGN_OR_RETURN(const StoredRow base, read_stored(file, name, number - depth));
+    if (!base.has_its_text()) return damaged_revision(name, number - depth, "damaged");
+    ASSIGN_OR_RETURN(stored.text, text_after(file, name, {number - depth + 1, number}, base.text));
+  }
+  if (!stored.has_its_text()) return damaged_revision(name, number, "damaged");
+  return RevisionText{std::move(stored.row.revision), std::move(stored.text)};
 }
 
 Expected<std::vector<Revision>> list_revisions(SQLite::Database& file, const std::string& name, RevisionRange range) {
@@ -143,11 +168,11 @@ Expected<std::vector<Revision>> list_revisions(SQLite::Database& file, const std
   std::int64_t next = range.last;
   for (; select.executeStep(); --next) {
     Row row = read_row(select);
-    if (row.revision.number != next) return damaged(name, next, "lost");
-    if (!row.is_sound) return damaged(name, next, "damaged");
+    if (row.revision.number != next) return damaged_revision(name, next, "lost");
+    if (!row.is_sound) return damaged_revision(name, next, "damaged");
     found.push_back(std::move(row.revision));
   }
-  if (next >= range.first) return damaged(name, next, "lost");
+  if (next >= range.first) return damaged_revision(name, next, "lost");
   return found;
 }
 
@@ -179,8 +204,9 @@ bool has_only_demo(SQLite::Database& file, const std::string& name) {
   return select.executeStep() && select.getColumn(0).getInt() != 0;
 }
 
-void add_revision(SQLite::Database& file, const RevisionText& added, std::int64_t first) {
+void add_revision(SQLite::Database& file, const RevisionText& added, std::int64_t first, const RevisionEdit* edit) {
   const auto& [revision, text] = added;
+  const bool is_derived = edit && add_edit(file, added, *edit);
   const sqlite::Digest text_digest = sqlite::sha256(text);
   SQLite::Statement insert(file, "INSERT INTO revision VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   insert.bind(1, revision.document);
@@ -195,7 +221,7 @@ void add_revision(SQLite::Database& file, const RevisionText& added, std::int64_
   insert.bind(10, revision.doc);
   bind_digest(insert, 11, text_digest);
   bind_digest(insert, 12, digest_of(revision, sqlite::bytes(text_digest)));
-  insert.bind(13, text);
+  insert.bind(13, is_derived ? std::string() : text);
   insert.exec();
   SQLite::Statement entry(file, "INSERT OR REPLACE INTO document VALUES (?, ?, ?, ?)");
   entry.bind(1, revision.document);

@@ -11,19 +11,13 @@
 
 #include "core/value/expected.h"
 #include "server/store/revision.h"
+#include "server/store/revision_text.h"
 
 namespace SQLite {
 class Database;
 }
 
 namespace race::server {
-
-/// The numbers of a document's revisions, without gaps.
-struct RevisionRange {
-  std::int64_t first = 1, last = 1;
-  bool contains(std::int64_t number) const { return first <= number && number <= last; }
-  std::int64_t count() const { return last - first + 1; }
-};
 
 /// Nothing if there is no document of this name.
 Expected<std::optional<RevisionRange>> find_range(SQLite::Database& file, const std::string& name);
@@ -46,8 +40,9 @@ std::int64_t count_documents(SQLite::Database& file);
 /// Whether the server's demo is all that was ever stored under this name, as far as is known.
 bool has_only_demo(SQLite::Database& file, const std::string& name);
 
-/// Adds the revision, and with it the range of its document. Requires a transaction, and that `first` is the document's
-/// first revision and revision.number its next one.
-void add_revision(SQLite::Database& file, const RevisionText& revision, std::int64_t first);
+/// Adds the revision, and with it the range of its document. `edit`: what made it of the one before, if that is its
+/// origin. Requires a transaction, and that `first` is the document's first revision and revision.number its next one.
+void add_revision(SQLite::Database& file, const RevisionText& revision, std::int64_t first,
+                  const RevisionEdit* edit = nullptr);
 
 }  // namespace race::server

@@ -46,8 +46,18 @@ void add_removals(SQLite::Database& file) {
   file.exec("CREATE TABLE removal (run INTEGER PRIMARY KEY, digest BLOB NOT NULL)");
 }
 
-constexpr std::array<sqlite::Migration, 5> kMigrations = {give_document_ids, add_runs, add_revisions, add_boot,
-                                                          add_removals};
+// 6: revisions that edits have made, and texts that are stored as edits (revision_text.h): their `revision.text` is
+// empty. depth: how many edits lead to the text from one that is stored whole; 0: this one is. request: the token that
+// the client chose. edit: schemas/edit.json.
+void add_edits(SQLite::Database& file) {
+  file.exec(
+      "CREATE TABLE revision_edit (document TEXT NOT NULL, number INTEGER NOT NULL, depth INTEGER NOT NULL,"
+      " request TEXT NOT NULL, edit TEXT NOT NULL, digest BLOB NOT NULL, PRIMARY KEY (document, number))"
+      " WITHOUT ROWID");
+}
+
+constexpr std::array<sqlite::Migration, 6> kMigrations = {give_document_ids, add_runs,     add_revisions,
+                                                          add_boot,          add_removals, add_edits};
 
 }  // namespace
 
