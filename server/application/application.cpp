@@ -24,6 +24,7 @@ Checked<std::unique_ptr<Application>> Application::create(const Setup& setup) {
   app->create_stream(setup.first_sequence);
   if (auto created = app->create_cell(setup); !created) return tl::unexpected(std::move(created).error());
   if (auto created = app->create_cores(setup); !created) return of_store(std::move(created).error(), *app->folder_);
+  app->create_editing();
   if (setup.script)
     if (auto added = app->add_operator(*setup.script); !added) return tl::unexpected(std::move(added).error());
   app->name_damaged_documents();
@@ -108,6 +109,13 @@ Expected<void> Application::create_cores(const Setup& setup) {
   return recovered;
 }
 
+// Who follows documents is added to the watchers.
+void Application::create_editing() {
+  document_publisher_ = std::make_unique<DocumentPublisher>(*hub_);
+  editing_ = std::make_unique<Editing>(*documents_, *document_publisher_, document_watchers_);
+  edits_ = std::make_unique<EditQueue>(*editing_, *hub_);
+}
+
 Checked<void> Application::add_operator(const OperatorScript& script) {
   CellWorld* world = cell_->world();
   if (!world) return one({ErrorCode::not_found, "an operator script needs a cell with a world"});
@@ -120,6 +128,7 @@ Checked<void> Application::add_operator(const OperatorScript& script) {
 }
 
 Application::~Application() {
+  edits_.reset();
   if (cores_) cores_->close();
   if (cell_) cell_->stop();
   if (writer_) writer_->close();  // before the strands that it tells
@@ -128,18 +137,22 @@ Application::~Application() {
 }
 
 Backend Application::make_backend() {
-  return {[this](Request request) { return handle(std::move(request), resources()); }, *hub_, *displays_,
-          cell_->remotes(), [this](const std::string& text) { log("server", text); }};
+  return {[this](Request request) { return handle(std::move(request), resources()); },
+          *hub_,
+          *displays_,
+          *edits_,
+          cell_->remotes(),
+          [this](const std::string& text) { log("server", text); }};
 }
 
 void Application::log(const std::string& source, const std::string& text) {
   log_->append(cell_->clock().now(), source, text);
 }
 
-ChannelSources Application::channel_sources() { return {*hub_, *cores_, *cell_, *displays_, *flows_, *log_}; }
+ChannelSources Application::channel_sources() { return {*hub_, *cores_, *cell_, *displays_, *flows_, *log_, *edits_}; }
 
 Resources Application::resources() {
-  return {*documents_, *boot_list_, *backups_, *runs_, *samples_, *cores_, replays_, *cell_, *log_};
+  return {*documents_, *editing_, *boot_list_, *backups_, *runs_, *samples_, *cores_, replays_, *cell_, *log_};
 }
 
 }  // namespace race::server

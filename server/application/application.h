@@ -12,7 +12,11 @@
 #include "server/cell/operator.h"
 #include "server/channels/channels.h"
 #include "server/channels/core_publisher.h"
+#include "server/channels/document_publisher.h"
 #include "server/channels/service_publisher.h"
+#include "server/editing/document_watcher.h"
+#include "server/editing/edit_queue.h"
+#include "server/editing/editing.h"
 #include "server/execution/cores.h"
 #include "server/handlers/routes.h"
 #include "server/http/listener.h"
@@ -59,6 +63,7 @@ class Application {
   void create_stream(std::int64_t first_sequence);
   Checked<void> create_cell(const Setup& setup);
   Expected<void> create_cores(const Setup& setup);
+  void create_editing();
   void name_damaged_documents();
   Checked<void> add_operator(const OperatorScript& script);
   void log(const std::string& source, const std::string& text);
@@ -86,6 +91,10 @@ class Application {
   std::unique_ptr<FlowChannels> flows_;
   std::unique_ptr<Cores> cores_;
   std::unique_ptr<RunKeeper> keeper_;
+  std::unique_ptr<DocumentPublisher> document_publisher_;
+  DocumentWatchers document_watchers_;
+  std::unique_ptr<Editing> editing_;
+  std::unique_ptr<EditQueue> edits_;
   std::unique_ptr<Operator> operator_;  // destroyed first, when the cell that calls it has stopped
 };
 

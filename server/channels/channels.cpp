@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 
+#include "core/rcm/ids.h"
 #include "server/wire/channel_names.h"
 #include "server/wire/service_json.h"
 
@@ -46,6 +47,17 @@ MaybeSource flow(const Parameters& parameters, const Sources& sources) {
   return sources.flows.source(parameters.at("service"), parameters.at("flow"));
 }
 
+// Whether there is a document of this name is known when it has been read.
+MaybeSource document(const Parameters& parameters, const Sources& sources) {
+  const std::string& name = parameters.at("name");
+  if (!rcm::is_id(name)) return std::nullopt;
+  return Source{false,
+                [name, &hub = sources.hub, &edits = sources.edits] {
+                  if (!edits.request_snapshot(name)) hub.close(fill(kDocumentChannel, {name}));
+                },
+                {}};
+}
+
 // Calls `function` with the core while it exists: a channel keeps no core alive.
 template <typename F>
 auto on_core(const std::weak_ptr<Core>& core, F function) {
@@ -76,6 +88,7 @@ constexpr std::array kChannels = {
     ChannelKind{kCellPoseChannel, cell_pose},
     ChannelKind{kDisplayChannel, display},
     ChannelKind{kFlowChannel, flow},
+    ChannelKind{kDocumentChannel, document},
     ChannelKind{kCoreStateChannel, core_state},
     ChannelKind{kCoreDerivationChannel, core_derivation},
 };

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "server/cell/cell.h"
+#include "server/editing/edit_queue.h"
 #include "server/execution/cores.h"
 #include "server/log/event_log.h"
 #include "server/stream/displays.h"
@@ -26,6 +27,7 @@ struct ChannelSources {
   Displays& displays;
   FlowChannels& flows;
   EventLog& log;
+  EditQueue& edits;
 };
 
 struct ChannelKind {

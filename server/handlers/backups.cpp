@@ -1,4 +1,5 @@
 // GET /api/v1/backups, POST /api/v1/backups, DELETE /api/v1/backups/{name}, POST /api/v1/backups/{name}/restore.
+#include "server/editing/editing.h"
 #include "server/execution/cores.h"
 #include "server/handlers/handlers.h"
 #include "server/store/backup.h"
@@ -31,7 +32,9 @@ Handled delete_backup(const Request& request, Backups& backups) {
 }
 
 // Cores that are over or have not begun go: the store of that time knows others.
-Handled restore_backup(const Request& request, Backups& backups, Cores& cores) {
+Handled restore_backup(const Request& request, Backups& backups, Cores& cores, Editing& editing) {
+  const auto paused = editing.pause();
+  if (!paused) return failed(paused.error());
   if (auto closed = cores.close_for_restore(); !closed) return failed(std::move(closed).error());
   const auto restored = backups.restore(request.parameters.at("name"), [&cores]() -> Expected<void> {
     for (const auto& core : cores.all())

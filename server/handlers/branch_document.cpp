@@ -1,10 +1,11 @@
 // POST /api/v1/documents/{name}/branch: makes a revision the first one of a document of its own.
 #include "core/value/json.h"
+#include "server/editing/editing.h"
 #include "server/handlers/document_requests.h"
 
 namespace race::server {
 
-Handled branch_document(const Request& request, Documents& documents) {
+Handled branch_document(const Request& request, Editing& editing) {
   const auto body = parse_json(request.body);
   if (!body) return failed(body.error());
   std::vector<Error> errors;
@@ -14,7 +15,7 @@ Handled branch_document(const Request& request, Documents& documents) {
   const Change change = read_change(fields);
   fields.close();
   if (!errors.empty()) return tl::unexpected(std::move(errors));
-  return answer_entry(documents.branch(request.parameters.at("name"), {*as, revision}, change), 201);
+  return answer_entry(editing.branch(request.parameters.at("name"), {*as, revision}, change), 201);
 }
 
 }  // namespace race::server

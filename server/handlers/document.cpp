@@ -1,4 +1,5 @@
 // GET and PUT /api/v1/documents/{name}: one document or draft as it is edited; stored whole or refused whole.
+#include "server/editing/editing.h"
 #include "server/handlers/document_requests.h"
 
 namespace race::server {
@@ -14,16 +15,19 @@ Expected<bool> is_draft(const Request& request) {
 }  // namespace
 
 Handled get_document(const Request& request, Documents& documents) {
-  return answer_entry(documents.entry(request.parameters.at("name")));
+  const auto entry = documents.entry(request.parameters.at("name"));
+  auto reply = answer_entry(entry);
+  if (reply) reply->headers.emplace_back("ETag", "\"" + std::to_string(entry->revision.number) + "\"");
+  return reply;
 }
 
-Handled put_document(const Request& request, Documents& documents) {
+Handled put_document(const Request& request, Editing& editing) {
   const auto draft = is_draft(request);
   if (!draft) return failed(draft.error());
   const auto seen = number_of(request, "revision");
   if (!seen) return failed(seen.error());
   const Documents::Put options{*draft, *seen};
-  return answer_entry(documents.put(request.parameters.at("name"), request.body, change_of(request), options));
+  return answer_entry(editing.put(request.parameters.at("name"), request.body, change_of(request), options));
 }
 
 }  // namespace race::server

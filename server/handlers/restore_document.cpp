@@ -1,10 +1,11 @@
 // POST /api/v1/documents/{name}/restore: makes an earlier revision the next one.
 #include "core/value/json.h"
+#include "server/editing/editing.h"
 #include "server/handlers/document_requests.h"
 
 namespace race::server {
 
-Handled restore_document(const Request& request, Documents& documents) {
+Handled restore_document(const Request& request, Editing& editing) {
   const auto body = parse_json(request.body);
   if (!body) return failed(body.error());
   std::vector<Error> errors;
@@ -13,7 +14,7 @@ Handled restore_document(const Request& request, Documents& documents) {
   const Change change = read_change(fields);
   fields.close();
   if (!errors.empty()) return tl::unexpected(std::move(errors));
-  return answer_entry(documents.restore(request.parameters.at("name"), *revision, change));
+  return answer_entry(editing.restore(request.parameters.at("name"), *revision, change));
 }
 
 }  // namespace race::server

@@ -30,6 +30,7 @@ constexpr std::array kRoutes = {
     Route{"GET", "/api/v1/documents", call<list_documents>},
     Route{"GET", "/api/v1/documents/{name}", call<get_document>},
     Route{"PUT", "/api/v1/documents/{name}", call<put_document>},
+    Route{"POST", "/api/v1/documents/{name}/edits", call<edit_document>},
     Route{"GET", "/api/v1/documents/{name}/revisions", call<get_revisions>},
     Route{"GET", "/api/v1/documents/{name}/revisions/{revision}", call<get_revision>},
     Route{"POST", "/api/v1/documents/{name}/restore", call<restore_document>},

@@ -14,7 +14,8 @@ namespace race::server {
 class EventLog;
 
 /// What handlers use; each gets those that are its parameters.
-using Resources = std::tuple<Documents&, BootList&, Backups&, Runs&, Samples&, Cores&, Worker&, Cell&, EventLog&>;
+using Resources =
+    std::tuple<Documents&, Editing&, BootList&, Backups&, Runs&, Samples&, Cores&, Worker&, Cell&, EventLog&>;
 
 struct Route {
   std::string_view method;

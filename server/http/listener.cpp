@@ -170,7 +170,8 @@ awaitable<bool> serve_one(beast::tcp_stream& stream, beast::flat_buffer& buffer,
     co_return false;
   }
   if (upgrade && request->path == kStream && request->method == "GET") {
-    co_await serve_stream(std::move(stream), parser.release(), context.backend.hub, context.backend.displays);
+    const StreamTargets targets{context.backend.hub, context.backend.displays, context.backend.edits};
+    co_await serve_stream(std::move(stream), parser.release(), targets);
     co_return false;
   }
   if (upgrade && request->path == kComponents && request->method == "GET") {

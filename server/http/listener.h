@@ -14,6 +14,7 @@
 #include "server/http/message.h"
 #include "server/stream/displays.h"
 #include "server/stream/hub.h"
+#include "server/stream/requests.h"
 #include "services/remote/remotes.h"
 
 namespace race::server {
@@ -24,6 +25,7 @@ struct Backend {
   std::function<Reply(Request)> handle;  // requests to /api/
   Hub& hub;
   Displays& displays;
+  EditRequests& edits;
   remote::Remotes& remotes;
   std::function<void(const std::string&)> log;
 };

@@ -40,8 +40,8 @@ class Session {
 // One client of the stream. Held by its two coroutines, and by the hub until it leaves.
 class StreamSession final : Session, public Subscriber, public std::enable_shared_from_this<StreamSession> {
  public:
-  StreamSession(beast::tcp_stream stream, Hub& hub, Displays& displays)
-      : Session(std::move(stream)), hub_(hub), displays_(displays) {}
+  StreamSession(beast::tcp_stream stream, const StreamTargets& targets)
+      : Session(std::move(stream)), targets_(targets), hub_(targets.hub), displays_(targets.displays) {}
 
   Outbox& outbox() override { return outbox_; }
   void wake() override {
@@ -59,7 +59,7 @@ class StreamSession final : Session, public Subscriber, public std::enable_share
       if (error) break;
       if (!socket_.got_text()) break;
       const auto data = buffer.cdata();
-      handle_stream_request({static_cast<const char*>(data.data()), data.size()}, shared_from_this(), hub_, displays_);
+      handle_stream_request({static_cast<const char*>(data.data()), data.size()}, shared_from_this(), targets_);
       buffer.consume(buffer.size());
     }
     over_ = true;
@@ -82,6 +82,7 @@ class StreamSession final : Session, public Subscriber, public std::enable_share
     }
   }
 
+  const StreamTargets targets_;
   Hub& hub_;
   Displays& displays_;
   Outbox outbox_;
@@ -151,8 +152,8 @@ class ComponentSession final : Session, public std::enable_shared_from_this<Comp
 
 }  // namespace
 
-awaitable<void> serve_stream(beast::tcp_stream stream, Upgrade request, Hub& hub, Displays& displays) {
-  auto session = std::make_shared<StreamSession>(std::move(stream), hub, displays);
+awaitable<void> serve_stream(beast::tcp_stream stream, Upgrade request, StreamTargets targets) {
+  auto session = std::make_shared<StreamSession>(std::move(stream), targets);
   co_await session->run(std::move(request));
 }
 

@@ -6,8 +6,7 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 
-#include "server/stream/displays.h"
-#include "server/stream/hub.h"
+#include "server/stream/requests.h"
 #include "services/remote/remotes.h"
 
 namespace race::server {
@@ -24,7 +23,7 @@ inline constexpr auto kAsTuple = asio::as_tuple(asio::use_awaitable);
 using Upgrade = http::request<http::string_body>;
 
 /// Serves one client of the stream until it leaves.
-awaitable<void> serve_stream(beast::tcp_stream stream, Upgrade request, Hub& hub, Displays& displays);
+awaitable<void> serve_stream(beast::tcp_stream stream, Upgrade request, StreamTargets targets);
 /// Serves one process of components until it is lost.
 awaitable<void> serve_components(beast::tcp_stream stream, Upgrade request, remote::Remotes& remotes);
 

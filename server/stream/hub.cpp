@@ -7,8 +7,8 @@ namespace race::server {
 
 namespace {
 
-// Errors are queued under no channel's name: one queue, whatever names clients ask for.
-constexpr const char* kErrorQueue = "";
+// What is for one client alone is queued under no channel's name: one queue, whatever names clients ask for.
+constexpr const char* kPrivateQueue = "";
 
 }  // namespace
 
@@ -74,6 +74,49 @@ void Hub::publish_delta(std::string name, Value data) {
   });
 }
 
+void Hub::publish_replacement(std::string name, Value data) {
+  strand_.post([this, name = std::move(name), data = std::move(data)] {
+    const auto known = channels_.find(name);
+    if (known == channels_.end()) return;
+    Channel& channel = known->second;
+    begin_anew(channel);
+    channel.snapshot = Message{channel.sequence, serialise(name, channel.sequence, "snapshot", data)};
+    channel.subscribers.merge(channel.waiting);
+    for (const auto& subscriber : channel.subscribers)
+      send(*subscriber, name, channel.snapshot->text, channel.source.sampled);
+  });
+}
+
+void Hub::restart(std::string prefix) {
+  strand_.post([this, prefix = std::move(prefix)] {
+    for (auto& [name, channel] : channels_) {
+      if (!name.starts_with(prefix)) continue;
+      begin_anew(channel);
+      channel.waiting.merge(channel.subscribers);
+      if (!channel.waiting.empty() && channel.source.refresh) channel.source.refresh();
+    }
+  });
+}
+
+// A client that has everything up to here lacks something all the same.
+void Hub::begin_anew(Channel& channel) {
+  ++channel.sequence;
+  channel.deltas.clear();
+  channel.bytes = 0;
+  channel.snapshot.reset();
+}
+
+void Hub::send(std::weak_ptr<Subscriber> client, std::string name, const char* kind, Value data, To to) {
+  strand_.post([this, client = std::move(client), name = std::move(name), kind, data = std::move(data), to] {
+    const auto subscriber = shut_down_ ? nullptr : client.lock();
+    if (!subscriber) return;
+    const auto channel = channels_.find(name);
+    const bool hears = channel != channels_.end() && channel->second.subscribers.contains(subscriber);
+    if (to == To::those_not_subscribed && hears) return;
+    send(*subscriber, kPrivateQueue, serialise(name, first_, kind, data), false);
+  });
+}
+
 void Hub::subscribe(std::shared_ptr<Subscriber> subscriber, std::string name, std::optional<std::int64_t> since) {
   strand_.post([this, subscriber = std::move(subscriber), name = std::move(name), since] {
     if (!shut_down_) join(subscriber, name, since);
@@ -82,7 +125,7 @@ void Hub::subscribe(std::shared_ptr<Subscriber> subscriber, std::string name, st
 
 void Hub::resend_snapshot(std::shared_ptr<Subscriber> subscriber, std::string name) {
   strand_.post([this, subscriber = std::move(subscriber), name = std::move(name)] {
-    if (name == kErrorQueue) return subscriber->outbox().drop(name);  // those that were dropped are not repeated
+    if (name == kPrivateQueue) return subscriber->outbox().drop(name);  // those that were dropped are not repeated
     const auto known = channels_.find(name);
     if (known != channels_.end() && known->second.subscribers.contains(subscriber))
       join(subscriber, name, std::nullopt);
@@ -95,7 +138,7 @@ void Hub::join(const std::shared_ptr<Subscriber>& subscriber, const std::string&
   Channel* channel = find(name);
   if (!channel) {
     const Value data = errors_json({{ErrorCode::not_found, "there is no channel of this name", name}});
-    return send(*subscriber, kErrorQueue, serialise(name, first_, "error", data), false);
+    return send(*subscriber, kPrivateQueue, serialise(name, first_, "error", data), false);
   }
   const bool first = channel->subscribers.empty() && channel->waiting.empty();
   channel->subscribers.erase(subscriber);
@@ -167,14 +210,14 @@ void Hub::close(std::string name) {
     const Value data = errors_json({{ErrorCode::not_found, "the channel has ended", name}});
     const Text text = serialise(name, known->second.sequence + 1, "error", data);
     for (const Subscribers* all : {&known->second.subscribers, &known->second.waiting})
-      for (const auto& subscriber : *all) send(*subscriber, kErrorQueue, text, false);
+      for (const auto& subscriber : *all) send(*subscriber, kPrivateQueue, text, false);
     channels_.erase(known);
   });
 }
 
 void Hub::refuse(std::shared_ptr<Subscriber> subscriber, std::string name, std::vector<Error> errors) {
   strand_.post([this, subscriber = std::move(subscriber), name = std::move(name), errors = std::move(errors)] {
-    send(*subscriber, kErrorQueue, serialise(name, first_, "error", errors_json(errors)), false);
+    send(*subscriber, kPrivateQueue, serialise(name, first_, "error", errors_json(errors)), false);
   });
 }
 

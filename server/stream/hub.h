@@ -62,6 +62,15 @@ class Hub {
   void disconnect(std::shared_ptr<Subscriber> subscriber);
   /// Removes all subscribers and accepts no new ones: their sockets end. Waits until that is done.
   void shut_down();
+  /// The channel is about something else from now on: no delta leads from what it was to this snapshot, which all
+  /// subscribers get.
+  void publish_replacement(std::string channel, Value data);
+  /// The same of all channels whose names begin so; their sources are asked for the snapshots.
+  void restart(std::string prefix);
+  enum class To { all, those_not_subscribed };
+  /// Sends a message to one client alone, if it is still there and, `those_not_subscribed`, does not get the deltas of
+  /// the channel.
+  void send(std::weak_ptr<Subscriber> subscriber, std::string channel, const char* kind, Value data, To to = To::all);
   /// Sends the errors of a request to its subscriber alone.
   void refuse(std::shared_ptr<Subscriber> subscriber, std::string channel, std::vector<Error> errors);
 
@@ -81,6 +90,7 @@ class Hub {
   };
 
   Channel* find(const std::string& name);
+  static void begin_anew(Channel& channel);
   void join(const std::shared_ptr<Subscriber>& subscriber, const std::string& name, std::optional<std::int64_t> since);
   void detach(Channel& channel, const std::shared_ptr<Subscriber>& subscriber);
   bool catch_up(const std::string& name, Channel& channel, Subscriber& subscriber, std::int64_t since);

@@ -13,6 +13,7 @@ struct Client {
   const std::shared_ptr<Subscriber>& subscriber;
   Hub& hub;
   Displays& displays;
+  EditRequests& edits;
 };
 
 using Errors = std::vector<Error>;
@@ -86,25 +87,29 @@ constexpr std::array<Type, 6> kTypes = {{
     {"played", played},
 }};
 
+/// Read by who executes it.
+constexpr std::string_view kEdit = "edit";
+
 void handle(const Value& json, const Client& client, Errors& errors) {
   Fields fields(json, "", "the message", errors, Fields::Paths::field);
   const std::string name = fields.text("type", Fields::Need::required).value_or("");
+  if (name == kEdit) return client.edits.request_edit(client.subscriber, json);
   const auto type = std::ranges::find(kTypes, name, &Type::name);
   if (type != kTypes.end()) return type->handle(fields, client, errors);
-  std::string known;
-  for (const Type& each : kTypes) known += (known.empty() ? "`" : ", `") + std::string(each.name) + "`";
+  std::string known = "`" + std::string(kEdit) + "`";
+  for (const Type& each : kTypes) known += ", `" + std::string(each.name) + "`";
   if (errors.empty()) fields.violation(ErrorCode::type, "`type` must be one of " + known, "type");
 }
 
 }  // namespace
 
-void handle_stream_request(std::string_view message, const std::shared_ptr<Subscriber>& subscriber, Hub& hub,
-                           Displays& displays) {
+void handle_stream_request(std::string_view message, const std::shared_ptr<Subscriber>& subscriber,
+                           const StreamTargets& targets) {
   const auto json = parse_json(message);
-  if (!json) return hub.refuse(subscriber, "", {json.error()});
+  if (!json) return targets.hub.refuse(subscriber, "", {json.error()});
   Errors errors;
-  handle(*json, {subscriber, hub, displays}, errors);
-  if (!errors.empty()) hub.refuse(subscriber, "", std::move(errors));
+  handle(*json, {subscriber, targets.hub, targets.displays, targets.edits}, errors);
+  if (!errors.empty()) targets.hub.refuse(subscriber, "", std::move(errors));
 }
 
 }  // namespace race::server

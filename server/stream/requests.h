@@ -9,8 +9,22 @@
 
 namespace race::server {
 
+/// Who does what a client asks for with a message `edit`, and tells it: soon, on another thread.
+class EditRequests {
+ public:
+  virtual ~EditRequests() = default;
+  virtual void request_edit(const std::shared_ptr<Subscriber>& sender, const Value& message) = 0;
+};
+
+/// Where the messages of clients go.
+struct StreamTargets {
+  Hub& hub;
+  Displays& displays;
+  EditRequests& edits;
+};
+
 /// Does what the message asks for, or tells the client why not.
-void handle_stream_request(std::string_view message, const std::shared_ptr<Subscriber>& subscriber, Hub& hub,
-                           Displays& displays);
+void handle_stream_request(std::string_view message, const std::shared_ptr<Subscriber>& subscriber,
+                           const StreamTargets& targets);
 
 }  // namespace race::server

@@ -11,6 +11,7 @@
 #include "server/store/data_folder.h"
 #include "server/store/journal_writer.h"
 #include "server/store/runs.h"
+#include "server/stream/requests.h"
 #include "services/host/host.h"
 
 namespace race::server {
@@ -19,6 +20,10 @@ struct NoObserver final : services::HostObserver {
   void delivered(const services::Delivery&) override {}
   void changed(const services::ServiceStatus&) override {}
   void logged(services::Time, const std::string&, const std::string&) override {}
+};
+
+struct NoEdits final : EditRequests {
+  void request_edit(const std::shared_ptr<Subscriber>&, const Value&) override {}
 };
 
 /// A new data folder, removed at the end.

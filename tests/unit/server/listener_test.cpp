@@ -82,7 +82,8 @@ struct ListenerTest : testing::Test {
     if (thread.joinable()) thread.join();
   }
   void serve(const HttpServer::Limits& limits) {
-    server = HttpServer::listen(0, "", {answer, hub, displays, remotes, [](const std::string&) {}}, limits).value();
+    server =
+        HttpServer::listen(0, "", {answer, hub, displays, edits, remotes, [](const std::string&) {}}, limits).value();
     thread = std::thread([this] { server->run(); });
   }
   std::unique_ptr<Connection> connection(const std::string& text = "") {
@@ -97,6 +98,7 @@ struct ListenerTest : testing::Test {
   Hub hub{pool, 1, [](const std::string&) { return std::nullopt; }};
   display::Screens screens;
   Displays displays{screens, hub};
+  NoEdits edits;
   services::WorldClock clock;
   NoObserver observer;
   services::Host host{clock, observer};

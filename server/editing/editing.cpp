@@ -1,0 +1,190 @@
+#include "server/editing/editing.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "server/wire/calendar.h"
+
+namespace race::server {
+namespace {
+
+Error busy() { return {ErrorCode::unavailable, "others are changing this document; ask again"}; }
+
+bool may_have_changed(const std::vector<Error>& errors) {
+  return std::ranges::any_of(errors, [](const Error& error) {
+    return error.code == ErrorCode::storage || error.code == ErrorCode::io || error.code == ErrorCode::corrupt;
+  });
+}
+
+}  // namespace
+
+/// Who has it has the document for itself.
+class Editing::Turn {
+ public:
+  Turn(Editing& editing, Document& document) : editing_(&editing), document_(&document) {}
+  Turn(Turn&& other) noexcept : editing_(std::exchange(other.editing_, nullptr)), document_(other.document_) {}
+  ~Turn() {
+    if (editing_) editing_->end_turn(*document_);
+  }
+  Document& document() const { return *document_; }
+
+ private:
+  Editing* editing_;
+  Document* document_;
+};
+
+Editing::Editing(Documents& documents, EditPublisher& publisher, DocumentWatcher& watcher, Limits limits)
+    : documents_(documents), publisher_(publisher), watcher_(watcher), limits_(limits) {}
+
+std::optional<Editing::Turn> Editing::take_turn(const std::string& name) {
+  const services::MutexLock lock(mutex_);
+  std::unique_ptr<Document>& slot = open_[name];
+  if (!slot) slot = std::make_unique<Document>();
+  Document& document = *slot;
+  ++document.waiting;
+  const bool is_free =
+      changed_.wait_for(mutex_, limits_.turn, [&]() REQUIRES(mutex_) { return !is_paused_ && !document.is_taken; });
+  --document.waiting;
+  document.used = ++uses_;
+  if (is_free) {
+    document.is_taken = true;
+    ++taken_;
+  }
+  forget_least_used();
+  if (!is_free) return std::nullopt;
+  return Turn(*this, document);
+}
+
+void Editing::end_turn(Document& document) {
+  if (document.session && document.session->is_lost()) document.session.reset();
+  {
+    const services::MutexLock lock(mutex_);
+    document.is_taken = false;
+    --taken_;
+    forget_least_used();
+  }
+  changed_.notify_all();
+}
+
+void Editing::forget_least_used() {
+  while (open_.size() > limits_.sessions) {
+    auto least = open_.end();
+    for (auto each = open_.begin(); each != open_.end(); ++each) {
+      if (each->second->is_taken || each->second->waiting > 0) continue;
+      if (least == open_.end() || each->second->used < least->second->used) least = each;
+    }
+    if (least == open_.end()) return;
+    open_.erase(least);
+  }
+}
+
+Checked<DocumentSession*> Editing::open(Document& document, const std::string& name) {
+  if (!document.session) {
+    auto session = DocumentSession::read(documents_, name);
+    if (!session) return tl::unexpected(std::move(session).error());
+    document.session.emplace(std::move(*session));
+    // What was refused because the disk failed may have been stored all the same.
+    const std::int64_t revision = document.session->revision();
+    if (document.last_known > 0 && document.last_known != revision) {
+      publisher_.replaced(name, document.session->snapshot());
+      watcher_.document_changed(name, revision, document.session->has_violations());
+    }
+    document.last_known = revision;
+  }
+  return &*document.session;
+}
+
+tl::expected<DocumentSession::Acceptance, EditRefusal> Editing::edit(const std::string& name,
+                                                                     const EditRequest& request) {
+  auto turn = take_turn(name);
+  if (!turn) return tl::unexpected(EditRefusal{EditRefusal::Of::document, {busy()}});
+  Document& document = turn->document();
+  const auto session = open(document, name);
+  if (!session) return tl::unexpected(EditRefusal{EditRefusal::Of::document, session.error()});
+  auto accepted = (*session)->edit(request, now_ms());
+  if (!accepted || accepted->was_there) return accepted;
+  document.last_known = (*session)->revision();
+  publisher_.edited(name, accepted->edit);
+  watcher_.document_changed(name, document.last_known, (*session)->has_violations());
+  return accepted;
+}
+
+Checked<DocumentEntry> Editing::change_text(const std::string& name, const Change& by, const ChangeText& change) {
+  auto turn = take_turn(name);
+  if (!turn) return tl::unexpected(std::vector<Error>{busy()});
+  Document& document = turn->document();
+  auto stored = change();
+  if (!stored) {
+    if (may_have_changed(stored.error())) document.session.reset();
+    return stored;
+  }
+  const std::int64_t revision = stored->revision.number;
+  if (document.session && document.session->revision() == revision) return stored;
+  if (stored->revision.change != by) return stored;  // the same text as before: it is that revision
+  document.last_known = revision;
+  auto edit = document.session ? document.session->replace(*stored) : std::nullopt;
+  if (edit)
+    publisher_.edited(name, std::move(*edit));
+  else
+    publisher_.replaced(name, document_snapshot_json(*stored));
+  watcher_.document_changed(name, revision, !stored->errors.empty());
+  return stored;
+}
+
+Checked<DocumentEntry> Editing::put(const std::string& name, std::string_view text, const Change& change,
+                                    Documents::Put options) {
+  return change_text(name, change, [&] { return documents_.put(name, text, change, options); });
+}
+
+Checked<DocumentEntry> Editing::restore(const std::string& name, std::int64_t revision, const Change& change) {
+  return change_text(name, change, [&] { return documents_.restore(name, revision, change); });
+}
+
+Checked<DocumentEntry> Editing::branch(const std::string& name, const Documents::Branch& branch, const Change& change) {
+  return change_text(branch.as, change, [&] { return documents_.branch(name, branch, change); });
+}
+
+Expected<void> Editing::publish_snapshot(const std::string& name) {
+  auto turn = take_turn(name);
+  if (!turn) return tl::unexpected(busy());
+  const auto session = open(turn->document(), name);
+  if (session)
+    publisher_.shown(name, (*session)->snapshot());
+  else
+    publisher_.ended(name);
+  return {};
+}
+
+Expected<Editing::Pause> Editing::pause() {
+  const services::MutexLock lock(mutex_);
+  const bool is_free = !is_paused_ && (is_paused_ = true) &&
+                       changed_.wait_for(mutex_, limits_.turn, [this]() REQUIRES(mutex_) { return taken_ == 0; });
+  if (is_free) return Pause(*this);
+  is_paused_ = false;
+  changed_.notify_all();
+  return tl::unexpected(busy());
+}
+
+Editing::Pause::~Pause() {
+  if (editing_) editing_->resume();
+}
+
+void Editing::resume() {
+  {
+    const services::MutexLock lock(mutex_);
+    for (auto& [name, document] : open_) {
+      document->session.reset();
+      document->last_known = 0;
+    }
+    is_paused_ = false;
+  }
+  publisher_.all_replaced();
+  changed_.notify_all();
+}
+
+std::size_t Editing::sessions() const {
+  const services::MutexLock lock(mutex_);
+  return open_.size();
+}
+
+}  // namespace race::server
