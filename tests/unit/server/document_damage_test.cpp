@@ -92,8 +92,8 @@ TEST_F(DocumentDamage, LostRevisionsAreNamed) {
   expect_corrupt(documents->revisions("task", 4, 100), "task/revisions/2");
   expect_corrupt(documents->revisions("task", 3, 100), "task/revisions/2");
   EXPECT_EQ(documents->revisions("task", 2, 100)->size(), 1U);
-  expect_corrupt(documents->entry("mine"), "mine/revisions/2");
-  expect_corrupt(documents->list(), "mine/revisions/2");
+  expect_corrupt(documents->entry("mine"), "mine/revisions/5");
+  expect_corrupt(documents->list(), "mine/revisions/5");
 }
 
 TEST_F(DocumentDamage, OfTheEntryOfADocumentIsNamed) {

@@ -49,7 +49,7 @@ inline Checked<Content> read_store(const std::string& path) try {
 
 using Step = std::function<Checked<DocumentEntry>(Documents&)>;
 
-/// Puts, drafts, restores and branches; texts from one page to several.
+/// Puts, drafts, restores, branches and edits; texts from one page to several.
 inline std::vector<Step> scenario() {
   const auto task = [](std::size_t length) {
     return R"({"rcm": 1, "root": {"state": "R", "doc": ")" + std::string(length, 'x') + "\"}}";
@@ -78,6 +78,15 @@ inline std::vector<Step> scenario() {
       },
       [=](Documents& d) {
         return d.put("mine", task(10), {"Bob", "", 8});
+      },
+      [](Documents& d) {
+        return edit_doc(d, "mine", "an edit", {"Bob", "", 9});
+      },
+      [](Documents& d) {
+        return edit_doc(d, "mine", std::string(5'000, 'y'), {"Ada", "stored whole", 10});
+      },
+      [](Documents& d) {
+        return edit_doc(d, "mine", "another edit", {"Ada", "", 11});
       },
   };
 }

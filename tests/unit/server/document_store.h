@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/edit/apply.h"
 #include "core/rcm/document.h"
 #include "server/store/documents.h"
 #include "server/store/schema.h"
@@ -45,6 +46,20 @@ inline rcm::Document document_of(const Checked<DocumentEntry>& entry) {
 
 inline std::string id_of(const rcm::Document& document, std::size_t child) {
   return std::get<rcm::State>(document.root.children.at(child)).meta.id;
+}
+
+/// What an edit makes of the last revision, stored: the root gets another `doc`.
+inline Checked<DocumentEntry> edit_doc(Documents& documents, const std::string& name, const std::string& doc,
+                                       const Change& change) {
+  const auto last = documents.entry(name);
+  if (!last) return last;
+  const rcm::Document document = document_of(last);
+  const edit::Edit edit{{edit::Set{document.root.meta.id, "doc", {}, Value(doc)}}};
+  const auto applied = edit::apply(document, edit).value();
+  const Revision next{name, last->revision.number + 1, change, {Origin::Kind::edit}, 0, doc_of(applied.document)};
+  if (auto stored = documents.append_edit({next, rcm::write_document_text(applied.document).value()}, {edit}); !stored)
+    return tl::unexpected(std::vector<Error>{stored.error()});
+  return documents.entry(name);
 }
 
 /// Its only error; fails if it has none.

@@ -216,5 +216,47 @@ TEST_F(HubTest, OneSerialisationIsSharedByAllSubscribers) {
   EXPECT_EQ(client->box.pop()->get(), other->box.pop()->get());
 }
 
+TEST_F(HubTest, ReplacesWhatAllSubscribersHave) {
+  hub.subscribe(client, "n", {});
+  settle();
+  delta();
+  hub.publish_replacement("n", Value(70));
+  delta();
+  EXPECT_THAT(received(client), ElementsAre("snapshot 0 0", "delta 1 1", "snapshot 2 70", "delta 3 2"));
+}
+
+TEST_F(HubTest, LeadsNobodyOverAReplacementByDeltas) {
+  hub.subscribe(client, "n", {});
+  settle();
+  delta();
+  hub.publish_replacement("n", Value(70));
+  hub.subscribe(other, "n", Client::HubFirst + 1);
+  EXPECT_THAT(received(other), ElementsAre("snapshot 2 70"));
+}
+
+TEST_F(HubTest, AsksForNewSnapshotsOfTheChannelsThatItRestarts) {
+  hub.subscribe(client, "n", {});
+  hub.subscribe(other, "seen", {});
+  settle();
+  received(client);
+  state = 5;
+  hub.restart("n");
+  EXPECT_THAT(received(client), ElementsAre("snapshot 1 5"));
+  EXPECT_THAT(received(other), ElementsAre("snapshot 0 0"));
+}
+
+TEST_F(HubTest, SendsToOneClientAloneAndOnlyIfItDoesNotHearTheChannel) {
+  hub.subscribe(client, "n", {});
+  settle();
+  received(client);
+  for (const auto& each : {client, other}) hub.send(each, "n", "note", Value(1), Hub::To::those_not_subscribed);
+  EXPECT_THAT(received(client), IsEmpty());
+  EXPECT_THAT(received(other), ElementsAre("note 0 1"));
+  hub.send(client, "n", "note", Value(2));
+  EXPECT_THAT(received(client), ElementsAre("note 0 2"));
+  hub.send(std::make_shared<Client>(), "n", "note", Value(3));  // it is gone
+  EXPECT_THAT(received(client), IsEmpty());
+}
+
 }  // namespace
 }  // namespace race::server
