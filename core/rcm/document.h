@@ -45,8 +45,8 @@ Value write_state(const State& state);
 /// one element changes that element's lines alone, if its commas are not counted (the one of the line before appears
 /// with the last element of a list). So every element of a list stands on its own lines, a state always on several;
 /// another list or object on one line, if it holds no more than one level of lists and objects and fits into 120
-/// columns. `services`, `layout` and the `notes` of the document's meta have one line for each entry. Entries are in order
-/// as write_document has them.
+/// columns. `services`, `layout` and the `notes` of the document's meta have one line for each entry. Entries are in
+/// order as write_document has them.
 std::string format_document(const Document& document);
 
 /// The same for a text that is stored or written to a file. Ids and indentation make a text longer and deeper than what

@@ -1,7 +1,7 @@
 // What edits of a large model take, in milliseconds of CPU time, best of 5. States have two parameters, a result, a
-// variable, an action and two ports each. Then, of a model as people write them (task_model.h), the median and the 99th
-// percentile of what is computed for one edit before its author has the findings,
-// of a task as dense as the demonstrator and of one three times as heavy. Usage: edit_bench [states]
+// variable, an action and two ports each. Then, of models as people write them (task_model.h), one as dense as the
+// demonstrator and a heavier one, the median and the 99th percentile of what is computed for one edit before its author
+// has the findings. Usage: edit_bench [states]
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -134,7 +134,8 @@ void measure_findings(int count, bench::Density density) {
   edit::History history(edit::Tree::read(document).value());
   const edit::Ids states = ids_of_states(history.tree());
   std::printf("\na task of %zu states with behaviour, %zu elements, %zu bytes of text\n%-44s %19s %19s\n",
-              states.size(), history.tree().size(), rcm::format_document(document).size(), "ms, median and 99th percentile", "CPU", "wall");
+              states.size(), history.tree().size(), rcm::format_document(document).size(),
+              "ms, median and 99th percentile", "CPU", "wall");
   const auto apply = [&](int i) {
     const std::string& state = states[static_cast<std::size_t>(i / 6 * 31) % states.size()];
     return history.apply("a", history.revision(), edit_of(history.tree(), state, i)).has_value();

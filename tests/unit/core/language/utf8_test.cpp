@@ -55,8 +55,8 @@ TEST(Utf8, FindsAnInvalidByteAtEachOffset) {
 TEST(Utf8, FindsOverlongFormsSurrogatesAndWhatIsBeyondUnicodeAtEachOffset) {
   for (const char* part : {"\xc0\xaf", "\xe0\x9f\xbf", "\xed\xa0\x80", "\xed\xbf\xbf", "\xf0\x8f\xbf\xbf",
                            "\xf4\x90\x80\x80", "\xe2\x82", "\xf0\x9f\x98", "\xc3\xa4\xa4"}) {
-    at_each_offset(part,
-                   [](std::string_view text, std::size_t at) { EXPECT_FALSE(valid(text)) << at << " of " << text.size(); });
+    at_each_offset(
+        part, [](std::string_view text, std::size_t at) { EXPECT_FALSE(valid(text)) << at << " of " << text.size(); });
   }
 }
 
