@@ -1,7 +1,7 @@
 // What edits of a large model take, in milliseconds of CPU time, best of 5. States have two parameters, a result, a
-// variable, an action and two ports each. Then, of a model as people write them (task_model.h), the median and the 99th
-// percentile of what is computed for one edit before its author has the findings,
-// of a task as dense as the demonstrator and of one three times as heavy. Usage: edit_bench [states]
+// variable, an action and two ports each. Then, of models as people write them (task_model.h), one as dense as the
+// demonstrator and a heavier one, the median and the 99th percentile of what is computed for one edit before its author
+// has the findings. Usage: edit_bench [states]
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

@@ -12,8 +12,8 @@
 
 namespace race::bench {
 
-/// How much a state has: `heavy`, three times what those of the demonstrator have, one in ten a link; `usual`, as much
-/// (1 kB of text, 2.4 parameters, 1.8 ports), about half of them links.
+/// How much a state has: `heavy`, 2.8 kB of text, one in ten a link; `usual`, about half as much, about half of them
+/// links (those of the demonstrator have 1 kB and are about half links).
 enum class Density { heavy, usual };
 
 /// Whether the step `number`, which has no children, is a link.
