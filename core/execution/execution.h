@@ -79,8 +79,9 @@ class Execution {
   /// take it here.
   Expected<const Progress*> replay(const JournalEntry& entry, Recording recording, std::uint32_t limit = kNoLimit);
   /// Delivers an edit (core/SEMANTICS.md section 9), whose entry is `entry`, and after which the model is `model`
-  /// (executed_model.h). What waits and what `model` does not name is dropped, and so are breakpoints of what it does not
-  /// have; a goal of that is reached at the end of this macro step. Or what the edit waits for: nothing is changed then. Requires that the run has begun.
+  /// (executed_model.h). What waits and what `model` does not name is dropped, and so are breakpoints of what it does
+  /// not have; a goal of that is reached at the end of this macro step. Or what the edit waits for: nothing is changed
+  /// then. Requires that the run has begun.
   tl::expected<const Progress*, std::vector<semantics::Obstacle>> edit(EditEntry entry, ExecutedModel model,
                                                                        Recording recording,
                                                                        std::uint32_t limit = kNoLimit);
