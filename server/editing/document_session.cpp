@@ -114,8 +114,11 @@ edit::History::Result DocumentSession::execute(const EditRequest& request) {
     if (!edit) return tl::unexpected(edit::Rejection{std::move(edit).error(), 0, ""});
     return history.apply(request.author, history.revision(), std::move(*edit));
   }
-  return history.apply(request.author, request.revision.value_or(history.revision()),
-                       std::get<edit::Edit>(request.what));
+  const edit::Revision seen = request.revision.value_or(history.revision());
+  if (seen > history.revision())
+    return tl::unexpected(edit::Rejection{
+        {ErrorCode::out_of_range, "there is no revision " + std::to_string(seen), "revision"}, 0, ""});
+  return history.apply(request.author, seen, std::get<edit::Edit>(request.what));
 }
 
 tl::expected<DocumentSession::Acceptance, EditRefusal> DocumentSession::store(const edit::Accepted& accepted,

@@ -42,8 +42,7 @@ EditRequest read_edit_request(Fields& fields, std::vector<Error>& errors) {
   const Value *undo = fields.find("undo"), *redo = fields.find("redo");
   const int asked = (operations ? 1 : 0) + (compound ? 1 : 0) + (undo ? 1 : 0) + (redo ? 1 : 0);
   if (asked != 1) {
-    fields.violation(asked == 0 ? ErrorCode::missing : ErrorCode::conflict,
-                     "needs exactly one of `operations`, `compound`, `undo`, `redo`", "operations");
+    fields.violation(ErrorCode::missing, "needs exactly one of `operations`, `compound`, `undo`, `redo`", "operations");
     return out;
   }
   if (operations) {

@@ -7,6 +7,7 @@ import shutil
 import socket
 import subprocess
 import tempfile
+import threading
 import time
 from pathlib import Path
 
@@ -34,13 +35,15 @@ def validator(name):
 
 
 VALIDATORS = {}
+VALIDATING = threading.Lock()  # a resolver keeps where it is, for all threads
 
 
 def check(name, value):
     """Asserts that value is valid against schemas/name.json; returns it."""
-    if name not in VALIDATORS:
-        VALIDATORS[name] = validator(name)
-    error = jsonschema.exceptions.best_match(VALIDATORS[name].iter_errors(value))
+    with VALIDATING:
+        if name not in VALIDATORS:
+            VALIDATORS[name] = validator(name)
+        error = jsonschema.exceptions.best_match(VALIDATORS[name].iter_errors(value))
     if error is not None:
         raise AssertionError(f"not {name}.json: {error.message[:500]} at {list(error.absolute_path)}")
     return value
