@@ -116,8 +116,8 @@ edit::History::Result DocumentSession::execute(const EditRequest& request) {
   }
   const edit::Revision seen = request.revision.value_or(history.revision());
   if (seen > history.revision())
-    return tl::unexpected(edit::Rejection{
-        {ErrorCode::out_of_range, "there is no revision " + std::to_string(seen), "revision"}, 0, ""});
+    return tl::unexpected(
+        edit::Rejection{{ErrorCode::out_of_range, "there is no revision " + std::to_string(seen), "revision"}, 0, ""});
   return history.apply(request.author, seen, std::get<edit::Edit>(request.what));
 }
 

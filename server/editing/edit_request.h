@@ -25,7 +25,8 @@ struct EditRequest {
 };
 
 /// Reads the fields of a request but those of its transport; the caller closes `fields`. Adds violations to `errors`,
-/// which is that of `fields`: those of edit::read_edit; `missing`: not exactly one of operations, compound, undo and redo
+/// which is that of `fields`: those of edit::read_edit; `missing`: not exactly one of operations, compound, undo and
+/// redo
 /// (`conflict` would say that others have changed the document); `name`: a token that is none; `too_large`: author or
 /// message.
 EditRequest read_edit_request(Fields& fields, std::vector<Error>& errors);

@@ -157,8 +157,9 @@ Expected<void> Editing::publish_snapshot(const std::string& name) {
 
 Expected<Editing::Pause> Editing::pause() {
   const services::MutexLock lock(mutex_);
-  const bool is_free = !is_paused_ && (is_paused_ = true) &&
-                       changed_.wait_for(mutex_, limits_.turn, [this]() REQUIRES(mutex_) { return taken_ == 0; });
+  if (is_paused_) return tl::unexpected(busy());
+  is_paused_ = true;
+  const bool is_free = changed_.wait_for(mutex_, limits_.turn, [this]() REQUIRES(mutex_) { return taken_ == 0; });
   if (is_free) return Pause(*this);
   is_paused_ = false;
   changed_.notify_all();

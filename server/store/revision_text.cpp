@@ -36,6 +36,13 @@ Expected<Link> find_link(SQLite::Database& file, const std::string& document, st
   return link;
 }
 
+bool has_whole_text(SQLite::Database& file, const std::string& document, std::int64_t number) {
+  SQLite::Statement select(file, "SELECT text <> '' FROM revision WHERE document = ? AND number = ?");
+  select.bind(1, document);
+  select.bind(2, number);
+  return select.executeStep() && select.getColumn(0).getInt() != 0;
+}
+
 Expected<edit::Edit> parse(const Link& link, const std::string& document, std::int64_t number) {
   const auto json = parse_json(link.edit, kLimits);
   if (!json) return damaged_revision(document, number, "damaged");
@@ -51,8 +58,9 @@ bool add_edit(SQLite::Database& file, const RevisionText& next, const RevisionEd
   Link link{0, edit.request, to_json(edit::write_edit(edit.edit))};
   // A text that is derived needs a link before it that is sound, or a whole text.
   const auto before = find_link(file, document, number - 1);
+  const bool has_base = before || has_whole_text(file, document, number - 1);
   const std::int64_t depth = (before ? before->depth : 0) + 1;
-  const bool is_derived = link.edit.size() < next.text.size() && depth <= kLongestChain;
+  const bool is_derived = has_base && link.edit.size() < next.text.size() && depth <= kLongestChain;
   if (is_derived) link.depth = depth;
   SQLite::Statement insert(file, "INSERT INTO revision_edit VALUES (?, ?, ?, ?, ?, ?)");
   insert.bind(1, document);
