@@ -29,10 +29,18 @@ def task():
 
 
 def edit(number):
-    """The document of this edit, from 1; its text has up to a few pages of SQLite."""
+    """The document after this edit, from 1; its text has up to a few pages of SQLite."""
     return models.document(EDITED, {
-        "state": "Root", "doc": f"edit {number} " + "x" * (number * 997 % 9000),
-        "parameters": [{"name": "number", "value": number}], "ports": [{"name": "next", "when": "False"}]})
+        "state": "Root", "doc": f"edit {number} " + "x" * (number * 997 % 9000), "meta": {"id": "root"},
+        "parameters": [{"name": "number", "value": number, "meta": {"id": "number"}}],
+        "ports": [{"name": "next", "when": "False"}]})
+
+
+def edit_request(number, seen):
+    """The body of this edit, from 2, by somebody who has seen this revision."""
+    return {"revision": seen, "request": f"e{number}", "operations": [
+        {"op": "set", "id": "number", "field": "value", "value": number},
+        {"op": "set", "id": "root", "field": "doc", "value": edit(number)["root"]["doc"]}]}
 
 
 class Connection:
@@ -92,7 +100,7 @@ class Scenario:
 
     def __init__(self, connection=None, core=None):
         self.connection = connection
-        self.edits = {}  # acknowledged: revision -> answer
+        self.edits = {}  # acknowledged: revision -> (time, doc)
         self.core = core  # its id, once its creation was acknowledged
         self.step = 0  # of the core, as it was told last
         self.complete = False
@@ -111,9 +119,21 @@ class Scenario:
 
     def edit(self, between):
         for number in range(1, EDITS + 1):
-            stored = self.connection.expect("PUT", f"/documents/{EDITED}", edit(number))
-            self.edits[stored["revision"]] = stored
+            if number == 1:
+                stored = self.connection.expect("PUT", f"/documents/{EDITED}", edit(number))
+            else:
+                stored = self.connection.expect("POST", f"/documents/{EDITED}/edits", edit_request(number, number - 1))
+            self.acknowledge(stored, number)
             between()
+
+    def acknowledge(self, stored, number):
+        self.edits[stored["revision"]] = (stored["time"], edit(number)["root"]["doc"])
+
+    def check_edits(self, connection):
+        """Every edit that was acknowledged is there."""
+        for revision, acknowledged in self.edits.items():
+            stored = connection.get(f"/documents/{EDITED}/revisions/{revision}")
+            assert (stored["time"], stored["document"]["root"]["doc"]) == acknowledged, revision
 
     def rotate(self):
         """Asks as often as the server has other handler threads, which take turns: one of them gets all edits, so that

@@ -8,7 +8,7 @@ import os
 import shutil
 import unittest
 
-from crash_scenario import EDITED, STEPS, TASK, Connection, Scenario, edit, task
+from crash_scenario import EDITED, STEPS, TASK, Connection, Scenario, edit, edit_request, task
 from fault_points import PHASES, choose, new_folder, record, remove_prepared_folder
 from stored_data import Folder
 from traced_server import WRITES, TracedServer
@@ -25,6 +25,7 @@ class Persistent(Scenario):
     def __init__(self, reads_fail=False):
         super().__init__()
         self.reads_fail = reads_fail
+        self.count = 0  # of edits that were sent
 
     def ask(self, method, path, body=None):
         """The answer; None: it is refused because of the disk."""
@@ -38,8 +39,14 @@ class Persistent(Scenario):
 
     def edit(self, between):
         for number in range(1, 21):
-            if stored := self.ask("PUT", f"/documents/{EDITED}", edit(number)):
-                self.edits[stored["revision"]] = stored
+            self.count += 1
+            if not self.edits:
+                stored = self.ask("PUT", f"/documents/{EDITED}", edit(number))
+            else:
+                request = {**edit_request(number, max(self.edits)), "request": f"e{self.count}"}
+                stored = self.ask("POST", f"/documents/{EDITED}/edits", request)
+            if stored:
+                self.acknowledge(stored, number)
             between()
 
     def rotate(self):
@@ -120,8 +127,7 @@ class Check:
         """Another server finds all that was acknowledged, and nothing that was refused."""
         journal = self.folder.journal()
         with TracedServer(self.data) as server, Connection(server.port) as connection:
-            for revision, stored in scenario.edits.items():
-                assert connection.get(f"/documents/{EDITED}/revisions/{revision}") == stored, revision
+            scenario.check_edits(connection)
             if scenario.edits:
                 assert connection.get(f"/documents/{EDITED}")["revision"] == len(scenario.edits)
             assert server.stop() == (0, "")

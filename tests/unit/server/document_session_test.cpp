@@ -1,8 +1,7 @@
 // Documents that are edited: what is published, when a session ends, and a store that fails.
-#include "server/editing/editing.h"
-
 #include <gmock/gmock.h>
 
+#include "server/editing/editing.h"
 #include "tests/unit/server/edited_document.h"
 #include "tests/unit/services/sqlite/faulty_vfs.h"
 
