@@ -23,11 +23,14 @@ std::vector<Error> violations_of(const std::filesystem::path& folder) {
   return out;
 }
 
+/// Those of the document and the services; what does not fit in the steps of the script is another one's
+/// (core/execution).
 std::set<std::string> expected_pairs(const std::filesystem::path& folder) {
   const Value expected = parse_json(read_text(folder / "expected.json")).value();
   std::set<std::string> out;
   for (const Value& error : expected.find("errors")->as_list())
-    out.insert(error.find("path")->as_string() + ": " + error.find("code")->as_string());
+    if (const std::string& path = error.find("path")->as_string(); !path.starts_with("steps/"))
+      out.insert(path + ": " + error.find("code")->as_string());
   return out;
 }
 
