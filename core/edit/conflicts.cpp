@@ -20,11 +20,9 @@ std::string_view changed(const Operation& operation) {
 
 bool contains(const Ids& sorted, std::string_view id) { return std::ranges::binary_search(sorted, id); }
 
-std::string quoted(std::string_view id) { return "`" + std::string(id) + "`"; }
-
 Rejection because(const LogEntry* entry, std::string what, std::string field) {
   const Accepted& edit = entry->accepted;
-  what += " by " + quoted(edit.author) + " (revision " + std::to_string(edit.revision) + ")";
+  what += " by " + quote(edit.author) + " (revision " + std::to_string(edit.revision) + ")";
   return {Error{ErrorCode::conflict, std::move(what), std::move(field)}, edit.revision, edit.author};
 }
 
@@ -87,16 +85,16 @@ const LogEntry* Conflicts::replacement_of(std::string_view id) const {
 std::optional<Rejection> Conflicts::of(const Operation& operation) const {
   if (const auto* remove = std::get_if<Remove>(&operation)) {
     if (const auto* entry = change_below(remove->id))
-      return because(entry, quoted(remove->id) + ", or what is in it, was changed", "id");
+      return because(entry, quote(remove->id) + ", or what is in it, was changed", "id");
   } else if (const auto* move = std::get_if<Move>(&operation)) {
-    if (const auto* entry = move_of(move->id)) return because(entry, quoted(move->id) + " was moved", "id");
-    if (const auto* entry = replacement_of(move->id)) return because(entry, quoted(move->id) + " was replaced", "id");
+    if (const auto* entry = move_of(move->id)) return because(entry, quote(move->id) + " was moved", "id");
+    if (const auto* entry = replacement_of(move->id)) return because(entry, quote(move->id) + " was replaced", "id");
   } else if (const auto* set = std::get_if<Set>(&operation); set && of_ != Of::change) {
     if (const auto* entry = set_of(*set))
       return because(entry,
-                     "`" + set->field + "` of " + (set->id.empty() ? "the document" : quoted(set->id)) + " was set",
+                     "`" + set->field + "` of " + (set->id.empty() ? "the document" : quote(set->id)) + " was set",
                      "field");
-    if (const auto* entry = replacement_of(set->id)) return because(entry, quoted(set->id) + " was replaced", "id");
+    if (const auto* entry = replacement_of(set->id)) return because(entry, quote(set->id) + " was replaced", "id");
   }
   return std::nullopt;
 }
@@ -111,7 +109,7 @@ Rejection Conflicts::explain(Error error, const Operation& operation) const {
   const auto gone = [&](std::string_view id) -> std::optional<Rejection> {
     const LogEntry* entry = last(&LogEntry::removed, id);
     if (!entry || tree_.find(id)) return std::nullopt;
-    return because(entry, quoted(id) + " was removed", error.path);
+    return because(entry, quote(id) + " was removed", error.path);
   };
   std::optional<Rejection> out;
   const auto* move = std::get_if<Move>(&operation);
@@ -126,7 +124,7 @@ Rejection Conflicts::explain(Error error, const Operation& operation) const {
       const auto* other = std::get_if<Move>(&o);
       return other && tree_.is_below(move->id, other->id) && tree_.is_below(other->id, move->place.parent);
     });
-    if (entry) out = because(entry, quoted(move->place.parent) + " was moved into " + quoted(move->id), "parent");
+    if (entry) out = because(entry, quote(move->place.parent) + " was moved into " + quote(move->id), "parent");
   }
   return out ? *std::move(out) : Rejection{std::move(error), 0, ""};
 }

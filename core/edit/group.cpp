@@ -9,8 +9,6 @@
 namespace race::edit {
 namespace {
 
-std::string quoted(std::string_view name) { return "`" + std::string(name) + "`"; }
-
 class Group {
  public:
   Group(const Tree& tree, const std::string& parent, Ids members, std::string_view name, std::string_view seed)
@@ -30,7 +28,7 @@ class Group {
     for (const CodeText& text : texts_in_scope(tree_, parent_)) {
       const References references = references_in(text);
       if (!references.is_parsed) {
-        fail(ErrorCode::syntax, quoted(text.field) + " cannot be parsed", text.id);
+        fail(ErrorCode::syntax, quote(text.field) + " cannot be parsed", text.id);
       } else {
         is_of_member(text) ? take_parameters(text, references) : take_results(text, references);
       }
@@ -78,20 +76,20 @@ class Group {
     if (entered.empty()) return;
     first_ = *entered.begin();
     if (!state_of(tree_, find_by_name(tree_, parent_, ListName::children, *first_)))
-      fail(ErrorCode::first, "the group would be entered at the barrier " + quoted(*first_), parent_);
+      fail(ErrorCode::first, "the group would be entered at the barrier " + quote(*first_), parent_);
   }
 
   void check_barrier(const std::string& id) {
     const auto* barrier = std::get_if<rcm::Barrier>(&tree_.find(id)->content);
     if (barrier && !std::ranges::all_of(barrier->to, [&](const auto& to) { return is_inside(to); }))
-      fail(ErrorCode::barrier_target, "the barrier " + quoted(barrier->name) + " leads outside", id);
+      fail(ErrorCode::barrier_target, "the barrier " + quote(barrier->name) + " leads outside", id);
   }
 
   /// What a state keeps (R8), it keeps within one activation of its parent, which would be the group.
   void check_keep(const std::string& id) {
     const rcm::State* state = state_of(tree_, behaviour_of(tree_, id));
     if (state && (state->keep || (state->oracle && state->oracle->kind == rcm::Oracle::Kind::history)))
-      fail(ErrorCode::keep, quoted(name_of(tree_, id)) + " keeps what it had when it is entered again", id);
+      fail(ErrorCode::keep, quote(name_of(tree_, id)) + " keeps what it had when it is entered again", id);
   }
 
   std::string unique(std::set<std::string>& taken, std::string name) {
@@ -161,7 +159,7 @@ class Group {
         continue;
       }
       return fail(ErrorCode::scope,
-                  "a parameter reads " + quoted(slice(text.text, reference.whole)) +
+                  "a parameter reads " + quote(slice(text.text, reference.whole)) +
                       " of the parent, which the group does not have",
                   text.id);
     }
@@ -175,10 +173,9 @@ class Group {
       if (names[0] != "chi" || names.size() < 2 || !is_inside(names[1])) continue;
       const bool is_port = names.size() > 3 && names[2] == "port" && !leads_inside(names[1], names[3]);
       if (!is_port && (names.size() < 4 || names[2] != "res"))
-        return fail(
-            ErrorCode::scope,
-            quoted(slice(text.text, reference.whole)) + " is read outside, and a group offers results and exits",
-            text.id);
+        return fail(ErrorCode::scope,
+                    quote(slice(text.text, reference.whole)) + " is read outside, and a group offers results and exits",
+                    text.id);
       replacements.push_back(with_name(text.text, reference, 1, name_));
       replacements.push_back(with_name(
           text.text, reference, 3, is_port ? exported(names[1], names[3], std::nullopt) : result(names[1], names[3])));

@@ -10,8 +10,6 @@
 namespace race::edit {
 namespace {
 
-std::string quoted(std::string_view name) { return "`" + std::string(name) + "`"; }
-
 /// The reference that a text is, and nothing else.
 std::optional<Reference> only_reference(const CodeText& text) {
   const References references = references_in(text);
@@ -57,7 +55,7 @@ class Ungroup {
     for (const std::string& child : tree_.list(id_, ListName::children)) {
       const std::string& name = name_of(tree_, child);
       const std::string other = find_by_name(tree_, parent_, ListName::children, name);
-      if (!other.empty()) builder_.fail({ErrorCode::duplicate, "there is a " + quoted(name) + " outside", child});
+      if (!other.empty()) builder_.fail({ErrorCode::duplicate, "there is a " + quote(name) + " outside", child});
     }
   }
 
@@ -124,12 +122,12 @@ class Ungroup {
   void give_back(const CodeText& text, Replace replace) {
     const References references = references_in(text);
     if (!references.is_parsed)
-      return builder_.fail({ErrorCode::syntax, quoted(text.field) + " cannot be parsed", text.id});
+      return builder_.fail({ErrorCode::syntax, quote(text.field) + " cannot be parsed", text.id});
     std::vector<Replacement> all;
     for (const Reference& reference : references.found) {
       const Replacements replacements = replace(reference);
       if (!replacements)
-        return fail(quoted(slice(text.text, reference.whole)) + " has no meaning without the group", text.id);
+        return fail(quote(slice(text.text, reference.whole)) + " has no meaning without the group", text.id);
       all.insert(all.end(), replacements->begin(), replacements->end());
     }
     if (!all.empty()) builder_.set(text.id, text.field, field_with(tree_, text, replaced(text.text, std::move(all))));

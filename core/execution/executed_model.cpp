@@ -12,17 +12,8 @@ namespace race::execution {
 namespace {
 
 using Errors = std::vector<Error>;
-constexpr auto kRequired = Fields::Need::required;
-constexpr auto kByField = Fields::Paths::field;
 
 tl::unexpected<Errors> failed(Error error) { return tl::unexpected(Errors{std::move(error)}); }
-
-void append(Errors& errors, Errors more, const std::string& below) {
-  for (Error& error : more) {
-    error.path = below + error.path;
-    errors.push_back(std::move(error));
-  }
-}
 
 /// `item`: an operation or an event, of which a program knows no more than name and flag.
 template <typename Item>
@@ -62,7 +53,7 @@ rsm::Service read_interface(const Value& json, const std::string& path, Errors& 
   service.operations = read_items(fields, "operations", "safe", &rsm::Operation::safe, errors);
   service.events = read_items(fields, "events", "sampled", &rsm::Event::sampled, errors);
   fields.close();
-  if (errors.size() == before) append(errors, rsm::violations(service, path), "");
+  if (errors.size() == before) append_below(errors, rsm::violations(service, path), "");
   return service;
 }
 
@@ -130,7 +121,7 @@ Checked<ExecutedModel> build_model(Value native, const Interfaces& services, con
   auto program = semantics::Program::build(*model, services);
   if (!program) {
     Errors errors;
-    append(errors, std::move(program).error(), path + "/document/");
+    append_below(errors, std::move(program).error(), path + "/document");
     return tl::unexpected(std::move(errors));
   }
   return ExecutedModel{std::move(native.freeze()), std::move(*program), 0};

@@ -7,7 +7,6 @@
 namespace race::execution {
 
 using semantics::Force;
-constexpr auto kRequired = Fields::Need::required;
 
 std::optional<Value> read_data(Fields& fields, std::string_view key) {
   constexpr std::size_t kLevels = JsonLimits{}.depth;

@@ -12,6 +12,9 @@
 
 namespace race::execution {
 
+/// How many entries those ask for at once who read all.
+inline constexpr std::uint64_t kEntriesAtOnce = 256;
+
 class JournalSource {
  public:
   virtual ~JournalSource() = default;

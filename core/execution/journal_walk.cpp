@@ -4,11 +4,7 @@
 #include <string>
 
 namespace race::execution {
-namespace {
-
-constexpr std::uint64_t kBlock = 256;  // entries read at once
-
-}  // namespace
+namespace {}  // namespace
 
 Expected<JournalWalk> JournalWalk::create(const JournalHeader& header, std::shared_ptr<JournalSource> source,
                                           std::uint64_t last) {
@@ -19,7 +15,7 @@ Expected<JournalWalk> JournalWalk::create(const JournalHeader& header, std::shar
 Expected<const Progress*> JournalWalk::next(Recording recording) {
   const std::uint64_t position = execution_.run().position() + 1;
   if (position < first_ || position >= first_ + block_.size()) {
-    ASSIGN_OR_RETURN(block_, source_->entries(position, std::min(last_, position + kBlock - 1)));
+    ASSIGN_OR_RETURN(block_, source_->entries(position, std::min(last_, position + kEntriesAtOnce - 1)));
     first_ = position;
   }
   auto progress = execution_.replay(block_[position - first_], recording);

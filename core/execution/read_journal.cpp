@@ -13,8 +13,6 @@ namespace {
 
 using semantics::Program;
 using Errors = std::vector<Error>;
-constexpr auto kRequired = Fields::Need::required;
-constexpr auto kByField = Fields::Paths::field;
 
 void wrong_type(Fields& fields, std::string_view key, std::string_view expected, const Value& value) {
   fields.violation(
@@ -27,13 +25,6 @@ std::optional<std::uint64_t> read_count(Fields& fields, std::string_view key,
                                         std::int64_t most = std::numeric_limits<std::int64_t>::max()) {
   const auto number = fields.integer(key, 1, most, kRequired);
   return number ? std::optional(static_cast<std::uint64_t>(*number)) : std::nullopt;
-}
-
-void append(Errors& errors, Errors more, const std::string& below) {
-  for (Error& error : more) {
-    error.path = below + (below.empty() || error.path.empty() ? "" : "/") + error.path;
-    errors.push_back(std::move(error));
-  }
 }
 
 // ---- The header.
@@ -82,10 +73,10 @@ JournalHeader read_header_at(const Value& json, Errors& errors) {
   header.arguments = arguments->as_dict();
   auto model = build_model(header.native, services, "header/native");
   if (!model) {
-    append(errors, std::move(model).error(), "");
+    append_below(errors, std::move(model).error(), "");
     return header;
   }
-  append(errors, semantics::check_arguments(*model->program, header.arguments), "header");
+  append_below(errors, semantics::check_arguments(*model->program, header.arguments), "header");
   header.native = std::move(model->native);
   header.program = std::move(model->program);
   return header;
@@ -137,7 +128,7 @@ JournalEntry read_edit_entry(Fields& fields, Errors& errors) {
     if (auto edit = edit::read_edit(*json))
       entry.edit = std::move(*edit);
     else
-      append(errors, std::move(edit).error(), fields.path() + "/edit");
+      append_below(errors, std::move(edit).error(), fields.path() + "/edit");
   }
   entry.revision = fields.integer("revision", 1, std::numeric_limits<std::int64_t>::max()).value_or(0);
   entry.origin = read_object(fields, "origin");

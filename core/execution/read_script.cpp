@@ -6,8 +6,6 @@
 namespace race::execution {
 namespace {
 
-constexpr auto kRequired = Fields::Need::required;
-
 std::string required_text(Fields& fields, std::string_view key) { return fields.text(key, kRequired).value_or(""); }
 
 // An object; nothing if it is absent or of another type.

@@ -10,8 +10,6 @@ namespace race::execution {
 namespace {
 
 constexpr Recording kNothing{.entry = false};
-constexpr std::uint64_t kBlock = 256;  // entries read at once
-
 }  // namespace
 
 // The nearest execution at or before `position`: one that was kept, a stored checkpoint, or the beginning.
@@ -35,7 +33,7 @@ Expected<Execution> Replay::nearest(std::uint64_t position) {
 Expected<Execution> Replay::after(std::uint64_t position) {
   ASSIGN_OR_RETURN(Execution execution, nearest(position));
   while (execution.run().position() < position) {
-    const std::uint64_t from = execution.run().position() + 1, to = std::min(position, from + kBlock - 1);
+    const std::uint64_t from = execution.run().position() + 1, to = std::min(position, from + kEntriesAtOnce - 1);
     ASSIGN_OR_RETURN(const std::vector<JournalEntry> entries, source_->entries(from, to));
     for (const JournalEntry& entry : entries) {
       keep(execution);

@@ -15,7 +15,7 @@ namespace {
 
 using Need = Fields::Need;
 
-struct Errors : std::vector<Error> {
+struct ReadErrors : std::vector<Error> {
   std::size_t bad_ids = 0;  // how many of them are about `meta.id`
 };
 
@@ -52,7 +52,7 @@ Value read_document_meta(Fields& fields) {
   return ordered_document_meta(meta);
 }
 
-Meta read_meta(Fields& fields, Errors& errors) {
+Meta read_meta(Fields& fields, ReadErrors& errors) {
   const Value json = read_json_meta(fields);
   const Value* id = json.find("id");
   if (!id) return {"", ordered_entries(json)};
@@ -69,7 +69,7 @@ Meta read_meta(Fields& fields, Errors& errors) {
   return out;
 }
 
-std::optional<Parameter> read_parameter(const Value& json, const std::string& path, Errors& errors) {
+std::optional<Parameter> read_parameter(const Value& json, const std::string& path, ReadErrors& errors) {
   Fields fields(json, path, element("parameter", json, "name"), errors);
   const auto name = fields.text("name", Need::required);
   Parameter out;
@@ -85,7 +85,7 @@ std::optional<Parameter> read_parameter(const Value& json, const std::string& pa
   return out;
 }
 
-std::optional<Datum> read_datum(std::string_view what, const Value& json, const std::string& path, Errors& errors) {
+std::optional<Datum> read_datum(std::string_view what, const Value& json, const std::string& path, ReadErrors& errors) {
   Fields fields(json, path, element(what, json, "name"), errors);
   const auto name = fields.text("name", Need::required);
   Datum out;
@@ -100,7 +100,7 @@ std::optional<Datum> read_datum(std::string_view what, const Value& json, const 
   return out;
 }
 
-std::optional<Action> read_action(const Value& json, const std::string& path, Errors& errors) {
+std::optional<Action> read_action(const Value& json, const std::string& path, ReadErrors& errors) {
   Fields fields(json, path, "action", errors);
   auto when = fields.text("when", Need::required);
   auto code = fields.text("do", Need::required);
@@ -110,7 +110,7 @@ std::optional<Action> read_action(const Value& json, const std::string& path, Er
   return Action{std::move(*when), std::move(*code), std::move(meta)};
 }
 
-std::optional<Port> read_port(const Value& json, const std::string& state, Errors& errors) {
+std::optional<Port> read_port(const Value& json, const std::string& state, ReadErrors& errors) {
   Fields fields(json, port_path(state, label(json, "name")), element("port", json, "name"), errors);
   const auto name = fields.text("name", Need::required);
   Port out;
@@ -149,7 +149,7 @@ std::optional<Oracle> read_oracle_text(Fields& fields, Oracle::Kind kind, std::s
   return Oracle{kind, *text, std::nullopt};
 }
 
-std::optional<Oracle> read_oracle(const Value* json, const std::string& path, Errors& errors) {
+std::optional<Oracle> read_oracle(const Value* json, const std::string& path, ReadErrors& errors) {
   if (!json) return std::nullopt;
   Fields fields(*json, path, "oracle", errors);
   const auto kind = fields.text("kind", Need::required);
@@ -161,7 +161,7 @@ std::optional<Oracle> read_oracle(const Value* json, const std::string& path, Er
   return std::nullopt;
 }
 
-Barrier read_barrier(const Value& json, const std::string& path, Errors& errors) {
+Barrier read_barrier(const Value& json, const std::string& path, ReadErrors& errors) {
   Fields fields(json, path, element("barrier", json, "barrier"), errors);
   Barrier out;
   out.name = fields.text("barrier", Need::required).value_or("");
@@ -181,9 +181,9 @@ std::vector<T> read_all(const List& items, Read read) {
   return out;
 }
 
-State read_state(const Value& json, const std::string& path, Errors& errors);
+State read_state(const Value& json, const std::string& path, ReadErrors& errors);
 
-std::optional<Node> read_node(const Value& json, const std::string& parent, Errors& errors) {
+std::optional<Node> read_node(const Value& json, const std::string& parent, ReadErrors& errors) {
   const bool barrier = json.find("barrier") && !json.find("state");
   const std::string path = node_path(parent, label(json, barrier ? "barrier" : "state"));
   if (barrier) return read_barrier(json, path, errors);
@@ -194,7 +194,7 @@ std::optional<Node> read_node(const Value& json, const std::string& parent, Erro
   return read_state(json, path, errors);
 }
 
-State read_state(const Value& json, const std::string& path, Errors& errors) {
+State read_state(const Value& json, const std::string& path, ReadErrors& errors) {
   Fields fields(json, path, element("state", json, "state"), errors);
   const auto datum = [&](std::string_view what) {
     return [&, what](const Value& item) { return read_datum(what, item, path, errors); };
@@ -222,7 +222,7 @@ State read_state(const Value& json, const std::string& path, Errors& errors) {
   return out;
 }
 
-std::map<std::string, std::string> read_services(const Value* json, Errors& errors) {
+std::map<std::string, std::string> read_services(const Value* json, ReadErrors& errors) {
   std::map<std::string, std::string> out;
   if (!json) return out;
   Fields fields(*json, "", "services", errors);
@@ -233,7 +233,7 @@ std::map<std::string, std::string> read_services(const Value* json, Errors& erro
   return out;
 }
 
-void read_fields(Fields& fields, Draft& out, Errors& errors) {
+void read_fields(Fields& fields, Draft& out, ReadErrors& errors) {
   const Value* version = fields.find("rcm");
   if (!version || *version != Value(1)) fields.violation(ErrorCode::version, "`rcm` must be 1");
   out.document.name = fields.text("name").value_or("");
@@ -255,7 +255,7 @@ void read_fields(Fields& fields, Draft& out, Errors& errors) {
 
 Draft read_draft(const Value& json) {
   Draft out;
-  Errors errors;
+  ReadErrors errors;
   Fields fields(json, "", "document", errors);
   if (fields.is_object()) read_fields(fields, out, errors);
   out.bad_ids = errors.bad_ids;

@@ -12,8 +12,6 @@ namespace {
 
 using Names = std::set<std::string_view>;
 
-std::string quoted(std::string_view name) { return "`" + std::string(name) + "`"; }
-
 /// What ports and barriers may lead to: the nodes on one level.
 struct Level {
   Names states, barriers;
@@ -33,7 +31,7 @@ class Structure {
 
   void check_document(const Document& document, bool has_root) {
     for (const auto& [key, type] : document.services) {
-      if (!is_name(key)) add(ErrorCode::name, "", "service: " + quoted(key) + " is no name");
+      if (!is_name(key)) add(ErrorCode::name, "", "service: " + quote(key) + " is no name");
     }
     Names names;
     for (const State& state : document.library) {
@@ -55,11 +53,11 @@ class Structure {
   /// Names of one kind are unique; whether each is a valid name is checked elsewhere.
   void declare(std::string_view what, const std::string& name, Names& names, const std::string& path) {
     if (!name.empty() && !names.insert(name).second)
-      add(ErrorCode::duplicate, path, std::string(what) + " " + quoted(name) + " is declared twice");
+      add(ErrorCode::duplicate, path, std::string(what) + " " + quote(name) + " is declared twice");
   }
 
   void check_name(std::string_view what, const std::string& name, const std::string& path) {
-    if (!is_name(name)) add(ErrorCode::name, path, std::string(what) + ": " + quoted(name) + " is no name");
+    if (!is_name(name)) add(ErrorCode::name, path, std::string(what) + ": " + quote(name) + " is no name");
   }
 
   void report_cycle(const std::vector<std::string>& cycle) {
@@ -73,8 +71,7 @@ class Structure {
     for (const Parameter& parameter : library_.parameters(root)) {
       if (parameter.from)
         add(ErrorCode::root_from, path,
-            "parameter " + quoted(parameter.name) +
-                ": the root has no parent in whose scope `from` could be evaluated");
+            "parameter " + quote(parameter.name) + ": the root has no parent in whose scope `from` could be evaluated");
     }
   }
 
@@ -86,7 +83,7 @@ class Structure {
     if (state.keep) check_keep("keep", state.keep->ports, state, path);
     const Level level = level_of(state.children);
     if (state.first && !level.has(*state.first))
-      add(ErrorCode::first, path, "`first`: there is no child " + quoted(*state.first));
+      add(ErrorCode::first, path, "`first`: there is no child " + quote(*state.first));
     if (state.oracle) check_oracle(state, path, level);
     check_children(state, path, level);
   }
@@ -97,7 +94,7 @@ class Structure {
       check_name("parameter", parameter.name, path);
       declare("parameter", parameter.name, parameters, path);
       if (parameter.value && parameter.from)
-        add(ErrorCode::parameter, path, "parameter " + quoted(parameter.name) + " has both `value` and `from`");
+        add(ErrorCode::parameter, path, "parameter " + quote(parameter.name) + " has both `value` and `from`");
     }
     for (const Datum& result : state.results) {
       check_name("result", result.name, path);
@@ -117,7 +114,7 @@ class Structure {
       declare("port", port.name, names, path);
       if (!port.when && !state.link) add(ErrorCode::missing, at, "the field `when` is missing");
       if (port.to && !siblings.has(*port.to))
-        add(ErrorCode::port_target, at, "leads to " + quoted(*port.to) + ", which is no sibling of its state");
+        add(ErrorCode::port_target, at, "leads to " + quote(*port.to) + ", which is no sibling of its state");
     }
   }
 
@@ -138,7 +135,7 @@ class Structure {
     check_name("barrier", barrier.name, path);
     for (const std::string& target : barrier.to) {
       if (!siblings.states.contains(target))
-        add(ErrorCode::barrier_target, path, "leads to " + quoted(target) + ", which is no sibling state");
+        add(ErrorCode::barrier_target, path, "leads to " + quote(target) + ", which is no sibling state");
     }
   }
 
@@ -147,7 +144,7 @@ class Structure {
     Names names;
     for (const Port& port : state.ports) names.insert(port.name);
     for (const std::string& port : ports) {
-      if (!names.contains(port)) add(ErrorCode::keep, path, quoted(field) + ": there is no port " + quoted(port));
+      if (!names.contains(port)) add(ErrorCode::keep, path, quote(field) + ": there is no port " + quote(port));
     }
   }
 
@@ -156,17 +153,16 @@ class Structure {
         !state.children.empty() || state.first || state.keep || state.oracle)
       add(ErrorCode::link_field, path, "a linking state has no behaviour of its own: only parameters and ports");
     if (!library_.find(*state.link))
-      return add(ErrorCode::link_unknown, path, "the library has no state " + quoted(*state.link));
+      return add(ErrorCode::link_unknown, path, "the library has no state " + quote(*state.link));
     const Library::Interface* linked = library_.interface(*state.link);
     if (!linked) return;  // a later link leads nowhere or back, which is reported there
     for (const Parameter& parameter : state.parameters) {
       if (!linked->parameters.contains(parameter.name))
-        add(ErrorCode::link_parameter, path, quoted(*state.link) + " has no parameter " + quoted(parameter.name));
+        add(ErrorCode::link_parameter, path, quote(*state.link) + " has no parameter " + quote(parameter.name));
     }
     for (const Port& port : state.ports) {
       if (!linked->ports.contains(port.name))
-        add(ErrorCode::link_port, port_path(path, port.name),
-            quoted(*state.link) + " has no port " + quoted(port.name));
+        add(ErrorCode::link_port, port_path(path, port.name), quote(*state.link) + " has no port " + quote(port.name));
     }
   }
 

@@ -13,7 +13,7 @@ class Constraints {
   Constraints(const Service& service, const std::string& path) : service_(service), path_(path) {}
 
   std::vector<Error> check() {
-    if (!service_.name.empty() && !is_name(service_.name)) add(ErrorCode::name, quoted(service_.name) + " is no name");
+    if (!service_.name.empty() && !is_name(service_.name)) add(ErrorCode::name, quote(service_.name) + " is no name");
     declare_interface();
     declare_automaton();
     for (const ServiceState& state : service_.states) refer("event", state.events, events_, "state", state.name);
@@ -26,16 +26,14 @@ class Constraints {
   using Names = std::set<std::string, std::less<>>;
   static constexpr std::string_view kTransition = "transition";  // the id of one is any text
 
-  static std::string quoted(std::string_view name) { return "`" + std::string(name) + "`"; }
-
   void add(ErrorCode code, std::string message) { errors_.push_back(Error{code, std::move(message), path_}); }
 
   void declare(std::string_view what, const std::string& name, Names& names) {
     if (name.empty()) return;
     if (what != kTransition && !is_name(name))
-      add(ErrorCode::name, std::string(what) + ": " + quoted(name) + " is no name");
+      add(ErrorCode::name, std::string(what) + ": " + quote(name) + " is no name");
     if (!names.insert(name).second)
-      add(ErrorCode::duplicate, std::string(what) + " " + quoted(name) + " is declared twice");
+      add(ErrorCode::duplicate, std::string(what) + " " + quote(name) + " is declared twice");
   }
 
   void declare_interface() {
@@ -43,12 +41,12 @@ class Constraints {
       declare("operation", operation.name, operations_);
       Names parameters;
       for (const OperationParameter& parameter : operation.parameters)
-        declare("operation " + quoted(operation.name) + ", parameter", parameter.name, parameters);
+        declare("operation " + quote(operation.name) + ", parameter", parameter.name, parameters);
     }
     for (const Event& event : service_.events) {
       declare("event", event.name, events_);
       if (operations_.contains(event.name))
-        add(ErrorCode::duplicate, quoted(event.name) + " is both an operation and an event");
+        add(ErrorCode::duplicate, quote(event.name) + " is both an operation and an event");
     }
   }
 
@@ -61,7 +59,7 @@ class Constraints {
              std::string_view holder_name) {
     if (name.empty() || names.contains(name)) return;
     add(ErrorCode::reference,
-        std::string(holder) + " " + quoted(holder_name) + ": there is no " + std::string(what) + " " + quoted(name));
+        std::string(holder) + " " + quote(holder_name) + ": there is no " + std::string(what) + " " + quote(name));
   }
 
   void refer(std::string_view what, const std::vector<std::string>& list, const Names& names, std::string_view holder,

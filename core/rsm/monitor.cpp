@@ -7,8 +7,6 @@
 namespace race::rsm {
 namespace {
 
-std::string quoted(std::string_view name) { return "`" + std::string(name) + "`"; }
-
 void add(Monitor::Violations& out, std::string_view rule, std::string message, Monitor::CallId call) {
   out.push_back(Violation{std::string(rule), std::move(message), call});
 }
@@ -23,21 +21,21 @@ void check_arguments(const Operation& operation, const List& args, const Dict& k
   const auto& parameters = operation.parameters;
   if (args.size() > parameters.size())
     add(out, "type",
-        quoted(operation.name) + " takes " + std::to_string(parameters.size()) + " arguments, got " +
+        quote(operation.name) + " takes " + std::to_string(parameters.size()) + " arguments, got " +
             std::to_string(args.size()),
         call);
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const OperationParameter& parameter = parameters[i];
     const Value* value = i < args.size() ? &args[i] : kwargs.find(std::string_view(parameter.name));
     const bool needed = !parameter.value && !parameter.type.find("optional");
-    if (!value && needed) add(out, "type", "argument " + quoted(parameter.name) + " is missing", call);
+    if (!value && needed) add(out, "type", "argument " + quote(parameter.name) + " is missing", call);
     const auto reason = value ? mismatch(parameter.type, *value) : std::nullopt;
-    if (reason) add(out, "type", "argument " + quoted(parameter.name) + ": " + *reason, call);
+    if (reason) add(out, "type", "argument " + quote(parameter.name) + ": " + *reason, call);
   }
   for (const auto& [key, value] : kwargs) {
     const bool known = std::any_of(parameters.begin(), parameters.end(),
                                    [&](const OperationParameter& p) { return p.name == key.as_string(); });
-    if (!known) add(out, "type", quoted(operation.name) + " has no parameter " + quoted(key.as_string()), call);
+    if (!known) add(out, "type", quote(operation.name) + " has no parameter " + quote(key.as_string()), call);
   }
 }
 
@@ -78,7 +76,7 @@ Monitor::Violations Monitor::called(CallId call, std::string_view name, const Li
   if (called) {
     check_arguments(*called, args, kwargs, call, out);
   } else {
-    add(out, "declared", "there is no operation " + quoted(name), call);
+    add(out, "declared", "there is no operation " + quote(name), call);
   }
   // An interface declares no transitions: each call may be answered at once.
   const auto progress = service_.is_interface() ? OpenCall::Progress::resolved : OpenCall::Progress::delivered;
@@ -91,7 +89,7 @@ Monitor::Violations Monitor::transition(std::string_view id, CallId call) {
   check_unannounced(out);
   const Transition* t = find_transition(service_, id);
   if (!t) {
-    add(out, "declared", "there is no transition " + quoted(id), call);
+    add(out, "declared", "there is no transition " + quote(id), call);
     return out;
   }
   check_source(*t, call, out);
@@ -103,20 +101,20 @@ Monitor::Violations Monitor::transition(std::string_view id, CallId call) {
 void Monitor::check_source(const Transition& t, CallId call, Violations& out) const {
   const std::string_view rule = t.operation ? "Trans1" : "Trans2";
   if (!leaves_current(t, instance_))
-    add(out, rule, quoted(t.id) + " leaves " + quoted(*t.src) + ", the state is " + quoted(instance_.current), call);
+    add(out, rule, quote(t.id) + " leaves " + quote(*t.src) + ", the state is " + quote(instance_.current), call);
   if (!t.operation) {
-    if (call != 0) add(out, rule, quoted(t.id) + " waits for no call, but was taken on one", call);
+    if (call != 0) add(out, rule, quote(t.id) + " waits for no call, but was taken on one", call);
     return;
   }
   const auto open = open_.find(call);
   if (open == open_.end() || open->second.progress != OpenCall::Progress::delivered) {
-    add(out, rule, quoted(t.id) + " was taken on no call that waits", call);
+    add(out, rule, quote(t.id) + " was taken on no call that waits", call);
   } else if (open->second.operation != *t.operation) {
-    add(out, rule,
-        quoted(t.id) + " waits for " + quoted(*t.operation) + ", called was " + quoted(open->second.operation), call);
+    add(out, rule, quote(t.id) + " waits for " + quote(*t.operation) + ", called was " + quote(open->second.operation),
+        call);
   } else if (const Transition* first = taken_on(service_, instance_, *t.operation);
              first && first->id != t.id && leaves_current(t, instance_)) {
-    add(out, rule, "the call takes " + quoted(first->id) + ", which is declared first, not " + quoted(t.id), call);
+    add(out, rule, "the call takes " + quote(first->id) + ", which is declared first, not " + quote(t.id), call);
   }
 }
 
@@ -142,7 +140,7 @@ void Monitor::follow(const Transition& t, CallId call) {
 
 void Monitor::check_unannounced(Violations& out) {
   for (const std::string& name : unannounced_)
-    add(out, "put", quoted(last_transition_) + " puts the event " + quoted(name) + ", which was not announced", 0);
+    add(out, "put", quote(last_transition_) + " puts the event " + quote(name) + ", which was not announced", 0);
   unannounced_.clear();
 }
 
@@ -152,7 +150,7 @@ Monitor::Violations Monitor::rejected(CallId call) {
   if (open == open_.end() || open->second.progress == OpenCall::Progress::deferred) {
     add(out, "R7", "rejected a call that does not wait", call);
   } else if (const Transition* t = taken_on(service_, instance_, open->second.operation)) {
-    add(out, "R7", "rejected a call that " + quoted(instance_.current) + " takes by " + quoted(t->id), call);
+    add(out, "R7", "rejected a call that " + quote(instance_.current) + " takes by " + quote(t->id), call);
   }
   open_.erase(call);
   return out;
@@ -168,9 +166,9 @@ std::optional<Monitor::OpenCall> Monitor::answer(CallId call, Violations& out) {
   OpenCall open = std::move(found->second);
   open_.erase(found);
   if (open.progress == OpenCall::Progress::delivered)
-    add(out, "respond", "response to " + quoted(open.operation) + " before a transition took the call", call);
+    add(out, "respond", "response to " + quote(open.operation) + " before a transition took the call", call);
   if (open.progress == OpenCall::Progress::deferred)
-    add(out, "respond", "response to " + quoted(open.operation) + ", which is deferred and not resolved yet", call);
+    add(out, "respond", "response to " + quote(open.operation) + ", which is deferred and not resolved yet", call);
   return open;
 }
 
@@ -179,10 +177,10 @@ Monitor::Violations Monitor::result(CallId call, const Value& value) {
   const auto open = answer(call, out);
   if (!open) return out;
   if (open->error_code)
-    add(out, "respond", quoted(open->operation) + " is resolved with the error " + quoted(*open->error_code), call);
+    add(out, "respond", quote(open->operation) + " is resolved with the error " + quote(*open->error_code), call);
   const Operation* answered = operation(open->operation);
   const auto reason = answered ? mismatch(answered->result, value) : std::nullopt;
-  if (reason) add(out, "type", "result of " + quoted(open->operation) + ": " + *reason, call);
+  if (reason) add(out, "type", "result of " + quote(open->operation) + ": " + *reason, call);
   return out;
 }
 
@@ -195,11 +193,11 @@ Monitor::Violations Monitor::error(CallId call, const Value& value) {
   if (!answered) return out;
   if (open->error_code) {
     if (code && *code != Value(*open->error_code))
-      add(out, "respond", quoted(open->operation) + " is resolved with the error " + quoted(*open->error_code), call);
+      add(out, "respond", quote(open->operation) + " is resolved with the error " + quote(*open->error_code), call);
   } else if (answered->error.is_null()) {
-    add(out, "declared", quoted(open->operation) + " declares no error", call);
+    add(out, "declared", quote(open->operation) + " declares no error", call);
   } else if (const auto reason = mismatch(answered->error, value)) {
-    add(out, "type", "error of " + quoted(open->operation) + ": " + *reason, call);
+    add(out, "type", "error of " + quote(open->operation) + ": " + *reason, call);
   }
   return out;
 }
@@ -208,14 +206,14 @@ Monitor::Violations Monitor::event(std::string_view name, const Value& data) {
   Violations out;
   const Event* event = declared_event(name);
   if (!event) {
-    add(out, "declared", "there is no event " + quoted(name), 0);
+    add(out, "declared", "there is no event " + quote(name), 0);
     return out;
   }
-  if (const auto reason = mismatch(event->data, data)) add(out, "type", "event " + quoted(name) + ": " + *reason, 0);
+  if (const auto reason = mismatch(event->data, data)) add(out, "type", "event " + quote(name) + ": " + *reason, 0);
   if (const auto announced = unannounced_.find(name); announced != unannounced_.end()) {
     unannounced_.erase(announced);
   } else if (!service_.is_interface() && !contains(Stutter(service_, instance_).events, name)) {
-    add(out, "Stutter", quoted(instance_.current) + " does not emit the event " + quoted(name), 0);
+    add(out, "Stutter", quote(instance_.current) + " does not emit the event " + quote(name), 0);
   }
   return out;
 }

@@ -8,8 +8,6 @@ namespace race::semantics {
 namespace {
 
 using Errors = std::vector<Error>;
-constexpr auto kRequired = Fields::Need::required;
-constexpr auto kByField = Fields::Paths::field;
 
 Status read_status(Fields& fields) {
   const auto text = fields.text("status", kRequired);

@@ -18,8 +18,6 @@ std::uint64_t read_number(Fields& fields, std::string_view key, std::uint64_t le
 namespace {
 
 using Errors = std::vector<Error>;
-constexpr auto kRequired = Fields::Need::required;
-constexpr auto kByField = Fields::Paths::field;
 constexpr std::uint64_t kMost = kMostInCheckpoint;
 constexpr std::uint64_t kMost32 = std::numeric_limits<std::uint32_t>::max();
 

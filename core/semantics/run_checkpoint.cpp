@@ -14,9 +14,9 @@ void set_some(Dict& out, std::string_view key, Some some) {
   if (!some.empty()) out.set(key, std::move(some));
 }
 
-class Writer {
+class StateWriter {
  public:
-  Writer(const Program& program, const RunState& run) : p_(program), r_(run) {}
+  StateWriter(const Program& program, const RunState& run) : p_(program), r_(run) {}
 
   void write(Dict& out) const {
     out.set("epoch", integer(r_.epoch));
@@ -165,7 +165,7 @@ Dict fault_json(const RunFault& fault) {
 Value Run::checkpoint_json() const {
   Dict out{{"position", integer(body_->position)}, {"status", name(body_->status)}};
   if (body_->fault) out.set("fault", fault_json(*body_->fault));
-  Writer(*body_->program, body_->state).write(out);
+  StateWriter(*body_->program, body_->state).write(out);
   return out;
 }
 

@@ -4,9 +4,9 @@
 namespace race::semantics {
 namespace {
 
-class Writer {
+class ObservedState {
  public:
-  Writer(const Program& program, const RunState& run) : p_(program), r_(run) { node(Program::root); }
+  ObservedState(const Program& program, const RunState& run) : p_(program), r_(run) { node(Program::root); }
 
   Value value() && {
     Dict out;
@@ -65,6 +65,6 @@ class Writer {
 
 }  // namespace
 
-Value Run::state_json() const { return Writer(program(), state()).value(); }
+Value Run::state_json() const { return ObservedState(program(), state()).value(); }
 
 }  // namespace race::semantics

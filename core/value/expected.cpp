@@ -30,4 +30,13 @@ std::string to_string(const Error& error) {
   return error.path + ": " + std::string(name(error.code)) + ": " + error.message;
 }
 
+std::string quote(std::string_view name) { return "`" + std::string(name) + "`"; }
+
+void append_below(std::vector<Error>& errors, std::vector<Error> more, const std::string& below) {
+  for (Error& error : more) {
+    error.path = below + (below.empty() || error.path.empty() ? "" : "/") + error.path;
+    errors.push_back(std::move(error));
+  }
+}
+
 }  // namespace race

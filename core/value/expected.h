@@ -80,6 +80,12 @@ struct Error {
 /// `path: code: message`, as commands print it.
 std::string to_string(const Error& error);
 
+/// A name as messages show it: `name`, in backquotes.
+std::string quote(std::string_view name);
+
+/// `errors` gets `more`, with `below` and a slash before their paths; either may be empty.
+void append_below(std::vector<Error>& errors, std::vector<Error> more, const std::string& below);
+
 template <typename T>
 using Expected = tl::expected<T, Error>;
 

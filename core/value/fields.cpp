@@ -9,8 +9,6 @@ namespace {
 const Dict kNoFields;
 const List kNoItems;
 
-std::string quoted(std::string_view key) { return "`" + std::string(key) + "`"; }
-
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -91,14 +89,14 @@ void Fields::violation(ErrorCode code, std::string message, std::string_view key
 
 void Fields::wrong_type(std::string_view key, std::string_view expected, const Value& value) {
   violation(ErrorCode::type,
-            quoted(key) + " must be " + std::string(expected) + ", got " + std::string(kind_name(value)), key);
+            quote(key) + " must be " + std::string(expected) + ", got " + std::string(kind_name(value)), key);
 }
 
 const Value* Fields::find(std::string_view key, Need need) {
   known_.push_back(key);
   const Value* found = fields_->find(key);
   if (!found && need == Need::required && is_object_)
-    violation(ErrorCode::missing, "the field " + quoted(key) + " is missing", key);
+    violation(ErrorCode::missing, "the field " + quote(key) + " is missing", key);
   return found;
 }
 
@@ -125,7 +123,7 @@ std::optional<std::int64_t> Fields::integer(std::string_view key, std::int64_t l
     wrong_type(key, "an integer", *found);
   } else if (found->as_integer() < least || found->as_integer() > most) {
     violation(ErrorCode::out_of_range,
-              quoted(key) + " must be an integer from " + std::to_string(least) + " to " + std::to_string(most), key);
+              quote(key) + " must be an integer from " + std::to_string(least) + " to " + std::to_string(most), key);
   } else {
     return found->as_integer();
   }
@@ -164,14 +162,14 @@ std::optional<Value> Fields::constant(std::string_view key, Need need) {
   const Value* found = find(key, need);
   if (!found) return std::nullopt;
   if (!has_number_out_of_range(*found)) return *found;
-  violation(ErrorCode::constant, quoted(key) + " has a number out of the range of a 64-bit integer or a double", key);
+  violation(ErrorCode::constant, quote(key) + " has a number out of the range of a 64-bit integer or a double", key);
   return std::nullopt;
 }
 
 void Fields::close() {
   for (const auto& [key, value] : *fields_) {
     if (std::find(known_.begin(), known_.end(), key.as_string()) == known_.end())
-      violation(ErrorCode::unknown_field, "there is no field " + quoted(key.as_string()), key.as_string());
+      violation(ErrorCode::unknown_field, "there is no field " + quote(key.as_string()), key.as_string());
   }
 }
 

@@ -76,6 +76,9 @@ class Fields {
   std::vector<std::string_view> known_;
 };
 
+inline constexpr auto kRequired = Fields::Need::required;
+inline constexpr auto kByField = Fields::Paths::field;
+
 /// "a list", "a string" and so on, for messages.
 std::string_view kind_name(const Value& value);
 

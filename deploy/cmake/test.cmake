@@ -1,4 +1,5 @@
-# race_test(NAME SOURCES file... [LIBS target...] [LABELS label...] [TIMEOUT seconds]): a GoogleTest program NAME,
+# race_test(NAME SOURCES file... [LIBS target...] [LABELS label...] [TIMEOUT seconds]
+# [ALONE file...]): a GoogleTest program NAME,
 # registered with CTest as one test. Its cases see RACE_SOURCE_DIR (the project's folder) as a string literal.
 #
 # Test files are compiled without optimization, as they are compiled more often than they run; what they test is
@@ -24,7 +25,7 @@ foreach(room ${RACE_TEST_ROOMS})
 endforeach()
 
 function(race_test name)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBS;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBS;LABELS;ALONE" ${ARGN})
   if(CMAKE_CURRENT_SOURCE_DIR MATCHES "/tests/unit/([a-z]+)")
     list(APPEND ARG_LABELS ${CMAKE_MATCH_1})
     list(REMOVE_DUPLICATES ARG_LABELS)
@@ -33,6 +34,7 @@ function(race_test name)
   target_link_libraries(${name} PRIVATE race_test_main ${ARG_LIBS})
   target_compile_options(${name} PRIVATE -O0)
   target_precompile_headers(${name} REUSE_FROM race_test_main)
+  race_unity(${name} EXCEPT ${ARG_ALONE})
   target_compile_definitions(${name} PRIVATE RACE_SOURCE_DIR="${RACE_SOURCE_DIR}")
   add_test(NAME ${name} COMMAND ${name})
   if(NOT ARG_TIMEOUT)

@@ -7,7 +7,7 @@ namespace race::server {
 namespace {
 
 template <std::size_t N>
-Value numbers(const std::array<double, N>& values) {
+Value list_of(const std::array<double, N>& values) {
   return List(values.begin(), values.end());
 }
 
@@ -17,7 +17,7 @@ struct Writer {
     return {{"act", "grab"},
             {"hand", command.hand},
             {"body", hold.body},
-            {"point", numbers(hold.point)},
+            {"point", list_of(hold.point)},
             {"stiffness", hold.stiffness},
             {"damping", hold.damping},
             {"limit", hold.force}};
@@ -25,11 +25,11 @@ struct Writer {
   Dict operator()(const DragCommand& command) const {
     Dict json{{"act", "drag"}, {"hand", command.hand}, {"speed", command.drag.speed}};
     if (command.relative) {
-      json.set("by", numbers(command.drag.path.front()));
+      json.set("by", list_of(command.drag.path.front()));
       return json;
     }
     List path;
-    for (const world::Vec3& point : command.drag.path) path.push_back(numbers(point));
+    for (const world::Vec3& point : command.drag.path) path.push_back(list_of(point));
     json.set("path", std::move(path));
     return json;
   }
@@ -37,15 +37,15 @@ struct Writer {
   Dict operator()(const world::Push& push) const {
     return {{"act", "push"},
             {"body", push.body},
-            {"force", numbers(push.force)},
-            {"point", numbers(push.point)},
+            {"force", list_of(push.force)},
+            {"point", list_of(push.point)},
             {"duration", push.duration},
             {"rise", push.rise}};
   }
   Dict operator()(const PlaceCommand& command) const {
     Dict json{{"act", "place"}, {"part", command.part}};
     if (const auto& pose = command.o_t_part)
-      json.set("pose", Dict{{"position", numbers(pose->position)}, {"orientation", numbers(pose->orientation)}});
+      json.set("pose", Dict{{"position", list_of(pose->position)}, {"orientation", list_of(pose->orientation)}});
     return json;
   }
   Dict operator()(const TakeCommand& command) const { return {{"act", "take"}, {"part", command.part}}; }

@@ -22,8 +22,6 @@ namespace race::server {
 namespace {
 
 using Errors = std::vector<Error>;
-constexpr auto kRequired = Fields::Need::required;
-constexpr auto kByField = Fields::Paths::field;
 
 // Work that a file may ask for when it is opened.
 constexpr std::uint64_t kMostMicroSteps = 4'000'000;
@@ -34,13 +32,6 @@ tl::unexpected<Errors> one(Error error) { return tl::unexpected(Errors{std::move
 
 tl::unexpected<Error> corrupt(const std::string& what, std::string path) {
   return unexpected(ErrorCode::corrupt, what, std::move(path));
-}
-
-void append(Errors& errors, Errors more, const std::string& below) {
-  for (Error& error : more) {
-    error.path = error.path.empty() ? below : below + "/" + error.path;
-    errors.push_back(std::move(error));
-  }
 }
 
 /// A whole number from 0; 0 (a violation) if it is another.
@@ -288,7 +279,7 @@ Checked<RunFile> read_run_file(const Value& json, std::map<std::uint64_t, std::s
   file.document = fields.constant("document");
   if (file.document)
     if (auto document = rcm::read_document(*file.document); !document)
-      append(errors, std::move(document).error(), "document");
+      append_below(errors, std::move(document).error(), "document");
   file.services = read_services(fields, errors);
   file.samples = read_samples(fields, errors);
   fields.close();
@@ -297,7 +288,7 @@ Checked<RunFile> read_run_file(const Value& json, std::map<std::uint64_t, std::s
     if (read)
       file.journal = std::move(*read);
     else
-      append(errors, std::move(read).error(), "journal");
+      append_below(errors, std::move(read).error(), "journal");
   }
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   if (auto checked = check(file, chain, checkpoints, stop); !checked) return one(std::move(checked).error());

@@ -74,7 +74,7 @@ Expected<void> BootList::set(const std::vector<BootEntry>& entries) try {
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const std::string arguments = to_json(Value(entries[i].arguments));
     const sqlite::Digest digest = digest_of(i, entries[i].document, arguments);
-    insert.bind(1, static_cast<std::int64_t>(i));
+    insert.bind(1, sqlite::integer(i));
     insert.bind(2, entries[i].document);
     insert.bind(3, arguments);
     insert.bind(4, digest.data(), static_cast<int>(digest.size()));

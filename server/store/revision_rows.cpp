@@ -23,7 +23,7 @@ constexpr const char* kColumns =
     " revision.digest";
 constexpr int kColumnCount = 12;
 
-tl::unexpected<Error> damaged(const std::string& name) {
+tl::unexpected<Error> damaged_entry(const std::string& name) {
   return unexpected(ErrorCode::corrupt, "the entry of the document `" + name + "` is damaged or lost", name);
 }
 
@@ -45,7 +45,7 @@ struct Row {
 };
 
 /// Of kColumns from column `first` on.
-Row read_row(SQLite::Statement& select, int first = 0) {
+Row read_entry(SQLite::Statement& select, int first = 0) {
   const auto text = [&](int column) { return select.getColumn(first + column).getString(); };
   const auto number = [&](int column) { return select.getColumn(first + column).getInt64(); };
   Row row;
@@ -73,7 +73,7 @@ Expected<StoredRow> read_stored(SQLite::Database& file, const std::string& name,
   select.bind(1, name);
   select.bind(2, number);
   if (!select.executeStep()) return damaged_revision(name, number, "lost");
-  StoredRow stored{read_row(select), select.getColumn(kColumnCount)};
+  StoredRow stored{read_entry(select), select.getColumn(kColumnCount)};
   if (!stored.row.is_sound) return damaged_revision(name, number, "damaged");
   return stored;
 }
@@ -95,8 +95,9 @@ Expected<Revision> read_head(SQLite::Statement& select) {
   const std::string name = select.getColumn(kColumnCount);
   const RevisionRange range{select.getColumn(kColumnCount + 1).getInt64(),
                             select.getColumn(kColumnCount + 2).getInt64()};
-  if (sqlite::bytes(digest_of(name, range)) != select.getColumn(kColumnCount + 3).getString()) return damaged(name);
-  Row row = read_row(select);
+  if (sqlite::bytes(digest_of(name, range)) != select.getColumn(kColumnCount + 3).getString())
+    return damaged_entry(name);
+  Row row = read_entry(select);
   if (!row.is_sound) return damaged_revision(name, range.last, "damaged or lost");
   return std::move(row.revision);
 }
@@ -136,12 +137,12 @@ Expected<std::optional<RevisionRange>> find_range(SQLite::Database& file, const 
   select.bind(1, name);
   if (select.executeStep()) {
     const RevisionRange range{select.getColumn(0).getInt64(), select.getColumn(1).getInt64()};
-    if (sqlite::bytes(digest_of(name, range)) != select.getColumn(2).getString()) return damaged(name);
+    if (sqlite::bytes(digest_of(name, range)) != select.getColumn(2).getString()) return damaged_entry(name);
     return range;
   }
   SQLite::Statement any(file, "SELECT 1 FROM revision WHERE document = ? LIMIT 1");
   any.bind(1, name);
-  if (any.executeStep()) return damaged(name);
+  if (any.executeStep()) return damaged_entry(name);
   return std::nullopt;
 }
 
@@ -167,7 +168,7 @@ Expected<std::vector<Revision>> list_revisions(SQLite::Database& file, const std
   std::vector<Revision> found;
   std::int64_t next = range.last;
   for (; select.executeStep(); --next) {
-    Row row = read_row(select);
+    Row row = read_entry(select);
     if (row.revision.number != next) return damaged_revision(name, next, "lost");
     if (!row.is_sound) return damaged_revision(name, next, "damaged");
     found.push_back(std::move(row.revision));
@@ -178,7 +179,7 @@ Expected<std::vector<Revision>> list_revisions(SQLite::Database& file, const std
 
 DocumentHeads list_heads(SQLite::Database& file) {
   DocumentHeads heads;
-  for (const std::string& lost : find_lost_entries(file)) heads.damaged.push_back(damaged(lost).value());
+  for (const std::string& lost : find_lost_entries(file)) heads.damaged.push_back(damaged_entry(lost).value());
   SQLite::Statement select(file, std::string("SELECT ") + kColumns +
                                      ", document.name, document.first, document.last, document.digest"
                                      " FROM document LEFT JOIN revision ON revision.document = document.name"

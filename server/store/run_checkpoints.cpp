@@ -9,11 +9,10 @@
 #include "core/value/json.h"
 #include "server/store/digest_column.h"
 #include "server/store/run_row.h"
+#include "services/sqlite/file.h"
 
 namespace race::server {
 namespace {
-
-std::int64_t number(std::uint64_t n) { return static_cast<std::int64_t>(n); }
 
 sqlite::Digest digest_of(RunId run, std::uint64_t position, std::string_view text) {
   return sqlite::sha256_of({std::to_string(run), std::to_string(position), text});
@@ -28,8 +27,8 @@ CheckpointRow checkpoint_row(RunId run, std::uint64_t position, std::string text
 
 void write_checkpoint(Statements& statements, RunId run, const CheckpointRow& row) {
   const auto insert = statements.use("INSERT OR REPLACE INTO checkpoint VALUES (?, ?, ?, ?)");
-  insert->bind(1, number(run));
-  insert->bind(2, number(row.position));
+  insert->bind(1, sqlite::integer(run));
+  insert->bind(2, sqlite::integer(row.position));
   insert->bind(3, row.text);
   bind_digest(*insert, 4, row.digest);
   insert->exec();
@@ -39,8 +38,8 @@ Expected<Value> read_checkpoint(SQLite::Database& file, RunId run, std::uint64_t
   SQLite::Statement select(file,
                            "SELECT position, text, digest FROM checkpoint WHERE run = ? AND position <= ?"
                            " ORDER BY position DESC LIMIT 1");
-  select.bind(1, number(run));
-  select.bind(2, number(position));
+  select.bind(1, sqlite::integer(run));
+  select.bind(2, sqlite::integer(position));
   if (!select.executeStep()) return Value::unknown();
   const auto found = static_cast<std::uint64_t>(select.getColumn(0).getInt64());
   const std::string text = select.getColumn(1).getString();
@@ -51,7 +50,7 @@ Expected<Value> read_checkpoint(SQLite::Database& file, RunId run, std::uint64_t
 
 std::vector<std::uint64_t> list_checkpoints(SQLite::Database& file, RunId run) {
   SQLite::Statement select(file, "SELECT position FROM checkpoint WHERE run = ? ORDER BY position");
-  select.bind(1, number(run));
+  select.bind(1, sqlite::integer(run));
   std::vector<std::uint64_t> positions;
   while (select.executeStep()) positions.push_back(static_cast<std::uint64_t>(select.getColumn(0).getInt64()));
   return positions;

@@ -10,25 +10,24 @@
 #include "server/store/journal_chain.h"
 #include "server/store/run_row.h"
 #include "server/store/run_texts.h"
+#include "services/sqlite/file.h"
 
 namespace race::server {
 namespace {
 
 using execution::JournalEntry;
 
-std::int64_t number(std::uint64_t n) { return static_cast<std::int64_t>(n); }
-
-std::string path_of(RunId id, std::uint64_t position) {
-  return server::path_of(id) + "/entries/" + std::to_string(position);
+std::string entry_path(RunId id, std::uint64_t position) {
+  return path_of(id) + "/entries/" + std::to_string(position);
 }
 
 std::vector<EntryRow> select_rows(SQLite::Database& file, RunId id, std::uint64_t from, std::uint64_t to) {
   SQLite::Statement select(file,
                            "SELECT position, input, chain FROM entry WHERE run = ? AND position BETWEEN ? AND ?"
                            " ORDER BY position");
-  select.bind(1, number(id));
-  select.bind(2, number(from));
-  select.bind(3, number(to));
+  select.bind(1, sqlite::integer(id));
+  select.bind(2, sqlite::integer(from));
+  select.bind(3, sqlite::integer(to));
   std::vector<EntryRow> found;
   while (select.executeStep())
     found.push_back({static_cast<std::uint64_t>(select.getColumn(0).getInt64()), select.getColumn(1).getString(),
@@ -41,21 +40,21 @@ Expected<void> check_no_other(SQLite::Database& file, const RunRecord& run) {
   SQLite::Statement select(file,
                            "SELECT position FROM entry WHERE run = ?1 AND position < 1"
                            " UNION ALL SELECT position FROM entry WHERE run = ?1 AND position > ?2 LIMIT 1");
-  select.bind(1, number(run.id));
-  select.bind(2, number(run.steps));
+  select.bind(1, sqlite::integer(run.id));
+  select.bind(2, sqlite::integer(run.steps));
   if (select.executeStep())
-    return damaged("the journal", server::path_of(run.id) + "/entries/" + select.getColumn(0).getString());
+    return damaged("the journal", path_of(run.id) + "/entries/" + select.getColumn(0).getString());
   return {};
 }
 
 Expected<JournalEntry> read_entry(const EntryRow& row, RunId id, const JournalEntry* before) {
   const auto json = parse_json(row.input, execution::kJournalLimits);
-  if (!json) return damaged("the journal", path_of(id, row.position));
+  if (!json) return damaged("the journal", entry_path(id, row.position));
   auto entry = execution::read_input(*json, before);
   if (!entry) {
     const Error& error = entry.error().front();
     return unexpected(ErrorCode::corrupt, "the journal is damaged: " + error.message,
-                      path_of(id, row.position) + "/" + error.path);
+                      entry_path(id, row.position) + "/" + error.path);
   }
   return std::move(*entry);
 }
@@ -71,8 +70,8 @@ EntryRow append_entry(RunRecord& run, const JournalEntry& entry) {
 
 void write_entry(Statements& statements, RunId run, const EntryRow& row) {
   const auto insert = statements.use("INSERT INTO entry VALUES (?, ?, ?, ?)");
-  insert->bind(1, number(run));
-  insert->bind(2, number(row.position));
+  insert->bind(1, sqlite::integer(run));
+  insert->bind(2, sqlite::integer(row.position));
   insert->bind(3, row.input);
   bind_digest(*insert, 4, row.chain);
   insert->exec();
@@ -85,17 +84,17 @@ Expected<std::vector<EntryRow>> read_entry_rows(SQLite::Database& file, const Ru
   sqlite::Digest chain = {};
   for (std::uint64_t position = first; position <= to; ++position) {
     const std::size_t i = position - first;
-    if (i >= found.size() || found[i].position != position) return damaged("the journal", path_of(run.id, position));
+    if (i >= found.size() || found[i].position != position) return damaged("the journal", entry_path(run.id, position));
     const EntryRow& row = found[i];
     if (position == 1) {
       ASSIGN_OR_RETURN(const Value header, read_header_text(file, run));
       chain = sqlite::sha256_of({to_json(header)});
     }
     if ((position >= from || position == 1) && row.chain != chain_after(chain, row.input))
-      return damaged("the journal", path_of(run.id, position));
+      return damaged("the journal", entry_path(run.id, position));
     chain = row.chain;
   }
-  if (to == run.steps && chain != run.chain) return damaged("the journal", path_of(run.id, to));
+  if (to == run.steps && chain != run.chain) return damaged("the journal", entry_path(run.id, to));
   if (auto none = check_no_other(file, run); !none) return tl::unexpected(std::move(none).error());
   return found;
 }

@@ -5,13 +5,15 @@
 
 #include <algorithm>
 
+#include "services/sqlite/file.h"
+
 namespace race::server {
 
 RunId last_run_number(SQLite::Database& file) {
   SQLite::Statement select(file,
                            "SELECT coalesce(max(n), 0) FROM (SELECT seq AS n FROM sqlite_sequence WHERE name = 'run'"
                            " UNION ALL SELECT (SELECT max(id) FROM run WHERE id <= ?1)) WHERE n BETWEEN 0 AND ?1");
-  select.bind(1, static_cast<std::int64_t>(kLastRunNumber));
+  select.bind(1, sqlite::integer(kLastRunNumber));
   select.executeStep();
   return static_cast<RunId>(select.getColumn(0).getInt64());
 }

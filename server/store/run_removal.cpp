@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "server/store/digest_column.h"
+#include "services/sqlite/file.h"
 #include "services/sqlite/write_transaction.h"
 
 namespace race::server {
@@ -29,20 +30,18 @@ constexpr std::array kRemovals = {
             kRunRowsAtOnce},
     Removal{"DELETE FROM sampling WHERE run IN (SELECT run FROM sampling WHERE run = ?1 LIMIT ?2)", 1}};
 
-std::int64_t number(std::uint64_t n) { return static_cast<std::int64_t>(n); }
-
 sqlite::Digest digest_of(RunId run) { return sqlite::sha256_of({"removal", std::to_string(run)}); }
 
 bool has_row(SQLite::Database& file, RunId run) {
   SQLite::Statement select(file, "SELECT 1 FROM run WHERE id = ?");
-  select.bind(1, number(run));
+  select.bind(1, sqlite::integer(run));
   return select.executeStep();
 }
 
 bool remove_rows(SQLite::Database& file, RunId run) {
   for (const Removal& each : kRemovals) {
     SQLite::Statement remove(file, each.sql);
-    remove.bind(1, number(run));
+    remove.bind(1, sqlite::integer(run));
     remove.bind(2, each.rows);
     if (remove.exec() > 0) return true;
   }
@@ -53,7 +52,7 @@ bool remove_rows(SQLite::Database& file, RunId run) {
 
 void begin_removal(SQLite::Database& file, RunId run) {
   SQLite::Statement insert(file, "INSERT OR REPLACE INTO removal VALUES (?, ?)");
-  insert.bind(1, number(run));
+  insert.bind(1, sqlite::integer(run));
   bind_digest(insert, 2, digest_of(run));
   insert.exec();
 }
@@ -61,13 +60,13 @@ void begin_removal(SQLite::Database& file, RunId run) {
 // A row that is damaged names none.
 bool is_being_removed(SQLite::Database& file, RunId run) {
   SQLite::Statement select(file, "SELECT digest FROM removal WHERE run = ?");
-  select.bind(1, number(run));
+  select.bind(1, sqlite::integer(run));
   return select.executeStep() && digest_in(select, 0) == digest_of(run);
 }
 
 void end_removal(SQLite::Database& file, RunId run) {
   SQLite::Statement remove(file, "DELETE FROM removal WHERE run = ?");
-  remove.bind(1, number(run));
+  remove.bind(1, sqlite::integer(run));
   remove.exec();
 }
 

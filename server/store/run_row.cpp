@@ -7,15 +7,14 @@
 #include "core/value/json.h"
 #include "server/store/digest_column.h"
 #include "server/store/run_removal.h"
+#include "services/sqlite/file.h"
 
 namespace race::server {
 namespace {
 
-std::int64_t number(std::uint64_t n) { return static_cast<std::int64_t>(n); }
-
 // Fields 1 to 17 of kRunColumns.
 void bind_run(SQLite::Statement& row, const RunRecord& run) {
-  row.bind(1, number(run.id));
+  row.bind(1, sqlite::integer(run.id));
   row.bind(2, run.document);
   row.bind(3, run.revision);
   bind_digest(row, 4, run.header);
@@ -25,12 +24,12 @@ void bind_run(SQLite::Statement& row, const RunRecord& run) {
   row.bind(8, run.outcome);
   row.bind(9, to_json(run.fault));
   row.bind(10, to_json(run.results));
-  row.bind(11, number(run.steps));
+  row.bind(11, sqlite::integer(run.steps));
   bind_digest(row, 12, run.chain);
   row.bind(13, run.created_ms);
   row.bind(14, run.ended_ms);
   row.bind(15, run.imported ? 1 : 0);
-  row.bind(16, number(run.bytes));
+  row.bind(16, sqlite::integer(run.bytes));
   bind_digest(row, 17, digest_of(run));
 }
 
@@ -86,10 +85,10 @@ std::string select_runs(std::string_view rest) {
 
 Expected<RunRecord> find_row(SQLite::Database& file, RunId id) {
   SQLite::Statement select(file, select_runs("WHERE id = ?"));
-  select.bind(1, number(id));
+  select.bind(1, sqlite::integer(id));
   if (select.executeStep()) return read_row(select);
   SQLite::Statement entry(file, "SELECT 1 FROM entry WHERE run = ? LIMIT 1");
-  entry.bind(1, number(id));
+  entry.bind(1, sqlite::integer(id));
   if (entry.executeStep() && !is_being_removed(file, id)) return tl::unexpected(lost_row(id));
   return no_run(id);
 }

@@ -26,8 +26,6 @@ constexpr std::int64_t kMostSampleBytes = std::int64_t{1} << 28U;  // of a run; 
 using execution::JournalEntry;
 using execution::JournalHeader;
 
-std::int64_t number(std::uint64_t n) { return static_cast<std::int64_t>(n); }
-
 tl::unexpected<Error> failure(const SQLite::Exception& exception, const char* what) {
   return tl::unexpected(sqlite::error_of(exception, what));
 }
@@ -125,8 +123,8 @@ Expected<RunList> Runs::list(RunId before, std::size_t most, const std::string& 
   SQLite::Transaction snapshot(*file_);
   SQLite::Statement select(
       *file_, select_runs("WHERE (?1 = 0 OR id < ?1) AND (?3 = '' OR document = ?3) ORDER BY id DESC LIMIT ?2"));
-  select.bind(1, number(before));
-  select.bind(2, number(most) + 1);
+  select.bind(1, sqlite::integer(before));
+  select.bind(2, sqlite::integer(most) + 1);
   select.bind(3, document);
   RunList list = read_rows(select, most);
   for (const RunId lost : lost_runs(*file_)) {  // of any document
@@ -252,7 +250,7 @@ Expected<void> Runs::remove(RunId id) {
     if (!record && record.error().code != ErrorCode::corrupt) return tl::unexpected(record.error());
     begin_removal(*file_, id);
     const auto remove = statements_.use("DELETE FROM run WHERE id = ?");
-    remove->bind(1, number(id));
+    remove->bind(1, sqlite::integer(id));
     remove->exec();
     remove_unused_texts(*file_);
     transaction.commit();

@@ -22,13 +22,13 @@ struct Sampling {
 
 bool has_run(SQLite::Database& file, RunId run) {
   SQLite::Statement select(file, "SELECT 1 FROM run WHERE id = ?");
-  select.bind(1, static_cast<std::int64_t>(run));
+  select.bind(1, sqlite::integer(run));
   return select.executeStep();
 }
 
 Sampling read_sampling(SQLite::Database& file, RunId run) {
   SQLite::Statement select(file, "SELECT seen, every, bytes FROM sampling WHERE run = ?");
-  select.bind(1, static_cast<std::int64_t>(run));
+  select.bind(1, sqlite::integer(run));
   if (!select.executeStep()) return {};
   // A damaged row costs samples, no more.
   return {std::max<std::int64_t>(0, select.getColumn(0).getInt64()),
@@ -37,7 +37,7 @@ Sampling read_sampling(SQLite::Database& file, RunId run) {
 
 void write_sampling(SQLite::Database& file, RunId run, const Sampling& sampling) {
   SQLite::Statement insert(file, "INSERT OR REPLACE INTO sampling VALUES (?, ?, ?, ?)");
-  insert.bind(1, static_cast<std::int64_t>(run));
+  insert.bind(1, sqlite::integer(run));
   insert.bind(2, sampling.seen);
   insert.bind(3, sampling.every);
   insert.bind(4, sampling.bytes);
@@ -50,9 +50,9 @@ sqlite::Digest digest_of(RunId run, std::int64_t number, std::uint64_t step, con
 
 void write_sample(SQLite::Database& file, RunId run, std::int64_t number, std::uint64_t step, const std::string& pose) {
   SQLite::Statement insert(file, "INSERT OR REPLACE INTO sample VALUES (?, ?, ?, ?, ?)");
-  insert.bind(1, static_cast<std::int64_t>(run));
+  insert.bind(1, sqlite::integer(run));
   insert.bind(2, number);
-  insert.bind(3, static_cast<std::int64_t>(step));
+  insert.bind(3, sqlite::integer(step));
   insert.bind(4, pose);
   bind_digest(insert, 5, digest_of(run, number, step, pose));
   insert.exec();
@@ -62,11 +62,11 @@ void write_sample(SQLite::Database& file, RunId run, std::int64_t number, std::u
 void thin(SQLite::Database& file, RunId run, Sampling& sampling) {
   sampling.every *= 2;
   SQLite::Statement remove(file, "DELETE FROM sample WHERE run = ? AND number % ? <> 0");
-  remove.bind(1, static_cast<std::int64_t>(run));
+  remove.bind(1, sqlite::integer(run));
   remove.bind(2, sampling.every);
   remove.exec();
   SQLite::Statement sum(file, "SELECT coalesce(sum(length(pose)), 0) FROM sample WHERE run = ?");
-  sum.bind(1, static_cast<std::int64_t>(run));
+  sum.bind(1, sqlite::integer(run));
   sum.executeStep();
   sampling.bytes = sum.getColumn(0).getInt64();
 }
@@ -107,7 +107,7 @@ Expected<void> Samples::append(RunId run, const std::vector<Sample>& samples) tr
 Expected<std::vector<Sample>> Samples::read(RunId run) try {
   const services::MutexLock lock(mutex_);
   SQLite::Statement select(*file_, "SELECT number, step, pose, digest FROM sample WHERE run = ? ORDER BY number");
-  select.bind(1, static_cast<std::int64_t>(run));
+  select.bind(1, sqlite::integer(run));
   std::vector<Sample> found;
   while (select.executeStep()) {
     const std::int64_t number = select.getColumn(0).getInt64();

@@ -25,10 +25,8 @@ tl::unexpected<Error> failure(std::string_view what, const SQLite::Exception& ex
   return tl::unexpected(sqlite::error_of(exception, what));
 }
 
-std::string quoted(std::string_view key) { return "`" + std::string(key) + "`"; }
-
 tl::unexpected<Error> no_such_key(std::string_view key) {
-  return unexpected(ErrorCode::not_found, "the database has no " + quoted(key), std::string(key));
+  return unexpected(ErrorCode::not_found, "the database has no " + quote(key), std::string(key));
 }
 
 }  // namespace
@@ -83,7 +81,7 @@ Store::Found Store::find_all() {
     const Row row(select);
     found.hash.insert(row.digest);
     if (!row.is_sound && ++found.damaged <= kNamed)
-      found.names += (found.names.empty() ? "" : ", ") + quoted(std::string_view(row.key));
+      found.names += (found.names.empty() ? "" : ", ") + quote(std::string_view(row.key));
   }
   return found;
 }
@@ -116,11 +114,11 @@ std::unique_ptr<Store::Row> Store::find(std::string_view key) {
 Expected<Value> Store::get(std::string_view key) try {
   const auto row = find(key);
   if (row && row->is_sound) return parse_json(row->value, {.depth = kValueDepth, .bytes = kValueBytes});
-  if (row) return unexpected(ErrorCode::corrupt, "the value of " + quoted(key) + " is damaged", std::string(key));
+  if (row) return unexpected(ErrorCode::corrupt, "the value of " + quote(key) + " is damaged", std::string(key));
   if (auto complete = sound(); !complete) return tl::unexpected(std::move(complete).error());
   return no_such_key(key);
 } catch (const SQLite::Exception& exception) {
-  return failure("cannot read " + quoted(key), exception);
+  return failure("cannot read " + quote(key), exception);
 }
 
 Expected<void> Store::put(std::string_view key, const Value& value) try {
@@ -133,13 +131,13 @@ Expected<void> Store::put(std::string_view key, const Value& value) try {
     return unexpected(ErrorCode::too_large, "a value has at most " + std::to_string(kValueBytes) + " bytes");
   return change(key, &json);
 } catch (const SQLite::Exception& exception) {
-  return failure("cannot store " + quoted(key), exception);
+  return failure("cannot store " + quote(key), exception);
 }
 
 Expected<void> Store::remove(std::string_view key) try {
   return change(key, nullptr);
 } catch (const SQLite::Exception& exception) {
-  return failure("cannot remove " + quoted(key), exception);
+  return failure("cannot remove " + quote(key), exception);
 }
 
 /// Stores the JSON `value`, or removes the row: with the hash of the table, in one transaction.

@@ -6,8 +6,6 @@
 namespace race::display {
 namespace {
 
-std::string quoted(std::string_view text) { return "`" + std::string(text) + "`"; }
-
 /// Why `answer` is none of `question`.
 Expected<void> check_answer(const Question& question, const Value& answer) {
   if (!question.number) {
@@ -186,7 +184,7 @@ Expected<std::uint64_t> Screens::play(const std::string& target, Sound sound) {
   for (const auto& [id, connection] : connections_)
     if (connection.sound && reaches(target, connection.display)) speakers.insert(id);
   if (speakers.empty())
-    return unexpected(ErrorCode::not_found, "no display that may make sounds is connected as " + quoted(target),
+    return unexpected(ErrorCode::not_found, "no display that may make sounds is connected as " + quote(target),
                       "display");
   if (std::exchange(sound_, std::nullopt)) notify_watcher(sound_target_);
   sound.id = next_id_++;
@@ -244,14 +242,14 @@ bool Screens::make_room() {
 Expected<Screens::Display*> Screens::find_connected(const std::string& display) {
   const auto known = displays_.find(display);
   if (known == displays_.end() || known->second.connections.empty())
-    return unexpected(ErrorCode::not_found, "no display named " + quoted(display) + " is connected", "display");
+    return unexpected(ErrorCode::not_found, "no display named " + quote(display) + " is connected", "display");
   return &known->second;
 }
 
 Expected<void> Screens::require_connected(const std::string& target) const {
   for (const auto& [name, display] : displays_)
     if (reaches(target, name) && !display.connections.empty()) return {};
-  const std::string what = target == kAllDisplays ? "no display" : "no display named " + quoted(target);
+  const std::string what = target == kAllDisplays ? "no display" : "no display named " + quote(target);
   return unexpected(ErrorCode::not_found, what + " is connected", "display");
 }
 

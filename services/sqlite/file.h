@@ -4,6 +4,7 @@
 // Threads: any; a connection belongs to one at a time.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -33,6 +34,9 @@ Expected<void> migrate(SQLite::Database& file, std::span<const Migration> migrat
 /// Whether the structure of the file is sound. Reads the whole file. Errors: `corrupt` with what SQLite found first,
 /// `storage`: the disk does not give it.
 Expected<void> check(SQLite::Database& file);
+
+/// A count or number of ours as SQLite stores it: 64 bits with a sign.
+constexpr std::int64_t integer(std::uint64_t number) { return static_cast<std::int64_t>(number); }
 
 /// `what` failed: `corrupt` (the file is damaged or no database), `storage` (the disk is full, fails or is read-only),
 /// else `io`.

@@ -5,6 +5,7 @@
 
 #include "server/wire/channel_names.h"
 #include "server/wire/path_pattern.h"
+#include "tests/unit/server/boxed_subscriber.h"
 #include "tests/unit/server/edited_document.h"
 
 namespace race::server {
@@ -13,15 +14,11 @@ namespace {
 using std::chrono::milliseconds;
 using testing::ElementsAre;
 
-class Client final : public Subscriber {
- public:
-  Outbox& outbox() override { return box; }
-  void wake() override {}
+struct EditingClient final : BoxedSubscriber {
   /// What came since: "snapshot", "delta t-1", "edit_refused t-1 unavailable", "error name".
   std::vector<std::string> received() {
     std::vector<std::string> out;
-    while (const auto text = box.pop()) {
-      const Value message = parse_json(**text).value();
+    for (const Value& message : messages()) {
       const Value& data = *message.find("data");
       const Value* token = data.find("request");
       const Value* errors = data.find("errors");
@@ -30,7 +27,6 @@ class Client final : public Subscriber {
     }
     return out;
   }
-  Outbox box;
 };
 
 struct NoWatcher final : DocumentWatcher {
@@ -88,7 +84,7 @@ class EditQueueTest : public DocumentStore {
   Hub hub_{pool_, 1000, [this](const std::string& name) { return source(name); }};
   Publisher publisher_{hub_};
   Editing editing_{*documents_, publisher_, watcher_};
-  std::shared_ptr<Client> client_ = std::make_shared<Client>();
+  std::shared_ptr<EditingClient> client_ = std::make_shared<EditingClient>();
   EditQueue queue_{editing_, hub_, kMost};
 };
 

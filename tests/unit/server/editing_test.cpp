@@ -11,6 +11,7 @@
 #include "server/editing/edit_queue.h"
 #include "tests/unit/core/edit/random_edits.h"
 #include "tests/unit/core/semantics/random_runs.h"
+#include "tests/unit/server/boxed_subscriber.h"
 #include "tests/unit/server/document_store.h"
 #include "tests/unit/services/sqlite/faulty_vfs.h"
 
@@ -265,22 +266,10 @@ TEST_F(EditingTest, IsNeverAheadOfTheDisk) {
   documents_.reset();
 }
 
-struct Client final : Subscriber {
-  Outbox& outbox() override { return box; }
-  void wake() override {}
-  Value next() {
-    for (;;) {
-      if (const auto text = box.pop()) return parse_json(**text).value();
-      std::this_thread::yield();
-    }
-  }
-  Outbox box;
-};
-
 TEST_F(EditingTest, QueuesTheEditsOfTheStreamInOrderAndWithABound) {
   Pool pool{1};
   Hub hub(pool, 1, [](const std::string&) { return std::nullopt; });
-  const auto client = std::make_shared<Client>();
+  const auto client = std::make_shared<BoxedSubscriber>();
   EditQueue queue(*editing_, hub, 3);
   std::promise<void> begun, done;
   recorder_.during = [&] {

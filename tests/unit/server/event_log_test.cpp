@@ -3,21 +3,15 @@
 #include <gmock/gmock.h>
 
 #include "core/value/json.h"
+#include "tests/unit/server/boxed_subscriber.h"
 
 namespace race::server {
 namespace {
 
-class Client final : public Subscriber {
- public:
-  Outbox& outbox() override { return box; }
-  void wake() override {}
-  Outbox box;
-};
-
 struct EventLogTest : testing::Test {
   // The entries of a snapshot: "source: text".
   std::vector<std::string> entries() {
-    const auto client = std::make_shared<Client>();
+    const auto client = std::make_shared<BoxedSubscriber>();
     hub.subscribe(client, "log", {});
     std::optional<Text> text;
     while (!text) {  // the hub and the snapshot take their turns on the strand

@@ -7,6 +7,7 @@
 #include "server/wire/path_pattern.h"
 #include "services/host/work_queue.h"
 #include "tests/unit/server/bench.h"
+#include "tests/unit/server/boxed_subscriber.h"
 #include "tests/unit/services/host/bench.h"
 
 namespace race::server {
@@ -30,20 +31,15 @@ class Tap final : public services::Component {
   bool is_wanted = false;
 };
 
-class Client final : public Subscriber {
- public:
-  Outbox& outbox() override { return box; }
-  void wake() override {}
+struct PacketClient final : BoxedSubscriber {
   /// The times of the packets that came since.
   std::vector<double> times() {
     std::vector<double> times;
-    while (const auto text = box.pop()) {
-      const Value message = parse_json(**text).value();
+    for (const Value& message : messages()) {
       if (const Value* time = message.find("data")->find("time")) times.push_back(time->to_double());
     }
     return times;
   }
-  Outbox box;
 };
 
 struct FlowChannelsTest : testing::Test {
@@ -85,7 +81,7 @@ struct FlowChannelsTest : testing::Test {
   Pool pool{1};
   Hub hub{pool, 1, [this](const std::string& name) { return find(name); }};
   std::unique_ptr<FlowChannels> channels = std::make_unique<FlowChannels>(host, hub, pool);
-  std::shared_ptr<Client> client = std::make_shared<Client>();
+  std::shared_ptr<PacketClient> client = std::make_shared<PacketClient>();
   Tap* tap = nullptr;
 };
 

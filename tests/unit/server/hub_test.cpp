@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "core/value/json.h"
+#include "tests/unit/server/boxed_subscriber.h"
 
 namespace race::server {
 namespace {
@@ -10,15 +11,11 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-class Client final : public Subscriber {
- public:
-  Outbox& outbox() override { return box; }
-  void wake() override {}
+struct HubClient final : BoxedSubscriber {
   // What came since: "kind sequence-first data".
   std::vector<std::string> received() {
     std::vector<std::string> out;
-    while (const auto text = box.pop()) {
-      const Value message = parse_json(**text).value();
+    for (const Value& message : messages()) {
       out.push_back(message.find("kind")->as_string() + " " +
                     std::to_string(message.find("sequence")->as_integer() - HubFirst) + " " +
                     (message.find("data")->is_integer() ? std::to_string(message.find("data")->as_integer()) : "-"));
@@ -26,7 +23,6 @@ class Client final : public Subscriber {
     return out;
   }
   static constexpr std::int64_t HubFirst = 1000;
-  Outbox box;
 };
 
 // A channel `n` whose state is a number: its deltas are the new number. `pose` is sampled, `seen` is published only
@@ -49,16 +45,16 @@ struct HubTest : testing::Test {
     // do.
     for (std::size_t i = 0; i < Hub::kMaxDeltas + 10; ++i) Strand(pool).ask([] { return 0; });
   }
-  std::vector<std::string> received(const std::shared_ptr<Client>& client) {
+  std::vector<std::string> received(const std::shared_ptr<HubClient>& client) {
     settle();
     return client->received();
   }
 
   Pool pool{1};
-  Hub hub{pool, Client::HubFirst, [this](const std::string& name) { return source(name); }};
+  Hub hub{pool, HubClient::HubFirst, [this](const std::string& name) { return source(name); }};
   int state = 0, refreshed = 0;
   bool watched = false;
-  std::shared_ptr<Client> client = std::make_shared<Client>(), other = std::make_shared<Client>();
+  std::shared_ptr<HubClient> client = std::make_shared<HubClient>(), other = std::make_shared<HubClient>();
 };
 
 TEST_F(HubTest, SendsASnapshotThenDeltas) {
@@ -108,17 +104,17 @@ TEST_F(HubTest, WhoComesAgainGetsWhatItMissed) {
   hub.disconnect(client);
   delta();
   delta();
-  hub.subscribe(other, "n", Client::HubFirst + 1);
+  hub.subscribe(other, "n", HubClient::HubFirst + 1);
   EXPECT_THAT(received(other), ElementsAre("delta 2 2", "delta 3 3"));
-  hub.subscribe(other, "n", Client::HubFirst + 3);
+  hub.subscribe(other, "n", HubClient::HubFirst + 3);
   delta();
   EXPECT_THAT(received(other), ElementsAre("delta 4 4"));
 }
 
 TEST_F(HubTest, ANumberOfAnotherServerGetsASnapshot) {
-  hub.subscribe(client, "n", Client::HubFirst - 5);
+  hub.subscribe(client, "n", HubClient::HubFirst - 5);
   EXPECT_THAT(received(client), ElementsAre("snapshot 0 0"));
-  hub.subscribe(other, "n", Client::HubFirst + 5);
+  hub.subscribe(other, "n", HubClient::HubFirst + 5);
   EXPECT_THAT(received(other), ElementsAre("snapshot 0 0"));
 }
 
@@ -126,11 +122,11 @@ TEST_F(HubTest, WhoHasMissedMoreThanIsKeptGetsASnapshot) {
   hub.subscribe(client, "n", {});
   settle();
   for (std::size_t i = 0; i < Hub::kMaxDeltas + 1; ++i) delta();
-  hub.subscribe(other, "n", Client::HubFirst + 1);
+  hub.subscribe(other, "n", HubClient::HubFirst + 1);
   const auto all = received(other);
   ASSERT_EQ(all.size(), Hub::kMaxDeltas);
   EXPECT_EQ(all.front(), "delta 2 2");
-  hub.subscribe(other, "n", Client::HubFirst);
+  hub.subscribe(other, "n", HubClient::HubFirst);
   EXPECT_THAT(received(other), ElementsAre("snapshot 257 257"));
 }
 
@@ -230,7 +226,7 @@ TEST_F(HubTest, LeadsNobodyOverAReplacementByDeltas) {
   settle();
   delta();
   hub.publish_replacement("n", Value(70));
-  hub.subscribe(other, "n", Client::HubFirst + 1);
+  hub.subscribe(other, "n", HubClient::HubFirst + 1);
   EXPECT_THAT(received(other), ElementsAre("snapshot 2 70"));
 }
 
@@ -254,7 +250,7 @@ TEST_F(HubTest, SendsToOneClientAloneAndOnlyIfItDoesNotHearTheChannel) {
   EXPECT_THAT(received(other), ElementsAre("note 0 1"));
   hub.send(client, "n", "note", Value(2));
   EXPECT_THAT(received(client), ElementsAre("note 0 2"));
-  hub.send(std::make_shared<Client>(), "n", "note", Value(3));  // it is gone
+  hub.send(std::make_shared<HubClient>(), "n", "note", Value(3));  // it is gone
   EXPECT_THAT(received(client), IsEmpty());
 }
 

@@ -4,20 +4,11 @@
 
 #include "core/edit/history.h"
 #include "core/rcm/constraints.h"
-#include "core/rcm/ids.h"
 #include "tests/unit/core/edit/documents.h"
 #include "tests/unit/core/edit/random_edits.h"
-#include "tests/unit/core/semantics/random_models.h"
 
 namespace race::edit {
 namespace {
-
-rcm::Document random_document(std::uint64_t seed) {
-  rcm::Document out;
-  out.root = semantics::RandomModels(seed).model().root;
-  rcm::give_ids(out);
-  return out;
-}
 
 /// Edits of names and of code that uses them: what is declared decides what the code of others violates.
 class ScopeEdits {

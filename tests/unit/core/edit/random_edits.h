@@ -7,8 +7,18 @@
 
 #include "core/edit/operation.h"
 #include "core/edit/tree.h"
+#include "core/rcm/ids.h"
+#include "tests/unit/core/semantics/random_models.h"
 
 namespace race::edit {
+
+/// A random model as a document with ids.
+inline rcm::Document random_document(std::uint64_t seed) {
+  rcm::Document out;
+  out.root = semantics::RandomModels(seed).model().root;
+  rcm::give_ids(out);
+  return out;
+}
 
 class RandomEdits {
  public:

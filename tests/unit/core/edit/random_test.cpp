@@ -5,21 +5,12 @@
 #include <iostream>
 
 #include "core/edit/history.h"
-#include "core/rcm/ids.h"
 #include "tests/unit/core/edit/documents.h"
 #include "tests/unit/core/edit/random_edits.h"
-#include "tests/unit/core/semantics/random_models.h"
 #include "tests/unit/core/semantics/random_runs.h"
 
 namespace race::edit {
 namespace {
-
-rcm::Document random_document(std::uint64_t seed) {
-  rcm::Document out;
-  out.root = semantics::RandomModels(seed).model().root;
-  rcm::give_ids(out);
-  return out;
-}
 
 /// One who edits: their replica is some revisions behind the server.
 struct Author {

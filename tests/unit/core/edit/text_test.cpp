@@ -63,7 +63,7 @@ class RandomEntries {
   std::mt19937_64 random_;
 };
 
-rcm::Document random_document(std::uint64_t seed) {
+rcm::Document document_with_entries(std::uint64_t seed) {
   rcm::Document out;
   out.root = semantics::RandomModels(seed).model().root;
   RandomEntries(seed).fill(out);
@@ -82,7 +82,7 @@ std::vector<rcm::Document> documents() {
     out.push_back(rcm::read_document_text(rcm::read_text(file)).value());
     rcm::give_ids(out.back());
   }
-  for (std::uint64_t seed = 0; seed < 300; ++seed) out.push_back(random_document(seed));
+  for (std::uint64_t seed = 0; seed < 300; ++seed) out.push_back(document_with_entries(seed));
   return out;
 }
 
@@ -115,7 +115,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 TEST(TextOfDocuments, HasOtherLinesWhereItWasEditedAlone) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
-    const rcm::Document document = random_document(seed);
+    const rcm::Document document = document_with_entries(seed);
     const auto before = lines_of(rcm::write_document_text(document).value());
     Tree tree = Tree::read(document).value();
     ASSERT_TRUE(apply(tree, Edit{{Set{tree.root(), "state", {}, Value("Renamed")}}}));

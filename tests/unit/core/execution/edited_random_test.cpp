@@ -92,9 +92,9 @@ struct Counts {
 
 /// A run of a document that is edited. It is driven three times: with trees, without a recorder, and from time to time
 /// from a checkpoint.
-class EditedRun {
+class RandomEditedRun {
  public:
-  EditedRun(semantics::RandomModels& random, const rcm::Document& document, Counts& counts)
+  RandomEditedRun(semantics::RandomModels& random, const rcm::Document& document, Counts& counts)
       : random_(random), counts_(counts) {
     semantics::Budgets budgets;
     budgets.micro_steps = 300;
@@ -332,7 +332,7 @@ class Workshop {
 
   void work(std::uint64_t edits) {
     for (const std::size_t end = counts_.edits + edits; counts_.edits < end && !testing::Test::HasFailure();) {
-      EditedRun run(random_, history_.tree().document(), counts_);
+      RandomEditedRun run(random_, history_.tree().document(), counts_);
       bool waits = change();  // also if the run is over at once
       for (int i = 0, patience = 0; i < 60 && !run.is_over() && !testing::Test::HasFailure(); ++i) {
         if (random_.chance(0.6)) waits = change() || waits;

@@ -8,7 +8,7 @@
 #include "core/execution/replay.h"
 #include "core/execution/script.h"
 #include "core/execution/step_json.h"
-#include "core/rcm/ids.h"
+#include "tests/unit/core/edit/random_edits.h"
 #include "tests/unit/core/execution/journals.h"
 
 namespace race::execution {
@@ -19,7 +19,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 // A and B follow one another on every event; both count ticks. The id of an element is its name in small letters.
-constexpr const char* kModel = R"json({"rcm": 1, "root": {"state": "R", "first": "A", "meta": {"id": "r"},
+constexpr const char* kEditedModel = R"json({"rcm": 1, "root": {"state": "R", "first": "A", "meta": {"id": "r"},
   "variables": [{"name": "n", "initial": 0, "meta": {"id": "n"}}],
   "actions": [{"when": "svc.t.tick", "do": "var.n = var.n + 1", "meta": {"id": "count"}}],
   "children": [
@@ -93,7 +93,7 @@ struct EditedRun : testing::Test {
   }
 
   static constexpr Recording kRecorded{.entry = true, .derivation = true};
-  rcm::Document document = rcm::read_document_text(kModel).value();
+  rcm::Document document = rcm::read_document_text(kEditedModel).value();
   Interfaces services{{"t", service(kTimer)}};
   Journal journal;
   std::optional<Execution> execution;
@@ -356,14 +356,8 @@ TEST(RefusedForce, HasANumberOutOfRange) {
 TEST(EditBetween, AnyTwoModelsGivesTheSecond) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(seed);
-    const auto random_document = [&](std::uint64_t of) {
-      rcm::Document document;
-      document.root = semantics::RandomModels(of).model().root;
-      rcm::give_ids(document);
-      return document;
-    };
-    const Journal from = journal_of(random_document(seed), semantics::RandomModels::services());
-    const Journal to = journal_of(random_document(seed + 1000), semantics::RandomModels::services());
+    const Journal from = journal_of(edit::random_document(seed), semantics::RandomModels::services());
+    const Journal to = journal_of(edit::random_document(seed + 1000), semantics::RandomModels::services());
     const ExecutedModel before{from.header.native, from.header.program, 0};
     const auto entry = edit_between(before, to.header.native, semantics::RandomModels::services());
     ASSERT_TRUE(entry) << to_string(entry.error());

@@ -11,7 +11,7 @@ namespace race::execution {
 namespace {
 
 // A and B follow one another on every event; B passes through C.
-constexpr const char* kModel = R"json({"rcm": 1, "root": {"state": "R", "first": "A", "children": [
+constexpr const char* kGoalModel = R"json({"rcm": 1, "root": {"state": "R", "first": "A", "children": [
   {"state": "A", "ports": [{"name": "go", "when": "svc.t.a", "to": "B"}]},
   {"state": "B", "ports": [{"name": "go", "when": "svc.t.a", "to": "C", "meta": {"id": "b-go"}}], "meta": {"id": "b"}},
   {"state": "C", "ports": [{"name": "go", "when": "True", "to": "A"}]}]}})json";
@@ -19,7 +19,7 @@ constexpr const char* kModel = R"json({"rcm": 1, "root": {"state": "R", "first":
 struct GoalTest : testing::Test {
   GoalTest() { execution.start({}); }
   static Execution make() {
-    const auto native = rcm::translate(rcm::read_document_text(kModel).value()).value();
+    const auto native = rcm::translate(rcm::read_document_text(kGoalModel).value()).value();
     return Execution::create(semantics::Program::build(native, {}).value(), {}).value();
   }
   Goal goal(Goal::Kind kind, const char* path) {

@@ -11,12 +11,12 @@
 namespace race::execution {
 namespace {
 
-constexpr std::array<const char*, 14> kWords = {"t",     "e0",     "o0",   "start", "abort", "event", "response",
-                                                "error", "result", "data", "link",  "1",     "x y",   ""};
+constexpr std::array<const char*, 14> kJournalWords = {"t",     "e0",     "o0",   "start", "abort", "event", "response",
+                                                       "error", "result", "data", "link",  "1",     "x y",   ""};
 
 class JournalMutator : private Mutator {
  public:
-  explicit JournalMutator(std::uint64_t seed) : Mutator(seed, kWords) {}
+  explicit JournalMutator(std::uint64_t seed) : Mutator(seed, kJournalWords) {}
 
   Value journal(const std::vector<Value>& journals) {
     Value out = journals[below(journals.size())];

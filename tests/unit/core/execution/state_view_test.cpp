@@ -16,7 +16,7 @@ semantics::DrivenRun make_run(const char* text) {
 }
 
 // Two states that meet at a barrier.
-constexpr const char* kModel = R"json({"rcm": 1, "root": {"state": "R", "children": [
+constexpr const char* kViewedModel = R"json({"rcm": 1, "root": {"state": "R", "children": [
   {"barrier": "fork", "to": ["A", "B"]},
   {"state": "A", "entry": "var.x = 1", "ports": [{"name": "go", "when": "svc.t.a", "to": "join"}]},
   {"state": "B", "ports": [{"name": "go", "when": "svc.t.b", "to": "join"}]},
@@ -37,7 +37,7 @@ struct StateViewTest : testing::Test {
     while (run.micro(none)) view.note_fired_ports(run);
     return to_json(Value(view.delta(run)));
   }
-  semantics::DrivenRun run = make_run(kModel);
+  semantics::DrivenRun run = make_run(kViewedModel);
   StateView view;
 };
 

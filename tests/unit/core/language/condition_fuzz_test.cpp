@@ -11,7 +11,7 @@
 namespace race::language::test {
 namespace {
 
-constexpr std::uint32_t kSeed = 11;
+constexpr std::uint32_t kConditionSeed = 11;
 constexpr int kConditions = 1500;
 
 constexpr const char* kAtoms[] = {"chi.C",
@@ -80,8 +80,8 @@ std::string with(std::string text, const Explanation& e, const std::vector<std::
 // What every condition has in common; `check` gets it compiled, in a state of its own.
 template <typename Check>
 void for_random_conditions(Check check) {
-  std::cout << "seed " << kSeed << "\n";
-  std::mt19937 random(kSeed);
+  std::cout << "seed " << kConditionSeed << "\n";
+  std::mt19937 random(kConditionSeed);
   for (int i = 0; i < kConditions; ++i) {
     Runner r;
     fill(r.state, random);

@@ -13,7 +13,7 @@
 namespace race::language::test {
 namespace {
 
-constexpr std::uint32_t kSeed = 7;
+constexpr std::uint32_t kTextSeed = 7;
 
 constexpr const char* kPieces[] = {" ",
                                    " ",
@@ -178,14 +178,14 @@ void run(const std::string& text, CodeKind kind) {
 }
 
 TEST(Fuzz, RandomTokensAreCheckedAndRun) {
-  std::cout << "seed " << kSeed << "\n";
-  std::mt19937 random(kSeed);
+  std::cout << "seed " << kTextSeed << "\n";
+  std::mt19937 random(kTextSeed);
   for (int i = 0; i < 30'000; ++i) run(random_tokens(random), static_cast<CodeKind>(random() % 3));
 }
 
 TEST(Fuzz, DamagedProgramsAreCheckedAndRun) {
-  std::cout << "seed " << kSeed << "\n";
-  std::mt19937 random(kSeed);
+  std::cout << "seed " << kTextSeed << "\n";
+  std::mt19937 random(kTextSeed);
   for (int i = 0; i < 3'000; ++i) run(damaged(random), CodeKind::function);
 }
 

@@ -83,40 +83,41 @@ TEST(ReadDraft, KeepsWhatHasTheRightShapeDespiteViolations) {
   EXPECT_EQ(draft.document.root.first, "Nobody");
 }
 
-std::set<std::string> rejected(std::string_view text) {
+std::set<std::string> rejected_text(std::string_view text) {
   const auto document = read_document_text(text);
   return document ? std::set<std::string>{} : pairs(document.error());
 }
 
 /// Violations of a document whose root R has these fields besides its name.
 std::set<std::string> rejected_root(const std::string& fields) {
-  return rejected(R"({"rcm": 1, "root": {"state": "R", )" + fields + "}}");
+  return rejected_text(R"({"rcm": 1, "root": {"state": "R", )" + fields + "}}");
 }
 
 TEST(ReadDocument, RejectsWhatIsNoJson) {
-  EXPECT_THAT(rejected("{"), ElementsAre(": json"));
-  EXPECT_THAT(rejected(R"({"rcm": 1, "rcm": 1})"), ElementsAre(": json"));
-  EXPECT_THAT(rejected(std::string(100, '[')), ElementsAre(": too_deep"));
-  EXPECT_THAT(rejected(std::string(17 << 20, ' ')), ElementsAre(": too_large"));
+  EXPECT_THAT(rejected_text("{"), ElementsAre(": json"));
+  EXPECT_THAT(rejected_text(R"({"rcm": 1, "rcm": 1})"), ElementsAre(": json"));
+  EXPECT_THAT(rejected_text(std::string(100, '[')), ElementsAre(": too_deep"));
+  EXPECT_THAT(rejected_text(std::string(17 << 20, ' ')), ElementsAre(": too_large"));
 }
 
 TEST(ReadDocument, RejectsAnotherVersionOrShape) {
-  EXPECT_THAT(rejected("[]"), ElementsAre(": type"));
-  EXPECT_THAT(rejected(R"({"rcm": 1.0, "root": {"state": "R"}})"), ElementsAre(": version"));
-  EXPECT_THAT(rejected(R"({"root": {"state": "R"}})"), ElementsAre(": version"));
-  EXPECT_THAT(rejected(R"({"rcm": 1})"), ElementsAre(": missing"));
-  EXPECT_THAT(rejected(R"({"rcm": 1, "root": []})"), ElementsAre("?: type"));
-  EXPECT_THAT(rejected(R"({"rcm": 1, "root": {"state": "R"}, "services": {"a": 1}})"), ElementsAre(": type"));
-  EXPECT_THAT(rejected(R"({"rcm": 1, "root": {"state": "R"}, "layout": 1})"), ElementsAre(": type"));
+  EXPECT_THAT(rejected_text("[]"), ElementsAre(": type"));
+  EXPECT_THAT(rejected_text(R"({"rcm": 1.0, "root": {"state": "R"}})"), ElementsAre(": version"));
+  EXPECT_THAT(rejected_text(R"({"root": {"state": "R"}})"), ElementsAre(": version"));
+  EXPECT_THAT(rejected_text(R"({"rcm": 1})"), ElementsAre(": missing"));
+  EXPECT_THAT(rejected_text(R"({"rcm": 1, "root": []})"), ElementsAre("?: type"));
+  EXPECT_THAT(rejected_text(R"({"rcm": 1, "root": {"state": "R"}, "services": {"a": 1}})"), ElementsAre(": type"));
+  EXPECT_THAT(rejected_text(R"({"rcm": 1, "root": {"state": "R"}, "layout": 1})"), ElementsAre(": type"));
 }
 
 TEST(ReadDocument, RejectsNodesWithoutName) {
-  EXPECT_THAT(rejected(R"({"rcm": 1, "root": {}})"), ElementsAre("?: missing"));
+  EXPECT_THAT(rejected_text(R"({"rcm": 1, "root": {}})"), ElementsAre("?: missing"));
   EXPECT_THAT(rejected_root(R"("children": [{"state": 5}])"), ElementsAre("R/?: type"));
   EXPECT_THAT(rejected_root(R"("children": [{"state": ""}])"), ElementsAre("R/?: name"));
   EXPECT_THAT(rejected_root(R"("children": [5])"), ElementsAre("R: type"));
   EXPECT_THAT(rejected_root(R"("ports": [{"when": "True"}])"), ElementsAre("R.?: missing"));
-  EXPECT_THAT(rejected(R"({"rcm": 1, "library": [{}], "root": {"state": "R"}})"), ElementsAre("library/?: missing"));
+  EXPECT_THAT(rejected_text(R"({"rcm": 1, "library": [{}], "root": {"state": "R"}})"),
+              ElementsAre("library/?: missing"));
 }
 
 TEST(ReadDocument, RejectsMissingFields) {
@@ -145,7 +146,7 @@ TEST(ReadDocument, RejectsUnknownFieldsWithTheirPath) {
   EXPECT_THAT(rejected_root(R"("children": [{"barrier": "b", "to": [], "ports": []}])"),
               ElementsAre("R/b: unknown_field"));
   EXPECT_THAT(rejected_root(R"("children": [{"state": "s", "barrier": "b"}])"), ElementsAre("R/s: unknown_field"));
-  EXPECT_THAT(rejected(R"({"rcm": 1, "library": [{"state": "L", "x": 1}], "root": {"state": "R"}})"),
+  EXPECT_THAT(rejected_text(R"({"rcm": 1, "library": [{"state": "L", "x": 1}], "root": {"state": "R"}})"),
               ElementsAre("library/L: unknown_field"));
 }
 
@@ -171,7 +172,7 @@ TEST(ReadDocument, RejectsWhatIsNoId) {
 }
 
 TEST(ReadDocument, TakesElementsWithOneIdAndTheDocumentsOwnMetaAsItIs) {
-  EXPECT_THAT(rejected(R"({"rcm": 1, "meta": {"id": "any text"},
+  EXPECT_THAT(rejected_text(R"({"rcm": 1, "meta": {"id": "any text"},
                            "root": {"state": "R", "meta": {"id": "x"}, "results": [{"name": "r", "meta": {"id": "x"}}]}})"),
               testing::IsEmpty());
 }

@@ -11,13 +11,13 @@
 namespace race::rcm {
 namespace {
 
-Document document_of(std::string_view text) {
+Document draft_of(std::string_view text) {
   const Draft draft = read_draft(parse_json(text).value());
   EXPECT_TRUE(draft.errors.empty()) << to_string(draft.errors.front());
   return draft.document;
 }
 
-Document rooted(std::string_view root) { return document_of(R"({"rcm": 1, "root": )" + std::string(root) + "}"); }
+Document rooted(std::string_view root) { return draft_of(R"({"rcm": 1, "root": )" + std::string(root) + "}"); }
 
 Document with_ids(Document document, const Document* previous = nullptr) {
   give_ids(document, previous);
@@ -55,7 +55,7 @@ constexpr const char* kAllKinds = R"json({"rcm": 1,
     "ports": [{"name": "p", "when": "True"}]}})json";
 
 TEST(GiveIds, GivesEveryElementItsOwn) {
-  const std::vector<std::string> ids = ids_in(with_ids(document_of(kAllKinds)));
+  const std::vector<std::string> ids = ids_in(with_ids(draft_of(kAllKinds)));
   EXPECT_EQ(ids.size(), 14U);
   for (const std::string& id : ids) {
     EXPECT_EQ(id.size(), 8U);
@@ -65,8 +65,8 @@ TEST(GiveIds, GivesEveryElementItsOwn) {
 }
 
 TEST(GiveIds, GivesTheSameDocumentTheSameIds) {
-  const Document document = with_ids(document_of(kAllKinds));
-  EXPECT_EQ(with_ids(document_of(kAllKinds)), document);
+  const Document document = with_ids(draft_of(kAllKinds));
+  EXPECT_EQ(with_ids(draft_of(kAllKinds)), document);
   EXPECT_EQ(with_ids(document), document) << "who has one keeps it";
 }
 
@@ -147,11 +147,11 @@ TEST(GiveIds, PrefersTheRootToTheLibrary) {
 }
 
 TEST(GiveIds, RestoresLostIdsFromThePreviousDocument) {
-  Document previous = with_ids(document_of(kAllKinds));
+  Document previous = with_ids(draft_of(kAllKinds));
   previous.root.actions[0].meta.id = "first";
   previous.root.actions[1].meta.id = "second";
   previous.root.ports[0].meta.id = "port";
-  EXPECT_EQ(with_ids(document_of(kAllKinds), &previous), previous);
+  EXPECT_EQ(with_ids(draft_of(kAllKinds), &previous), previous);
 }
 
 TEST(GiveIds, TakesNoIdOfThePreviousDocumentThatAnotherElementHas) {
@@ -179,7 +179,7 @@ TEST(GiveIds, MakesNoIdThatTheLayoutOrANoteNames) {
   for (const std::string& entries :
        {R"("layout": {")" + id + R"(": {"x": 1}})", R"("meta": {"notes": {")" + id + R"(": "n"}})"}) {
     const Document other =
-        with_ids(document_of(R"({"rcm": 1, "root": {"state": "R", "children": [{"state": "A"}]}, )" + entries + "}"));
+        with_ids(draft_of(R"({"rcm": 1, "root": {"state": "R", "children": [{"state": "A"}]}, )" + entries + "}"));
     EXPECT_NE(child(other.root, 0).meta.id, id) << "it names an element that is gone: " << entries;
     EXPECT_EQ(other.root.meta, first.root.meta);
   }
@@ -187,7 +187,7 @@ TEST(GiveIds, MakesNoIdThatTheLayoutOrANoteNames) {
 
 TEST(GiveIds, TellsTheLibraryFromARootOfThisName) {
   const auto document = [](const std::string& meta) {
-    return document_of(R"({"rcm": 1, "library": [{"state": "L")" + meta + R"(}],
+    return draft_of(R"({"rcm": 1, "library": [{"state": "L")" + meta + R"(}],
       "root": {"state": "library", "children": [{"state": "L"}]}, "layout": {"library/L": 1}})");
   };
   const Document previous = with_ids(document(R"(, "meta": {"id": "l"})"));
@@ -200,10 +200,10 @@ TEST(GiveIds, TellsTheLibraryFromARootOfThisName) {
 }
 
 TEST(GiveIds, TellsAnActionFromAnElementOfAStateOfThisName) {
-  const Document previous = document_of(R"({"rcm": 1, "root": {"state": "R", "children": [{"state": "action",
+  const Document previous = draft_of(R"({"rcm": 1, "root": {"state": "R", "children": [{"state": "action",
       "ports": [{"name": "p", "when": "True", "meta": {"id": "p"}}]}]}})");
-  const Document document = with_ids(
-      document_of(R"({"rcm": 1, "root": {"state": "R", "actions": [{"when": "port", "do": "p"}]}})"), &previous);
+  const Document document =
+      with_ids(draft_of(R"({"rcm": 1, "root": {"state": "R", "actions": [{"when": "port", "do": "p"}]}})"), &previous);
   EXPECT_NE(document.root.actions[0].meta.id, "p");
 }
 
@@ -220,7 +220,7 @@ TEST(GiveIds, FollowsAnActionByItsTextAndNumberAmongEquals) {
 }
 
 TEST(GiveIds, ReplacesThePathsOfTheLayout) {
-  Document document = document_of(R"json({"rcm": 1, "library": [{"state": "L", "meta": {"id": "l"}}],
+  Document document = draft_of(R"json({"rcm": 1, "library": [{"state": "L", "meta": {"id": "l"}}],
     "root": {"state": "R", "meta": {"id": "r"}, "children": [
       {"state": "A", "meta": {"id": "a"}, "ports": [{"name": "p", "when": "True", "meta": {"id": "p"}}]},
       {"barrier": "b", "to": [], "meta": {"id": "b"}}]},
@@ -233,7 +233,7 @@ TEST(GiveIds, ReplacesThePathsOfTheLayout) {
 
 TEST(GiveIds, LeavesTheLayoutAsARenameLeavesIt) {
   Document document = with_ids(
-      document_of(R"({"rcm": 1, "root": {"state": "R", "children": [{"state": "A"}]}, "layout": {"R/A": {"x": 1}}})"));
+      draft_of(R"({"rcm": 1, "root": {"state": "R", "children": [{"state": "A"}]}, "layout": {"R/A": {"x": 1}}})"));
   const Value layout = document.layout;
   child(document.root, 0).name = "B";
   give_ids(document);

@@ -24,6 +24,7 @@ std::vector<std::string> waits(SmallRun& run, const std::string& root) {
 
 /// The run goes on with `root`, after the macro step of the edit.
 void edit(SmallRun& run, const std::string& root) {
+  run->take_calls();  // as the driver of a run does after each macro step
   *run = DrivenRun(run->edited(SmallRun::program(root)).value());
   NoRecorder none;
   run->quiesce(none, Order::declared(), ~0U, [] { return true; });
@@ -241,6 +242,7 @@ TEST(Force, OfAPortCountsAsFiringForThePortsOfTheNextActivation) {
                        "'entry': 'svc.t.f()'"));
   run.step();
   run.result(1, true);
+  run->take_calls();
   *run = DrivenRun(run->forced({Force::Scope::port, "R/A", "again"}).value());
   NameRecorder names;
   run->quiesce(names, Order::declared(), ~0U, [] { return true; });

@@ -27,12 +27,12 @@ const char* const kLists = R"({'state': 'R', 'ports': [
   'children': [{'state': 'A'}, {'state': 'B'}, {'barrier': 'c', 'to': ['A']}, {'state': 'D'}]})";
 
 // The declared positions of the elements of the root, in the order.
-struct Positions {
+struct OrderPositions {
   std::vector<std::uint32_t> ports, actions;
   std::vector<std::string> children;
 };
-Positions of_root(const Program& program, const Order& order) {
-  Positions positions;
+OrderPositions of_root(const Program& program, const Order& order) {
+  OrderPositions positions;
   for (const PortId p : order.ports(program, Program::root)) positions.ports.push_back(index(p));
   for (const ActionId a : order.actions(program, Program::root)) positions.actions.push_back(a);
   for (const NodeRef c : order.children(program, Program::root))
@@ -42,7 +42,7 @@ Positions of_root(const Program& program, const Order& order) {
 
 TEST(Order, DeclaredIsThatOfTheModel) {
   SmallRun run(kLists);
-  const Positions positions = of_root(run->program(), Order::declared());
+  const OrderPositions positions = of_root(run->program(), Order::declared());
   EXPECT_THAT(positions.ports, ElementsAre(0, 1, 2, 3, 4));
   EXPECT_THAT(positions.actions, ElementsAre(0, 1, 2));
   EXPECT_THAT(positions.children, ElementsAre("A", "B", "c", "D"));
@@ -50,7 +50,7 @@ TEST(Order, DeclaredIsThatOfTheModel) {
 
 TEST(Order, ReversedTakesEveryListFromItsEnd) {
   SmallRun run(kLists);
-  const Positions positions = of_root(run->program(), Order::reversed(run->program()));
+  const OrderPositions positions = of_root(run->program(), Order::reversed(run->program()));
   EXPECT_THAT(positions.ports, ElementsAre(4, 3, 2, 1, 0));
   EXPECT_THAT(positions.actions, ElementsAre(2, 1, 0));
   EXPECT_THAT(positions.children, ElementsAre("D", "c", "B", "A"));
@@ -58,7 +58,7 @@ TEST(Order, ReversedTakesEveryListFromItsEnd) {
 
 TEST(Order, RandomIsTheSameForASeedOnEveryPlatform) {
   SmallRun run(kLists);
-  const Positions one = of_root(run->program(), Order::random(run->program(), 1));
+  const OrderPositions one = of_root(run->program(), Order::random(run->program(), 1));
   EXPECT_THAT(one.ports, ElementsAre(2, 1, 4, 3, 0));
   EXPECT_THAT(one.actions, ElementsAre(1, 2, 0));
   EXPECT_THAT(one.children, ElementsAre("D", "c", "A", "B"));
@@ -69,7 +69,7 @@ TEST(Order, OfGivenPermutationsLeavesTheOtherListsDeclared) {
   SmallRun run(kLists);
   const auto order = Order::of(run->program(), {{Program::root, {}, {2, 0, 1}, {3, 2, 0, 1}}});
   ASSERT_TRUE(order);
-  const Positions positions = of_root(run->program(), *order);
+  const OrderPositions positions = of_root(run->program(), *order);
   EXPECT_THAT(positions.ports, ElementsAre(0, 1, 2, 3, 4));
   EXPECT_THAT(positions.actions, ElementsAre(2, 0, 1));
   EXPECT_THAT(positions.children, ElementsAre("D", "c", "A", "B"));
@@ -109,7 +109,7 @@ TEST(PTrigger, TakesTheFirstFulfilledPortInTheOrderOfTheStep) {
 // ports are fulfilled.
 const std::string kP = "{'name': 'p', 'when': 'svc.t.f.result', 'to': 'B'}";
 const std::string kQ = "{'name': 'q', 'when': 'par.n == 1', 'to': 'C'}";
-std::string alternating(const std::string& first, const std::string& second) {
+std::string alternating_with_ports(const std::string& first, const std::string& second) {
   return R"({'state': 'R', 'entry': 'svc.t.f()', 'first': 'A',
   'variables': [{'name': 'n', 'initial': 0}], 'children': [
     {'state': 'A', 'parameters': [{'name': 'n', 'from': 'var.n'}], 'ports': [)" +
@@ -119,7 +119,7 @@ std::string alternating(const std::string& first, const std::string& second) {
 }
 
 TEST(PTrigger, HoldsBackThePortsThatComeLaterInTheOrderOfTheStep) {
-  SmallRun declared(alternating(kP, kQ)), reversed(alternating(kP, kQ));
+  SmallRun declared(alternating_with_ports(kP, kQ)), reversed(alternating_with_ports(kP, kQ));
   declared.step();
   reversed.step();
   declared.result(1, 0);
@@ -130,7 +130,7 @@ TEST(PTrigger, HoldsBackThePortsThatComeLaterInTheOrderOfTheStep) {
 }
 
 TEST(PTrigger, InAnotherOrderFiresWhatTheDeclaredOneHeldBack) {
-  SmallRun run(alternating(kP, kQ));
+  SmallRun run(alternating_with_ports(kP, kQ));
   run.step();
   run.result(1, 0);
   ASSERT_EQ(run.active(), "R A");
@@ -140,7 +140,7 @@ TEST(PTrigger, InAnotherOrderFiresWhatTheDeclaredOneHeldBack) {
 }
 
 TEST(PTrigger, InDeclaredOrderFiresWhatAnotherOneHeldBack) {
-  SmallRun run(alternating(kQ, kP));
+  SmallRun run(alternating_with_ports(kQ, kP));
   run.step();
   run->post_response(1, false, Value(0));
   run.step(Order::reversed(run->program()));

@@ -12,7 +12,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-const rsm::Service& lamp_model() {
+const rsm::Service& blinking_lamp() {
   static const rsm::Service model = rsm::read_service_text(R"json({
     "rsm": 1, "name": "lamp", "operations": [{"name": "on"}, {"name": "blink"}], "events": [{"name": "lit"}],
     "states": [{"name": "Dark"}, {"name": "Bright"}], "init": "Dark",
@@ -31,7 +31,7 @@ struct CallLedgerTest : testing::Test {
     for (const PendingCall& each : ledger.pending()) ids.push_back(each.id);
     return ids;
   }
-  CallLedger ledger{lamp_model()};
+  CallLedger ledger{blinking_lamp()};
 };
 
 TEST_F(CallLedgerTest, ACallIsTakenOnceWithItsCaller) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "services/camera/noise.h"
 #include "services/camera/view.h"
@@ -49,6 +50,12 @@ inline RgbdImage measured(const std::vector<camera::Item>& items, std::uint64_t 
 /// What the camera measures of the world now.
 inline RgbdImage measured(const world::World& world, std::uint64_t seed) {
   return measured(camera::view(world, world.scene().camera->o_t_c), seed);
+}
+
+inline std::vector<std::string> labels_in(const std::vector<Detection>& detections) {
+  std::vector<std::string> labels;
+  for (const Detection& detection : detections) labels.push_back(detection.label);
+  return labels;
 }
 
 }  // namespace race::recognition

@@ -171,12 +171,6 @@ world::Scene two_boxes(std::uint64_t seed, std::vector<world::Marker> on_first, 
 
 world::Marker on_top(int id) { return {id, 0.04, {{0, 0, 0.025}, {0, 0, 0, 1}}}; }
 
-std::vector<std::string> labels_in(const std::vector<Detection>& detections) {
-  std::vector<std::string> labels;
-  for (const Detection& detection : detections) labels.push_back(detection.label);
-  return labels;
-}
-
 TEST(MarkedPart, IsToldFromAnotherOfItsFormAndColourInPlaceAndTurn) {
   const Recognizer recognizer({blue_box("Left", 7), blue_box("Right", 23)});
   constexpr int kScenes = 15;

@@ -100,12 +100,6 @@ TEST(Pose, OfEveryPartIsWithinFiveMillimetresAndThreeDegrees) {
   std::printf("%.0f ms for a picture\n", 1000 * seconds / kScenes);
 }
 
-std::vector<std::string> labels_in(const std::vector<Detection>& detections) {
-  std::vector<std::string> labels;
-  for (const Detection& detection : detections) labels.push_back(detection.label);
-  return labels;
-}
-
 TEST(FalsePart, IsRejectedThoughItHasTheColour) {
   const Recognizer recognizer(demo_parts());
   using world::Shape;
