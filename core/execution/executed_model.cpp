@@ -139,7 +139,8 @@ Expected<EditEntry> edit_between(const ExecutedModel& before, const Value& nativ
     Value json = interface_json(service);
     if (const Value* old = known.find(Value(key)); !old || *old != json) entry.services.set(key, std::move(json));
   }
-  edit::freeze(entry.edit);
+  entry.origin.freeze();
+  entry.services.freeze();
   return entry;
 }
 

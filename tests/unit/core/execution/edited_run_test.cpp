@@ -180,6 +180,15 @@ TEST_F(EditedRun, TellsWatchersToLookAnew) {
   EXPECT_EQ(to_json(*(*forced)->delta.find("variables")), R"({"R":{"n":9}})");
 }
 
+TEST_F(EditedRun, HasEntriesThatAnyThreadMayRead) {
+  services.emplace("robot", service(kRobot));
+  change(kNewNames);
+  EditEntry entry = this->entry();
+  Value& robot = *entry.services.find(Value("robot"));
+  const Dict* before = &robot.as_dict();
+  EXPECT_NE(&robot.mutable_dict(), before) << "nobody else has it: only what is frozen is copied by a change";
+}
+
 TEST_F(EditedRun, TakesAForceOnlyOnceItHasBegun) {
   Execution fresh = Execution::create(journal.header).value();
   EXPECT_EQ(fresh.force({Force::Scope::var, "R", "n", 1}, {}).error().code, ErrorCode::conflict);
