@@ -16,6 +16,7 @@
 #include "core/edit/operation.h"
 #include "core/rcm/model.h"
 #include "core/value/expected.h"
+#include "core/value/json.h"
 
 namespace race::edit {
 
@@ -32,7 +33,9 @@ struct Element {
 class Tree {
  public:
   /// Requires elements that all have ids, each another one (rcm::give_ids); else `missing` or `duplicate`.
-  static Expected<Tree> read(const rcm::Document& document);
+  /// `one_line`: what the text may be of a document that is written on one line, such as a native model in a journal;
+  /// of others, it is what rcm::write_document_text writes.
+  static Expected<Tree> read(const rcm::Document& document, std::optional<JsonLimits> one_line = {});
 
   rcm::Document document() const;
 
@@ -60,6 +63,8 @@ class Tree {
     visit_below(library_, kLibraryLevel, visit);
   }
 
+  /// The limits of read().
+  const std::optional<JsonLimits>& one_line() const { return one_line_; }
   /// At least the size of the text of the document, in bytes: it grows with what is added and set.
   std::size_t text_bound() const { return text_bound_; }
   /// Once the size is known.
@@ -104,6 +109,7 @@ class Tree {
   Expected<Operation> set_field(const Set& set, Element& element);
   Expected<void> check_level(const Value& value, std::size_t level) const;
 
+  std::optional<JsonLimits> one_line_;
   rcm::Document fields_;  // its library and root are empty
   Ids library_;
   std::string root_;

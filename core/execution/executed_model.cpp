@@ -3,6 +3,7 @@
 #include "core/edit/apply.h"
 #include "core/edit/difference.h"
 #include "core/edit/tree.h"
+#include "core/rcm/constraints.h"
 #include "core/rcm/document.h"
 #include "core/rcm/native.h"
 #include "core/rsm/document.h"
@@ -57,12 +58,16 @@ rsm::Service read_interface(const Value& json, const std::string& path, Errors& 
   return service;
 }
 
+/// What the text of a native model's document may be. In a journal, a checkpoint or an entry, levels stand around it.
+constexpr JsonLimits kNativeLimits{.depth = 2 * rcm::kMaxDepth + JsonLimits{}.depth, .bytes = kJournalLimits.bytes};
+static_assert(kNativeLimits.depth < kJournalLimits.depth);
+
 /// The `document` of a native model.
 Checked<edit::Tree> read_tree(const Value& native) {
   const Value* json = native.find("document");
   auto document = rcm::read_document(json ? *json : Value());
   if (!document) return tl::unexpected(std::move(document).error());
-  auto tree = edit::Tree::read(*document);
+  auto tree = edit::Tree::read(*document, kNativeLimits);
   if (!tree) return failed(std::move(tree).error());
   return std::move(*tree);
 }

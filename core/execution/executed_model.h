@@ -32,10 +32,10 @@ Checked<ExecutedModel> build_model(Value native, const Interfaces& services, con
 
 /// The entry that makes of `before` the model `native`, compiled with `services`; what `before` was compiled with
 /// besides these stays. Errors: those of edit::Tree::read (an element has no id) and edit::difference (`not_accepted`:
-/// another root).
+/// another root; `too_large`: more operations than an edit may have).
 Expected<EditEntry> edit_between(const ExecutedModel& before, const Value& native, const Interfaces& services);
 
-/// The model after the entry. Errors: those of edit::apply, at `operations/N/...`; of the document, the interfaces and
+/// The model after the entry, whose text may be what that of a journal may be (`too_deep`, `too_large`). Errors: those of edit::apply, at `operations/N/...`; of the document, the interfaces and
 /// the program that come of it, at `native/...` and `services/...`.
 Checked<ExecutedModel> edited(const ExecutedModel& before, const EditEntry& entry);
 

@@ -189,6 +189,37 @@ TEST_F(EditedRun, HasEntriesThatAnyThreadMayRead) {
   EXPECT_NE(&robot.mutable_dict(), before) << "nobody else has it: only what is frozen is copied by a change";
 }
 
+// Each level of links is two levels of JSON in the native model: more of them than a document may have.
+TEST(EditBetween, ChangesStatesThatStandDeeperThanADocument) {
+  constexpr int kLevels = 40;
+  static_assert(2 * kLevels > JsonLimits{}.depth);
+  rcm::Document document = rcm::read_document_text(R"({"rcm": 1, "root": {"state": "R", "meta": {"id": "r"}}})").value();
+  const auto link_to = [](int level) {
+    rcm::State link;
+    link.name = "S";
+    link.link = "L" + std::to_string(level);
+    link.meta.id = "s" + std::to_string(level);
+    return link;
+  };
+  document.root.children.emplace_back(link_to(1));
+  for (int level = 1; level <= kLevels; ++level) {
+    rcm::State& state = document.library.emplace_back();
+    state.name = "L" + std::to_string(level);
+    state.meta.id = "l" + std::to_string(level);
+    if (level < kLevels) state.children.emplace_back(link_to(level + 1));
+  }
+  const auto native = [&] { return rcm::write_native(document, rcm::translate(document).value()); };
+  const ExecutedModel before = build_model(native(), {}, "native").value();
+  document.library.back().entry = "var.x = 1";
+  document.library.back().children.emplace_back(rcm::Barrier{"B", {}, {"b", {}}});
+  const auto entry = edit_between(before, native(), {});
+  ASSERT_TRUE(entry) << to_string(entry.error());
+  EXPECT_EQ(entry->edit.operations.size(), 2U);
+  const auto after = edited(before, *entry);
+  ASSERT_TRUE(after) << to_string(after.error().front());
+  EXPECT_EQ(after->native, native());
+}
+
 TEST_F(EditedRun, TakesAForceOnlyOnceItHasBegun) {
   Execution fresh = Execution::create(journal.header).value();
   EXPECT_EQ(fresh.force({Force::Scope::var, "R", "n", 1}, {}).error().code, ErrorCode::conflict);
