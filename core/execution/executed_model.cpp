@@ -62,12 +62,12 @@ rsm::Service read_interface(const Value& json, const std::string& path, Errors& 
 constexpr JsonLimits kNativeLimits{.depth = 2 * rcm::kMaxDepth + JsonLimits{}.depth, .bytes = kJournalLimits.bytes};
 static_assert(kNativeLimits.depth < kJournalLimits.depth);
 
-/// The `document` of a native model.
+/// The `document` of a native model. Constraints are checked when a program is made of it.
 Checked<edit::Tree> read_tree(const Value& native) {
   const Value* json = native.find("document");
-  auto document = rcm::read_document(json ? *json : Value());
-  if (!document) return tl::unexpected(std::move(document).error());
-  auto tree = edit::Tree::read(*document, kNativeLimits);
+  rcm::Draft draft = rcm::read_draft(json ? *json : Value());
+  if (!draft.errors.empty()) return tl::unexpected(std::move(draft.errors));
+  auto tree = edit::Tree::read(draft.document, kNativeLimits);
   if (!tree) return failed(std::move(tree).error());
   return std::move(*tree);
 }
