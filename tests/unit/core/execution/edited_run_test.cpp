@@ -69,7 +69,7 @@ struct EditedRun : testing::Test {
   Progress take(const Progress& progress) {
     journal.entries.push_back(progress.entry.value());
     steps.push_back(derived_step(*execution, progress));
-    return progress;
+    return last = progress;
   }
   std::string active() const { return to_json(*execution->run().state_json().find("active")); }
   Goal goal(Goal::Kind kind, const char* path) const {
@@ -98,6 +98,7 @@ struct EditedRun : testing::Test {
   Journal journal;
   std::optional<Execution> execution;
   std::vector<Value> steps;
+  Progress last;
 };
 
 constexpr const char* kWithoutA = R"([{'op': 'set', 'id': 'r', 'field': 'first', 'value': 'B'},
@@ -129,6 +130,7 @@ TEST_F(EditedRun, StopsWithTheEditThatTakesItsGoalAway) {
   execution->set_goal(goal(Goal::Kind::entered, "R/A"));
   change(kWithoutA);
   EXPECT_THAT(edit(), IsEmpty());
+  EXPECT_TRUE(last.reached_goal);
   EXPECT_FALSE(execution->has_goal());
   EXPECT_FALSE(event("tick").reached_goal) << "the goal was given up with the edit, not with the next step";
 }
@@ -193,7 +195,8 @@ TEST_F(EditedRun, HasEntriesThatAnyThreadMayRead) {
 TEST(EditBetween, ChangesStatesThatStandDeeperThanADocument) {
   constexpr int kLevels = 40;
   static_assert(2 * kLevels > JsonLimits{}.depth);
-  rcm::Document document = rcm::read_document_text(R"({"rcm": 1, "root": {"state": "R", "meta": {"id": "r"}}})").value();
+  rcm::Document document =
+      rcm::read_document_text(R"({"rcm": 1, "root": {"state": "R", "meta": {"id": "r"}}})").value();
   const auto link_to = [](int level) {
     rcm::State link;
     link.name = "S";
