@@ -6,7 +6,6 @@
 #include "core/edit/tree.h"
 #include "core/execution/scripted_services.h"
 #include "core/execution/step_json.h"
-#include "core/rcm/constraints.h"
 #include "core/rcm/native.h"
 #include "core/rcm/translate.h"
 
@@ -41,8 +40,6 @@ class EditedDocument {
     auto applied = edit::apply(document_, edit);
     if (!applied) return tl::unexpected(Errors{std::move(applied).error()});
     document_ = std::move(applied->document);
-    auto errors = rcm::violations(document_);
-    if (!errors.empty()) return tl::unexpected(std::move(errors));
     return {};
   }
 
