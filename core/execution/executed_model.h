@@ -35,8 +35,9 @@ Checked<ExecutedModel> build_model(Value native, const Interfaces& services, con
 /// another root; `too_large`: more operations than an edit may have).
 Expected<EditEntry> edit_between(const ExecutedModel& before, const Value& native, const Interfaces& services);
 
-/// The model after the entry, whose text may be what that of a journal may be (`too_deep`, `too_large`). Errors: those of edit::apply, at `operations/N/...`; of the document, the interfaces and
-/// the program that come of it, at `native/...` and `services/...`.
+/// The model after the entry, whose text may be what that of a journal may be (`too_deep`, `too_large`). Errors: those
+/// of edit::apply, at `operations/N/...`; of the document, the interfaces and the program that come of it, at
+/// `native/...` and `services/...`.
 Checked<ExecutedModel> edited(const ExecutedModel& before, const EditEntry& entry);
 
 }  // namespace race::execution

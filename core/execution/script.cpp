@@ -18,8 +18,9 @@ namespace {
 using Errors = std::vector<Error>;
 
 tl::unexpected<Errors> failed(Errors errors, const std::string& path) {
-  for (Error& error : errors) error.path = path + (error.path.empty() ? "" : "/" + error.path);
-  return tl::unexpected(std::move(errors));
+  Errors out;
+  append_below(out, std::move(errors), path);
+  return tl::unexpected(std::move(out));
 }
 
 /// The document of a script, as its edits have made it.
