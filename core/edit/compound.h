@@ -3,7 +3,9 @@
 // old operations: names and positions are those of the document. Pure functions.
 //
 // Errors: `not_found`, there is no such element (path: the argument); `not_accepted`, it is no element to do this with;
-// `name`, a new name is none; `duplicate`, it is taken; `syntax`, a text that cannot be parsed may name what changes.
+// `name`, a new name is none; `duplicate`, it is taken; `syntax`, a text that cannot be parsed may name what changes;
+// `scope`, a link takes over the `from` of a parameter from the library, which would have to be another one for this
+// link alone (path: the link).
 // Others are said below. In an error about a text or an element, the path is the id of the element.
 #pragma once
 
