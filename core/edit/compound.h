@@ -25,7 +25,8 @@ namespace race::edit {
 /// `link_port`, `link_parameter`: what a link overrides is renamed in the library.
 Expected<Edit> rename(const Tree& tree, std::string_view id, std::string_view name);
 
-/// Gives a service another key: in `services` and in code (`svc.KEY`, `svc["KEY"]`). `not_found` if nothing names it.
+/// Gives a service another key: in `services` and in code (`svc.KEY`, `svc["KEY"]`). `not_found` if nothing names it;
+/// `duplicate` also if code uses a service `name` that is not in `services`.
 Expected<Edit> rename_service(const Tree& tree, std::string_view key, std::string_view name);
 
 /// Lets a port lead to a sibling of its state (`to`), or nowhere (no `to`); lets a barrier lead to one more sibling

@@ -178,6 +178,12 @@ bool uses_variable(const Tree& tree, std::string_view state, std::string_view na
          std::ranges::any_of(taken_over_texts(tree, state), [&](const TakenOver& t) { return uses(t.text, path); });
 }
 
+/// Whether code names a service `name`, which need not be declared.
+bool uses_service(const Tree& tree, std::string_view name) {
+  const Path path{"svc", std::string(name)};
+  return std::ranges::any_of(all_texts(tree), [&](const CodeText& text) { return uses(text, path); });
+}
+
 }  // namespace
 
 Expected<Edit> rename(const Tree& tree, std::string_view id, std::string_view name) {
@@ -203,7 +209,7 @@ Expected<Edit> rename(const Tree& tree, std::string_view id, std::string_view na
 Expected<Edit> rename_service(const Tree& tree, std::string_view key, std::string_view name) {
   if (!is_name(name)) return unexpected(ErrorCode::name, "`" + std::string(name) + "` is no name", "name");
   if (key == name) return Edit{};
-  if (tree.fields().services.contains(std::string(name)))
+  if (tree.fields().services.contains(std::string(name)) || uses_service(tree, name))
     return unexpected(ErrorCode::duplicate, "there is a service `" + std::string(name) + "` already", "name");
   Renaming renaming(tree, std::string(key), name);
   renaming.services();

@@ -253,6 +253,8 @@ TEST(RenameService, ChangesItsKeyAndCode) {
   EXPECT_EQ(std::get<rcm::Action>(m.tree().find(action)->content).code, "svc[\"left\"].stop(chi.T.res.got)");
   EXPECT_EQ(refusal(rename_service(m.tree(), "arm", "x")), "key: not_found");
   EXPECT_EQ(refusal(rename_service(m.tree(), "left", "")), "name: name");
+  m.apply(Edit{{Set{m["Root"], "exit", {}, Value("svc.right.stop()")}}});
+  EXPECT_EQ(refusal(rename_service(m.tree(), "left", "right")), "name: duplicate") << "an undeclared service";
 }
 
 TEST(Connect, LetsPortsAndBarriersLeadToSiblings) {
