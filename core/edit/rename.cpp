@@ -14,7 +14,7 @@ using Path = std::vector<std::string>;
 
 Ids states_of(const Tree& tree) {
   Ids out;
-  tree.for_each([&](const Element& element, std::size_t) {
+  tree.for_each([&](const Element& element) {
     if (std::holds_alternative<rcm::State>(element.content)) out.push_back(meta_of(element.content).id);
   });
   return out;

@@ -46,7 +46,7 @@ Expected<void> flatten(Content node, const std::string& parent, std::optional<Li
   return {};
 }
 
-void reserve(rcm::State& state, const std::array<Ids, 7>& lists) {
+void reserve(rcm::State& state, const std::array<Ids, kListCount>& lists) {
   const auto size = [&](ListName list) { return lists[static_cast<std::size_t>(list)].size(); };
   state.parameters.reserve(size(ListName::parameters));
   state.results.reserve(size(ListName::results));

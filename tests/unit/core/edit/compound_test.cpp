@@ -74,7 +74,7 @@ class Model {
   }
 
   std::string below(const std::string& parent, std::string_view name) const {
-    for (int list = 0; list < 7; ++list) {
+    for (std::size_t list = 0; list < kListCount; ++list) {
       for (const std::string& id : tree_.list(parent, static_cast<ListName>(list))) {
         if (name_of(tree_.find(id)->content) == name) return id;
       }
@@ -439,14 +439,14 @@ rcm::Document demo(const char* file) {
 /// Some 40 elements, from all parts.
 Ids some_of(const Tree& tree) {
   Ids all, out;
-  tree.for_each([&](const Element& element, std::size_t) { all.push_back(meta_of(element.content).id); });
+  tree.for_each([&](const Element& element) { all.push_back(meta_of(element.content).id); });
   for (std::size_t i = 0; i < all.size(); i += 1 + all.size() / 40) out.push_back(all[i]);
   return out;
 }
 
 Ids states_of(const Tree& tree) {
   Ids out;
-  tree.for_each([&](const Element& element, std::size_t) {
+  tree.for_each([&](const Element& element) {
     if (std::holds_alternative<rcm::State>(element.content)) out.push_back(meta_of(element.content).id);
   });
   return out;
