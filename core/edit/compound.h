@@ -37,14 +37,15 @@ Expected<Edit> connect(const Tree& tree, std::string_view from, std::optional<st
 Expected<Edit> disconnect(const Tree& tree, std::string_view barrier, std::string_view state);
 
 /// Puts siblings into a new state `name`, which stands where the first of them stood. It has
-///   `first`      the one to which ports, barriers and `first` from outside lead; `first` (error) if there are several,
-///                or if it is a barrier
-///   ports        one for each port that leads outside or is read by the parent, and fires when that is active:
-///   `A_done` parameters   one for each parameter of the parent, and for each result or parameter of a sibling outside,
-///   that the
-///                parameters of the states read: taken when the group is entered
-///   results      one for each result that code of the parent reads, with an action that takes it over: once in a macro
-///                step, so the parent may see a change one macro step later
+/// - `first`: the one to which ports, barriers and `first` from outside lead; `first` (error) if there are several, or
+///   if it is a barrier
+/// - ports: `A_done` for each port `done` of a state A that leads outside or is read by the parent; fires when that is
+///   active
+/// - parameters: one for each parameter of the parent, and for each result or parameter of a sibling outside, that the
+///   parameters of the states read; taken when the group is entered
+/// - results: one for each result that code of the parent reads, with an action that takes it over, once in a macro
+///   step, so the parent may see a change one macro step later
+///
 /// It keeps its values (`keep`). `keep`: a state that does so itself would not when the group is entered again.
 /// `scope`: the parameters of a state read something else of the parent (its results, variables, or `par` as a whole),
 /// or the parent reads something else of a state (whether it is active, its parameters, a port that leads to another

@@ -13,7 +13,7 @@ namespace race::execution {
 
 /// Of a run that has not been edited: what its header has.
 struct ExecutedModel {
-  Value native = Value::unknown();                    // schemas/native.json, frozen; unknown: it cannot be edited
+  Value native = Value::unknown();                    // schemas/native.json, frozen; unknown: entries cannot edit it
   std::shared_ptr<const semantics::Program> program;  // shared by the run and its replays
   std::int64_t revision = 0;                          // of the document, if an edit has said so; else 0
 };
