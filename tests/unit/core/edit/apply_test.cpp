@@ -37,11 +37,7 @@ struct Subject {
     return inverse ? "accepted" : inverse.error().path + ": " + std::string(name(inverse.error().code));
   }
 
-  std::string children(const std::string& parent) const {
-    std::string out;
-    for (const std::string& id : tree.list(parent, ListName::children)) out += (out.empty() ? "" : " ") + id;
-    return out;
-  }
+  std::string children(const std::string& parent) const { return children_of(tree, parent); }
 };
 
 TEST(Insert, PutsAnElementBehindItsSiblingOrInFront) {

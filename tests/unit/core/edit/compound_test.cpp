@@ -3,13 +3,12 @@
 #include "core/edit/compound.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 #include "core/edit/references.h"
 #include "core/rcm/constraints.h"
 #include "core/rcm/ids.h"
 #include "tests/unit/core/edit/documents.h"
+#include "tests/unit/core/rcm/cases.h"
 
 namespace race::edit {
 namespace {
@@ -431,9 +430,7 @@ TEST(Ungroup, RefusesStatesThatDoSomethingThemselves) {
 }
 
 rcm::Document demo(const char* file) {
-  std::ostringstream text;
-  text << std::ifstream(std::string(RACE_SOURCE_DIR "/deploy/demo/") + file).rdbuf();
-  return rcm::read_document_text(text.str()).value();
+  return rcm::read_document_text(rcm::read_text(std::string(RACE_SOURCE_DIR "/deploy/demo/") + file)).value();
 }
 
 /// Some 40 elements, from all parts.
