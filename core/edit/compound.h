@@ -3,7 +3,9 @@
 // old operations: names and positions are those of the document. Pure functions.
 //
 // Errors: `not_found`, there is no such element (path: the argument); `not_accepted`, it is no element to do this with;
-// `name`, a new name is none; `duplicate`, it is taken; `syntax`, a text that cannot be parsed may name what changes.
+// `name`, a new name is none; `duplicate`, it is taken; `syntax`, a text that cannot be parsed may name what changes;
+// `scope`, a link takes over the `from` of a parameter from the library, which would have to be another one for this
+// link alone (path: the link).
 // Others are said below. In an error about a text or an element, the path is the id of the element.
 #pragma once
 
@@ -23,7 +25,8 @@ namespace race::edit {
 /// `link_port`, `link_parameter`: what a link overrides is renamed in the library.
 Expected<Edit> rename(const Tree& tree, std::string_view id, std::string_view name);
 
-/// Gives a service another key: in `services` and in code (`svc.KEY`, `svc["KEY"]`). `not_found` if nothing names it.
+/// Gives a service another key: in `services` and in code (`svc.KEY`, `svc["KEY"]`). `not_found` if nothing names it;
+/// `duplicate` also if code uses a service `name` that is not in `services`.
 Expected<Edit> rename_service(const Tree& tree, std::string_view key, std::string_view name);
 
 /// Lets a port lead to a sibling of its state (`to`), or nowhere (no `to`); lets a barrier lead to one more sibling
@@ -34,14 +37,15 @@ Expected<Edit> connect(const Tree& tree, std::string_view from, std::optional<st
 Expected<Edit> disconnect(const Tree& tree, std::string_view barrier, std::string_view state);
 
 /// Puts siblings into a new state `name`, which stands where the first of them stood. It has
-///   `first`      the one to which ports, barriers and `first` from outside lead; `first` (error) if there are several,
-///                or if it is a barrier
-///   ports        one for each port that leads outside or is read by the parent, and fires when that is active:
-///   `A_done` parameters   one for each parameter of the parent, and for each result or parameter of a sibling outside,
-///   that the
-///                parameters of the states read: taken when the group is entered
-///   results      one for each result that code of the parent reads, with an action that takes it over: once in a macro
-///                step, so the parent may see a change one macro step later
+/// - `first`: the one to which ports, barriers and `first` from outside lead; `first` (error) if there are several, or
+///   if it is a barrier
+/// - ports: `A_done` for each port `done` of a state A that leads outside or is read by the parent; fires when that is
+///   active
+/// - parameters: one for each parameter of the parent, and for each result or parameter of a sibling outside, that the
+///   parameters of the states read; taken when the group is entered
+/// - results: one for each result that code of the parent reads, with an action that takes it over, once in a macro
+///   step, so the parent may see a change one macro step later
+///
 /// It keeps its values (`keep`). `keep`: a state that does so itself would not when the group is entered again.
 /// `scope`: the parameters of a state read something else of the parent (its results, variables, or `par` as a whole),
 /// or the parent reads something else of a state (whether it is active, its parameters, a port that leads to another

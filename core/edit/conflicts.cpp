@@ -29,7 +29,6 @@ Rejection because(const LogEntry* entry, std::string what, std::string field) {
 }  // namespace
 
 bool Conflicts::counts(const LogEntry& entry) const {
-  if (entry.accepted.revision <= base_) return false;
   // An author's own edits are taken back in reverse order, unless one could not be; what they have redone since an undo
   // was there when they did what they redo now.
   if (of_ == Of::undo) return entry.in_effect;

@@ -34,6 +34,7 @@ class Conflicts {
   Rejection explain(Error error, const Operation& operation) const;
 
  private:
+  /// Of an edit after `base`.
   bool counts(const LogEntry& entry) const;
   /// The latest entry that counts of which matches(operation) holds for an operation.
   template <typename Matches>

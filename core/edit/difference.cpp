@@ -58,7 +58,7 @@ class Difference {
     arrange("", ListName::library);
     arrange_below(to_.root());
     remove_rest();
-    to_.for_each([this](const Element& element, std::size_t) { set_fields(element); });
+    to_.for_each([this](const Element& element) { set_fields(element); });
     if (auto set = set_document(); !set) return tl::unexpected(std::move(set).error());
     if (edit_.operations.size() > kMaxOperations)
       return unexpected(ErrorCode::too_large, "more than " + std::to_string(kMaxOperations) + " operations");
@@ -77,7 +77,7 @@ class Difference {
   /// Ids that are elements of another kind now cannot be moved, and have to go before the new ones come. What is in
   /// such an element goes with it.
   void remove_replaced() {
-    from_.for_each([this](const Element& old, std::size_t) {
+    from_.for_each([this](const Element& old) {
       const std::string& id = id_of(old);
       const Element* next = to_.find(id);
       if (!next || !old.list || replaced_.contains(id)) return;
@@ -150,7 +150,7 @@ class Difference {
   }
 
   void remove_rest() {
-    from_.for_each([this](const Element& old, std::size_t) {
+    from_.for_each([this](const Element& old) {
       const std::string& id = id_of(old);
       if (to_.find(id) || replaced_.contains(id)) return;
       if (old.parent.empty() || to_.find(old.parent)) add(Remove{id});

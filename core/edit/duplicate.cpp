@@ -13,7 +13,7 @@ void renew_ids(Value& node, NewIds& ids, std::vector<std::pair<std::string, std:
   copies.emplace_back(old, ids(old));
   meta.mutable_dict().set("id", copies.back().second);
   fields.set("meta", std::move(meta));
-  for (int i = 0; i < 7; ++i) {
+  for (std::size_t i = 0; i < kListCount; ++i) {
     const std::string_view list = name(static_cast<ListName>(i));
     const Value* found = node.find(list);
     if (!found) continue;

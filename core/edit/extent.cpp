@@ -8,7 +8,8 @@
 namespace race::edit {
 namespace {
 
-// What a character and a line may cost: `\u0000`; indentation, quotes, commas and the name of a field.
+// What a character and a line may cost: `\u0000`; indentation, quotes, commas and the name of a field. Texts with more
+// levels are not indented.
 constexpr std::size_t kCharacter = 6, kLine = 2 * JsonLimits{}.depth + 24;
 
 class Bound {
@@ -67,6 +68,18 @@ class Bound {
   std::size_t bytes_ = 0;
 };
 
+Expected<std::size_t> size_of_file(const rcm::Document& document) {
+  ASSIGN_OR_RETURN(const std::string text, rcm::write_document_text(document));
+  return text.size();
+}
+
+Expected<std::size_t> size_on_one_line(const rcm::Document& document, std::size_t limit) {
+  const std::size_t bytes = to_json(rcm::write_document(document)).size();
+  if (bytes <= limit) return bytes;
+  return unexpected(ErrorCode::too_large,
+                    "the text of the document would have more than " + std::to_string(limit) + " bytes");
+}
+
 }  // namespace
 
 std::size_t text_bound(const Content& content) {
@@ -83,10 +96,11 @@ std::size_t text_bound(std::string_view key, const Value& value) {
 }
 
 Expected<void> check_extent(Tree& tree) {
-  if (tree.text_bound() <= JsonLimits{}.bytes) return {};
-  auto text = rcm::write_document_text(tree.document());
-  if (!text) return unexpected(text.error().code, text.error().message, "operations");
-  tree.set_text_bound(text->size());
+  if (tree.text_bound() <= tree.one_line().value_or(JsonLimits{}).bytes) return {};
+  auto size =
+      tree.one_line() ? size_on_one_line(tree.document(), tree.one_line()->bytes) : size_of_file(tree.document());
+  if (!size) return unexpected(size.error().code, size.error().message, "operations");
+  tree.set_text_bound(*size);
   return {};
 }
 

@@ -33,6 +33,7 @@ class Group {
         is_of_member(text) ? take_parameters(text, references) : take_results(text, references);
       }
     }
+    for (const TakenOver& taken : taken_over_texts(tree_, parent_)) check_taken_over(taken);
     if (builder_.failed()) return builder_.take();
     insert();
     lead_to_group(composite);
@@ -203,6 +204,21 @@ class Group {
                             {"do", "res." + entry->second + " = " + source},
                             {"meta", Dict{{"id", ids_("take " + source)}}}});
     return entry->second;
+  }
+
+  void check_taken_over(const TakenOver& taken) {
+    const References references = references_in(taken.text);
+    if (!references.is_parsed)
+      return fail(ErrorCode::syntax, quote(taken.text.field) + " cannot be parsed", taken.text.id);
+    for (const Reference& reference : references.found) {
+      const bool is_of_inside =
+          reference.names.size() > 1 && reference.names[0] == "chi" && is_inside(reference.names[1]);
+      if (is_member(taken.link) || is_of_inside)
+        return fail(ErrorCode::scope,
+                    "its parameter " + quote(name_of(tree_, taken.text.id)) + " reads " +
+                        quote(slice(taken.text.text, reference.whole)) + " in the library",
+                    taken.link);
+    }
   }
 
   void change(const CodeText& text, std::vector<Replacement> replacements) {

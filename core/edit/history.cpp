@@ -158,7 +158,7 @@ Departure History::last_departure(Revision revision) const {
   return log_[revision - log_.front().accepted.revision].last_departure;
 }
 
-History::Result History::apply(std::string_view author, Revision base, Edit edit) {
+History::Result History::apply(std::string_view author, Revision base, const Edit& edit) {
   const auto refused = [](ErrorCode code, std::string message) {
     return tl::unexpected(Rejection{Error{code, std::move(message), ""}, 0, ""});
   };

@@ -40,7 +40,7 @@ class History {
   /// An edit by somebody who has seen revision `base` and their own edits after it. Rejections: those of apply() and
   /// `conflict`; paths name the field (`operations/0/id`). `out_of_range`: there is no such revision; `conflict`
   /// without an edit: the log has forgotten what came after it.
-  Result apply(std::string_view author, Revision base, Edit edit);
+  Result apply(std::string_view author, Revision base, const Edit& edit);
 
   /// Takes back the latest edit of `author` that is in effect. Rejected: `not_found`, there is none; `conflict`, if an
   /// edit that is in effect has changed the same thing since. Then that edit is left out by the next undo, until

@@ -11,8 +11,8 @@ namespace {
 
 using Need = Fields::Need;
 
-constexpr std::array<std::string_view, 7> kListNames = {"library", "parameters", "results", "variables",
-                                                        "actions", "children",   "ports"};
+constexpr std::array<std::string_view, kListCount> kListNames = {"library", "parameters", "results", "variables",
+                                                                 "actions", "children",   "ports"};
 
 void write_place(Dict& out, const Place& place) {
   out.set("parent", place.parent);

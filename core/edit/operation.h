@@ -17,6 +17,7 @@ namespace race::edit {
 
 /// The lists of elements, under their names in the format: `library` of the document, the others of a state.
 enum class ListName { library, parameters, results, variables, actions, children, ports };
+inline constexpr std::size_t kListCount = 7;
 std::string_view name(ListName list);
 std::optional<ListName> list_of(std::string_view name);
 

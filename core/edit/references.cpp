@@ -1,6 +1,8 @@
 #include "core/edit/references.h"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 #include <utility>
 
 #include "core/edit/builder.h"
@@ -156,9 +158,35 @@ std::vector<CodeText> texts_in_scope(const Tree& tree, std::string_view id) {
   }
   for (const std::string& at : tree.list(id, ListName::ports))
     add_text(out, at, "when", std::get<rcm::Port>(tree.find(at)->content).when, CodeKind::condition);
-  for (const std::string& child : tree.list(id, ListName::children)) {
-    for (const std::string& at : tree.list(child, ListName::parameters))
-      add_text(out, at, "from", std::get<rcm::Parameter>(tree.find(at)->content).from, CodeKind::expression);
+  for (const std::string& child : tree.list(id, ListName::children))
+    std::ranges::move(from_texts(tree, child), std::back_inserter(out));
+  return out;
+}
+
+std::vector<CodeText> from_texts(const Tree& tree, std::string_view state) {
+  std::vector<CodeText> out;
+  for (const std::string& at : tree.list(state, ListName::parameters))
+    add_text(out, at, "from", std::get<rcm::Parameter>(tree.find(at)->content).from, language::CodeKind::expression);
+  return out;
+}
+
+std::vector<TakenOver> taken_over_texts(const Tree& tree, std::string_view state) {
+  std::vector<TakenOver> out;
+  for (const std::string& child : tree.list(state, ListName::children)) {
+    std::set<std::string, std::less<>> given;  // by the links on the way
+    std::string at = child;
+    for (std::size_t links = 0; links <= tree.size() && state_of(tree, at); ++links) {
+      for (const CodeText& text : from_texts(tree, at)) {
+        if (at != child && !given.contains(name_of(tree, text.id))) out.push_back({child, text});
+      }
+      for (const std::string& id : tree.list(at, ListName::parameters)) {
+        const auto& parameter = std::get<rcm::Parameter>(tree.find(id)->content);
+        if (parameter.value || parameter.from) given.insert(parameter.name);
+      }
+      const auto& link = state_of(tree, at)->link;
+      if (!link) break;
+      at = find_by_name(tree, "", ListName::library, *link);
+    }
   }
   return out;
 }

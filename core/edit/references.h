@@ -35,6 +35,18 @@ struct CodeText {
 /// and the `from` of its children's parameters.
 std::vector<CodeText> texts_in_scope(const Tree& tree, std::string_view state);
 
+/// The `from` of a state's own parameters. Their scope is that of its parent; for a state of the library, that of each
+/// state that links it.
+std::vector<CodeText> from_texts(const Tree& tree, std::string_view state);
+
+/// A `from` that a link has from the library, because it gives the parameter no expression of its own.
+struct TakenOver {
+  std::string link;  // a child of the scope
+  CodeText text;     // shared with whatever else links its state: it cannot be changed for this scope
+};
+/// Those whose scope is that of a state (core/SEMANTICS.md, section 8), besides texts_in_scope().
+std::vector<TakenOver> taken_over_texts(const Tree& tree, std::string_view state);
+
 /// The references in a text, in order; and whether it could be parsed.
 struct References {
   std::vector<Reference> found;

@@ -1,6 +1,6 @@
 // Renaming elements and services with all that names them.
 #include <algorithm>
-#include <set>
+#include <iterator>
 
 #include "core/edit/builder.h"
 #include "core/edit/compound.h"
@@ -11,6 +11,21 @@ namespace race::edit {
 namespace {
 
 using Path = std::vector<std::string>;
+
+Ids states_of(const Tree& tree) {
+  Ids out;
+  tree.for_each([&](const Element& element) {
+    if (std::holds_alternative<rcm::State>(element.content)) out.push_back(meta_of(element.content).id);
+  });
+  return out;
+}
+
+/// Of all states, each once.
+std::vector<CodeText> all_texts(const Tree& tree) {
+  std::vector<CodeText> out;
+  for (const std::string& id : states_of(tree)) std::ranges::move(texts_in_scope(tree, id), std::back_inserter(out));
+  return out;
+}
 
 class Renaming {
  public:
@@ -43,19 +58,12 @@ class Renaming {
 
   /// Renames the last name of `path` in all texts of a scope.
   void in_scope(std::string_view state, const Path& path) {
-    for (const CodeText& text : texts_in_scope(tree(), state)) {
-      const References references = references_in(text);
-      if (!references.is_parsed) {
-        unparsed(text);
-        continue;
-      }
-      std::vector<Replacement> replacements;
-      for (const Reference& reference : references.found) {
-        if (reference.begins_with(path))
-          replacements.push_back(with_name(text.text, reference, path.size() - 1, name_));
-      }
-      if (!replacements.empty())
-        builder_.set(text.id, text.field, field_with(tree(), text, replaced(text.text, std::move(replacements))));
+    for (const CodeText& text : texts_in_scope(tree(), state)) in_text(text, path);
+    for (const auto& [link, text] : taken_over_texts(tree(), state)) {
+      if (!replacements_in(text, path).empty())
+        builder_.fail({ErrorCode::scope,
+                       "its parameter " + quote(name_of(tree(), text.id)) + " names " + quote(old_) + " in the library",
+                       link});
     }
   }
 
@@ -65,10 +73,26 @@ class Renaming {
       builder_.add(Set{"", "services", name_, Value(entry->second)});
       builder_.add(Set{"", "services", old_, std::nullopt});
     }
-    for (const std::string& id : all_states()) in_scope(id, {"svc", old_});
+    for (const CodeText& text : all_texts(tree())) in_text(text, {"svc", old_});
   }
 
  private:
+  void in_text(const CodeText& text, const Path& path) {
+    auto replacements = replacements_in(text, path);
+    if (!replacements.empty())
+      builder_.set(text.id, text.field, field_with(tree(), text, replaced(text.text, std::move(replacements))));
+  }
+
+  std::vector<Replacement> replacements_in(const CodeText& text, const Path& path) {
+    const References references = references_in(text);
+    if (!references.is_parsed) unparsed(text);
+    std::vector<Replacement> out;
+    for (const Reference& reference : references.found) {
+      if (reference.begins_with(path)) out.push_back(with_name(text.text, reference, path.size() - 1, name_));
+    }
+    return out;
+  }
+
   void unparsed(const CodeText& text) {
     if (text.text.find(old_) == std::string::npos) return;
     builder_.fail({ErrorCode::syntax, "`" + text.field + "` cannot be parsed and may name `" + old_ + "`", text.id});
@@ -92,7 +116,7 @@ class Renaming {
   }
 
   void links() {
-    for (const std::string& id : all_states()) {
+    for (const std::string& id : states_of(tree())) {
       if (state_of(tree(), id)->link == old_) builder_.set(id, "link", Value(name_));
     }
   }
@@ -125,19 +149,11 @@ class Renaming {
     for (std::size_t i = 0; i < out.size(); ++i) {
       const Element& user = *tree().find(out[i]);
       if (user.list != ListName::library) continue;
-      for (const std::string& id : all_states()) {
+      for (const std::string& id : states_of(tree())) {
         if (state_of(tree(), id)->link == name_of(user.content) && std::ranges::find(out, id) == out.end())
           out.push_back(id);
       }
     }
-    return out;
-  }
-
-  Ids all_states() const {
-    Ids out;
-    tree().for_each([&](const Element& element, std::size_t) {
-      if (std::holds_alternative<rcm::State>(element.content)) out.push_back(meta_of(element.content).id);
-    });
     return out;
   }
 
@@ -151,13 +167,21 @@ class Renaming {
   const std::string old_, name_;
 };
 
+bool uses(const CodeText& text, const Path& path) {
+  return std::ranges::any_of(references_in(text).found, [&](const Reference& r) { return r.begins_with(path); });
+}
+
 /// Whether code of the scope names an undeclared variable `name`.
 bool uses_variable(const Tree& tree, std::string_view state, std::string_view name) {
-  return std::ranges::any_of(texts_in_scope(tree, state), [&](const CodeText& text) {
-    return std::ranges::any_of(references_in(text).found, [&](const Reference& reference) {
-      return reference.begins_with({"var", std::string(name)});
-    });
-  });
+  const Path path{"var", std::string(name)};
+  return std::ranges::any_of(texts_in_scope(tree, state), [&](const CodeText& text) { return uses(text, path); }) ||
+         std::ranges::any_of(taken_over_texts(tree, state), [&](const TakenOver& t) { return uses(t.text, path); });
+}
+
+/// Whether code names a service `name`, which need not be declared.
+bool uses_service(const Tree& tree, std::string_view name) {
+  const Path path{"svc", std::string(name)};
+  return std::ranges::any_of(all_texts(tree), [&](const CodeText& text) { return uses(text, path); });
 }
 
 }  // namespace
@@ -185,7 +209,7 @@ Expected<Edit> rename(const Tree& tree, std::string_view id, std::string_view na
 Expected<Edit> rename_service(const Tree& tree, std::string_view key, std::string_view name) {
   if (!is_name(name)) return unexpected(ErrorCode::name, "`" + std::string(name) + "` is no name", "name");
   if (key == name) return Edit{};
-  if (tree.fields().services.contains(std::string(name)))
+  if (tree.fields().services.contains(std::string(name)) || uses_service(tree, name))
     return unexpected(ErrorCode::duplicate, "there is a service `" + std::string(name) + "` already", "name");
   Renaming renaming(tree, std::string(key), name);
   renaming.services();

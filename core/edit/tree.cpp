@@ -5,7 +5,6 @@
 
 #include "core/edit/extent.h"
 #include "core/value/fields.h"
-#include "core/value/json.h"
 
 namespace race::edit {
 namespace {
@@ -47,7 +46,7 @@ Expected<void> flatten(Content node, const std::string& parent, std::optional<Li
   return {};
 }
 
-void reserve(rcm::State& state, const std::array<Ids, 7>& lists) {
+void reserve(rcm::State& state, const std::array<Ids, kListCount>& lists) {
   const auto size = [&](ListName list) { return lists[static_cast<std::size_t>(list)].size(); };
   state.parameters.reserve(size(ListName::parameters));
   state.results.reserve(size(ListName::results));
@@ -74,8 +73,9 @@ void fill(rcm::State& state, const Element& element, const Tree& tree) {
 
 }  // namespace
 
-Expected<Tree> Tree::read(const rcm::Document& document) {
+Expected<Tree> Tree::read(const rcm::Document& document, std::optional<JsonLimits> one_line) {
   Tree out;
+  out.one_line_ = one_line;
   out.fields_.name = document.name;
   out.fields_.services = document.services;
   out.fields_.layout = document.layout;
@@ -175,7 +175,7 @@ std::size_t Tree::level(std::string_view parent, std::optional<ListName> list) c
 }
 
 Expected<void> Tree::check_level(const Value& value, std::size_t level) const {
-  const std::size_t limit = JsonLimits{}.depth;
+  const std::size_t limit = one_line_.value_or(JsonLimits{}).depth;
   if (level <= limit && !deeper_than(value, limit + 1 - level)) return {};
   return unexpected(ErrorCode::too_deep, "the text of the document would have more than " + std::to_string(limit) +
                                              " levels of lists and objects");

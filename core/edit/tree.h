@@ -16,6 +16,7 @@
 #include "core/edit/operation.h"
 #include "core/rcm/model.h"
 #include "core/value/expected.h"
+#include "core/value/json.h"
 
 namespace race::edit {
 
@@ -23,16 +24,18 @@ using Ids = std::vector<std::string>;
 
 /// An element of a tree.
 struct Element {
-  std::string parent;            // the id of the state that has it; empty: the document
-  std::optional<ListName> list;  // of its parent; nothing: the root
-  Content content;               // without what is in the lists of a state
-  std::array<Ids, 7> lists;      // by ListName
+  std::string parent;                 // the id of the state that has it; empty: the document
+  std::optional<ListName> list;       // of its parent; nothing: the root
+  Content content;                    // without what is in the lists of a state
+  std::array<Ids, kListCount> lists;  // by ListName
 };
 
 class Tree {
  public:
   /// Requires elements that all have ids, each another one (rcm::give_ids); else `missing` or `duplicate`.
-  static Expected<Tree> read(const rcm::Document& document);
+  /// `one_line`: what the text may be of a document that is written on one line, such as a native model in a journal;
+  /// of others, it is what rcm::write_document_text writes.
+  static Expected<Tree> read(const rcm::Document& document, std::optional<JsonLimits> one_line = {});
 
   rcm::Document document() const;
 
@@ -52,14 +55,15 @@ class Tree {
   /// The fields of the document: name, services, layout, meta. Without root and library.
   const rcm::Document& fields() const { return fields_; }
   std::size_t size() const { return elements_.size(); }
-  /// Calls visit(element, level) for every element below the root and the library, parents first; `level`: of JSON, at
-  /// which its object stands in the text of the document.
+  /// Calls visit(element) for the root, the states of the library, and every element below them, parents first.
   template <typename Visit>
   void for_each(const Visit& visit) const {
-    visit_below({root_}, kRootLevel, visit);
-    visit_below(library_, kLibraryLevel, visit);
+    visit_below({root_}, visit);
+    visit_below(library_, visit);
   }
 
+  /// The limits of read().
+  const std::optional<JsonLimits>& one_line() const { return one_line_; }
   /// At least the size of the text of the document, in bytes: it grows with what is added and set.
   std::size_t text_bound() const { return text_bound_; }
   /// Once the size is known.
@@ -90,20 +94,21 @@ class Tree {
   Ids& ids(const std::string& parent, ListName list);
   void unlist(const Element& element, std::string_view id);
   template <typename Visit>
-  void visit_below(const Ids& ids, std::size_t level, const Visit& visit) const {
+  void visit_below(const Ids& ids, const Visit& visit) const {
     for (const std::string& id : ids) {
       const Element& element = *find(id);
-      visit(element, level);
-      for (const Ids& list : element.lists) visit_below(list, level + 2, visit);
+      visit(element);
+      for (const Ids& list : element.lists) visit_below(list, visit);
     }
   }
-  /// The level of an element of this list.
+  /// The level of JSON at which the object of an element of this list stands in the text of the document.
   std::size_t level(std::string_view parent, std::optional<ListName> list) const;
   Expected<Operation> set_document(const Set& set);
   Expected<Operation> set_meta(const Set& set, Element& element);
   Expected<Operation> set_field(const Set& set, Element& element);
   Expected<void> check_level(const Value& value, std::size_t level) const;
 
+  std::optional<JsonLimits> one_line_;
   rcm::Document fields_;  // its library and root are empty
   Ids library_;
   std::string root_;

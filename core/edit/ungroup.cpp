@@ -108,12 +108,16 @@ class Ungroup {
 
   void give_back_texts() {
     for (const CodeText& text : texts_in_scope(tree_, id_)) {
-      if (text.field == "from") give_back(text, [&](const Reference& r) { return parameter_of_child(text, r); });
+      if (text.field == "from") give_back(text, [&](const Reference& r) { return parameter_of_child(r); });
     }
     for (const CodeText& text : texts_in_scope(tree_, parent_)) {
       if (tree_.find(text.id)->parent != id_)
         give_back(text, [&](const Reference& r) { return result_outside(text, r); });
     }
+    for (const TakenOver& taken : taken_over_texts(tree_, id_))
+      keep_taken_over(taken, [&](const Reference& r) { return parameter_of_child(r); });
+    for (const TakenOver& taken : taken_over_texts(tree_, parent_))
+      keep_taken_over(taken, [&](const Reference& r) { return result_outside(taken.text, r); });
   }
 
   using Replacements = std::optional<std::vector<Replacement>>;
@@ -133,8 +137,24 @@ class Ungroup {
     if (!all.empty()) builder_.set(text.id, text.field, field_with(tree_, text, replaced(text.text, std::move(all))));
   }
 
+  /// A text that must mean the same without the group, as it is.
+  template <typename Replace>
+  void keep_taken_over(const TakenOver& taken, Replace replace) {
+    const References references = references_in(taken.text);
+    if (!references.is_parsed)
+      return builder_.fail({ErrorCode::syntax, quote(taken.text.field) + " cannot be parsed", taken.text.id});
+    for (const Reference& reference : references.found) {
+      const Replacements replacements = replace(reference);
+      if (replacements && replacements->empty()) continue;
+      return builder_.fail({ErrorCode::scope,
+                            "its parameter " + quote(name_of(tree_, taken.text.id)) + " reads " +
+                                quote(slice(taken.text.text, reference.whole)) + " in the library",
+                            taken.link});
+    }
+  }
+
   /// Its scope was the group and becomes the parent.
-  Replacements parameter_of_child(const CodeText&, const Reference& reference) {
+  Replacements parameter_of_child(const Reference& reference) {
     if (reference.names[0] == "chi") return Replacements(std::in_place);
     if (reference.names[0] != "par" || reference.names.size() < 2 || reference.is_literal[1]) return std::nullopt;
     const auto expression = expression_of(reference.names[1]);

@@ -3,6 +3,7 @@
 #include "core/edit/apply.h"
 #include "core/edit/difference.h"
 #include "core/edit/tree.h"
+#include "core/rcm/constraints.h"
 #include "core/rcm/document.h"
 #include "core/rcm/native.h"
 #include "core/rsm/document.h"
@@ -57,12 +58,16 @@ rsm::Service read_interface(const Value& json, const std::string& path, Errors& 
   return service;
 }
 
-/// The `document` of a native model.
+/// What the text of a native model's document may be. In a journal, a checkpoint or an entry, levels stand around it.
+constexpr JsonLimits kNativeLimits{.depth = 2 * rcm::kMaxDepth + JsonLimits{}.depth, .bytes = kJournalLimits.bytes};
+static_assert(kNativeLimits.depth < kJournalLimits.depth);
+
+/// The `document` of a native model. Constraints are checked when a program is made of it.
 Checked<edit::Tree> read_tree(const Value& native) {
   const Value* json = native.find("document");
-  auto document = rcm::read_document(json ? *json : Value());
-  if (!document) return tl::unexpected(std::move(document).error());
-  auto tree = edit::Tree::read(*document);
+  rcm::Draft draft = rcm::read_draft(json ? *json : Value());
+  if (!draft.errors.empty()) return tl::unexpected(std::move(draft.errors));
+  auto tree = edit::Tree::read(draft.document, kNativeLimits);
   if (!tree) return failed(std::move(tree).error());
   return std::move(*tree);
 }
@@ -139,7 +144,8 @@ Expected<EditEntry> edit_between(const ExecutedModel& before, const Value& nativ
     Value json = interface_json(service);
     if (const Value* old = known.find(Value(key)); !old || *old != json) entry.services.set(key, std::move(json));
   }
-  edit::freeze(entry.edit);
+  entry.origin.freeze();
+  entry.services.freeze();
   return entry;
 }
 

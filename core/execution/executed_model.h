@@ -13,7 +13,7 @@ namespace race::execution {
 
 /// Of a run that has not been edited: what its header has.
 struct ExecutedModel {
-  Value native = Value::unknown();                    // schemas/native.json, frozen; unknown: it cannot be edited
+  Value native = Value::unknown();                    // schemas/native.json, frozen; unknown: entries cannot edit it
   std::shared_ptr<const semantics::Program> program;  // shared by the run and its replays
   std::int64_t revision = 0;                          // of the document, if an edit has said so; else 0
 };
@@ -32,11 +32,12 @@ Checked<ExecutedModel> build_model(Value native, const Interfaces& services, con
 
 /// The entry that makes of `before` the model `native`, compiled with `services`; what `before` was compiled with
 /// besides these stays. Errors: those of edit::Tree::read (an element has no id) and edit::difference (`not_accepted`:
-/// another root).
+/// another root; `too_large`: more operations than an edit may have).
 Expected<EditEntry> edit_between(const ExecutedModel& before, const Value& native, const Interfaces& services);
 
-/// The model after the entry. Errors: those of edit::apply, at `operations/N/...`; of the document, the interfaces and
-/// the program that come of it, at `native/...` and `services/...`.
+/// The model after the entry, whose text may be what that of a journal may be (`too_deep`, `too_large`). Errors: those
+/// of edit::apply, at `operations/N/...`; of the document, the interfaces and the program that come of it, at
+/// `native/...` and `services/...`.
 Checked<ExecutedModel> edited(const ExecutedModel& before, const EditEntry& entry);
 
 }  // namespace race::execution

@@ -50,7 +50,8 @@ class Execution {
   explicit Execution(semantics::Run run) : run_(std::move(run)) {}
   /// An execution of the run of this header, which has not begun. Error: as Run::create.
   static Expected<Execution> create(const JournalHeader& header);
-  /// The same without a native model: it cannot be edited.
+  /// The same without a native model: it is edited with the models of a script (edit()); the entry of an edit, which is
+  /// one of the native model, cannot be replayed.
   static Expected<Execution> create(std::shared_ptr<const semantics::Program> program, const Dict& arguments,
                                     semantics::Budgets budgets = {});
 

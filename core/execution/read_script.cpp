@@ -53,8 +53,7 @@ ScriptStep read_step(const Value& json, const std::string& path, std::vector<Err
     if (auto edit = edit::read_edit(*json))
       step.edit = std::move(*edit);
     else
-      for (Error& error : edit.error())
-        errors.push_back({error.code, error.message, path + "/edit" + (error.path.empty() ? "" : "/" + error.path)});
+      append_below(errors, std::move(edit).error(), path + "/edit");
   }
   if (const Value* json = fields.find("force")) {
     Fields force(*json, path + "/force", "force", errors);

@@ -83,6 +83,7 @@ bool WaitingInputs::contains(EventId event) const {
                              [&](const Input& input) { return is_occurrence(input, event); });
 }
 
+// core/SEMANTICS.md section 9: "Waiting inputs that M' does not name are dropped."
 void WaitingInputs::carry_over(const Run& before, const Run& after) {
   if (&before.program() == &after.program()) return;
   drop_taken();

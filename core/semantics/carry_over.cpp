@@ -69,7 +69,7 @@ class CarryOver {
     }
   }
 
-  // R6, R20: by caller, service and operation. What an open operation stood for may have an entry of its own now; the
+  // R6, R20: "by (caller, S, op)". What an open operation stood for may have an entry of its own now; the
   // delivery stays with the open one, which all code that could have waited for it mentions (R19).
   void carry_calls() {
     std::vector<StateId> callers(old_.states.size(), kNoState);
@@ -133,7 +133,8 @@ class CarryOver {
     if (to.barrier && to_before && same_.barriers[to.number] == to_before.number) to_.arrived[index(p)] = 1;
   }
 
-  // REFINEMENT R19: one that is new in an active state has been served, so that no old datum commands anything.
+  // REFINEMENT R19: "a new or changed action that contains `svc` as R19 says starts, in an active state, as served, so
+  // that no old datum commands anything".
   void carry_action(StateId s, ActionId a) {
     if (same_.actions[a] != kNone) {
       to_.executed[a] = from_.executed[same_.actions[a]];

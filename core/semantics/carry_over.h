@@ -21,7 +21,7 @@ struct Obstacle {
   bool operator==(const Obstacle&) const = default;
 };
 
-/// The outermost active nodes of `run` that the edited program does not have, in tree order.
+/// The outermost active nodes of `run` that the edited program does not have: states in tree order, then barriers.
 std::vector<Obstacle> lost_nodes(const Program& before, const RunState& run, const Correspondence& same);
 
 /// Δ and Σ of `run` as far as `after` has a place for them, at the beginning of the macro step that delivers the edit:

@@ -14,7 +14,6 @@ struct Correspondence {
   /// Of a program that stays as it is, whatever ids are repeated in it.
   static Correspondence identity(const Program& program);
 
-  StateId state(StateId s) const { return StateId{states[index(s)]}; }
   PortId port(PortId p) const { return PortId{ports[index(p)]}; }
 
   std::vector<std::uint32_t> states, barriers, ports, actions, values;  // by number after the edit

@@ -8,8 +8,8 @@
 namespace race::semantics {
 namespace {
 
-/// Resolves parameters of active states that have no value, parents before children; children of one parent do not see
-/// what the others get.
+/// Resolves parameters of active states that have no value (those that have one are not resolved again, R10), parents
+/// before children; children of one parent do not see what the others get (as in R23).
 class Resolver {
  public:
   Resolver(const Program& program, RunState& run, StepEnvironment& environment, language::Interpreter& interpreter)

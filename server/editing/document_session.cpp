@@ -112,7 +112,7 @@ edit::History::Result DocumentSession::execute(const EditRequest& request) {
     const std::string seed = last_.revision.document + "@" + std::to_string(revision() + 1);
     auto edit = make_edit(*compound, history.tree(), seed);
     if (!edit) return tl::unexpected(edit::Rejection{std::move(edit).error(), 0, ""});
-    return history.apply(request.author, history.revision(), std::move(*edit));
+    return history.apply(request.author, history.revision(), *edit);
   }
   const edit::Revision seen = request.revision.value_or(history.revision());
   if (seen > history.revision())

@@ -37,11 +37,7 @@ struct Subject {
     return inverse ? "accepted" : inverse.error().path + ": " + std::string(name(inverse.error().code));
   }
 
-  std::string children(const std::string& parent) const {
-    std::string out;
-    for (const std::string& id : tree.list(parent, ListName::children)) out += (out.empty() ? "" : " ") + id;
-    return out;
-  }
+  std::string children(const std::string& parent) const { return children_of(tree, parent); }
 };
 
 TEST(Insert, PutsAnElementBehindItsSiblingOrInFront) {
@@ -233,6 +229,21 @@ TEST(Apply, RefusesDocumentsWithTooMuchText) {
   EXPECT_EQ(apply(tree, doc(most + 1)).error().code, ErrorCode::too_large);
   EXPECT_TRUE(text_of(tree) == before);
   EXPECT_TRUE(apply(tree, doc(most)));
+}
+
+TEST(Apply, MeasuresTextOnOneLineByTheLimitsOfItsReader) {
+  const auto doc = [](std::size_t bytes) { return Edit{{Set{"a", "doc", {}, Value(std::string(bytes, 'x'))}}}; };
+  const std::size_t bytes = to_json(rcm::write_document(apply(small_document(), doc(9))->document)).size();
+  Tree small = Tree::read(small_document(), JsonLimits{.bytes = bytes}).value();
+  const std::string before = text_of(small);
+  EXPECT_EQ(apply(small, doc(10)).error().code, ErrorCode::too_large);
+  EXPECT_EQ(text_of(small), before);
+  EXPECT_TRUE(apply(small, doc(9)));
+  // A state with n levels below it, in the root: its innermost `meta` is at level 5 + 2 n.
+  const auto inserted = [](int levels) { return Edit{{Insert{{"r", ListName::children, {}}, nested(levels, "n")}}}; };
+  Tree deep = Tree::read(small_document(), JsonLimits{.depth = 99}).value();
+  EXPECT_EQ(apply(deep, inserted(48)).error().code, ErrorCode::too_deep);
+  EXPECT_TRUE(apply(deep, inserted(47)));
 }
 
 }  // namespace

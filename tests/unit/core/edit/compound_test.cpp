@@ -3,12 +3,12 @@
 #include "core/edit/compound.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
+#include "core/edit/references.h"
 #include "core/rcm/constraints.h"
 #include "core/rcm/ids.h"
 #include "tests/unit/core/edit/documents.h"
+#include "tests/unit/core/rcm/cases.h"
 
 namespace race::edit {
 namespace {
@@ -73,7 +73,7 @@ class Model {
   }
 
   std::string below(const std::string& parent, std::string_view name) const {
-    for (int list = 0; list < 7; ++list) {
+    for (std::size_t list = 0; list < kListCount; ++list) {
       for (const std::string& id : tree_.list(parent, static_cast<ListName>(list))) {
         if (name_of(tree_.find(id)->content) == name) return id;
       }
@@ -179,6 +179,71 @@ TEST(Rename, RefusesToMissAReferenceInATextThatCannotBeParsed) {
   m.apply(rename(m.tree(), m["Root/v"], "w"));
 }
 
+/// A is a link that takes over `w` from the library, on the way through another link; B gives it an expression.
+Model taken_over() {
+  return Model(json(R"({'rcm': 1,
+    'library': [{'state': 'L', 'parameters': [{'name': 'w', 'from': 'par.p + chi.C.res.r'},
+                                              {'name': 'x', 'from': 'par.p'}]},
+                {'state': 'M', 'link': 'L', 'parameters': [{'name': 'x', 'from': 'chi.C.res.s'}]}],
+    'root': {'state': 'R', 'first': 'A', 'parameters': [{'name': 'p', 'value': 1}], 'children': [
+      {'state': 'A', 'link': 'M'},
+      {'state': 'B', 'link': 'L', 'parameters': [{'name': 'w', 'value': 1}, {'name': 'x', 'value': 1}]},
+      {'state': 'C', 'results': [{'name': 'r'}, {'name': 's'}, {'name': 't'}],
+       'parameters': [{'name': 'q', 'from': 'par.p'}]}]}})"));
+}
+
+TEST(TakenOver, HasTheTextsOfTheLinksThatGiveNoExpression) {
+  const Model m = taken_over();
+  std::vector<std::string> found;
+  for (const TakenOver& taken : taken_over_texts(m.tree(), m["R"])) {
+    EXPECT_EQ(taken.link, m["R/A"]);
+    found.push_back(taken.text.text);
+  }
+  EXPECT_EQ(found, (std::vector<std::string>{"chi.C.res.s", "par.p + chi.C.res.r"}));
+}
+
+TEST(Rename, RefusesWhatATextOfTheLibraryNamesForALink) {
+  Model m = taken_over();
+  ASSERT_EQ(m.violations(), "");
+  for (const char* named : {"R/p", "R/C", "R/C/r", "R/C/s"})
+    EXPECT_EQ(refusal(rename(m.tree(), m[named], "new")), m["R/A"] + ": scope") << named;
+  m.apply(rename(m.tree(), m["R/C/t"], "new"));
+  m.apply(Edit{{Insert{{m["R"], ListName::variables, {}}, json("{'name': 'u', 'meta': {'id': 'u'}}")}}});
+  m.apply(Edit{{Set{m["library/L/w"], "from", {}, Value("par.p + var.free")}}});
+  EXPECT_EQ(refusal(rename(m.tree(), "u", "free")), "name: duplicate");
+  m.apply(Edit{{Set{m["library/L/w"], "from", {}, Value("(par.p")}}});
+  EXPECT_EQ(refusal(rename(m.tree(), m["R/p"], "q")), m["library/L/w"] + ": syntax");
+  m.apply(Edit{{Remove{m["R/A"]}, Set{m["R"], "first", {}, {}}}});
+  m.apply(rename(m.tree(), m["R/p"], "q"));
+}
+
+TEST(Group, RefusesLinksWhoseExpressionsStandInTheLibrary) {
+  Model m = taken_over();
+  EXPECT_EQ(refusal(group(m.tree(), {m["R/A"]}, "G", "s")), m["R/A"] + ": scope");
+  EXPECT_EQ(refusal(group(m.tree(), {m["R/C"]}, "G", "s")), m["R/A"] + ": scope") << "A reads a result of C";
+  m.apply(group(m.tree(), {m["R/B"]}, "G", "s"));
+  EXPECT_EQ(m.violations(), "");
+  m.apply(ungroup(m.tree(), m["R/G"]));
+}
+
+TEST(Ungroup, RefusesLinksWhoseExpressionsStandInTheLibrary) {
+  Model m(json(R"({'rcm': 1, 'library': [{'state': 'L', 'parameters': [{'name': 'w', 'from': 'par.p'}]},
+                                         {'state': 'M', 'parameters': [{'name': 'w', 'from': 'chi.G.res.r'}]},
+                                         {'state': 'N', 'parameters': [{'name': 'w', 'from': 'chi.K.res.r'}]}],
+    'root': {'state': 'R', 'first': 'G', 'parameters': [{'name': 'q', 'value': 1}], 'children': [
+      {'state': 'G', 'first': 'A', 'parameters': [{'name': 'p', 'from': 'par.q'}], 'results': [{'name': 'r'}],
+       'actions': [{'when': 'available(chi.K.res.r)', 'do': 'res.r = chi.K.res.r'}],
+       'children': [{'state': 'A', 'link': 'L'}, {'state': 'D', 'link': 'N'}, {'state': 'K', 'results': [{'name': 'r'}]}]},
+      {'state': 'B', 'link': 'M'}]}})"));
+  ASSERT_EQ(m.violations(), "");
+  EXPECT_EQ(refusal(ungroup(m.tree(), m["R/G"])), m["R/G/A"] + ": scope");
+  m.apply(Edit{{Remove{m["R/G/A"]}, Set{m["R/G"], "first", {}, Value("D")}}});
+  EXPECT_EQ(refusal(ungroup(m.tree(), m["R/G"])), m["R/B"] + ": scope");
+  m.apply(Edit{{Remove{m["R/B"]}}});
+  m.apply(ungroup(m.tree(), m["R/G"]));
+  EXPECT_EQ(m.violations(), "") << "K is a sibling of D as before";
+}
+
 TEST(RenameService, ChangesItsKeyAndCode) {
   Model m = task();
   m.apply(rename_service(m.tree(), "arm", "left"));
@@ -187,6 +252,8 @@ TEST(RenameService, ChangesItsKeyAndCode) {
   EXPECT_EQ(std::get<rcm::Action>(m.tree().find(action)->content).code, "svc[\"left\"].stop(chi.T.res.got)");
   EXPECT_EQ(refusal(rename_service(m.tree(), "arm", "x")), "key: not_found");
   EXPECT_EQ(refusal(rename_service(m.tree(), "left", "")), "name: name");
+  m.apply(Edit{{Set{m["Root"], "exit", {}, Value("svc.right.stop()")}}});
+  EXPECT_EQ(refusal(rename_service(m.tree(), "left", "right")), "name: duplicate") << "an undeclared service";
 }
 
 TEST(Connect, LetsPortsAndBarriersLeadToSiblings) {
@@ -363,22 +430,20 @@ TEST(Ungroup, RefusesStatesThatDoSomethingThemselves) {
 }
 
 rcm::Document demo(const char* file) {
-  std::ostringstream text;
-  text << std::ifstream(std::string(RACE_SOURCE_DIR "/deploy/demo/") + file).rdbuf();
-  return rcm::read_document_text(text.str()).value();
+  return rcm::read_document_text(rcm::read_text(std::string(RACE_SOURCE_DIR "/deploy/demo/") + file)).value();
 }
 
 /// Some 40 elements, from all parts.
 Ids some_of(const Tree& tree) {
   Ids all, out;
-  tree.for_each([&](const Element& element, std::size_t) { all.push_back(meta_of(element.content).id); });
+  tree.for_each([&](const Element& element) { all.push_back(meta_of(element.content).id); });
   for (std::size_t i = 0; i < all.size(); i += 1 + all.size() / 40) out.push_back(all[i]);
   return out;
 }
 
 Ids states_of(const Tree& tree) {
   Ids out;
-  tree.for_each([&](const Element& element, std::size_t) {
+  tree.for_each([&](const Element& element) {
     if (std::holds_alternative<rcm::State>(element.content)) out.push_back(meta_of(element.content).id);
   });
   return out;

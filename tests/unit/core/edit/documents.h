@@ -49,6 +49,13 @@ inline Edit edit_of(std::string operations) {
   return edit ? *edit : Edit{};
 }
 
+/// The ids of the children of a state, with spaces between them.
+inline std::string children_of(const Tree& tree, std::string_view parent) {
+  std::string out;
+  for (const std::string& id : tree.list(parent, ListName::children)) out += (out.empty() ? "" : " ") + id;
+  return out;
+}
+
 inline std::string text_of(const Tree& tree) { return rcm::format_document(tree.document()); }
 
 }  // namespace race::edit

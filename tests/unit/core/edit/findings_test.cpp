@@ -68,7 +68,7 @@ TEST(CodeChecks, FindTheSameAsWithoutThemAfterEveryEdit) {
   EXPECT_GT(with_names, edits / 10);
 }
 
-/// The document of documents.h has a text of an action, and two of ports.
+/// The document of documents.h has two texts of an action, `when` and `do`, and one of each of two ports.
 constexpr std::size_t kTexts = 4;
 
 TEST(CodeChecks, ReadTheTextThatWasEditedAlone) {

@@ -47,11 +47,7 @@ struct Session {
     return unless_rejected([&] { return history.redo(author); });
   }
 
-  std::string children(const std::string& parent) const {
-    std::string out;
-    for (const std::string& id : history.tree().list(parent, ListName::children)) out += (out.empty() ? "" : " ") + id;
-    return out;
-  }
+  std::string children(const std::string& parent) const { return children_of(history.tree(), parent); }
   std::string doc(const std::string& id) const { return std::get<rcm::State>(history.tree().find(id)->content).doc; }
 };
 

@@ -1,10 +1,9 @@
 // The test vectors of api/examples/edits, which the clients read, too: what an edit makes of a document.
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "core/edit/history.h"
 #include "tests/unit/core/edit/documents.h"
+#include "tests/unit/core/rcm/cases.h"
 
 namespace race::edit {
 namespace {
@@ -20,9 +19,7 @@ std::vector<Vector> vectors(std::string_view prefix) {
   for (const auto& entry : std::filesystem::directory_iterator(RACE_SOURCE_DIR "/api/examples/edits")) {
     const std::string name = entry.path().filename();
     if (!name.starts_with(prefix)) continue;
-    std::ostringstream text;
-    text << std::ifstream(entry.path()).rdbuf();
-    out.push_back({name, parse_json(text.str()).value()});
+    out.push_back({name, parse_json(rcm::read_text(entry.path())).value()});
   }
   EXPECT_GT(out.size(), 4U);
   return out;

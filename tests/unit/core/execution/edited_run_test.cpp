@@ -69,7 +69,7 @@ struct EditedRun : testing::Test {
   Progress take(const Progress& progress) {
     journal.entries.push_back(progress.entry.value());
     steps.push_back(derived_step(*execution, progress));
-    return progress;
+    return last = progress;
   }
   std::string active() const { return to_json(*execution->run().state_json().find("active")); }
   Goal goal(Goal::Kind kind, const char* path) const {
@@ -98,6 +98,7 @@ struct EditedRun : testing::Test {
   Journal journal;
   std::optional<Execution> execution;
   std::vector<Value> steps;
+  Progress last;
 };
 
 constexpr const char* kWithoutA = R"([{'op': 'set', 'id': 'r', 'field': 'first', 'value': 'B'},
@@ -129,6 +130,7 @@ TEST_F(EditedRun, StopsWithTheEditThatTakesItsGoalAway) {
   execution->set_goal(goal(Goal::Kind::entered, "R/A"));
   change(kWithoutA);
   EXPECT_THAT(edit(), IsEmpty());
+  EXPECT_TRUE(last.reached_goal);
   EXPECT_FALSE(execution->has_goal());
   EXPECT_FALSE(event("tick").reached_goal) << "the goal was given up with the edit, not with the next step";
 }
@@ -178,6 +180,47 @@ TEST_F(EditedRun, TellsWatchersToLookAnew) {
   EXPECT_EQ(to_json(*left.delta.find("active")), R"({"R/C":true,"R/A":false})");
   const auto forced = execution->force({Force::Scope::var, "R", "n", 9}, kRecorded);
   EXPECT_EQ(to_json(*(*forced)->delta.find("variables")), R"({"R":{"n":9}})");
+}
+
+TEST_F(EditedRun, HasEntriesThatAnyThreadMayRead) {
+  services.emplace("robot", service(kRobot));
+  change(kNewNames);
+  EditEntry entry = this->entry();
+  Value& robot = *entry.services.find(Value("robot"));
+  const Dict* before = &robot.as_dict();
+  EXPECT_NE(&robot.mutable_dict(), before) << "nobody else has it: only what is frozen is copied by a change";
+}
+
+// Each level of links is two levels of JSON in the native model: more of them than a document may have.
+TEST(EditBetween, ChangesStatesThatStandDeeperThanADocument) {
+  constexpr int kLevels = 40;
+  static_assert(2 * kLevels > JsonLimits{}.depth);
+  rcm::Document document =
+      rcm::read_document_text(R"({"rcm": 1, "root": {"state": "R", "meta": {"id": "r"}}})").value();
+  const auto link_to = [](int level) {
+    rcm::State link;
+    link.name = "S";
+    link.link = "L" + std::to_string(level);
+    link.meta.id = "s" + std::to_string(level);
+    return link;
+  };
+  document.root.children.emplace_back(link_to(1));
+  for (int level = 1; level <= kLevels; ++level) {
+    rcm::State& state = document.library.emplace_back();
+    state.name = "L" + std::to_string(level);
+    state.meta.id = "l" + std::to_string(level);
+    if (level < kLevels) state.children.emplace_back(link_to(level + 1));
+  }
+  const auto native = [&] { return rcm::write_native(document, rcm::translate(document).value()); };
+  const ExecutedModel before = build_model(native(), {}, "native").value();
+  document.library.back().entry = "var.x = 1";
+  document.library.back().children.emplace_back(rcm::Barrier{"B", {}, {"b", {}}});
+  const auto entry = edit_between(before, native(), {});
+  ASSERT_TRUE(entry) << to_string(entry.error());
+  EXPECT_EQ(entry->edit.operations.size(), 2U);
+  const auto after = edited(before, *entry);
+  ASSERT_TRUE(after) << to_string(after.error().front());
+  EXPECT_EQ(after->native, native());
 }
 
 TEST_F(EditedRun, TakesAForceOnlyOnceItHasBegun) {

@@ -57,7 +57,8 @@ const Value* with_id(const List& list, const std::string& id) {
   return nullptr;
 }
 
-/// "A node of M' is one of M if both have the same meta.id, the same kind, and the same node of M as parent".
+/// "A node of M' is one of M if both have the same `meta.id` (the same name, if one has no id), the same kind, and the
+/// same node of M as parent".
 std::map<std::string, std::string> same_nodes(const Nodes& before, const Nodes& after) {
   std::map<std::string, std::string> by_id;
   for (const auto& [path, node] : before) by_id[id_of(*node.json)] = path;
@@ -183,7 +184,8 @@ class Naive {
     return std::find(all.begin(), all.end(), item) != all.end();
   }
 
-  // "Latched responses, open calls and call numbers are kept by (caller, S, op); those of removed callers are dropped."
+  // "Latched responses, open calls and call numbers are kept by (caller, S, op) [...]; calls of removed callers are
+  // dropped, and what is about an event that M' does not name or an operation that it neither names nor has declared."
   void compare_calls(const Value& carried) {
     std::map<std::string, std::string> after;
     for (const auto& [path, old] : same_) after[old] = path;
@@ -301,7 +303,7 @@ class Naive {
   }
 
   // "An action is the same if state, `when` and `do` are the same (k-th equal one to k-th); a new or changed action
-  // with `svc` in an active state starts as served".
+  // that contains `svc` as R19 says starts, in an active state, as served".
   void compare_actions(const std::string& path, const Node& node, const Value& then, const Value& carried) {
     const auto old = old_path(path);
     const auto texts = [](const Value& action) { return text(action, "when") + "\n->" + text(action, "do"); };
