@@ -105,8 +105,11 @@ describe("waiting", () => {
 
     await fixture.page.setViewportSize({ width: 1280, height: 800 });
     await post("/documents/edited?draft=true", task(...steps("Nowhere"), { state: "New", ports: [{ ...never, to: "Nowhere" }] }), "PUT");
-    await expect.poll(() => panel.innerText(), kSoon).toContain("has errors and cannot be executed");
+    await expect.poll(() => panel.innerText(), kSoon).toContain(`has ${names.length + 1} errors and cannot be executed`);
     expect([await panel.getByRole("listitem").count(), await panel.getByRole("button").count()]).toEqual([names.length + 1, names.length]);
+    await fixture.page.reload();
+    await expect.poll(() => panel.getByRole("button").count(), kSoon).toBe(names.length);
+    expect(await panel.innerText(), "also on a page that is opened later").toContain("cannot be executed");
     await panel.getByRole("button").first().click();
     await fixture.page.locator(".port.is-selected").waitFor(kSoon);
     await fixture.screenshot("waiting-edit-refused");

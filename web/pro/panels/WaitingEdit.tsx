@@ -3,15 +3,16 @@ import { editText } from "../../shared/run/edits";
 import type { ModelTree } from "../../shared/model/modelTree";
 import { selectionAt } from "../../shared/session/view";
 import { useCore, view } from "../client";
+import { CodeText } from "./CodeText";
 import { Icon } from "./Icon";
 
 /** A place is a link if the model of the run has it: an edit may be about elements of its own. */
 function Obstacle({ tree, path, text }: { readonly tree: ModelTree | undefined; readonly path: string; readonly text: string }) {
   const selection = tree && selectionAt(tree, path);
-  if (selection === undefined) return <>{text}</>;
+  if (selection === undefined) return <CodeText text={text} />;
   return (
     <button type="button" className="link" onClick={() => view.dispatch({ type: "jump", selection })}>
-      {text}
+      <CodeText text={text} />
     </button>
   );
 }

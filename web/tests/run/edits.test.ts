@@ -44,7 +44,7 @@ describe("an edit of a running task", () => {
   it("that cannot be executed is named with its errors, before one that waits", () => {
     const errors = [{ path: "Pick", code: "first", message: "names no child" }];
     const text = editText({ ...core, refused_edit: { revision: 5, errors }, waiting_edit: { revision: 4, waits: [] } });
-    expect(text?.title).toBe("Revision 5 of pick has errors and cannot be executed");
+    expect(text?.title).toBe("Revision 5 of pick has 1 error and cannot be executed");
     expect(text?.waits).toEqual([{ path: "Pick", text: "Pick: names no child" }]);
   });
 
