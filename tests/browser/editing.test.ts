@@ -45,7 +45,7 @@ function openClient(url: string, name: string, malformed: unknown[]): Client {
     made.push(`${name}-${made.length}`);
     return made.at(-1) ?? "";
   };
-  const editor = openEditor(stream, kName, name, { onSession: () => undefined, onNotice: (notice) => notices.push(notice) }, newToken);
+  const editor = openEditor(stream, "connecting", kName, name, { onSession: () => undefined, onNotice: (notice) => notices.push(notice) }, newToken);
   later.editor = editor;
   return { editor, stream, made, notices };
 }

@@ -87,4 +87,31 @@ describe("waiting", () => {
     await filter.fill("no such word");
     await fixture.page.getByText("No lines.").waitFor();
   });
+
+  it("is shown of an edit: a list that scrolls, and errors that lead to what the run has of them", async () => {
+    const names = Array.from({ length: 24 }, (_, i) => `Step${i}`);
+    const steps = (to: string) => names.map((state) => ({ state, ports: [{ name: "next", when: "False", to }] }));
+    const task = (...children: readonly object[]) => ({ rcm: 1, name: "edited", root: { state: "Root", children: [...children, { state: "End" }], ports: [never] } });
+    const id = await start("edited", { ...task({ barrier: "Split", to: names }, ...steps("End")).root, first: "Split" });
+    await post(`/cores/${id}/live`, { live: true }, "PUT");
+    await post("/documents/edited", task(), "PUT");
+    await fixture.page.setViewportSize({ width: 390, height: 844 });
+    await fixture.page.goto(`${fixture.url}/pro/?run=${id}`);
+    const panel = fixture.page.getByRole("status", { name: "Waiting edit" });
+    await expect.poll(() => panel.getByRole("button").count(), kSoon).toBe(names.length);
+    expect(await panel.getByRole("listitem").first().innerText()).toBe("Root/Step0 is active, and the edit removes it");
+    expect((await panel.boundingBox())?.height).toBeLessThan(200);
+    await fixture.screenshot("waiting-edit");
+
+    await fixture.page.setViewportSize({ width: 1280, height: 800 });
+    await post("/documents/edited?draft=true", task(...steps("Nowhere"), { state: "New", ports: [{ ...never, to: "Nowhere" }] }), "PUT");
+    await expect.poll(() => panel.innerText(), kSoon).toContain(`has ${names.length + 1} errors and cannot be executed`);
+    expect([await panel.getByRole("listitem").count(), await panel.getByRole("button").count()]).toEqual([names.length + 1, names.length]);
+    await fixture.page.reload();
+    await expect.poll(() => panel.getByRole("button").count(), kSoon).toBe(names.length);
+    expect(await panel.innerText(), "also on a page that is opened later").toContain("cannot be executed");
+    await panel.getByRole("button").first().click();
+    await fixture.page.locator(".port.is-selected").waitFor(kSoon);
+    await fixture.screenshot("waiting-edit-refused");
+  });
 });

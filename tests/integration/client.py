@@ -77,6 +77,12 @@ class Server:
             shutil.rmtree(self.data)
         assert status == 0, f"the server ended with status {status}"
 
+    def kill(self):
+        """Sends SIGKILL; the data folder stays."""
+        self.process.kill()
+        self.process.wait(TIMEOUT)
+        self.process.stdout.close()
+
     def request(self, method, path, body=None, headers=None):
         """(status, parsed JSON or text); openapi.yaml must list the status for this route."""
         connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=TIMEOUT)

@@ -1,7 +1,5 @@
 """Documents and drafts with every revision over REST: author, message, restore, branch; they survive a restart."""
-import shutil
 import sqlite3
-import tempfile
 import time
 import unittest
 from contextlib import closing
@@ -9,6 +7,7 @@ from pathlib import Path
 
 import models
 from client import Server
+from server_case import ServerCase
 
 
 def task(name="task", doc="", **root):
@@ -19,24 +18,12 @@ def codes(answer):
     return [error["code"] for error in answer["errors"]]
 
 
-class Documents(unittest.TestCase):
-    def setUp(self):
-        self.data = tempfile.mkdtemp(prefix="race-test-")
-        self.server = Server(data=self.data)
-
-    def tearDown(self):
-        self.server.stop()
-        shutil.rmtree(self.data)
-
+class Documents(ServerCase):
     def put(self, body, query="", name="task"):
         return self.server.put(f"/documents/{name}{query}", body, "document_entry")
 
     def revisions(self, query="", name="task"):
         return self.server.get(f"/documents/{name}/revisions{query}", "revisions")["revisions"]
-
-    def restart(self):
-        self.server.stop()
-        self.server = Server(data=self.data)
 
     def test_every_revision_is_kept_with_author_time_and_message(self):
         begin = int(time.time() * 1000) - 1000

@@ -8,10 +8,11 @@ import unittest
 from contextlib import closing
 
 import models
-from client import Server, Stream
+from client import Stream
 from crash_scenario import Connection
 from document_replica import Replica
 from random_author import RandomAuthor
+from server_case import ServerCase
 from traced_server import TracedServer
 
 EDITS = int(os.environ.get("RACE_EDITS", "300"))
@@ -25,21 +26,7 @@ def crowded(name="crowd"):
         {"state": f"S{i}", "meta": {"id": f"s{i}"}, "children": [{"state": "T", "meta": {"id": f"t{i}"}}]} for i in range(4)]})
 
 
-class Crowd(unittest.TestCase):
-    def setUp(self):
-        self.data = tempfile.mkdtemp(prefix="race-test-")
-        self.server = Server(data=self.data)
-
-    def tearDown(self):
-        self.server.stop()
-        shutil.rmtree(self.data)
-
-    def kill(self):
-        self.server.process.kill()
-        self.server.process.wait()
-        self.server.process.stdout.close()
-        self.server = Server(data=self.data)
-
+class Crowd(ServerCase):
     def entry(self):
         return self.server.get("/documents/crowd", "document_entry")
 

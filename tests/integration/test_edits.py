@@ -1,13 +1,11 @@
 """Several authors edit a document, over REST and the stream: what is rebased, rejected, undone, shown and kept."""
 import json
-import shutil
-import tempfile
 import unittest
-from contextlib import closing
 
 import models
-from client import PROJECT, Server
+from client import PROJECT
 from document_replica import Replica, apply, elements
+from server_case import ServerCase
 
 
 def task(name="task", **root):
@@ -38,24 +36,12 @@ def codes(answer):
     return [(error["path"], error["code"]) for error in answer["errors"]]
 
 
-class EditTest(unittest.TestCase):
-    """A server with a folder of its own, which may be killed, and the document `task`."""
+class EditTest(ServerCase):
+    """A server with the document `task`."""
 
     def setUp(self):
-        self.data = tempfile.mkdtemp(prefix="race-test-")
-        self.server = Server(data=self.data)
+        super().setUp()
         self.server.put("/documents/task", task(), "document_entry")
-
-    def tearDown(self):
-        self.server.stop()
-        shutil.rmtree(self.data)
-
-    def kill(self):
-        """kill -9, and another server on the same folder."""
-        self.server.process.kill()
-        self.server.process.wait()
-        self.server.process.stdout.close()
-        self.server = Server(data=self.data)
 
     def edit(self, *operations, author="Ada", revision=1, status=200, name="task", **more):
         what = {"operations": list(operations)} if operations else {}

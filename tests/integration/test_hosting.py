@@ -266,9 +266,7 @@ class Boot(unittest.TestCase):
         server = Server(data=self.data)
         core = self.cores(server)["endless"]["id"]
         server.wait(core, lambda c: c["step"] > 10)
-        server.process.kill()
-        server.process.wait()
-        server.process.stdout.close()
+        server.kill()
         for _ in range(2):  # it waits over restarts, too
             with Server(data=self.data) as server:
                 [waiting] = server.get("/cores", "cores")["cores"]

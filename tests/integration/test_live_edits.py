@@ -1,7 +1,5 @@
 """Cores that follow the edits of their documents while they run, and what a person forces in them (SEMANTICS section 9)."""
 import json
-import os
-import signal
 import subprocess
 import tempfile
 import time
@@ -9,6 +7,7 @@ import unittest
 
 import models
 from client import PROGRAM, Server
+from server_case import ServerCase
 
 
 def waiting(name, first="A", **more):
@@ -209,29 +208,24 @@ class LiveEdits(unittest.TestCase):
         self.assertEqual(self.active(core), ["Root", "Root/Renamed"])
 
 
-class AfterACrash(unittest.TestCase):
+class AfterACrash(ServerCase):
     def test_an_edited_run_is_rebuilt_with_its_model_and_follows_nothing(self):
-        with tempfile.TemporaryDirectory() as data:
-            server = Server(data=data)
-            core = server.core(waiting("crash"))
-            server.put(f"/cores/{core}/live", {"live": True}, "core")
-            document = server.get("/documents/crash", "document_entry")["document"]
-            document["root"]["children"].append({"state": "D"})
-            document["root"]["children"][0]["ports"][0]["to"] = "D"
-            revision = server.put("/documents/crash", document, "document_entry")["revision"]
-            server.wait(core, lambda c: c["revision"] == revision)
-            server.post(f"/cores/{core}/force", {"path": "Root", "scope": "var", "name": "n", "value": 9}, "core")
-            os.kill(server.process.pid, signal.SIGKILL)
-            server.process.wait()
-            server.process.stdout.close()
-            with Server(data=data) as again:
-                back = again.get(f"/cores/{core}", "core")
-                self.assertEqual((back["status"], back["revision"], back["live"]), ("interrupted", revision, False))
-                self.assertEqual(len(again.get(f"/cores/{core}/native", "native")["document"]["root"]["children"]), 4)
-                again.post(f"/cores/{core}/resume", None, "core")
-                again.post(f"/cores/{core}/force", {"path": "Root/A", "scope": "port", "name": "next"}, "core")
-                state = again.get(f"/cores/{core}/state", "core_state")["state"]
-                self.assertEqual((state["active"], state["variables"]["Root"]["n"]), (["Root", "Root/D"], 9))
+        core = self.server.core(waiting("crash"))
+        self.server.put(f"/cores/{core}/live", {"live": True}, "core")
+        document = self.server.get("/documents/crash", "document_entry")["document"]
+        document["root"]["children"].append({"state": "D"})
+        document["root"]["children"][0]["ports"][0]["to"] = "D"
+        revision = self.server.put("/documents/crash", document, "document_entry")["revision"]
+        self.server.wait(core, lambda c: c["revision"] == revision)
+        self.server.post(f"/cores/{core}/force", {"path": "Root", "scope": "var", "name": "n", "value": 9}, "core")
+        self.kill()
+        back = self.server.get(f"/cores/{core}", "core")
+        self.assertEqual((back["status"], back["revision"], back["live"]), ("interrupted", revision, False))
+        self.assertEqual(len(self.server.get(f"/cores/{core}/native", "native")["document"]["root"]["children"]), 4)
+        self.server.post(f"/cores/{core}/resume", None, "core")
+        self.server.post(f"/cores/{core}/force", {"path": "Root/A", "scope": "port", "name": "next"}, "core")
+        state = self.server.get(f"/cores/{core}/state", "core_state")["state"]
+        self.assertEqual((state["active"], state["variables"]["Root"]["n"]), (["Root", "Root/D"], 9))
 
 
 if __name__ == "__main__":

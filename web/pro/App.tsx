@@ -63,7 +63,7 @@ export function App() {
         {page === "task" && <CellInset />}
       </div>
       <footer className="foot">
-        <WaitingEdit />
+        <WaitingEdit tree={tree} />
         <Interruption />
         <RunBar />
         <Drawer />

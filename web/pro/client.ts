@@ -6,9 +6,11 @@ import type { Command, UntilRequest } from "../shared/run/controls";
 import { modelKey } from "../shared/run/edits";
 import { draftOf } from "../shared/session/draft";
 import { firstShown, lastShown, type LastShown } from "../shared/session/firstShown";
+import { createModelLoader } from "../shared/session/modelLoader";
 import { applyEvent, cellUnavailable, emptySession, watchedCore, type Session, type SessionEvent } from "../shared/session/session";
 import { applyGesture, firstView, type Gesture, type View } from "../shared/session/view";
 import { addressOfRun, coreToWatch, runOfAddress } from "../shared/session/watched";
+import type { StreamUpdate } from "../shared/messages/stream";
 import { openStream, type Stream } from "../shared/stream";
 import { createStore, useSelected } from "./store";
 
@@ -52,6 +54,9 @@ function gather(id: string, steps: readonly TraceStep[]): void {
   }, kGather);
 }
 
+/** Updates that say of which edit the model of a core is. */
+const kBringsCore: ReadonlySet<StreamUpdate["type"]> = new Set(["cores", "core", "state", "state_changed"]);
+
 /** Opens the stream and loads what never changes; the connection stays until the page is closed. */
 export function connect(): void {
   const scheme = location.protocol === "https:" ? "wss" : "ws";
@@ -68,7 +73,7 @@ export function connect(): void {
       else session.dispatch({ type: "update", update });
       if (update.type === "derivation_position") void loadPast(update.id, update.next);
       if (update.type === "cores" || update.type === "core") watchSomething();
-      refreshModel();
+      if (kBringsCore.has(update.type)) refreshModel();
     },
   });
   for (const channel of ["cores", "services", "log", "cell/pose"]) stream.subscribe(channel);
@@ -76,14 +81,14 @@ export function connect(): void {
 
 function opened(): void {
   void loadLists();
-  const { watched, model } = session.get();
-  if (watched !== undefined && model === undefined) loadModel(watched);
+  models.forget();
+  refreshModel();
 }
 
-/** An edit of the run has made another model of it. */
+/** Loads the model of the watched core if the page has none of its last edit. */
 function refreshModel(): void {
   const core = watchedCore(session.get());
-  if (core !== undefined && session.get().model !== undefined && modelKey(core) !== session.get().modelKey) loadModel(core.id);
+  if (core !== undefined && modelKey(core) !== session.get().modelKey) loadModel(core.id);
 }
 
 async function loadLists(): Promise<void> {
@@ -125,6 +130,7 @@ export function watch(id: string | undefined): void {
   }
   session.dispatch({ type: "watched", id });
   view.dispatch({ type: "forget" });
+  models.forget();
   if (id === undefined) return;
   history.replaceState(null, "", addressOfRun(location.search, id));
   stream?.subscribe(`core/${id}/state`);
@@ -132,26 +138,20 @@ export function watch(id: string | undefined): void {
   loadModel(id);
 }
 
-/** The model that is being loaded: one at a time of each edit. */
-let loading: string | undefined;
+const models = createModelLoader((id) => api.coreModel(id), {
+  onModel: (id, key, model) => {
+    const now = session.get();
+    if (now.watched !== id || now.modelKey === key) return;
+    if (now.model === undefined)
+      view.dispatch({ type: "show_again", shown: firstShown(buildTree(model.root), now.document, last, view.get().detail) });
+    session.dispatch({ type: "model", id, key, model });
+  },
+  onError: problem,
+});
 
 function loadModel(id: string): void {
   const core = watchedCore(session.get());
-  const key = core === undefined ? "" : modelKey(core);
-  if (loading === `${id} ${key}`) return;
-  loading = `${id} ${key}`;
-  void api
-    .coreModel(id)
-    .then((model) => {
-      const now = session.get();
-      if (now.watched !== id || now.modelKey === key) return;
-      if (now.model === undefined)
-        view.dispatch({ type: "show_again", shown: firstShown(buildTree(model.root), now.document, last, view.get().detail) });
-      session.dispatch({ type: "model", id, key, model });
-    }, problem)
-    .finally(() => {
-      loading = undefined;
-    });
+  models.load(id, core === undefined ? "" : modelKey(core));
 }
 
 /** Lets the watched core follow the edits of its document, or not. */

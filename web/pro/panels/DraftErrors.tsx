@@ -1,5 +1,6 @@
 // The errors of a draft, in the place of a drawing: a document with errors has no model.
-import { errorsText, placeText } from "../../shared/session/draft";
+import { errorsText } from "../../shared/run/errorsText";
+import { placeText } from "../../shared/session/draft";
 import { useSession, view } from "../client";
 import { CodeText } from "./CodeText";
 

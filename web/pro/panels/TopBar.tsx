@@ -2,7 +2,8 @@
 import { useMemo, useState } from "react";
 import { statusText } from "../../shared/run/controls";
 import { interruptedElsewhere, isInterrupted } from "../../shared/run/interruption";
-import { documentText, errorCount, errorsText, refusalToStart } from "../../shared/session/draft";
+import { errorsText } from "../../shared/run/errorsText";
+import { documentText, errorCount, refusalToStart } from "../../shared/session/draft";
 import { keysOf } from "../../shared/session/shortcuts";
 import type { Page } from "../../shared/session/view";
 import { dismissProblem, newRun, showErrors, useCore, useSession, useView, view, watch } from "../client";

@@ -1,11 +1,24 @@
 // An edit of the document that the run has not got, above the run bar, with what it waits for.
 import { editText } from "../../shared/run/edits";
-import { useCore, useSession, view } from "../client";
+import type { ModelTree } from "../../shared/model/modelTree";
+import { selectionAt } from "../../shared/session/view";
+import { useCore, view } from "../client";
+import { CodeText } from "./CodeText";
 import { Icon } from "./Icon";
 
-export function WaitingEdit() {
+/** A place is a link if the model of the run has it: an edit may be about elements of its own. */
+function Obstacle({ tree, path, text }: { readonly tree: ModelTree | undefined; readonly path: string; readonly text: string }) {
+  const selection = tree && selectionAt(tree, path);
+  if (selection === undefined) return <CodeText text={text} />;
+  return (
+    <button type="button" className="link" onClick={() => view.dispatch({ type: "jump", selection })}>
+      <CodeText text={text} />
+    </button>
+  );
+}
+
+export function WaitingEdit({ tree }: { readonly tree: ModelTree | undefined }) {
   const core = useCore();
-  const known = useSession((s) => s.model);
   const text = core === undefined ? undefined : editText(core);
   if (text === undefined) return null;
   return (
@@ -15,15 +28,9 @@ export function WaitingEdit() {
         <strong>{text.title}</strong>
         {text.waits.length > 0 && (
           <ul>
-            {text.waits.map(({ path, text: why }) => (
-              <li key={why}>
-                {known === undefined || path === "" ? (
-                  why
-                ) : (
-                  <button type="button" className="link" onClick={() => view.dispatch({ type: "jump", selection: { kind: "node", path } })}>
-                    {why}
-                  </button>
-                )}
+            {text.waits.map(({ path, text: why }, i) => (
+              <li key={i}>
+                <Obstacle tree={tree} path={path} text={why} />
               </li>
             ))}
           </ul>

@@ -30,35 +30,40 @@ function inputOf(update: StreamUpdate): SessionInput | undefined {
       return { type: "acknowledged", edit: update.edit };
     case "edit_refused":
       return { type: "refused", refusal: update.refusal };
+    case "refused":
+      return { type: "ended", channel: update.channel, errors: update.errors };
     default:
       return undefined;
   }
 }
 
-/** The document that an input is about; nothing if it is about none. */
-function documentIn(input: SessionInput): string | undefined {
+/** The channel of the document that an input is about; nothing if it is about none. */
+function channelIn(input: SessionInput): string | undefined {
   switch (input.type) {
     case "snapshot":
-      return input.snapshot.document;
+      return channelOf(input.snapshot.document);
     case "refused":
-      return input.refusal.document;
+      return channelOf(input.refusal.document);
+    case "ended":
+      return input.channel;
     case "accepted":
     case "acknowledged":
-      return input.edit.document;
+      return channelOf(input.edit.document);
     default:
       return undefined;
   }
 }
 
-/** Follows and edits `document` as `author`. `newToken`: 1 to 64 of A-Z a-z 0-9 _ -, each time others. */
+/** Follows and edits `document` as `author`. `connection`: of the stream, now. `newToken`: 1 to 64 of A-Z a-z 0-9 _ -, each time others. */
 export function openEditor(
   stream: Pick<Stream, "send" | "subscribe" | "unsubscribe">,
+  connection: Connection,
   document: string,
   author: string,
   handlers: EditorHandlers,
   newToken: () => string = () => crypto.randomUUID(),
 ): Editor {
-  let session = newSession(document, author);
+  let session: EditSession = { ...newSession(document, author), connected: connection === "open" };
   let retrying: ReturnType<typeof setTimeout> | undefined;
   const put = (input: SessionInput) => {
     const { session: next, messages, notices, retry } = step(session, input);
@@ -82,9 +87,9 @@ export function openEditor(
     edit: (change) => put({ type: "edit", request: newToken(), change }),
     receive: (update) => {
       const input = inputOf(update);
-      if (input !== undefined && documentIn(input) === document) put(input);
+      if (input !== undefined && channelIn(input) === channelOf(document)) put(input);
     },
-    connection: (connection) => put({ type: "connection", connected: connection === "open" }),
+    connection: (now) => put({ type: "connection", connected: now === "open" }),
     close: () => {
       clearTimeout(retrying);
       stream.unsubscribe(channelOf(document));

@@ -42,7 +42,8 @@ export interface EditSession {
   readonly stale: boolean;
   /** As the server has it; nothing before the first snapshot, and of a document that cannot be edited (`unreadable`). */
   readonly confirmed: { readonly tree: Tree; readonly revision: number } | undefined;
-  readonly unreadable: Refusal | undefined;
+  /** Why there is nothing to edit: the document is not on the server, or is none that can be read here. */
+  readonly unreadable: ServerError | undefined;
   /** The confirmed document with the pending edits, as far as they can be applied to it. */
   readonly view: Tree | undefined;
   /** Violations of the confirmed document. */
@@ -61,6 +62,8 @@ export type SessionInput =
   /** To this page only; the channel says the same, before or after, if it is subscribed. */
   | { readonly type: "acknowledged"; readonly edit: AcceptedEdit }
   | { readonly type: "refused"; readonly refusal: EditRefusal }
+  /** There is no channel of this document, or not any more. It is asked for again when the connection returns. */
+  | { readonly type: "ended"; readonly channel: string; readonly errors: readonly ServerError[] }
   | { readonly type: "connection"; readonly connected: boolean }
   /** A while after an output with `retry`. */
   | { readonly type: "retry" };
@@ -146,6 +149,11 @@ function snapshot(session: EditSession, { revision, json, errors }: DocumentSnap
   return resend(shown({ ...session, confirmed: { tree, revision }, unreadable: undefined, stale: false, errors, pending }));
 }
 
+/** Without the document nothing is shown. Pending edits wait for their own answers. */
+function ended(session: EditSession, [reason]: readonly ServerError[]): SessionOutput {
+  return quiet(shown({ ...session, confirmed: undefined, unreadable: reason, stale: false, errors: [] }));
+}
+
 /** The pending edit `request` is in the document of `revision`. */
 function acknowledge(session: EditSession, request: string | undefined, revision: number): EditSession {
   if (!session.pending.some((each) => each.request === request)) return session;
@@ -201,6 +209,8 @@ export function step(session: EditSession, input: SessionInput): SessionOutput {
       return quiet(acknowledge(session, input.edit.request, input.edit.revision));
     case "refused":
       return refused(session, input.refusal);
+    case "ended":
+      return ended(session, input.errors);
     case "connection":
       return resend({ ...session, connected: input.connected, pending: session.pending.map((edit) => ({ ...edit, copies: 0 })) });
     case "retry":

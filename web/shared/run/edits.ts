@@ -1,10 +1,11 @@
 // Edits of the document of a run, in words: what is not yet in the run, and what it waits for.
 import type { Core } from "../../generated/messages";
+import { errorsText } from "./errorsText";
 import { isInterrupted } from "./interruption";
 
 export interface EditText {
   readonly title: string;
-  /** The nodes or parameters that hold it up. */
+  /** The nodes or parameters that hold it up, or what is wrong with it; the path is a node's or a port's. */
   readonly waits: readonly { readonly path: string; readonly text: string }[];
   readonly holds: string;
 }
@@ -19,15 +20,15 @@ export function editText(core: Core): EditText | undefined {
   const { waiting_edit: waiting, refused_edit: refused } = core;
   if (refused !== undefined)
     return {
-      title: `Revision ${refused.revision} of ${core.document} cannot be executed`,
+      title: `Revision ${refused.revision} of ${core.document} has ${errorsText(refused.errors.length)} and cannot be executed`,
       waits: refused.errors.map(({ path, message }) => ({ path, text: path === "" ? message : `${path}: ${message}` })),
       holds: `The run goes on with revision ${core.revision}.`,
     };
   if (waiting === undefined) return undefined;
   return {
-    title: `Revision ${waiting.revision} of ${core.document} waits`,
+    title: `Revision ${waiting.revision} of ${core.document} is not in this run yet`,
     waits: waiting.waits.map((obstacle) => ({ path: obstacle.path, text: obstacleText(obstacle) })),
-    holds: waiting.waits.length > 0 ? `Until then the run goes on with revision ${core.revision}.` : whenItGoesOn(core),
+    holds: waiting.waits.length > 0 ? `Until this changes, the run goes on with revision ${core.revision}.` : whenItGoesOn(core),
   };
 }
 

@@ -1,5 +1,6 @@
 // Documents with errors. They are stored as drafts; no run can be made of them.
 import type { DocumentEntry, DocumentSummary, ServerError } from "../../generated/messages";
+import { errorsText } from "../run/errorsText";
 
 /** A stored document with its errors, as the page lists them. */
 export interface Draft {
@@ -15,9 +16,6 @@ type Entry = Pick<DocumentEntry, "name" | "revision"> & { readonly errors?: read
 export const errorCount = ({ errors }: Summary): number => errors ?? 0;
 
 export const draftOf = ({ name, revision, errors }: Entry): Draft => ({ name, revision, errors: errors ?? [] });
-
-/** "1 error", "3 errors". */
-export const errorsText = (count: number): string => `${count} ${count === 1 ? "error" : "errors"}`;
 
 /** The document in a list. */
 export function documentText(summary: Summary): string {

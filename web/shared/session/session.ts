@@ -122,6 +122,13 @@ function withCore(cores: readonly Core[], core: Core): readonly Core[] {
     : [...cores, core];
 }
 
+/** The core in a snapshot of the state is as it was at the last input; of what has changed without one, the list of cores knows. */
+function withCounters(cores: readonly Core[], core: Core): readonly Core[] {
+  const { step, micro, waiting } = core;
+  const known = cores.find(({ id }) => id === core.id);
+  return withCore(cores, known === undefined ? core : { ...known, step, micro, waiting });
+}
+
 function applyUpdate(session: Session, update: StreamUpdate): Session {
   switch (update.type) {
     case "cores":
@@ -132,7 +139,7 @@ function applyUpdate(session: Session, update: StreamUpdate): Session {
       return { ...session, cores: session.cores.filter((core) => core.id !== update.id) };
     case "state":
       if (update.id !== session.watched) return session;
-      return { ...session, cores: withCore(session.cores, update.state.core), run: update.state.state };
+      return { ...session, cores: withCounters(session.cores, update.state.core), run: update.state.state };
     case "state_changed": {
       if (update.id !== session.watched || session.run === undefined) return session;
       const fired = applyFired(session.fired, update.delta);

@@ -20,6 +20,8 @@ class Client {
   private readonly edits: RandomEdits;
   private seen: number | undefined;
   readonly made: string[] = [];
+  /** How many of its connections the server has ended. */
+  ended = 0;
 
   constructor(
     private readonly server: SimulatedServer,
@@ -63,6 +65,13 @@ class Client {
     this.put({ type: "connection", connected: false });
   }
 
+  /** Notices that the server has ended the connection; else nothing. */
+  notice(): void {
+    if (this.connection?.isEnded !== true) return;
+    ++this.ended;
+    this.disconnect();
+  }
+
   connect(): void {
     if (this.connection !== undefined) return;
     this.connection = new Connection();
@@ -86,6 +95,7 @@ class Meeting {
 
   act(): void {
     const client = this.random.of(this.clients);
+    client.notice();
     const { connection } = client;
     const what = this.random.pick(100);
     if (connection === undefined) {
@@ -106,6 +116,7 @@ class Meeting {
     for (let isBusy = true; isBusy; ) {
       isBusy = false;
       for (const client of this.clients) {
+        client.notice();
         client.connect();
         const { connection } = client;
         if (connection === undefined) continue;
@@ -123,6 +134,7 @@ it("all clients have the server's document in the end, and each edit is in it on
   const meetings = setting("RACE_MEETINGS", 10);
   let accepted = 0;
   let rejected = 0;
+  let ended = 0;
   for (let i = 0; i < meetings; ++i) {
     const repeat = `RACE_SEED=${seed + i} RACE_MEETINGS=1`;
     const meeting = new Meeting(seed + i);
@@ -141,8 +153,10 @@ it("all clients have the server's document in the end, and each edit is in it on
     expect([...requests, ...refused].sort(), repeat).toEqual(meeting.clients.flatMap((client) => client.made).sort());
     accepted += requests.length;
     rejected += refused.length;
+    ended += meeting.clients.reduce((sum, client) => sum + client.ended, 0);
   }
-  console.log(`${accepted} accepted, ${rejected} refused`);
+  console.log(`${accepted} accepted, ${rejected} refused, ${ended} connections ended by the server`);
   expect(accepted).toBeGreaterThan(rejected);
   expect(rejected).toBeGreaterThan(meetings);
+  expect(ended).toBeGreaterThan(meetings);
 });

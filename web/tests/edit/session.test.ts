@@ -144,6 +144,13 @@ describe("a session", () => {
     expect(writeExact(messages[0])).toContain('"value":[2.0,2]');
     expect(session.view && elementOf(session.view, "p").fields["value"]).toEqual([2, 2]);
   });
+  it("says why there is no document, keeps what waits for its answer, and shows the document when it is there", () => {
+    const reason = { path: "document/small", code: "not_found", message: "there is no channel of this name" };
+    const gone = run(open, edit("t1", setDoc("a", "new")), { type: "ended", channel: "document/small", errors: [reason] });
+    expect(gone.session).toMatchObject({ confirmed: undefined, view: undefined, unreadable: reason, pending: [{ request: "t1" }] });
+    expect(run(gone.session, refused("t1"))).toMatchObject({ session: { pending: [] }, notices: [{ request: "t1" }] });
+    expect(run(gone.session, snapshot(7)).session).toMatchObject({ confirmed: { revision: 7 }, unreadable: undefined });
+  });
   it("does not edit a document that it does not have or cannot read", () => {
     const unreadable = run(open, snapshot(6, { rcm: 1, root: { state: "R" } })).session;
     expect(unreadable).toMatchObject({ view: undefined, unreadable: { code: "missing" } });

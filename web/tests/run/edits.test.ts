@@ -27,12 +27,12 @@ describe("an edit of a running task", () => {
   it("names the active states that it removes, and the parameters that would have no value", () => {
     const waits = [{ path: "Pick/Grasp", id: "g" }, { path: "Pick/Move", parameter: "goal" }];
     expect(editText({ ...core, waiting_edit: { revision: 4, waits } })).toEqual({
-      title: "Revision 4 of pick waits",
+      title: "Revision 4 of pick is not in this run yet",
       waits: [
         { path: "Pick/Grasp", text: "Pick/Grasp is active, and the edit removes it" },
         { path: "Pick/Move", text: "Pick/Move would have no value for its parameter goal" },
       ],
-      holds: "Until then the run goes on with revision 3.",
+      holds: "Until this changes, the run goes on with revision 3.",
     });
   });
 
@@ -44,7 +44,7 @@ describe("an edit of a running task", () => {
   it("that cannot be executed is named with its errors, before one that waits", () => {
     const errors = [{ path: "Pick", code: "first", message: "names no child" }];
     const text = editText({ ...core, refused_edit: { revision: 5, errors }, waiting_edit: { revision: 4, waits: [] } });
-    expect(text?.title).toBe("Revision 5 of pick cannot be executed");
+    expect(text?.title).toBe("Revision 5 of pick has 1 error and cannot be executed");
     expect(text?.waits).toEqual([{ path: "Pick", text: "Pick: names no child" }]);
   });
 

@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { documentText, draftOf, errorsText, placeText, refusalToStart } from "../../shared/session/draft";
+import { errorsText } from "../../shared/run/errorsText";
+import { documentText, draftOf, placeText, refusalToStart } from "../../shared/session/draft";
 
 describe("a document with errors", () => {
   it("is listed as a draft with the number of its errors", () => {

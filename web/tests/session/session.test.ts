@@ -23,6 +23,12 @@ describe("session", () => {
     expect(watchedCore(running)?.step).toBe(1);
     expect(receive(running, { type: "state_changed", id: "2", delta: delta([]) })).toBe(running);
   });
+  it("keeps what the list of cores says of a core whose state comes later, but its counters", () => {
+    const refused: Core = { ...core, refused_edit: { revision: 4, errors: [{ path: "", code: "first", message: "names no child" }] } };
+    const listed = receive(watching, { type: "cores", cores: [refused] });
+    const late: Core = { ...core, step: 9, waiting_edit: { revision: 3, waits: [] } };
+    expect(watchedCore(receive(listed, { type: "state", id: "1", state: { core: late, state: first.state } }))).toEqual({ ...refused, step: 9 });
+  });
   it("ignores a delta before the snapshot", () => {
     expect(receive(watching, { type: "state_changed", id: "1", delta: delta(["A.p"]) })).toBe(watching);
   });

@@ -23,7 +23,12 @@ export class Connection {
   isSubscribed = false;
   /** It was too slow: until the snapshot, messages of the channel are dropped. */
   needsSnapshot = false;
+  /** It was too slow: the server has ended it. */
+  isEnded = false;
 }
+
+/** How many messages to this client alone may be queued: nothing repeats one, so none is dropped unless the connection ends. */
+const kPrivateMessages = 3;
 
 export class SimulatedServer {
   readonly history: History;
@@ -52,7 +57,7 @@ export class SimulatedServer {
     if (message?.type === "edit") this.edit(connection, message);
   }
 
-  /** What was queued for a slow client is dropped; it gets a snapshot later. */
+  /** What was queued of the channel for a slow client is dropped; it gets a snapshot later. */
   overflow(connection: Connection): void {
     connection.toClient.splice(0, connection.toClient.length, ...connection.toClient.filter(({ sequence }) => sequence === undefined));
     connection.needsSnapshot = connection.isSubscribed;
@@ -60,6 +65,21 @@ export class SimulatedServer {
 
   catchUp(connection: Connection): void {
     if (connection.needsSnapshot) this.subscribe(connection, undefined);
+  }
+
+  /** Tells this client alone. */
+  private tell(connection: Connection, input: SessionInput): void {
+    const queued = connection.toClient.filter(({ sequence }) => sequence === undefined).length;
+    if (queued >= kPrivateMessages) this.end(connection);
+    else connection.toClient.push({ input });
+  }
+
+  /** What is under way is lost. */
+  private end(connection: Connection): void {
+    this.connections.delete(connection);
+    connection.toClient.length = 0;
+    connection.toServer.length = 0;
+    connection.isEnded = true;
   }
 
   private subscribe(connection: Connection, since: number | undefined): void {
@@ -84,7 +104,7 @@ export class SimulatedServer {
     const { request = "" } = message;
     const known = this.accepted.get(request);
     if (known !== undefined) {
-      connection.toClient.push({ input: { type: "acknowledged", edit: known } });
+      this.tell(connection, { type: "acknowledged", edit: known });
       return;
     }
     const author = message.author ?? "";
@@ -96,7 +116,7 @@ export class SimulatedServer {
     const { path, code, revision, author: other } = result;
     const errors = [{ path, code, message: "rejected" }];
     const reason = { ...(revision !== undefined && { revision }), ...(other !== undefined && { author: other }) };
-    connection.toClient.push({ input: { type: "refused", refusal: { document: this.document, request, errors, ...reason } } });
+    this.tell(connection, { type: "refused", refusal: { document: this.document, request, errors, ...reason } });
   }
 
   private publish(sender: Connection, request: string, { revision, author, kind, of, edit }: LogEntry): void {
@@ -108,7 +128,7 @@ export class SimulatedServer {
     this.deltas.push(accepted);
     for (const connection of this.connections) {
       if (connection.isSubscribed && !connection.needsSnapshot) connection.toClient.push({ input: { type: "accepted", edit: accepted }, sequence: this.deltas.length });
-      else if (connection === sender && !connection.isSubscribed) connection.toClient.push({ input: { type: "acknowledged", edit: accepted } });
+      else if (connection === sender && !connection.isSubscribed) this.tell(connection, { type: "acknowledged", edit: accepted });
     }
   }
 }
