@@ -204,6 +204,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
 
   // core_edits.cpp
   void take_edit(LiveEdit edit);
+  void follow_again();
   bool deliver_edit(std::uint32_t limit);
   void look_ahead();
   void note_obstacles(const std::vector<semantics::Obstacle>& obstacles);
@@ -263,6 +264,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   };
   std::optional<WaitingEdit> edit_;
   Value refused_edit_ = Value::unknown();  // schemas/core.json
+  std::function<void()> follow_again_;     // LiveEdit::stale, once an edit has come
 
   // Interrupted: since when it is as the journal says, until somebody lets it go on.
   struct Interruption {

@@ -72,6 +72,7 @@ void Core::refuse_edit(std::int64_t revision, const std::vector<Error>& errors) 
 // One that waits gives way to a later one, which has it in it.
 void Core::take_edit(LiveEdit edit) {
   if (!live_ || is_over()) return;
+  follow_again_ = edit.stale;
   if (edit.base != execution_.model().program) return edit.stale();
   edit_.reset();
   refused_edit_ = Value::unknown();
@@ -83,6 +84,11 @@ void Core::take_edit(LiveEdit edit) {
   }
   publish_info();
   schedule();
+}
+
+// An edit that was delivered may be lost with its entry: who brings them learns that this core needs the last one anew.
+void Core::follow_again() {
+  if (live_ && !closed_ && follow_again_) follow_again_();
 }
 
 // What it waits for, though nothing can begin now.

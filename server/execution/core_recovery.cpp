@@ -155,6 +155,7 @@ void Core::take(Rebuilt rebuilt) {
   if (!started_ || record_.is_over()) interruption_.reset();  // the disk that hung may have taken its end
   if (state_watched_) publish_snapshot(&CoreWatcher::state_snapshot);
   if (derivation_watched_) publish_next_derivation();
+  follow_again();
 }
 
 }  // namespace race::server

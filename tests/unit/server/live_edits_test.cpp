@@ -80,7 +80,6 @@ TEST_F(LiveEditsOfCores, AnEditThatCannotBeStoredHasNotHappenedAndComesAgain) {
   EXPECT_EQ(revision_of(info), revision - 1);
   disk.repair();
   EXPECT_EQ(status(core->resume()), "running");
-  edits->changed("live");
   EXPECT_EQ(at(revision).find("status")->as_string(), "running");
   EXPECT_NE(core->model().program, before);
   EXPECT_EQ(kinds(), (std::vector<std::string>{"start", "edit"}));
@@ -97,6 +96,10 @@ TEST_F(LiveEditsOfCores, OneThatWaitsForAModelThatIsNoMoreIsMadeAnew) {
   disk.repair();
   const std::int64_t second = put_variable("y");
   edits->changed("live");
+  wait(*core, [second](const Value& now) {
+    const Value* edit = now.find("waiting_edit");
+    return edit && *edit->find("revision") == Value(second);
+  });
   ASSERT_TRUE(core->resume());
   at(second);
   EXPECT_EQ(core->force({semantics::Force::Scope::var, "Root", "x", 5})->find("revision")->as_integer(), second);
