@@ -109,8 +109,9 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   /// A paused core goes as far as `goal`. One that waits for an input to get there counts as paused, and may be told
   /// another goal. Error: as execution::find_goal.
   Expected<Value> step(execution::GoalName goal);
-  /// The core is paused wherever it reaches one of `goals`; they replace those of before. Errors: `too_large`, and that
-  /// of execution::find_goal, at `breakpoints/N`.
+  /// The core is paused wherever it reaches one of `goals`; they replace those of before. After an edit an id is that
+  /// of the same element, also under another name, a path is of what is there then, and what names nothing is dropped.
+  /// Errors: `too_large`, and that of execution::find_goal, at `breakpoints/N`.
   static constexpr std::size_t kMostBreakpoints = 100;  // every delta has them
   Expected<Value> set_breakpoints(std::vector<execution::GoalName> goals);
 
@@ -250,7 +251,6 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   std::shared_ptr<RunJournal> journal_;
   HeldOutputs held_;
   execution::Execution execution_;
-  std::vector<execution::Goal> breakpoints_;
   std::vector<execution::GoalName> breakpoint_names_;
   bool started_ = false, paused_ = false, scheduled_ = false;
   Value announced_ = Value::unknown();  // what the list of cores was told last

@@ -131,14 +131,16 @@ bool Core::deliver_edit(std::uint32_t limit) {
   return true;
 }
 
-// Those that the model has; a name stays as it was given.
+// Those that the model has, also for the execution, which keeps those of the same elements: a name stays as it was
+// given, and means what it names now.
 void Core::find_breakpoints() {
-  breakpoints_.clear();
-  std::erase_if(breakpoint_names_, [this](const execution::GoalName& name) {
+  std::vector<execution::Goal> breakpoints;
+  std::erase_if(breakpoint_names_, [&](const execution::GoalName& name) {
     const auto goal = find_goal(program(), name);
-    if (goal) breakpoints_.push_back(*goal);
+    if (goal) breakpoints.push_back(*goal);
     return !goal;
   });
+  execution_.set_breakpoints(breakpoints);
 }
 
 // A person's command: it takes effect at once, also in a core that is paused, which stays so.

@@ -148,7 +148,6 @@ void Core::take(Rebuilt rebuilt) {
   model_since_ = execution_.is_edited() ? run().position() : 0;
   set_model(execution_.model());
   find_breakpoints();
-  execution_.set_breakpoints(breakpoints_);
   open_journal();
   started_ = record_.steps > 0;
   interruption_->rebuilt = true;

@@ -35,8 +35,15 @@ struct LiveEditsOfCores : HostedCores {
   // Stores the document with one more variable; its revision.
   std::int64_t put_variable(const std::string& name) {
     static const std::string kVariables = R"("variables":[)";
+    return put_with({{kVariables, kVariables + R"({"name":")" + name + R"(","initial":1},)"}});
+  }
+  // Stores the document with other words; its revision.
+  std::int64_t put_with(const std::vector<std::pair<std::string, std::string>>& words) {
     std::string text = to_json(documents->entry("live").value().document);
-    text.insert(text.find(kVariables) + kVariables.size(), R"({"name":")" + name + R"(","initial":1},)");
+    for (const auto& [from, to] : words) {
+      EXPECT_NE(text.find(from), std::string::npos) << from;
+      text.replace(text.find(from), from.size(), to);
+    }
     return documents->put("live", text).value().revision.number;
   }
   Value at(std::int64_t revision) {
@@ -133,6 +140,29 @@ TEST_F(LiveEditsOfCores, OnePausedInAMacroStepGetsItAtItsEnd) {
   EXPECT_EQ(held.find("waiting_edit")->find("waits")->as_list().size(), 0U);
   ASSERT_TRUE(core->resume());
   EXPECT_EQ(at(revision).find("step")->as_integer(), 3);
+}
+
+TEST_F(LiveEditsOfCores, ABreakpointByIdFollowsItsStateAndOneByPathIsOfWhatIsThere) {
+  const execution::Goal::Kind entered = execution::Goal::Kind::entered;
+  const std::string id = [this] {
+    const Value stored = documents->entry("live").value().document;
+    return stored.find("root")->find("children")->as_list()[1].find("meta")->find("id")->as_string();
+  }();
+  ASSERT_TRUE(core->set_breakpoints({{entered, id, ""}, {entered, {}, "Root/B"}}));
+  const std::int64_t renamed = put_with({{R"("to":"B")", R"("to":"C")"}, {R"("state":"B")", R"("state":"C")"}});
+  edits->changed("live");
+  EXPECT_EQ(*at(renamed).find("breakpoints"), parse_json(R"([{"when": "entered", "id": ")" + id + R"("}])"));
+  ASSERT_TRUE(core->set_breakpoints({{entered, {}, "Root/C"}}));
+  const std::int64_t replaced =
+      put_with({{R"("state":"C")", R"("ports":[{"name":"on","to":"C","when":"False"}],"state":"D")"},
+                {R"("to":"C")", R"("to":"D")"},
+                {R"("children":[)", R"("children":[{"state":"C"},)"}});
+  edits->changed("live");
+  EXPECT_EQ(at(replaced).find("breakpoints")->as_list().size(), 1U);
+  const Value entered_d = core->force({semantics::Force::Scope::port, "Root/A", "next"}).value();
+  EXPECT_FALSE(entered_d.find("paused")->as_bool()) << "no breakpoint that is listed is of this state";
+  const Value entered_c = core->force({semantics::Force::Scope::port, "Root/D", "on"}).value();
+  EXPECT_TRUE(entered_c.find("paused")->as_bool());
 }
 
 TEST_F(LiveEditsOfCores, NothingIsForcedInAnInterruptedCore) {
