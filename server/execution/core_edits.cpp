@@ -167,6 +167,7 @@ Dict Core::edit_info() const {
   Dict info;
   info.set("live", live_.load());
   info.set("model", static_cast<std::int64_t>(model_since_));
+  if (is_over()) return info;
   if (edit_) info.set("waiting_edit", Dict{{"revision", edit_->edit.revision}, {"waits", edit_->waits}});
   if (!refused_edit_.is_unknown()) info.set("refused_edit", refused_edit_);
   return info;

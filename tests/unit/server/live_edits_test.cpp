@@ -165,6 +165,16 @@ TEST_F(LiveEditsOfCores, ABreakpointByIdFollowsItsStateAndOneByPathIsOfWhatIsThe
   EXPECT_TRUE(entered_c.find("paused")->as_bool());
 }
 
+TEST_F(LiveEditsOfCores, NoEditWaitsForARunThatIsOver) {
+  ASSERT_TRUE(core->pause());
+  put_variable("x");
+  edits->changed("live");
+  wait(*core, [](const Value& now) { return now.find("waiting_edit") != nullptr; });
+  const Value ended = core->stop().value();
+  EXPECT_EQ(ended.find("status")->as_string(), "aborted");
+  EXPECT_EQ(ended.find("waiting_edit"), nullptr);
+}
+
 TEST_F(LiveEditsOfCores, NothingIsForcedInAnInterruptedCore) {
   disk.fail_at(1, sqlite::FaultyVfs::Fault::full, true);
   EXPECT_EQ(core->force({semantics::Force::Scope::var, "Root", "n", 1}).error().code, ErrorCode::storage);
