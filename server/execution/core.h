@@ -105,7 +105,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   /// No command begins this run any more: another model is loaded in its place. `conflict`: it has begun.
   Expected<Preparation> retire();
   /// It was not: the run may begin.
-  void reinstate() { closed_ = false; }
+  void reinstate();
   /// A paused core goes as far as `goal`. One that waits for an input to get there counts as paused, and may be told
   /// another goal. Error: as execution::find_goal.
   Expected<Value> step(execution::GoalName goal);

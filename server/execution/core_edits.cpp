@@ -55,6 +55,11 @@ Expected<Value> Core::set_live(bool live) {
   });
 }
 
+void Core::reinstate() {
+  closed_ = false;
+  strand_.post([self = shared_from_this()] { self->follow_again(); });
+}
+
 void Core::follow(LiveEdit edit) {
   strand_.post([self = shared_from_this(), edit = std::move(edit)]() mutable { self->take_edit(std::move(edit)); });
 }
@@ -62,7 +67,7 @@ void Core::follow(LiveEdit edit) {
 void Core::refuse_edit(std::int64_t revision, const std::vector<Error>& errors) {
   Value refused = Dict{{"revision", revision}, {"errors", *errors_json(errors).find("errors")}};
   strand_.post([self = shared_from_this(), refused = refused.freeze()] {
-    if (!self->live_ || self->is_over()) return;
+    if (!self->live_ || self->closed_ || self->is_over()) return;
     self->edit_.reset();
     self->refused_edit_ = refused;
     self->publish_info();
@@ -73,6 +78,7 @@ void Core::refuse_edit(std::int64_t revision, const std::vector<Error>& errors) 
 void Core::take_edit(LiveEdit edit) {
   if (!live_ || is_over()) return;
   follow_again_ = edit.stale;
+  if (closed_) return;
   if (edit.base != execution_.model().program) return edit.stale();
   edit_.reset();
   refused_edit_ = Value::unknown();
@@ -86,7 +92,8 @@ void Core::take_edit(LiveEdit edit) {
   schedule();
 }
 
-// An edit that was delivered may be lost with its entry: who brings them learns that this core needs the last one anew.
+// An edit that was delivered may be lost with its entry, and one that comes to a closed core is not taken: who brings
+// them learns that this core needs the last one anew.
 void Core::follow_again() {
   if (live_ && !closed_ && follow_again_) follow_again_();
 }

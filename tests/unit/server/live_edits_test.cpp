@@ -175,6 +175,21 @@ TEST_F(LiveEditsOfCores, NoEditWaitsForARunThatIsOver) {
   EXPECT_EQ(ended.find("waiting_edit"), nullptr);
 }
 
+TEST_F(LiveEditsOfCores, NothingIsHeardOfARemovedCoreWhoseEditWasOnItsWay) {
+  const auto ready = cores->create(documents->get("live").value(), {}).value();
+  ASSERT_TRUE(ready->set_live(true));
+  const LiveEdit edit = [&] {
+    put_variable("x");
+    return cores->edit_for(*ready, documents->get("live").value()).value();
+  }();
+  ASSERT_TRUE(cores->remove(ready->id()));
+  const auto before = all_told();
+  ready->follow(edit);
+  ready->refuse_edit(edit.revision, {{ErrorCode::type, "of another service", "services/s"}});
+  ASSERT_TRUE(ready->native()) << "its strand has come so far";
+  EXPECT_EQ(all_told(), before);
+}
+
 TEST_F(LiveEditsOfCores, NothingIsForcedInAnInterruptedCore) {
   disk.fail_at(1, sqlite::FaultyVfs::Fault::full, true);
   EXPECT_EQ(core->force({semantics::Force::Scope::var, "Root", "n", 1}).error().code, ErrorCode::storage);
