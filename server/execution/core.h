@@ -122,7 +122,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   // Edits: a live core follows the revisions of its document without violations, between macro steps, or as soon as it
   // can. Not to be started by default: a new port or action may move the robot.
   bool is_live() const { return live_; }
-  /// Waits. `conflict`: it is over.
+  /// Waits. `conflict`: it is over; `storage`: it is interrupted, and cannot be read yet.
   Expected<Value> set_live(bool live);
   /// Gets to another revision; in place of what waits. Does not wait.
   void follow(LiveEdit edit);

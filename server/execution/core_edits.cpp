@@ -44,6 +44,7 @@ Expected<Value> Core::native() {
 
 Expected<Value> Core::set_live(bool live) {
   return on_strand<Value>([this, live]() -> Expected<Value> {
+    if (auto sound = readable(); !sound) return tl::unexpected(std::move(sound).error());
     if (is_over()) return unexpected(ErrorCode::conflict, "core " + id_ + " is over");
     live_ = live;
     if (!live) {
