@@ -31,7 +31,7 @@ class EditPublisher {
   virtual void shown(const std::string& document, Value snapshot) = 0;
   /// There is no such document, or it cannot be read.
   virtual void ended(const std::string& document) = 0;
-  /// Any document may be another one.
+  /// Any document may be another one. No document changes until this has returned.
   virtual void all_replaced() = 0;
 };
 

@@ -31,7 +31,10 @@ struct Recorder final : EditPublisher, DocumentWatcher {
     add(document, " shown ", *snapshot.find("revision"));
   }
   void ended(const std::string& document) override { told.push_back(document + " ended"); }
-  void all_replaced() override { told.push_back("all"); }
+  void all_replaced() override {
+    told.push_back("all");
+    if (const auto once = std::exchange(during, {})) once();
+  }
   void document_changed(const std::string& name, std::int64_t revision, bool has_violations) override {
     changes.push_back(name + " " + std::to_string(revision) + (has_violations ? " with violations" : ""));
   }
@@ -241,6 +244,7 @@ TEST_F(EditingTest, ChangesNothingDuringAPauseAndReadsAllAgainAfterIt) {
   {
     const auto pause = editing_->pause().value();
     EXPECT_EQ(refused(doc("Bob", 1, "y")).errors.front().code, ErrorCode::unavailable);
+    recorder_.during = [this] { EXPECT_FALSE(editing_->edit("t", doc("Bob", 2, "z"))) << "before all are told"; };
   }
   EXPECT_EQ(recorder_.told.back(), "all");
   EXPECT_EQ(accepted(doc("Bob", 2, "y")), 3);
