@@ -57,8 +57,9 @@ Checked<DocumentSession> DocumentSession::read(Documents& documents, const std::
     if (auto tree = tree_of(past->last.document))
       out.history_.emplace(std::move(*tree), static_cast<edit::Revision>(out.revision()), kHistory);
   }
-  for (const DocumentPast::Edit& edit : past->edits)
-    out.remember(edit.revision.change.author, edit.edit.request, edit.revision.number);
+  const auto tokens = documents.tokens(name, kTokens);
+  if (!tokens) return tl::unexpected(std::vector<Error>{tokens.error()});
+  for (const EditToken& token : *tokens) out.remember(token.author, token.request, token.revision);
   return out;
 }
 

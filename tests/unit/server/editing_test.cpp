@@ -142,12 +142,26 @@ TEST_F(EditingTest, MakesAnEditOnceForItsTokenAlsoAfterARestart) {
   EXPECT_EQ(accepted(doc("Bob", 3, "y", "one")), 4) << "a token is its author's";
 }
 
+TEST_F(EditingTest, KnowsTokensFromBeforeAnotherText) {
+  EXPECT_EQ(accepted(doc("Ada", 1, "x", "one")), 2);
+  editing_->put("t", kEdited, {"Eve", "", 2}, {}).value();
+  EXPECT_EQ(accepted(doc("Bob", 3, "y", "two")), 4);
+  editing_->restore("t", 1, {"Eve", "", 3}).value();
+  begin();
+  EXPECT_EQ(accepted(doc("Ada", 1, "x", "one")), 2);
+  EXPECT_EQ(accepted(doc("Bob", 3, "y", "two")), 4);
+  EXPECT_EQ(documents_->entry("t")->revision.number, 5);
+}
+
 TEST_F(EditingTest, ForgetsTheOldestTokens) {
   accepted(doc("Ada", 1, "first", "first"));
   for (std::size_t i = 0; i < DocumentSession::kTokens; ++i)
     accepted(doc("Ada", static_cast<int>(i) + 2, "x", "t" + std::to_string(i)));
   EXPECT_TRUE(editing_->edit("t", doc("Ada", 3, "x", "t0"))->was_there);
   EXPECT_FALSE(editing_->edit("t", doc("Ada", 900, "x", "first"))->was_there);
+  begin();
+  EXPECT_TRUE(editing_->edit("t", doc("Ada", 4, "x", "t1"))->was_there);
+  EXPECT_FALSE(editing_->edit("t", doc("Ada", 900, "x", "t0"))->was_there);
 }
 
 TEST_F(EditingTest, TakesBackWhatWasEditedBeforeARestart) {
