@@ -151,7 +151,7 @@ Expected<void> Editing::publish_snapshot(const std::string& name) {
   if (session)
     publisher_.shown(name, (*session)->snapshot());
   else
-    publisher_.ended(name);
+    publisher_.ended(name, session.error());
   return {};
 }
 

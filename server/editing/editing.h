@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/value/expected.h"
 #include "server/editing/document_session.h"
@@ -29,8 +30,8 @@ class EditPublisher {
   virtual void replaced(const std::string& document, Value snapshot) = 0;
   /// The document as it is, for those who asked for it (Editing::publish_snapshot).
   virtual void shown(const std::string& document, Value snapshot) = 0;
-  /// There is no such document, or it cannot be read.
-  virtual void ended(const std::string& document) = 0;
+  /// There is no such document (`not_found`), or it cannot be read: `errors` says why.
+  virtual void ended(const std::string& document, std::vector<Error> errors) = 0;
   /// Any document may be another one. No document changes until this has returned.
   virtual void all_replaced() = 0;
 };

@@ -203,12 +203,11 @@ void Hub::shut_down() {
   });
 }
 
-void Hub::close(std::string name) {
-  strand_.post([this, name = std::move(name)] {
+void Hub::close(std::string name, std::vector<Error> errors) {
+  strand_.post([this, name = std::move(name), errors = std::move(errors)] {
     const auto known = channels_.find(name);
     if (known == channels_.end()) return;
-    const Value data = errors_json({{ErrorCode::not_found, "the channel has ended", name}});
-    const Text text = serialise(name, known->second.sequence + 1, "error", data);
+    const Text text = serialise(name, known->second.sequence + 1, "error", errors_json(errors));
     for (const Subscribers* all : {&known->second.subscribers, &known->second.waiting})
       for (const auto& subscriber : *all) send(*subscriber, kPrivateQueue, text, false);
     channels_.erase(known);

@@ -51,8 +51,8 @@ class Hub {
   /// Frozen values only.
   void publish_snapshot(std::string channel, Value data);
   void publish_delta(std::string channel, Value data);
-  /// Ends the channel: its subscribers get an error, then nothing.
-  void close(std::string channel);
+  /// Ends the channel: its subscribers get these errors, then nothing. Who subscribes later asks its source again.
+  void close(std::string channel, std::vector<Error> errors);
 
   void subscribe(std::shared_ptr<Subscriber> subscriber, std::string channel, std::optional<std::int64_t> since);
   /// Sends a snapshot to a subscriber that lost messages (Outbox::take_stale_channels()), if it is still subscribed.

@@ -30,7 +30,9 @@ struct Recorder final : EditPublisher, DocumentWatcher {
   void shown(const std::string& document, Value snapshot) override {
     add(document, " shown ", *snapshot.find("revision"));
   }
-  void ended(const std::string& document) override { told.push_back(document + " ended"); }
+  void ended(const std::string& document, std::vector<Error> errors) override {
+    told.push_back(document + " ended " + std::string(name(errors.at(0).code)));
+  }
   void all_replaced() override {
     told.push_back("all");
     if (const auto once = std::exchange(during, {})) once();
@@ -222,7 +224,7 @@ TEST_F(EditingTest, OfNoDocumentIsNotFound) {
   EXPECT_EQ(refused(doc("Ada", 1, "x"), "nobody").errors.front().code, ErrorCode::not_found);
   ASSERT_TRUE(editing_->publish_snapshot("nobody"));
   ASSERT_TRUE(editing_->publish_snapshot("t"));
-  EXPECT_THAT(recorder_.told, ElementsAre("nobody ended", "t shown 1"));
+  EXPECT_THAT(recorder_.told, ElementsAre("nobody ended not_found", "t shown 1"));
 }
 
 TEST_F(EditingTest, KeepsABoundedNumberOfDocuments) {
@@ -315,7 +317,7 @@ TEST_F(EditingTest, QueuesTheEditsOfTheStreamInOrderAndWithABound) {
     EXPECT_EQ(message.find("kind")->as_string(), "edit_accepted");
     EXPECT_EQ(message.find("data")->find("request")->as_string(), token);
   }
-  for (int i = 0; i < 3; ++i) EXPECT_TRUE(queue.request_snapshot("t"));
+  for (int i = 0; i < 3; ++i) queue.request_snapshot("t");
   queue.stop();
   ask("e5");
   EXPECT_EQ(client->next().find("kind")->as_string(), "edit_refused");

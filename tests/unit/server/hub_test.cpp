@@ -197,8 +197,13 @@ TEST_F(HubTest, AnUnknownChannelAndAnEndedOneAreErrors) {
   EXPECT_THAT(received(client), ElementsAre("error 0 -"));
   hub.subscribe(client, "n", {});
   settle();
-  hub.close("n");
-  EXPECT_THAT(received(client), ElementsAre("snapshot 0 0", "error 1 -"));
+  hub.close("n", {{ErrorCode::corrupt, "is damaged", "n"}});
+  settle();
+  const std::vector<Value> messages = client->messages();
+  ASSERT_EQ(messages.size(), 2U);
+  EXPECT_EQ(messages[1].find("sequence")->as_integer(), HubClient::HubFirst + 1);
+  const Value& error = messages[1].find("data")->find("errors")->as_list().at(0);
+  EXPECT_EQ(error.find("code")->as_string(), "corrupt");
 }
 
 TEST_F(HubTest, OneSerialisationIsSharedByAllSubscribers) {
