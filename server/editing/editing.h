@@ -1,7 +1,7 @@
 // Editing: the documents that are edited, each by its DocumentSession, and everything else that changes documents while
 // the server runs: so whoever follows a document sees every change of it, in order, once it is durable.
 //
-// Threads: any. One at a time changes a document; who wants the same one waits a bounded time (kTurn).
+// Threads: any. One at a time changes a document; who wants the same one waits a bounded time (Limits::turn).
 #pragma once
 
 #include <chrono>

@@ -256,7 +256,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   Value announced_ = Value::unknown();  // what the list of cores was told last
 
   std::int64_t revision_;          // of its document, which it executes
-  std::uint64_t model_since_ = 0;  // macro step in which the model became what it is; 0: it is that of the header
+  std::uint64_t model_since_ = 0;  // schemas/core.json, `model`
   struct WaitingEdit {
     LiveEdit edit;
     List waits;                               // schemas/core.json
