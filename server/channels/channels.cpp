@@ -51,11 +51,7 @@ MaybeSource flow(const Parameters& parameters, const Sources& sources) {
 MaybeSource document(const Parameters& parameters, const Sources& sources) {
   const std::string& name = parameters.at("name");
   if (!rcm::is_id(name)) return std::nullopt;
-  return Source{false,
-                [name, &hub = sources.hub, &edits = sources.edits] {
-                  if (!edits.request_snapshot(name)) hub.close(fill(kDocumentChannel, {name}));
-                },
-                {}};
+  return Source{false, [name, &edits = sources.edits] { edits.request_snapshot(name); }, {}};
 }
 
 // Calls `function` with the core while it exists: a channel keeps no core alive.

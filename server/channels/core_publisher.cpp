@@ -28,8 +28,8 @@ void CorePublisher::core_removed(const std::string& id) {
   changed_(id, Value());
   Value delta = Dict{{"removed", id}};
   hub_.publish_delta(std::string(kCoresChannel), std::move(delta.freeze()));
-  hub_.close(fill(kCoreStateChannel, {id}));
-  hub_.close(fill(kCoreDerivationChannel, {id}));
+  for (const std::string_view pattern : {kCoreStateChannel, kCoreDerivationChannel})
+    hub_.close(fill(pattern, {id}), {{ErrorCode::not_found, "the core was removed", id}});
 }
 
 void CorePublisher::state_snapshot(const std::string& id, Value state) {

@@ -19,7 +19,9 @@ void DocumentPublisher::shown(const std::string& document, Value snapshot) {
   hub_.publish_snapshot(fill(kDocumentChannel, {document}), std::move(snapshot));
 }
 
-void DocumentPublisher::ended(const std::string& document) { hub_.close(fill(kDocumentChannel, {document})); }
+void DocumentPublisher::ended(const std::string& document, std::vector<Error> errors) {
+  hub_.close(fill(kDocumentChannel, {document}), std::move(errors));
+}
 
 void DocumentPublisher::all_replaced() { hub_.restart(fill(kDocumentChannel, {""})); }
 

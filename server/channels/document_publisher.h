@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "server/editing/editing.h"
 #include "server/stream/hub.h"
@@ -18,7 +19,7 @@ class DocumentPublisher final : public EditPublisher {
   void edited(const std::string& document, Value accepted) override;
   void replaced(const std::string& document, Value snapshot) override;
   void shown(const std::string& document, Value snapshot) override;
-  void ended(const std::string& document) override;
+  void ended(const std::string& document, std::vector<Error> errors) override;
   void all_replaced() override;
 
  private:

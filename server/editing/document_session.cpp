@@ -57,13 +57,15 @@ Checked<DocumentSession> DocumentSession::read(Documents& documents, const std::
     if (auto tree = tree_of(past->last.document))
       out.history_.emplace(std::move(*tree), static_cast<edit::Revision>(out.revision()), kHistory);
   }
-  for (const DocumentPast::Edit& edit : past->edits)
-    out.remember(edit.revision.change.author, edit.edit.request, edit.revision.number);
+  const auto tokens = documents.tokens(name, kTokens);
+  if (!tokens) return tl::unexpected(std::vector<Error>{tokens.error()});
+  for (const EditToken& token : *tokens) out.remember(token.author, token.request, token.revision);
   return out;
 }
 
-/// Nothing if the stored edits do not lead to the document with its undos, as they were then.
+/// Nothing if there are no stored edits, or they do not lead to the document with its undos, as they were then.
 std::optional<edit::History> DocumentSession::rebuild(const DocumentPast& past) {
+  if (past.edits.empty()) return std::nullopt;
   const auto json = parse_json(past.first, JsonLimits{.keep_out_of_range = true});
   auto tree = json ? tree_of(*json) : std::nullopt;
   if (!tree) return std::nullopt;
@@ -71,8 +73,7 @@ std::optional<edit::History> DocumentSession::rebuild(const DocumentPast& past) 
   edit::History history(std::move(*tree), static_cast<edit::Revision>(first), kHistory);
   for (const DocumentPast::Edit& edit : past.edits)
     if (!replay(history, edit, first)) return std::nullopt;
-  if (to_json(rcm::write_document(history.tree().document())) != to_json(past.last.document) && !past.edits.empty())
-    return std::nullopt;
+  if (to_json(rcm::write_document(history.tree().document())) != to_json(past.last.document)) return std::nullopt;
   return history;
 }
 

@@ -62,7 +62,13 @@ void EditQueue::execute(const Sender& sender, const Message& message) {
     hub_.send(sender, channel, "edit_accepted", std::move(edited->edit), Hub::To::those_not_subscribed);
 }
 
-bool EditQueue::request_snapshot(const std::string& document) {
+void EditQueue::request_snapshot(const std::string& document) {
+  if (post_snapshot(document)) return;
+  hub_.close(fill(kDocumentChannel, {document}),
+             {{ErrorCode::unavailable, "too many documents are wanted; subscribe again", document}});
+}
+
+bool EditQueue::post_snapshot(const std::string& document) {
   const services::MutexLock lock(mutex_);
   if (stopped_) return true;
   if (wanted_.contains(document)) return true;

@@ -29,8 +29,8 @@ class EditQueue final : public EditRequests {
   /// Does what a message `edit` asks for, and tells its sender. Beyond the bound: `unavailable`.
   void request_edit(const std::shared_ptr<Subscriber>& sender, const Value& message) override EXCLUDES(mutex_);
 
-  /// Publishes the document soon. False: too many wait.
-  bool request_snapshot(const std::string& document) EXCLUDES(mutex_);
+  /// Publishes the document soon. If too many wait, its channel ends with `unavailable`: who wants it subscribes again.
+  void request_snapshot(const std::string& document) EXCLUDES(mutex_);
 
   /// What waits is dropped, and nothing is accepted any more.
   void stop() EXCLUDES(mutex_);
@@ -40,6 +40,7 @@ class EditQueue final : public EditRequests {
   struct Message;
   /// False: there is no room for it.
   bool post(const Sender& sender, std::shared_ptr<const Message> message) EXCLUDES(mutex_);
+  bool post_snapshot(const std::string& document) EXCLUDES(mutex_);
   void execute(const Sender& sender, const Message& message);
   void show(const std::string& document) EXCLUDES(mutex_);
   bool begin_edit() EXCLUDES(mutex_);

@@ -151,7 +151,7 @@ Expected<void> Editing::publish_snapshot(const std::string& name) {
   if (session)
     publisher_.shown(name, (*session)->snapshot());
   else
-    publisher_.ended(name);
+    publisher_.ended(name, session.error());
   return {};
 }
 
@@ -170,7 +170,9 @@ Editing::Pause::~Pause() {
   if (editing_) editing_->resume();
 }
 
+// Subscribers are told before anybody changes a document: no edit of the new one follows what they have of the old one.
 void Editing::resume() {
+  publisher_.all_replaced();
   {
     const services::MutexLock lock(mutex_);
     for (auto& [name, document] : open_) {
@@ -179,7 +181,6 @@ void Editing::resume() {
     }
     is_paused_ = false;
   }
-  publisher_.all_replaced();
   changed_.notify_all();
 }
 

@@ -1,7 +1,7 @@
 // Editing: the documents that are edited, each by its DocumentSession, and everything else that changes documents while
 // the server runs: so whoever follows a document sees every change of it, in order, once it is durable.
 //
-// Threads: any. One at a time changes a document; who wants the same one waits a bounded time (kTurn).
+// Threads: any. One at a time changes a document; who wants the same one waits a bounded time (Limits::turn).
 #pragma once
 
 #include <chrono>
@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/value/expected.h"
 #include "server/editing/document_session.h"
@@ -29,9 +30,9 @@ class EditPublisher {
   virtual void replaced(const std::string& document, Value snapshot) = 0;
   /// The document as it is, for those who asked for it (Editing::publish_snapshot).
   virtual void shown(const std::string& document, Value snapshot) = 0;
-  /// There is no such document, or it cannot be read.
-  virtual void ended(const std::string& document) = 0;
-  /// Any document may be another one.
+  /// There is no such document (`not_found`), or it cannot be read: `errors` says why.
+  virtual void ended(const std::string& document, std::vector<Error> errors) = 0;
+  /// Any document may be another one. No document changes until this has returned.
   virtual void all_replaced() = 0;
 };
 

@@ -179,7 +179,6 @@ Expected<Value> Core::set_breakpoints(std::vector<execution::GoalName> names) {
                         "breakpoints");
     ASSIGN_OR_RETURN(const std::vector<Goal> goals, find_goals(program(), names));
     execution_.set_breakpoints(goals);
-    breakpoints_ = goals;
     breakpoint_names_ = names;
     publish_info();
     return info_json();

@@ -105,12 +105,13 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   /// No command begins this run any more: another model is loaded in its place. `conflict`: it has begun.
   Expected<Preparation> retire();
   /// It was not: the run may begin.
-  void reinstate() { closed_ = false; }
+  void reinstate();
   /// A paused core goes as far as `goal`. One that waits for an input to get there counts as paused, and may be told
   /// another goal. Error: as execution::find_goal.
   Expected<Value> step(execution::GoalName goal);
-  /// The core is paused wherever it reaches one of `goals`; they replace those of before. Errors: `too_large`, and that
-  /// of execution::find_goal, at `breakpoints/N`.
+  /// The core is paused wherever it reaches one of `goals`; they replace those of before. After an edit an id is that
+  /// of the same element, also under another name, a path is of what is there then, and what names nothing is dropped.
+  /// Errors: `too_large`, and that of execution::find_goal, at `breakpoints/N`.
   static constexpr std::size_t kMostBreakpoints = 100;  // every delta has them
   Expected<Value> set_breakpoints(std::vector<execution::GoalName> goals);
 
@@ -121,7 +122,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   // Edits: a live core follows the revisions of its document without violations, between macro steps, or as soon as it
   // can. Not to be started by default: a new port or action may move the robot.
   bool is_live() const { return live_; }
-  /// Waits. `conflict`: it is over.
+  /// Waits. `conflict`: it is over; `storage`: it is interrupted, and cannot be read yet.
   Expected<Value> set_live(bool live);
   /// Gets to another revision; in place of what waits. Does not wait.
   void follow(LiveEdit edit);
@@ -204,6 +205,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
 
   // core_edits.cpp
   void take_edit(LiveEdit edit);
+  void follow_again();
   bool deliver_edit(std::uint32_t limit);
   void look_ahead();
   void note_obstacles(const std::vector<semantics::Obstacle>& obstacles);
@@ -249,13 +251,12 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   std::shared_ptr<RunJournal> journal_;
   HeldOutputs held_;
   execution::Execution execution_;
-  std::vector<execution::Goal> breakpoints_;
   std::vector<execution::GoalName> breakpoint_names_;
   bool started_ = false, paused_ = false, scheduled_ = false;
   Value announced_ = Value::unknown();  // what the list of cores was told last
 
   std::int64_t revision_;          // of its document, which it executes
-  std::uint64_t model_since_ = 0;  // macro step in which the model became what it is; 0: it is that of the header
+  std::uint64_t model_since_ = 0;  // schemas/core.json, `model`
   struct WaitingEdit {
     LiveEdit edit;
     List waits;                               // schemas/core.json
@@ -263,6 +264,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   };
   std::optional<WaitingEdit> edit_;
   Value refused_edit_ = Value::unknown();  // schemas/core.json
+  std::function<void()> follow_again_;     // LiveEdit::stale, once an edit has come
 
   // Interrupted: since when it is as the journal says, until somebody lets it go on.
   struct Interruption {

@@ -44,6 +44,7 @@ Expected<Value> Core::native() {
 
 Expected<Value> Core::set_live(bool live) {
   return on_strand<Value>([this, live]() -> Expected<Value> {
+    if (auto sound = readable(); !sound) return tl::unexpected(std::move(sound).error());
     if (is_over()) return unexpected(ErrorCode::conflict, "core " + id_ + " is over");
     live_ = live;
     if (!live) {
@@ -55,6 +56,11 @@ Expected<Value> Core::set_live(bool live) {
   });
 }
 
+void Core::reinstate() {
+  closed_ = false;
+  strand_.post([self = shared_from_this()] { self->follow_again(); });
+}
+
 void Core::follow(LiveEdit edit) {
   strand_.post([self = shared_from_this(), edit = std::move(edit)]() mutable { self->take_edit(std::move(edit)); });
 }
@@ -62,7 +68,7 @@ void Core::follow(LiveEdit edit) {
 void Core::refuse_edit(std::int64_t revision, const std::vector<Error>& errors) {
   Value refused = Dict{{"revision", revision}, {"errors", *errors_json(errors).find("errors")}};
   strand_.post([self = shared_from_this(), refused = refused.freeze()] {
-    if (!self->live_ || self->is_over()) return;
+    if (!self->live_ || self->closed_ || self->is_over()) return;
     self->edit_.reset();
     self->refused_edit_ = refused;
     self->publish_info();
@@ -72,6 +78,8 @@ void Core::refuse_edit(std::int64_t revision, const std::vector<Error>& errors) 
 // One that waits gives way to a later one, which has it in it.
 void Core::take_edit(LiveEdit edit) {
   if (!live_ || is_over()) return;
+  follow_again_ = edit.stale;
+  if (closed_) return;
   if (edit.base != execution_.model().program) return edit.stale();
   edit_.reset();
   refused_edit_ = Value::unknown();
@@ -83,6 +91,12 @@ void Core::take_edit(LiveEdit edit) {
   }
   publish_info();
   schedule();
+}
+
+// An edit that was delivered may be lost with its entry, and one that comes to a closed core is not taken: who brings
+// them learns that this core needs the last one anew.
+void Core::follow_again() {
+  if (live_ && !closed_ && follow_again_) follow_again_();
 }
 
 // What it waits for, though nothing can begin now.
@@ -125,14 +139,16 @@ bool Core::deliver_edit(std::uint32_t limit) {
   return true;
 }
 
-// Those that the model has; a name stays as it was given.
+// Those that the model has, also for the execution, which keeps those of the same elements: a name stays as it was
+// given, and means what it names now.
 void Core::find_breakpoints() {
-  breakpoints_.clear();
-  std::erase_if(breakpoint_names_, [this](const execution::GoalName& name) {
+  std::vector<execution::Goal> breakpoints;
+  std::erase_if(breakpoint_names_, [&](const execution::GoalName& name) {
     const auto goal = find_goal(program(), name);
-    if (goal) breakpoints_.push_back(*goal);
+    if (goal) breakpoints.push_back(*goal);
     return !goal;
   });
+  execution_.set_breakpoints(breakpoints);
 }
 
 // A person's command: it takes effect at once, also in a core that is paused, which stays so.
@@ -159,6 +175,7 @@ Dict Core::edit_info() const {
   Dict info;
   info.set("live", live_.load());
   info.set("model", static_cast<std::int64_t>(model_since_));
+  if (is_over()) return info;
   if (edit_) info.set("waiting_edit", Dict{{"revision", edit_->edit.revision}, {"waits", edit_->waits}});
   if (!refused_edit_.is_unknown()) info.set("refused_edit", refused_edit_);
   return info;

@@ -106,7 +106,9 @@ void Core::publish_next_derivation() {
   });
 }
 
+// What it has computed and cannot store has not happened.
 void Core::publish_info() {
+  if (!readable()) return publish_interruption();
   held_.add([this, info = info_json()](const Error* failure) {
     if (!failure) set_info(info);
   });

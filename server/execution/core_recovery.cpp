@@ -148,13 +148,13 @@ void Core::take(Rebuilt rebuilt) {
   model_since_ = execution_.is_edited() ? run().position() : 0;
   set_model(execution_.model());
   find_breakpoints();
-  execution_.set_breakpoints(breakpoints_);
   open_journal();
   started_ = record_.steps > 0;
   interruption_->rebuilt = true;
   if (!started_ || record_.is_over()) interruption_.reset();  // the disk that hung may have taken its end
   if (state_watched_) publish_snapshot(&CoreWatcher::state_snapshot);
   if (derivation_watched_) publish_next_derivation();
+  follow_again();
 }
 
 }  // namespace race::server

@@ -16,7 +16,8 @@ struct LiveEdit {
   std::shared_ptr<const semantics::Program> base;
   execution::EditEntry entry;
   execution::ExecutedModel model;  // after it
-  /// To be called if the core has another model than `base` when its turn comes; any thread, quick.
+  /// To be called if the core has another model than `base`, when its turn comes or later; any thread, quick: it only
+  /// posts.
   std::function<void()> stale;
 
   bool changes_nothing() const {

@@ -76,8 +76,10 @@ class StreamSession final : Session, public Subscriber, public std::enable_share
         const auto [error, bytes] = co_await socket_.async_write(asio::buffer(**text), kAsTuple);
         if (error || over_) co_return close();
       }
-      for (const std::string& channel : outbox_.take_stale_channels())
+      for (const std::string& channel : outbox_.take_stale_channels()) {
+        if (channel == Hub::kPrivateQueue) co_return close();
         hub_.resend_snapshot(shared_from_this(), channel);
+      }
       co_await sleep();
     }
   }

@@ -184,6 +184,13 @@ Expected<RevisionText> Documents::find_past(const std::string& name, std::int64_
   return last;
 }
 
+Expected<std::vector<EditToken>> Documents::tokens(const std::string& name, std::int64_t most) try {
+  const services::MutexLock lock(mutex_);
+  return list_tokens(*file_, name, most);
+} catch (const SQLite::Exception& exception) {
+  return tl::unexpected(sqlite::error_of(exception, kCannotRead));
+}
+
 Expected<RevisionEdit> Documents::edit_of(const std::string& name, std::int64_t revision) try {
   const services::MutexLock lock(mutex_);
   return find_edit(*file_, name, revision);

@@ -98,6 +98,8 @@ class Documents {
   /// The last revision, with at most `most` edits that led to it; those before one that cannot be read are left out.
   /// Errors: those of entry().
   Checked<DocumentPast> past(const std::string& name, std::int64_t most) EXCLUDES(mutex_);
+  /// As list_tokens (revision_text.h).
+  Expected<std::vector<EditToken>> tokens(const std::string& name, std::int64_t most) EXCLUDES(mutex_);
   /// The edit that made a revision. Requires one that an edit made.
   Expected<RevisionEdit> edit_of(const std::string& name, std::int64_t revision) EXCLUDES(mutex_);
   /// Stores what an edit has made of the last revision; revision.number is the next one. Requires that `next.text` is

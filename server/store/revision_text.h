@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/edit/operation.h"
 #include "core/value/expected.h"
@@ -26,6 +27,13 @@ struct RevisionEdit {
   std::string request = {};  // the token that its client chose; may be empty
 };
 
+/// What a client has called an edit that made a revision.
+struct EditToken {
+  std::string author, request;
+  std::int64_t revision = 0;
+  bool operator==(const EditToken&) const = default;
+};
+
 /// How many edits lead to a text from one that is stored whole, at most.
 inline constexpr std::int64_t kLongestChain = 31;
 
@@ -40,6 +48,10 @@ Expected<std::int64_t> chain_depth(SQLite::Database& file, const std::string& do
 /// The text of revision `links.last`: what the edits that made `links` make of `base`, the text of the one before.
 Expected<std::string> text_after(SQLite::Database& file, const std::string& document, RevisionRange links,
                                  std::string_view base);
+
+/// Those of the last `most` edits that have one, the oldest first, whatever made the revisions between them. What they
+/// say holds only if find_edit() and the revision say so, too: digests are not looked at.
+std::vector<EditToken> list_tokens(SQLite::Database& file, const std::string& document, std::int64_t most);
 
 /// The edit that made a revision.
 Expected<RevisionEdit> find_edit(SQLite::Database& file, const std::string& document, std::int64_t number);

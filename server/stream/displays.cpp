@@ -101,6 +101,8 @@ void Displays::changed(const display::Content& content) {
   hub_.publish_delta(channel_of(content.display), std::move(json.freeze()));
 }
 
-void Displays::forgotten(const std::string& display) { hub_.close(channel_of(display)); }
+void Displays::forgotten(const std::string& display) {
+  hub_.close(channel_of(display), {{ErrorCode::not_found, "there is no such display any more", display}});
+}
 
 }  // namespace race::server

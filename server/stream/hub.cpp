@@ -5,13 +5,6 @@
 
 namespace race::server {
 
-namespace {
-
-// What is for one client alone is queued under no channel's name: one queue, whatever names clients ask for.
-constexpr const char* kPrivateQueue = "";
-
-}  // namespace
-
 Hub::Hub(Pool& pool, std::int64_t first, std::function<std::optional<Source>(const std::string&)> find)
     : strand_(pool), first_(first), find_(std::move(find)) {}
 
@@ -125,7 +118,6 @@ void Hub::subscribe(std::shared_ptr<Subscriber> subscriber, std::string name, st
 
 void Hub::resend_snapshot(std::shared_ptr<Subscriber> subscriber, std::string name) {
   strand_.post([this, subscriber = std::move(subscriber), name = std::move(name)] {
-    if (name == kPrivateQueue) return subscriber->outbox().drop(name);  // those that were dropped are not repeated
     const auto known = channels_.find(name);
     if (known != channels_.end() && known->second.subscribers.contains(subscriber))
       join(subscriber, name, std::nullopt);
@@ -203,12 +195,11 @@ void Hub::shut_down() {
   });
 }
 
-void Hub::close(std::string name) {
-  strand_.post([this, name = std::move(name)] {
+void Hub::close(std::string name, std::vector<Error> errors) {
+  strand_.post([this, name = std::move(name), errors = std::move(errors)] {
     const auto known = channels_.find(name);
     if (known == channels_.end()) return;
-    const Value data = errors_json({{ErrorCode::not_found, "the channel has ended", name}});
-    const Text text = serialise(name, known->second.sequence + 1, "error", data);
+    const Text text = serialise(name, known->second.sequence + 1, "error", errors_json(errors));
     for (const Subscribers* all : {&known->second.subscribers, &known->second.waiting})
       for (const auto& subscriber : *all) send(*subscriber, kPrivateQueue, text, false);
     channels_.erase(known);

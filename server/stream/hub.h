@@ -43,6 +43,10 @@ class Hub {
  public:
   static constexpr std::size_t kMaxDeltas = 256;  // deltas of a channel
   static constexpr std::size_t kMaxDeltaBytes = 4 * 1024 * 1024;
+  /// What is for one client alone is queued under no channel's name: one queue, whatever names clients ask for. No
+  /// snapshot makes up for what its outbox has dropped of it (Outbox::take_stale_channels()): the connection has to
+  /// end, so that the client asks again.
+  static constexpr const char* kPrivateQueue = "";
 
   /// `first`: the number of the first message of every channel; greater than all of an earlier server's. `find` gives
   /// the source of a channel, or nothing if there is no such channel.
@@ -51,11 +55,12 @@ class Hub {
   /// Frozen values only.
   void publish_snapshot(std::string channel, Value data);
   void publish_delta(std::string channel, Value data);
-  /// Ends the channel: its subscribers get an error, then nothing.
-  void close(std::string channel);
+  /// Ends the channel: its subscribers get these errors, then nothing. Who subscribes later asks its source again.
+  void close(std::string channel, std::vector<Error> errors);
 
   void subscribe(std::shared_ptr<Subscriber> subscriber, std::string channel, std::optional<std::int64_t> since);
-  /// Sends a snapshot to a subscriber that lost messages (Outbox::take_stale_channels()), if it is still subscribed.
+  /// Sends a snapshot to a subscriber that lost messages (Outbox::take_stale_channels()) of a channel, if it is still
+  /// subscribed.
   void resend_snapshot(std::shared_ptr<Subscriber> subscriber, std::string channel);
   void unsubscribe(std::shared_ptr<Subscriber> subscriber, std::string channel);
   /// Removes the subscriber from all channels.

@@ -187,6 +187,17 @@ class StreamTest(unittest.TestCase):
             ended = stream.until(lambda m: m["kind"] == "error")[-1]
             self.assertEqual(ended["data"]["errors"][0]["code"], "not_found")
 
+    def test_a_client_that_does_not_read_its_answers_is_disconnected(self):
+        with self.server.stream() as stream:
+            for number in range(600):  # each is answered with an error that names it
+                stream.send({"type": "subscribe", "channel": f"{number}/" + 60_000 * "x"})
+            answers = 0
+            with self.assertRaises(ConnectionError):
+                while True:
+                    stream.receive()
+                    answers += 1
+            self.assertLess(answers, 600)
+
     def test_stopping_or_deleting_a_run_calls_the_safe_operations_of_its_services(self):
         gripping = models.document("gripping", {"state": "Root", "entry": "svc.gripper.release(width=par.width, speed=0.005)",
                                                 "parameters": [{"name": "width", "value": 0.0}]})

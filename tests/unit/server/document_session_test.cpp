@@ -28,7 +28,9 @@ struct Follower final : EditPublisher, DocumentWatcher {
     said.push_back("shown " + std::to_string(snapshot.find("revision")->as_integer()));
     follow(snapshot);
   }
-  void ended(const std::string&) override { said.emplace_back("ended"); }
+  void ended(const std::string&, std::vector<Error> errors) override {
+    said.push_back("ended " + std::string(name(errors.at(0).code)));
+  }
   void all_replaced() override { said.emplace_back("all"); }
   void document_changed(const std::string& name, std::int64_t revision, bool has_violations) override {
     said.push_back("changed " + name + " " + std::to_string(revision) + (has_violations ? " wrong" : ""));
@@ -90,7 +92,14 @@ TEST_F(DocumentSessions, TellsOfEachChangeInOrderOnceItIsStored) {
   EXPECT_THAT(follower_.take(), ElementsAre("replaced 1", "changed new 1"));
   EXPECT_EQ(refusal(editing.edit("nobody", request("y"))), ErrorCode::not_found);
   ASSERT_TRUE(editing.publish_snapshot("nobody"));
-  EXPECT_THAT(follower_.take(), ElementsAre("ended"));
+  EXPECT_THAT(follower_.take(), ElementsAre("ended not_found"));
+}
+
+TEST_F(DocumentSessions, SaysWhyADocumentCannotBeShown) {
+  SQLite::Database(path(), SQLite::OPEN_READWRITE).exec("UPDATE revision SET text = '' WHERE document = 'task'");
+  Editing editing(*documents_, follower_, follower_);
+  ASSERT_TRUE(editing.publish_snapshot("task"));
+  EXPECT_THAT(follower_.take(), ElementsAre("ended corrupt"));
 }
 
 TEST_F(DocumentSessions, KeepsSoManySessionsAndGoesOnWithTheOthersFromTheStore) {

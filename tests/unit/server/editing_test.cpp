@@ -30,8 +30,13 @@ struct Recorder final : EditPublisher, DocumentWatcher {
   void shown(const std::string& document, Value snapshot) override {
     add(document, " shown ", *snapshot.find("revision"));
   }
-  void ended(const std::string& document) override { told.push_back(document + " ended"); }
-  void all_replaced() override { told.push_back("all"); }
+  void ended(const std::string& document, std::vector<Error> errors) override {
+    told.push_back(document + " ended " + std::string(name(errors.at(0).code)));
+  }
+  void all_replaced() override {
+    told.push_back("all");
+    if (const auto once = std::exchange(during, {})) once();
+  }
   void document_changed(const std::string& name, std::int64_t revision, bool has_violations) override {
     changes.push_back(name + " " + std::to_string(revision) + (has_violations ? " with violations" : ""));
   }
@@ -139,12 +144,26 @@ TEST_F(EditingTest, MakesAnEditOnceForItsTokenAlsoAfterARestart) {
   EXPECT_EQ(accepted(doc("Bob", 3, "y", "one")), 4) << "a token is its author's";
 }
 
+TEST_F(EditingTest, KnowsTokensFromBeforeAnotherText) {
+  EXPECT_EQ(accepted(doc("Ada", 1, "x", "one")), 2);
+  editing_->put("t", kEdited, {"Eve", "", 2}, {}).value();
+  EXPECT_EQ(accepted(doc("Bob", 3, "y", "two")), 4);
+  editing_->restore("t", 1, {"Eve", "", 3}).value();
+  begin();
+  EXPECT_EQ(accepted(doc("Ada", 1, "x", "one")), 2);
+  EXPECT_EQ(accepted(doc("Bob", 3, "y", "two")), 4);
+  EXPECT_EQ(documents_->entry("t")->revision.number, 5);
+}
+
 TEST_F(EditingTest, ForgetsTheOldestTokens) {
   accepted(doc("Ada", 1, "first", "first"));
   for (std::size_t i = 0; i < DocumentSession::kTokens; ++i)
     accepted(doc("Ada", static_cast<int>(i) + 2, "x", "t" + std::to_string(i)));
   EXPECT_TRUE(editing_->edit("t", doc("Ada", 3, "x", "t0"))->was_there);
   EXPECT_FALSE(editing_->edit("t", doc("Ada", 900, "x", "first"))->was_there);
+  begin();
+  EXPECT_TRUE(editing_->edit("t", doc("Ada", 4, "x", "t1"))->was_there);
+  EXPECT_FALSE(editing_->edit("t", doc("Ada", 900, "x", "t0"))->was_there);
 }
 
 TEST_F(EditingTest, TakesBackWhatWasEditedBeforeARestart) {
@@ -205,7 +224,7 @@ TEST_F(EditingTest, OfNoDocumentIsNotFound) {
   EXPECT_EQ(refused(doc("Ada", 1, "x"), "nobody").errors.front().code, ErrorCode::not_found);
   ASSERT_TRUE(editing_->publish_snapshot("nobody"));
   ASSERT_TRUE(editing_->publish_snapshot("t"));
-  EXPECT_THAT(recorder_.told, ElementsAre("nobody ended", "t shown 1"));
+  EXPECT_THAT(recorder_.told, ElementsAre("nobody ended not_found", "t shown 1"));
 }
 
 TEST_F(EditingTest, KeepsABoundedNumberOfDocuments) {
@@ -241,6 +260,7 @@ TEST_F(EditingTest, ChangesNothingDuringAPauseAndReadsAllAgainAfterIt) {
   {
     const auto pause = editing_->pause().value();
     EXPECT_EQ(refused(doc("Bob", 1, "y")).errors.front().code, ErrorCode::unavailable);
+    recorder_.during = [this] { EXPECT_FALSE(editing_->edit("t", doc("Bob", 2, "z"))) << "before all are told"; };
   }
   EXPECT_EQ(recorder_.told.back(), "all");
   EXPECT_EQ(accepted(doc("Bob", 2, "y")), 3);
@@ -297,7 +317,7 @@ TEST_F(EditingTest, QueuesTheEditsOfTheStreamInOrderAndWithABound) {
     EXPECT_EQ(message.find("kind")->as_string(), "edit_accepted");
     EXPECT_EQ(message.find("data")->find("request")->as_string(), token);
   }
-  for (int i = 0; i < 3; ++i) EXPECT_TRUE(queue.request_snapshot("t"));
+  for (int i = 0; i < 3; ++i) queue.request_snapshot("t");
   queue.stop();
   ask("e5");
   EXPECT_EQ(client->next().find("kind")->as_string(), "edit_refused");
@@ -328,9 +348,6 @@ TEST_F(EditingTest, OfRandomAuthorsCanBeReadAgainAtEveryRevision) {
   EXPECT_LT(refused, 300U);
   for (std::size_t i = 1; i < texts.size(); ++i)
     EXPECT_EQ(to_json(documents_->entry("t", static_cast<std::int64_t>(i))->document), texts[i]) << "revision " << i;
-  for (int i = 0; i < 4; ++i)
-    while (editing_->edit("t", take_back("author" + std::to_string(i), "undo"))) {
-    }
 }
 
 }  // namespace

@@ -149,6 +149,22 @@ TEST_F(Interruption, ADiskThatHangsStopsTheRunAsOneThatFails) {
   EXPECT_EQ(status(core->stop()), "aborted");
 }
 
+TEST_F(Interruption, WhatIsNotDurableIsNotShownWhenSomethingElseIsTold) {
+  patience = std::chrono::milliseconds(100);
+  begin_server();
+  const auto core = small_core();
+  ASSERT_TRUE(core->start());
+  ASSERT_TRUE(core->set_live(true));
+  HangingDisk hanging(disk);
+  answer(*core, 2, 7);
+  wait(*core, [](const Value& now) { return now.find("status")->as_string() == "interrupted"; });
+  core->refuse_edit(7, {{ErrorCode::type, "of another service", "services/s"}});
+  EXPECT_EQ(core->set_live(false).error().code, ErrorCode::storage);
+  const Value info = core->info();
+  EXPECT_EQ(info.find("status")->as_string(), "interrupted");
+  EXPECT_EQ(info.find("step")->as_integer(), 1);
+}
+
 TEST_F(Interruption, AStartThatADiskHoldsUpIsRefusedAndCommandsNothingLater) {
   patience = std::chrono::milliseconds(100);
   begin_server();

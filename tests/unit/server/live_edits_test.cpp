@@ -35,8 +35,15 @@ struct LiveEditsOfCores : HostedCores {
   // Stores the document with one more variable; its revision.
   std::int64_t put_variable(const std::string& name) {
     static const std::string kVariables = R"("variables":[)";
+    return put_with({{kVariables, kVariables + R"({"name":")" + name + R"(","initial":1},)"}});
+  }
+  // Stores the document with other words; its revision.
+  std::int64_t put_with(const std::vector<std::pair<std::string, std::string>>& words) {
     std::string text = to_json(documents->entry("live").value().document);
-    text.insert(text.find(kVariables) + kVariables.size(), R"({"name":")" + name + R"(","initial":1},)");
+    for (const auto& [from, to] : words) {
+      EXPECT_NE(text.find(from), std::string::npos) << from;
+      text.replace(text.find(from), from.size(), to);
+    }
     return documents->put("live", text).value().revision.number;
   }
   Value at(std::int64_t revision) {
@@ -80,7 +87,6 @@ TEST_F(LiveEditsOfCores, AnEditThatCannotBeStoredHasNotHappenedAndComesAgain) {
   EXPECT_EQ(revision_of(info), revision - 1);
   disk.repair();
   EXPECT_EQ(status(core->resume()), "running");
-  edits->changed("live");
   EXPECT_EQ(at(revision).find("status")->as_string(), "running");
   EXPECT_NE(core->model().program, before);
   EXPECT_EQ(kinds(), (std::vector<std::string>{"start", "edit"}));
@@ -97,6 +103,10 @@ TEST_F(LiveEditsOfCores, OneThatWaitsForAModelThatIsNoMoreIsMadeAnew) {
   disk.repair();
   const std::int64_t second = put_variable("y");
   edits->changed("live");
+  wait(*core, [second](const Value& now) {
+    const Value* edit = now.find("waiting_edit");
+    return edit && *edit->find("revision") == Value(second);
+  });
   ASSERT_TRUE(core->resume());
   at(second);
   EXPECT_EQ(core->force({semantics::Force::Scope::var, "Root", "x", 5})->find("revision")->as_integer(), second);
@@ -130,6 +140,54 @@ TEST_F(LiveEditsOfCores, OnePausedInAMacroStepGetsItAtItsEnd) {
   EXPECT_EQ(held.find("waiting_edit")->find("waits")->as_list().size(), 0U);
   ASSERT_TRUE(core->resume());
   EXPECT_EQ(at(revision).find("step")->as_integer(), 3);
+}
+
+TEST_F(LiveEditsOfCores, ABreakpointByIdFollowsItsStateAndOneByPathIsOfWhatIsThere) {
+  const execution::Goal::Kind entered = execution::Goal::Kind::entered;
+  const std::string id = [this] {
+    const Value stored = documents->entry("live").value().document;
+    return stored.find("root")->find("children")->as_list()[1].find("meta")->find("id")->as_string();
+  }();
+  ASSERT_TRUE(core->set_breakpoints({{entered, id, ""}, {entered, {}, "Root/B"}}));
+  const std::int64_t renamed = put_with({{R"("to":"B")", R"("to":"C")"}, {R"("state":"B")", R"("state":"C")"}});
+  edits->changed("live");
+  EXPECT_EQ(*at(renamed).find("breakpoints"), parse_json(R"([{"when": "entered", "id": ")" + id + R"("}])"));
+  ASSERT_TRUE(core->set_breakpoints({{entered, {}, "Root/C"}}));
+  const std::int64_t replaced =
+      put_with({{R"("state":"C")", R"("ports":[{"name":"on","to":"C","when":"False"}],"state":"D")"},
+                {R"("to":"C")", R"("to":"D")"},
+                {R"("children":[)", R"("children":[{"state":"C"},)"}});
+  edits->changed("live");
+  EXPECT_EQ(at(replaced).find("breakpoints")->as_list().size(), 1U);
+  const Value entered_d = core->force({semantics::Force::Scope::port, "Root/A", "next"}).value();
+  EXPECT_FALSE(entered_d.find("paused")->as_bool()) << "no breakpoint that is listed is of this state";
+  const Value entered_c = core->force({semantics::Force::Scope::port, "Root/D", "on"}).value();
+  EXPECT_TRUE(entered_c.find("paused")->as_bool());
+}
+
+TEST_F(LiveEditsOfCores, NoEditWaitsForARunThatIsOver) {
+  ASSERT_TRUE(core->pause());
+  put_variable("x");
+  edits->changed("live");
+  wait(*core, [](const Value& now) { return now.find("waiting_edit") != nullptr; });
+  const Value ended = core->stop().value();
+  EXPECT_EQ(ended.find("status")->as_string(), "aborted");
+  EXPECT_EQ(ended.find("waiting_edit"), nullptr);
+}
+
+TEST_F(LiveEditsOfCores, NothingIsHeardOfARemovedCoreWhoseEditWasOnItsWay) {
+  const auto ready = cores->create(documents->get("live").value(), {}).value();
+  ASSERT_TRUE(ready->set_live(true));
+  const LiveEdit edit = [&] {
+    put_variable("x");
+    return cores->edit_for(*ready, documents->get("live").value()).value();
+  }();
+  ASSERT_TRUE(cores->remove(ready->id()));
+  const auto before = all_told();
+  ready->follow(edit);
+  ready->refuse_edit(edit.revision, {{ErrorCode::type, "of another service", "services/s"}});
+  ASSERT_TRUE(ready->native()) << "its strand has come so far";
+  EXPECT_EQ(all_told(), before);
 }
 
 TEST_F(LiveEditsOfCores, NothingIsForcedInAnInterruptedCore) {
