@@ -91,7 +91,7 @@ std::optional<Rejection> Conflicts::of(const Operation& operation) const {
   } else if (const auto* set = std::get_if<Set>(&operation); set && of_ != Of::change) {
     if (const auto* entry = set_of(*set))
       return because(entry,
-                     "`" + set->field + "` of " + (set->id.empty() ? "the document" : quote(set->id)) + " was set",
+                     quote(set->field) + " of " + (set->id.empty() ? "the document" : quote(set->id)) + " was set",
                      "field");
     if (const auto* entry = replacement_of(set->id)) return because(entry, quote(set->id) + " was replaced", "id");
   }

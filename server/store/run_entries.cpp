@@ -43,7 +43,7 @@ Expected<void> check_no_other(SQLite::Database& file, const RunRecord& run) {
   select.bind(1, sqlite::integer(run.id));
   select.bind(2, sqlite::integer(run.steps));
   if (select.executeStep())
-    return damaged("the journal", path_of(run.id) + "/entries/" + select.getColumn(0).getString());
+    return damaged("the journal", entry_path(run.id, static_cast<std::uint64_t>(select.getColumn(0).getInt64())));
   return {};
 }
 
