@@ -18,9 +18,7 @@ namespace {
 using execution::JournalEntry;
 
 // A damaged position may be negative.
-std::string entry_path(RunId id, std::int64_t position) {
-  return path_of(id) + "/entries/" + std::to_string(position);
-}
+std::string entry_path(RunId id, std::int64_t position) { return path_of(id) + "/entries/" + std::to_string(position); }
 std::string entry_path(RunId id, std::uint64_t position) { return entry_path(id, sqlite::integer(position)); }
 
 std::vector<EntryRow> select_rows(SQLite::Database& file, RunId id, std::uint64_t from, std::uint64_t to) {
@@ -44,8 +42,7 @@ Expected<void> check_no_other(SQLite::Database& file, const RunRecord& run) {
                            " UNION ALL SELECT position FROM entry WHERE run = ?1 AND position > ?2 LIMIT 1");
   select.bind(1, sqlite::integer(run.id));
   select.bind(2, sqlite::integer(run.steps));
-  if (select.executeStep())
-    return damaged("the journal", entry_path(run.id, select.getColumn(0).getInt64()));
+  if (select.executeStep()) return damaged("the journal", entry_path(run.id, select.getColumn(0).getInt64()));
   return {};
 }
 

@@ -2,12 +2,12 @@
 // choose the bits.
 #include <SQLiteCpp/Database.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <random>
 
 #include "tests/unit/server/document_scenario.h"
+#include "tests/unit/setting.h"
 
 namespace race::server {
 namespace {
@@ -112,11 +112,6 @@ TEST_F(DocumentDamage, OfTheEntryOfADocumentIsNamed) {
     EXPECT_TRUE(documents->entry("mine"));
     std::filesystem::copy_file(before, path(), std::filesystem::copy_options::overwrite_existing);
   }
-}
-
-std::uint64_t setting(const char* name, std::uint64_t otherwise) {
-  const char* text = std::getenv(name);
-  return text ? std::strtoull(text, nullptr, 10) : otherwise;
 }
 
 TEST_F(DocumentDamage, OfOneBitIsNamedOrHarmless) {

@@ -1,8 +1,8 @@
 // The store of documents on a disk that loses power, is full or fails, at each operation of a scenario: what was
 // acknowledged is there, and what was refused has changed nothing.
-#include "tests/unit/core/semantics/random_runs.h"
 #include "tests/unit/server/document_scenario.h"
 #include "tests/unit/services/sqlite/faulty_vfs.h"
+#include "tests/unit/setting.h"
 
 namespace race::server {
 namespace {
@@ -61,7 +61,7 @@ TEST_F(DocumentFaults, LoseNothingAcknowledgedWithThePower) {
 }
 
 TEST_F(DocumentFaults, ChangeNothingAndAreOverWhenTheDiskWorks) {
-  const std::uint64_t stride = semantics::setting("RACE_FAULT_STRIDE", 1);  // every so many operations
+  const std::uint64_t stride = setting("RACE_FAULT_STRIDE", 1);  // every so many operations
   for (const auto fault : {FaultyVfs::Fault::full, FaultyVfs::Fault::io})
     for (const bool for_ever : {false, true}) {
       bool failed = true;

@@ -10,10 +10,10 @@
 #include "core/value/json.h"
 #include "server/editing/edit_queue.h"
 #include "tests/unit/core/edit/random_edits.h"
-#include "tests/unit/core/semantics/random_runs.h"
 #include "tests/unit/server/boxed_subscriber.h"
 #include "tests/unit/server/document_store.h"
 #include "tests/unit/services/sqlite/faulty_vfs.h"
+#include "tests/unit/setting.h"
 
 namespace race::server {
 namespace {
@@ -324,7 +324,7 @@ TEST_F(EditingTest, QueuesTheEditsOfTheStreamInOrderAndWithABound) {
 }
 
 TEST_F(EditingTest, OfRandomAuthorsCanBeReadAgainAtEveryRevision) {
-  const std::uint64_t seed = semantics::setting("RACE_SEED", 20261122);
+  const std::uint64_t seed = setting("RACE_SEED", 20261122);
   std::cout << "RACE_SEED=" << seed << std::endl;
   edit::RandomEdits random(seed, "r");
   std::vector<std::string> texts{"", text()};

@@ -10,7 +10,7 @@
 #include "tests/unit/core/edit/documents.h"
 #include "tests/unit/core/edit/random_edits.h"
 #include "tests/unit/core/semantics/random_models.h"
-#include "tests/unit/core/semantics/random_runs.h"
+#include "tests/unit/setting.h"
 
 namespace race::edit {
 namespace {
@@ -120,8 +120,8 @@ TEST(Difference, IsRefusedBeyondTheBoundOfAnEdit) {
 }
 
 TEST(Difference, OfRandomlyEditedDocumentsLeadsFromEachToEach) {
-  const std::uint64_t seed = semantics::setting("RACE_SEED", 20261122);
-  const std::uint64_t documents = semantics::setting("RACE_DOCUMENTS", 15);
+  const std::uint64_t seed = setting("RACE_SEED", 20261122);
+  const std::uint64_t documents = setting("RACE_DOCUMENTS", 15);
   std::cout << "RACE_SEED=" << seed << " RACE_DOCUMENTS=" << documents << std::endl;
   std::size_t operations = 0;
   for (std::uint64_t i = 0; i < documents && !testing::Test::HasFailure(); ++i) {

@@ -6,6 +6,7 @@
 #include "core/rcm/constraints.h"
 #include "tests/unit/core/edit/documents.h"
 #include "tests/unit/core/edit/random_edits.h"
+#include "tests/unit/setting.h"
 
 namespace race::edit {
 namespace {
@@ -42,7 +43,7 @@ class ScopeEdits {
 
 TEST(CodeChecks, FindTheSameAsWithoutThemAfterEveryEdit) {
   std::size_t edits = 0, with_names = 0, with_violations = 0;
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+  for (std::uint64_t seed = 0; seed < sample(40); ++seed) {
     History history(Tree::read(random_document(seed)).value());
     RandomEdits any(seed, "any");
     ScopeEdits scopes(seed);

@@ -6,7 +6,7 @@
 #include "tests/unit/core/edit/documents.h"
 #include "tests/unit/core/edit/random_edits.h"
 #include "tests/unit/core/execution/mutator.h"
-#include "tests/unit/core/semantics/random_runs.h"
+#include "tests/unit/setting.h"
 
 namespace race::edit {
 namespace {
@@ -16,8 +16,8 @@ constexpr std::array<const char*, 24> kWords = {"a",      "b",     "r",     "x",
                                                 "value",  "state", "ports", "to", "library", "doc",  "notes", "x y"};
 
 TEST(EditFuzz, AMutatedEditIsRefusedOrAppliedAndTakenBack) {
-  const std::uint64_t seed = semantics::setting("RACE_SEED", 20261122);
-  const std::uint64_t mutations = semantics::setting("RACE_MUTATIONS", 2'000);
+  const std::uint64_t seed = setting("RACE_SEED", 20261122);
+  const std::uint64_t mutations = setting("RACE_MUTATIONS", 2'000);
   std::cout << "RACE_SEED=" << seed << " RACE_MUTATIONS=" << mutations << std::endl;
   const Tree tree = Tree::read(small_document()).value();
   const std::string before = text_of(tree);

@@ -10,7 +10,7 @@
 #include "tests/unit/core/edit/documents.h"
 #include "tests/unit/core/semantics/driven_run.h"
 #include "tests/unit/core/semantics/random_models.h"
-#include "tests/unit/core/semantics/random_runs.h"
+#include "tests/unit/setting.h"
 
 namespace race::edit {
 namespace {
@@ -99,8 +99,8 @@ class Sequences {
 };
 
 struct Setting {
-  std::uint64_t seed = semantics::setting("RACE_SEED", 20261122);
-  std::uint64_t models = semantics::setting("RACE_EDITED_MODELS", 12);
+  std::uint64_t seed = setting("RACE_SEED", 20261122);
+  std::uint64_t models = setting("RACE_EDITED_MODELS", 12);
 };
 
 std::string edited_calls(const rcm::Document& document, const Edit& edit, std::uint64_t seed) {

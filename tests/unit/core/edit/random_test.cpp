@@ -7,7 +7,7 @@
 #include "core/edit/history.h"
 #include "tests/unit/core/edit/documents.h"
 #include "tests/unit/core/edit/random_edits.h"
-#include "tests/unit/core/semantics/random_runs.h"
+#include "tests/unit/setting.h"
 
 namespace race::edit {
 namespace {
@@ -104,8 +104,8 @@ class Meeting {
 };
 
 TEST(RandomEdits, ReplicasAgreeAndUndoOfEverythingGivesTheFirstDocument) {
-  const std::uint64_t seed = semantics::setting("RACE_SEED", 20261122);
-  const std::uint64_t meetings = semantics::setting("RACE_MEETINGS", 16);
+  const std::uint64_t seed = setting("RACE_SEED", 20261122);
+  const std::uint64_t meetings = setting("RACE_MEETINGS", 16);
   std::cout << "RACE_SEED=" << seed << " RACE_MEETINGS=" << meetings << std::endl;
   std::size_t accepted = 0, rejected = 0, conflicts = 0;
   for (std::uint64_t i = 0; i < meetings && !testing::Test::HasFatalFailure(); ++i) {

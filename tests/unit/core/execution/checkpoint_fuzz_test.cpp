@@ -7,7 +7,7 @@
 #include "core/execution/checkpoint.h"
 #include "tests/unit/core/execution/journals.h"
 #include "tests/unit/core/execution/mutator.h"
-#include "tests/unit/core/semantics/random_runs.h"
+#include "tests/unit/setting.h"
 
 namespace race::execution {
 namespace {
@@ -54,8 +54,8 @@ void go_on(Execution& execution, std::uint64_t seed) {
 }
 
 TEST(CheckpointFuzz, AMutatedCheckpointIsRefusedOrOneThatCanGoOn) {
-  const std::uint64_t seed = semantics::setting("RACE_SEED", 20261122);
-  const std::uint64_t mutations = semantics::setting("RACE_MUTATIONS", 4'000);
+  const std::uint64_t seed = setting("RACE_SEED", 20261122);
+  const std::uint64_t mutations = setting("RACE_MUTATIONS", 4'000);
   std::cout << "RACE_SEED=" << seed << " RACE_MUTATIONS=" << mutations << std::endl;
   std::vector<Stored> all;
   for (std::uint64_t i = 0; i < 40; ++i) all.push_back(stored(seed + i));

@@ -13,11 +13,10 @@
 #include "core/execution/step_json.h"
 #include "tests/unit/core/execution/journals.h"
 #include "tests/unit/core/semantics/random_runs.h"
+#include "tests/unit/setting.h"
 
 namespace race::execution {
 namespace {
-
-using semantics::setting;
 
 std::string text_of(const Execution& execution) { return to_json(checkpoint_json(execution)); }
 

@@ -7,12 +7,10 @@
 
 #include "core/execution/replay.h"
 #include "tests/unit/core/execution/journals.h"
-#include "tests/unit/core/semantics/random_runs.h"
+#include "tests/unit/setting.h"
 
 namespace race::execution {
 namespace {
-
-using semantics::setting;
 
 JournalWalk walk_of(const Journal& journal, std::uint64_t from = 1) {
   auto source = std::make_shared<MemoryJournal>(journal.entries);

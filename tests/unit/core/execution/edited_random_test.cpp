@@ -18,6 +18,7 @@
 #include "tests/unit/core/execution/naive_carry_over.h"
 #include "tests/unit/core/execution/random_run_edits.h"
 #include "tests/unit/core/semantics/random_runs.h"
+#include "tests/unit/setting.h"
 
 namespace race::execution {
 namespace {
@@ -403,7 +404,7 @@ class Workshop {
 
 TEST(EditedRandomRuns, AreWhatSection9SaysAndRunAgainFromJournalsAndCheckpoints) {
   constexpr std::uint64_t kModels = 8;
-  const std::uint64_t seed = semantics::setting("RACE_SEED", 20261122), edits = semantics::setting("RACE_EDITS", 50);
+  const std::uint64_t seed = setting("RACE_SEED", 20261122), edits = setting("RACE_EDITS", 50);
   std::cout << "RACE_SEED=" << seed << " RACE_EDITS=" << edits << std::endl;
   Counts counts;
   for (std::uint64_t i = 0; i < kModels && !HasFailure(); ++i) {

@@ -10,6 +10,7 @@
 #include "core/execution/step_json.h"
 #include "tests/unit/core/edit/random_edits.h"
 #include "tests/unit/core/execution/journals.h"
+#include "tests/unit/setting.h"
 
 namespace race::execution {
 namespace {
@@ -397,7 +398,7 @@ TEST(RefusedForce, HasANumberOutOfRange) {
 // ---- Entries between two models.
 
 TEST(EditBetween, AnyTwoModelsGivesTheSecond) {
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  for (std::uint64_t seed = 1; seed <= sample(60); ++seed) {
     SCOPED_TRACE(seed);
     const Journal from = journal_of(edit::random_document(seed), semantics::RandomModels::services());
     const Journal to = journal_of(edit::random_document(seed + 1000), semantics::RandomModels::services());

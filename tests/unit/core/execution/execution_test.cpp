@@ -13,14 +13,13 @@
 #include "core/rcm/translate.h"
 #include "core/value/json.h"
 #include "tests/unit/core/semantics/random_models.h"
-#include "tests/unit/core/semantics/random_runs.h"
+#include "tests/unit/setting.h"
 
 namespace race::execution {
 namespace {
 
 using semantics::Program;
 using semantics::RandomModels;
-using semantics::setting;
 using testing::ElementsAre;
 
 constexpr const char* kModel = R"json({"rcm": 1, "root": {"state": "R", "first": "A", "children": [

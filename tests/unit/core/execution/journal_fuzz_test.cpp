@@ -6,7 +6,7 @@
 
 #include "tests/unit/core/execution/journals.h"
 #include "tests/unit/core/execution/mutator.h"
-#include "tests/unit/core/semantics/random_runs.h"
+#include "tests/unit/setting.h"
 
 namespace race::execution {
 namespace {
@@ -42,8 +42,8 @@ class JournalMutator : private Mutator {
 };
 
 TEST(JournalFuzz, AMutatedJournalIsRefusedOrReadAsItStands) {
-  const std::uint64_t seed = semantics::setting("RACE_SEED", 20261122);
-  const std::uint64_t mutations = semantics::setting("RACE_MUTATIONS", 2'000);
+  const std::uint64_t seed = setting("RACE_SEED", 20261122);
+  const std::uint64_t mutations = setting("RACE_MUTATIONS", 2'000);
   std::cout << "RACE_SEED=" << seed << " RACE_MUTATIONS=" << mutations << std::endl;
   std::vector<Value> journals{journal_json(small_journal())};
   for (std::uint64_t i = 0; i < 20; ++i) journals.push_back(journal_json(random_journal(seed + i, 12).first));

@@ -10,7 +10,7 @@
 
 #include "core/execution/script.h"
 #include "tests/unit/core/execution/journals.h"
-#include "tests/unit/core/semantics/random_runs.h"
+#include "tests/unit/setting.h"
 
 namespace race::execution {
 namespace {
@@ -99,8 +99,8 @@ TEST(Journal, OfTheDeepestModelIsReadBack) {
 }
 
 TEST(Journal, OfARandomRunIsReadBackAndGivesThatRunAgain) {
-  const std::uint64_t seed = semantics::setting("RACE_SEED", 20261122);
-  const std::uint64_t journals = semantics::setting("RACE_JOURNALS", 150);
+  const std::uint64_t seed = setting("RACE_SEED", 20261122);
+  const std::uint64_t journals = setting("RACE_JOURNALS", 150);
   std::cout << "RACE_SEED=" << seed << " RACE_JOURNALS=" << journals << std::endl;
   std::size_t entries = 0;
   for (std::uint64_t i = 0; i < journals && !HasFailure(); ++i) {

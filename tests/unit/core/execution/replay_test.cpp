@@ -9,11 +9,10 @@
 #include "core/execution/why.h"
 #include "tests/unit/core/execution/journals.h"
 #include "tests/unit/core/semantics/random_runs.h"
+#include "tests/unit/setting.h"
 
 namespace race::execution {
 namespace {
-
-using semantics::setting;
 
 // The execution within macro step `step`, from 1, after `micro` micro steps, done from the beginning.
 Execution within(const Journal& journal, std::size_t step, int micro) {

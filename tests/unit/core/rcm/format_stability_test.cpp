@@ -7,6 +7,7 @@
 #include "core/rcm/document.h"
 #include "core/rcm/ids.h"
 #include "tests/unit/core/rcm/cases.h"
+#include "tests/unit/setting.h"
 
 namespace race::rcm {
 namespace {
@@ -294,7 +295,7 @@ TEST(FormatDocument, ChangesTheLinesOfTheEditedElementAlone) {
   for (const File& file : documents()) {
     SCOPED_TRACE(file.path);
     const std::size_t elements = ids_of(file.document).size();
-    Stability(file.document).check(1 + elements / 20);
+    Stability(file.document).check(elements / sample(20) + 1);
     if (testing::Test::HasFailure()) break;
   }
 }

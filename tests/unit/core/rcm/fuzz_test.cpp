@@ -8,6 +8,7 @@
 #include "core/rcm/ids.h"
 #include "core/rcm/translate.h"
 #include "tests/unit/core/rcm/cases.h"
+#include "tests/unit/setting.h"
 
 namespace race::rcm {
 namespace {
@@ -121,14 +122,14 @@ bool hold(const Value& json) {
 
 TEST(Fuzz, OfDocumentsNeverCrashesAndEachIsTakenOrHasAViolation) {
   const std::vector<Value> models = valid_models();
-  constexpr std::uint32_t kSeeds = 20'000;
+  const std::size_t seeds = sample(20'000);
   std::size_t taken = 0;
-  for (std::uint32_t seed = 1; seed <= kSeeds && !testing::Test::HasFailure(); ++seed) {
+  for (std::uint32_t seed = 1; seed <= seeds && !testing::Test::HasFailure(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     taken += hold(Mutator(seed, models).document()) ? 1U : 0U;
   }
-  EXPECT_GT(taken, kSeeds / 20) << "too few mutations are harmless to say something about writing";
-  EXPECT_LT(taken, kSeeds / 2) << "too few mutations do harm";
+  EXPECT_GT(taken, seeds / 20) << "too few mutations are harmless to say something about writing";
+  EXPECT_LT(taken, seeds / 2) << "too few mutations do harm";
 }
 
 TEST(Fuzz, OfTextsNeverCrashes) {

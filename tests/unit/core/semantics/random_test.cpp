@@ -8,6 +8,7 @@
 #include "tests/unit/core/semantics/driven_run.h"
 #include "tests/unit/core/semantics/random_models.h"
 #include "tests/unit/core/semantics/random_runs.h"
+#include "tests/unit/setting.h"
 
 namespace race::semantics {
 namespace {

@@ -4,7 +4,6 @@
 #include <SQLiteCpp/Database.h>
 #include <gmock/gmock.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <map>
 #include <random>
@@ -12,6 +11,7 @@
 #include "core/value/json.h"
 #include "tests/unit/services/sqlite/faulty_vfs.h"
 #include "tests/unit/services/sqlite/folder.h"
+#include "tests/unit/setting.h"
 
 namespace race::database {
 namespace {
@@ -241,8 +241,7 @@ struct FlippedBit : StoreTest {
 TEST_F(FlippedBit, IsNamedOrHarmless) {
   const FaultyVfs vfs;  // which spares the disk
   fill();
-  const char* given = std::getenv("RACE_SEED");
-  const auto seed = given ? std::stoul(given) : 1UL;
+  const std::uint64_t seed = setting("RACE_SEED", 1);
   std::mt19937_64 random(seed);
   const std::string file = read_whole(path);
   ASSERT_FALSE(std::filesystem::exists(path + "-wal")) << "the last connection has copied it into the file";
