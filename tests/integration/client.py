@@ -17,7 +17,8 @@ from interface import check_listed, schema_of
 from websocket_client import WebSocketClient
 
 PROJECT = Path(__file__).resolve().parents[2]
-SCHEMAS = PROJECT / "api" / "schemas"
+SCHEMAS = {path.stem: json.loads(path.read_text()) for path in (PROJECT / "api" / "schemas").glob("*.json")}
+BY_ADDRESS = {schema["$id"]: schema for schema in SCHEMAS.values()}
 PROGRAM = os.environ.get("RACE_PROGRAM", str(PROJECT / "build/release/race"))
 ROGUE = os.environ.get("RACE_ROGUE", "")
 TIMEOUT = 20  # seconds until a test gives up; no test needs them
@@ -28,9 +29,8 @@ tempfile.tempdir = "/dev/shm" if os.path.isdir("/dev/shm") else None
 
 
 def validator(name):
-    path = SCHEMAS / f"{name}.json"
-    schema = json.loads(path.read_text())
-    resolver = jsonschema.RefResolver(path.as_uri(), schema)
+    schema = SCHEMAS[name]
+    resolver = jsonschema.RefResolver(schema["$id"], schema, store=BY_ADDRESS)
     return jsonschema.Draft202012Validator(schema, resolver=resolver)
 
 

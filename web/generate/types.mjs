@@ -42,7 +42,7 @@ function bundle(schemas, addresses) {
   };
   const convert = (address, name) => {
     const base = address.split("#")[0];
-    const { $defs, $schema, title, ...body } = lookUp(schemas, address);
+    const { $defs, $schema, $id, title, ...body } = lookUp(schemas, address);
     const converted = mapSchemas(body, (schema) => {
       if (schema.$ref === undefined) return simplify(schema);
       const { $ref, ...beside } = schema;

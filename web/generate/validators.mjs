@@ -3,7 +3,7 @@ import Ajv from "ajv";
 import standaloneCode from "ajv/dist/standalone/index.js";
 import { mapSchemas, typeName, validatorName } from "./schemas.mjs";
 
-const kAnnotations = new Set(["$schema", "title", "description", "default", "contentEncoding"]);
+const kAnnotations = new Set(["$schema", "$id", "title", "description", "default", "contentEncoding"]);
 const kClosing = new Set(["additionalProperties", "unevaluatedProperties"]);
 
 /**
