@@ -136,8 +136,21 @@ Checked<DocumentEntry> Editing::put(const std::string& name, std::string_view te
   return change_text(name, change, [&] { return documents_.put(name, text, change, options); });
 }
 
-Checked<DocumentEntry> Editing::restore(const std::string& name, std::int64_t revision, const Change& change) {
-  return change_text(name, change, [&] { return documents_.restore(name, revision, change); });
+Checked<DocumentEntry> Editing::restore(const std::string& name, std::int64_t revision, const Change& change,
+                                        std::optional<std::int64_t> seen) {
+  return change_text(name, change, [&] { return documents_.restore(name, revision, change, seen); });
+}
+
+Expected<void> Editing::remove(const std::string& name, std::optional<std::int64_t> seen) {
+  auto turn = take_turn(name);
+  if (!turn) return tl::unexpected(busy());
+  auto removed = documents_.remove(name, seen);
+  Document& document = turn->document();
+  if (removed || may_have_changed({removed.error()})) document.session.reset();
+  if (!removed) return removed;
+  document.last_known = 0;
+  publisher_.ended(name, {{ErrorCode::not_found, "the document was removed", name}});
+  return {};
 }
 
 Checked<DocumentEntry> Editing::branch(const std::string& name, const Documents::Branch& branch, const Change& change) {

@@ -56,9 +56,13 @@ class Editing {
   /// As Documents::put, restore and branch.
   Checked<DocumentEntry> put(const std::string& name, std::string_view text, const Change& change,
                              Documents::Put options) EXCLUDES(mutex_);
-  Checked<DocumentEntry> restore(const std::string& name, std::int64_t revision, const Change& change) EXCLUDES(mutex_);
+  Checked<DocumentEntry> restore(const std::string& name, std::int64_t revision, const Change& change,
+                                 std::optional<std::int64_t> seen = {}) EXCLUDES(mutex_);
   Checked<DocumentEntry> branch(const std::string& name, const Documents::Branch& branch, const Change& change)
       EXCLUDES(mutex_);
+
+  /// As Documents::remove. For who follows the document, it ends: `not_found`.
+  Expected<void> remove(const std::string& name, std::optional<std::int64_t> seen = {}) EXCLUDES(mutex_);
 
   /// Publishes the document as it is now, between its edits. Error `unavailable`; else it is shown, or ended.
   Expected<void> publish_snapshot(const std::string& name) EXCLUDES(mutex_);

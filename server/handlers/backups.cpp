@@ -1,4 +1,4 @@
-// GET /api/v1/backups, POST /api/v1/backups, DELETE /api/v1/backups/{name}, POST /api/v1/backups/{name}/restore.
+// GET and POST /api/v1/backups, GET and DELETE /api/v1/backups/{name}, POST /api/v1/backups/{name}/restore.
 #include "server/editing/editing.h"
 #include "server/execution/cores.h"
 #include "server/handlers/handlers.h"
@@ -8,11 +8,9 @@
 namespace race::server {
 namespace {
 
-Handled answer_with(const Expected<Backup>& backup, int status) {
+Handled answer_with(const Expected<Backup>& backup) {
   if (!backup) return failed(backup.error());
-  Reply reply = ok(backup_json(*backup));
-  reply.status = status;
-  return reply;
+  return ok(backup_json(*backup));
 }
 
 }  // namespace
@@ -25,10 +23,18 @@ Handled list_backups(const Request&, Backups& backups) {
   return ok(Dict{{"backups", std::move(list)}});
 }
 
-Handled create_backup(const Request&, Backups& backups) { return answer_with(backups.create(now_ms()), 201); }
+Handled create_backup(const Request&, Backups& backups) {
+  const auto backup = backups.create(now_ms());
+  if (!backup) return failed(backup.error());
+  return created(backup_json(*backup), "/api/v1/backups/" + backup->name);
+}
+
+Handled get_backup(const Request& request, Backups& backups) {
+  return answer_with(backups.find(request.parameters.at("name")));
+}
 
 Handled delete_backup(const Request& request, Backups& backups) {
-  return answer_with(backups.remove(request.parameters.at("name")), 200);
+  return answer_with(backups.remove(request.parameters.at("name")));
 }
 
 // Cores that are over or have not begun go: the store of that time knows others.
@@ -42,7 +48,7 @@ Handled restore_backup(const Request& request, Backups& backups, Cores& cores, E
     return {};
   });
   cores.reopen();
-  return answer_with(restored, 200);
+  return answer_with(restored);
 }
 
 }  // namespace race::server

@@ -15,7 +15,7 @@ Handled branch_document(const Request& request, Editing& editing) {
   const Change change = read_change(fields);
   fields.close();
   if (!errors.empty()) return tl::unexpected(std::move(errors));
-  return answer_entry(editing.branch(request.parameters.at("name"), {*as, revision}, change), 201);
+  return answer_entry(editing.branch(request.parameters.at("name"), {*as, revision}, change));
 }
 
 }  // namespace race::server

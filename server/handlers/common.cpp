@@ -10,6 +10,13 @@ Reply ok(Value body) {
   return reply;
 }
 
+Reply created(Value body, std::string path) {
+  Reply reply = ok(std::move(body));
+  reply.status = 201;
+  reply.headers.emplace_back("Location", std::move(path));
+  return reply;
+}
+
 tl::unexpected<std::vector<Error>> failed(Error error) { return tl::unexpected(std::vector<Error>{std::move(error)}); }
 
 std::optional<Dict> read_arguments(Fields& fields) {

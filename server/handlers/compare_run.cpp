@@ -1,4 +1,5 @@
 // GET /api/v1/runs/{run}/compare?with&from: where two runs first do different things.
+#include "server/handlers/query.h"
 #include "server/handlers/runs.h"
 #include "server/runs/run_replay.h"
 
@@ -7,12 +8,13 @@ namespace race::server {
 Handled compare_run(const Request& request, Runs& runs, Worker& replays) {
   const auto with = request.query.find("with");
   if (with == request.query.end()) return failed({ErrorCode::missing, "with which run? ?with=2", "with"});
-  const auto from = query_number(request, "from", 1, 1);
+  const auto from = query_number(request, "from");
   if (!from) return failed(from.error());
-  return answer_replay(replays, [&runs, first = run_number(request.parameters.at("run")),
-                                 second = run_number(with->second), from = *from](const Worker::Stop& stop) {
-    return compare_runs(runs, first, second, from, kMostCompared, &stop);
-  });
+  return answer_replay(replays,
+                       [&runs, first = run_number(request.parameters.at("run")), second = run_number(with->second),
+                        from = static_cast<std::uint64_t>(from->value_or(1))](const Worker::Stop& stop) {
+                         return compare_runs(runs, first, second, from, kMostCompared, &stop);
+                       });
 }
 
 }  // namespace race::server

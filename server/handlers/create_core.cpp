@@ -12,9 +12,7 @@ Handled create_core(const Request& request, Documents& documents, Cores& cores, 
   if (!core) return tl::unexpected(core.error());
   const auto info = follow_document(**core, *model, edits);
   if (!info) return failed(info.error());
-  Reply reply = ok(*info);
-  reply.status = 201;
-  return reply;
+  return created(*info, "/api/v1/cores/" + (*core)->id());
 }
 
 }  // namespace race::server

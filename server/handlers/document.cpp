@@ -1,14 +1,16 @@
 // GET and PUT /api/v1/documents/{name}: one document or draft as it is edited; stored whole or refused whole.
 #include "server/editing/editing.h"
 #include "server/handlers/document_requests.h"
+#include "server/handlers/preconditions.h"
+#include "server/handlers/query.h"
 
 namespace race::server {
 namespace {
 
 Expected<bool> is_draft(const Request& request) {
-  const auto found = request.query.find("draft");
-  if (found == request.query.end() || found->second == "false") return false;
-  if (found->second == "true") return true;
+  const std::string draft = query_text(request, "draft");
+  if (draft.empty() || draft == "false") return false;
+  if (draft == "true") return true;
   return unexpected(ErrorCode::out_of_range, "must be `true` or `false`", "draft");
 }
 
@@ -16,18 +18,27 @@ Expected<bool> is_draft(const Request& request) {
 
 Handled get_document(const Request& request, Documents& documents) {
   const auto entry = documents.entry(request.parameters.at("name"));
-  auto reply = answer_entry(entry);
-  if (reply) reply->headers.emplace_back("ETag", "\"" + std::to_string(entry->revision.number) + "\"");
-  return reply;
+  if (!entry || !has_tag(request, entry->revision.number)) return answer_entry(entry);
+  Reply unchanged;
+  unchanged.status = 304;
+  add_tag(unchanged, entry->revision.number);
+  return unchanged;
 }
 
 Handled put_document(const Request& request, Editing& editing) {
   const auto draft = is_draft(request);
   if (!draft) return failed(draft.error());
-  const auto seen = number_of(request, "revision");
+  const auto seen = query_number(request, "revision");
   if (!seen) return failed(seen.error());
-  const Documents::Put options{*draft, *seen};
-  return answer_entry(editing.put(request.parameters.at("name"), request.body, change_of(request), options));
+  const auto match = if_match(request);
+  if (!match) return failed(match.error());
+  const auto is_new = if_none(request);
+  if (!is_new) return failed(is_new.error());
+  if (*seen && *match && *seen != *match)
+    return failed({ErrorCode::out_of_range, "`revision` and If-Match name different revisions", "revision"});
+  const Documents::Put options{*draft, *match ? *match : *seen, *is_new};
+  return answer_changed(editing.put(request.parameters.at("name"), request.body, change_of(request), options),
+                        *match || *is_new);
 }
 
 }  // namespace race::server

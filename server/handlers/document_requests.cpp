@@ -1,7 +1,8 @@
 #include "server/handlers/document_requests.h"
 
-#include <charconv>
-
+#include "server/handlers/preconditions.h"
+#include "server/handlers/query.h"
+#include "server/http/refusal.h"
 #include "server/wire/calendar.h"
 #include "server/wire/errors.h"
 
@@ -24,11 +25,6 @@ Dict with_change(Dict json, const Revision& revision) {
   return json;
 }
 
-std::string query_text(const Request& request, std::string_view name) {
-  const auto found = request.query.find(name);
-  return found == request.query.end() ? std::string() : found->second;
-}
-
 }  // namespace
 
 Change change_of(const Request& request) {
@@ -38,17 +34,6 @@ Change change_of(const Request& request) {
 Change read_change(Fields& fields) {
   const auto author = fields.text("author"), message = fields.text("message");
   return {author.value_or(""), message.value_or(""), now_ms()};
-}
-
-Expected<std::optional<std::int64_t>> number_of(const Request& request, std::string_view name) {
-  const auto found = request.query.find(name);
-  if (found == request.query.end()) return std::nullopt;
-  const std::string& text = found->second;
-  std::int64_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size() || number < 1)
-    return unexpected(ErrorCode::out_of_range, "must be a number from 1", std::string(name));
-  return number;
 }
 
 std::optional<std::int64_t> read_revision_number(Fields& fields, Fields::Need need) {
@@ -72,11 +57,19 @@ Value entry_json(const DocumentEntry& entry) {
   return json;
 }
 
-Handled answer_entry(const Checked<DocumentEntry>& entry, int status) {
+Handled answer_entry(const Checked<DocumentEntry>& entry) {
   if (!entry) return tl::unexpected(entry.error());
-  Reply reply = ok(entry_json(*entry));
-  reply.status = status;
+  const Revision& revision = entry->revision;
+  Reply reply =
+      entry->is_new ? created(entry_json(*entry), "/api/v1/documents/" + revision.document) : ok(entry_json(*entry));
+  add_tag(reply, revision.number);
   return reply;
+}
+
+Handled answer_changed(const Checked<DocumentEntry>& entry, bool has_precondition) {
+  if (!entry && has_precondition && entry.error().front().code == ErrorCode::conflict)
+    return refusal(412, entry.error());
+  return answer_entry(entry);
 }
 
 }  // namespace race::server

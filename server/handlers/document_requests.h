@@ -15,8 +15,6 @@ Change change_of(const Request& request);
 /// The same, by the fields of a body.
 Change read_change(Fields& fields);
 
-/// The number from 1 at `name` of the query; nothing: it is absent. Error `out_of_range`.
-Expected<std::optional<std::int64_t>> number_of(const Request& request, std::string_view name);
 /// The field `revision`, a number from 1; a violation otherwise.
 std::optional<std::int64_t> read_revision_number(Fields& fields, Fields::Need need);
 
@@ -24,7 +22,9 @@ std::optional<std::int64_t> read_revision_number(Fields& fields, Fields::Need ne
 Value revision_json(const Revision& revision);
 /// schemas/document_entry.json.
 Value entry_json(const DocumentEntry& entry);
-/// The entry, with the status, or its errors.
-Handled answer_entry(const Checked<DocumentEntry>& entry, int status = 200);
+/// The entry with its tag, 201 if it is new, or its errors.
+Handled answer_entry(const Checked<DocumentEntry>& entry);
+/// The same after a change; 412 for a `conflict` if the request had a precondition.
+Handled answer_changed(const Checked<DocumentEntry>& entry, bool has_precondition);
 
 }  // namespace race::server

@@ -2,22 +2,26 @@
 #include <algorithm>
 
 #include "server/handlers/document_requests.h"
+#include "server/handlers/query.h"
 
 namespace race::server {
 
 Handled get_revisions(const Request& request, Documents& documents) {
   constexpr std::int64_t kMost = 100;
-  const auto before = number_of(request, "before"), limit = number_of(request, "limit");
+  const auto before = query_number(request, "before"), limit = query_number(request, "limit", {1, kMost});
   if (!before) return failed(before.error());
   if (!limit) return failed(limit.error());
-  if (limit->value_or(1) > kMost)
-    return failed({ErrorCode::out_of_range, "must be a number from 1 to " + std::to_string(kMost), "limit"});
   const std::string& name = request.parameters.at("name");
-  const auto revisions = documents.revisions(name, *before, limit->value_or(kMost));
+  const auto most = limit->value_or(kMost);
+  auto revisions = documents.revisions(name, *before, most + 1);
   if (!revisions) return tl::unexpected(revisions.error());
+  const bool is_more = revisions->size() > static_cast<std::size_t>(most);
+  if (is_more) revisions->pop_back();
   List list;
   std::ranges::transform(*revisions, std::back_inserter(list), revision_json);
-  return ok(Dict{{"name", name}, {"revisions", std::move(list)}});
+  Dict json{{"name", name}, {"revisions", std::move(list)}};
+  if (is_more) json.set("next", revisions->back().number);
+  return ok(std::move(json));
 }
 
 }  // namespace race::server

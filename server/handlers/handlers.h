@@ -28,11 +28,12 @@ class Worker;
 
 using Handled = Checked<Reply>;
 
-Handled get_health(const Request& request, Documents& documents, Cores& cores, Cell& cell);
+Handled get_health(const Request& request, Cell& cell);
 Handled get_rules(const Request& request);
 Handled list_documents(const Request& request, Documents& documents);
 Handled get_document(const Request& request, Documents& documents);
 Handled put_document(const Request& request, Editing& editing);
+Handled delete_document(const Request& request, Editing& editing, Cores& cores, BootList& boot);
 Handled edit_document(const Request& request, Editing& editing);
 Handled get_revisions(const Request& request, Documents& documents);
 Handled get_revision(const Request& request, Documents& documents);
@@ -40,6 +41,7 @@ Handled restore_document(const Request& request, Editing& editing);
 Handled branch_document(const Request& request, Editing& editing);
 Handled get_document_native(const Request& request, Documents& documents);
 Handled list_backups(const Request& request, Backups& backups);
+Handled get_backup(const Request& request, Backups& backups);
 Handled create_backup(const Request& request, Backups& backups);
 Handled delete_backup(const Request& request, Backups& backups);
 Handled restore_backup(const Request& request, Backups& backups, Cores& cores, Editing& editing);
@@ -85,6 +87,8 @@ Handled put_boot(const Request& request, Documents& documents, BootList& boot);
 
 /// 200 with a body.
 Reply ok(Value body);
+/// 201 with a body, of what is at `path` from now on.
+Reply created(Value body, std::string path);
 /// A list of errors with one.
 tl::unexpected<std::vector<Error>> failed(Error error);
 /// The field `arguments`: an object. Nothing if it is absent or, which is a violation, something else.

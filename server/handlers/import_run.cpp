@@ -40,9 +40,7 @@ Handled import_run(const Request& request, Runs& runs, Samples& samples, Worker&
     std::ignore = runs.remove(record->id);  // whole or not at all
     return failed(std::move(stored).error());
   }
-  Reply reply = ok(run_json(*record));
-  reply.status = 201;
-  return reply;
+  return created(run_json(*record), "/api/v1/runs/" + std::to_string(record->id));
 }
 
 }  // namespace race::server

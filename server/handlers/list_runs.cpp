@@ -1,4 +1,5 @@
 // GET /api/v1/runs?document&before&limit: the newest runs first; damaged ones as errors.
+#include "server/handlers/query.h"
 #include "server/handlers/runs.h"
 #include "server/runs/run_json.h"
 #include "server/wire/errors.h"
@@ -7,18 +8,16 @@ namespace race::server {
 
 namespace {
 
-constexpr std::uint64_t kMostListed = 100;
+constexpr std::int64_t kMostListed = 100;
 
 }  // namespace
 
 Handled list_runs(const Request& request, Runs& runs) {
-  const auto before = query_number(request, "before", 1, 0), limit = query_number(request, "limit", 1, kMostListed);
+  const auto before = query_number(request, "before"), limit = query_number(request, "limit", {1, kMostListed});
   if (!before) return failed(before.error());
   if (!limit) return failed(limit.error());
-  if (*limit > kMostListed)
-    return failed({ErrorCode::out_of_range, "at most " + std::to_string(kMostListed) + " runs at once", "limit"});
-  const auto document = request.query.find("document");
-  const auto found = runs.list(*before, *limit, document == request.query.end() ? "" : document->second);
+  const auto most = static_cast<std::uint64_t>(limit->value_or(kMostListed));
+  const auto found = runs.list(static_cast<RunId>(before->value_or(0)), most, query_text(request, "document"));
   if (!found) return failed(found.error());
   List list;
   for (const RunRecord& run : found->runs) list.push_back(run_json(run));

@@ -2,10 +2,13 @@
 #include "core/value/json.h"
 #include "server/editing/editing.h"
 #include "server/handlers/document_requests.h"
+#include "server/handlers/preconditions.h"
 
 namespace race::server {
 
 Handled restore_document(const Request& request, Editing& editing) {
+  const auto match = if_match(request);
+  if (!match) return failed(match.error());
   const auto body = parse_json(request.body);
   if (!body) return failed(body.error());
   std::vector<Error> errors;
@@ -14,7 +17,7 @@ Handled restore_document(const Request& request, Editing& editing) {
   const Change change = read_change(fields);
   fields.close();
   if (!errors.empty()) return tl::unexpected(std::move(errors));
-  return answer_entry(editing.restore(request.parameters.at("name"), *revision, change));
+  return answer_changed(editing.restore(request.parameters.at("name"), *revision, change, *match), match->has_value());
 }
 
 }  // namespace race::server

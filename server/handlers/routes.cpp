@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/value/json.h"
 #include "server/cell/cell.h"
 #include "server/http/refusal.h"
 #include "server/log/event_log.h"
@@ -24,60 +25,95 @@ struct Caller<handler> {
 template <auto handler>
 constexpr auto call = &Caller<handler>::call;
 
+constexpr bool kBody = true, kNoBody = false;
+
 constexpr std::array kRoutes = {
     Route{"GET", "/api/v1/health", call<get_health>},
     Route{"GET", "/api/v1/rules", call<get_rules>},
-    Route{"GET", "/api/v1/documents", call<list_documents>},
+    Route{"GET", "/api/v1/documents", call<list_documents>, kNoBody, "after limit"},
     Route{"GET", "/api/v1/documents/{name}", call<get_document>},
-    Route{"PUT", "/api/v1/documents/{name}", call<put_document>},
-    Route{"POST", "/api/v1/documents/{name}/edits", call<edit_document>},
-    Route{"GET", "/api/v1/documents/{name}/revisions", call<get_revisions>},
+    Route{"PUT", "/api/v1/documents/{name}", call<put_document>, kBody, "draft author message revision"},
+    Route{"DELETE", "/api/v1/documents/{name}", call<delete_document>},
+    Route{"POST", "/api/v1/documents/{name}/edits", call<edit_document>, kBody},
+    Route{"GET", "/api/v1/documents/{name}/revisions", call<get_revisions>, kNoBody, "before limit"},
     Route{"GET", "/api/v1/documents/{name}/revisions/{revision}", call<get_revision>},
-    Route{"POST", "/api/v1/documents/{name}/restore", call<restore_document>},
-    Route{"POST", "/api/v1/documents/{name}/branch", call<branch_document>},
+    Route{"POST", "/api/v1/documents/{name}/restore", call<restore_document>, kBody},
+    Route{"POST", "/api/v1/documents/{name}/branch", call<branch_document>, kBody},
     Route{"GET", "/api/v1/documents/{name}/native", call<get_document_native>},
     Route{"GET", "/api/v1/backups", call<list_backups>},
     Route{"POST", "/api/v1/backups", call<create_backup>},
+    Route{"GET", "/api/v1/backups/{name}", call<get_backup>},
     Route{"DELETE", "/api/v1/backups/{name}", call<delete_backup>},
     Route{"POST", "/api/v1/backups/{name}/restore", call<restore_backup>},
     Route{"GET", "/api/v1/services", call<list_services>},
     Route{"GET", "/api/v1/cores", call<list_cores>},
-    Route{"POST", "/api/v1/cores", call<create_core>},
+    Route{"POST", "/api/v1/cores", call<create_core>, kBody},
     Route{"GET", "/api/v1/cores/{id}", call<get_core>},
     Route{"DELETE", "/api/v1/cores/{id}", call<delete_core>},
-    Route{"POST", "/api/v1/cores/{id}/load", call<load_core>},
-    Route{"POST", "/api/v1/cores/{id}/start", call<start_core>},
+    Route{"POST", "/api/v1/cores/{id}/load", call<load_core>, kBody},
+    Route{"POST", "/api/v1/cores/{id}/start", call<start_core>, kBody},
     Route{"POST", "/api/v1/cores/{id}/pause", call<pause_core>},
     Route{"POST", "/api/v1/cores/{id}/resume", call<resume_core>},
     Route{"POST", "/api/v1/cores/{id}/stop", call<stop_core>},
-    Route{"POST", "/api/v1/cores/{id}/step", call<step_core>},
-    Route{"PUT", "/api/v1/cores/{id}/breakpoints", call<set_breakpoints>},
-    Route{"PUT", "/api/v1/cores/{id}/live", call<set_core_live>},
-    Route{"POST", "/api/v1/cores/{id}/force", call<force_core>},
+    Route{"POST", "/api/v1/cores/{id}/step", call<step_core>, kBody},
+    Route{"PUT", "/api/v1/cores/{id}/breakpoints", call<set_breakpoints>, kBody},
+    Route{"PUT", "/api/v1/cores/{id}/live", call<set_core_live>, kBody},
+    Route{"POST", "/api/v1/cores/{id}/force", call<force_core>, kBody},
     Route{"GET", "/api/v1/cores/{id}/native", call<get_core_native>},
     Route{"GET", "/api/v1/cores/{id}/state", call<get_core_state>},
-    Route{"GET", "/api/v1/cores/{id}/derivations", call<get_derivations>},
+    Route{"GET", "/api/v1/cores/{id}/derivations", call<get_derivations>, kNoBody, "from to"},
     Route{"GET", "/api/v1/cores/{id}/script", call<get_core_script>},
     Route{"GET", "/api/v1/cores/{id}/journal", call<get_core_journal>},
-    Route{"GET", "/api/v1/cores/{id}/why", call<get_why>},
-    Route{"GET", "/api/v1/runs", call<list_runs>},
-    Route{"POST", "/api/v1/runs", call<import_run>},
+    Route{"GET", "/api/v1/cores/{id}/why", call<get_why>, kNoBody, "port step micro"},
+    Route{"GET", "/api/v1/runs", call<list_runs>, kNoBody, "document before limit"},
+    Route{"POST", "/api/v1/runs", call<import_run>, kBody},
     Route{"GET", "/api/v1/runs/{run}", call<get_run>},
     Route{"DELETE", "/api/v1/runs/{run}", call<delete_run>},
     Route{"GET", "/api/v1/runs/{run}/native", call<get_run_native>},
-    Route{"GET", "/api/v1/runs/{run}/derivations", call<get_run_derivations>},
+    Route{"GET", "/api/v1/runs/{run}/derivations", call<get_run_derivations>, kNoBody, "from to"},
     Route{"GET", "/api/v1/runs/{run}/journal", call<get_run_journal>},
     Route{"GET", "/api/v1/runs/{run}/script", call<get_run_script>},
     Route{"GET", "/api/v1/runs/{run}/samples", call<get_run_samples>},
     Route{"GET", "/api/v1/runs/{run}/export", call<get_run_export>},
-    Route{"GET", "/api/v1/runs/{run}/compare", call<compare_run>},
+    Route{"GET", "/api/v1/runs/{run}/compare", call<compare_run>, kNoBody, "with from"},
     Route{"GET", "/api/v1/boot", call<get_boot>},
-    Route{"PUT", "/api/v1/boot", call<put_boot>},
+    Route{"PUT", "/api/v1/boot", call<put_boot>, kBody},
     Route{"GET", "/api/v1/cell", call<get_cell>},
     Route{"GET", "/api/v1/cell/person", call<get_person>},
-    Route{"POST", "/api/v1/cell/person", call<execute_person_command>},
+    Route{"POST", "/api/v1/cell/person", call<execute_person_command>, kBody},
     Route{"GET", "/api/v1/cell/{file}", call<get_cell_file>},
 };
+
+bool has_parameter(const Route& route, std::string_view name) {
+  const std::string wanted = " " + std::string(name) + " ";
+  return (" " + std::string(route.query) + " ").find(wanted) != std::string::npos;
+}
+
+std::vector<Error> unknown_parameters(const Route& route, const Request& request) {
+  std::vector<Error> errors;
+  for (const auto& [name, value] : request.query)
+    if (!has_parameter(route, name))
+      errors.push_back({ErrorCode::unknown_field, "this route has no such parameter", name});
+  return errors;
+}
+
+Checked<void> check_empty(const std::string& text) {
+  if (text.empty()) return {};
+  const auto body = parse_json(text);
+  if (!body) return failed(body.error());
+  std::vector<Error> errors;
+  Fields(*body, "", "the request", errors, Fields::Paths::field).close();
+  if (!errors.empty()) return tl::unexpected(std::move(errors));
+  return {};
+}
+
+Reply answer(const Route& route, const Request& request, const Resources& resources) {
+  if (const auto unknown = unknown_parameters(route, request); !unknown.empty()) return refusal(400, unknown);
+  if (!route.has_body)
+    if (const auto empty = check_empty(request.body); !empty) return refusal(empty.error());
+  auto reply = route.handle(request, resources);
+  return reply ? std::move(*reply) : refusal(reply.error());
+}
 
 }  // namespace
 
@@ -94,8 +130,7 @@ Reply handle(Request request, const Resources& resources) {
     }
     request.parameters = std::move(*parameters);
     try {
-      auto reply = route.handle(request, resources);
-      return reply ? std::move(*reply) : refusal(reply.error());
+      return answer(route, request, resources);
     } catch (const std::exception& failure) {
       const services::Time now = std::get<Cell&>(resources).clock().now();
       std::get<EventLog&>(resources).append(now, "server", request.method + " " + request.path + ": " + failure.what());

@@ -21,13 +21,16 @@ struct Route {
   std::string_view method;
   std::string_view pattern;  // "/api/v1/cores/{id}" (server/wire/path_pattern.h)
   Handled (*handle)(const Request&, const Resources&);
+  bool has_body = false;        // which the handler reads; others take none, or an empty object
+  std::string_view query = {};  // names of its parameters, between spaces
 };
 
 /// All of them. The listener serves the WebSockets itself (GET /api/v1/stream and /api/v1/components).
 std::span<const Route> routes();
 
-/// Answers a request by its route; 405 for a path with other methods, 404 for none. An exception of a handler (out of
-/// memory, a bug of ours) is logged and answered 500; the server continues.
+/// Answers a request by its route; 405 for a path with other methods, 404 for none; 400 for a parameter that the route
+/// does not have, 422 for a body that it does not have. An exception of a handler (out of memory, a bug of ours) is
+/// logged and answered 500; the server continues.
 Reply handle(Request request, const Resources& resources);
 
 }  // namespace race::server

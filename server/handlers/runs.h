@@ -15,9 +15,6 @@
 
 namespace race::server {
 
-/// A whole number of the query, from `least`; `absent` if it is not there. Error `out_of_range`.
-Expected<std::uint64_t> query_number(const Request& request, std::string_view name, std::uint64_t least,
-                                     std::uint64_t absent);
 /// The number that `text` is; 0, which no run has, if it is none.
 RunId run_number(std::string_view text);
 /// The run of the route's `run`, or `not_found`.

@@ -53,6 +53,15 @@ struct ResponseOptions {
   bool head = false;  // without the body
 };
 
+// Problem details (RFC 9457) of a refusal. They have no type of their own: `errors` have the codes.
+Value problem(int status, const Value& refused) {
+  const Value& errors = *refused.find("errors");
+  return Dict{{"status", status},
+              {"title", std::string(http::obsolete_reason(static_cast<http::status>(status)))},
+              {"detail", *errors.as_list().front().find("message")},
+              {"errors", errors}};
+}
+
 http::response<http::string_body> to_response(Reply reply, ResponseOptions options) {
   http::response<http::string_body> response(static_cast<http::status>(reply.status), 11);
   response.keep_alive(options.keep_alive);
@@ -63,13 +72,18 @@ http::response<http::string_body> to_response(Reply reply, ResponseOptions optio
   response.set("X-Frame-Options", "DENY");
   for (const auto& [name, value] : reply.headers) response.set(name, value);
   if (reply.type.empty()) {
-    response.set(http::field::content_type, "application/json");
+    const bool is_refusal = reply.status >= 400;
+    response.set(http::field::content_type, is_refusal ? "application/problem+json" : "application/json");
     if (response.find(http::field::cache_control) == response.end())
       response.set(http::field::cache_control, "no-store");
-    response.body() = to_json(reply.body);
+    response.body() = to_json(is_refusal ? problem(reply.status, reply.body) : reply.body);
   } else {
     response.set(http::field::content_type, reply.type);
     response.body() = std::move(reply.text);
+  }
+  if (reply.status == 304) {  // has no content, and no headers of one
+    response.body().clear();
+    response.erase(http::field::content_type);
   }
   response.prepare_payload();
   if (options.head) response.body().clear();
@@ -131,9 +145,10 @@ awaitable<bool> send(beast::tcp_stream& stream, Reply reply, ResponseOptions opt
 }
 
 // (An initializer list within a co_await expression is more than g++ 12 can do.)
-Reply bad_target(const Error& error) {
-  Reply reply = refusal(std::vector<Error>{error});
-  reply.status = 400;
+Reply bad_target(const Error& error) { return refusal(400, std::vector<Error>{error}); }
+Reply no_upgrade() {
+  Reply reply = refusal(426, "upgrade", "a WebSocket is served here");
+  reply.headers.emplace_back("Upgrade", "websocket");
   return reply;
 }
 
@@ -179,7 +194,7 @@ awaitable<bool> serve_one(beast::tcp_stream& stream, beast::flat_buffer& buffer,
     co_return false;
   }
   if (request->path == kStream || request->path == kComponents) {
-    Reply reply = refusal(426, "upgrade", "a WebSocket is served here");
+    Reply reply = no_upgrade();
     co_return co_await send(stream, std::move(reply), ResponseOptions());
   }
   options.keep_alive = parser.keep_alive();

@@ -28,9 +28,11 @@ int status_of(const std::vector<Error>& errors) {
   }
 }
 
-Reply refusal(const std::vector<Error>& errors) {
+Reply refusal(const std::vector<Error>& errors) { return refusal(status_of(errors), errors); }
+
+Reply refusal(int status, const std::vector<Error>& errors) {
   Reply reply;
-  reply.status = status_of(errors);
+  reply.status = status;
   reply.body = errors_json(errors);
   return reply;
 }

@@ -1,4 +1,4 @@
-// Refusals of requests: errors (schemas/errors.json) with an HTTP status.
+// Refusals of requests: errors with an HTTP status. The listener makes problem details (schemas/problem.json) of them.
 #pragma once
 
 #include <string>
@@ -14,6 +14,8 @@ namespace race::server {
 int status_of(const std::vector<Error>& errors);
 
 Reply refusal(const std::vector<Error>& errors);
+/// With another status.
+Reply refusal(int status, const std::vector<Error>& errors);
 /// One error of the HTTP layer itself, with a code that no document has.
 Reply refusal(int status, const std::string& code, const std::string& message);
 

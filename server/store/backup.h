@@ -51,6 +51,8 @@ class Backups {
   /// Those that are whole, in order of time; also while one is being made.
   Expected<std::vector<Backup>> list() const;
   /// `not_found`
+  Expected<Backup> find(const std::string& name) const;
+  /// `not_found`
   Expected<Backup> remove(const std::string& name) EXCLUDES(mutex_);
   /// Makes the files what they were, and each in one transaction: who has them open sees the old content or the new.
   /// Requires that no run goes on. `begin` is called before anything is changed, when the backup is known to be sound;
@@ -59,7 +61,6 @@ class Backups {
   Expected<Backup> restore(const std::string& name, const std::function<Expected<void>()>& begin) EXCLUDES(mutex_);
 
  private:
-  Expected<Backup> find(const std::string& name) const;
   std::vector<Backup> all() const;
 
   const std::filesystem::path data_, folder_;

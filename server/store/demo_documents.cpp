@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "server/store/document_removal.h"
 #include "server/store/documents.h"
 #include "server/store/files.h"
 #include "services/sqlite/file.h"
@@ -38,6 +39,9 @@ Checked<void> Documents::put_demo_file(const std::string& name, const std::strin
   if (!old && old.error().code == ErrorCode::corrupt) return {};  // it stays as it is; others are named
   if (!old) return failed(old.error());
   if (!has_only_demo(*file_, name)) return {};
+  const auto removed = last_removed(*file_, name);
+  if (!removed) return failed(removed.error());
+  if (!*old && *removed > 0) return {};  // somebody has removed it
   auto next = next_text(*document, *text, *old ? (*old)->text : "");
   if (!next) return failed(std::move(next).error());
   if (*old && (*old)->text == *next) return {};

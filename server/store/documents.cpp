@@ -7,6 +7,7 @@
 #include "core/language/primitives/utf8.h"
 #include "core/rcm/document.h"
 #include "core/rcm/ids.h"
+#include "server/store/document_removal.h"
 #include "services/sqlite/file.h"
 #include "services/sqlite/write_transaction.h"
 
@@ -46,6 +47,10 @@ tl::unexpected<Error> no_document(const std::string& name) {
   return unexpected(ErrorCode::not_found, "there is no document of this name", name);
 }
 
+tl::unexpected<Error> another_revision(const std::string& name) {
+  return unexpected(ErrorCode::conflict, "somebody else has stored another revision", name);
+}
+
 Checked<DocumentEntry> read(const RevisionText& stored) {
   auto document = read_document_or_draft(stored.text);
   if (!document) return tl::unexpected(std::move(document).error());
@@ -58,15 +63,17 @@ Documents::Documents(std::unique_ptr<SQLite::Database> file, Limits limits) : li
 Documents::~Documents() = default;
 
 Expected<std::unique_ptr<Documents>> Documents::open(const std::string& path, Limits limits) try {
-  return std::unique_ptr<Documents>(new Documents(sqlite::open(path), limits));
+  std::unique_ptr<Documents> documents(new Documents(sqlite::open(path), limits));
+  documents->finish_removals();
+  return documents;
 } catch (const SQLite::Exception& exception) {
   Error error = sqlite::error_of(exception, "cannot open the store");
   return unexpected(error.code, std::move(error.message), path);
 }
 
-Expected<DocumentHeads> Documents::heads() try {
+Expected<DocumentHeads> Documents::heads(const std::string& after, std::int64_t most) try {
   const services::MutexLock lock(mutex_);
-  return list_heads(*file_);
+  return list_heads(*file_, after, most);
 } catch (const SQLite::Exception& exception) {
   return tl::unexpected(sqlite::error_of(exception, kCannotRead));
 }
@@ -127,8 +134,8 @@ Checked<DocumentEntry> Documents::put(const std::string& name, std::string_view 
 Expected<DocumentEntry> Documents::put_next(const std::string& name, std::string_view text, DocumentText& document,
                                             const Change& change, const Put& options) {
   ASSIGN_OR_RETURN(const auto old, head(name));
-  if (options.seen && (!old || old->revision.number != *options.seen))
-    return unexpected(ErrorCode::conflict, "somebody else has stored another revision", name);
+  if (options.is_new && old) return unexpected(ErrorCode::conflict, "there is a document of this name", name);
+  if (options.seen && (!old || old->revision.number != *options.seen)) return another_revision(name);
   ASSIGN_OR_RETURN(std::string next, next_text(document, text, old ? old->text : ""));
   DocumentEntry out{{}, std::move(document.json), std::move(document.errors)};
   if (old && old->text == next) {
@@ -137,16 +144,19 @@ Expected<DocumentEntry> Documents::put_next(const std::string& name, std::string
   }
   const auto errors = static_cast<std::int64_t>(out.errors.size());
   ASSIGN_OR_RETURN(out.revision, append({{name, 1, change, {}, errors, doc_of(document.document)}, std::move(next)}));
+  out.is_new = !old;
   return out;
 }
 
-Checked<DocumentEntry> Documents::restore(const std::string& name, std::int64_t revision, const Change& change) try {
+Checked<DocumentEntry> Documents::restore(const std::string& name, std::int64_t revision, const Change& change,
+                                          std::optional<std::int64_t> seen) try {
   if (auto fits = check(change); !fits) return failed(std::move(fits).error());
   const services::MutexLock lock(mutex_);
   auto old = find(name, revision);
   if (!old) return failed(std::move(old).error());
   auto last = find(name, {});
   if (!last) return failed(std::move(last).error());
+  if (seen && last->revision.number != *seen) return failed(another_revision(name).value());
   if (old->text == last->text) return read(*last);
   return append_copy(std::move(*old), name, {Origin::Kind::restore, "", revision}, change);
 } catch (const SQLite::Exception& exception) {
@@ -186,7 +196,8 @@ Expected<RevisionText> Documents::find_past(const std::string& name, std::int64_
 
 Expected<std::vector<EditToken>> Documents::tokens(const std::string& name, std::int64_t most) try {
   const services::MutexLock lock(mutex_);
-  return list_tokens(*file_, name, most);
+  ASSIGN_OR_RETURN(const auto range, find_range(*file_, name));
+  return list_tokens(*file_, name, range ? range->first : 1, most);
 } catch (const SQLite::Exception& exception) {
   return tl::unexpected(sqlite::error_of(exception, kCannotRead));
 }
@@ -218,7 +229,9 @@ Checked<DocumentEntry> Documents::branch(const std::string& name, const Branch& 
   if (!taken) return failed(taken.error());
   if (*taken) return failed({ErrorCode::conflict, "there is a document of this name", "as"});
   const std::int64_t revision = from->revision.number;
-  return append_copy(std::move(*from), branch.as, {Origin::Kind::branch, name, revision}, change);
+  auto made = append_copy(std::move(*from), branch.as, {Origin::Kind::branch, name, revision}, change);
+  if (made) made->is_new = true;
+  return made;
 } catch (const SQLite::Exception& exception) {
   return failure("cannot store " + branch.as, exception);
 }
@@ -264,13 +277,52 @@ Expected<Revision> Documents::append(RevisionText next, const RevisionEdit* edit
   if (range && range->count() >= limits_.revisions)
     return unexpected(ErrorCode::too_large, "it has already " + std::to_string(limits_.revisions) + " revisions",
                       next.revision.document);
-  const std::int64_t number = range ? range->last + 1 : 1;
-  if (edit && (!range || next.revision.number != number))
-    return unexpected(ErrorCode::conflict, "somebody else has stored another revision", next.revision.document);
+  ASSIGN_OR_RETURN(const std::int64_t removed, last_removed(*file_, next.revision.document));
+  const std::int64_t number = (range ? range->last : removed) + 1;
+  if (edit && (!range || next.revision.number != number)) return another_revision(next.revision.document);
   next.revision.number = number;
-  add_revision(*file_, next, range ? range->first : 1, edit);
+  add_revision(*file_, next, range ? range->first : number, edit);
   transaction.commit();
   return std::move(next.revision);
+}
+
+Expected<void> Documents::remove(const std::string& name, std::optional<std::int64_t> seen) try {
+  if (auto begun = begin_removal_of(name, seen); !begun) return begun;
+  try {
+    while (remove_some_of(name)) {
+    }
+  } catch (const SQLite::Exception&) {  // the document is gone; the rest goes when the store is opened next
+  }
+  return {};
+} catch (const SQLite::Exception& exception) {
+  return tl::unexpected(sqlite::error_of(exception, "cannot remove " + name));
+}
+
+Expected<void> Documents::begin_removal_of(const std::string& name, std::optional<std::int64_t> seen) {
+  const services::MutexLock lock(mutex_);
+  const auto range = find_range(*file_, name);
+  if (!range && (range.error().code != ErrorCode::corrupt || seen)) return tl::unexpected(range.error());
+  if (range && !*range) return no_document(name);
+  if (seen && (*range)->last != *seen) return another_revision(name);
+  sqlite::WriteTransaction transaction(*file_);
+  begin_removal(*file_, name, std::max(range ? (*range)->last : 0, largest_number(*file_, name)));
+  transaction.commit();
+  return {};
+}
+
+bool Documents::remove_some_of(const std::string& name) {
+  const services::MutexLock lock(mutex_);
+  return remove_some(*file_, name);
+}
+
+void Documents::finish_removals() {
+  const auto unfinished = [this] {
+    const services::MutexLock lock(mutex_);
+    return unfinished_removal(*file_);
+  };
+  while (const auto name = unfinished())
+    while (remove_some_of(*name)) {
+    }
 }
 
 }  // namespace race::server

@@ -40,6 +40,7 @@ struct DocumentEntry {
   Revision revision;
   Value document;             // JSON
   std::vector<Error> errors;  // every violation, by the rules of this version of the program
+  bool is_new = false;        // this revision has made the document
 };
 
 /// A document with the edits that have made it, as far as they reach back without another origin.
@@ -67,7 +68,9 @@ class Documents {
   ~Documents();
 
   /// The last revision of each, drafts among them, in order of name; those that are damaged are named beside them.
-  Expected<DocumentHeads> heads() EXCLUDES(mutex_);
+  Expected<DocumentHeads> heads() EXCLUDES(mutex_) { return heads("", limits_.documents); }
+  /// The same of at most `most` with names after `after`.
+  Expected<DocumentHeads> heads(const std::string& after, std::int64_t most) EXCLUDES(mutex_);
   /// The same, or an error if one is damaged.
   Checked<std::vector<Revision>> list() EXCLUDES(mutex_);
   /// The last revision, to be executed. `not_found`: there is none; every violation of a draft.
@@ -82,19 +85,24 @@ class Documents {
   struct Put {
     bool draft = false;                // it may have violations
     std::optional<std::int64_t> seen;  // the last revision that the author knows of
+    bool is_new = false;               // there is no document of this name
   };
   /// Stores a text as the next revision (document_text.h: next_text). A text that is the same then keeps its revision.
   /// Errors: every violation, unless it is a draft; `name`: not 1 to 64 of A-Z, a-z, 0-9, `_`, `-`; `too_large`,
   /// `too_deep`: with ids it could not be read again; `too_large`: of the change or the limits; `conflict`: the last
-  /// revision is not `seen`.
+  /// revision is not `seen`, or there is one and it `is_new`.
   Checked<DocumentEntry> put(const std::string& name, std::string_view text, const Change& change, Put options)
       EXCLUDES(mutex_);
   Checked<DocumentEntry> put(const std::string& name, std::string_view text, const Change& change = {}) {
     return put(name, text, change, Put{});
   }
   /// Makes the text of `revision` the next revision; that of the last one keeps its revision. `not_found`, `too_large`;
-  /// what entry() says of a text that is no draft.
-  Checked<DocumentEntry> restore(const std::string& name, std::int64_t revision, const Change& change) EXCLUDES(mutex_);
+  /// `conflict`: the last revision is not `seen`; what entry() says of a text that is no draft.
+  Checked<DocumentEntry> restore(const std::string& name, std::int64_t revision, const Change& change,
+                                 std::optional<std::int64_t> seen = {}) EXCLUDES(mutex_);
+  /// Removes a document, also a damaged one, with all its revisions; revisions of a document that gets its name go on
+  /// after the last one. `not_found`; `conflict`: the last revision is not `seen`.
+  Expected<void> remove(const std::string& name, std::optional<std::int64_t> seen = {}) EXCLUDES(mutex_);
   /// The last revision, with at most `most` edits that led to it; those before one that cannot be read are left out.
   /// Errors: those of entry().
   Checked<DocumentPast> past(const std::string& name, std::int64_t most) EXCLUDES(mutex_);
@@ -119,6 +127,10 @@ class Documents {
 
  private:
   Documents(std::unique_ptr<SQLite::Database> file, Limits limits);
+  Expected<void> begin_removal_of(const std::string& name, std::optional<std::int64_t> seen) EXCLUDES(mutex_);
+  bool remove_some_of(const std::string& name) EXCLUDES(mutex_);
+  /// Of a server that ended meanwhile.
+  void finish_removals() EXCLUDES(mutex_);
   Expected<std::optional<RevisionText>> head(const std::string& name) REQUIRES(mutex_);
   Expected<RevisionText> find(const std::string& name, std::optional<std::int64_t> revision) REQUIRES(mutex_);
   Expected<RevisionText> find_past(const std::string& name, std::int64_t most, DocumentPast& out) EXCLUDES(mutex_);

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "server/store/digest_column.h"
+#include "server/store/document_removal.h"
 #include "server/store/revision_text.h"
 #include "services/sqlite/digest.h"
 
@@ -78,13 +79,15 @@ Expected<StoredRow> read_stored(SQLite::Database& file, const std::string& name,
   return stored;
 }
 
-/// Documents that have revisions but no entry. Looks for each name once.
-std::vector<std::string> find_lost_entries(SQLite::Database& file) {
-  SQLite::Statement select(file,
-                           "WITH RECURSIVE each(name) AS (SELECT min(document) FROM revision UNION ALL"
-                           " SELECT (SELECT min(document) FROM revision WHERE document > name) FROM each"
-                           "  WHERE name IS NOT NULL)"
-                           " SELECT name FROM each WHERE name IS NOT NULL AND name NOT IN (SELECT name FROM document)");
+/// Documents that have revisions but no entry, with names after `after`. Looks for each name once.
+std::vector<std::string> find_lost_entries(SQLite::Database& file, const std::string& after) {
+  SQLite::Statement select(
+      file,
+      "WITH RECURSIVE each(name) AS (SELECT (SELECT min(document) FROM revision WHERE document > ?1)"
+      "  UNION ALL SELECT (SELECT min(document) FROM revision WHERE document > name) FROM each WHERE name IS NOT NULL)"
+      " SELECT name FROM each WHERE name IS NOT NULL AND name NOT IN (SELECT name FROM document)"
+      "  AND name NOT IN (SELECT name FROM removed_document)");
+  select.bind(1, after);
   std::vector<std::string> lost;
   while (select.executeStep()) lost.push_back(select.getColumn(0).getString());
   return lost;
@@ -140,9 +143,8 @@ Expected<std::optional<RevisionRange>> find_range(SQLite::Database& file, const 
     if (sqlite::bytes(digest_of(name, range)) != select.getColumn(2).getString()) return damaged_entry(name);
     return range;
   }
-  SQLite::Statement any(file, "SELECT 1 FROM revision WHERE document = ? LIMIT 1");
-  any.bind(1, name);
-  if (any.executeStep()) return damaged_entry(name);
+  ASSIGN_OR_RETURN(const std::int64_t removed, last_removed(file, name));
+  if (largest_number(file, name) > removed) return damaged_entry(name);
   return std::nullopt;
 }
 
@@ -177,19 +179,31 @@ Expected<std::vector<Revision>> list_revisions(SQLite::Database& file, const std
   return found;
 }
 
-DocumentHeads list_heads(SQLite::Database& file) {
+DocumentHeads list_heads(SQLite::Database& file, const std::string& after, std::int64_t most) {
   DocumentHeads heads;
-  for (const std::string& lost : find_lost_entries(file)) heads.damaged.push_back(damaged_entry(lost).value());
   SQLite::Statement select(file, std::string("SELECT ") + kColumns +
                                      ", document.name, document.first, document.last, document.digest"
                                      " FROM document LEFT JOIN revision ON revision.document = document.name"
-                                     "  AND revision.number = document.last ORDER BY document.name");
-  while (select.executeStep()) {
+                                     "  AND revision.number = document.last WHERE document.name > ?1"
+                                     " ORDER BY document.name LIMIT ?2");
+  select.bind(1, after);
+  select.bind(2, most + 1);
+  std::string last;
+  for (std::int64_t i = 0; select.executeStep(); ++i) {
+    if (i == most) {
+      heads.next = last;
+      break;
+    }
+    last = select.getColumn(kColumnCount).getString();
     if (auto head = read_head(select))
       heads.revisions.push_back(std::move(*head));
     else
       heads.damaged.push_back(std::move(head).error());
   }
+  std::vector<Error> lost;
+  for (const std::string& name : find_lost_entries(file, after))
+    if (heads.next.empty() || name < heads.next) lost.push_back(damaged_entry(name).value());
+  heads.damaged.insert(heads.damaged.begin(), lost.begin(), lost.end());
   return heads;
 }
 

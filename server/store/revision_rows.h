@@ -31,9 +31,10 @@ Expected<std::vector<Revision>> list_revisions(SQLite::Database& file, const std
 struct DocumentHeads {
   std::vector<Revision> revisions;
   std::vector<Error> damaged;  // `corrupt`: of a document each
+  std::string next;            // name of the last document if there are more after it; else empty
 };
-/// The last revision of every document, in order of name. Reads no texts.
-DocumentHeads list_heads(SQLite::Database& file);
+/// The last revisions of at most `most` documents with names after `after`, in order of name. Reads no texts.
+DocumentHeads list_heads(SQLite::Database& file, const std::string& after, std::int64_t most);
 
 std::int64_t count_documents(SQLite::Database& file);
 

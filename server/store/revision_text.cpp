@@ -96,13 +96,16 @@ Expected<std::string> text_after(SQLite::Database& file, const std::string& docu
   return std::move(*after);
 }
 
-std::vector<EditToken> list_tokens(SQLite::Database& file, const std::string& document, std::int64_t most) {
-  SQLite::Statement select(file,
-                           "SELECT revision.author, last.request, number FROM (SELECT number, request FROM"
-                           " revision_edit WHERE document = ?1 ORDER BY number DESC LIMIT ?2) AS last JOIN revision"
-                           " USING (number) WHERE revision.document = ?1 AND last.request <> '' ORDER BY number");
+std::vector<EditToken> list_tokens(SQLite::Database& file, const std::string& document, std::int64_t first,
+                                   std::int64_t most) {
+  SQLite::Statement select(
+      file,
+      "SELECT revision.author, last.request, number FROM (SELECT number, request FROM"
+      " revision_edit WHERE document = ?1 AND number >= ?3 ORDER BY number DESC LIMIT ?2) AS last JOIN revision"
+      " USING (number) WHERE revision.document = ?1 AND last.request <> '' ORDER BY number");
   select.bind(1, document);
   select.bind(2, most);
+  select.bind(3, first);
   std::vector<EditToken> tokens;
   while (select.executeStep())
     tokens.push_back({select.getColumn(0), select.getColumn(1), select.getColumn(2).getInt64()});

@@ -56,8 +56,16 @@ void add_edits(SQLite::Database& file) {
       " WITHOUT ROWID");
 }
 
-constexpr std::array<sqlite::Migration, 6> kMigrations = {give_document_ids, add_runs,     add_revisions,
-                                                          add_boot,          add_removals, add_edits};
+// 7: names of documents that were removed, in the order of their removal, with the last revision that each has had
+// (document_removal.h).
+void add_removed_documents(SQLite::Database& file) {
+  file.exec(
+      "CREATE TABLE removed_document (position INTEGER PRIMARY KEY AUTOINCREMENT, name TEXT NOT NULL UNIQUE,"
+      " last INTEGER NOT NULL, digest BLOB NOT NULL)");
+}
+
+constexpr std::array<sqlite::Migration, 7> kMigrations = {give_document_ids, add_runs,  add_revisions,        add_boot,
+                                                          add_removals,      add_edits, add_removed_documents};
 
 }  // namespace
 

@@ -16,6 +16,7 @@ export const kRead = [
   "document_entry.json",
   "documents.json",
   "errors.json",
+  "problem.json",
   "health.json",
   "native.json",
   "packet.json",

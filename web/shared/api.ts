@@ -3,6 +3,7 @@ import type {
   Core,
   CoreCreate,
   DocumentEntry,
+  Documents,
   DocumentSummary,
   Health,
   Native,
@@ -46,7 +47,7 @@ export function createApi(base: string, fetcher: typeof fetch) {
     const init: RequestInit = body === undefined ? { method } : { method, body: JSON.stringify(body), headers: { "content-type": "application/json" } };
     const answer = await fetcher(`${base}${path}`, init);
     const data: unknown = await answer.json();
-    if (!answer.ok) throw new RefusedError(answer.status, check(schema.errors, data).errors);
+    if (!answer.ok) throw new RefusedError(answer.status, check(schema.problem, data).errors);
     return check(validator, data);
   }
   const get = <T>(path: string, validator: Validator<T>) => request("GET", path, validator);
@@ -54,7 +55,15 @@ export function createApi(base: string, fetcher: typeof fetch) {
   return {
     health: (): Promise<Health> => get("/health", schema.health),
     rules: async (): Promise<readonly Rule[]> => (await get("/rules", schema.rules)).rules,
-    documents: async (): Promise<readonly DocumentSummary[]> => (await get("/documents", schema.documents)).documents,
+    documents: async (): Promise<readonly DocumentSummary[]> => {
+      const all: DocumentSummary[] = [];
+      for (let after: string | undefined = ""; after !== undefined; ) {
+        const page: Documents = await get(`/documents?after=${segment(after)}`, schema.documents);
+        all.push(...page.documents);
+        after = page.next;
+      }
+      return all;
+    },
     document: (name: string): Promise<DocumentEntry> => get(`/documents/${segment(name)}`, schema.documentEntry),
     createCore: (document: string, args: Core["arguments"]): Promise<Core> => request("POST", "/cores", schema.core, { document, arguments: args }),
     coreModel: async (id: string): Promise<RcmDocument> => readNative(await get(`/cores/${segment(id)}/native`, schema.native)),

@@ -3,7 +3,7 @@ import { createApi, RefusedError } from "../shared/api";
 import { applyEvent, emptySession } from "../shared/session/session";
 import { readJson } from "./files";
 
-const refusal = readJson(new URL("../../api/examples/errors.storage.json", import.meta.url));
+const refusal = readJson(new URL("../../api/examples/problem.storage.json", import.meta.url));
 
 describe("a command that the server refuses because it cannot store it", () => {
   it("fails with the status and the message of the server", async () => {

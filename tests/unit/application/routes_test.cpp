@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 
 #include <fstream>
+#include <map>
 #include <set>
+#include <sstream>
 
 namespace race::server {
 namespace {
@@ -24,6 +26,39 @@ Names interface() {
     }
   }
   return names;
+}
+
+/// "PUT /api/v1/boot": whether api/openapi.yaml has a body for it, and the parameters of its query, by its indentation.
+std::map<std::string, std::string> requests() {
+  std::ifstream file(RACE_SOURCE_DIR "/api/openapi.yaml");
+  std::map<std::string, std::string> out;
+  std::string path, route;
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("  /") && line.ends_with(":")) path = line.substr(2, line.size() - 3);
+    for (std::string method : {"get", "put", "post", "delete", "patch"}) {
+      if (line != "    " + method + ":") continue;
+      for (char& c : method) c = static_cast<char>(c - 32);
+      route = method + " " + path;
+      out[route] = "";
+    }
+    if (line.starts_with("      requestBody:")) out[route] += " body";
+    const auto name = line.find("{ name: ");
+    if (name != std::string::npos && line.find("in: query") != std::string::npos)
+      out[route] += " " + line.substr(name + 8, line.find(',') - name - 8);
+  }
+  return out;
+}
+
+TEST(Routes, HaveTheParametersAndBodiesOfTheInterface) {
+  auto listed = requests();
+  for (const Route& route : routes()) {
+    std::set<std::string> ours, theirs;
+    std::istringstream names(std::string(route.query) + (route.has_body ? " body" : ""));
+    for (std::string name; names >> name;) ours.insert(name);
+    std::istringstream others(listed.at(std::string(route.method) + " " + std::string(route.pattern)));
+    for (std::string name; others >> name;) theirs.insert(name);
+    EXPECT_EQ(ours, theirs) << route.method << " " << route.pattern;
+  }
 }
 
 TEST(Routes, AreThoseOfTheInterface) {

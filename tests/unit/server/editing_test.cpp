@@ -199,6 +199,18 @@ TEST_F(EditingTest, TellsATextThatIsPutAsTheEditThatItIs) {
   EXPECT_THAT(recorder_.told, ElementsAre("t edit 2", "t edit 3", "t edit 4", "t edit 5"));
 }
 
+TEST_F(EditingTest, TellsThatADocumentWasRemovedAndThatThereIsAnotherOne) {
+  accepted(doc("Ada", 1, "x", "one"));
+  EXPECT_EQ(editing_->remove("t", 1).error().code, ErrorCode::conflict);
+  ASSERT_TRUE(editing_->remove("t"));
+  EXPECT_EQ(refused(doc("Ada", 2, "y")).errors.front().code, ErrorCode::not_found);
+  EXPECT_EQ(editing_->remove("t").error().code, ErrorCode::not_found);
+  editing_->put("t", kEdited, {"Eve", "", 3}, {}).value();
+  EXPECT_THAT(recorder_.told, ElementsAre("t edit 2", "t ended not_found", "t text 3"));
+  EXPECT_EQ(accepted(doc("Ada", 3, "y", "one")), 4) << "the token was that of an edit of the other document";
+  EXPECT_EQ(refused(take_back("Eve", "undo")).errors.front().code, ErrorCode::not_found);
+}
+
 TEST_F(EditingTest, BeginsAnewWithATextThatNoEditLeadsTo) {
   accepted(doc("Ada", 1, "x"));
   editing_->put("t", R"({"rcm": 1, "root": {"state": "R", "meta": {"id": "other"}}})", {"Eve", "", 2}, {}).value();

@@ -8,6 +8,7 @@
 
 #include <thread>
 
+#include "server/http/refusal.h"
 #include "tests/unit/server/bench.h"
 
 namespace race::server {
@@ -92,7 +93,9 @@ struct ListenerTest : testing::Test {
     EXPECT_TRUE(made->send(text));
     return made;
   }
-  static Reply answer(const Request& request) { return {request.path == "/api/v1/health" ? 200 : 404, {}, {}, {}, {}}; }
+  static Reply answer(const Request& request) {
+    return request.path == "/api/v1/health" ? Reply() : refusal(404, "not_found", "there is no such route");
+  }
 
   Pool pool{1};
   Hub hub{pool, 1, [](const std::string&) { return std::nullopt; }};

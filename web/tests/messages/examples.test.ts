@@ -27,6 +27,7 @@ const readers: Readonly<Record<string, (value: unknown) => unknown>> = {
   documents: by(schema.documents),
   errors: by(schema.errors),
   person: by(schema.person),
+  problem: by(schema.problem),
   rules: by(schema.rules),
   scene: by(schema.scene),
   services: by(schema.services),
