@@ -156,7 +156,7 @@ ChannelSources Application::channel_sources() { return {*hub_, *cores_, *cell_, 
 
 Resources Application::resources() {
   return {*documents_, *editing_,    *boot_list_, *backups_, *runs_, *samples_,
-          *cores_,     *live_edits_, replays_,    *cell_,    *log_};
+          *cores_,     *live_edits_, replays_,    *cell_,    *log_,  answers_};
 }
 
 }  // namespace race::server

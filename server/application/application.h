@@ -18,6 +18,7 @@
 #include "server/editing/edit_queue.h"
 #include "server/editing/editing.h"
 #include "server/execution/live_edits.h"
+#include "server/handlers/idempotency.h"
 #include "server/handlers/routes.h"
 #include "server/http/listener.h"
 #include "server/log/event_log.h"
@@ -96,6 +97,7 @@ class Application {
   DocumentWatchers document_watchers_;
   std::unique_ptr<Editing> editing_;
   std::unique_ptr<EditQueue> edits_;
+  IdempotentAnswers answers_;
   std::unique_ptr<Operator> operator_;  // destroyed first, when the cell that calls it has stopped
 };
 

@@ -4,6 +4,7 @@
 
 #include "core/value/json.h"
 #include "server/cell/cell.h"
+#include "server/handlers/idempotency.h"
 #include "server/http/refusal.h"
 #include "server/log/event_log.h"
 #include "server/wire/path_pattern.h"
@@ -25,7 +26,7 @@ struct Caller<handler> {
 template <auto handler>
 constexpr auto call = &Caller<handler>::call;
 
-constexpr bool kBody = true, kNoBody = false;
+constexpr bool kBody = true, kNoBody = false, kCreates = true;
 
 constexpr std::array kRoutes = {
     Route{"GET", "/api/v1/health", call<get_health>},
@@ -38,16 +39,16 @@ constexpr std::array kRoutes = {
     Route{"GET", "/api/v1/documents/{name}/revisions", call<get_revisions>, kNoBody, "before limit"},
     Route{"GET", "/api/v1/documents/{name}/revisions/{revision}", call<get_revision>},
     Route{"POST", "/api/v1/documents/{name}/restore", call<restore_document>, kBody},
-    Route{"POST", "/api/v1/documents/{name}/branch", call<branch_document>, kBody},
+    Route{"POST", "/api/v1/documents/{name}/branch", call<branch_document>, kBody, "", kCreates},
     Route{"GET", "/api/v1/documents/{name}/native", call<get_document_native>},
     Route{"GET", "/api/v1/backups", call<list_backups>},
-    Route{"POST", "/api/v1/backups", call<create_backup>},
+    Route{"POST", "/api/v1/backups", call<create_backup>, kNoBody, "", kCreates},
     Route{"GET", "/api/v1/backups/{name}", call<get_backup>},
     Route{"DELETE", "/api/v1/backups/{name}", call<delete_backup>},
     Route{"POST", "/api/v1/backups/{name}/restore", call<restore_backup>},
     Route{"GET", "/api/v1/services", call<list_services>},
     Route{"GET", "/api/v1/cores", call<list_cores>},
-    Route{"POST", "/api/v1/cores", call<create_core>, kBody},
+    Route{"POST", "/api/v1/cores", call<create_core>, kBody, "", kCreates},
     Route{"GET", "/api/v1/cores/{id}", call<get_core>},
     Route{"DELETE", "/api/v1/cores/{id}", call<delete_core>},
     Route{"POST", "/api/v1/cores/{id}/load", call<load_core>, kBody},
@@ -66,7 +67,7 @@ constexpr std::array kRoutes = {
     Route{"GET", "/api/v1/cores/{id}/journal", call<get_core_journal>},
     Route{"GET", "/api/v1/cores/{id}/why", call<get_why>, kNoBody, "port step micro"},
     Route{"GET", "/api/v1/runs", call<list_runs>, kNoBody, "document before limit"},
-    Route{"POST", "/api/v1/runs", call<import_run>, kBody},
+    Route{"POST", "/api/v1/runs", call<import_run>, kBody, "", kCreates},
     Route{"GET", "/api/v1/runs/{run}", call<get_run>},
     Route{"DELETE", "/api/v1/runs/{run}", call<delete_run>},
     Route{"GET", "/api/v1/runs/{run}/native", call<get_run_native>},
@@ -111,8 +112,11 @@ Reply answer(const Route& route, const Request& request, const Resources& resour
   if (const auto unknown = unknown_parameters(route, request); !unknown.empty()) return refusal(400, unknown);
   if (!route.has_body)
     if (const auto empty = check_empty(request.body); !empty) return refusal(empty.error());
-  auto reply = route.handle(request, resources);
-  return reply ? std::move(*reply) : refusal(reply.error());
+  const auto make = [&] {
+    auto reply = route.handle(request, resources);
+    return reply ? std::move(*reply) : refusal(reply.error());
+  };
+  return route.creates ? std::get<IdempotentAnswers&>(resources).answer(request, make) : make();
 }
 
 }  // namespace

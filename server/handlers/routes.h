@@ -12,10 +12,11 @@
 namespace race::server {
 
 class EventLog;
+class IdempotentAnswers;
 
 /// What handlers use; each gets those that are its parameters.
 using Resources = std::tuple<Documents&, Editing&, BootList&, Backups&, Runs&, Samples&, Cores&, LiveEdits&, Worker&,
-                             Cell&, EventLog&>;
+                             Cell&, EventLog&, IdempotentAnswers&>;
 
 struct Route {
   std::string_view method;
@@ -23,6 +24,7 @@ struct Route {
   Handled (*handle)(const Request&, const Resources&);
   bool has_body = false;        // which the handler reads; others take none, or an empty object
   std::string_view query = {};  // names of its parameters, between spaces
+  bool creates = false;         // something each time, unless the request has an Idempotency-Key
 };
 
 /// All of them. The listener serves the WebSockets itself (GET /api/v1/stream and /api/v1/components).

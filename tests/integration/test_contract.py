@@ -75,6 +75,24 @@ class Contract(unittest.TestCase):
         self.assertEqual(status, 201)
         self.assertTrue(self.server.get(headers["Location"].removeprefix("/api/v1"), "run")["imported"])
 
+    def test_what_creates_does_so_once_for_a_key(self):
+        self.server.put("/documents/once", models.ticking("once"), "document_entry")
+        body = {"document": "once"}
+        status, headers, core = self.ask("POST", "/cores", body, Idempotency_Key="k1")
+        self.assertEqual(status, 201)
+        again, replayed, same = self.ask("POST", "/cores", body, Idempotency_Key='"k1"')
+        self.assertEqual((again, same, replayed["Location"], replayed["Idempotency-Replayed"]), (201, core, headers["Location"], "true"))
+        self.assertNotIn("Idempotency-Replayed", headers)
+        self.assertNotEqual(self.ask("POST", "/cores", body, Idempotency_Key="k2")[2]["id"], core["id"])
+        self.assertEqual(self.ask("POST", "/cores", {"document": "once", "arguments": {}}, Idempotency_Key="k1")[0], 422)
+        self.assertEqual(self.ask("POST", "/cores", body, Idempotency_Key="no key")[0], 400)
+        self.assertEqual(self.ask("POST", "/cores", {"document": "nobody"}, Idempotency_Key="k3")[0], 404)
+        self.assertEqual(self.ask("POST", "/cores", body, Idempotency_Key="k3")[0], 201)
+        for path, create in (("/documents/once/branch", {"as": "branch_once"}), ("/backups", None)):
+            with self.subTest(path):
+                first, second = (self.ask("POST", path, create, Idempotency_Key="of" + path.replace("/", "_")) for _ in range(2))
+                self.assertEqual((first[0], first[2]), (second[0], second[2]))
+
     def test_a_document_has_a_tag(self):
         name, task = "/documents/tagged", models.ticking("tagged")
         self.assertEqual(self.ask("PUT", name, task, If_Match='"1"')[0], 412)
