@@ -2,6 +2,7 @@
 import { fileURLToPath } from "node:url";
 import react from "@vitejs/plugin-react";
 import { defineConfig } from "vitest/config";
+import { compressedCopies } from "./compress";
 
 /** Where `npm run dev` finds a running server; the built pages always talk to the server they came from. */
 const server = process.env["RACE_SERVER"] ?? "http://127.0.0.1:8080";
@@ -10,7 +11,7 @@ const here = (path: string): string => fileURLToPath(new URL(path, import.meta.u
 
 export default defineConfig({
   root: here("."),
-  plugins: [react()],
+  plugins: [react(), compressedCopies()],
   worker: { format: "es" },
   build: {
     outDir: "dist",

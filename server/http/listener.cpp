@@ -86,6 +86,7 @@ http::response<http::string_body> to_response(Reply reply, ResponseOptions optio
     response.erase(http::field::content_type);
   }
   response.prepare_payload();
+  if (reply.status == 304) response.erase(http::field::content_length);  // it would have to be that of the file
   if (options.head) response.body().clear();
   return response;
 }
@@ -93,7 +94,7 @@ http::response<http::string_body> to_response(Reply reply, ResponseOptions optio
 Reply answer(Request request, Context& context) {
   if (request.path.starts_with("/api/")) return context.backend.handle(std::move(request));
   if (request.method == "GET")
-    if (auto file = static_file(context.web, request.path)) return std::move(*file);
+    if (auto file = static_file(context.web, request)) return std::move(*file);
   return refusal(404, "not_found", "there is no such page");
 }
 

@@ -1,10 +1,17 @@
 #include "server/http/static_files.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <utility>
+#include <vector>
+
+#include "server/http/content_coding.h"
+#include "server/http/field_list.h"
+#include "server/http/refusal.h"
+#include "services/sqlite/digest.h"
 
 namespace race::server {
 namespace {
@@ -32,27 +39,88 @@ std::string type_of(const fs::path& file) {
   return "application/octet-stream";
 }
 
+struct Copy {
+  std::string_view coding;
+  fs::path file;
+};
+
+// In order of preference, and how the names of the files end.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kCodings = {
+    {{"br", ".br"}, {"gzip", ".gz"}, {"identity", ""}}};
+
+bool is_compressed_copy(const fs::path& file) { return file.extension() == ".br" || file.extension() == ".gz"; }
+
+// `path` without links and `..`, if it is a file below `root`.
+std::optional<fs::path> find_file(const fs::path& root, const fs::path& path) {
+  std::error_code error;
+  fs::path file = fs::canonical(path, error);
+  if (error || !fs::is_regular_file(file, error)) return std::nullopt;
+  const auto [inside, rest] = std::mismatch(root.begin(), root.end(), file.begin(), file.end());
+  if (inside != root.end()) return std::nullopt;
+  return file;
+}
+
+// The compressed copies that there are of a file, and the file itself.
+std::vector<Copy> copies_of(const fs::path& root, const fs::path& file) {
+  std::vector<Copy> copies;
+  for (const auto& [coding, ending] : kCodings)
+    if (auto copy = find_file(root, fs::path(file) += ending)) copies.push_back({coding, std::move(*copy)});
+  return copies;
+}
+
+// The copy that the client prefers; none if it accepts none.
+const Copy* choose_copy(const Request& request, const std::vector<Copy>& copies) {
+  std::vector<std::string_view> codings;
+  for (const Copy& copy : copies) codings.push_back(copy.coding);
+  const auto coding = choose_coding(request, codings);
+  const auto found = std::ranges::find_if(copies, [&](const Copy& copy) { return copy.coding == coding; });
+  return found == copies.end() ? nullptr : &*found;
+}
+
+std::optional<std::string> read_copy(const Copy& copy) {
+  std::ifstream stream(copy.file, std::ios::binary);
+  if (!stream) return std::nullopt;
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+// Whether the client has what bears the tag: If-None-Match (RFC 9110, 13.1.2), compared weakly.
+bool is_known(const Request& request, std::string_view tag) {
+  return std::ranges::any_of(elements_of(request, "if-none-match"), [&](std::string_view known) {
+    if (known.starts_with("W/")) known.remove_prefix(2);
+    return known == tag || known == "*";
+  });
+}
+
 }  // namespace
 
-std::optional<Reply> static_file(const std::string& folder, const std::string& path) {
+std::optional<Reply> static_file(const std::string& folder, const Request& request) {
   if (folder.empty()) return std::nullopt;
   std::error_code error;
   const fs::path root = fs::canonical(folder, error);
   if (error) return std::nullopt;
-  fs::path file = fs::canonical(root / fs::path(path).relative_path(), error);
-  if (error) return std::nullopt;
-  if (fs::is_directory(file, error)) file = fs::canonical(file / "index.html", error);
-  if (error || !fs::is_regular_file(file, error)) return std::nullopt;
-  // Links and `..` have been resolved: what is not below the folder now is none of ours.
-  const auto [inside, rest] = std::mismatch(root.begin(), root.end(), file.begin(), file.end());
-  if (inside != root.end()) return std::nullopt;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return std::nullopt;
+  fs::path path = root / fs::path(request.path).relative_path();
+  if (fs::is_directory(path, error)) path /= "index.html";
+  const auto file = find_file(root, path);
+  if (!file || is_compressed_copy(*file)) return std::nullopt;
   Reply reply;
-  reply.text.assign(std::istreambuf_iterator<char>(stream), {});
-  reply.type = type_of(file);
-  reply.headers.emplace_back("Cache-Control",
-                             path.starts_with("/assets/") ? "public, max-age=31536000, immutable" : "no-cache");
+  const std::vector<Copy> copies = copies_of(root, *file);
+  if (const Copy* copy = choose_copy(request, copies)) {
+    auto text = read_copy(*copy);
+    if (!text) return std::nullopt;
+    const std::string tag = '"' + sqlite::hex(sqlite::sha256(*text)) + '"';
+    reply.type = type_of(*file);
+    if (copy->coding != "identity") reply.headers.emplace_back("Content-Encoding", copy->coding);
+    reply.headers.emplace_back("ETag", tag);
+    reply.headers.emplace_back(
+        "Cache-Control", request.path.starts_with("/assets/") ? "public, max-age=31536000, immutable" : "no-cache");
+    if (is_known(request, tag))
+      reply.status = 304;
+    else
+      reply.text = std::move(*text);
+  } else {
+    reply = refusal(406, "not_acceptable", "Accept-Encoding allows no coding that there is of this file");
+  }
+  reply.headers.emplace_back("Vary", "Accept-Encoding");
   return reply;
 }
 
