@@ -3,6 +3,7 @@
 #include "server/handlers/document_requests.h"
 #include "server/handlers/preconditions.h"
 #include "server/handlers/query.h"
+#include "server/http/field_list.h"
 
 namespace race::server {
 namespace {
@@ -18,7 +19,7 @@ Expected<bool> is_draft(const Request& request) {
 
 Handled get_document(const Request& request, Documents& documents) {
   const auto entry = documents.entry(request.parameters.at("name"));
-  if (!entry || !has_tag(request, entry->revision.number)) return answer_entry(entry);
+  if (!entry || !has_tag(request, tag_of(entry->revision.number))) return answer_entry(entry);
   Reply unchanged;
   unchanged.status = 304;
   add_tag(unchanged, entry->revision.number);

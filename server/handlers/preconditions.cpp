@@ -1,7 +1,5 @@
 #include "server/handlers/preconditions.h"
 
-#include <algorithm>
-
 #include "server/handlers/query.h"
 
 namespace race::server {
@@ -27,25 +25,6 @@ Expected<bool> if_none(const Request& request) {
   if (request.count("if-none-match") == 0) return false;
   if (request.count("if-none-match") == 1 && request.header("if-none-match") == "*") return true;
   return unexpected(ErrorCode::out_of_range, "must be * for a request that changes something", "If-None-Match");
-}
-
-bool has_tag(const Request& request, std::int64_t revision) {
-  const std::string wanted = tag_of(revision);
-  for (const auto& [name, value] : request.headers) {
-    if (name != "if-none-match") continue;
-    if (value == "*") return true;
-    // The tags of revisions have no comma within them.
-    for (std::string_view rest = value; !rest.empty();) {
-      const auto comma = rest.find(',');
-      std::string_view tag = rest.substr(0, comma);
-      rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 1);
-      tag.remove_prefix(std::min(tag.find_first_not_of(" \t"), tag.size()));
-      tag = tag.substr(0, tag.find_last_not_of(" \t") + 1);
-      if (tag.starts_with("W/")) tag.remove_prefix(2);
-      if (tag == wanted) return true;
-    }
-  }
-  return false;
 }
 
 }  // namespace race::server

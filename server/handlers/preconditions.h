@@ -22,7 +22,4 @@ Expected<std::optional<std::int64_t>> if_match(const Request& request);
 /// Whether If-None-Match is `*`: the document must not be there yet. Error `out_of_range`: it is something else.
 Expected<bool> if_none(const Request& request);
 
-/// Whether If-None-Match lists the tag (weak ones too) or is `*`: the client has this revision.
-bool has_tag(const Request& request, std::int64_t revision);
-
 }  // namespace race::server

@@ -1,5 +1,7 @@
 #include "server/http/field_list.h"
 
+#include <algorithm>
+
 namespace race::server {
 
 std::string_view trim(std::string_view text) {
@@ -20,6 +22,13 @@ std::vector<std::string_view> elements_of(const Request& request, std::string_vi
     }
   }
   return elements;
+}
+
+bool has_tag(const Request& request, std::string_view tag) {
+  return std::ranges::any_of(elements_of(request, "if-none-match"), [&](std::string_view known) {
+    if (known.starts_with("W/")) known.remove_prefix(2);
+    return known == tag || known == "*";
+  });
 }
 
 }  // namespace race::server

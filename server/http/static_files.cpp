@@ -83,14 +83,6 @@ std::optional<std::string> read_copy(const Copy& copy) {
   return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
-// Whether the client has what bears the tag: If-None-Match (RFC 9110, 13.1.2), compared weakly.
-bool is_known(const Request& request, std::string_view tag) {
-  return std::ranges::any_of(elements_of(request, "if-none-match"), [&](std::string_view known) {
-    if (known.starts_with("W/")) known.remove_prefix(2);
-    return known == tag || known == "*";
-  });
-}
-
 }  // namespace
 
 std::optional<Reply> static_file(const std::string& folder, const Request& request) {
@@ -113,7 +105,7 @@ std::optional<Reply> static_file(const std::string& folder, const Request& reque
     reply.headers.emplace_back("ETag", tag);
     reply.headers.emplace_back(
         "Cache-Control", request.path.starts_with("/assets/") ? "public, max-age=31536000, immutable" : "no-cache");
-    if (is_known(request, tag))
+    if (has_tag(request, tag))
       reply.status = 304;
     else
       reply.text = std::move(*text);

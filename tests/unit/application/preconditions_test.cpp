@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "server/handlers/query.h"
+#include "server/http/field_list.h"
 
 namespace race::server {
 namespace {
@@ -31,11 +32,11 @@ TEST(IfNoneMatch, OfAChangeIsAStar) {
 
 TEST(IfNoneMatch, OfAQuestionIsAListOfTags) {
   for (const char* tags : {"*", "\"3\"", "W/\"3\"", "\"2\",\"3\"", "\"2\" , W/\"3\" ,\"4\""})
-    EXPECT_TRUE(has_tag(with("if-none-match", {tags}), 3)) << tags;
+    EXPECT_TRUE(has_tag(with("if-none-match", {tags}), tag_of(3))) << tags;
   for (const char* tags : {"", ",", "\"2\"", "3", "\"33\"", " ", "\"3"})
-    EXPECT_FALSE(has_tag(with("if-none-match", {tags}), 3)) << tags;
-  EXPECT_TRUE(has_tag(with("if-none-match", {"\"2\"", "\"3\""}), 3));
-  EXPECT_FALSE(has_tag(Request(), 3));
+    EXPECT_FALSE(has_tag(with("if-none-match", {tags}), tag_of(3))) << tags;
+  EXPECT_TRUE(has_tag(with("if-none-match", {"\"2\"", "\"3\""}), tag_of(3)));
+  EXPECT_FALSE(has_tag(Request(), tag_of(3)));
 }
 
 TEST(Query, HasWholeNumbersWithinARange) {
