@@ -9,6 +9,7 @@
 #include "server/application/application.h"
 #include "server/cell/component_groups.h"
 #include "server/commands/command.h"
+#include "server/commands/load_operator_script.h"
 #include "server/http/listener.h"
 #include "server/wire/calendar.h"
 
@@ -44,7 +45,7 @@ int serve(const Options& options) {
   if (!remote) return refuse(remote.error());
   Application::Setup setup{options.data, options.demo, first_sequence()};
   if (options.operator_script) {
-    auto script = read_operator_file(*options.operator_script);
+    auto script = load_operator_script(*options.operator_script);
     if (!script) return refuse(script.error());
     setup.script = std::move(*script);
   }
@@ -72,7 +73,7 @@ std::function<int()> declare(Arguments& arguments) {
   arguments.text("--demo", "DIR", options->demo, "the cell and its tasks; without, there is no robot");
   arguments.text("--web", "DIR", options->web, "the pages; without, the interface alone");
   arguments.flag("--headless", options->headless, "no pages, whatever --web says");
-  arguments.text("--operator", "FILE", options->operator_script, "a person at the cell who acts by this script");
+  arguments.file("--operator", "FILE", options->operator_script, "a person at the cell who acts by this script");
   arguments.text("--remote", "UNIT,...", options->remote,
                  "waits for processes (race service) that bring these: " + component_group_names());
   arguments.number("--heartbeat", "SECONDS", options->heartbeat_s, 0.1, 3600,
