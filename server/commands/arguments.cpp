@@ -24,14 +24,22 @@ std::vector<const CLI::Option*> arguments_of(const CLI::App& app) {
   return app.get_options([&app](const CLI::Option* option) { return option != app.get_help_ptr(); });
 }
 
-// From low to high; no number (nan) is refused too.
-CLI::Validator within(double low, double high) {
-  const auto check = [low, high](const std::string& text) -> std::string {
+// No number (nan) is refused too.
+CLI::Validator within(const NumberRange& range) {
+  const auto check = [range](const std::string& text) -> std::string {
     double value = 0;
     const char* end = text.data() + text.size();
     const auto read = std::from_chars(text.data(), end, value);
-    if (read.ec == std::errc() && read.ptr == end && value >= low && value <= high) return "";
-    return "must be a number within its limits, got `" + text + "`";
+    if (read.ec == std::errc() && read.ptr == end && range.has(value)) return "";
+    return "must be " + range.text() + ", got " + quote(text);
+  };
+  return {check, ""};
+}
+
+CLI::Validator one_of(std::span<const std::string_view> words) {
+  const auto check = [words](const std::string& text) -> std::string {
+    if (std::ranges::find(words, text) != words.end()) return "";
+    return "must be one of " + joined(words) + ", got " + quote(text);
   };
   return {check, ""};
 }
@@ -110,10 +118,33 @@ void Arguments::required_text(const std::string& name, const std::string& placeh
   app_->add_option(name, value, help)->type_name(placeholder)->required();
 }
 
-void Arguments::number(const std::string& name, const std::string& placeholder, double& value, double low, double high,
+void Arguments::number(const std::string& name, const std::string& placeholder, double& value, const NumberRange& range,
                        const std::string& help) {
-  app_->add_option(name, value, help)->type_name(placeholder)->capture_default_str()->check(within(low, high));
+  app_->add_option(name, value, help)->type_name(placeholder)->capture_default_str()->check(within(range));
 }
+
+void Arguments::choice(const std::string& name, const std::string& placeholder, std::string& value,
+                       std::span<const std::string_view> words, const std::string& help) {
+  app_->add_option(name, value, help)->type_name(placeholder)->capture_default_str()->check(one_of(words));
+}
+
+void Arguments::names(const std::string& name, const std::string& placeholder, std::vector<std::string>& values,
+                      const std::string& help) {
+  app_->add_option_function<std::string>(
+          name,
+          [&values](const std::string& text) {
+            values.clear();
+            for (std::size_t at = 0; at < text.size();) {
+              const std::size_t end = std::min(text.find(',', at), text.size());
+              values.push_back(text.substr(at, end - at));
+              at = end + 1;
+            }
+          },
+          help)
+      ->type_name(placeholder);
+}
+
+bool Arguments::given(const std::string& name) const { return app_->count(name) > 0; }
 
 // CLI11 names the option in its message alone: "--port: ...", or "fast was ..." for a flag with a value.
 Error Arguments::error_of(const std::string& message) const {

@@ -7,11 +7,14 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/value/expected.h"
 #include "core/value/value.h"
+#include "server/commands/number_range.h"
 
 namespace CLI {
 class App;
@@ -48,9 +51,14 @@ class Arguments {
             const std::string& help);
   void required_text(const std::string& name, const std::string& placeholder, std::string& value,
                      const std::string& help);
-  /// A number from `low` to `high`.
-  void number(const std::string& name, const std::string& placeholder, double& value, double low, double high,
+  void number(const std::string& name, const std::string& placeholder, double& value, const NumberRange& range,
               const std::string& help);
+  /// One of some words, which outlive this.
+  void choice(const std::string& name, const std::string& placeholder, std::string& value,
+              std::span<const std::string_view> words, const std::string& help);
+  /// Words with commas between them; an empty text is none.
+  void names(const std::string& name, const std::string& placeholder, std::vector<std::string>& values,
+             const std::string& help);
 
   enum class Outcome : std::uint8_t { parsed, help_requested };
   /// Reads the words after the command's name into the variables. Errors, with the option or the word as path:
@@ -58,6 +66,9 @@ class Arguments {
   /// many), `missing` (the word, the option or its value), `duplicate` (an option, or `-`), `type` (a value for a
   /// flag), `out_of_range`.
   Expected<Outcome> parse(std::vector<std::string> words);
+
+  /// Whether the words had this option.
+  bool given(const std::string& name) const;
 
   /// "race run MODEL [--fast] [--seed N]"
   std::string usage() const;

@@ -21,7 +21,8 @@ inline constexpr int kExitBadInput = 2;
 
 struct Command {
   std::string_view name, text;
-  /// Declares the arguments; returns what runs the command once they are parsed, and gives its exit code.
+  /// Declares the arguments, which outlive what is returned: it runs the command once they are parsed, and gives its
+  /// exit code.
   std::function<int()> (*declare)(Arguments& arguments);
 };
 

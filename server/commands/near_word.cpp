@@ -38,17 +38,18 @@ std::size_t slips(std::string_view a, std::string_view b) {
 std::string near_word(std::string_view word, const std::vector<std::string>& candidates) {
   const std::string_view bare = without_dashes(word);
   std::size_t least = std::min(kMaxSlips, bare.size() / 3) + 1;
-  std::string nearest, continued;
+  std::string nearest;
+  std::vector<std::string> continued;
   for (const std::string& candidate : candidates) {
     const std::string_view other = without_dashes(candidate);
-    if (!bare.empty() && other.starts_with(bare)) continued = continued.empty() ? candidate : " ";
+    if (!bare.empty() && other.starts_with(bare)) continued.push_back(candidate);
     if (other.size() > bare.size() + kMaxSlips || bare.size() > other.size() + kMaxSlips) continue;
     const std::size_t count = slips(bare, other);
     if (count > least) continue;
     nearest = count < least ? candidate : "";
     least = count;
   }
-  return !nearest.empty() || continued == " " ? nearest : continued;
+  return continued.size() == 1 ? continued.front() : nearest;
 }
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& candidates) {

@@ -7,8 +7,8 @@
 
 namespace race::server {
 
-/// The candidate that `word` comes to with the fewest slips (a letter too many, missing, wrong, or two exchanged; two
-/// at most, and one of three letters at most), or the only one that it is the beginning of. Empty: none, or several
+/// The only candidate that `word` is the beginning of, or else the one that it comes to with the fewest slips (a letter
+/// too many, missing, wrong, or two exchanged; two at most, and one of three letters at most). Empty: none, or several
 /// alike.
 std::string near_word(std::string_view word, const std::vector<std::string>& candidates);
 

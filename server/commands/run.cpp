@@ -82,12 +82,12 @@ std::function<int()> declare(Arguments& arguments) {
   const auto options = std::make_shared<Options>();
   arguments.file("MODEL", options->model);
   arguments.flag("--fast", options->fast, "as fast as possible, else in real time");
-  arguments.number("--seed", "N", options->seed, 0, kMaxSeed,
+  arguments.number("--seed", "N", options->seed, {0, kMaxSeed, true},
                    "of cameras and searches; the same seed gives the same run with --fast");
   arguments.text("--arguments", "JSON", options->arguments, "parameters of the task, an object");
   arguments.text("--cell", "DIR", options->cell, "the cell: scene.json, database.json ... (the folder of MODEL)");
   arguments.text("--database", "FILE", options->database, "where values that tasks store are kept");
-  arguments.number("--limit", "SECONDS", options->limit_s, 0, 1e9, "ends a run that takes longer, in world time");
+  arguments.number("--limit", "SECONDS", options->limit_s, {0, 1e9}, "ends a run that takes longer, in world time");
   arguments.file("--operator", "FILE", options->operator_script, "a person at the cell who acts by this script");
   arguments.flag("--json", options->json, "a line of JSON for each step");
   return [options] { return run_task(*options); };

@@ -11,7 +11,7 @@ struct ArgumentsTest : testing::Test {
     arguments.positionals("MORE", more, false);
     arguments.text("--data", "DIR", data, "a folder");
     arguments.text("--log", "FILE", log, "a file");
-    arguments.number("--port", "N", port, 0, 100, "a number");
+    arguments.number("--port", "N", port, {0, 100}, "a number");
     arguments.flag("--fast", fast, "a flag");
   }
   ErrorCode code(const std::vector<std::string>& words) { return arguments.parse(words).error().code; }
