@@ -115,7 +115,8 @@ class Codes(CommandCase):
 
     def test_what_is_wrong_in_a_file_is_named_with_the_file(self):
         for words, file in ((("check", "fine.rcm.json", "wrong.rcm.json"), "wrong.rcm.json"), (("run", "wrong.rcm.json"), "wrong.rcm.json"),
-                            (("translate", "wrong.rcm.json"), "wrong.rcm.json"), (("fmt", "fine.rcm.json", "wrong.rcm.json"), "wrong.rcm.json"),
+                            (("translate", "wrong.rcm.json"), "wrong.rcm.json"),
+                            (("fmt", "fine.rcm.json", "wrong.rcm.json"), "wrong.rcm.json"),
                             (("derive", "wrong.rcm.json", "script.json"), "wrong.rcm.json")):
             self.assertRegex(self.race(*words)[2], rf"(?m)^{file}: Root: first: ")
         for words in (("check", "no.json"), ("fmt", "no.json"), ("run", "no.json"), ("derive", "fine.rcm.json", "no.json"),
@@ -129,7 +130,8 @@ class Codes(CommandCase):
         status, output, errors = self.race("check", "--json", "wrong.rcm.json", "fine.rcm.json", "wrong.rsm.json", "none")
         files = json.loads(output)["files"]
         self.assertEqual((status, [(each["file"], [(e["path"], e["code"]) for e in each["errors"]]) for each in files]), (2, [
-            ("wrong.rcm.json", [("Root", "first")]), ("fine.rcm.json", []), ("wrong.rsm.json", [("", "duplicate")]), ("none", [("", "io")])]))
+            ("wrong.rcm.json", [("Root", "first")]), ("fine.rcm.json", []), ("wrong.rsm.json", [("", "duplicate")]),
+            ("none", [("", "io")])]))
         self.assertEqual([line.split(": ")[0] for line in errors.splitlines()], ["wrong.rcm.json", "wrong.rsm.json", "none"])
         status, output, _ = self.race("run", "--json", "wrong.rcm.json")
         [error] = json.loads(output)["errors"]
@@ -139,7 +141,8 @@ class Codes(CommandCase):
 class StandardInput(CommandCase):
     def test_stands_for_any_file(self):
         for file, words in (("fine.rcm.json", ("check", "-")), ("fine.rsm.json", ("check", "fine.rcm.json", "-")),
-                            ("fine.rcm.json", ("fmt", "-")), ("fine.rcm.json", ("translate", "-")), ("fine.rcm.json", ("run", "-", "--fast")),
+                            ("fine.rcm.json", ("fmt", "-")), ("fine.rcm.json", ("translate", "-")),
+                            ("fine.rcm.json", ("run", "-", "--fast")),
                             ("fine.rcm.json", ("derive", "-", "script.json")), ("script.json", ("derive", "fine.rcm.json", "-")),
                             ("wrong.rcm.json", ("check", "-"))):
             named = tuple(file if word == "-" else word for word in words)

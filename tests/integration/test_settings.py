@@ -87,8 +87,10 @@ class Config(Case):
             status, _, lines = self.serve("--check-config", "--config", self.config(text))
             self.assertEqual((status, len(lines)), (2, 1), lines)
             self.assertIn(f": {code}: ", lines[0])
-        for words, wrong in ((("--check-config",), "--config: missing: "), (("--config", "none"), "none: io: "), (("--config",), "--config: missing: "),
-                             (("--config", "-", "--operator", "-"), "--config: duplicate: "), (("--log-level", "loud"), "--log-level: out_of_range: "),
+        for words, wrong in ((("--check-config",), "--config: missing: "), (("--config", "none"), "none: io: "),
+                             (("--config",), "--config: missing: "),
+                             (("--config", "-", "--operator", "-"), "--config: duplicate: "),
+                             (("--log-level", "loud"), "--log-level: out_of_range: "),
                              (("--port", "1.5"), "--port: out_of_range: must be a whole number from 0 to 65535, got `1.5`"),
                              (("--remote", "cell,cell"), "--remote: duplicate: ")):
             status, _, lines = self.serve(*words)

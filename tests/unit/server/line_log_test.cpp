@@ -48,6 +48,8 @@ TEST(LogLine, IsBounded) {
   const std::size_t place = kMaxLogLine - line("").size();
   EXPECT_EQ(line(std::string(place, 'x')).size(), kMaxLogLine);
   EXPECT_EQ(line(std::string(place, 'x')).find("..."), std::string::npos);
+  EXPECT_EQ(line(std::string(place + 1, 'x')).size(), kMaxLogLine);
+  EXPECT_THAT(line(std::string(place + 1, 'x')), testing::EndsWith("x...\n"));
   for (const std::string& unit :
        {std::string("x"), std::string("\n"), std::string("\x01"), std::string("ü"), std::string("\xff")}) {
     std::string text = "é";
