@@ -8,13 +8,13 @@ namespace {
 
 void add(std::vector<Error>& to, const std::vector<Error>& from) { to.insert(to.end(), from.begin(), from.end()); }
 
+}  // namespace
+
 Checked<Script> read_script_text(std::string_view text) {
   auto json = parse_json(text);
   if (!json) return tl::unexpected(std::vector<Error>{std::move(json).error()});
   return read_script(*json);
 }
-
-}  // namespace
 
 Checked<Value> derive_texts(std::string_view model, std::string_view script, OrderChoice order) {
   std::vector<Error> errors;

@@ -14,6 +14,9 @@ namespace race::execution {
 /// and of the script's services; nothing is derived then.
 Checked<Value> derive_texts(std::string_view model, std::string_view script, OrderChoice order = {});
 
+/// A script from its text (script.h). Its own codes, with an empty path: those of parse_json.
+Checked<Script> read_script_text(std::string_view text);
+
 /// {"errors": [{"path", "code", "message"}]}, the shape of every refusal.
 Value errors_json(const std::vector<Error>& errors);
 

@@ -21,7 +21,7 @@ tl::unexpected<std::vector<Error>> of_store(Error error, const DataFolder& folde
 Checked<std::unique_ptr<Application>> Application::create(const Setup& setup) {
   std::unique_ptr<Application> app(new Application());
   if (auto opened = app->open_store(setup); !opened) return tl::unexpected(std::move(opened).error());
-  app->create_stream(setup.first_sequence);
+  app->create_stream(setup);
   if (auto created = app->create_cell(setup); !created) return tl::unexpected(std::move(created).error());
   if (auto created = app->create_cores(setup); !created) return of_store(std::move(created).error(), *app->folder_);
   app->create_editing();
@@ -59,11 +59,11 @@ Checked<void> Application::open_store(const Setup& setup) {
   return documents_->put_demo(setup.demo, now_ms());
 }
 
-void Application::create_stream(std::int64_t first_sequence) {
+void Application::create_stream(const Setup& setup) {
   stream_pool_ = std::make_unique<Pool>(1);
-  hub_ = std::make_unique<Hub>(*stream_pool_, first_sequence,
+  hub_ = std::make_unique<Hub>(*stream_pool_, setup.first_sequence,
                                [this](const std::string& name) { return find_channel(name, channel_sources()); });
-  log_ = std::make_unique<EventLog>(*hub_);
+  log_ = std::make_unique<EventLog>(*hub_, setup.lines);
   displays_ = std::make_unique<Displays>(screens_, *hub_);
   core_publisher_ = std::make_unique<CorePublisher>(*hub_, *log_);
   service_publisher_ = std::make_unique<ServicePublisher>(*hub_, *log_);
@@ -91,8 +91,8 @@ Checked<void> Application::create_cell(const Setup& setup) {
 // Damaged runs are named when the cores are made of them.
 void Application::name_damaged_documents() {
   const auto heads = documents_->heads();
-  if (!heads) return log("store", to_string(heads.error()));
-  for (const Error& error : heads->damaged) log("store", to_string(error));
+  if (!heads) return log("store", to_string(heads.error()), LogLevel::error);
+  for (const Error& error : heads->damaged) log("store", to_string(error), LogLevel::error);
 }
 
 Expected<void> Application::create_cores(const Setup& setup) {
@@ -101,7 +101,7 @@ Expected<void> Application::create_cores(const Setup& setup) {
   live_edits_ = std::make_unique<LiveEdits>(*documents_, *cores_);
   document_watchers_.add(*live_edits_);
   keeper_ = std::make_unique<RunKeeper>(*runs_, *samples_, setup.retention,
-                                        [this](const std::string& text) { log("store", text); });
+                                        [this](LogLevel level, const std::string& text) { log("store", text, level); });
   keeper_->connect(*cores_, cell_->world());
   core_publisher_->on_change([this](const std::string& id, const Value& core) { keeper_->core_changed(id, core); });
   core_publisher_->connect(cell_->clock(), *cores_);
@@ -145,11 +145,11 @@ Backend Application::make_backend() {
           *displays_,
           *edits_,
           cell_->remotes(),
-          [this](const std::string& text) { log("server", text); }};
+          [this](const std::string& text) { log("server", text, LogLevel::error); }};
 }
 
-void Application::log(const std::string& source, const std::string& text) {
-  log_->append(cell_->clock().now(), source, text);
+void Application::log(const std::string& source, const std::string& text, LogLevel level) {
+  log_->append(cell_->clock().now(), source, text, level);
 }
 
 ChannelSources Application::channel_sources() { return {*hub_, *cores_, *cell_, *displays_, *flows_, *log_, *edits_}; }

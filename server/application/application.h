@@ -49,6 +49,7 @@ class Application {
     std::vector<std::string> remote = {};       // as of CellSetup
     std::chrono::milliseconds heartbeat{1000};  // of their processes
     RetentionLimits retention = {};
+    LineLog* lines = nullptr;  // gets the lines of the log; outlives the application
   };
   static Checked<std::unique_ptr<Application>> create(const Setup& setup);
   ~Application();
@@ -61,13 +62,13 @@ class Application {
  private:
   Application() = default;
   Checked<void> open_store(const Setup& setup);
-  void create_stream(std::int64_t first_sequence);
+  void create_stream(const Setup& setup);
   Checked<void> create_cell(const Setup& setup);
   Expected<void> create_cores(const Setup& setup);
   void create_editing();
   void name_damaged_documents();
   Checked<void> add_operator(const OperatorScript& script);
-  void log(const std::string& source, const std::string& text);
+  void log(const std::string& source, const std::string& text, LogLevel level = LogLevel::info);
   ChannelSources channel_sources();
   Resources resources();
 

@@ -30,8 +30,8 @@ std::string status_of(const RunRecord& run, const Cores& cores) {
 }  // namespace
 
 void boot(const BootResources& resources) {
-  const auto say = [&](const std::string& text) {
-    resources.log.append(resources.clock.now(), "server", "boot: " + text);
+  const auto say = [&](const std::string& text, LogLevel level = LogLevel::warning) {
+    resources.log.append(resources.clock.now(), "server", "boot: " + text, level);
   };
   const auto entries = resources.list.get();
   if (!entries) return say("nothing is started: " + to_string(entries.error()));
@@ -48,7 +48,7 @@ void boot(const BootResources& resources) {
       continue;
     }
     if (const auto started = start(entry, resources.documents, resources.cores))
-      say(entry.document + " is started as core " + *started);
+      say(entry.document + " is started as core " + *started, LogLevel::info);
     else
       for (const Error& error : started.error()) say(entry.document + " is not started: " + to_string(error));
   }

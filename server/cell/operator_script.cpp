@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "core/value/json.h"
-#include "server/store/files.h"
 #include "services/display/screens.h"
 
 namespace race::server {
@@ -151,10 +150,8 @@ Checked<OperatorScript> read_operator_script(const Value& document) {
   return script;
 }
 
-Checked<OperatorScript> read_operator_file(const std::string& path) {
-  const auto text = read_file(path);
-  if (!text) return tl::unexpected(std::vector<Error>{text.error()});
-  auto document = parse_json(*text);
+Checked<OperatorScript> read_operator_text(std::string_view text) {
+  auto document = parse_json(text);
   if (!document) return tl::unexpected(std::vector<Error>{std::move(document).error()});
   return read_operator_script(*document);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -57,7 +58,8 @@ struct OperatorScript {
 
 /// Reads a script; lists all violations, `acts/2/do/0` is a path.
 Checked<OperatorScript> read_operator_script(const Value& document);
-Checked<OperatorScript> read_operator_file(const std::string& path);
+/// From a text; its own codes, with an empty path: those of parse_json.
+Checked<OperatorScript> read_operator_text(std::string_view text);
 
 /// What the script names that the world does not have for sure.
 std::vector<Error> check_bodies(const OperatorScript& script, const CellWorld& world);

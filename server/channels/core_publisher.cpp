@@ -56,7 +56,7 @@ void CorePublisher::derived(const std::string& id, Value steps) {
 }
 
 void CorePublisher::printed(const std::string& id, const std::string& text) {
-  log_.append(clock_->now(), "core/" + id, text);
+  log_.append(clock_->now(), "core/" + id, text, LogLevel::debug);
 }
 
 }  // namespace race::server

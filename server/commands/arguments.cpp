@@ -5,6 +5,8 @@
 #include <charconv>
 
 #include "core/value/json.h"
+#include "server/commands/input.h"
+#include "server/commands/near_word.h"
 
 namespace race::server {
 namespace {
@@ -22,14 +24,22 @@ std::vector<const CLI::Option*> arguments_of(const CLI::App& app) {
   return app.get_options([&app](const CLI::Option* option) { return option != app.get_help_ptr(); });
 }
 
-// From low to high; no number (nan) is refused too.
-CLI::Validator within(double low, double high) {
-  const auto check = [low, high](const std::string& text) -> std::string {
+// No number (nan) is refused too.
+CLI::Validator within(const NumberRange& range) {
+  const auto check = [range](const std::string& text) -> std::string {
     double value = 0;
     const char* end = text.data() + text.size();
     const auto read = std::from_chars(text.data(), end, value);
-    if (read.ec == std::errc() && read.ptr == end && value >= low && value <= high) return "";
-    return "must be a number within its limits, got `" + text + "`";
+    if (read.ec == std::errc() && read.ptr == end && range.has(value)) return "";
+    return "must be " + range.text() + ", got " + quote(text);
+  };
+  return {check, ""};
+}
+
+CLI::Validator one_of(std::span<const std::string_view> words) {
+  const auto check = [words](const std::string& text) -> std::string {
+    if (std::ranges::find(words, text) != words.end()) return "";
+    return "must be one of " + joined(words) + ", got " + quote(text);
   };
   return {check, ""};
 }
@@ -50,12 +60,11 @@ std::vector<std::string> split_empty_values(const CLI::App& app, const std::vect
   return split;
 }
 
-// What is left when words are too many or too few: a misspelled option is named.
-Expected<Arguments::Outcome> misused(const CLI::App& app) {
-  const auto extra = app.remaining();
-  const auto option = std::ranges::find_if(extra, is_option);
-  if (option == extra.end()) return Arguments::Outcome::misused;
-  return unexpected(ErrorCode::unknown_field, "there is no such option", *option);
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names = {"--help"};
+  for (const CLI::Option* option : arguments_of(app))
+    if (option->nonpositional()) names.push_back(option->get_name());
+  return names;
 }
 
 }  // namespace
@@ -67,8 +76,25 @@ void Arguments::positional(const std::string& name, std::string& value, const st
   app_->add_option(name, value, help)->required();
 }
 
-void Arguments::positionals(const std::string& name, std::vector<std::string>& values, bool required) {
-  app_->add_option(name, values)->required(required);
+void Arguments::positionals(const std::string& name, std::vector<std::string>& values, bool required,
+                            const std::string& help) {
+  app_->add_option(name, values, help)->required(required);
+}
+
+void Arguments::file(const std::string& name, std::string& path, const std::string& help) {
+  positional(name, path, help);
+  files_.push_back(app_->get_option(name));
+}
+
+void Arguments::files(const std::string& name, std::vector<std::string>& paths, const std::string& help) {
+  positionals(name, paths, true, help);
+  files_.push_back(app_->get_option(name));
+}
+
+void Arguments::file(const std::string& name, const std::string& placeholder, std::optional<std::string>& path,
+                     const std::string& help) {
+  text(name, placeholder, path, help);
+  files_.push_back(app_->get_option(name));
 }
 
 void Arguments::flag(const std::string& name, bool& value, const std::string& help) {
@@ -92,10 +118,33 @@ void Arguments::required_text(const std::string& name, const std::string& placeh
   app_->add_option(name, value, help)->type_name(placeholder)->required();
 }
 
-void Arguments::number(const std::string& name, const std::string& placeholder, double& value, double low, double high,
+void Arguments::number(const std::string& name, const std::string& placeholder, double& value, const NumberRange& range,
                        const std::string& help) {
-  app_->add_option(name, value, help)->type_name(placeholder)->capture_default_str()->check(within(low, high));
+  app_->add_option(name, value, help)->type_name(placeholder)->capture_default_str()->check(within(range));
 }
+
+void Arguments::choice(const std::string& name, const std::string& placeholder, std::string& value,
+                       std::span<const std::string_view> words, const std::string& help) {
+  app_->add_option(name, value, help)->type_name(placeholder)->capture_default_str()->check(one_of(words));
+}
+
+void Arguments::names(const std::string& name, const std::string& placeholder, std::vector<std::string>& values,
+                      const std::string& help) {
+  app_->add_option_function<std::string>(
+          name,
+          [&values](const std::string& text) {
+            values.clear();
+            for (std::size_t at = 0; at < text.size();) {
+              const std::size_t end = std::min(text.find(',', at), text.size());
+              values.push_back(text.substr(at, end - at));
+              at = end + 1;
+            }
+          },
+          help)
+      ->type_name(placeholder);
+}
+
+bool Arguments::given(const std::string& name) const { return app_->count(name) > 0; }
 
 // CLI11 names the option in its message alone: "--port: ...", or "fast was ..." for a flag with a value.
 Error Arguments::error_of(const std::string& message) const {
@@ -108,6 +157,29 @@ Error Arguments::error_of(const std::string& message) const {
   return {ErrorCode::missing, "the option needs a value", name};
 }
 
+// Words are too many or too few. A misspelled option comes first: its value may be the word too many.
+Error Arguments::misuse() const {
+  const auto extra = app_->remaining();
+  if (const auto option = std::ranges::find_if(extra, is_option); option != extra.end()) {
+    const std::string name = option->substr(0, option->find('='));
+    return {ErrorCode::unknown_field, "there is no such option" + suggestion(name, option_names(*app_)), name};
+  }
+  for (const CLI::Option* argument : arguments_of(*app_))
+    if (argument->get_required() && argument->count() == 0)
+      return {ErrorCode::missing, "the command needs it", argument->get_name()};
+  return {ErrorCode::syntax, "is a word too many", extra.empty() ? "" : extra.front()};
+}
+
+Expected<void> Arguments::check_standard_input() const {
+  std::ptrdiff_t count = 0;
+  for (const CLI::Option* option : files_) {
+    count += std::ranges::count(option->results(), kStandardInput);
+    if (count > 1)
+      return unexpected(ErrorCode::duplicate, "`-` stands twice; the standard input is read once", option->get_name());
+  }
+  return {};
+}
+
 Expected<Arguments::Outcome> Arguments::parse(std::vector<std::string> words) {
   words = split_empty_values(*app_, words);
   std::ranges::reverse(words);  // as CLI11 expects them
@@ -116,9 +188,9 @@ Expected<Arguments::Outcome> Arguments::parse(std::vector<std::string> words) {
   } catch (const CLI::CallForHelp&) {
     return Outcome::help_requested;
   } catch (const CLI::ExtrasError&) {
-    return misused(*app_);
+    return tl::unexpected(misuse());
   } catch (const CLI::RequiredError&) {
-    return misused(*app_);
+    return tl::unexpected(misuse());
   } catch (const CLI::ValidationError& failure) {
     const std::string message = failure.what();
     const auto end = message.find(": ");
@@ -126,6 +198,7 @@ Expected<Arguments::Outcome> Arguments::parse(std::vector<std::string> words) {
   } catch (const CLI::ParseError& failure) {
     return tl::unexpected(error_of(failure.what()));
   }
+  if (auto once = check_standard_input(); !once) return tl::unexpected(std::move(once).error());
   return Outcome::parsed;
 }
 

@@ -4,13 +4,17 @@
 // Threads: one.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/value/expected.h"
 #include "core/value/value.h"
+#include "server/commands/number_range.h"
 
 namespace CLI {
 class App;
@@ -33,22 +37,38 @@ class Arguments {
   /// One word that must be there.
   void positional(const std::string& name, std::string& value, const std::string& help = "");
   /// All other words; at least one if `required`.
-  void positionals(const std::string& name, std::vector<std::string>& values, bool required);
+  void positionals(const std::string& name, std::vector<std::string>& values, bool required,
+                   const std::string& help = "");
+  /// As these and as text(), of files that are read (input.h): `-` is the standard input, in one place of a command
+  /// line at most.
+  void file(const std::string& name, std::string& path, const std::string& help = "");
+  void files(const std::string& name, std::vector<std::string>& paths, const std::string& help = "");
+  void file(const std::string& name, const std::string& placeholder, std::optional<std::string>& path,
+            const std::string& help);
   void flag(const std::string& name, bool& value, const std::string& help);
   void text(const std::string& name, const std::string& placeholder, std::string& value, const std::string& help);
   void text(const std::string& name, const std::string& placeholder, std::optional<std::string>& value,
             const std::string& help);
   void required_text(const std::string& name, const std::string& placeholder, std::string& value,
                      const std::string& help);
-  /// A number from `low` to `high`.
-  void number(const std::string& name, const std::string& placeholder, double& value, double low, double high,
+  void number(const std::string& name, const std::string& placeholder, double& value, const NumberRange& range,
               const std::string& help);
+  /// One of some words, which outlive this.
+  void choice(const std::string& name, const std::string& placeholder, std::string& value,
+              std::span<const std::string_view> words, const std::string& help);
+  /// Words with commas between them; an empty text is none.
+  void names(const std::string& name, const std::string& placeholder, std::vector<std::string>& values,
+             const std::string& help);
 
-  enum class Outcome : std::uint8_t { parsed, help_requested, misused };
-  /// Reads the words after the command's name into the variables. `misused`: a required word or option is absent, or
-  /// there is a word too many. Errors, with the option as path: `unknown_field`, `missing` (no value), `duplicate`,
-  /// `type` (a value for a flag), `out_of_range`.
+  enum class Outcome : std::uint8_t { parsed, help_requested };
+  /// Reads the words after the command's name into the variables. Errors, with the option or the word as path:
+  /// `unknown_field` (there is no such option; the message has the one that is probably meant), `syntax` (a word too
+  /// many), `missing` (the word, the option or its value), `duplicate` (an option, or `-`), `type` (a value for a
+  /// flag), `out_of_range`.
   Expected<Outcome> parse(std::vector<std::string> words);
+
+  /// Whether the words had this option.
+  bool given(const std::string& name) const;
 
   /// "race run MODEL [--fast] [--seed N]"
   std::string usage() const;
@@ -57,8 +77,11 @@ class Arguments {
 
  private:
   Error error_of(const std::string& message) const;
+  Error misuse() const;
+  Expected<void> check_standard_input() const;
 
   std::unique_ptr<CLI::App> app_;
+  std::vector<const CLI::Option*> files_;
 };
 
 /// The JSON object that is the value of an option, such as `--arguments`, which is the path of errors: those of

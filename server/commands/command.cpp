@@ -4,17 +4,21 @@
 #include <cstdio>
 #include <utility>
 
-#include "core/execution/derive.h"
 #include "core/value/json.h"
+#include "server/commands/near_word.h"
 #include "server/wire/version.h"
 
 namespace race::server {
 
-int refuse(const std::vector<Error>& errors, bool json) {
-  if (json) std::printf("%s\n", to_json(execution::errors_json(errors), 1).c_str());
-  for (const Error& error : errors) std::fprintf(stderr, "%s\n", to_string(error).c_str());
+int refuse(std::span<const FileErrors> errors, bool json) {
+  if (json) std::printf("%s\n", to_json(file_errors_json(errors), 1).c_str());
+  print_errors(errors);
   return kExitBadInput;
 }
+
+int refuse(const FileErrors& errors, bool json) { return refuse(std::span(&errors, 1), json); }
+
+int refuse(const std::vector<Error>& errors, bool json) { return refuse(FileErrors{"", errors}, json); }
 
 int refuse(const Error& error, bool json) { return refuse(std::vector<Error>{error}, json); }
 
@@ -41,22 +45,33 @@ int run(const Command& command, std::vector<std::string> words) {
   const auto run = command.declare(arguments);
   const bool json = std::ranges::find(words, "--json") != words.end();
   const auto outcome = arguments.parse(std::move(words));
-  if (!outcome) return refuse(outcome.error(), json);
-  if (*outcome == Arguments::Outcome::parsed) return run();
+  if (outcome == Arguments::Outcome::parsed) return run();
   const std::string usage = "usage: " + arguments.usage() + '\n' + arguments.help();
-  if (*outcome == Arguments::Outcome::misused) {
-    print(stderr, usage);
-    return kExitBadInput;
+  if (outcome) {
+    print(stdout, std::string(command.name) + ": " + std::string(command.text) + '\n' + usage);
+    return kExitOk;
   }
-  print(stdout, std::string(command.name) + ": " + std::string(command.text) + '\n' + usage);
-  return kExitOk;
+  const Error& error = outcome.error();
+  refuse(error, json);
+  if (error.code == ErrorCode::missing || error.code == ErrorCode::syntax) print(stderr, usage);
+  return kExitBadInput;
+}
+
+// Of a word that is no command.
+int refuse_command(Commands commands, const std::string& word) {
+  std::vector<std::string> names = {"--help", "--version"};
+  for (const Command* command : commands) names.emplace_back(command->name);
+  refuse(Error{ErrorCode::not_found, "there is no such command" + suggestion(word, names), word});
+  print(stderr, "`race --help` lists the commands\n");
+  return kExitBadInput;
 }
 
 }  // namespace
 
 int run_command(Commands commands, std::vector<std::string> words) {
-  if (words.size() == 1 && words[0] == "--version") {
-    print(stdout, "race " + std::string(version()) + '\n');
+  if (!words.empty() && words[0] == "--version") {
+    if (words.size() > 1) return refuse(Error{ErrorCode::syntax, "is a word too many", words[1]});
+    print(stdout, "race " + std::string(version()) + "\ncompiler: " + std::string(compiler()) + '\n');
     return kExitOk;
   }
   const bool help = !words.empty() && asks_for_help(words[0]);
@@ -67,9 +82,9 @@ int run_command(Commands commands, std::vector<std::string> words) {
   const auto named = std::ranges::find_if(
       commands, [&](const Command* command) { return !words.empty() && command->name == words[0]; });
   if (named != commands.end()) return run(**named, {words.begin() + 1, words.end()});
-  const bool asked = help && words.size() == 1;
-  print(asked ? stdout : stderr, overview(commands));
-  return asked ? kExitOk : kExitBadInput;
+  if (!words.empty() && !asks_for_help(words[0])) return refuse_command(commands, words[0]);
+  print(help ? stdout : stderr, overview(commands));
+  return help ? kExitOk : kExitBadInput;
 }
 
 }  // namespace race::server

@@ -3,38 +3,64 @@
 #include "core/execution/derive.h"
 
 #include <memory>
+#include <optional>
 
+#include "core/rcm/document.h"
 #include "server/commands/command.h"
+#include "server/commands/input.h"
 #include "server/commands/print_derivations.h"
 
 namespace race::server {
 namespace {
 
-int derive(const std::string& model_path, const std::string& script_path, const std::string& order_text, bool as_text) {
-  auto order = execution::read_order(order_text);
-  if (!order) return refuse(Error{order.error().code, order.error().message, "--order"}, !as_text);
-  const auto model = read_file(model_path);
-  if (!model) return refuse(model.error(), !as_text);
-  const auto script = read_file(script_path);
-  if (!script) return refuse(script.error(), !as_text);
-  const auto document = execution::derive_texts(*model, *script, *order);
-  if (!document) return refuse(document.error(), !as_text);
-  return print_derivations(*document, as_text);
+struct Options {
+  std::string model, script, order = "declared";
+  bool as_text = false;
+};
+
+// What is wrong in the document has a path from its root on, what is wrong in the script another.
+std::vector<FileErrors> by_file(const Options& options, const std::string& root, const std::vector<Error>& errors) {
+  FileErrors of_model{options.model, {}}, of_script{options.script, {}};
+  for (const Error& error : errors) {
+    const bool in_model = error.path.empty() || error.path == root || error.path.starts_with(root + '/') ||
+                          error.path.starts_with(root + '.');
+    (in_model ? of_model : of_script).errors.push_back(error);
+  }
+  return {std::move(of_model), std::move(of_script)};
+}
+
+// Reads a file with `read`; null, and its errors at the end of `errors`: it cannot be read.
+template <typename T>
+std::optional<T> load(const std::string& path, Checked<T> (*read)(std::string_view), std::vector<FileErrors>& errors) {
+  const auto text = read_input(path);
+  auto loaded = text ? read(*text) : Checked<T>(tl::unexpect, std::vector<Error>{text.error()});
+  if (loaded) return std::move(*loaded);
+  errors.push_back({path, std::move(loaded).error()});
+  return {};
+}
+
+int derive(const Options& options) {
+  const bool json = !options.as_text;
+  auto order = execution::read_order(options.order);
+  if (!order) return refuse(Error{order.error().code, order.error().message, "--order"}, json);
+  std::vector<FileErrors> errors;
+  const auto model = load(options.model, rcm::read_document_text, errors);
+  const auto script = load(options.script, execution::read_script_text, errors);
+  if (!errors.empty()) return refuse(errors, json);
+  const auto derivations = execution::derive(*model, *script, *order);
+  if (!derivations) return refuse(by_file(options, model->root.name, derivations.error()), json);
+  return print_derivations(*derivations, options.as_text);
 }
 
 std::function<int()> declare(Arguments& arguments) {
-  struct Options {
-    std::string model, script, order = "declared";
-    bool as_text = false;
-  };
   const auto options = std::make_shared<Options>();
-  arguments.positional("MODEL", options->model);
-  arguments.positional("SCRIPT", options->script);
+  arguments.file("MODEL", options->model);
+  arguments.file("SCRIPT", options->script);
   arguments.text(
       "--order", "ORDER", options->order,
       "of ports, actions and children: declared, reversed, or a seed; if what happens differs, the task has a race");
   arguments.flag("--text", options->as_text, "as a transcript: one node a line");
-  return [options] { return derive(options->model, options->script, options->order, options->as_text); };
+  return [options] { return derive(*options); };
 }
 
 }  // namespace

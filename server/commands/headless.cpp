@@ -30,9 +30,12 @@ Dict summary(const Run& run, Cell& cell) {
 
 }  // namespace
 
-Checked<Status> Headless::run(const rcm::Document& document, Dict arguments, const HeadlessSetup& setup,
-                              const Report& report) {
-  const auto fail = [](Error error) { return tl::unexpected(std::vector<Error>{std::move(error)}); };
+tl::expected<Status, FileErrors> Headless::run(const rcm::Document& document, Dict arguments,
+                                               const HeadlessSetup& setup, const Report& report) {
+  const auto fail = [](Error error) { return tl::unexpected(FileErrors{"", {std::move(error)}}); };
+  const auto fail_in = [](const std::string& file, std::vector<Error> errors) {
+    return tl::unexpected(FileErrors{file, std::move(errors)});
+  };
   Headless observer(report);
   CellSetup of_cell = setup.cell;
   of_cell.own_threads = false;
@@ -41,7 +44,8 @@ Checked<Status> Headless::run(const rcm::Document& document, Dict arguments, con
   if (setup.script) {
     CellWorld* world = (*cell)->world();
     if (!world) return fail({ErrorCode::not_found, "an operator script needs a cell with a world", "--operator"});
-    if (auto errors = check_bodies(*setup.script, *world); !errors.empty()) return tl::unexpected(std::move(errors));
+    if (auto errors = check_bodies(*setup.script, *world); !errors.empty())
+      return fail_in(setup.script_file, std::move(errors));
     observer.operator_ = std::make_unique<Operator>(*setup.script, *setup.screens, [&](const std::string& text) {
       observer.logged((*cell)->clock().now(), "operator", text);
     });
@@ -49,9 +53,9 @@ Checked<Status> Headless::run(const rcm::Document& document, Dict arguments, con
     (*cell)->before_step([&, world] { observer.operator_->step((*cell)->clock().now(), *world); });
   }
   auto native = rcm::translate(document);
-  if (!native) return tl::unexpected(std::move(native).error());
+  if (!native) return fail_in(setup.model_file, std::move(native).error());
   auto program = semantics::Program::build(*native, (*cell)->host().models());
-  if (!program) return tl::unexpected(std::move(program).error());
+  if (!program) return fail_in(setup.model_file, std::move(program).error());
   auto execution = Execution::create(std::move(*program), arguments);
   if (!execution) return fail(std::move(execution).error());
   observer.execute(*execution, **cell, setup);

@@ -9,10 +9,12 @@
 #include "core/execution/execution.h"
 #include "server/cell/cell.h"
 #include "server/cell/operator.h"
+#include "server/commands/file_errors.h"
 
 namespace race::server {
 
 struct HeadlessSetup {
+  std::string model_file, script_file;        // where document and script are from, for errors
   CellSetup cell;                             // on one thread, whatever it says
   bool fast = false;                          // as fast as possible; else paced by real time
   double limit_s = 3600;                      // of world time; a run that goes on then is left as it is
@@ -27,9 +29,9 @@ class Headless final : public services::HostObserver {
 
   /// Runs `document` to its end. The last report has `status`, `outcome` or `fault`, `results`, `time` [s], `steps`
   /// and, if there is a world, `cell`: where everything is then (schemas/cell_pose.json).
-  /// Errors: those of the document, the arguments and the cell.
-  static Checked<semantics::Status> run(const rcm::Document& document, Dict arguments, const HeadlessSetup& setup,
-                                        const Report& report);
+  /// Errors: those of the document and of the script, by their files; those of the arguments and the cell.
+  static tl::expected<semantics::Status, FileErrors> run(const rcm::Document& document, Dict arguments,
+                                                         const HeadlessSetup& setup, const Report& report);
 
   void delivered(const services::Delivery& delivery) override;
   void changed(const services::ServiceStatus&) override {}

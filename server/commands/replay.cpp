@@ -12,6 +12,7 @@
 #include "core/execution/step_json.h"
 #include "core/value/json.h"
 #include "server/commands/command.h"
+#include "server/commands/input.h"
 #include "server/commands/print_derivations.h"
 #include "server/runs/run_file.h"
 #include "server/store/journal_chain.h"
@@ -42,7 +43,7 @@ Checked<Replayed> of_journal(execution::Journal journal) {
 }
 
 Checked<Replayed> of_file(const std::string& path) {
-  const auto text = read_file(path);
+  const auto text = read_input(path);
   if (!text) return tl::unexpected(std::vector<Error>{text.error()});
   const auto json = parse_json(*text, execution::kJournalLimits);
   if (!json) return tl::unexpected(std::vector<Error>{json.error()});
@@ -130,10 +131,11 @@ int print_hashes(const Value& document, const Hashes& hashes, std::uint64_t step
 int replay(const Options& options) {
   const bool json = !options.as_text && !options.hash;
   const auto run = open(options);
-  if (!run) return refuse(run.error(), json);
+  const std::string file = options.data ? "" : options.run;
+  if (!run) return refuse(FileErrors{file, run.error()}, json);
   Hashes hashes{header_chain(run->header)};
   const auto document = derive(*run, options.hash ? &hashes : nullptr);
-  if (!document) return refuse(document.error(), json);
+  if (!document) return refuse(FileErrors{file, {document.error()}}, json);
   if (!run->checkpoints.empty())
     std::fprintf(stderr, "%zu stored checkpoints are what the journal comes to\n", run->checkpoints.size());
   if (options.hash) return print_hashes(*document, hashes, run->steps);
@@ -142,7 +144,7 @@ int replay(const Options& options) {
 
 std::function<int()> declare(Arguments& arguments) {
   const auto options = std::make_shared<Options>();
-  arguments.positional("RUN", options->run);
+  arguments.file("RUN", options->run);
   arguments.text("--data", "DIR", options->data, "the folder of a server that keeps the run; RUN is its number");
   arguments.flag("--text", options->as_text, "as a transcript: one node a line");
   arguments.flag("--hash", options->hash, "the hashes of the journal and of the derivations alone, to compare builds");

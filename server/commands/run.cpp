@@ -10,6 +10,8 @@
 #include "server/cell/screen_services.h"
 #include "server/commands/command.h"
 #include "server/commands/headless.h"
+#include "server/commands/input.h"
+#include "server/commands/load_operator_script.h"
 
 namespace race::server {
 namespace {
@@ -43,14 +45,15 @@ struct Options {
 int run_task(const Options& options) {
   const bool json = options.json;
   auto arguments = read_object("--arguments", options.arguments);
-  const auto text = read_file(options.model);
+  const auto text = read_input(options.model);
   if (!arguments) return refuse(arguments.error(), json);
-  if (!text) return refuse(text.error(), json);
+  if (!text) return refuse(FileErrors{options.model, {text.error()}}, json);
   const auto document = rcm::read_document_text(*text);
-  if (!document) return refuse(document.error(), json);
+  if (!document) return refuse(FileErrors{options.model, document.error()}, json);
 
   display::Screens screens;  // the operator script answers them
   HeadlessSetup setup;
+  setup.model_file = options.model;
   setup.cell.folder = options.cell.value_or(std::filesystem::path(options.model).parent_path());
   if (setup.cell.folder.empty()) setup.cell.folder = ".";
   setup.cell.database = options.database;
@@ -59,8 +62,9 @@ int run_task(const Options& options) {
   setup.limit_s = options.limit_s;
   setup.cell.seed = static_cast<std::uint64_t>(options.seed);
   if (options.operator_script) {
-    auto script = read_operator_file(*options.operator_script);
+    auto script = load_operator_script(*options.operator_script);
     if (!script) return refuse(script.error(), json);
+    setup.script_file = *options.operator_script;
     setup.script = std::move(*script);
     setup.screens = &screens;
   }
@@ -76,15 +80,15 @@ int run_task(const Options& options) {
 std::function<int()> declare(Arguments& arguments) {
   constexpr double kMaxSeed = 9007199254740992.0;  // 2^53: every integer up to it is a double
   const auto options = std::make_shared<Options>();
-  arguments.positional("MODEL", options->model);
+  arguments.file("MODEL", options->model);
   arguments.flag("--fast", options->fast, "as fast as possible, else in real time");
-  arguments.number("--seed", "N", options->seed, 0, kMaxSeed,
+  arguments.number("--seed", "N", options->seed, {0, kMaxSeed, true},
                    "of cameras and searches; the same seed gives the same run with --fast");
   arguments.text("--arguments", "JSON", options->arguments, "parameters of the task, an object");
   arguments.text("--cell", "DIR", options->cell, "the cell: scene.json, database.json ... (the folder of MODEL)");
   arguments.text("--database", "FILE", options->database, "where values that tasks store are kept");
-  arguments.number("--limit", "SECONDS", options->limit_s, 0, 1e9, "ends a run that takes longer, in world time");
-  arguments.text("--operator", "FILE", options->operator_script, "a person at the cell who acts by this script");
+  arguments.number("--limit", "SECONDS", options->limit_s, {0, 1e9}, "ends a run that takes longer, in world time");
+  arguments.file("--operator", "FILE", options->operator_script, "a person at the cell who acts by this script");
   arguments.flag("--json", options->json, "a line of JSON for each step");
   return [options] { return run_task(*options); };
 }

@@ -1,16 +1,23 @@
 // race serve: cores, services and the browser clients, on loopback.
-#include <algorithm>
+#include <unistd.h>
+
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <memory>
 #include <optional>
 
+#include "core/value/json.h"
 #include "server/application/application.h"
-#include "server/cell/component_groups.h"
 #include "server/commands/command.h"
+#include "server/commands/input.h"
+#include "server/commands/load_operator_script.h"
+#include "server/commands/settings.h"
 #include "server/http/listener.h"
+#include "server/log/line_log.h"
 #include "server/wire/calendar.h"
+#include "server/wire/version.h"
 
 namespace race::server {
 namespace {
@@ -18,68 +25,77 @@ namespace {
 // Numbers of messages go on where an earlier server can not have been: 1000 a millisecond since 1970.
 std::int64_t first_sequence() { return now_ms() * 1000; }
 
-// The component groups that run as processes: "cell,database".
-Expected<std::vector<std::string>> read_units(std::string_view text) {
-  std::vector<std::string> names;
-  while (!text.empty()) {
-    const std::string_view name = text.substr(0, text.find(','));
-    text.remove_prefix(std::min(text.size(), name.size() + 1));
-    ASSIGN_OR_RETURN(const ComponentGroup* group, find_component_group(name));
-    if (std::ranges::find(names, group->name) != names.end())
-      return unexpected(ErrorCode::duplicate, "stands twice", std::string(name));
-    names.emplace_back(group->name);
-  }
-  return names;
-}
-
 struct Options {
-  std::string data = "data", demo, web, remote;
-  std::optional<std::string> operator_script;
-  double port = 8080, heartbeat_s = 1, keep_runs = 1000, keep_mb = 1024;
-  bool headless = false;
+  Settings settings;
+  std::optional<std::string> config;
+  bool check_config = false;
 };
 
-int serve(const Options& options) {
-  auto remote = read_units(options.remote);
-  if (!remote) return refuse(remote.error());
-  Application::Setup setup{options.data, options.demo, first_sequence()};
-  if (options.operator_script) {
-    auto script = read_operator_file(*options.operator_script);
+// Reads the configuration into the settings, but for those that the command line gives; then checks them all.
+std::optional<FileErrors> load_config(Options& options, const Arguments& arguments) {
+  if (options.config) {
+    const std::string& file = *options.config;
+    const auto text = read_input(file);
+    if (!text) return FileErrors{file, {text.error()}};
+    const auto json = parse_json(*text);
+    if (!json) return FileErrors{file, {json.error()}};
+    if (auto errors = read_settings(*json, arguments, options.settings); !errors.empty())
+      return FileErrors{file, std::move(errors)};
+  }
+  auto errors = check_settings(options.settings);  // of options: the file has been checked
+  if (errors.empty()) return {};
+  for (Error& error : errors) error.path = "--" + error.path.substr(0, error.path.find('/'));
+  return FileErrors{"", std::move(errors)};
+}
+
+Application::Setup setup_of(const Settings& settings) {
+  Application::Setup setup{settings.data, settings.demo, first_sequence()};
+  setup.remote = settings.remote;
+  setup.heartbeat = std::chrono::milliseconds(std::llround(settings.heartbeat_s * 1000));
+  setup.retention = {static_cast<std::size_t>(settings.keep_runs),
+                     static_cast<std::uint64_t>(settings.keep_mb * (std::uint64_t{1} << 20U))};
+  return setup;
+}
+
+int serve(Options& options, const Arguments& arguments) {
+  if (options.check_config && !options.config)
+    return refuse(Error{ErrorCode::missing, "there is no configuration to check", "--config"});
+  if (const auto wrong = load_config(options, arguments)) return refuse(*wrong);
+  const Settings& settings = options.settings;
+  Application::Setup setup = setup_of(settings);
+  if (settings.operator_script) {
+    auto script = load_operator_script(*settings.operator_script);
     if (!script) return refuse(script.error());
     setup.script = std::move(*script);
   }
-  setup.remote = std::move(*remote);
-  setup.heartbeat = std::chrono::milliseconds(std::llround(options.heartbeat_s * 1000));
-  setup.retention = {static_cast<std::size_t>(options.keep_runs),
-                     static_cast<std::uint64_t>(options.keep_mb * (std::uint64_t{1} << 20U))};
+  if (options.check_config) return kExitOk;
+  std::signal(SIGPIPE, SIG_IGN);  // of a log that nobody reads any more
+  LineLog log(STDERR_FILENO, log_level_of(settings.log_level).value());
+  setup.lines = &log;
   auto app = Application::create(setup);
   if (!app) return refuse(app.error());
   // Without clients, no pages; the interface is there all the same.
-  const std::string web = options.headless ? "" : options.web;
-  auto server = HttpServer::listen(static_cast<std::uint16_t>(options.port), web, (*app)->make_backend());
+  const std::string web = settings.headless ? "" : settings.web;
+  auto server = HttpServer::listen(static_cast<std::uint16_t>(settings.port), web, (*app)->make_backend());
   if (!server) return refuse(server.error());
-  std::printf("race listens on http://127.0.0.1:%u\n", static_cast<unsigned>((*server)->port()));
+  const std::string address = "http://127.0.0.1:" + std::to_string((*server)->port());
+  std::printf("race listens on %s\n", address.c_str());
   std::fflush(stdout);
+  log.write(LogLevel::info, "server",
+            "race " + std::string(version()) + " listens on " + address + ", data in " + settings.data);
   (*server)->run();
   (*app)->stop_replays();
+  log.write(LogLevel::info, "server", "ends");
   return kExitOk;
 }
 
 std::function<int()> declare(Arguments& arguments) {
   const auto options = std::make_shared<Options>();
-  arguments.number("--port", "N", options->port, 0, 65535, "0: any that is free");
-  arguments.text("--data", "DIR", options->data, "where documents and values are kept");
-  arguments.text("--demo", "DIR", options->demo, "the cell and its tasks; without, there is no robot");
-  arguments.text("--web", "DIR", options->web, "the pages; without, the interface alone");
-  arguments.flag("--headless", options->headless, "no pages, whatever --web says");
-  arguments.text("--operator", "FILE", options->operator_script, "a person at the cell who acts by this script");
-  arguments.text("--remote", "UNIT,...", options->remote,
-                 "waits for processes (race service) that bring these: " + component_group_names());
-  arguments.number("--heartbeat", "SECONDS", options->heartbeat_s, 0.1, 3600,
-                   "after which such a process that is silent is lost");
-  arguments.number("--keep-runs", "N", options->keep_runs, 0, 1e6, "runs that are over; the oldest are removed");
-  arguments.number("--keep-mb", "N", options->keep_mb, 0, 1e6, "what these may hold [MiB]; the oldest are removed");
-  return [options] { return serve(*options); };
+  declare_settings(arguments, options->settings);
+  arguments.file("--config", "FILE", options->config,
+                 "these settings as JSON (keys as port, keep_runs); options come first");
+  arguments.flag("--check-config", options->check_config, "checks --config and the options, and starts nothing");
+  return [options, &arguments] { return serve(*options, arguments); };
 }
 
 }  // namespace

@@ -137,7 +137,8 @@ Reply handle(Request request, const Resources& resources) {
       return answer(route, request, resources);
     } catch (const std::exception& failure) {
       const services::Time now = std::get<Cell&>(resources).clock().now();
-      std::get<EventLog&>(resources).append(now, "server", request.method + " " + request.path + ": " + failure.what());
+      std::get<EventLog&>(resources).append(now, "server", request.method + " " + request.path + ": " + failure.what(),
+                                            LogLevel::error);
       return refusal(500, "internal", "the server failed to answer; see its log");
     }
   }

@@ -21,9 +21,15 @@ std::string status_line(const Value& core) {
   return line;
 }
 
+LogLevel level_of(std::string_view status) {
+  if (status == "faulted") return LogLevel::error;
+  return status == "interrupted" ? LogLevel::warning : LogLevel::info;
+}
+
 }  // namespace
 
-void EventLog::append(services::Time time, const std::string& source, const std::string& text) {
+void EventLog::append(services::Time time, const std::string& source, const std::string& text, LogLevel level) {
+  if (lines_) lines_->write(level, source, text);
   Value entry = Dict{{"time", time}, {"source", source}, {"text", text.substr(0, kMaxText)}};
   entry.freeze();
   {
@@ -42,7 +48,7 @@ bool EventLog::append_status(services::Time time, const std::string& core_id, co
     std::string& last = statuses_[core_id];
     if (std::exchange(last, status) == status) return false;
   }
-  append(time, "core/" + core_id, status_line(core));
+  append(time, "core/" + core_id, status_line(core), level_of(status));
   return true;
 }
 

@@ -1,4 +1,5 @@
-// EventLog: the last lines of the server's log, and the channel `log` of the stream (schemas/log_entry.json).
+// EventLog: the last lines of the server's log, and the channel `log` of the stream (schemas/log_entry.json). Each line
+// goes to the LineLog, too.
 //
 // Threads: any.
 #pragma once
@@ -8,6 +9,7 @@
 #include <string>
 
 #include "core/value/value.h"
+#include "server/log/line_log.h"
 #include "server/stream/hub.h"
 #include "services/clock.h"
 #include "services/mutex.h"
@@ -19,11 +21,12 @@ class EventLog {
   static constexpr std::size_t kMaxEntries = 200;
   static constexpr std::size_t kMaxText = 2000;  // bytes of a line; the rest is cut off
 
-  /// The hub outlives this.
-  explicit EventLog(Hub& hub) : hub_(hub) {}
+  /// The hub and `lines` outlive this; without `lines`, clients alone see the log.
+  explicit EventLog(Hub& hub, LineLog* lines = nullptr) : hub_(hub), lines_(lines) {}
 
-  /// Adds a line and publishes it. `source`: "server", "core/1", the key of a service.
-  void append(services::Time time, const std::string& source, const std::string& text) EXCLUDES(mutex_);
+  /// Adds a line and publishes it. `source`: "server", "core/1", the key of a service. `level` is of the LineLog.
+  void append(services::Time time, const std::string& source, const std::string& text, LogLevel level = LogLevel::info)
+      EXCLUDES(mutex_);
   /// Adds a line on the status of a core (schemas/core.json: started, ended and how, faulted and where) if it differs
   /// from the status logged last. Returns whether it does.
   bool append_status(services::Time time, const std::string& core_id, const Value& core) EXCLUDES(mutex_);
@@ -34,6 +37,7 @@ class EventLog {
 
  private:
   Hub& hub_;
+  LineLog* const lines_;
   mutable services::Mutex mutex_;
   std::deque<Value> entries_ GUARDED_BY(mutex_);                    // schemas/log_entry.json
   std::map<std::string, std::string> statuses_ GUARDED_BY(mutex_);  // by core: as logged last

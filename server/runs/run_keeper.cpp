@@ -59,7 +59,7 @@ void RunKeeper::write_all() {
 
 void RunKeeper::write(RunId run) {
   const auto waiting = waiting_.extract(run);
-  if (auto stored = samples_.append(run, waiting.mapped()); !stored) log_(to_string(stored.error()));
+  if (auto stored = samples_.append(run, waiting.mapped()); !stored) log_(LogLevel::error, to_string(stored.error()));
 }
 
 void RunKeeper::apply_limits() {
@@ -68,9 +68,9 @@ void RunKeeper::apply_limits() {
     const auto hosted = [this](RunId id) { return cores_->find(std::to_string(id)).has_value(); };
     const auto removed = apply_retention(runs_, limits_, hosted);
     if (!removed)
-      log_(to_string(removed.error()));
+      log_(LogLevel::error, to_string(removed.error()));
     else if (*removed > 0)
-      log_("removed the oldest runs: " + std::to_string(*removed));
+      log_(LogLevel::info, "removed the oldest runs: " + std::to_string(*removed));
   });
 }
 

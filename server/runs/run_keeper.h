@@ -14,6 +14,7 @@
 #include "core/value/value.h"
 #include "server/cell/cell_world.h"
 #include "server/execution/cores.h"
+#include "server/log/line_log.h"
 #include "server/store/retention.h"
 #include "server/store/runs.h"
 #include "server/store/samples.h"
@@ -27,8 +28,9 @@ class RunKeeper {
   static constexpr double kInterval = 0.2;     // [s] of world time between samples, until they are thinned out
   static constexpr std::size_t kWritten = 25;  // samples of a run that are written at once
 
+  using Log = std::function<void(LogLevel, const std::string&)>;
   /// All outlive it; `log` is called on its thread.
-  RunKeeper(Runs& runs, Samples& samples, const RetentionLimits& limits, std::function<void(const std::string&)> log)
+  RunKeeper(Runs& runs, Samples& samples, const RetentionLimits& limits, Log log)
       : runs_(runs), samples_(samples), limits_(limits), log_(std::move(log)) {}
   /// Writes what is left.
   ~RunKeeper();
@@ -53,7 +55,7 @@ class RunKeeper {
   Runs& runs_;
   Samples& samples_;
   const RetentionLimits limits_;
-  const std::function<void(const std::string&)> log_;
+  const Log log_;
   const Cores* cores_ = nullptr;
   CellWorld* world_ = nullptr;
 

@@ -4,4 +4,6 @@ namespace race::server {
 
 std::string_view version() { return RACE_VERSION; }
 
+std::string_view compiler() { return RACE_COMPILER; }
+
 }  // namespace race::server

@@ -52,11 +52,11 @@ def check(name, value):
 class Server:
     """`race serve` on a free port with its own data folder. As a context manager it stops at the end of the block."""
 
-    def __init__(self, *options, data=None, program=None):
+    def __init__(self, *options, data=None, program=None, stderr=None):
         self.own = data is None
         self.data = data or tempfile.mkdtemp(prefix="race-test-")
         command = [program, self.data] if program else [PROGRAM, "serve", "--port", "0", "--data", self.data, *options]
-        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=stderr, text=True)
         line = self.process.stdout.readline()
         match = re.search(r":(\d+)$", line.strip())
         assert match, f"the server did not start: {line!r}"

@@ -184,7 +184,7 @@ class Hosting(unittest.TestCase):
         self.assertIn("999999: not_found: ", errors)
 
     def test_bad_input_ends_with_status_2(self):
-        for words, refused in ((("core",), "usage: "), (("core", "dance"), "ACTION: syntax: "),
+        for words, refused in ((("core",), "ACTION: missing: "), (("core", "dance"), "ACTION: syntax: "),
                                (("core", "show"), "ACTION: syntax: "), (("core", "load", "1"), "ACTION: syntax: "),
                                (("core", "list", "1"), "ACTION: syntax: "),
                                (("core", "pause", "1", "--arguments", "{}"), "--arguments: unknown_field: "),
@@ -192,7 +192,7 @@ class Hosting(unittest.TestCase):
                                (("core", "create", "a", "--arguments", "[]"), "--arguments: type: "),
                                (("core", "create", "a", "--arguments", "{"), "--arguments: json: "),
                                (("core", "list", "--slow"), "--slow: unknown_field: "),
-                               (("boot",), "usage: "), (("boot", "dance"), "ACTION: syntax: "),
+                               (("boot",), "ACTION: missing: "), (("boot", "dance"), "ACTION: syntax: "),
                                (("boot", "set"), "ACTION: syntax: "), (("boot", "list", "a"), "ACTION: syntax: "),
                                (("boot", "set", "a", "--arguments", "1"), "--arguments: type: ")):
             with self.subTest(words=words):

@@ -10,6 +10,8 @@ from pathlib import Path
 
 from client import PROGRAM, TIMEOUT
 
+# A line of its log (server/log/line_log.h); whatever else is on stderr is a failure.
+LOG_LINE = re.compile(r"^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{3}Z (error|warning|info|debug) .*\n", re.MULTILINE)
 # What changes a file, or makes a change of it durable.
 WRITES = ("pwrite64", "write", "fdatasync", "fsync", "ftruncate", "unlink", "rename", "fallocate")
 STORE = ("race.sqlite", "race.sqlite-wal", "race.sqlite-shm", "race.sqlite-journal")
@@ -83,9 +85,9 @@ class TracedServer:
         return self.ended()
 
     def ended(self):
-        """Waits until it has ended: (status, what it said on stderr)."""
+        """Waits until it has ended: (status, what it said on stderr, but for the lines of its log)."""
         _, said = self.process.communicate(timeout=TIMEOUT)
-        return self.process.returncode, said
+        return self.process.returncode, LOG_LINE.sub("", said)
 
     def remove(self):
         """Ends it and removes its folder."""

@@ -11,7 +11,7 @@ struct ArgumentsTest : testing::Test {
     arguments.positionals("MORE", more, false);
     arguments.text("--data", "DIR", data, "a folder");
     arguments.text("--log", "FILE", log, "a file");
-    arguments.number("--port", "N", port, 0, 100, "a number");
+    arguments.number("--port", "N", port, {0, 100}, "a number");
     arguments.flag("--fast", fast, "a flag");
   }
   ErrorCode code(const std::vector<std::string>& words) { return arguments.parse(words).error().code; }
@@ -59,6 +59,10 @@ TEST_F(ArgumentsTest, AreRefusedByName) {
   EXPECT_EQ(code({"a", "--port", "1", "--port", "2"}), ErrorCode::duplicate);
   EXPECT_EQ(code({"a", "--fast", "--fast"}), ErrorCode::duplicate);
   EXPECT_EQ(arguments.parse({"a", "--slow"}).error().path, "--slow");
+  EXPECT_EQ(arguments.parse({"a", "--slow=1"}).error(),
+            (Error{ErrorCode::unknown_field, "there is no such option", "--slow"}));
+  EXPECT_EQ(arguments.parse({"a", "--prot", "1"}).error(),
+            (Error{ErrorCode::unknown_field, "there is no such option; did you mean `--port`?", "--prot"}));
   EXPECT_EQ(arguments.parse({"a", "--port"}).error().path, "--port");
 }
 
@@ -73,10 +77,9 @@ TEST_F(ArgumentsTest, NumbersHaveLimits) {
   }
 }
 
-TEST_F(ArgumentsTest, HelpAndMisuseAreTold) {
+TEST_F(ArgumentsTest, HelpIsTold) {
   EXPECT_EQ(arguments.parse({"a", "--help"}), Arguments::Outcome::help_requested);
   EXPECT_EQ(arguments.parse({"-h"}), Arguments::Outcome::help_requested);
-  EXPECT_EQ(arguments.parse({}), Arguments::Outcome::misused);
   EXPECT_EQ(arguments.usage(), "race test FILE [MORE...] [--data DIR] [--log FILE] [--port N] [--fast]");
   EXPECT_EQ(arguments.help(),
             "  --data DIR   a folder (data)\n"
@@ -85,11 +88,35 @@ TEST_F(ArgumentsTest, HelpAndMisuseAreTold) {
             "  --fast       a flag\n");
 }
 
-TEST(Arguments, AWordTooManyIsMisuse) {
-  std::string file;
+TEST(Arguments, AWordTooManyOrTooFewIsNamed) {
+  std::string file, server;
   Arguments arguments("test");
   arguments.positional("FILE", file);
-  EXPECT_EQ(arguments.parse({"a", "b"}), Arguments::Outcome::misused);
+  arguments.required_text("--server", "URL", server, "a server");
+  EXPECT_EQ(arguments.parse({"--server=x", "a", "b"}).error(), (Error{ErrorCode::syntax, "is a word too many", "b"}));
+  EXPECT_EQ(arguments.parse({"--server=x"}).error(), (Error{ErrorCode::missing, "the command needs it", "FILE"}));
+  EXPECT_EQ(arguments.parse({"a"}).error(), (Error{ErrorCode::missing, "the command needs it", "--server"}));
+  EXPECT_EQ(arguments.parse({"a", "--sever", "x"}).error().path, "--sever") << "what is misspelled comes first";
+}
+
+TEST(Arguments, TheStandardInputStandsOnceAmongFiles) {
+  const auto parse = [](const std::vector<std::string>& words) {
+    std::string first, text;
+    std::vector<std::string> more;
+    std::optional<std::string> script;
+    Arguments arguments("test");
+    arguments.file("FIRST", first);
+    arguments.files("MORE", more);
+    arguments.file("--script", "FILE", script, "a file");
+    arguments.text("--text", "TEXT", text, "no file");
+    const auto outcome = arguments.parse(words);
+    return outcome ? "" : outcome.error().path;
+  };
+  EXPECT_EQ(parse({"-", "a"}), "");
+  EXPECT_EQ(parse({"a", "b", "-", "--text", "-"}), "");
+  EXPECT_EQ(parse({"-", "-"}), "MORE");
+  EXPECT_EQ(parse({"a", "-", "-"}), "MORE");
+  EXPECT_EQ(parse({"a", "-", "--script", "-"}), "--script");
 }
 
 TEST(ReadObject, TakesAnObjectAndNamesTheOptionOtherwise) {

@@ -1,6 +1,9 @@
 #include "server/log/event_log.h"
 
 #include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <array>
 
 #include "core/value/json.h"
 #include "tests/unit/server/boxed_subscriber.h"
@@ -50,6 +53,25 @@ TEST_F(EventLogTest, LogsAStatusOnlyWhenItChanges) {
   EXPECT_FALSE(log.append_status(0, "1", core("running")));
   EXPECT_TRUE(log.append_status(0, "2", core("running")));
   EXPECT_THAT(entries(), testing::ElementsAre("core/1: pick: ready", "core/1: pick: running", "core/2: pick: running"));
+}
+
+TEST(EventLog, WritesItsLinesByLevel) {
+  Pool pool{1};
+  Hub hub{pool, 1, [](const std::string&) { return std::nullopt; }};
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe(ends.data()), 0);
+  LineLog lines(ends[1], LogLevel::debug);
+  EventLog log(hub, &lines);
+  log.append(0, "timer", "available");
+  for (const char* status : {"running", "interrupted", "faulted"})
+    log.append_status(0, "1", Dict{{"document", "pick"}, {"status", status}});
+  ::close(ends[1]);
+  std::string text(4096, ' ');
+  text.resize(static_cast<std::size_t>(::read(ends[0], text.data(), text.size())));
+  ::close(ends[0]);
+  EXPECT_THAT(text,
+              testing::ContainsRegex("info timer: available\n.* info core/1: pick: running\n.* warning core/1: pick: "
+                                     "interrupted\n.* error core/1: pick: faulted\n"));
 }
 
 }  // namespace

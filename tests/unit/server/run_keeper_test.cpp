@@ -57,7 +57,7 @@ struct RunKeeperTest : testing::Test, CoreWatcher {
 };
 
 TEST_F(RunKeeperTest, FlushWritesTheSamplesThatWait) {
-  RunKeeper keeper{*store.runs, *samples, {}, [](const std::string& text) { ADD_FAILURE() << text; }};
+  RunKeeper keeper{*store.runs, *samples, {}, [](LogLevel, const std::string& text) { ADD_FAILURE() << text; }};
   keeper.connect(cores, nullptr);
   const RunId run = running_core()->run_id();
   for (int i = 0; i < 3; ++i) keeper.record(pose(i));
@@ -67,7 +67,8 @@ TEST_F(RunKeeperTest, FlushWritesTheSamplesThatWait) {
 
 TEST_F(RunKeeperTest, AnImportBringsTheStoreWithinItsLimits) {
   std::vector<std::string> logged;
-  RunKeeper limited{*store.runs, *samples, {.runs = 2}, [&](const std::string& text) { logged.push_back(text); }};
+  RunKeeper limited{
+      *store.runs, *samples, {.runs = 2}, [&](LogLevel, const std::string& text) { logged.push_back(text); }};
   limited.connect(cores, nullptr);
   for (int i = 0; i < 3; ++i) import();
   limited.flush();

@@ -40,7 +40,7 @@ const unread = new Set([
   "backup", "backups", "boot", "breakpoints", "checkpoint", "component_message", "component_request",
   "core_create", "core_load", "core_start", "document_branch", "document_entry", "document_restore", "edit_request", "journal",
   "operator", "person_command", "revisions", "run", "run_comparison", "run_file", "runs", "samples",
-  "step_request", "stream_request",
+  "server_config", "step_request", "stream_request",
 ]);
 
 describe("api/examples", () => {

@@ -1,0 +1,170 @@
+"""Exit codes of every command: 0 fine, 1 the run or check found something, 2 bad input; and what `-` reads."""
+import json
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import models
+from client import PROGRAM, Server
+
+WRONG = models.document("wrong", {"state": "Root", "first": "Nowhere"})
+FILES = {
+    "fine.rcm.json": json.dumps(models.ticking(last=1)),
+    "faulty.rcm.json": json.dumps(models.faulty()),
+    "wrong.rcm.json": json.dumps(WRONG),
+    "fine.rsm.json": json.dumps({"rsm": 1, "name": "tap", "events": [{"name": "drop"}]}),
+    "wrong.rsm.json": json.dumps({"rsm": 1, "name": "tap", "events": [{"name": "drop"}, {"name": "drop"}]}),
+    "script.json": json.dumps({"steps": [{}, {"events": [{"service": "timer", "event": "tick"}]}, {}]}),
+    "operator.json": json.dumps({"operator": 1, "acts": []}),
+    "no.json": "{",
+}
+NOWHERE = ("--server", "http://127.0.0.1:1")
+
+# (code, command line): FINE, FAULTY and so on are documents of FILES, FOLDER holds them all and no data, DATA is the folder
+# of a server that has ended, SERVER one that runs.
+TABLE = (
+    (0, ("--version",)), (0, ("--help",)), (2, ()), (2, ("dance",)), (2, ("--version", "more")), (2, ("help", "dance")),
+    (0, ("check", "fine.rcm.json")), (0, ("check", "fine.rcm.json", "fine.rsm.json", "faulty.rcm.json")),
+    (1, ("check", "wrong.rcm.json")), (1, ("check", "fine.rcm.json", "wrong.rcm.json")),
+    (1, ("check", "fine.rcm.json", "wrong.rsm.json")), (1, ("check", "fine.rsm.json")),
+    (2, ("check", "no.json")), (2, ("check", "none.json")), (2, ("check", "wrong.rcm.json", "none.json")), (2, ("check", ".")),
+    (0, ("translate", "fine.rcm.json")), (2, ("translate", "wrong.rcm.json")), (2, ("translate", "none.json")),
+    (0, ("fmt", "fine.rcm.json")), (2, ("fmt", "wrong.rcm.json")), (2, ("fmt", "no.json")), (2, ("fmt", "--write", "-")),
+    (0, ("derive", "fine.rcm.json", "script.json")), (1, ("derive", "faulty.rcm.json", "script.json")),
+    (2, ("derive", "wrong.rcm.json", "script.json")), (2, ("derive", "fine.rcm.json", "no.json")),
+    (2, ("derive", "fine.rcm.json", "script.json", "--order", "x")),
+    (0, ("run", "fine.rcm.json", "--fast")), (1, ("run", "faulty.rcm.json", "--fast")),
+    (1, ("run", "fine.rcm.json", "--fast", "--arguments", '{"last": 1000000}', "--limit", "1")),
+    (2, ("run", "wrong.rcm.json")), (2, ("run", "none.json")), (2, ("run", "fine.rcm.json", "--arguments", "[")),
+    (2, ("run", "fine.rcm.json", "--operator", "no.json")), (2, ("run", "fine.rcm.json", "--operator", "operator.json")),
+    (0, ("replay", "1", "--data", "DATA", "--hash")), (2, ("replay", "9", "--data", "DATA")), (2, ("replay", "no.json")),
+    (2, ("replay", "none.json")), (2, ("replay", "1", "--data", "none")),
+    (0, ("runs", "--data", "DATA")), (2, ("runs", "--data", "none")), (2, ("runs",)),
+    (0, ("backup", "--data", "DATA")), (2, ("backup", "--data", "no-folder")), (2, ("backup", "--data", "DATA", "a", "b")),
+    (2, ("restore", "--data", "DATA", "none")), (2, ("restore",)),
+    (0, ("core", "list", "--server", "SERVER")), (1, ("core", "show", "9", "--server", "SERVER")),
+    (2, ("core", "list", *NOWHERE)), (2, ("core", "dance")), (2, ("core", "list", "--server", "ftp://x")),
+    (0, ("boot", "list", "--server", "SERVER")), (1, ("boot", "remove", "a", "--server", "SERVER")), (2, ("boot", "list", *NOWHERE)),
+    (2, ("service", "oven", *NOWHERE)), (2, ("service", "database")), (2, ("service", "database", "--server", "ftp://x")),
+    (2, ("serve", "--remote", "oven")), (2, ("serve", "--data", "/proc/no")), (2, ("serve", "--operator", "no.json")),
+)
+COMMANDS = ("serve", "service", "run", "runs", "replay", "backup", "restore", "core", "boot", "derive", "check", "translate", "fmt")
+# What a command needs at least.
+WORDS = {"service": ("database", *NOWHERE), "run": ("fine.rcm.json",), "replay": ("no.json",), "runs": ("--data", "none"),
+         "restore": ("none",), "core": ("list",), "boot": ("list",), "derive": ("fine.rcm.json", "script.json"),
+         "check": ("fine.rcm.json",), "translate": ("fine.rcm.json",), "fmt": ("fine.rcm.json",)}
+
+
+class CommandCase(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        held = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(held.cleanup)
+        cls.folder = held.name
+        for name, text in FILES.items():
+            Path(cls.folder, name).write_text(text)
+        with Server(data=f"{cls.folder}/data") as server:
+            server.ended(server.core(models.ticking("kept", last=1)))
+        cls.server = Server()
+        cls.addClassCleanup(cls.server.stop)
+
+    def race(self, *words, text=""):
+        """(status, stdout, stderr), in the folder of FILES, with `text` as standard input."""
+        places = {"DATA": f"{self.folder}/data", "SERVER": f"http://127.0.0.1:{self.server.port}"}
+        out = subprocess.run([PROGRAM, *(places.get(word, word) for word in words)], input=text, capture_output=True, text=True,
+                             timeout=60, check=False, cwd=self.folder)
+        return out.returncode, out.stdout, out.stderr
+
+
+class Codes(CommandCase):
+    def test_are_those_of_the_table(self):
+        for code, words in TABLE:
+            with self.subTest(words=words):
+                status, _, errors = self.race(*words)
+                self.assertEqual(status, code, errors)
+                if code == 2:
+                    self.assertTrue(errors)
+        self.assertEqual({words[0] for _, words in TABLE if words} & set(COMMANDS), set(COMMANDS))
+
+    def test_every_command_refuses_what_it_does_not_know(self):
+        for command in COMMANDS:
+            words = (command, *WORDS.get(command, ()))
+            for wrong, said in ((("--no-such-thing",), "--no-such-thing: unknown_field: "), (("--hepl",), "did you mean `--help`?")):
+                status, output, errors = self.race(*words, *wrong)
+                self.assertEqual((status, output), (2, ""), words)
+                self.assertIn(said, errors)
+        for command in ("serve", "service", "run", "runs", "replay", "derive", "translate"):
+            status, _, errors = self.race(command, *WORDS.get(command, ()), "one-more")
+            self.assertEqual((status, errors.splitlines()[0]), (2, "one-more: syntax: is a word too many"), command)
+        for command in ("service", "run", "replay", "restore", "core", "boot", "derive", "check", "translate", "fmt"):
+            status, _, errors = self.race(command)
+            self.assertEqual(status, 2)
+            self.assertRegex(errors, r"\A[A-Z]+: missing: ")
+        for command, option in (("serve", "--port"), ("run", "--seed"), ("core", "--server"), ("backup", "--data"), ("derive", "--order")):
+            status, _, errors = self.race(command, *WORDS.get(command, ()), option)
+            self.assertEqual((status, errors.splitlines()[0]), (2, f"{option}: missing: the option needs a value"))
+
+    def test_a_misspelled_word_is_answered_with_the_one_that_is_meant(self):
+        for words, meant in ((("chekc",), "check"), (("serve", "--prot", "1"), "--port"), (("serve", "--heart=2"), "--heartbeat"),
+                             (("run", "fine.rcm.json", "--sed", "1"), "--seed"), (("--verison",), "--version")):
+            status, _, errors = self.race(*words)
+            self.assertEqual(status, 2)
+            self.assertIn(f"; did you mean `{meant}`?", errors)
+        self.assertNotIn("did you mean", self.race("run", "--x")[2])
+
+    def test_what_is_wrong_in_a_file_is_named_with_the_file(self):
+        for words, file in ((("check", "fine.rcm.json", "wrong.rcm.json"), "wrong.rcm.json"), (("run", "wrong.rcm.json"), "wrong.rcm.json"),
+                            (("translate", "wrong.rcm.json"), "wrong.rcm.json"),
+                            (("fmt", "fine.rcm.json", "wrong.rcm.json"), "wrong.rcm.json"),
+                            (("derive", "wrong.rcm.json", "script.json"), "wrong.rcm.json")):
+            self.assertRegex(self.race(*words)[2], rf"(?m)^{file}: Root: first: ")
+        for words in (("check", "no.json"), ("fmt", "no.json"), ("run", "no.json"), ("derive", "fine.rcm.json", "no.json"),
+                      ("replay", "no.json"), ("serve", "--operator", "no.json"), ("run", "fine.rcm.json", "--operator", "no.json")):
+            self.assertTrue(self.race(*words)[2].startswith("no.json: json: "), words)
+        for words in (("check", "none"), ("fmt", "none"), ("run", "none"), ("derive", "none", "script.json"), ("replay", "none"),
+                      ("translate", "none")):
+            self.assertEqual(self.race(*words)[2], "none: io: cannot be read: No such file or directory\n")
+
+    def test_check_lists_each_file_with_its_errors(self):
+        status, output, errors = self.race("check", "--json", "wrong.rcm.json", "fine.rcm.json", "wrong.rsm.json", "none")
+        files = json.loads(output)["files"]
+        self.assertEqual((status, [(each["file"], [(e["path"], e["code"]) for e in each["errors"]]) for each in files]), (2, [
+            ("wrong.rcm.json", [("Root", "first")]), ("fine.rcm.json", []), ("wrong.rsm.json", [("", "duplicate")]),
+            ("none", [("", "io")])]))
+        self.assertEqual([line.split(": ")[0] for line in errors.splitlines()], ["wrong.rcm.json", "wrong.rsm.json", "none"])
+        status, output, _ = self.race("run", "--json", "wrong.rcm.json")
+        [error] = json.loads(output)["errors"]
+        self.assertEqual((status, error["file"], error["path"], error["code"]), (2, "wrong.rcm.json", "Root", "first"))
+
+
+class StandardInput(CommandCase):
+    def test_stands_for_any_file(self):
+        for file, words in (("fine.rcm.json", ("check", "-")), ("fine.rsm.json", ("check", "fine.rcm.json", "-")),
+                            ("fine.rcm.json", ("fmt", "-")), ("fine.rcm.json", ("translate", "-")),
+                            ("fine.rcm.json", ("run", "-", "--fast")),
+                            ("fine.rcm.json", ("derive", "-", "script.json")), ("script.json", ("derive", "fine.rcm.json", "-")),
+                            ("wrong.rcm.json", ("check", "-"))):
+            named = tuple(file if word == "-" else word for word in words)
+            status, output, errors = self.race(*named)
+            self.assertEqual(self.race(*words, text=FILES[file]), (status, output, errors.replace(f"{file}: ", "-: ")), words)
+        journal = self.server.get(f"/cores/{self.server.core(models.ticking('piped', last=1))}/journal")
+        self.assertEqual(self.race("replay", "-", "--hash", text=json.dumps(journal))[0], 0)
+        self.assertIn("-: json: ", self.race("run", "fine.rcm.json", "--operator", "-", text="{")[2])
+
+    def test_is_read_once(self):
+        for words, second in ((("check", "-", "-"), "FILE"), (("derive", "-", "-"), "SCRIPT"), (("fmt", "-", "a", "-"), "MODEL"),
+                              (("run", "-", "--operator", "-"), "--operator")):
+            status, _, errors = self.race(*words)
+            self.assertEqual((status, errors.split(": ")[:2]), (2, [second, "duplicate"]))
+
+    def test_is_bounded(self):
+        for words in (("check", "-"), ("check", "/dev/zero"), ("replay", "-")):
+            with open("/dev/zero", "rb") as endless:
+                out = subprocess.run([PROGRAM, *words], stdin=endless, capture_output=True, text=True, timeout=60, check=False)
+            self.assertEqual((out.returncode, out.stderr.split(": ")[:2]), (2, [words[-1], "too_large"]))
+
+
+
+if __name__ == "__main__":
+    unittest.main()
