@@ -81,7 +81,12 @@ void Editing::forget_least_used() {
 Checked<DocumentSession*> Editing::open(Document& document, const std::string& name) {
   if (!document.session) {
     auto session = DocumentSession::read(documents_, name);
-    if (!session) return tl::unexpected(std::move(session).error());
+    if (!session) {
+      const bool is_gone = session.error().front().code == ErrorCode::not_found;
+      // A removal that was refused because the disk failed may have been stored all the same.
+      if (is_gone && std::exchange(document.last_known, 0) > 0) publisher_.ended(name, session.error());
+      return tl::unexpected(std::move(session).error());
+    }
     document.session.emplace(std::move(*session));
     // What was refused because the disk failed may have been stored all the same.
     const std::int64_t revision = document.session->revision();

@@ -195,6 +195,11 @@ Expected<std::shared_ptr<Core>> Cores::remove(const std::string& id) {
   return core;
 }
 
+bool is_over(const Value& core) {
+  const std::string status = core.find("status")->as_string();
+  return status == "ended" || status == "faulted" || status == "aborted";
+}
+
 // A core that has not begun is retired, so that no start gets through.
 Expected<void> Cores::close_for_restore() {
   const services::MutexLock one_at_a_time(loading_);
@@ -205,8 +210,7 @@ Expected<void> Cores::close_for_restore() {
   }
   for (const auto& core : all()) {
     if (core->retire()) continue;
-    const std::string status = core->info().find("status")->as_string();
-    if (status == "ended" || status == "faulted" || status == "aborted") continue;
+    if (is_over(core->info())) continue;
     reopen();
     return unexpected(ErrorCode::conflict, "the run of core " + core->id() + " is not over");
   }

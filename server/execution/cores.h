@@ -72,6 +72,9 @@ class Cores {
   bool restoring_ GUARDED_BY(mutex_) = false;
 };
 
+/// Whether the run of a core (schemas/core.json) is over.
+bool is_over(const Value& core);
+
 /// schemas/cores.json, frozen.
 Value cores_json(const Cores& cores);
 

@@ -2,6 +2,7 @@
 #include "server/editing/editing.h"
 #include "server/execution/cores.h"
 #include "server/handlers/handlers.h"
+#include "server/handlers/idempotency.h"
 #include "server/store/backup.h"
 #include "server/wire/calendar.h"
 
@@ -38,7 +39,8 @@ Handled delete_backup(const Request& request, Backups& backups) {
 }
 
 // Cores that are over or have not begun go: the store of that time knows others.
-Handled restore_backup(const Request& request, Backups& backups, Cores& cores, Editing& editing) {
+Handled restore_backup(const Request& request, Backups& backups, Cores& cores, Editing& editing,
+                       IdempotentAnswers& answers) {
   const auto paused = editing.pause();
   if (!paused) return failed(paused.error());
   if (auto closed = cores.close_for_restore(); !closed) return failed(std::move(closed).error());
@@ -48,6 +50,7 @@ Handled restore_backup(const Request& request, Backups& backups, Cores& cores, E
     return {};
   });
   cores.reopen();
+  answers.clear();
   return answer_with(restored);
 }
 

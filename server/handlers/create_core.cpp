@@ -1,4 +1,6 @@
 // POST /api/v1/cores: a core of a document and arguments, which waits to be started.
+#include <tuple>
+
 #include "server/execution/live_edits.h"
 #include "server/handlers/core_model.h"
 #include "server/handlers/handlers.h"
@@ -11,7 +13,10 @@ Handled create_core(const Request& request, Documents& documents, Cores& cores, 
   const auto core = cores.create(model->document, std::move(model->arguments));
   if (!core) return tl::unexpected(core.error());
   const auto info = follow_document(**core, *model, edits);
-  if (!info) return failed(info.error());
+  if (!info) {
+    std::ignore = cores.remove((*core)->id());  // whole or not at all
+    return failed(info.error());
+  }
   return created(*info, "/api/v1/cores/" + (*core)->id());
 }
 

@@ -9,13 +9,11 @@
 namespace race::server {
 namespace {
 
-bool is_over(const std::string& status) { return status == "ended" || status == "faulted" || status == "aborted"; }
-
 /// Error `conflict`: a core executes it, or may, or the server starts it when it begins.
 Expected<void> check_unused(const std::string& name, const Cores& cores, BootList& boot) {
   for (const auto& core : cores.all()) {
     const Value info = core->info();
-    if (info.find("document")->as_string() == name && !is_over(info.find("status")->as_string()))
+    if (info.find("document")->as_string() == name && !is_over(info))
       return unexpected(ErrorCode::conflict, "core " + core->id() + " has it; stop the core or delete it", name);
   }
   ASSIGN_OR_RETURN(const auto entries, boot.get());

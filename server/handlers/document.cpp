@@ -3,7 +3,6 @@
 #include "server/handlers/document_requests.h"
 #include "server/handlers/preconditions.h"
 #include "server/handlers/query.h"
-#include "server/http/field_list.h"
 
 namespace race::server {
 namespace {
@@ -18,12 +17,7 @@ Expected<bool> is_draft(const Request& request) {
 }  // namespace
 
 Handled get_document(const Request& request, Documents& documents) {
-  const auto entry = documents.entry(request.parameters.at("name"));
-  if (!entry || !has_tag(request, tag_of(entry->revision.number))) return answer_entry(entry);
-  Reply unchanged;
-  unchanged.status = 304;
-  add_tag(unchanged, entry->revision.number);
-  return unchanged;
+  return answer_unless_known(request, documents.entry(request.parameters.at("name")));
 }
 
 Handled put_document(const Request& request, Editing& editing) {
@@ -33,7 +27,7 @@ Handled put_document(const Request& request, Editing& editing) {
   if (!seen) return failed(seen.error());
   const auto match = if_match(request);
   if (!match) return failed(match.error());
-  const auto is_new = if_none(request);
+  const auto is_new = requires_absence(request);
   if (!is_new) return failed(is_new.error());
   if (*seen && *match && *seen != *match)
     return failed({ErrorCode::out_of_range, "`revision` and If-Match name different revisions", "revision"});

@@ -2,6 +2,7 @@
 
 #include "server/handlers/preconditions.h"
 #include "server/handlers/query.h"
+#include "server/http/field_list.h"
 #include "server/http/refusal.h"
 #include "server/wire/calendar.h"
 #include "server/wire/errors.h"
@@ -64,6 +65,14 @@ Handled answer_entry(const Checked<DocumentEntry>& entry) {
       entry->is_new ? created(entry_json(*entry), "/api/v1/documents/" + revision.document) : ok(entry_json(*entry));
   add_tag(reply, revision.number);
   return reply;
+}
+
+Handled answer_unless_known(const Request& request, const Checked<DocumentEntry>& entry) {
+  if (!entry || !if_none_match_lists(request, tag_of(entry->revision.number))) return answer_entry(entry);
+  Reply unchanged;
+  unchanged.status = 304;
+  add_tag(unchanged, entry->revision.number);
+  return unchanged;
 }
 
 Handled answer_changed(const Checked<DocumentEntry>& entry, bool has_precondition) {

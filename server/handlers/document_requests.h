@@ -24,6 +24,8 @@ Value revision_json(const Revision& revision);
 Value entry_json(const DocumentEntry& entry);
 /// The entry with its tag, 201 if it is new, or its errors.
 Handled answer_entry(const Checked<DocumentEntry>& entry);
+/// The same, or 304 if If-None-Match lists its tag.
+Handled answer_unless_known(const Request& request, const Checked<DocumentEntry>& entry);
 /// The same after a change; 412 for a `conflict` if the request had a precondition.
 Handled answer_changed(const Checked<DocumentEntry>& entry, bool has_precondition);
 

@@ -13,14 +13,13 @@ Handled get_revisions(const Request& request, Documents& documents) {
   if (!limit) return failed(limit.error());
   const std::string& name = request.parameters.at("name");
   const auto most = limit->value_or(kMost);
-  auto revisions = documents.revisions(name, *before, most + 1);
+  const auto revisions = documents.revisions(name, *before, most);
   if (!revisions) return tl::unexpected(revisions.error());
-  const bool is_more = revisions->size() > static_cast<std::size_t>(most);
-  if (is_more) revisions->pop_back();
   List list;
   std::ranges::transform(*revisions, std::back_inserter(list), revision_json);
   Dict json{{"name", name}, {"revisions", std::move(list)}};
-  if (is_more) json.set("next", revisions->back().number);
+  const bool is_full = revisions->size() == static_cast<std::size_t>(most);
+  if (is_full && revisions->back().number > 1) json.set("next", revisions->back().number);
   return ok(std::move(json));
 }
 

@@ -21,6 +21,7 @@ class Core;
 class Cores;
 class Documents;
 class Editing;
+class IdempotentAnswers;
 class LiveEdits;
 class Runs;
 class Samples;
@@ -44,7 +45,8 @@ Handled list_backups(const Request& request, Backups& backups);
 Handled get_backup(const Request& request, Backups& backups);
 Handled create_backup(const Request& request, Backups& backups);
 Handled delete_backup(const Request& request, Backups& backups);
-Handled restore_backup(const Request& request, Backups& backups, Cores& cores, Editing& editing);
+Handled restore_backup(const Request& request, Backups& backups, Cores& cores, Editing& editing,
+                       IdempotentAnswers& answers);
 Handled list_services(const Request& request, Cell& cell);
 Handled list_cores(const Request& request, Cores& cores);
 Handled create_core(const Request& request, Documents& documents, Cores& cores, LiveEdits& edits);

@@ -95,6 +95,13 @@ void IdempotentAnswers::forget(const std::string& key) {
   entries_.erase(key);
 }
 
+void IdempotentAnswers::clear() {
+  const services::MutexLock lock(mutex_);
+  for (const std::string& key : ages_) entries_.erase(key);
+  ages_.clear();
+  bytes_ = 0;
+}
+
 void IdempotentAnswers::forget_oldest() {
   while (ages_.size() > limits_.answers || bytes_ > limits_.bytes) {
     const auto oldest = entries_.find(ages_.front());

@@ -6,10 +6,7 @@ namespace race::server {
 
 std::string tag_of(std::int64_t revision) { return "\"" + std::to_string(revision) + "\""; }
 
-void add_tag(Reply& reply, std::int64_t revision) {
-  reply.headers.emplace_back("ETag", tag_of(revision));
-  reply.headers.emplace_back("Cache-Control", "no-cache");
-}
+void add_tag(Reply& reply, std::int64_t revision) { reply.headers.emplace_back("ETag", tag_of(revision)); }
 
 Expected<std::optional<std::int64_t>> if_match(const Request& request) {
   if (request.count("if-match") == 0) return std::nullopt;
@@ -21,7 +18,7 @@ Expected<std::optional<std::int64_t>> if_match(const Request& request) {
   return revision;
 }
 
-Expected<bool> if_none(const Request& request) {
+Expected<bool> requires_absence(const Request& request) {
   if (request.count("if-none-match") == 0) return false;
   if (request.count("if-none-match") == 1 && request.header("if-none-match") == "*") return true;
   return unexpected(ErrorCode::out_of_range, "must be * for a request that changes something", "If-None-Match");

@@ -12,7 +12,6 @@
 namespace race::server {
 
 class EventLog;
-class IdempotentAnswers;
 
 /// What handlers use; each gets those that are its parameters.
 using Resources = std::tuple<Documents&, Editing&, BootList&, Backups&, Runs&, Samples&, Cores&, LiveEdits&, Worker&,

@@ -24,7 +24,7 @@ std::vector<std::string_view> elements_of(const Request& request, std::string_vi
   return elements;
 }
 
-bool has_tag(const Request& request, std::string_view tag) {
+bool if_none_match_lists(const Request& request, std::string_view tag) {
   return std::ranges::any_of(elements_of(request, "if-none-match"), [&](std::string_view known) {
     if (known.starts_with("W/")) known.remove_prefix(2);
     return known == tag || known == "*";

@@ -16,6 +16,6 @@ std::string_view trim(std::string_view text);
 std::vector<std::string_view> elements_of(const Request& request, std::string_view name);
 
 /// Whether the client has what bears the entity tag: If-None-Match lists it, compared weakly, or is `*` (13.1.2).
-bool has_tag(const Request& request, std::string_view tag);
+bool if_none_match_lists(const Request& request, std::string_view tag);
 
 }  // namespace race::server

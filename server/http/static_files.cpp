@@ -105,7 +105,7 @@ std::optional<Reply> static_file(const std::string& folder, const Request& reque
     reply.headers.emplace_back("ETag", tag);
     reply.headers.emplace_back(
         "Cache-Control", request.path.starts_with("/assets/") ? "public, max-age=31536000, immutable" : "no-cache");
-    if (has_tag(request, tag))
+    if (if_none_match_lists(request, tag))
       reply.status = 304;
     else
       reply.text = std::move(*text);

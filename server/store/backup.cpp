@@ -17,6 +17,7 @@
 
 #include "core/value/json.h"
 #include "server/store/damaged_file.h"
+#include "server/store/document_removal.h"
 #include "server/store/durable_files.h"
 #include "server/store/files.h"
 #include "server/store/run_numbers.h"
@@ -125,7 +126,10 @@ Expected<void> prepare(const fs::path& from, const fs::path& to, const StoredFil
   const auto opened = sqlite::open(to / file.name);
   if (auto sound = sqlite::check(*opened); !sound) return sound;
   if (auto done = sqlite::migrate(*opened, file.migrations()); !done) return done;
-  if (file.name == kStore) finish_removals(*opened);
+  if (file.name == kStore) {
+    finish_removals(*opened);
+    finish_document_removals(*opened);
+  }
   return {};
 } catch (const SQLite::Exception& exception) {
   return cannot("cannot open the backup", exception, from);

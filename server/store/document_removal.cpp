@@ -3,6 +3,8 @@
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Statement.h>
 
+#include <vector>
+
 #include "server/store/digest_column.h"
 #include "services/sqlite/write_transaction.h"
 
@@ -70,13 +72,17 @@ bool remove_some(SQLite::Database& file, const std::string& name) {
   return is_left;
 }
 
-std::optional<std::string> unfinished_removal(SQLite::Database& file) {
+void finish_document_removals(SQLite::Database& file) {
   SQLite::Statement select(file,
                            "SELECT name FROM removed_document AS removed WHERE EXISTS (SELECT 1 FROM revision WHERE"
                            " document = name AND number <= removed.last) OR EXISTS (SELECT 1 FROM revision_edit WHERE"
-                           " document = name AND number <= removed.last) LIMIT 1");
-  if (!select.executeStep()) return std::nullopt;
-  return select.getColumn(0).getString();
+                           " document = name AND number <= removed.last)");
+  std::vector<std::string> names;
+  while (select.executeStep()) names.push_back(select.getColumn(0).getString());
+  select.reset();
+  for (const std::string& name : names)
+    while (remove_some(file, name)) {
+    }
 }
 
 }  // namespace race::server

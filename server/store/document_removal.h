@@ -6,7 +6,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 
 #include "core/value/expected.h"
@@ -30,7 +29,7 @@ void begin_removal(SQLite::Database& file, const std::string& name, std::int64_t
 std::int64_t largest_number(SQLite::Database& file, const std::string& name);
 /// Removes some revisions of a removed document, in a transaction of its own. False: nothing is left of it.
 bool remove_some(SQLite::Database& file, const std::string& name);
-/// A removed document of which something is left; nothing: there is none.
-std::optional<std::string> unfinished_removal(SQLite::Database& file);
+/// Finishes the removals of a server that ended meanwhile.
+void finish_document_removals(SQLite::Database& file);
 
 }  // namespace race::server

@@ -64,7 +64,7 @@ Documents::~Documents() = default;
 
 Expected<std::unique_ptr<Documents>> Documents::open(const std::string& path, Limits limits) try {
   std::unique_ptr<Documents> documents(new Documents(sqlite::open(path), limits));
-  documents->finish_removals();
+  documents->finish_removals_of_documents();
   return documents;
 } catch (const SQLite::Exception& exception) {
   Error error = sqlite::error_of(exception, "cannot open the store");
@@ -277,8 +277,9 @@ Expected<Revision> Documents::append(RevisionText next, const RevisionEdit* edit
   if (range && range->count() >= limits_.revisions)
     return unexpected(ErrorCode::too_large, "it has already " + std::to_string(limits_.revisions) + " revisions",
                       next.revision.document);
-  ASSIGN_OR_RETURN(const std::int64_t removed, last_removed(*file_, next.revision.document));
-  const std::int64_t number = (range ? range->last : removed) + 1;
+  ASSIGN_OR_RETURN(const std::int64_t last,
+                   range ? Expected<std::int64_t>(range->last) : last_removed(*file_, next.revision.document));
+  const std::int64_t number = last + 1;
   if (edit && (!range || next.revision.number != number)) return another_revision(next.revision.document);
   next.revision.number = number;
   add_revision(*file_, next, range ? range->first : number, edit);
@@ -305,7 +306,8 @@ Expected<void> Documents::begin_removal_of(const std::string& name, std::optiona
   if (range && !*range) return no_document(name);
   if (seen && (*range)->last != *seen) return another_revision(name);
   sqlite::WriteTransaction transaction(*file_);
-  begin_removal(*file_, name, std::max(range ? (*range)->last : 0, largest_number(*file_, name)));
+  const std::int64_t known = std::max(range ? (*range)->last : 0, last_removed(*file_, name).value_or(0));
+  begin_removal(*file_, name, std::max(known, largest_number(*file_, name)));
   transaction.commit();
   return {};
 }
@@ -315,14 +317,10 @@ bool Documents::remove_some_of(const std::string& name) {
   return remove_some(*file_, name);
 }
 
-void Documents::finish_removals() {
-  const auto unfinished = [this] {
-    const services::MutexLock lock(mutex_);
-    return unfinished_removal(*file_);
-  };
-  while (const auto name = unfinished())
-    while (remove_some_of(*name)) {
-    }
+void Documents::finish_removals_of_documents() try {
+  const services::MutexLock lock(mutex_);
+  finish_document_removals(*file_);
+} catch (const SQLite::Exception&) {  // such as a full disk: what is left harms nobody, and goes another time
 }
 
 }  // namespace race::server

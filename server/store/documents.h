@@ -129,8 +129,7 @@ class Documents {
   Documents(std::unique_ptr<SQLite::Database> file, Limits limits);
   Expected<void> begin_removal_of(const std::string& name, std::optional<std::int64_t> seen) EXCLUDES(mutex_);
   bool remove_some_of(const std::string& name) EXCLUDES(mutex_);
-  /// Of a server that ended meanwhile.
-  void finish_removals() EXCLUDES(mutex_);
+  void finish_removals_of_documents() EXCLUDES(mutex_);
   Expected<std::optional<RevisionText>> head(const std::string& name) REQUIRES(mutex_);
   Expected<RevisionText> find(const std::string& name, std::optional<std::int64_t> revision) REQUIRES(mutex_);
   Expected<RevisionText> find_past(const std::string& name, std::int64_t most, DocumentPast& out) EXCLUDES(mutex_);

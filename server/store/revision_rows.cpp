@@ -79,15 +79,19 @@ Expected<StoredRow> read_stored(SQLite::Database& file, const std::string& name,
   return stored;
 }
 
-/// Documents that have revisions but no entry, with names after `after`. Looks for each name once.
-std::vector<std::string> find_lost_entries(SQLite::Database& file, const std::string& after) {
+/// Documents that have revisions but no entry, with names from after `after` to `to` (empty: all). What a removal has
+/// left is none. Looks for each name once.
+std::vector<std::string> find_lost_entries(SQLite::Database& file, const std::string& after, const std::string& to) {
   SQLite::Statement select(
       file,
       "WITH RECURSIVE each(name) AS (SELECT (SELECT min(document) FROM revision WHERE document > ?1)"
-      "  UNION ALL SELECT (SELECT min(document) FROM revision WHERE document > name) FROM each WHERE name IS NOT NULL)"
-      " SELECT name FROM each WHERE name IS NOT NULL AND name NOT IN (SELECT name FROM document)"
-      "  AND name NOT IN (SELECT name FROM removed_document)");
+      "  UNION ALL SELECT (SELECT min(document) FROM revision WHERE document > name) FROM each"
+      "  WHERE name IS NOT NULL AND (?2 = '' OR name <= ?2))"
+      " SELECT name FROM each WHERE name IS NOT NULL AND (?2 = '' OR name <= ?2)"
+      "  AND name NOT IN (SELECT name FROM document) AND (SELECT max(number) FROM revision WHERE document = each.name)"
+      "  > coalesce((SELECT last FROM removed_document WHERE name = each.name), 0)");
   select.bind(1, after);
+  select.bind(2, to);
   std::vector<std::string> lost;
   while (select.executeStep()) lost.push_back(select.getColumn(0).getString());
   return lost;
@@ -143,8 +147,10 @@ Expected<std::optional<RevisionRange>> find_range(SQLite::Database& file, const 
     if (sqlite::bytes(digest_of(name, range)) != select.getColumn(2).getString()) return damaged_entry(name);
     return range;
   }
+  const std::int64_t largest = largest_number(file, name);
+  if (largest == 0) return std::nullopt;
   ASSIGN_OR_RETURN(const std::int64_t removed, last_removed(file, name));
-  if (largest_number(file, name) > removed) return damaged_entry(name);
+  if (largest > removed) return damaged_entry(name);
   return std::nullopt;
 }
 
@@ -201,8 +207,8 @@ DocumentHeads list_heads(SQLite::Database& file, const std::string& after, std::
       heads.damaged.push_back(std::move(head).error());
   }
   std::vector<Error> lost;
-  for (const std::string& name : find_lost_entries(file, after))
-    if (heads.next.empty() || name < heads.next) lost.push_back(damaged_entry(name).value());
+  for (const std::string& name : find_lost_entries(file, after, heads.next))
+    lost.push_back(damaged_entry(name).value());
   heads.damaged.insert(heads.damaged.begin(), lost.begin(), lost.end());
   return heads;
 }

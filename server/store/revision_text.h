@@ -50,8 +50,7 @@ Expected<std::string> text_after(SQLite::Database& file, const std::string& docu
                                  std::string_view base);
 
 /// Those of the last `most` edits from revision `first` on that have one, the oldest first, whatever made the revisions
-/// between them. What they
-/// say holds only if find_edit() and the revision say so, too: digests are not looked at.
+/// between them. What they say holds only if find_edit() and the revision say so, too: digests are not looked at.
 std::vector<EditToken> list_tokens(SQLite::Database& file, const std::string& document, std::int64_t first,
                                    std::int64_t most);
 

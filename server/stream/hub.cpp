@@ -6,7 +6,7 @@
 namespace race::server {
 
 Hub::Hub(Pool& pool, std::int64_t first, std::function<std::optional<Source>(const std::string&)> find)
-    : strand_(pool), first_(first), find_(std::move(find)) {}
+    : strand_(pool), first_(first), next_first_(first), find_(std::move(find)) {}
 
 Text Hub::serialise(const std::string& channel, std::int64_t sequence, const char* kind, const Value& data) {
   return std::make_shared<const std::string>(
@@ -24,7 +24,7 @@ Hub::Channel* Hub::find(const std::string& name) {
   if (!source) return nullptr;
   Channel& channel = channels_[name];
   channel.source = std::move(*source);
-  channel.sequence = first_;
+  channel.first = channel.sequence = next_first_;
   return &channel;
 }
 
@@ -149,7 +149,7 @@ void Hub::join(const std::shared_ptr<Subscriber>& subscriber, const std::string&
 // What a subscriber that has everything up to `since` lacks; false if that is not kept any more. One that starts from
 // the snapshot gets it first.
 bool Hub::catch_up(const std::string& name, Channel& channel, Subscriber& subscriber, std::int64_t since) {
-  if (since < first_ || since > channel.sequence) return false;
+  if (since < channel.first || since > channel.sequence) return false;
   const std::int64_t oldest = channel.deltas.empty() ? channel.sequence + 1 : channel.deltas.front().sequence;
   if (since + 1 < oldest) return false;
   if (channel.snapshot && channel.snapshot->sequence == since)
@@ -202,6 +202,7 @@ void Hub::close(std::string name, std::vector<Error> errors) {
     const Text text = serialise(name, known->second.sequence + 1, "error", errors_json(errors));
     for (const Subscribers* all : {&known->second.subscribers, &known->second.waiting})
       for (const auto& subscriber : *all) send(*subscriber, kPrivateQueue, text, false);
+    next_first_ = std::max(next_first_, known->second.sequence + 2);
     channels_.erase(known);
   });
 }

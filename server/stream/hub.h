@@ -87,6 +87,7 @@ class Hub {
   using Subscribers = std::set<std::shared_ptr<Subscriber>>;  // held until they disconnect
   struct Channel {
     Source source;
+    std::int64_t first = 0;     // before its first message
     std::int64_t sequence = 0;  // of the last message
     std::deque<Message> deltas;
     std::size_t bytes = 0;
@@ -103,7 +104,8 @@ class Hub {
   static Text serialise(const std::string& channel, std::int64_t sequence, const char* kind, const Value& data);
 
   Strand strand_;
-  std::int64_t first_;
+  const std::int64_t first_;
+  std::int64_t next_first_;  // of channels to come: larger than all numbers of channels that were closed
   std::function<std::optional<Source>(const std::string&)> find_;
   std::map<std::string, Channel> channels_;
   bool shut_down_ = false;

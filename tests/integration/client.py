@@ -106,8 +106,10 @@ class Server:
     def post(self, path, body=None, schema=None, status=200):
         return self.expect("POST", path, body, schema, status)
 
-    def put(self, path, body, schema=None, status=(200, 201)):
-        """201: there was nothing before."""
+    def put(self, path, body, schema=None, status=None):
+        """200, and 201 for a document of a new name, unless `status` says otherwise."""
+        if status is None:
+            status = (200, 201) if re.match("/documents/[^/]+$", path) else 200
         return self.expect("PUT", path, body, schema, status)
 
     def expect(self, method, path, body, schema, status):

@@ -5,6 +5,7 @@ import unittest
 
 import models
 from client import TIMEOUT, Server, check
+from interface import check_listed
 
 
 class Contract(unittest.TestCase):
@@ -26,7 +27,9 @@ class Contract(unittest.TestCase):
         response = connection.getresponse()
         text = response.read()
         connection.close()
-        return response.status, dict(response.getheaders()), json.loads(text) if text else None
+        answer = json.loads(text) if text else None
+        check_listed(method, "/api/v1" + path, response.status, answer)
+        return response.status, dict(response.getheaders()), answer
 
     def test_a_refusal_has_problem_details(self):
         for method, path, body, status, title, code in (
@@ -111,10 +114,12 @@ class Contract(unittest.TestCase):
         self.assertNotIn("Content-Type", headers)
         self.assertEqual(self.ask("GET", name, If_None_Match='"1"')[0], 200)
         self.assertEqual(self.ask("GET", name + "/revisions/1")[1]["ETag"], '"1"')
+        self.assertEqual(self.ask("GET", name + "/revisions/1", If_None_Match='"1"')[0], 304)
         self.assertEqual(self.ask("POST", name + "/restore", {"revision": 1}, If_Match='"1"')[0], 412)
         status, headers, _ = self.ask("POST", name + "/restore", {"revision": 1}, If_Match='"2"')
         self.assertEqual((status, headers["ETag"]), (200, '"3"'))
-        edit = {"operations": [{"op": "set", "id": self.ask("GET", name)[2]["document"]["root"]["meta"]["id"], "field": "doc", "value": "x"}]}
+        root = self.ask("GET", name)[2]["document"]["root"]["meta"]["id"]
+        edit = {"operations": [{"op": "set", "id": root, "field": "doc", "value": "x"}]}
         status, headers, _ = self.ask("POST", name + "/edits", edit, If_Match='"3"')
         self.assertEqual((status, headers["ETag"]), (200, '"4"'))
         self.assertEqual(self.ask("DELETE", name, If_Match='"3"')[0], 412)

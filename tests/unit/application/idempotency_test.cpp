@@ -88,6 +88,13 @@ TEST_F(Idempotency, ForgetsTheOldestAnswers) {
   EXPECT_EQ(ask(request("a")), 5);
 }
 
+TEST_F(Idempotency, ForgetsAllWhenTheStoreIsAnotherOne) {
+  ask(request("a"));
+  answers_.clear();
+  EXPECT_EQ(ask(request("a")), 2);
+  EXPECT_EQ(ask(request("a")), 2);
+}
+
 TEST_F(Idempotency, KeepsSoManyBytes) {
   ask(request("a"));
   const auto large = [](std::size_t bytes) {

@@ -28,7 +28,8 @@ Names interface() {
   return names;
 }
 
-/// "PUT /api/v1/boot": whether api/openapi.yaml has a body for it, and the parameters of its query, by its indentation.
+/// "PUT /api/v1/boot": whether api/openapi.yaml has a body for it, a key, and the parameters of its query,
+/// by its indentation.
 std::map<std::string, std::string> requests() {
   std::ifstream file(RACE_SOURCE_DIR "/api/openapi.yaml");
   std::map<std::string, std::string> out;
@@ -42,6 +43,7 @@ std::map<std::string, std::string> requests() {
       out[route] = "";
     }
     if (line.starts_with("      requestBody:")) out[route] += " body";
+    if (line.find("parameters/IdempotencyKey") != std::string::npos) out[route] += " key";
     const auto name = line.find("{ name: ");
     if (name != std::string::npos && line.find("in: query") != std::string::npos)
       out[route] += " " + line.substr(name + 8, line.find(',') - name - 8);
@@ -53,7 +55,8 @@ TEST(Routes, HaveTheParametersAndBodiesOfTheInterface) {
   auto listed = requests();
   for (const Route& route : routes()) {
     std::set<std::string> ours, theirs;
-    std::istringstream names(std::string(route.query) + (route.has_body ? " body" : ""));
+    std::istringstream names(std::string(route.query) + (route.has_body ? " body" : "") +
+                             (route.creates ? " key" : ""));
     for (std::string name; names >> name;) ours.insert(name);
     std::istringstream others(listed.at(std::string(route.method) + " " + std::string(route.pattern)));
     for (std::string name; others >> name;) theirs.insert(name);

@@ -87,12 +87,31 @@ TEST_F(DocumentRemoval, IsFinishedWhenTheStoreIsOpened) {
     begin_removal(*file, "task", count);
     EXPECT_TRUE(remove_some(*file, "task"));
     EXPECT_EQ(rows("revision WHERE document = 'task'"), 3);
+    EXPECT_TRUE(list_heads(*file, "", 10).damaged.empty());
   }
   documents = open();
   EXPECT_EQ(rows("revision WHERE document = 'task'") + rows("revision_edit WHERE document = 'task'"), 0);
   EXPECT_EQ(documents->heads()->damaged.size(), 0U);
   EXPECT_EQ(documents->entry("other")->revision.number, 2);
   EXPECT_EQ(documents->put("task", kTask)->revision.number, count + 1);
+}
+
+TEST_F(DocumentRemoval, TakesManyRevisionsPieceByPiece) {
+  const auto documents = open();
+  put(*documents, "task", 2 * static_cast<int>(kRevisionsAtOnce) + 3);
+  ASSERT_TRUE(documents->remove("task"));
+  EXPECT_EQ(rows("revision") + rows("revision_edit"), 0);
+}
+
+TEST_F(DocumentRemoval, LeavesTheDamageOfALaterDocumentOfTheNameNamed) {
+  const auto documents = open();
+  put(*documents, "task", 2);
+  ASSERT_TRUE(documents->remove("task"));
+  put(*documents, "task", 1);
+  change("UPDATE removed_document SET last = 1");
+  EXPECT_TRUE(edit_doc(*documents, "task", "more", {})) << "the number of the document says what is next";
+  change("DELETE FROM document");
+  EXPECT_EQ(documents->heads()->damaged.size(), 1U);
 }
 
 TEST_F(DocumentRemoval, TakesADamagedDocumentToo) {

@@ -206,6 +206,21 @@ TEST_F(HubTest, AnUnknownChannelAndAnEndedOneAreErrors) {
   EXPECT_EQ(error.find("code")->as_string(), "corrupt");
 }
 
+TEST_F(HubTest, AChannelOfTheNameOfOneThatHasEndedHasOtherNumbers) {
+  hub.subscribe(client, "n", {});
+  settle();
+  delta();
+  hub.close("n", {{ErrorCode::not_found, "was removed", "n"}});
+  hub.subscribe(other, "n", {});
+  settle();
+  delta();
+  delta();
+  EXPECT_THAT(received(other), ElementsAre("snapshot 3 1", "delta 4 2", "delta 5 3"));
+  EXPECT_THAT(received(client), ElementsAre("snapshot 0 0", "delta 1 1", "error 2 -"));
+  hub.subscribe(client, "n", HubClient::HubFirst + 1);
+  EXPECT_THAT(received(client), ElementsAre("snapshot 5 3")) << "none of the deltas after those of the ended one";
+}
+
 TEST_F(HubTest, OneSerialisationIsSharedByAllSubscribers) {
   hub.subscribe(client, "n", {});
   hub.subscribe(other, "n", {});
