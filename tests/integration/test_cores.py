@@ -94,8 +94,11 @@ class Cores(unittest.TestCase):
         self.server.ended(faulted)
         self.assertEqual((self.replay(faulted)[0], self.replay(faulted)[1]["status"]), (1, "faulted"))
         swap = lambda journal: journal["entries"][1]["input"].update(journal["entries"][2]["input"] | {"call": 1})
-        self.assertEqual(self.replay(core, swap), (2, {"errors": [{"path": "entries/1", "code": "conflict", "message":
-            "the run takes no response of db.get to call 1 here: the journal is of another run"}]}))
+        status, refused = self.replay(core, swap)
+        (error,) = refused["errors"]
+        self.assertEqual(Path(error.pop("file")).name, "journal.json")
+        self.assertEqual((status, error), (2, {"path": "entries/1", "code": "conflict", "message":
+            "the run takes no response of db.get to call 1 here: the journal is of another run"}))
         status, refused = self.replay(core, lambda journal: journal["header"].update(semantics="2"))
         self.assertEqual((status, refused["errors"][0]["path"], refused["errors"][0]["code"]), (2, "header/semantics", "version"))
 

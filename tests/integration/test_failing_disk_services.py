@@ -35,7 +35,7 @@ class Services(unittest.TestCase):
 
     def start(self, document):
         self.connection.expect("PUT", "/documents/busy", document)
-        core = self.connection.expect("POST", "/cores", {"document": "busy", "arguments": {}}, 201)["id"]
+        core = self.connection.expect("POST", "/cores", {"document": "busy", "arguments": {}})["id"]
         self.connection.expect("POST", f"/cores/{core}/start")
         return core
 
