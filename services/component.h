@@ -50,7 +50,8 @@ class ServiceHost {
  public:
   virtual ~ServiceHost() = default;
   virtual Time now() const = 0;
-  /// The component takes transition `id`, by `call` if the transition has an operation (0: spontaneous).
+  /// The component takes transition `id`, by `call` if the transition has an operation (0: spontaneous), or to answer
+  /// `call`, one of several (R25).
   virtual void transition(std::string_view id, CallId call = 0) = 0;
   /// Answers a call: once, now or later. `error` is a dict with at least `code`.
   virtual void result(CallId call, Value value) = 0;

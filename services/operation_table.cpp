@@ -30,7 +30,7 @@ rsm::Event to_model(const EventRow& row) {
 }
 
 rsm::Transition to_model(const TransitionRow& row) {
-  return {row.id, row.src, row.dst, row.operation, row.events, row.defer, row.error};
+  return {row.id, row.src, row.dst, row.operation, row.events, row.defer, row.error, row.concurrent};
 }
 
 rsm::Service to_model(const Declaration& declaration) {

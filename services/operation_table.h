@@ -88,6 +88,7 @@ struct TransitionRow {
   std::vector<std::string> events = {};
   std::vector<std::string> defer = {};
   std::optional<std::string> error = {};
+  bool concurrent = false;   // each call is answered by itself (R25)
   std::string refused = {};  // the spontaneous transition that follows at once if the call is refused; empty: none
 };
 

@@ -22,10 +22,10 @@ void TableComponent::call(const Call& call) {
   operation.handler(*this, call, *arguments);
 }
 
-void TableComponent::take(std::string_view id) {
+void TableComponent::take(std::string_view id, CallId call) {
   const rsm::Transition* transition = rsm::find_transition(model(), id);
   assert(transition && !transition->operation && rsm::leaves_current(*transition, {state_, {}}));
-  host_.transition(id);
+  host_.transition(id, call);
   state_ = transition->dst;
 }
 
@@ -38,7 +38,8 @@ void TableComponent::accept(const Call& call) {
 
 void TableComponent::refuse(const Call& call, Value error) {
   if (!accepted_by_) accept(call);
-  if (const std::string& refused = table_.refused(accepted_by_->id); !refused.empty()) take(refused);
+  if (const std::string& refused = table_.refused(accepted_by_->id); !refused.empty())
+    take(refused, accepted_by_->concurrent ? call.id : 0);
   host_.error(call.id, std::move(error));
 }
 

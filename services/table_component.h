@@ -25,8 +25,9 @@ class TableComponent : public Component {
   TableComponent(const OperationTable& table, ServiceHost& host);
 
   ServiceHost& host() const { return host_; }
-  /// Takes the spontaneous transition `id`. Requires that the present state has it.
-  void take(std::string_view id);
+  /// Takes the spontaneous transition `id`, which answers `call` if several may be answered. Requires that the present
+  /// state has it.
+  void take(std::string_view id, CallId call = 0);
   /// Takes the transition by which the present state accepts `call`. Only for handlers with Acceptance::by_handler;
   /// requires that there is one.
   void accept(const Call& call);

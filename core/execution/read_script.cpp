@@ -24,15 +24,19 @@ ScriptEvent read_event(const Value& json, const std::string& path, std::vector<E
   return event;
 }
 
+/// The number of a call; 0: none is named.
+std::uint64_t read_call(Fields& fields) {
+  const Value* call = fields.find("call");
+  if (!call) return 0;
+  if (call->is_integer() && call->as_integer() > 0) return static_cast<std::uint64_t>(call->as_integer());
+  fields.violation(ErrorCode::type, "call is not a number from 1");
+  return 0;
+}
+
 ScriptResponse read_response(const Value& json, const std::string& path, std::vector<Error>& errors) {
   Fields fields(json, path, "response", errors);
-  ScriptResponse response{required_text(fields, "service"), required_text(fields, "operation"), 0, false, {}};
-  if (const Value* call = fields.find("call")) {
-    if (call->is_integer())
-      response.call = static_cast<std::uint64_t>(call->as_integer());
-    else
-      fields.violation(ErrorCode::type, "call is not an integer");
-  }
+  ScriptResponse response{
+      required_text(fields, "service"), required_text(fields, "operation"), read_call(fields), false, {}};
   const Value* result = fields.find("result");
   const Value* error = fields.find("error");
   if ((result == nullptr) == (error == nullptr))
@@ -63,7 +67,8 @@ ScriptStep read_step(const Value& json, const std::string& path, std::vector<Err
   if (step.edit && step.force) fields.violation(ErrorCode::conflict, "a step has an edit or a force, not both");
   for (const Value& item : fields.list("transitions")) {
     Fields transition(item, path, "transition", errors);
-    step.transitions.emplace_back(required_text(transition, "service"), required_text(transition, "id"));
+    step.transitions.push_back(
+        {required_text(transition, "service"), required_text(transition, "id"), read_call(transition)});
     transition.close();
   }
   fields.close();

@@ -31,6 +31,12 @@ struct ScriptResponse {
   Value data;
 };
 
+/// A spontaneous transition of a service; `call`: which it answers, if it may answer several (R25), else 0.
+struct ScriptTransition {
+  std::string service, id;
+  std::uint64_t call = 0;
+};
+
 /// Inputs that join those that wait, then one Exec (4.20), in which services take the transitions named here. With
 /// `force`, that is its macro step; an edit is tried now and before each later macro step, until it can be carried
 /// over, in a macro step of its own.
@@ -39,7 +45,7 @@ struct ScriptStep {
   std::optional<semantics::Force> force;
   std::vector<ScriptEvent> events;
   std::vector<ScriptResponse> responses;
-  std::vector<std::pair<std::string, std::string>> transitions;  // service, transition
+  std::vector<ScriptTransition> transitions;
 };
 
 struct Script {

@@ -45,9 +45,9 @@ void ScriptedServices::step(const ScriptStep& step) {
 // The first transition that the step names for the service and that applies.
 bool ScriptedServices::take_transition(std::size_t service, const ScriptStep& step) {
   const auto& [key, model] = script_.services[service];
-  for (const auto& [name, id] : step.transitions) {
-    if (name != key) continue;
-    if (const auto effect = rsm::Trans2(model, instances_[service], id)) {
+  for (const ScriptTransition& each : step.transitions) {
+    if (each.service != key) continue;
+    if (const auto effect = rsm::Trans2(model, instances_[service], each.id, each.call)) {
       put(key, *effect);
       return true;
     }

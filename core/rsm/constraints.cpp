@@ -73,6 +73,9 @@ class Constraints {
     if (transition.operation) refer("operation", *transition.operation, operations_, "transition", transition.id);
     refer("event", transition.events, events_, "transition", transition.id);
     refer("transition", transition.defer, transitions_, "transition", transition.id);
+    if (transition.concurrent && (!transition.operation || transition.defer.empty()))
+      add(ErrorCode::reference,
+          "transition " + quote(transition.id) + ": `concurrent` needs an operation, and a transition that answers it");
   }
 
   void check_init() {

@@ -100,6 +100,7 @@ Transition read_transition(const Value& json, Fields& parent, Errors& errors) {
   out.events = fields.texts("events");
   out.defer = fields.texts("defer");
   out.error = fields.text("error");
+  out.concurrent = fields.boolean("concurrent").value_or(false);
   fields.close();
   return out;
 }
@@ -208,6 +209,7 @@ Value write_transition(const Transition& transition) {
   out.texts("events", transition.events);
   out.texts("defer", transition.defer);
   out.text("error", transition.error);
+  if (transition.concurrent) out.set("concurrent", true);
   return out.done();
 }
 

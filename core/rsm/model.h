@@ -50,6 +50,7 @@ struct Transition {
   std::vector<std::string> events;
   std::vector<std::string> defer;    // the transitions that answer this one's call
   std::optional<std::string> error;  // deferred calls that this resolves are answered with this code
+  bool concurrent = false;           // each call that takes this one is answered by itself (R25)
   bool operator==(const Transition&) const = default;
 };
 

@@ -103,7 +103,8 @@ void Monitor::check_source(const Transition& t, CallId call, Violations& out) co
   if (!leaves_current(t, instance_))
     add(out, rule, quote(t.id) + " leaves " + quote(*t.src) + ", the state is " + quote(instance_.current), call);
   if (!t.operation) {
-    if (call != 0) add(out, rule, quote(t.id) + " waits for no call, but was taken on one", call);
+    if (call != 0 && !answers_one(service_, instance_, t, call))
+      add(out, rule, quote(t.id) + " waits for no call and answers no such one, but was taken on it", call);
     return;
   }
   const auto open = open_.find(call);
@@ -126,11 +127,12 @@ void Monitor::follow(const Transition& t, CallId call) {
   if (t.operation && open_.contains(call)) {
     const auto earlier = instance_.pending.find(t.id);
     // REFINEMENT R17: the earlier call that took t has no response any more.
-    if (earlier != instance_.pending.end() && earlier->second != call) open_.erase(earlier->second);
-    instance_.pending[t.id] = call;
+    if (!t.concurrent && earlier != instance_.pending.end() && earlier->second.front() != call)
+      open_.erase(earlier->second.front());
+    add_pending(instance_, t, call);
     open_[call].progress = OpenCall::Progress::deferred;
   }
-  for (const Answer& answer : respond(service_, instance_, t)) {
+  for (const Answer& answer : respond(service_, instance_, t, t.operation ? 0 : call)) {
     const auto open = open_.find(answer.call);
     if (open == open_.end()) continue;  // answered too early, which has been reported
     open->second.progress = OpenCall::Progress::resolved;

@@ -36,7 +36,8 @@ class Monitor {
   /// A call was delivered to the service. Violations are the caller's: an undeclared operation, or arguments that are
   /// undeclared or of another type.
   Violations called(CallId call, std::string_view operation, const List& args, const Dict& kwargs);
-  /// The service took transition `id`, on `call` or spontaneously (0).
+  /// The service took transition `id`, on `call` or spontaneously (0), or spontaneously to answer `call`, one of
+  /// several (R25).
   Violations transition(std::string_view id, CallId call);
   /// The service rejected a call (R7).
   Violations rejected(CallId call);

@@ -10,9 +10,37 @@ bool defers_to(const Transition& x, const Transition& t) {
 }
 
 /// The conclusion that Trans1 and Trans2 share: cur = t.dst, and ε = t.respond ∪ t.events.
-Effect take(const Service& service, Instance& instance, const Transition& t) {
+Effect take(const Service& service, Instance& instance, const Transition& t, std::uint64_t call) {
   instance.current = t.dst;
-  return Effect{respond(service, instance, t), t.events};
+  return Effect{respond(service, instance, t, call), t.events};
+}
+
+/// Whether t answers one call that took x at a time (R25).
+bool answers_one_of(const Transition& x, const Transition& t) { return x.concurrent && t.src && defers_to(x, t); }
+
+/// The earliest call that t may answer, of those that it answers one at a time; 0: there is none.
+std::uint64_t earliest(const Service& service, const Instance& instance, const Transition& t) {
+  std::uint64_t found = 0;
+  for (const Transition& x : service.transitions) {
+    const auto pending = instance.pending.find(x.id);
+    if (pending == instance.pending.end() || !answers_one_of(x, t)) continue;
+    if (found == 0 || pending->second.front() < found) found = pending->second.front();
+  }
+  return found;
+}
+
+/// Removes and returns the calls that took x to which t responds; `one`: that which it answers if one at a time.
+std::vector<std::uint64_t> responded(Instance& instance, const Transition& x, const Transition& t, std::uint64_t one) {
+  const auto pending = instance.pending.find(x.id);
+  if (pending == instance.pending.end()) return {};
+  std::vector<std::uint64_t>& calls = pending->second;
+  std::vector<std::uint64_t> out;
+  if (!answers_one_of(x, t))
+    out.swap(calls);
+  else if (std::erase(calls, one) > 0)  // REFINEMENT R25
+    out.push_back(one);
+  if (calls.empty()) instance.pending.erase(pending);
+  return out;
 }
 
 }  // namespace
@@ -54,17 +82,30 @@ std::vector<const Transition*> resolve(const Service& service, const Transition&
 // respond(t) (4.2)
 //
 //   respond = { x.operation | ∀x ∈ t.resolve : x.pending = true }
-std::vector<Answer> respond(const Service& service, Instance& instance, const Transition& t) {
+std::vector<Answer> respond(const Service& service, Instance& instance, const Transition& t, std::uint64_t call) {
+  const std::uint64_t one = call != 0 ? call : earliest(service, instance, t);
   std::vector<Answer> out;
   for (const Transition* x : resolve(service, t)) {
-    const auto pending = instance.pending.find(x->id);
-    if (pending == instance.pending.end()) continue;
     const bool is_error = t.error && x->id != t.id;
-    // REFINEMENT R17: pending holds the latest call that took x; an earlier one has no response any more.
-    out.push_back(Answer{pending->second, is_error, is_error ? *t.error : "", x->operation.value_or("")});
-    instance.pending.erase(pending);
+    for (const std::uint64_t answered : responded(instance, *x, t, one))
+      out.push_back(Answer{answered, is_error, is_error ? *t.error : "", x->operation.value_or("")});
   }
   return out;
+}
+
+bool answers_one(const Service& service, const Instance& instance, const Transition& t, std::uint64_t call) {
+  return std::ranges::any_of(service.transitions, [&](const Transition& x) {
+    const auto pending = instance.pending.find(x.id);
+    return answers_one_of(x, t) && pending != instance.pending.end() &&
+           std::ranges::find(pending->second, call) != pending->second.end();
+  });
+}
+
+void add_pending(Instance& instance, const Transition& t, std::uint64_t call) {
+  std::vector<std::uint64_t>& calls = instance.pending[t.id];
+  // REFINEMENT R17: the latest call that took t has the response; an earlier one has none any more.
+  if (!t.concurrent) calls.clear();
+  calls.push_back(call);
 }
 
 // Trans1 (4.4): a service takes a call.
@@ -77,8 +118,8 @@ std::optional<Effect> Trans1(const Service& service, Instance& instance, std::st
                              std::uint64_t call) {
   const Transition* t = taken_on(service, instance, operation);
   if (!t) return std::nullopt;
-  instance.pending[t->id] = call;
-  return take(service, instance, *t);
+  add_pending(instance, *t, call);
+  return take(service, instance, *t, 0);
 }
 
 // Trans2 (4.5): a service changes its state by itself, such as when a motion is done.
@@ -87,10 +128,11 @@ std::optional<Effect> Trans1(const Service& service, Instance& instance, std::st
 //   ε = t.respond ∪ t.events     put(Ω, ε) = Ω'[ε]
 //   ───────────────────────────────────────────────────────────────
 //   Ω ⊢ svc ↪ svc'[cur = t.dst], Ω'[ε]
-std::optional<Effect> Trans2(const Service& service, Instance& instance, std::string_view id) {
+std::optional<Effect> Trans2(const Service& service, Instance& instance, std::string_view id, std::uint64_t call) {
   const Transition* t = find_transition(service, id);
   if (!t || t->operation || !leaves_current(*t, instance)) return std::nullopt;
-  return take(service, instance, *t);
+  if (call != 0 && !answers_one(service, instance, *t, call)) return std::nullopt;
+  return take(service, instance, *t, call);
 }
 
 // Stutter (4.6): a service stays in its state and puts that state's events.

@@ -17,7 +17,8 @@ namespace race::rsm {
 /// cur(svc), and pending(t) of each transition that has a response to give: with the call that it is for.
 struct Instance {
   std::string current;
-  std::map<std::string, std::uint64_t> pending;  // by id of the transition
+  std::map<std::string, std::vector<std::uint64_t>> pending;  // calls by id of the transition, in order; one, unless
+                                                              // it is concurrent
   bool operator==(const Instance&) const = default;
 };
 
@@ -53,17 +54,24 @@ const Transition* taken_on(const Service& service, const Instance& instance, std
 std::vector<const Transition*> resolve(const Service& service, const Transition& t);
 
 /// respond(t) of 4.2: the pending responses of resolve(t), which are no longer pending. R17: each goes to the latest
-/// call that took the deferring transition. Where t declares an error, the deferred ones are that error; t's own is a
-/// result.
-std::vector<Answer> respond(const Service& service, Instance& instance, const Transition& t);
+/// call that took the deferring transition. R25: of all calls of concurrent transitions that defer to t, which has
+/// a source, `call` alone is answered, 0: the earliest. Where t declares an error, the deferred ones are that error;
+/// t's own is a result.
+std::vector<Answer> respond(const Service& service, Instance& instance, const Transition& t, std::uint64_t call = 0);
+
+/// pending(t) := true (4.2): `call` has taken t.
+void add_pending(Instance& instance, const Transition& t, std::uint64_t call);
+
+/// Whether `call` has taken a concurrent transition that defers to t, and has no response yet (R25).
+bool answers_one(const Service& service, const Instance& instance, const Transition& t, std::uint64_t call);
 
 /// A call of `operation`, numbered `call`. Nothing: no transition of the current state takes it (R7: not accepted).
 std::optional<Effect> Trans1(const Service& service, Instance& instance, std::string_view operation,
                              std::uint64_t call);
 
-/// The spontaneous transition `id`. Nothing: there is none, it waits for a call, or it does not leave the current
-/// state.
-std::optional<Effect> Trans2(const Service& service, Instance& instance, std::string_view id);
+/// The spontaneous transition `id`, which answers `call` if there are several that it may answer (R25). Nothing: there
+/// is none, it waits for a call, does not leave the current state, or does not answer this call.
+std::optional<Effect> Trans2(const Service& service, Instance& instance, std::string_view id, std::uint64_t call = 0);
 
 /// The events of the current state; the instance stays as it is.
 Effect Stutter(const Service& service, const Instance& instance);

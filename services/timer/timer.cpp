@@ -4,6 +4,8 @@ namespace race::timer {
 namespace {
 
 constexpr services::Time kTick = 0.1;
+// Half a microsecond: sums of millisecond steps do not hit the end exactly.
+constexpr services::Time kTolerance = 5e-7;
 
 }  // namespace
 
@@ -25,10 +27,25 @@ void Timer::cancel(const services::Call& call) {
   host().result(call.id, nullptr);
 }
 
+void Timer::wait(const services::Call& call, const Dict& arguments) {
+  if (waits_.size() >= kMostWaits)
+    return refuse(call, services::error_value("too_many", "at most " + std::to_string(kMostWaits) + " calls can wait"));
+  const services::Time now = host().now();
+  waits_.emplace(now + arguments.find("seconds")->to_double(), Wait{call.id, now});
+}
+
+void Timer::answer_waits(services::Time now) {
+  while (!waits_.empty() && waits_.begin()->first <= now + kTolerance) {
+    const Wait over = waits_.begin()->second;
+    waits_.erase(waits_.begin());
+    take(running_ != 0 ? "waited_running" : "waited_idle", over.call);
+    host().result(over.call, Dict{{"elapsed", Value(now - over.began)}});
+  }
+}
+
 void Timer::step() {
   const services::Time now = host().now();
-  // Half a microsecond: sums of millisecond steps do not hit the end exactly.
-  constexpr services::Time kTolerance = 5e-7;
+  answer_waits(now);
   if (running_ != 0 && now - started_ >= seconds_ - kTolerance) {
     take("elapse");
     host().result(running_, Dict{{"elapsed", Value(now - started_)}});

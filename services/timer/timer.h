@@ -1,5 +1,7 @@
-// Timer: one alarm clock on the time of the group it lives in.
+// Timer: on the time of the group it lives in, one alarm clock, and any number of waits (kMostWaits).
 //
+//   wait(seconds)   deferred -> {"elapsed": seconds} when the time is over, each call by itself, in every state;
+//                   `invalid` as start; `too_many` at once if kMostWaits wait
 //   start(seconds)  deferred -> {"elapsed": seconds} when the time is over; `not_accepted` while it runs;
 //                   error `cancelled`, or `invalid` at once if seconds is not a number in 0 .. 86400
 //   cancel()        -> null; the start is answered `cancelled`; `not_accepted` while it does not run
@@ -8,6 +10,8 @@
 //
 // Threads: its group's.
 #pragma once
+
+#include <map>
 
 #include "services/table_component.h"
 
@@ -20,15 +24,24 @@ class Timer final : public services::TableComponent {
  public:
   explicit Timer(services::ServiceHost& host);
 
+  static constexpr std::size_t kMostWaits = 1000;
+
   static const services::OperationTable& operations();
   void step() override;
 
  private:
+  struct Wait {
+    services::CallId call = 0;
+    services::Time began = 0;
+  };
+  void wait(const services::Call& call, const Dict& arguments);
+  void answer_waits(services::Time now);
   void start(const services::Call& call, const Dict& arguments);
   void cancel(const services::Call& call);
   void refuse_arguments(const services::Call& call, const Error& error) override;
 
-  services::CallId running_ = 0;  // the start that waits; 0: none
+  std::multimap<services::Time, Wait> waits_;  // by their ends; of equal ones the earlier first
+  services::CallId running_ = 0;               // the start that waits; 0: none
   services::Time started_ = 0, seconds_ = 0, next_tick_ = 0;
 };
 

@@ -52,7 +52,7 @@ TEST_F(Trans1Rule, DefersTheResponseAndPutsTheEvents) {
   ASSERT_TRUE(effect);
   EXPECT_EQ(effect->answers, Answers{});
   EXPECT_EQ(effect->events, Events{"started"});
-  EXPECT_EQ(instance, (Instance{"Moving", {{"start", 1}}}));
+  EXPECT_EQ(instance, (Instance{"Moving", {{"start", {1}}}}));
 }
 
 TEST_F(Trans1Rule, DoesNotApplyWhereNoTransitionTakesTheCall) {
@@ -93,6 +93,35 @@ TEST_F(Trans2Rule, AnswersTheLatestCallThatTookATransition) {  // R17
   const auto effect = Trans2(robot, instance, "arrive");
   ASSERT_TRUE(effect);
   EXPECT_EQ(effect->answers, (Answers{{1, false, "", "move"}, {3, false, "", "move"}}));
+}
+
+// R25
+class ConcurrentRule : public Robot {
+ protected:
+  ConcurrentRule() {
+    for (Transition& t : many.transitions) t.concurrent = t.operation == "move";
+    for (std::uint64_t call : {1, 2, 3}) Trans1(many, instance, "move", call);
+  }
+  Service many = robot;
+};
+
+TEST_F(ConcurrentRule, AnswersTheCallThatItNamesOfEachThatTookATransition) {
+  EXPECT_EQ(instance.pending, (std::map<std::string, std::vector<std::uint64_t>>{{"again", {2, 3}}, {"start", {1}}}));
+  EXPECT_EQ(Trans2(many, instance, "arrive", 3)->answers, (Answers{{3, false, "", "move"}}));
+  instance.current = "Moving";
+  EXPECT_FALSE(Trans2(many, instance, "arrive", 3)) << "it has its response";
+  for (std::uint64_t earliest : {1, 2}) {
+    instance.current = "Moving";
+    EXPECT_EQ(Trans2(many, instance, "arrive")->answers, (Answers{{earliest, false, "", "move"}}));
+  }
+  EXPECT_TRUE(instance.pending.empty());
+}
+
+TEST_F(ConcurrentRule, AnswersAllWithoutASource) {
+  EXPECT_EQ(Trans1(many, instance, "stop", 4)->answers, (Answers{{1, true, "aborted", "move"},
+                                                                 {2, true, "aborted", "move"},
+                                                                 {3, true, "aborted", "move"},
+                                                                 {4, false, "", "stop"}}));
 }
 
 TEST_F(Trans2Rule, DoesNotApplyFromAnotherStateOrToACall) {

@@ -60,6 +60,47 @@ TEST_F(TimerTest, RejectsWhatItsStateDoesNotAccept) {
   EXPECT_THAT(bench.responses(), ElementsAre("timer.cancel !> not_accepted", "timer.start !> not_accepted"));
 }
 
+TEST_F(TimerTest, AnswersEachOfManyWaitsByItself) {
+  bench.call("timer", "wait", {0.3});
+  bench.call("timer", "start", {0.15});
+  bench.call("timer", "wait", {0.1});
+  bench.call("timer", "wait", {0.2});
+  EXPECT_EQ(bench.host.service("timer")->state, "Running");
+  bench.pass(0.1);
+  EXPECT_THAT(bench.responses(), ElementsAre("timer.wait -> {\"elapsed\":0.1}"));
+  bench.pass(0.2);
+  EXPECT_EQ(bench.responses().size(), 4U);
+  EXPECT_EQ(events("elapsed"), 1) << "of the alarm alone";
+  EXPECT_EQ(bench.host.service("timer")->state, "Idle");
+}
+
+TEST_F(TimerTest, LeavesWaitsAloneWhenTheAlarmIsCancelled) {
+  bench.call("timer", "start", {1});
+  bench.call("timer", "wait", {0.1});
+  bench.call("timer", "cancel");
+  bench.pass(0.1);
+  EXPECT_THAT(bench.responses(),
+              ElementsAre("timer.start !> cancelled", "timer.cancel -> null", "timer.wait -> {\"elapsed\":0.1}"));
+}
+
+TEST_F(TimerTest, AnswersWaitsThatEndTogetherInTheirOrder) {
+  for (int i = 0; i < 3; ++i) bench.call("timer", "wait", {0.1});
+  bench.pass(0.1);
+  std::vector<std::uint64_t> calls;
+  for (const Delivery& each : bench.deliveries)
+    if (each.kind == Delivery::Kind::response) calls.push_back(each.caller.call);
+  EXPECT_THAT(calls, ElementsAre(1, 2, 3));
+}
+
+TEST_F(TimerTest, BoundsItsWaits) {
+  for (std::size_t i = 0; i < Timer::kMostWaits; ++i) bench.call("timer", "wait", {10});
+  EXPECT_THAT(bench.responses(), IsEmpty());
+  bench.call("timer", "wait", {0});
+  EXPECT_THAT(bench.responses(), ElementsAre("timer.wait !> too_many"));
+  bench.pass(10.0);
+  EXPECT_EQ(bench.responses().size(), Timer::kMostWaits + 1);
+}
+
 TEST_F(TimerTest, TicksTenTimesASecond) {
   bench.pass(1.05);
   EXPECT_EQ(events("tick"), 11);
@@ -72,8 +113,9 @@ TEST(TimerArguments, AreAnsweredInvalidAtOnce) {
   bench.call("timer", "start", {-1});
   bench.call("timer", "start", {"soon"});
   bench.call("timer", "start");
-  EXPECT_THAT(bench.responses(),
-              ElementsAre("timer.start !> invalid", "timer.start !> invalid", "timer.start !> invalid"));
+  bench.call("timer", "wait", {-1});
+  EXPECT_THAT(bench.responses(), ElementsAre("timer.start !> invalid", "timer.start !> invalid",
+                                             "timer.start !> invalid", "timer.wait !> invalid"));
   EXPECT_EQ(bench.host.service("timer")->state, "Idle");
   for (const auto& violation : bench.violations("timer")) EXPECT_EQ(violation.rule, "type");
 }
