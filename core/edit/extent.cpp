@@ -56,7 +56,7 @@ class Bound {
   void add(const rcm::Parameter& p) { add_all(p.name, p.value, p.from, p.type, p.unit, p.doc, p.meta); }
   void add(const rcm::Datum& d) { add_all(d.name, d.initial, d.type, d.unit, d.doc, d.meta); }
   void add(const rcm::Action& a) { add_all(a.when, a.code, a.meta); }
-  void add(const rcm::Port& p) { add_all(p.name, p.when, p.to, p.meta); }
+  void add(const rcm::Port& p) { add_all(p.name, p.when, p.after, p.to, p.meta); }
 
  private:
   template <typename... Parts>

@@ -156,8 +156,11 @@ std::vector<CodeText> texts_in_scope(const Tree& tree, std::string_view id) {
     add_text(out, at, "when", action.when, CodeKind::condition);
     add_text(out, at, "do", action.code, CodeKind::function);
   }
-  for (const std::string& at : tree.list(id, ListName::ports))
-    add_text(out, at, "when", std::get<rcm::Port>(tree.find(at)->content).when, CodeKind::condition);
+  for (const std::string& at : tree.list(id, ListName::ports)) {
+    const auto& port = std::get<rcm::Port>(tree.find(at)->content);
+    add_text(out, at, "when", port.when, CodeKind::condition);
+    add_text(out, at, "after", port.after, CodeKind::expression);
+  }
   for (const std::string& child : tree.list(id, ListName::children))
     std::ranges::move(from_texts(tree, child), std::back_inserter(out));
   return out;

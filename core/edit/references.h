@@ -26,7 +26,7 @@ struct Reference {
 
 /// A text of a document.
 struct CodeText {
-  std::string id, field;  // the element that has it: entry, exit, when, do, from, oracle
+  std::string id, field;  // the element that has it: entry, exit, when, after, do, from, oracle
   std::string text;
   language::CodeKind kind = language::CodeKind::function;
 };

@@ -4,6 +4,7 @@
 
 #include "core/language/check/checker.h"
 #include "core/language/interface/symbols.h"
+#include "core/rcm/after.h"
 #include "core/rcm/call_text.h"
 #include "core/rcm/constraints_internal.h"
 #include "core/rcm/oracle.h"
@@ -65,9 +66,9 @@ class CodeCheck {
       check_state(*inner, at);
     }
     for (const Port& port : state.ports) {
-      if (!port.when) continue;
-      check([] { return "`when`"; }, *port.when, CodeKind::condition, scope,
-            [&] { return port_path(path, port.name); });
+      const auto at_port = [&] { return port_path(path, port.name); };
+      if (port.when) check([] { return "`when`"; }, *port.when, CodeKind::condition, scope, at_port);
+      if (port.after) check([] { return "`after`"; }, *port.after, CodeKind::expression, scope, at_port);
     }
   }
 
@@ -99,12 +100,23 @@ class CodeCheck {
                                            : inner   ? language::ChildSymbols{}
                                                      : barrier_symbols());
     }
+    add_after(state, out);
     if (state.oracle && names_) {
       DerivedIds no_ids;
       out.children.emplace(kDispatcher, interface_of(dispatcher(state, no_ids)));
     }
     if (state.oracle && state.oracle->kind == Oracle::Kind::history) out.variables.emplace(kLastActive, 0);
     return out;
+  }
+
+  /// The states that the `after` of ports make.
+  static void add_after(const State& state, Symbols& out) {
+    for (const Port& port : state.ports) {
+      if (!port.after) continue;
+      DerivedIds no_ids;
+      out.children.emplace(after_name(port.name), interface_of(after_state(port, no_ids)));
+    }
+    if (has_after_barrier(state)) out.children.emplace(kAfterBarrier, barrier_symbols());
   }
 
   Scope scope_of(Symbols symbols) const {

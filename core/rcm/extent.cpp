@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "core/rcm/after.h"
 #include "core/rcm/constraints.h"
 
 namespace race::rcm {
@@ -21,7 +22,8 @@ std::size_t bytes_of(const State& state) {
     for (const Datum& datum : *data) out += kElement + datum.name.size() + datum.doc.size() + datum.unit.size();
   }
   for (const Action& action : state.actions) out += kElement + action.when.size() + action.code.size();
-  for (const Port& port : state.ports) out += kElement + port.name.size() + bytes_of(port.when) + bytes_of(port.to);
+  for (const Port& port : state.ports)
+    out += kElement + port.name.size() + bytes_of(port.when) + bytes_of(port.after) + bytes_of(port.to);
   return out;
 }
 
@@ -42,7 +44,7 @@ class Counter {
       const Extent linked = count_linked(*library_.find(*state.link), level + 1);
       return {linked.states, std::min(linked.bytes + bytes_of(state), kMaxBytes + 1), linked.depth + 1};
     }
-    Extent out{1, bytes_of(state), 0};
+    Extent out{1 + made_for_after(state), bytes_of(state), 0};
     for (const Node& child : state.children) {
       const auto* inner = std::get_if<State>(&child);
       const Extent part = inner ? count(*inner, level + 1) : Extent{1, bytes_of(std::get<Barrier>(child)), 1};

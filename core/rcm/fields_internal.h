@@ -72,6 +72,7 @@ template <typename Visit>
 void for_each_field(const Port& port, Visit& visit) {
   visit("name", port.name);
   visit_text("when", port.when, visit);
+  visit_text("after", port.after, visit);
   visit_text("to", port.to, visit);
   visit_meta(port.meta, visit);
 }

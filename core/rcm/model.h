@@ -1,5 +1,6 @@
-// The syntax of RCM (thesis 3.1, Definitions 3.1 to 3.9) with its extensions link and oracle (3.3), as values. A
-// Document is what is stored and edited; a native model (translate.h) has no links and no oracles and is what executes.
+// The syntax of RCM (thesis 3.1, Definitions 3.1 to 3.9) with its extensions link and oracle (3.3) and `after`, as
+// values. A Document is what is stored and edited; a native model (translate.h) has no links, oracles or `after` and is
+// what executes.
 #pragma once
 
 #include <map>
@@ -47,10 +48,11 @@ struct Action {
   bool operator==(const Action&) const = default;
 };
 
-/// P: leads to a sibling of its state, or nowhere. A linking state's port has no `when`.
+/// P: leads to a sibling of its state, or nowhere. It has a condition `when`, or `after`: an expression in the scope of
+/// its state, the time [s] after the activation of that at which it fires. A linking state's port has neither.
 struct Port {
   std::string name;
-  std::optional<std::string> when;
+  std::optional<std::string> when, after;
   std::optional<std::string> to;
   Meta meta;
   bool operator==(const Port&) const = default;
@@ -109,8 +111,8 @@ struct Document {
 
 const std::string& name_of(const Node& node);
 
-/// A native model: no links, no oracles; and for every element that translation made or copied, the element of the
-/// document it came from.
+/// A native model: no links, no oracles, no `after`; and for every element that translation made or copied, the element
+/// of the document it came from.
 struct NativeModel {
   State root;
   /// Path in the native model (`Root/A`, `Root/A.port`) -> path in the document (`Root/A`, `library/Pick/A.port`).

@@ -29,7 +29,7 @@ Parameter parameter_from(std::string name, std::string expression, Meta meta) {
 }
 
 Port port(std::string name, std::string when, std::string to, Meta meta) {
-  return Port{std::move(name), std::move(when), std::move(to), std::move(meta)};
+  return Port{std::move(name), std::move(when), std::nullopt, std::move(to), std::move(meta)};
 }
 
 /// The choice is known and names no child.

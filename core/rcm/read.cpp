@@ -116,6 +116,7 @@ std::optional<Port> read_port(const Value& json, const std::string& state, ReadE
   Port out;
   out.name = name.value_or("");
   out.when = fields.text("when");
+  out.after = fields.text("after");
   out.to = fields.text("to");
   out.meta = read_meta(fields, errors);
   fields.close();

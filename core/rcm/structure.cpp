@@ -1,6 +1,7 @@
 // The constraints of structure: names, what refers to what, links and oracles.
 #include <set>
 
+#include "core/rcm/after.h"
 #include "core/rcm/call_text.h"
 #include "core/rcm/constraints_internal.h"
 #include "core/rcm/oracle.h"
@@ -85,6 +86,7 @@ class Structure {
     if (state.first && !level.has(*state.first))
       add(ErrorCode::first, path, "`first`: there is no child " + quote(*state.first));
     if (state.oracle) check_oracle(state, path, level);
+    check_after(state, path, level);
     check_children(state, path, level);
   }
 
@@ -112,7 +114,11 @@ class Structure {
       const std::string at = port_path(path, port.name);
       check_name("port", port.name, at);
       declare("port", port.name, names, path);
-      if (!port.when && !state.link) add(ErrorCode::missing, at, "the field `when` is missing");
+      if (!port.when && !port.after && !state.link)
+        add(ErrorCode::missing, at, "the field `when` is missing (or `after`, a time in seconds)");
+      if (port.after && state.link)
+        add(ErrorCode::after, at, "a linking state's port has no `after`: the library says when it fires");
+      if (port.when && port.after) add(ErrorCode::after, at, "the port has both `when` and `after`");
       if (port.to && !siblings.has(*port.to))
         add(ErrorCode::port_target, at, "leads to " + quote(*port.to) + ", which is no sibling of its state");
     }
@@ -181,7 +187,18 @@ class Structure {
     check_made_names(state, path, level, history);
   }
 
-  /// The names that translation adds must be free.
+  /// The names that the translation of `after` adds must be free.
+  void check_after(const State& state, const std::string& path, const Level& level) {
+    for (const Port& port : state.ports) {
+      if (port.after && level.has(after_name(port.name)))
+        add(ErrorCode::duplicate, path,
+            "child " + quote(after_name(port.name)) + ": the `after` of the port makes a state of this name");
+    }
+    if (has_after_barrier(state) && level.has(kAfterBarrier))
+      add(ErrorCode::duplicate, path, "child `After`: the `after` of a port makes a barrier of this name");
+  }
+
+  /// The names that the translation of the oracle adds must be free.
   void check_made_names(const State& state, const std::string& path, const Level& level, bool history) {
     if (level.has(kDispatcher))
       add(ErrorCode::duplicate, path, "child `Dispatcher`: the oracle makes a state of this name");

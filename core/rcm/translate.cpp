@@ -1,5 +1,6 @@
 #include "core/rcm/translate.h"
 
+#include "core/rcm/after.h"
 #include "core/rcm/constraints.h"
 #include "core/rcm/ids.h"
 #include "core/rcm/library.h"
@@ -98,6 +99,7 @@ class Translation {
       }
     }
     if (state.oracle) decide(out, path, from);
+    wait(out, path, from);
     return out;
   }
 
@@ -108,6 +110,18 @@ class Translation {
     const std::string at = node_path(path, made.name);
     origin_[at] = from;
     for (const Port& port : made.ports) origin_[port_path(at, port.name)] = from;
+  }
+
+  /// What the `after` of the ports make comes from the ports, their barrier from the state.
+  void wait(State& state, const std::string& path, const std::string& from) {
+    for (const Port& port : state.ports) {
+      if (!port.after) continue;
+      const std::string at = node_path(path, after_name(port.name)), origin = port_path(from, port.name);
+      origin_[at] = origin;
+      origin_[port_path(at, kDue)] = origin;
+    }
+    if (has_after_barrier(state)) origin_[node_path(path, kAfterBarrier)] = from;
+    translate_after(state, derived_);
   }
 
   template <typename Element>

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/rsm/type.h"
+#include "core/value/expected.h"
 
 namespace race::rsm {
 namespace {

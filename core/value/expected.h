@@ -33,6 +33,7 @@ enum class ErrorCode {
   link_parameter,
   link_port,
   oracle,
+  after,
   reference,
   keep,
   syntax,

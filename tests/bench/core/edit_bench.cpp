@@ -35,8 +35,8 @@ rcm::State state(const std::string& name, const std::string& next) {
   out.variables[0].initial = Value(0);
   out.entry = "var.v = par.speed * 2\nsvc.robot.move([par.speed, 0, 1], speed=par.force)";
   out.actions.push_back({"available(svc.robot.pose)", "res.r = svc.robot.pose", {}});
-  out.ports.push_back({"done", "svc.robot.move.result and res.r > var.v", next, {}});
-  out.ports.push_back({"error", "svc.robot.move.error", std::nullopt, {}});
+  out.ports.push_back({"done", "svc.robot.move.result and res.r > var.v", {}, next, {}});
+  out.ports.push_back({"error", "svc.robot.move.error", {}, {}, {}});
   return out;
 }
 

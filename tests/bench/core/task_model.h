@@ -33,9 +33,13 @@ inline rcm::State step(const std::string& name, const std::optional<std::string>
       {"force", Value(20.0), {}, "number", "N", "", {}},
   };
   out.ports = {
-      {"success", "svc.robot.move_cartesian.result and available(res.held) and par.force < " + text, next, {}},
-      {"retry", "svc.robot.move_cartesian.error and var.tries < " + text, name, {}},
-      {"error", "svc.robot.move_cartesian.error.code == 'collision' or svc.gripper.grasp.error.x == " + text, {}, {}},
+      {"success", "svc.robot.move_cartesian.result and available(res.held) and par.force < " + text, {}, next, {}},
+      {"retry", "svc.robot.move_cartesian.error and var.tries < " + text, {}, name, {}},
+      {"error",
+       "svc.robot.move_cartesian.error.code == 'collision' or svc.gripper.grasp.error.x == " + text,
+       {},
+       {},
+       {}},
   };
   if (density == Density::usual) {
     out.parameters.resize(2);

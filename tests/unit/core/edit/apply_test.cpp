@@ -190,7 +190,7 @@ TEST(Apply, IsAllOrNothing) {
 
 TEST(Apply, NeedsADocumentWithIds) {
   rcm::Document document = small_document();
-  document.root.ports.push_back(rcm::Port{"p", "True", std::nullopt, {}});
+  document.root.ports.push_back(rcm::Port{"p", "True", std::nullopt, std::nullopt, {}});
   EXPECT_EQ(apply(document, Edit{}).error().code, ErrorCode::missing);
   document.root.ports.back().meta.id = "a";
   EXPECT_EQ(apply(document, Edit{}).error().code, ErrorCode::duplicate);

@@ -2,6 +2,8 @@
 // translate.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/rcm/document.h"
 #include "core/rcm/translate.h"
 #include "core/rsm/document.h"
@@ -36,6 +38,7 @@ std::set<std::string> expected_pairs(const std::filesystem::path& folder) {
 
 bool is_native(const State& state) {
   if (state.link || state.oracle) return false;
+  if (std::ranges::any_of(state.ports, [](const Port& port) { return port.after.has_value(); })) return false;
   for (const Node& child : state.children) {
     if (const auto* inner = std::get_if<State>(&child); inner && !is_native(*inner)) return false;
   }

@@ -226,7 +226,53 @@ TEST(Oracle, RequiresTheNamesThatItAddsToBeFree) {
   EXPECT_THAT(rejected_children(R"({"state": "Dispatcher"})"), IsEmpty());
 }
 
+// Time-outs
+
+/// A child A of the root with these fields.
+std::set<std::string> rejected_child(const std::string& fields) {
+  return rejected_children(R"({"state": "A", )" + fields + "}");
+}
+
+TEST(After, StandsInPlaceOfACondition) {
+  EXPECT_THAT(rejected_child(R"("ports": [{"name": "p", "after": "2.5"}])"), IsEmpty());
+  EXPECT_THAT(rejected_child(R"("ports": [{"name": "p", "after": "1", "when": "True"}])"), ElementsAre("P/A.p: after"));
+  EXPECT_THAT(rejected_child(R"("ports": [{"name": "p"}])"), ElementsAre("P/A.p: missing"));
+  EXPECT_THAT(rejected_child(R"("ports": [{"name": "p", "after": 1}])"), testing::Contains("P/A.p: type"));
+}
+
+TEST(After, OfALinkIsThatOfTheLibrary) {
+  EXPECT_THAT(rejected(R"({"state": "P", "link": "L", "ports": [{"name": "p", "after": "1"}]})",
+                       R"({"state": "L", "ports": [{"name": "p", "after": "2"}]})"),
+              ElementsAre("P.p: after"));
+}
+
+TEST(After, IsAnExpressionInTheScopeOfItsState) {
+  EXPECT_THAT(rejected_child(R"("parameters": [{"name": "t", "value": 1}],
+                                "ports": [{"name": "p", "after": "par.t * 2"}])"),
+              IsEmpty());
+  EXPECT_THAT(rejected_child(R"("ports": [{"name": "p", "after": "par.t"}])"), ElementsAre("P/A.p: unknown_name"));
+  EXPECT_THAT(rejected_child(R"("ports": [{"name": "p", "after": "1 +"}])"), ElementsAre("P/A.p: syntax"));
+  EXPECT_THAT(rejected_child(R"("ports": [{"name": "p", "after": "svc.robot.seconds"}])"), ElementsAre("P/A.p: scope"));
+}
+
+TEST(After, RequiresTheNamesThatItAddsToBeFree) {
+  const auto with = [](const std::string& child, const std::string& ports) {
+    return rejected_child(R"("children": [{"state": ")" + child + R"("}], "ports": )" + ports);
+  };
+  const std::string one = R"([{"name": "p", "after": "1"}])";
+  const std::string two = R"([{"name": "p", "after": "1"}, {"name": "q", "after": "2"}])";
+  EXPECT_THAT(with("After_p", one), ElementsAre("P/A: duplicate"));
+  EXPECT_THAT(with("After", two), ElementsAre("P/A: duplicate")) << "two states that wait need a barrier";
+  EXPECT_THAT(with("After", one), IsEmpty()) << "one that waits is the first state";
+}
+
 // Code
+
+TEST(Code, SeesWhatAfterMakes) {
+  EXPECT_THAT(rejected_child(R"("ports": [{"name": "p", "after": "1"}],
+                                "exit": "var.x = chi.After_p.par.seconds if chi.After_p.active else 0")"),
+              IsEmpty());
+}
 
 TEST(Code, IsCheckedInEveryField) {
   EXPECT_THAT(rejected(R"({"state": "P", "entry": "x ="})"), ElementsAre("P: syntax"));

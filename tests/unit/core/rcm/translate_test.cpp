@@ -1,6 +1,7 @@
 // Translation: what links (3.3.1) and oracles (3.3.2, Fig. 3.10) become, and where each element came from.
 #include "core/rcm/translate.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/rcm/document.h"
@@ -149,6 +150,52 @@ TEST(HistoryOracle, FollowsTheCompositesOwnVariablesAndActions) {
       "variables": [{"name": "v"}], "actions": [{"when": "False", "do": "pass"}], "oracle": {"kind": "history"}}})");
   EXPECT_EQ(model.root.variables[1].name, "last_active");
   EXPECT_EQ(model.root.actions[0].when, "False");
+}
+
+TEST(After, OfOnePortIsTheFirstStateWhereThereIsNone) {
+  const NativeModel model = native_case("after");
+  expect_state(child(model.root, "Ask"), R"json({
+    "state": "Ask",
+    "parameters": [{"name": "timeout", "from": "1.5 + var.rounds"}],
+    "children": [{"state": "After_late", "parameters": [{"name": "seconds", "from": "par.timeout", "unit": "s"}],
+                  "variables": [{"name": "tries", "initial": 1}], "entry": "svc.timer.wait(par.seconds)",
+                  "actions": [{"when": "svc.timer.wait.error and var.tries < 10",
+                               "do": "var.tries += 1\nsvc.timer.wait(par.seconds)"}],
+                  "ports": [{"name": "due", "when": "svc.timer.wait.result"}]}],
+    "first": "After_late",
+    "ports": [{"name": "late", "when": "chi.After_late.port.due", "to": "Ask"},
+              {"name": "done", "when": "svc.person.done", "to": "End"}]})json");
+  EXPECT_EQ(model.origin.at("Root/Ask/After_late"), "library/Patient.late");
+  EXPECT_EQ(model.origin.at("Root/Ask/After_late.due"), "library/Patient.late");
+}
+
+TEST(After, BesideAFirstStateIsReachedByABarrier) {
+  const NativeModel model = native_case("after-first");
+  const auto barrier = [&](std::string_view state) {
+    const State at = child(model.root, state);
+    EXPECT_EQ(at.first, "After");
+    return std::get<Barrier>(at.children.back()).to;
+  };
+  EXPECT_EQ(barrier("Pause"), (std::vector<std::string>{"Step", "After_over"}));
+  EXPECT_EQ(barrier("Work"), (std::vector<std::string>{"Left", "Right", "After_soon", "After_late"}))
+      << "a first barrier's targets";
+  EXPECT_EQ(barrier("Choose"), (std::vector<std::string>{"Dispatcher", "After_over"}));
+  EXPECT_EQ(child(child(model.root, "Choose"), "Dispatcher").ports.size(), 2u) << "it does not choose what waits";
+  EXPECT_EQ(model.origin.at("Root/Work/After"), "Root/Work");
+}
+
+TEST(After, HasIdsOfItsPort) {
+  const auto ids = [](const std::string& port) {
+    const State root = native(R"({"rcm": 1, "root": {"state": "R", "meta": {"id": "r"}, "first": "A",
+        "children": [{"state": "A"}], "ports": [{"name": ")" +
+                              port + R"(", "after": "1", "meta": {"id": "p"}}]}})")
+                           .root;
+    const State& wait = std::get<State>(root.children[1]);
+    return std::vector<std::string>{wait.meta.id, wait.parameters[0].meta.id, wait.ports[0].meta.id,
+                                    std::get<Barrier>(root.children[2]).meta.id};
+  };
+  EXPECT_THAT(ids("p"), testing::Each(testing::SizeIs(13)));
+  EXPECT_EQ(ids("p"), ids("renamed"));
 }
 
 TEST(Oracle, OfALibraryStateIsTranslatedAtEachLink) {
