@@ -19,6 +19,7 @@ import type {
 import * as schema from "../generated/validators";
 import type { MicroStep } from "./derivation/proof";
 import { check, type Validator } from "./messages/check";
+import { withAfters } from "./model/afters";
 import type { RcmDocument } from "./model/model";
 import { withOracles } from "./model/oracles";
 import { readModel } from "./model/readModel";
@@ -38,7 +39,7 @@ const segment = encodeURIComponent;
 
 function readNative({ document, origin }: Native): RcmDocument {
   const model = readModel(document);
-  return { ...model, root: withOracles(model.root, origin) };
+  return { ...model, root: withOracles(withAfters(model.root, origin), origin) };
 }
 
 /** Requests below `base` (`/api/v1`); `fetcher` is the browser's fetch, or a test's. */

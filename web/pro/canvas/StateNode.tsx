@@ -4,8 +4,10 @@ import type { CSSProperties } from "react";
 import type { DrawnNode, DrawnPort } from "../../shared/drawing/drawing";
 import { liveValue } from "../../shared/drawing/live";
 import { nameRoom, portNameRoom } from "../../shared/drawing/measure";
+import { waitingState } from "../../shared/model/afters";
 import { clip, valueText, type Line } from "../../shared/model/describe";
 import { useView, view } from "../client";
+import { Icon } from "../panels/Icon";
 import { useLive } from "./useLive";
 
 export type StateFlowNode = Node<{ readonly drawn: DrawnNode }, "state">;
@@ -49,6 +51,11 @@ export function StateNode({ data: { drawn } }: NodeProps<StateFlowNode>) {
 const kSigns = { history: "H", choice: "?" } as const;
 
 const titleOf = ({ dispatcher, name }: DrawnNode): string => (dispatcher === undefined ? name : `${name} of the oracle: which state is entered first`);
+
+function portTitle({ name, when, timed }: DrawnPort, { dispatcher }: DrawnNode): string {
+  if (timed) return `${when}: this long after the activation of its state`;
+  return dispatcher === undefined ? when : `${name}: ${when}`;
+}
 
 /** How much larger the name may be written, for the style sheet. */
 const withRoom = (style: CSSProperties, room: number): CSSProperties & Record<"--room", number> => ({ ...style, "--room": room });
@@ -97,8 +104,10 @@ function PortBox({ port, origin }: { readonly port: DrawnPort; readonly origin: 
   const selected = useView((v) => v.selection?.kind === "port" && v.selection.address === port.address);
   const fireCount = useLive((live) => (live.fired.has(port.address) ? live.fireCount : 0));
   const active = useLive((live) => live.ports.has(port.address));
+  const waits = useLive((live) => port.timed && live.active.has(waitingState(port.address)));
+  const faulted = useLive((live) => port.timed && live.faultAt === waitingState(port.address));
   const fired = fireCount > 0;
-  const classes = ["port", active && "is-active", selected && "is-selected", fired && "is-fired", port.exits && "is-exit"];
+  const classes = ["port", active && "is-active", selected && "is-selected", fired && "is-fired", port.exits && "is-exit", waits && "is-waiting", faulted && "is-faulted"];
   return (
     <button
       key={fireCount}
@@ -107,7 +116,7 @@ function PortBox({ port, origin }: { readonly port: DrawnPort; readonly origin: 
       aria-label={`Port ${port.address}`}
       data-active={active}
       data-fired={fired}
-      title={origin.dispatcher === undefined ? port.when : `${port.name}: ${port.when}`}
+      title={portTitle(port, origin)}
       style={withRoom({ left: port.x - origin.x, top: port.y - origin.y, width: port.width, height: port.height }, portNameRoom(port))}
       onClick={(event) => {
         event.stopPropagation();
@@ -115,7 +124,12 @@ function PortBox({ port, origin }: { readonly port: DrawnPort; readonly origin: 
       }}
       onDoubleClick={(event) => event.stopPropagation()}
     >
-      {origin.dispatcher === undefined && <span className="port-name">{port.name}</span>}
+      {origin.dispatcher === undefined && (
+        <span className="port-name">
+          {port.timed && <Icon name="clock" />}
+          {port.name}
+        </span>
+      )}
       {origin.dispatcher === undefined && port.condition !== "" && <code>{port.condition}</code>}
     </button>
   );

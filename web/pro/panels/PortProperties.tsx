@@ -1,6 +1,8 @@
 // A selected port, and the answer to "why did it fire, or why not?".
+import { waitingState } from "../../shared/model/afters";
+import { portText, valueText } from "../../shared/model/describe";
 import type { Port } from "../../shared/model/model";
-import { splitAddress } from "../../shared/model/modelTree";
+import { nameOf, splitAddress } from "../../shared/model/modelTree";
 import { useSession, view } from "../client";
 import { AskWhy } from "./AskWhy";
 
@@ -22,13 +24,25 @@ export function PortProperties({ address, port }: { readonly address: string; re
         <span className={`pill ${active || fired ? "is-running" : ""}`}>{fired ? "Just fired" : active ? "Active" : "Inactive"}</span>
       </header>
       <section>
-        <h3>Condition</h3>
+        <h3>{port.after === undefined ? "Condition" : "Time-out"}</h3>
         <pre className="code code-wraps">
-          <code>{port.when}</code>
+          <code>{portText(port)}</code>
         </pre>
+        {port.after !== undefined && <Waiting address={address} />}
         <p className="quiet">{port.to === undefined ? "Leads nowhere: it may end its parent." : `Leads to ${port.to}.`}</p>
       </section>
       <AskWhy key={address} address={address} />
     </>
+  );
+}
+
+/** What a port with a time-out waits for, and what it is in derivations and explanations. */
+function Waiting({ address }: { readonly address: string }) {
+  const path = waitingState(address);
+  const seconds = useSession((s) => (s.run?.active.includes(path) === true ? s.run.parameters[path]?.["seconds"] : undefined));
+  return (
+    <p className="quiet">
+      Counted from the activation of its state{seconds === undefined ? "" : `, this time ${valueText(seconds)} s`}. In the derivation, the state <code>{nameOf(path)}</code> waits for it.
+    </p>
   );
 }

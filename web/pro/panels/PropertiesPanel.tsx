@@ -11,7 +11,7 @@ export function PropertiesPanel({ tree }: { readonly tree: ModelTree | undefined
   return (
     <aside className="side side-right" aria-label="Properties">
       {tree === undefined || selection === undefined ? (
-        <RunProperties />
+        <RunProperties tree={tree} />
       ) : selection.kind === "port" ? (
         <PortSection tree={tree} address={selection.address} />
       ) : (
@@ -23,12 +23,12 @@ export function PropertiesPanel({ tree }: { readonly tree: ModelTree | undefined
 
 function PortSection({ tree, address }: { readonly tree: ModelTree; readonly address: string }) {
   const port = portAt(tree, address);
-  return port === undefined ? <RunProperties /> : <PortProperties key={address} address={address} port={port} />;
+  return port === undefined ? <RunProperties tree={tree} /> : <PortProperties key={address} address={address} port={port} />;
 }
 
 function NodeSection({ tree, path }: { readonly tree: ModelTree; readonly path: string }) {
   const state = stateAt(tree, path);
   if (state !== undefined) return <StateProperties key={path} path={path} state={state} />;
   const barrier = barrierAt(tree, path);
-  return barrier === undefined ? <RunProperties /> : <BarrierProperties key={path} tree={tree} path={path} barrier={barrier} />;
+  return barrier === undefined ? <RunProperties tree={tree} /> : <BarrierProperties key={path} tree={tree} path={path} barrier={barrier} />;
 }

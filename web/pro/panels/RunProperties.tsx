@@ -1,11 +1,13 @@
 // Properties when nothing is selected: the run as a whole.
+import type { ModelTree } from "../../shared/model/modelTree";
 import { isOver, statusText } from "../../shared/run/controls";
 import { inputText } from "../../shared/run/inputText";
+import { selectionAt } from "../../shared/session/view";
 import { follow, useCore, useSession, view } from "../client";
 import { CodeText } from "./CodeText";
 import { ValueTable } from "./ValueTable";
 
-export function RunProperties() {
+export function RunProperties({ tree }: { readonly tree: ModelTree | undefined }) {
   const core = useCore();
   const last = useSession((s) => s.lastInput);
   const name = useSession((s) => s.model?.name);
@@ -37,7 +39,7 @@ export function RunProperties() {
         <section className="fault" aria-label="Fault">
           <h3>Fault: {fault.kind}</h3>
           <p>{fault.message}</p>
-          <button type="button" className="link" onClick={() => view.dispatch({ type: "jump", selection: { kind: "node", path: fault.at } })}>
+          <button type="button" className="link" onClick={() => view.dispatch({ type: "jump", selection: (tree && selectionAt(tree, fault.at)) ?? { kind: "node", path: fault.at } })}>
             at {fault.at}
           </button>
         </section>

@@ -1,7 +1,7 @@
 // A selected state: its interface with live values, its functions in full, its ports, and stepping to it.
 import type { State } from "../../shared/model/model";
 import { allowed, until } from "../../shared/run/controls";
-import { valueText } from "../../shared/model/describe";
+import { portText, valueText } from "../../shared/model/describe";
 import { run, useCore, useSession, view } from "../client";
 import { Code } from "./Code";
 import { ValueTable } from "./ValueTable";
@@ -65,7 +65,7 @@ function PortList({ path, state }: { readonly path: string; readonly state: Stat
                   {port.name}
                   <small>{port.to === undefined ? "exits" : `→ ${port.to}`}</small>
                 </span>
-                <code>{port.when}</code>
+                <code>{portText(port)}</code>
               </button>
             </li>
           );

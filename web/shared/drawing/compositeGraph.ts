@@ -51,7 +51,7 @@ export function linesOf(state: State, path: string): readonly LineSpec[] {
     }
   }
   for (const port of state.ports) {
-    for (const { child, port: exit } of exitReferences(port.when)) {
+    for (const { child, port: exit } of port.when === undefined ? [] : exitReferences(port.when)) {
       const found = state.children.find((entry) => entry.name === child);
       if (found?.kind !== "state" || !found.ports.some((entry) => entry.name === exit)) continue;
       const from = `${path}/${child}.${exit}`;

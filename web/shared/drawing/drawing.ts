@@ -19,8 +19,10 @@ export interface DrawnPort extends Box {
   readonly name: string;
   /** As it is written in the drawing: clipped, or empty in a slim drawing. */
   readonly condition: string;
-  /** The whole condition. */
+  /** The whole condition, or time-out. */
   readonly when: string;
+  /** It has a time-out in place of a condition. */
+  readonly timed: boolean;
   /** Without a destination: the port leaves the parent or ends here. */
   readonly exits: boolean;
 }

@@ -1,5 +1,6 @@
 // Automatic layout of a nested model: every composite is laid out alone, from the inside out, in several arrangements; the one
 // that fills a landscape frame best is taken. No line crosses more than one border (constraint after Def. 3.8), so that suffices.
+import { portText } from "../model/describe";
 import type { Node, State } from "../model/model";
 import { shift, rebase, type Block } from "./block";
 import { compositeGraph, inletOf, linesOf, type Arrangement, type ChildBox } from "./compositeGraph";
@@ -266,7 +267,8 @@ function drawState(
     const box = boxes[i];
     if (box === undefined) return [];
     const condition = request.detail === "slim" ? "" : conditionText(port);
-    return [{ ...box, address: `${path}.${port.name}`, name: port.name, condition, when: port.when, exits: port.to === undefined }];
+    const timed = port.after !== undefined;
+    return [{ ...box, address: `${path}.${port.name}`, name: port.name, condition, when: portText(port), timed, exits: port.to === undefined }];
   });
   const badge = badgeText(state);
   // An oracle by history leads its dispatcher by what the parent has kept.

@@ -49,7 +49,7 @@ export function layoutCache(most = kMost): LayoutCache {
     const { collapsed, detail, aspect } = request;
     const open = node.children.length > 0 && !collapsed.has(path);
     const children = open ? node.children.map((child) => shape(child, `${path}/${child.name}`, request)) : node.children.length > 0;
-    const ports = node.ports.map(({ name, when, to }) => [name, when, to]);
+    const ports = node.ports.map(({ name, when, after, to }) => [name, when, after, to]);
     return word([node.name, node.first, node.link, node.oracle, node.dispatcher, node.parameters.map(({ from }) => from), ports, children, detail, drawnLines(node, detail), open ? aspect : 0]);
   };
   return {

@@ -1,5 +1,5 @@
 // Sizes of what is drawn, from the length of its text: the fonts of the drawing have known widths, so no browser is needed.
-import { clip, describeState, type Line } from "../model/describe";
+import { clip, describeState, portText, type Line } from "../model/describe";
 import type { Port, State } from "../model/model";
 import type { Box, DrawnNode, DrawnPort, Side } from "./drawing";
 
@@ -49,8 +49,14 @@ export function nameRoom({ name, width, composite, ports, side, open, badge }: D
   return (width - kRowMargin - covered - badgeWidth(badge) - (composite ? kToggle : 0)) / nameWidth(name, kNameSize);
 }
 
-export function portNameRoom({ name, width }: DrawnPort): number {
-  return (width - kPortMargin) / nameWidth(name, kPortNameSize);
+/** The clock before the name of a port with a time-out, and the gap behind it: as wide as this times the size of the name. */
+const kClock = 1.25;
+
+/** How wide the name of a port is at most [px], with its clock. */
+const portNameWidth = (name: string, timed: boolean, size: number): number => nameWidth(name, size) + (timed ? kClock * size : 0);
+
+export function portNameRoom({ name, timed, width }: DrawnPort): number {
+  return (width - kPortMargin) / portNameWidth(name, timed, kPortNameSize);
 }
 
 /** How much is written into the states: everything; names and ports with their conditions; names alone. */
@@ -100,17 +106,18 @@ export function headSize(state: State, detail: Detail): Size {
   };
 }
 
-/** The longest condition beside a port: enough to tell `svc.gripper.release.result` from `.error`. */
+/** The longest condition or time-out beside a port: enough to tell `svc.gripper.release.result` from `.error`. */
 const kConditionLimit = 28;
 
 export function conditionText(port: Port): string {
-  return clip(port.when, kConditionLimit);
+  return clip(portText(port), kConditionLimit);
 }
 
 export function portSize(port: Port, detail: Detail): Size {
   const condition = detail === "slim" ? 0 : conditionText(port).length * kMonoWidth;
+  const name = portNameWidth(port.name, port.after !== undefined, kPortNameSize * (detail === "slim" ? kPortGrowth : 1));
   return {
-    width: Math.ceil(Math.max(54, nameWidth(port.name, kPortNameSize * (detail === "slim" ? kPortGrowth : 1)) + 16, condition + 16)),
+    width: Math.ceil(Math.max(54, name + 16, condition + 16)),
     height: detail === "slim" ? kSlimPortHeight : kPortHeight,
   };
 }

@@ -39,7 +39,7 @@ const kFormats: Readonly<Record<ElementKind, Format>> = {
   parameter: { name: requiredText, value: constant, from: text, type, unit: description, doc: description, meta },
   declaration: { name: requiredText, initial: constant, type, unit: description, doc: description, meta },
   action: { when: requiredText, do: requiredText, meta },
-  port: { name: requiredText, when: text, to: text, meta },
+  port: { name: requiredText, when: text, after: text, to: text, meta },
 };
 
 function kindIn(json: JsonObject, list: ListName): ElementKind {

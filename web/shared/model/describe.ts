@@ -1,6 +1,6 @@
 // The text section of a drawn state (Fig. 3.2, 3.3): parameters, results, functions and actions in one line each.
 import type { JsonValue } from "../json";
-import type { Parameter, State } from "./model";
+import type { Parameter, Port, State } from "./model";
 
 /** One line below a state's name; `label` is the thesis' word for it. */
 export interface Line {
@@ -30,6 +30,14 @@ function numberText(value: number): string {
 export function parameterText(parameter: Parameter): string {
   if (parameter.from !== undefined) return `${parameter.name} ← ${parameter.from}`;
   return parameter.value === undefined ? `${parameter.name} (required)` : `${parameter.name} = ${valueText(parameter.value)}`;
+}
+
+const kOneTerm = /^[\w.]+$/;
+
+/** When a port fires: its condition, or its time-out. */
+export function portText({ when, after }: Port): string {
+  if (after === undefined) return when;
+  return `after ${kOneTerm.test(after) ? after : `(${after})`} s`;
 }
 
 /** The first line of a function, with a mark where more follows. */

@@ -36,12 +36,25 @@ export interface Action extends Identified {
   readonly do: string;
 }
 
-/** Def. 3.8; `to` names a sibling of the source. */
-export interface Port extends Identified {
+interface AnyPort extends Identified {
   readonly name: string;
-  readonly when: string;
   readonly to?: string;
 }
+
+/** A port with a condition. */
+export interface ConditionPort extends AnyPort {
+  readonly when: string;
+  readonly after?: never;
+}
+
+/** A port with a time-out: `after` is an expression in the scope of its state, the time [s] after the activation of that. */
+export interface TimedPort extends AnyPort {
+  readonly when?: never;
+  readonly after: string;
+}
+
+/** Def. 3.8; `to` names a sibling of the source. */
+export type Port = ConditionPort | TimedPort;
 
 /** Def. 3.1. */
 export interface State extends Identified {

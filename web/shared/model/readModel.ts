@@ -1,7 +1,7 @@
 // A document as the pages use it: lists that may be absent in its JSON are empty here, and each node has its kind.
 import type { Document, RcmAction, RcmBarrier, RcmDeclaration, RcmParameter, RcmPort, RcmState } from "../../generated/messages";
 import { SchemaError } from "../messages/check";
-import type { Action, Barrier, Declaration, Node, Parameter, Port, RcmDocument, State } from "./model";
+import type { Action, Barrier, ConditionPort, Declaration, Node, Parameter, Port, RcmDocument, State, TimedPort } from "./model";
 
 type Optional<T> = { readonly [K in keyof T]: T[K] | undefined };
 
@@ -15,10 +15,15 @@ const readDeclaration = ({ name, initial, meta }: RcmDeclaration): Declaration =
 const readAction = ({ when, do: code, meta }: RcmAction): Action => present<Action>({ id: meta?.id, when, do: code });
 const readBarrier = ({ barrier, to, meta }: RcmBarrier): Barrier => present<Barrier>({ kind: "barrier", id: meta?.id, name: barrier, to });
 
-/** Only a port of a link may do without its condition, and a native model has no links. */
-function readPort({ name, when, to, meta }: RcmPort): Port {
-  if (when === undefined) throw new SchemaError(`/${name}/when`, "the condition of a port", when);
-  return present<Port>({ id: meta?.id, name, when, to });
+/** Only a port of a link may do without condition and time-out, and a native model has no links. */
+function readPort({ name, when, after, to, meta }: RcmPort): Port {
+  const port = { id: meta?.id, name, to };
+  if (after === undefined) {
+    if (when === undefined) throw new SchemaError(`/${name}/when`, "the condition of a port", when);
+    return present<ConditionPort>({ ...port, when, after });
+  }
+  if (when !== undefined) throw new SchemaError(`/${name}/after`, "no time-out beside a condition", after);
+  return present<TimedPort>({ ...port, when, after });
 }
 
 const readNode = (node: RcmState | RcmBarrier): Node => ("barrier" in node ? readBarrier(node) : readState(node));

@@ -1,4 +1,5 @@
 // Search over a model: nodes and ports by name and by code.
+import { portText } from "./describe";
 import type { ModelTree } from "./modelTree";
 
 export interface Hit {
@@ -24,7 +25,7 @@ export function search(tree: ModelTree, query: string): readonly Hit[] {
     for (const port of node.ports) {
       const target = `${path}.${port.name}`;
       if (has(port.name)) names.push({ kind: "port", target });
-      else if (has(port.when)) code.push({ kind: "port", target, context: port.when });
+      else if (has(portText(port))) code.push({ kind: "port", target, context: portText(port) });
     }
     const texts = [node.entry, node.exit, ...node.actions.flatMap((a) => [a.when, a.do]), ...node.parameters.map((p) => p.from ?? p.name)];
     const found = texts.find(has);

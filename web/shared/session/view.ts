@@ -1,14 +1,17 @@
 // The view of the task (selection, folding, panels) as a value, and the function that applies a gesture to it.
 import { assertNever } from "../assertNever";
 import type { Detail } from "../drawing/measure";
+import { timedElement } from "../model/afters";
 import { ancestry, portAt, splitAddress, type ModelTree } from "../model/modelTree";
 
 export type Selection = { readonly kind: "node"; readonly path: string } | { readonly kind: "port"; readonly address: string };
 
-/** What a model has at `address`: a node's path, or a port's `Root/A.success`; nothing if it has none. */
+/** What a model has at `address`: a node's path, or a port's `Root/A.success`; of what is a part of another element, that; nothing if it has none. */
 export function selectionAt(tree: ModelTree, address: string): Selection | undefined {
   if (tree.has(address)) return { kind: "node", path: address };
-  return portAt(tree, address) === undefined ? undefined : { kind: "port", address };
+  if (portAt(tree, address) !== undefined) return { kind: "port", address };
+  const whole = timedElement(tree, address);
+  return whole === undefined ? undefined : selectionAt(tree, whole);
 }
 
 /** `draft`: the errors of a document. */

@@ -105,6 +105,15 @@ describe("layoutModel", () => {
     const stumbling: LayoutEngine = (graph) => (first ? ((first = false), Promise.reject(new Error("stumbled"))) : engine(graph));
     expect((await layoutModel(stumbling, request)).nodes.length).toBeGreaterThan(1);
   });
+  it("draws a port with a time-out as such, without a line from a child", async () => {
+    const ports = [{ name: "late", after: "par.timeout" }, { name: "done", when: "chi.A.port.done" }];
+    const child: State = { kind: "state", name: "A", parameters: [], results: [], variables: [], actions: [], children: [], ports: [{ name: "done", when: "True" }] };
+    const root: State = { ...child, name: "Root", first: "A", children: [child], ports };
+    const drawing = await layoutModel(engine, { state: root, path: "Root", collapsed: new Set(), detail: "full", aspect: 1.6 });
+    const drawn = drawing.nodes[0]?.ports.map(({ name, condition, when, timed }) => [name, condition, when, timed]);
+    expect(drawn).toEqual([["late", "after par.timeout s", "after par.timeout s", true], ["done", "chi.A.port.done", "chi.A.port.done", false]]);
+    expect(drawing.lines.map(({ kind, to }) => [kind, to])).toEqual([["first", "Root/A"], ["exit", "Root.done"]]);
+  });
   it("gives a stub to exactly the ports that lead nowhere and that no parent names", async () => {
     const drawing = await draw("thesis-search-object-found");
     const loose = stubs(drawing).map((line) => line.from);

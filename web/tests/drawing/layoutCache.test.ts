@@ -4,7 +4,7 @@ import { describe, expect, it } from "vitest";
 import type { ElkGraph, LayoutEngine } from "../../shared/drawing/elk";
 import { layoutModel, type LayoutRequest } from "../../shared/drawing/layout";
 import { layoutCache } from "../../shared/drawing/layoutCache";
-import type { State } from "../../shared/model/model";
+import type { Port, State } from "../../shared/model/model";
 import { buildTree } from "../../shared/model/modelTree";
 
 const elk = new ELK();
@@ -77,6 +77,15 @@ describe("layoutCache", () => {
       await layoutModel(engine, other, memory);
       expect(counts.layouts).toBeGreaterThan(0);
     }
+  });
+  it("distinguishes a time-out from a condition of the same text, and from another time-out", () => {
+    const memory = layoutCache();
+    const ports: readonly Port[] = [{ name: "done", when: "2.5" }, { name: "done", after: "2.5" }, { name: "done", after: "3" }];
+    const looks = ports.map((port) => {
+      const state: State = { ...empty, ports: [port] };
+      return memory.look(state, state.name, "EAST", 1, request(state));
+    });
+    expect(new Set(looks).size).toBe(3);
   });
   it("counts its work to the end", async () => {
     const steps: (readonly [number, number])[] = [];

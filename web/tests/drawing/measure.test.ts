@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { leafBoxes, nameRoom, nameWidth, portNameRoom } from "../../shared/drawing/measure";
+import { conditionText, leafBoxes, nameRoom, nameWidth, portNameRoom, portSize } from "../../shared/drawing/measure";
 import type { DrawnNode } from "../../shared/drawing/drawing";
 import type { State } from "../../shared/model/model";
 
@@ -13,7 +13,7 @@ const leafState = (name: string, ports: readonly string[]): State => ({
 function drawn(name: string, side: "EAST" | "SOUTH", composite: boolean): DrawnNode {
   const state = leafState(name, ["success", "error"]);
   const { size, ports } = leafBoxes(state, side, "slim");
-  const boxes = ports.map((box, i) => ({ ...box, address: "", name: state.ports[i]?.name ?? "", condition: "", when: "", exits: true }));
+  const boxes = ports.map((box, i) => ({ ...box, address: "", name: state.ports[i]?.name ?? "", condition: "", when: "", timed: false, exits: true }));
   return { kind: "state", path: name, name, depth: 1, x: 0, y: 0, ...size, composite, open: false, lines: [], ports: boxes, side };
 }
 
@@ -31,6 +31,23 @@ describe("names far out", () => {
       expect(nameRoom(node)).toBeGreaterThanOrEqual(1.2);
       for (const port of node.ports) expect(portNameRoom(port)).toBeGreaterThanOrEqual(1.15);
     }
+  });
+});
+
+describe("a port with a time-out", () => {
+  const port = { name: "success", after: "par.timeout" } as const;
+  it("has room for a clock before its name, also far out", () => {
+    for (const detail of ["slim", "ports"] as const) {
+      const { width } = portSize(port, detail);
+      expect(width).toBeGreaterThanOrEqual(kMeasured["success"] ?? Infinity);
+      expect(width).toBeGreaterThanOrEqual(portSize({ name: "success", when: "" }, detail).width + 11);
+      const room = portNameRoom({ ...port, x: 0, y: 0, width, height: 29, address: "", condition: "", when: "", timed: true, exits: true });
+      expect(room).toBeGreaterThanOrEqual(detail === "slim" ? 1.15 : 1);
+    }
+  });
+  it("has its time-out written beneath", () => {
+    expect(conditionText(port)).toBe("after par.timeout s");
+    expect(conditionText({ name: "late", after: "par.timeout + par.more + 1" })).toHaveLength(28);
   });
 });
 

@@ -54,7 +54,7 @@ export class RandomEdits {
     const meta = { id: `${this.prefix}${this.count++}` };
     const name = `N${random.pick(5)}`;
     if (list === "actions") return { when: "True", do: "var.v = 1", meta };
-    if (list === "ports") return { name, when: "True", meta };
+    if (list === "ports") return { name, ...(random.chance(0.3) ? { after: "2.5" } : { when: "True" }), meta };
     if (list !== "children") return { name, initial: random.pick(9) / 4, meta };
     if (random.chance(0.2)) return { barrier: name, to: [], meta };
     const children = depth < 2 && random.chance(0.5) ? { children: [this.node(list, depth + 1), this.node(list, depth + 1)] } : {};
@@ -72,7 +72,7 @@ export class RandomEdits {
       case "action":
         return { op: "set", id, field: "do", value: `var.v = ${random.pick(9)}` };
       case "port":
-        return { op: "set", id, field: random.of(["to", "to", "name"]), ...(random.chance(0.7) && { value }) };
+        return { op: "set", id, field: random.of(["to", "to", "after", "when", "name"]), ...(random.chance(0.7) && { value }) };
       case "state":
         return { op: "set", id, field: random.of(["doc", "doc", "state", "entry"]), value };
       case "barrier":
