@@ -52,7 +52,7 @@ const shownStep = async () => Number(/step (\d+)/.exec(await task.getByRole("sta
 /** Waits until the page shows the current state of the server. */
 async function keepsUp(): Promise<void> {
   const step = await serverStep();
-  await expect.poll(shownStep, { timeout: 5000 }).toBeGreaterThanOrEqual(step);
+  await expect.poll(shownStep, { timeout: 20_000 }).toBeGreaterThanOrEqual(step);
 }
 
 describe("the demonstrator with an operator by script", () => {
