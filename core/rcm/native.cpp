@@ -26,7 +26,7 @@ Checked<NativeModel> read_model(const Value& json, const std::string& path) {
   auto native = translate(*document);
   if (!native) return below(std::move(native).error());
   if (native->root != document->root)
-    return below({{ErrorCode::oracle, "a native model has neither links nor oracles"}});
+    return below({{ErrorCode::oracle, "a native model has no links, oracles or `after`"}});
   return native;
 }
 

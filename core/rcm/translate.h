@@ -1,5 +1,5 @@
-// Translation (core/SEMANTICS.md, section 6): a document with links and oracles becomes a native model, which is what
-// executes. The document itself keeps its extended form for editing. Pure functions.
+// Translation (core/SEMANTICS.md, section 6): a document with links, oracles and `after` becomes a native model, which
+// is what executes. The document itself keeps its extended form for editing. Pure functions.
 #pragma once
 
 #include "core/rcm/model.h"

@@ -22,7 +22,8 @@ tl::expected<rcm::Document, FileErrors> load(const std::string& path) {
   return std::move(*document);
 }
 
-// race translate MODEL: the native model, without links and oracles, and where each of its elements comes from.
+// race translate MODEL: the native model, without links, oracles and `after`, and where each of its elements comes
+// from.
 int translate(const std::string& path) {
   const auto document = load(path);
   if (!document) return refuse(document.error());
@@ -87,7 +88,8 @@ std::function<int()> declare_format(Arguments& arguments) {
 
 }  // namespace
 
-const Command kTranslate = {"translate", "prints the native model, without links and oracles", declare_translate};
+const Command kTranslate = {"translate", "prints the native model, without links, oracles and `after`",
+                            declare_translate};
 const Command kFmt = {"fmt", "prints documents as files should hold them, with ids, or writes them so", declare_format};
 
 }  // namespace race::server

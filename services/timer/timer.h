@@ -1,4 +1,4 @@
-// Timer: on the time of the group it lives in, one alarm clock, and any number of waits (kMostWaits).
+// Timer: on the time of the group it lives in, one alarm clock, and waits, up to kMostWaits at a time.
 //
 //   wait(seconds)   deferred -> {"elapsed": seconds} when the time is over, each call by itself, in every state;
 //                   `invalid` as start; `too_many` at once if kMostWaits wait

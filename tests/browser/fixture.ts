@@ -16,6 +16,8 @@ const screenshots = join(project, "build/test/browser");
 export interface Fixture {
   readonly url: string;
   readonly page: Page;
+  /** A request to `/api/v1` + path, and the JSON of its answer; a refusal is an error. */
+  readonly send: (method: string, path: string, body?: unknown) => Promise<unknown>;
   /** Writes build/test/browser/NAME.png. */
   readonly screenshot: (name: string, of?: Page) => Promise<void>;
   /** A second browser window on the expert page, of this size if it is given [px]. */
@@ -96,6 +98,11 @@ export async function openFixture(...further: readonly string[]): Promise<Fixtur
       await second.goto(`${url}/pro/`);
       return second;
     };
+    const send = async (method: string, path: string, body?: unknown): Promise<unknown> => {
+      const answer = await fetch(`${url}/api/v1${path}`, { method, body: body === undefined ? null : JSON.stringify(body), headers: { "content-type": "application/json" } });
+      if (!answer.ok) throw new Error(`${path}: ${answer.status} ${await answer.text()}`);
+      return answer.json();
+    };
     const restart = async () => {
       server = await launch();
       await healthy(url, server);
@@ -104,7 +111,7 @@ export async function openFixture(...further: readonly string[]): Promise<Fixtur
       if (server.pid === undefined) throw new Error("there is no server");
       return server.pid;
     };
-    return { url, page, screenshot, openPage, pid, kill: () => end("SIGKILL"), restart, close };
+    return { url, page, send, screenshot, openPage, pid, kill: () => end("SIGKILL"), restart, close };
   } catch (error) {
     await close();
     throw error;

@@ -8,11 +8,7 @@ beforeAll(async () => {
 });
 afterAll(() => fixture.close());
 
-async function send(method: string, path: string, body?: unknown): Promise<{ readonly id: string }> {
-  const answer = await fetch(`${fixture.url}/api/v1${path}`, { method, body: body === undefined ? null : JSON.stringify(body), headers: { "content-type": "application/json" } });
-  if (!answer.ok) throw new Error(`${path}: ${answer.status} ${await answer.text()}`);
-  return (await answer.json()) as { readonly id: string };
-}
+const send = async (method: string, path: string, body?: unknown) => (await fixture.send(method, path, body)) as { readonly id: string };
 
 const composite = (name: string, id: string) => ({ state: name, first: "Go", children: [{ state: "Go", meta: { id: `${id}-go` } }], meta: { id } });
 

@@ -18,11 +18,7 @@ interface CoreAnswer {
   readonly step: number;
 }
 
-async function send(method: string, path: string, body?: unknown): Promise<CoreAnswer> {
-  const answer = await fetch(`${fixture.url}/api/v1${path}`, { method, body: body === undefined ? null : JSON.stringify(body), headers: { "content-type": "application/json" } });
-  if (!answer.ok) throw new Error(`${path}: ${answer.status} ${await answer.text()}`);
-  return (await answer.json()) as CoreAnswer;
-}
+const send = async (method: string, path: string, body?: unknown) => (await fixture.send(method, path, body)) as CoreAnswer;
 
 /** Waits for an hour; if that call is lost, for a moment, and is over. */
 const root = {

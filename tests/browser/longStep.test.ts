@@ -8,12 +8,6 @@ beforeAll(async () => {
 });
 afterAll(() => fixture.close());
 
-async function send(method: string, path: string, body?: unknown): Promise<unknown> {
-  const answer = await fetch(`${fixture.url}/api/v1${path}`, { method, body: body === undefined ? null : JSON.stringify(body), headers: { "content-type": "application/json" } });
-  if (!answer.ok) throw new Error(`${path}: ${answer.status} ${await answer.text()}`);
-  return answer.json();
-}
-
 /** Goes from Ping to Pong and back, until Ping was entered a hundred times, in one macro step. */
 const model = {
   rcm: 1,
@@ -36,16 +30,16 @@ describe("a macro step that comes in parts", () => {
     const { page, url } = fixture;
     const messages: string[] = [];
     page.on("websocket", (socket) => socket.on("framereceived", ({ payload }) => void messages.push(String(payload))));
-    await send("PUT", "/documents/long", model);
-    const { id } = (await send("POST", "/cores", { document: "long", arguments: {} })) as { readonly id: string };
+    await fixture.send("PUT", "/documents/long", model);
+    const { id } = (await fixture.send("POST", "/cores", { document: "long", arguments: {} })) as { readonly id: string };
     await page.goto(`${url}/pro/`);
     await page.getByText("The derivation of each macro step appears here").waitFor();
     // From its snapshot on, the page is sent the derivations; steps of before are recomputed, and come whole.
     await expect.poll(() => messages.some((message) => message.includes(`core/${id}/derivation`)), kSoon).toBe(true);
-    await send("POST", `/cores/${id}/start`);
+    await fixture.send("POST", `/cores/${id}/start`);
     const steps = page.getByRole("list", { name: "Macro steps" }).getByRole("listitem");
     await expect.poll(() => steps.allInnerTexts(), kSoon).toEqual([expect.stringMatching(/\d+ micro$/)]);
-    const { steps: derived } = (await send("GET", `/cores/${id}/derivations?from=1&to=1`)) as { readonly steps: readonly { readonly micro: readonly unknown[] }[] };
+    const { steps: derived } = (await fixture.send("GET", `/cores/${id}/derivations?from=1&to=1`)) as { readonly steps: readonly { readonly micro: readonly unknown[] }[] };
     const count = derived[0]?.micro.length ?? 0;
     expect(messages.filter((message) => message.includes('"complete":')).length).toBeGreaterThan(1);
     expect(await steps.allInnerTexts()).toEqual([expect.stringContaining(`${count} micro`)]);

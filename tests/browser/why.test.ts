@@ -18,16 +18,11 @@ const kTask = {
 let fixture: Fixture;
 let page: Page;
 
-async function send(method: string, path: string, body: object): Promise<void> {
-  const answer = await fetch(`${fixture.url}/api/v1${path}`, { method, headers: { "content-type": "application/json" }, body: JSON.stringify(body) });
-  if (!answer.ok) throw new Error(`${path}: ${await answer.text()}`);
-}
-
 beforeAll(async () => {
   fixture = await openFixture();
   page = fixture.page;
-  await send("PUT", "/documents/constant", kTask);
-  await send("POST", "/cores", { document: "constant" });
+  await fixture.send("PUT", "/documents/constant", kTask);
+  await fixture.send("POST", "/cores", { document: "constant" });
   await page.goto(`${fixture.url}/pro/`);
   await page.getByRole("group", { name: "State Root/A" }).waitFor();
 });
