@@ -5,6 +5,7 @@
 #include "core/edit/builder.h"
 #include "core/edit/compound.h"
 #include "core/edit/references.h"
+#include "core/rcm/deep_history.h"
 
 namespace race::edit {
 namespace {
@@ -19,6 +20,9 @@ class Group {
   Expected<Edit> make() {
     const rcm::State& composite = *state_of(tree_, parent_);
     if (composite.oracle) fail(ErrorCode::oracle, "the parent chooses among its children", parent_);
+    if (rcm::is_resumed(tree_.document(), parent_))
+      fail(ErrorCode::keep, "a deep history goes on with a child of the parent, and would begin the group anew",
+           parent_);
     find_first(composite);
     for (const std::string& id : members_) {
       check_barrier(id);

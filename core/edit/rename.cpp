@@ -123,10 +123,15 @@ class Renaming {
 
   void port_lists(const std::string& parent) {
     const rcm::State& state = *state_of(tree(), parent);
-    if (state.keep && !state.keep->any) builder_.set(parent, "keep", renamed(state.keep->ports));
-    const auto& oracle = state_of(tree(), parent)->oracle;
-    if (oracle && oracle->resume)
-      builder_.set(parent, "oracle", Dict{{"kind", "history"}, {"resume", renamed(*oracle->resume)}});
+    if (state.keep && !state.keep->ports.empty()) {
+      const Value ports = renamed(state.keep->ports);
+      builder_.set(parent, "keep", state.keep->deep ? Value(Dict{{"deep", true}, {"ports", ports}}) : ports);
+    }
+    if (state.oracle && state.oracle->resume) {
+      Dict oracle{{"kind", "history"}, {"resume", renamed(*state.oracle->resume)}};
+      if (state.oracle->deep) oracle.set("deep", true);
+      builder_.set(parent, "oracle", std::move(oracle));
+    }
   }
 
   /// A port, parameter or result of a state: in its own texts, in those of its parent, and the same for the states that

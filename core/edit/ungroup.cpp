@@ -6,6 +6,7 @@
 #include "core/edit/compound.h"
 #include "core/edit/references.h"
 #include "core/language/values/printing.h"
+#include "core/rcm/deep_history.h"
 
 namespace race::edit {
 namespace {
@@ -49,6 +50,8 @@ class Ungroup {
       fail("a state with a link, an oracle, `entry`, `exit`, `keep` for some ports or variables is more than a group",
            id_);
     if (state_of(tree_, parent_)->oracle) fail("the parent chooses among its children", parent_);
+    if (rcm::is_resumed(tree_.document(), parent_))
+      fail("a deep history goes on with a child of the parent, but begins the group anew", id_);
   }
 
   void check_names() {

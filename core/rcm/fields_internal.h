@@ -91,6 +91,17 @@ void for_each_field(const Oracle& oracle, Visit& visit) {
   if (oracle.kind == Oracle::Kind::expr) visit("expr", oracle.text);
   if (oracle.kind == Oracle::Kind::external) visit("call", oracle.text);
   if (oracle.kind == Oracle::Kind::history && oracle.resume) visit("resume", *oracle.resume);
+  if (oracle.deep) visit("deep", Value(true));
+}
+
+inline Value keep_json(const Keep& keep) {
+  if (!keep.deep && keep.any) return true;
+  List ports;
+  for (const std::string& port : keep.ports) ports.push_back(port);
+  if (!keep.deep) return ports;
+  Dict out{{"deep", true}};
+  if (!keep.any) out.set("ports", std::move(ports));
+  return out;
 }
 
 template <typename Visit>
@@ -106,8 +117,7 @@ void for_each_field(const State& state, Visit& visit) {
   visit_list("children", state.children, visit);
   visit_text("first", state.first, visit);
   visit_list("ports", state.ports, visit);
-  if (state.keep && state.keep->any) visit("keep", Value(true));
-  if (state.keep && !state.keep->any) visit("keep", state.keep->ports);
+  if (state.keep) visit("keep", keep_json(*state.keep));
   visit_text("link", state.link, visit);
   if (state.oracle) visit("oracle", *state.oracle);
   visit_meta(state.meta, visit);

@@ -70,13 +70,15 @@ struct Oracle {
   enum class Kind { expr, external, history } kind = Kind::expr;
   std::string text;
   std::optional<std::vector<std::string>> resume;  // history
+  bool deep = false;                               // history: of the states inside, too
   bool operator==(const Oracle&) const = default;
 };
 
 /// `keep` (R8): through which ports a state may be left and keep its values.
 struct Keep {
   bool any = false;
-  std::vector<std::string> ports;
+  std::vector<std::string> ports = {};
+  bool deep = false;  // R26: it also keeps them when it is left with its parent, and what its children have kept
   bool operator==(const Keep&) const = default;
 };
 

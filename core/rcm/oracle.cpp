@@ -69,7 +69,8 @@ void remember_child(State& composite, DerivedIds& ids) {
                                        "var.last_active = " + quoted(child->name),
                                        Meta{ids(last.id, child->meta.id), Value()}});
   const auto& resume = composite.oracle->resume;
-  composite.keep = resume ? Keep{.any = false, .ports = *resume} : Keep{.any = true, .ports = {}};
+  composite.keep =
+      Keep{.any = !resume, .ports = resume.value_or(std::vector<std::string>()), .deep = composite.oracle->deep};
 }
 
 }  // namespace

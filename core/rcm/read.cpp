@@ -124,21 +124,44 @@ std::optional<Port> read_port(const Value& json, const std::string& state, ReadE
   return out;
 }
 
-std::optional<Keep> read_keep(Fields& fields) {
+/// A list of ports under `key`; without it, none is given.
+std::optional<std::vector<std::string>> read_ports(Fields& fields, std::string_view key) {
+  const Value* ports = fields.find(key);
+  if (!ports) return std::nullopt;
+  auto names = fields.texts(key);
+  return ports->is_list() ? std::optional(std::move(names)) : std::nullopt;
+}
+
+/// `deep`, which is true or absent.
+bool read_deep(Fields& fields) {
+  const Value* deep = fields.find("deep");
+  if (!deep) return false;
+  if (!deep->is_bool() || !deep->as_bool()) fields.violation(ErrorCode::type, "`deep` must be true, or absent");
+  return true;
+}
+
+std::optional<Keep> read_deep_keep(const Value& json, const std::string& path, ReadErrors& errors) {
+  Fields fields(json, path, "keep", errors);
+  if (!read_deep(fields)) fields.violation(ErrorCode::missing, "the field `deep` is missing");
+  auto ports = read_ports(fields, "ports");
+  fields.close();
+  return Keep{.any = !ports, .ports = std::move(ports).value_or(std::vector<std::string>()), .deep = true};
+}
+
+std::optional<Keep> read_keep(Fields& fields, const std::string& path, ReadErrors& errors) {
   const Value* keep = fields.find("keep");
   if (!keep) return std::nullopt;
-  if (keep->is_bool() && keep->as_bool()) return Keep{.any = true, .ports = {}};
-  if (keep->is_list()) return Keep{.any = false, .ports = fields.texts("keep")};
-  fields.violation(ErrorCode::type, "`keep` must be true or a list of ports, got " + std::string(kind_name(*keep)));
+  if (keep->is_bool() && keep->as_bool()) return Keep{.any = true};
+  if (keep->is_list()) return Keep{.ports = fields.texts("keep")};
+  if (keep->is_dict()) return read_deep_keep(*keep, path, errors);
+  fields.violation(ErrorCode::type,
+                   "`keep` must be true, a list of ports or an object, got " + std::string(kind_name(*keep)));
   return std::nullopt;
 }
 
 std::optional<Oracle> read_history(Fields& fields) {
-  Oracle out{Oracle::Kind::history, "", std::nullopt};
-  if (const Value* resume = fields.find("resume")) {
-    out.resume = fields.texts("resume");
-    if (!resume->is_list()) out.resume.reset();
-  }
+  Oracle out{.kind = Oracle::Kind::history, .text = "", .resume = read_ports(fields, "resume")};
+  out.deep = read_deep(fields);
   fields.close();
   return out;
 }
@@ -147,7 +170,7 @@ std::optional<Oracle> read_oracle_text(Fields& fields, Oracle::Kind kind, std::s
   const auto text = fields.text(key, Need::required);
   fields.close();
   if (!text) return std::nullopt;
-  return Oracle{kind, *text, std::nullopt};
+  return Oracle{.kind = kind, .text = *text, .resume = std::nullopt};
 }
 
 std::optional<Oracle> read_oracle(const Value* json, const std::string& path, ReadErrors& errors) {
@@ -189,7 +212,7 @@ std::optional<Node> read_node(const Value& json, const std::string& parent, Read
   const std::string path = node_path(parent, label(json, barrier ? "barrier" : "state"));
   if (barrier) return read_barrier(json, path, errors);
   if (!json.is_dict()) {
-    Fields(json, parent, "child", errors);
+    const Fields refused(json, parent, "child", errors);
     return std::nullopt;
   }
   return read_state(json, path, errors);
@@ -215,7 +238,7 @@ State read_state(const Value& json, const std::string& path, ReadErrors& errors)
       read_all<Node>(fields.list("children"), [&](const Value& item) { return read_node(item, path, errors); });
   out.first = fields.text("first");
   out.ports = read_all<Port>(fields.list("ports"), [&](const Value& item) { return read_port(item, path, errors); });
-  out.keep = read_keep(fields);
+  out.keep = read_keep(fields, path, errors);
   out.link = fields.text("link");
   out.oracle = read_oracle(fields.find("oracle"), path, errors);
   out.meta = read_meta(fields, errors);

@@ -4,6 +4,7 @@
 #include "core/rcm/after.h"
 #include "core/rcm/call_text.h"
 #include "core/rcm/constraints_internal.h"
+#include "core/rcm/deep_history.h"
 #include "core/rcm/oracle.h"
 #include "core/rcm/path.h"
 #include "core/value/fields.h"
@@ -31,6 +32,7 @@ class Structure {
   Structure(const Library& library, std::vector<Error>& errors) : library_(library), errors_(errors) {}
 
   void check_document(const Document& document, bool has_root) {
+    resumed_ = resumed_states(document, library_);
     for (const auto& [key, type] : document.services) {
       if (!is_name(key)) add(ErrorCode::name, "", "service: " + quote(key) + " is no name");
     }
@@ -86,6 +88,7 @@ class Structure {
     if (state.first && !level.has(*state.first))
       add(ErrorCode::first, path, "`first`: there is no child " + quote(*state.first));
     if (state.oracle) check_oracle(state, path, level);
+    if (resumed_.contains(&state)) check_made_names(state, path, level, true, true);
     check_after(state, path, level);
     check_children(state, path, level);
   }
@@ -184,7 +187,7 @@ class Structure {
       add(ErrorCode::oracle, path, "`call` must be a call such as svc.Oracle.decide(par, res, var)");
     if (history && state.keep) add(ErrorCode::oracle, path, "a history has no `keep` of its own");
     if (history && oracle.resume) check_keep("resume", *oracle.resume, state, path);
-    check_made_names(state, path, level, history);
+    check_made_names(state, path, level, history, false);
   }
 
   /// The names that the translation of `after` adds must be free.
@@ -198,18 +201,21 @@ class Structure {
       add(ErrorCode::duplicate, path, "child `After`: the `after` of a port makes a barrier of this name");
   }
 
-  /// The names that the translation of the oracle adds must be free.
-  void check_made_names(const State& state, const std::string& path, const Level& level, bool history) {
+  /// The names that the translation of an oracle adds must be free. `around`: it is that of a state around this one.
+  void check_made_names(const State& state, const std::string& path, const Level& level, bool history, bool around) {
+    const std::string oracle = around ? "deep history around it" : "oracle";
     if (level.has(kDispatcher))
-      add(ErrorCode::duplicate, path, "child `Dispatcher`: the oracle makes a state of this name");
+      add(ErrorCode::duplicate, path, "child `Dispatcher`: the " + oracle + " makes a state of this name");
     for (const Datum& variable : state.variables) {
       if (history && variable.name == kLastActive)
-        add(ErrorCode::duplicate, path, "variable `last_active`: the history makes a variable of this name");
+        add(ErrorCode::duplicate, path,
+            "variable `last_active`: the " + (around ? oracle : "history") + " makes a variable of this name");
     }
   }
 
   const Library& library_;
   std::vector<Error>& errors_;
+  std::set<const State*> resumed_;
 };
 
 }  // namespace

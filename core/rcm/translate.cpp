@@ -2,6 +2,7 @@
 
 #include "core/rcm/after.h"
 #include "core/rcm/constraints.h"
+#include "core/rcm/deep_history.h"
 #include "core/rcm/ids.h"
 #include "core/rcm/library.h"
 #include "core/rcm/oracle.h"
@@ -49,23 +50,23 @@ class Translation {
 
   State translate_root(const State& root) {
     const std::string path = node_path("", root.name);
-    return translate_state(root, root.meta.id, path, path, NativeIds(derived_));
+    return translate_state(root, root.meta.id, path, path, NativeIds(derived_), false);
   }
 
  private:
   /// The native form of the state with the path `from` in the document and, in the native model, the path `path` and
-  /// the id `id`.
+  /// the id `id`; `inside`: its parent resumes by a deep history.
   State translate_state(const State& state, const std::string& id, const std::string& path, const std::string& from,
-                        const NativeIds& ids) {
-    return state.link ? follow_link(state, id, path, from, ids) : expand(state, id, path, from, ids);
+                        const NativeIds& ids, bool inside) {
+    return state.link ? follow_link(state, id, path, from, ids, inside) : expand(state, id, path, from, ids, inside);
   }
 
   /// 3.3.1: everything of the library state, but for the name, the expressions and the destinations of the link.
   State follow_link(const State& state, const std::string& id, const std::string& path, const std::string& from,
-                    const NativeIds& ids) {
+                    const NativeIds& ids, bool inside) {
     State own = state;
     ids.make_native(own, id);
-    State out = translate_state(*library_.find(*own.link), id, path, library_path(*own.link), ids.below(id));
+    State out = translate_state(*library_.find(*own.link), id, path, library_path(*own.link), ids.below(id), inside);
     out.name = own.name;
     if (!own.doc.empty()) out.doc = own.doc;
     out.meta = merged_meta(out.meta, own.meta);
@@ -83,22 +84,24 @@ class Translation {
   }
 
   State expand(const State& state, const std::string& id, const std::string& path, const std::string& from,
-               const NativeIds& ids) {
+               const NativeIds& ids, bool inside) {
     State out = without_children(state);
     ids.make_native(out, id);
+    out.oracle = oracle_of(state, inside);
+    const bool inside_deep = is_deep(out.oracle);
     origin_[path] = from;
     for (const Port& port : state.ports) origin_[port_path(path, port.name)] = port_path(from, port.name);
     for (const Node& child : state.children) {
       const std::string at = node_path(path, name_of(child)), origin = node_path(from, name_of(child));
       if (const auto* inner = std::get_if<State>(&child)) {
-        out.children.emplace_back(translate_state(*inner, ids.native(inner->meta.id), at, origin, ids));
+        out.children.emplace_back(translate_state(*inner, ids.native(inner->meta.id), at, origin, ids, inside_deep));
       } else {
         origin_[at] = origin;
         out.children.push_back(child);
         ids.make_native(std::get<Barrier>(out.children.back()).meta);
       }
     }
-    if (state.oracle) decide(out, path, from);
+    if (out.oracle) decide(out, path, from);
     wait(out, path, from);
     return out;
   }

@@ -117,10 +117,19 @@ class CarryOver {
     carried.activated_at = live.activated_at;
     carried.calls_before = live.calls_before;
     carried.activations = live.activations;
+    carried.life = live.life;
     carried.resolved_in = live.resolved_in;
-    if (!new_[s].keeps || new_[s].parent == kNoState) return;  // R8
+    if (new_[s].keeps && new_[s].parent != kNoState) carry_leaving(s, live, carried);
+  }
+
+  // R8, R26: how the state was left.
+  void carry_leaving(StateId s, const Live& live, Live& carried) {
+    if (live.left_through == kNoPort) {
+      if (new_[s].keeps_deep) carried.left_during = live.left_during;
+      return;
+    }
     for (const PortId p : new_[s].ports) {
-      if (live.left_through == kNoPort || same_.port(p) != live.left_through) continue;
+      if (same_.port(p) != live.left_through) continue;
       carried.left_through = p;
       carried.left_during = live.left_during;
     }

@@ -42,12 +42,12 @@ class StateCheck {
     if (is_on(p_.flag(s)) && !is_root && !is_on(p_.flag(info.parent)))
       conflict(info.path, "an active state is in an active state");
     if (is_on(p_.flag(s)) && live.activations == 0) conflict(info.path, "an active state has been activated");
-    if (live.left_through == kNoPort) {
-      if (live.left_during != 0) conflict(info.path, "`left_during` needs `left_through`");
-    } else if (is_root || !info.keeps || live.left_during == 0 ||
-               live.left_during > r_.live[index(info.parent)].activations) {
-      conflict(info.path, "`left_through` is of a state with `keep`, in an activation of its parent");
-    }
+    if (live.life > live.activations) conflict(info.path, "`life` is the number of an activation");
+    if (live.left_through == kNoPort && live.left_during == 0) return;
+    if (live.left_through == kNoPort && !info.keeps_deep)
+      conflict(info.path, "`left_during` needs `left_through`, if `keep` is not `deep`");
+    else if (is_root || !info.keeps || live.left_during == 0 || live.left_during > r_.live[index(info.parent)].life)
+      conflict(info.path, "`left_through` is of a state with `keep`, in a life of its parent");
   }
 
   void check_port(PortId p) {

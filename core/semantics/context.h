@@ -29,8 +29,9 @@ struct Live {
   std::uint64_t activated_at = 0;  // tick of the last activation, R19
   std::uint64_t calls_before = 0;  // calls of the run before the last activation, R20
   std::uint32_t activations = 0;
-  PortId left_through = kNoPort;  // R8: by which port it was last left,
-  std::uint32_t left_during = 0;  // in which activation of its parent
+  std::uint32_t life = 0;         // R26: since which activation it keeps what it has
+  PortId left_through = kNoPort;  // R8: by which port it was last left, none: with its parent (R26),
+  std::uint32_t left_during = 0;  // in which life of its parent
   std::uint64_t resolved_in = 0;  // transition in which its parameters were resolved, R23
 
   std::vector<PortId> active_ports;         // of children, with destination: active_ports(Δ,s) of 3.28

@@ -104,6 +104,7 @@ struct StateInfo {
   bool stateless = false;                 // nothing that R8 could reset: no results, variables or child states
   bool read_by_parent = false;            // its parent reads a parameter or result of it
   bool keeps = false, keeps_any = false;  // R8
+  bool keeps_deep = false;                // R26
   NodeRef first;
   Code entry, exit;
   ValueIndex first_parameter = 0, first_result = 0, first_variable = 0;

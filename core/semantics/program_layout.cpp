@@ -150,6 +150,7 @@ class Layout {
     if (syntax.keep) {
       state.keeps = true;
       state.keeps_any = syntax.keep->any;
+      state.keeps_deep = syntax.keep->deep;
       for (const PortId port : state.ports)
         if (std::ranges::find(syntax.keep->ports, p_[port].name) != syntax.keep->ports.end())
           state.keep_ports.push_back(port);

@@ -200,6 +200,8 @@ class StateReader {
     Live& live = r_.live[index(s)];
     set_flag(fields, "active", r_.flags[p_.flag(s)]);
     live.activations = static_cast<std::uint32_t>(read_number(fields, "activations", 0, kMost32));
+    live.life =
+        fields.find("life") ? static_cast<std::uint32_t>(read_number(fields, "life", 1, kMost32)) : live.activations;
     live.activated_in = read_number(fields, "activated_in", 0, r_.epoch);
     live.activated_at = read_number(fields, "activated_at", 0, r_.tick);
     live.calls_before = read_number(fields, "calls_before", 0, kMost);

@@ -96,10 +96,9 @@ class StateWriter {
     set_number(out, "activated_in", live.activated_in);
     set_number(out, "activated_at", live.activated_at);
     set_number(out, "calls_before", live.calls_before);
-    if (live.left_through != kNoPort) {
-      out.set("left_through", p_[live.left_through].name);
-      out.set("left_during", integer(live.left_during));
-    }
+    if (live.life != live.activations) out.set("life", integer(live.life));
+    if (live.left_through != kNoPort) out.set("left_through", p_[live.left_through].name);
+    set_number(out, "left_during", live.left_during);
     std::vector<std::string> parameters;
     for (const ParameterInfo& parameter : info.parameters) parameters.push_back(parameter.name);
     set_some(out, "parameters", values(parameters, info.first_parameter));

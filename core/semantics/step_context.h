@@ -43,7 +43,7 @@ class StepContext {
 
   /// R8, R22: what an earlier activation of `s` left is gone, unless `keep` says otherwise.
   void clear_earlier_activation(StateId s);
-  /// R8: `s` was left through `p`.
+  /// R8: `s` was left through `p`; none: with its parent (R26).
   void set_left_through(StateId s, PortId p);
 
   // Σ: executed (3.16, R19), triggered (R9) and occurrences (R21)
@@ -86,7 +86,7 @@ class StepContext {
   }
   void list_active_child(StateId s, StateId parent);
   void unlist_active_child(StateId s, StateId parent);
-  bool keeps_values(StateId s) const;
+  bool keeps_values(StateId s) const;  // requires a state with `keep`
 };
 
 inline void StepContext::set_active(StateId s) {
@@ -141,6 +141,7 @@ inline void StepContext::set_active(PortId p) {
 inline void StepContext::set_inactive(StateId s) {
   const StateId parent = program[s].parent;
   set_flag(program.flag(s), false, s, parent);
+  if (program[s].keeps) set_left_through(s, kNoPort);
   --run.active_states;
   if (parent != kNoState) unlist_active_child(s, parent);
 }
@@ -193,7 +194,7 @@ inline std::vector<BarrierId>& StepContext::take_active_barriers(StateId s) {
 }
 
 // REFINEMENT R22: an arrival of an earlier activation is no arrival; and the ports of a state that is entered are
-// inactive. REFINEMENT R8: its values are initial.
+// inactive. REFINEMENT R8, R26: its values are initial, and a new life begins.
 inline void StepContext::clear_earlier_activation(StateId s) {
   const StateInfo& info = program[s];
   for (const PortId p : info.ports) {
@@ -202,23 +203,28 @@ inline void StepContext::clear_earlier_activation(StateId s) {
     set_flag(program.flag(p), false, s, info.parent);
     if (info.parent != kNoState) std::erase(live(info.parent).unconnected_ports, p);
   }
-  if (!info.stateless && !keeps_values(s)) reset_values(run, program, s, work.log.values);
+  if (!info.keeps || !keeps_values(s)) {
+    live(s).life = live(s).activations;
+    if (!info.stateless) reset_values(run, program, s, work.log.values);
+  } else if (!info.keeps_deep) {
+    live(s).life = live(s).activations;
+  }
   if (info.read_by_parent) mark_dirty(run, info.parent);
 }
 
 inline bool StepContext::keeps_values(StateId s) const {
   const StateInfo& info = program[s];
   const Live& state = live(s);
-  return info.keeps && info.parent != kNoState && state.left_through != kNoPort &&
-         state.left_during == live(info.parent).activations &&
-         (info.keeps_any || std::ranges::find(info.keep_ports, state.left_through) != info.keep_ports.end());
+  if (info.parent == kNoState || state.left_during != live(info.parent).life) return false;
+  if (state.left_through == kNoPort) return info.keeps_deep;
+  return info.keeps_any || std::ranges::find(info.keep_ports, state.left_through) != info.keep_ports.end();
 }
 
 inline void StepContext::set_left_through(StateId s, PortId p) {
   const StateInfo& info = program[s];
   if (!info.keeps || info.parent == kNoState) return;
   live(s).left_through = p;
-  live(s).left_during = live(info.parent).activations;
+  live(s).left_during = p != kNoPort || info.keeps_deep ? live(info.parent).life : 0;
 }
 
 inline void StepContext::set_executed(ActionId a) {

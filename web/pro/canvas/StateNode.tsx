@@ -6,6 +6,7 @@ import { liveValue } from "../../shared/drawing/live";
 import { nameRoom, portNameRoom } from "../../shared/drawing/measure";
 import { waitingState } from "../../shared/model/afters";
 import { clip, valueText, type Line } from "../../shared/model/describe";
+import type { Dispatcher } from "../../shared/model/model";
 import { useView, view } from "../client";
 import { Icon } from "../panels/Icon";
 import { useLive } from "./useLive";
@@ -47,8 +48,8 @@ export function StateNode({ data: { drawn } }: NodeProps<StateFlowNode>) {
   );
 }
 
-/** The sign of a dispatcher: by history, or by an expression or a service. */
-const kSigns = { history: "H", choice: "?" } as const;
+/** The signs of dispatchers: those of UML for histories. */
+const kSigns: Readonly<Record<Dispatcher, string>> = { history: "H", "deep history": "H*", choice: "?" };
 
 const titleOf = ({ dispatcher, name }: DrawnNode): string => (dispatcher === undefined ? name : `${name} of the oracle: which state is entered first`);
 

@@ -1,5 +1,6 @@
 // A laid out model: what the canvas paints, in pixels at zoom 1, origin at the top left corner.
 import type { Line } from "../model/describe";
+import type { Dispatcher } from "../model/model";
 
 export interface Point {
   readonly x: number;
@@ -40,7 +41,7 @@ export interface DrawnNode extends Box {
   readonly side: Side;
   readonly badge?: string;
   /** Decides where its parent begins (3.3.2): drawn as a sign, not as a state. */
-  readonly dispatcher?: "history" | "choice";
+  readonly dispatcher?: Dispatcher;
 }
 
 /** `transition`: port to sibling; `fork`: barrier to state; `first`: composite to child; `exit`: child's port to parent's port; `nowhere`: a port without either. */

@@ -271,9 +271,7 @@ function drawState(
     return [{ ...box, address: `${path}.${port.name}`, name: port.name, condition, when: portText(port), timed, exits: port.to === undefined }];
   });
   const badge = badgeText(state);
-  // An oracle by history leads its dispatcher by what the parent has kept.
-  const history = state.parameters.some(({ from }) => from === "var.last_active");
-  const dispatcher = state.dispatcher === true ? ({ dispatcher: history ? "history" : "choice" } as const) : {};
+  const dispatcher = state.dispatcher === undefined ? {} : { dispatcher: state.dispatcher };
   return {
     kind: "state", path, name: state.name, depth, x: 0, y: 0, ...size, composite: state.children.length > 0, open,
     lines: drawnLines(state, request.detail), ports, side, ...(badge === undefined ? {} : { badge }), ...dispatcher,

@@ -72,7 +72,7 @@ export interface Size {
 
 /** The text section: one line each in a leaf; a composite is wide, so its lines of one label share a row. */
 export function drawnLines(state: State, detail: Detail): readonly Line[] {
-  if (detail !== "full" || state.dispatcher === true) return [];
+  if (detail !== "full" || state.dispatcher !== undefined) return [];
   const lines = describeState(state);
   if (state.children.length === 0) return lines.map((line) => ({ ...line, text: clip(line.text, kTextLimit) }));
   const labels = [...new Set(lines.map((line) => line.label))].filter((label) => label !== "action");
@@ -145,7 +145,7 @@ function dispatcherBoxes(state: State, side: Side): { readonly size: Size; reado
 
 /** A state that is drawn without children: its size and the place of each port on its border. */
 export function leafBoxes(state: State, side: Side, detail: Detail): { readonly size: Size; readonly ports: readonly Box[] } {
-  if (state.dispatcher === true) return dispatcherBoxes(state, side);
+  if (state.dispatcher !== undefined) return dispatcherBoxes(state, side);
   const head = headSize(state, detail);
   const sizes = state.ports.map((port) => portSize(port, detail));
   if (side === "EAST") {

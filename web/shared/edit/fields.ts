@@ -44,9 +44,19 @@ export const constant: FieldReader = (value, field) => {
   throw new Refusal("constant", `\`${field}\` has a number out of the range of a double`);
 };
 
+/** `deep`, which is true or absent. */
+const deep: FieldReader = (value) => {
+  if (value === undefined || value === true) return value;
+  throw wrongType("deep", "true, or absent");
+};
+
+const ports: FieldReader = (value, field) => (value === undefined ? undefined : requiredTexts(value, field));
+
 export const keep: FieldReader = (value, field) => {
   if (value === undefined || value === true || isTexts(value)) return value;
-  throw wrongType(field, "true or a list of ports");
+  if (!isObject(value)) throw wrongType(field, "true, a list of ports or an object");
+  if (value.deep === undefined) throw new Refusal("missing", "the field `deep` is missing");
+  return readFields(value, { deep, ports });
 };
 
 const kPlainTypes: readonly JsonValue[] = ["any", "null", "bool", "int", "number", "string", "pose", "image"];
@@ -72,7 +82,7 @@ export const type: FieldReader = (value, field) => {
 const kOracles: Readonly<Record<string, Readonly<Record<string, FieldReader>>>> = {
   expr: { expr: requiredText },
   external: { call: requiredText },
-  history: { resume: (value, field) => (value === undefined ? undefined : requiredTexts(value, field)) },
+  history: { resume: ports, deep },
 };
 
 export const oracle: FieldReader = (value, field) => {

@@ -56,6 +56,9 @@ export interface TimedPort extends AnyPort {
 /** Def. 3.8; `to` names a sibling of the source. */
 export type Port = ConditionPort | TimedPort;
 
+/** By what it decides: the child that was active last, alone or with the states inside; an expression or a service. */
+export type Dispatcher = "history" | "deep history" | "choice";
+
 /** Def. 3.1. */
 export interface State extends Identified {
   readonly kind: "state";
@@ -72,10 +75,12 @@ export interface State extends Identified {
   readonly ports: readonly Port[];
   /** Library state that this one takes over (3.3.1). */
   readonly link?: string;
-  /** The expression, call or `history` of its dynamic oracle (3.3.2); of a document that is not translated, the kind. */
+  /** It keeps its values when it is left with its parent, too (R26). */
+  readonly keepsDeep?: true;
+  /** The expression or call of its dynamic oracle (3.3.2), `history` or `deep history`; of a document that is not translated, the kind. */
   readonly oracle?: string;
   /** Made by the translation of an oracle: decides which sibling is entered first. */
-  readonly dispatcher?: true;
+  readonly dispatcher?: Dispatcher;
 }
 
 /** Def. 3.9. */

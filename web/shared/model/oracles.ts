@@ -1,14 +1,15 @@
 // Dynamic oracles (thesis 3.3.2) in a translated model: the state in front of a composite's children that was not written by
 // the author is its dispatcher, which implements the oracle.
-import type { Node, State } from "./model";
+import type { Dispatcher, Node, State } from "./model";
 
 /** Path in the native model -> path in the document that it was translated from (api/schemas: native). */
 export type Origin = Readonly<Record<string, string>>;
 
-/** `history`, or the expression or call that chooses the first child. */
-function oracleOf(dispatcher: State): string {
-  const choice = dispatcher.parameters.find(({ name }) => name === "choice")?.from;
-  return choice === "var.last_active" ? "history" : (choice ?? dispatcher.entry ?? "external");
+const choiceOf = (dispatcher: State) => dispatcher.parameters.find(({ name }) => name === "choice")?.from;
+
+function kindOf(dispatcher: State, { keepsDeep }: State): Dispatcher {
+  if (choiceOf(dispatcher) !== "var.last_active") return "choice";
+  return keepsDeep === true ? "deep history" : "history";
 }
 
 /** The model with its dispatchers marked, and the oracles in the states that have one. */
@@ -20,9 +21,11 @@ export function withOracles(root: State, origin: Origin): State {
     const translated = first?.kind === "state" && state.children.some(({ name }) => origin[`${path}/${name}`] === `${home ?? ""}/${name}`);
     const children = state.children.map((child): Node => {
       if (child.kind === "barrier") return child;
-      return mark(translated && child === first ? { ...child, dispatcher: true } : child, `${path}/${child.name}`);
+      return mark(translated && child === first ? { ...child, dispatcher: kindOf(child, state) } : child, `${path}/${child.name}`);
     });
-    return translated ? { ...state, children, oracle: oracleOf(first) } : { ...state, children };
+    if (!translated) return { ...state, children };
+    const kind = kindOf(first, state);
+    return { ...state, children, oracle: kind === "choice" ? (choiceOf(first) ?? first.entry ?? "external") : kind };
   };
   return mark(root, root.name);
 }

@@ -44,6 +44,7 @@ function readState(state: RcmState): State {
     first: state.first,
     ports: (state.ports ?? []).map(readPort),
     link: state.link,
+    keepsDeep: typeof state.keep === "object" && "deep" in state.keep ? true : undefined,
     oracle: state.oracle?.kind,
     dispatcher: undefined,
   });

@@ -53,7 +53,7 @@ describe("a port with a time-out", () => {
 
 describe("a dispatcher", () => {
   it("is small, and as long as its ways need", () => {
-    const sign = (ways: number) => leafBoxes({ ...leafState("Dispatcher", Array.from({ length: ways }, (_, i) => `to_State${i}`)), dispatcher: true }, "EAST", "full");
+    const sign = (ways: number) => leafBoxes({ ...leafState("Dispatcher", Array.from({ length: ways }, (_, i) => `to_State${i}`)), dispatcher: "choice" }, "EAST", "full");
     expect([sign(2).size, sign(1).size]).toEqual([{ width: 40, height: 40 }, { width: 40, height: 40 }]);
     const { size, ports } = sign(9);
     expect(size.width).toBe(40);

@@ -51,6 +51,6 @@ describe("elementsById", () => {
     const state = identified.get("Root")?.node;
     if (state?.kind !== "state") throw new Error("the example has no root");
     const marked = withOracles(state, { Root: "Root", "Root/Count": "Root", "Root/End": "Root/End" });
-    expect(elementsById(buildTree(marked)).get("9b1deb4d-3b7d-4bad-9bdd-2b0d7b3dcb6d")?.element).toMatchObject({ dispatcher: true });
+    expect(elementsById(buildTree(marked)).get("9b1deb4d-3b7d-4bad-9bdd-2b0d7b3dcb6d")?.element).toMatchObject({ dispatcher: "choice" });
   });
 });

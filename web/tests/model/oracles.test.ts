@@ -6,28 +6,33 @@ import { withOracles } from "../../shared/model/oracles";
 import { readModel } from "../../shared/model/readModel";
 
 /** A translated model: Root with this dispatcher in front of A, as the server sends it. */
-function translated(dispatcher: object): State {
+function translated(dispatcher: object, keep?: object): State {
   const ports = [{ name: "to_A", when: "par.choice == 'A'", to: "A" }];
-  const root = { state: "Root", first: "Dispatcher", children: [{ state: "Dispatcher", ports, ...dispatcher }, { state: "A" }] };
+  const root = { state: "Root", first: "Dispatcher", ...(keep === undefined ? {} : { keep }), children: [{ state: "Dispatcher", ports, ...dispatcher }, { state: "A" }] };
   return readModel(check(schema.native, { document: { rcm: 1, root }, origin: {} }).document).root;
 }
 const kOrigin = { Root: "Root", "Root/Dispatcher": "Root", "Root/A": "Root/A" };
 const choice = (from: string) => ({ parameters: [{ name: "choice", from }] });
-const dispatchers = (root: State) => root.children.map((child) => child.kind === "state" && child.dispatcher === true);
+const dispatchers = (root: State) => root.children.map((child) => child.kind === "state" && child.dispatcher);
 
 describe("withOracles", () => {
   it("marks what the translation put in front of the children, and nothing else", () => {
     const root = withOracles(translated(choice("par.begin")), kOrigin);
-    expect(dispatchers(root)).toEqual([true, false]);
+    expect(dispatchers(root)).toEqual(["choice", undefined]);
     expect(root.oracle).toBe("par.begin");
   });
   it("distinguishes history, an expression and a service", () => {
     expect(withOracles(translated(choice("var.last_active")), kOrigin).oracle).toBe("history");
     expect(withOracles(translated({ entry: "svc.display.choose(par.arg0)" }), kOrigin).oracle).toBe("svc.display.choose(par.arg0)");
   });
+  it("tells a deep history from one of the children alone", () => {
+    const [deep, flat] = [{ deep: true, ports: ["hit"] }, ["hit"]].map((keep) => withOracles(translated(choice("var.last_active"), keep), kOrigin));
+    expect([deep?.oracle, flat?.oracle]).toEqual(["deep history", "history"]);
+    expect([deep, flat].map((root) => root && dispatchers(root)[0])).toEqual(["deep history", "history"]);
+  });
   it("leaves a state alone that its author has called Dispatcher", () => {
     const written = withOracles(translated(choice("par.begin")), { ...kOrigin, "Root/Dispatcher": "Root/Dispatcher" });
-    expect([dispatchers(written), written.oracle]).toEqual([[false, false], undefined]);
+    expect([dispatchers(written), written.oracle]).toEqual([[undefined, undefined], undefined]);
     expect(withOracles(translated(choice("par.begin")), {})).toEqual(translated(choice("par.begin")));
   });
   it("finds dispatchers of linked states, which come from the library", () => {

@@ -150,6 +150,16 @@ TEST(Rename, OfPortsAndVariablesAndBarriers) {
   m.apply(rename(m.tree(), m["Root"], "Task"));
 }
 
+TEST(Rename, OfAPortLeavesAHistoryAndAKeepDeep) {
+  Model m(json(R"({'rcm': 1, 'root': {'state': 'R', 'first': 'A', 'children': [
+    {'state': 'A', 'keep': {'deep': true, 'ports': ['a']}, 'ports': [{'name': 'a', 'when': 'True'}]}],
+    'ports': [{'name': 'hit', 'when': 'False'}], 'oracle': {'kind': 'history', 'resume': ['hit'], 'deep': true}}})"));
+  m.apply(rename(m.tree(), m["R/hit"], "stop"));
+  m.apply(rename(m.tree(), m["R/A/a"], "b"));
+  EXPECT_EQ(m.field("R", "oracle"), R"({"kind":"history","resume":["stop"],"deep":true})");
+  EXPECT_EQ(m.field("R/A", "keep"), R"({"deep":true,"ports":["b"]})");
+}
+
 TEST(Rename, OfAChildChangesTheTextsThatAnOracleChooses) {
   Model m(json(R"({'rcm': 1, 'root': {'state': 'R', 'parameters': [{'name': 'p', 'value': 1}],
     'children': [{'state': 'A'}, {'state': 'B'}],
@@ -365,6 +375,24 @@ TEST(Group, RefusesWhatItCouldNotKeep) {
   EXPECT_EQ(refused(m, {"Root/b"}), m["Root"] + ": first");
   m.apply(Edit{{Set{m["Root/A/done"], "to", {}, {}}}});
   EXPECT_EQ(refused(m, {"Root/b"}), m["Root/b"] + ": barrier_target");
+}
+
+// A deep history goes on with B; Work is a state of the library that it links.
+Model deep_history() {
+  return Model(json(R"({'rcm': 1, 'library': [{'state': 'Work', 'first': 'A', 'children': [
+      {'state': 'A', 'ports': [{'name': 'a', 'when': 'True', 'to': 'B'}]}, {'state': 'B'}]}],
+    'root': {'state': 'R', 'first': 'W', 'children': [{'state': 'W', 'link': 'Work'}],
+      'ports': [{'name': 'hit', 'when': 'False'}], 'oracle': {'kind': 'history', 'resume': ['hit'], 'deep': true}}})"));
+}
+
+TEST(Group, RefusesChildrenOfAStateThatADeepHistoryResumes) {
+  Model m = deep_history();
+  const Ids pair{m["library/Work/A"], m["library/Work/B"]};
+  EXPECT_EQ(refusal(group(m.tree(), pair, "G", "s")), m["library/Work"] + ": keep");
+  m.apply(Edit{{Set{m["library/Work"], "keep", {}, Value(List{})}}});
+  m.apply(group(m.tree(), pair, "G", "s"));
+  m.apply(Edit{{Set{m["library/Work"], "keep", {}, {}}}});
+  EXPECT_EQ(refusal(ungroup(m.tree(), m["library/Work/G"])), m["library/Work/G"] + ": not_accepted");
 }
 
 TEST(Group, OffersThePortsThatTheParentReads) {

@@ -41,6 +41,7 @@ void expect_same(const Execution& a, const Execution& b) {
     ASSERT_EQ(x.live[s].activated_in, y.live[s].activated_in);
     ASSERT_EQ(x.live[s].activated_at, y.live[s].activated_at);
     ASSERT_EQ(x.live[s].calls_before, y.live[s].calls_before);
+    ASSERT_EQ(x.live[s].life, y.live[s].life);
     ASSERT_EQ(x.live[s].left_through, y.live[s].left_through);
     ASSERT_EQ(x.live[s].left_during, y.live[s].left_during);
   }

@@ -209,7 +209,7 @@ class Naive {
   void compare_state(const std::string& path, const Node& node, const Value& carried) {
     const auto old = old_path(path);
     const Value& then = old ? old_state(*old) : Value::unknown();
-    for (const char* key : {"active", "activations", "activated_in", "activated_at", "calls_before"})
+    for (const char* key : {"active", "activations", "life", "activated_in", "activated_at", "calls_before"})
       expect(path + "/" + key, field(then, key), field(carried, key));
     compare_left_through(path, node, then, carried);
     for (const Scope& scope : kScopes) compare_values(path, node, scope, field(carried, scope.list));
@@ -228,6 +228,8 @@ class Naive {
             through = field(*now, "name");
             during = field(then, "left_during");
           }
+    const bool with_parent = field(then, "left_through").is_unknown();
+    if (with_parent && is_true(keep, "deep") && !node.parent.empty()) during = field(then, "left_during");
     expect(path + "/left_through", through, field(carried, "left_through"));
     expect(path + "/left_during", during, field(carried, "left_during"));
   }

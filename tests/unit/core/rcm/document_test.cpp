@@ -62,6 +62,16 @@ TEST(WriteDocument, LosesNothing) {
   EXPECT_EQ(write_document(read_document(json).value()), json);
 }
 
+TEST(WriteDocument, HasTheFormsOfKeep) {
+  for (const char* keep : {"true", "[]", "[\"p\"]", "{\"deep\":true}", "{\"deep\":true,\"ports\":[\"p\"]}"}) {
+    const std::string text =
+        std::string(R"({"rcm":1,"root":{"state":"R","ports":[{"name":"p","when":"True"}],"keep":)") + keep + "}}";
+    const auto document = read_document_text(text);
+    ASSERT_TRUE(document) << to_string(document.error().front());
+    EXPECT_EQ(to_json(write_document(*document)), text);
+  }
+}
+
 TEST(WriteDocument, HasItsFieldsInOneOrder) {
   const auto document =
       read_document_text(R"({"root": {"ports": [], "doc": "d", "state": "R"}, "name": "n", "rcm": 1})");

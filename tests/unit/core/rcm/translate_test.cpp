@@ -152,6 +152,39 @@ TEST(HistoryOracle, FollowsTheCompositesOwnVariablesAndActions) {
   EXPECT_EQ(model.root.actions[0].when, "False");
 }
 
+TEST(DeepHistory, MakesTheCompositesInsideGoOnWhenTheyWereLeftWithTheirParent) {
+  const NativeModel model = native_case("oracle-history-deep");
+  const State task = child(model.root, "Task");
+  EXPECT_EQ(task.keep, (Keep{.ports = {"hit"}, .deep = true}));
+  const State pick = child(task, "Pick");
+  EXPECT_EQ(pick.keep, (Keep{.ports = {}, .deep = true})) << "the library state that a link takes over, too";
+  EXPECT_EQ(pick.first, "Dispatcher");
+  EXPECT_EQ(pick.variables.front().initial, Value("Approach"));
+  EXPECT_EQ(child(pick, "Grasp").keep, pick.keep);
+  EXPECT_EQ(model.origin.at("Root/Task/Pick/Grasp/Dispatcher"), "library/Pick/Grasp");
+  EXPECT_EQ(child(task, "Place").keep, std::nullopt) << "without children there is nothing to go on with";
+}
+
+TEST(DeepHistory, EndsAtStatesThatSayOtherwise) {
+  const State apart = child(child(child(native_case("oracle-history-deep").root, "Task"), "Pick"), "Approach");
+  EXPECT_EQ(apart.first, "Up");
+  EXPECT_EQ(apart.keep, (Keep{.ports = {}})) << "a `keep` of its own";
+  const State task = child(native_case("oracle-history-deep-inside").root, "Task");
+  EXPECT_EQ(child(task, "Steps").keep, (Keep{.ports = {"err"}, .deep = true})) << "a history inside is deep";
+  EXPECT_EQ(child(child(task, "Steps"), "B").first, "Dispatcher");
+  EXPECT_EQ(child(task, "Chosen").keep, std::nullopt) << "another oracle";
+  EXPECT_EQ(child(task, "Fork").first, "Begin") << "a barrier as first";
+}
+
+TEST(DeepHistory, LeavesTheSameLibraryStateElsewhereAsItIs) {
+  const NativeModel model = native(R"({"rcm": 1, "library": [
+      {"state": "L", "first": "A", "children": [{"state": "A"}]}],
+    "root": {"state": "R", "first": "In", "children": [{"state": "Out", "link": "L"},
+      {"state": "In", "first": "I", "children": [{"state": "I", "link": "L"}], "oracle": {"kind": "history", "deep": true}}]}})");
+  EXPECT_EQ(child(model.root, "Out").first, "A");
+  EXPECT_EQ(child(child(model.root, "In"), "I").first, "Dispatcher");
+}
+
 TEST(After, OfOnePortIsTheFirstStateWhereThereIsNone) {
   const NativeModel model = native_case("after");
   expect_state(child(model.root, "Ask"), R"json({

@@ -68,6 +68,40 @@ TEST(SAct1, KeepsWithinOneActivationOfTheParentOnly) {
   EXPECT_EQ(run.get("variables", "R/A/D", "v"), Value(1)) << "D was not left since A was activated";
 }
 
+// As with_keep; D is entered with A, and left with it.
+std::string with_deep_keep(const std::string& of_a, const std::string& of_d) {
+  std::string model = with_keep("'keep': " + of_a + ",");
+  const std::string shallow = "'D', 'keep': true";
+  return model.replace(model.find(shallow), shallow.size(), "'D', 'keep': " + of_d);
+}
+
+TEST(SAct1, KeepsDeepWhatAChildHadThatWasLeftWithItsParent) {
+  const std::string deep = "{'deep': true, 'ports': ['p']}", none = "{'deep': true, 'ports': []}";
+  SmallRun run(with_deep_keep(deep, none));
+  run.step();
+  run.event("a");
+  run.event("a");
+  EXPECT_EQ(run.get("variables", "R/A/D", "v"), Value(3)) << "in one life of A, which three activations belong to";
+  run.event("b");
+  EXPECT_EQ(run.get("variables", "R/A/D", "v"), Value(1)) << "q is not named, so A's life ends, and that of D";
+  for (const auto& [of_a, of_d] : {std::pair(deep, std::string("true")), {"['p']", none}, {deep, "[]"}}) {
+    SmallRun forgets(with_deep_keep(of_a, of_d));
+    forgets.step();
+    forgets.event("a");
+    EXPECT_EQ(forgets.get("variables", "R/A/D", "v"), Value(1)) << of_a << " with " << of_d;
+  }
+}
+
+TEST(SAct1, KeepsInALifeOfTheParentWhatAChildHadThatWasLeftThroughAPort) {
+  SmallRun run(with_deep_keep("{'deep': true, 'ports': ['p']}", "['again']"));
+  run.step();
+  run.event("s", 1);
+  EXPECT_EQ(run.get("variables", "R/A/D", "v"), Value(2));
+  run.event("a");
+  EXPECT_EQ(run.get("variables", "R/A/D", "v"), Value(1))
+      << "it was left with A after it had been left through the port";
+}
+
 TEST(SAct1, ShowsNothingOfAnEarlierActivationOfDescendants) {
   SmallRun run(R"({'state': 'R', 'first': 'A', 'children': [
     {'state': 'A', 'first': 'D', 'ports': [{'name': 'p', 'when': 'svc.t.b', 'to': 'A'}], 'children': [

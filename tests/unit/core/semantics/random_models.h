@@ -255,6 +255,7 @@ class RandomModels {
       s.keep.emplace();
       s.keep->any = chance(0.5);
       if (!s.keep->any) s.keep->ports.push_back(s.ports[pick(s.ports.size())].name);
+      s.keep->deep = states_ % 2 == 0;  // no draw: seeds give the models that they gave before
     }
     return s;
   }
