@@ -216,10 +216,11 @@ inline bool StepContext::keeps_values(StateId s) const {
   const StateInfo& info = program[s];
   const Live& state = live(s);
   if (info.parent == kNoState || state.left_during != live(info.parent).life) return false;
-  if (state.left_through == kNoPort) return info.keeps_deep;
+  if (state.left_through == kNoPort) return true;
   return info.keeps_any || std::ranges::find(info.keep_ports, state.left_through) != info.keep_ports.end();
 }
 
+// That a state was left with its parent counts if its `keep` is deep (R26); else it was left through no port.
 inline void StepContext::set_left_through(StateId s, PortId p) {
   const StateInfo& info = program[s];
   if (!info.keeps || info.parent == kNoState) return;
