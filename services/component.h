@@ -84,6 +84,10 @@ class Component {
   virtual const rsm::Service& model() const = 0;
   /// A call arrived. The component accepts it (transition, later result or error) or rejects it, before it returns.
   virtual void call(const Call& call) = 0;
+  /// Nobody can receive the response to this call any more, which has had none yet: its caller has called the operation
+  /// again, or is over. A component that holds resources for it may end it; it must still answer, once. What the
+  /// service does goes on: a motion is not stopped.
+  virtual void abandoned(CallId /*call*/) {}
   /// World time has advanced by one step of the group (1 ms in a cell). Only components that need time override it.
   virtual void step() {}
   /// A packet came of a flow that the component subscribes to. One that comes while another still waits replaces it.

@@ -57,6 +57,8 @@ std::vector<Monitor::CallId> Monitor::open_calls() const {
   return out;
 }
 
+bool Monitor::is_open(CallId call) const { return open_.contains(call); }
+
 const Operation* Monitor::operation(std::string_view name) const {
   for (const Operation& operation : service_.operations) {
     if (operation.name == name) return &operation;
@@ -135,7 +137,7 @@ void Monitor::follow(const Transition& t, CallId call) {
   }
   for (const Answer& answer : respond(service_, instance_, t, t.operation ? 0 : call)) {
     const auto open = open_.find(answer.call);
-    if (open == open_.end()) continue;  // answered too early, which has been reported
+    if (open == open_.end()) continue;  // two transitions were taken on it, which has been reported
     open->second.progress = OpenCall::Progress::resolved;
     if (answer.is_error) open->second.error_code = answer.error_code;
   }
@@ -155,8 +157,16 @@ Monitor::Violations Monitor::rejected(CallId call) {
   } else if (const Transition* t = taken_on(service_, instance_, open->second.operation)) {
     add(out, "R7", "rejected a call that " + quote(instance_.current) + " takes by " + quote(t->id), call);
   }
-  open_.erase(call);
+  if (open != open_.end()) close(open);
   return out;
+}
+
+// A call that is answered too early (a violation) has no response to come.
+Monitor::OpenCall Monitor::close(OpenCalls::iterator call) {
+  if (call->second.progress == OpenCall::Progress::deferred) drop_pending(instance_, call->first);
+  OpenCall closed = std::move(call->second);
+  open_.erase(call);
+  return closed;
 }
 
 std::optional<Monitor::OpenCall> Monitor::answer(CallId call, Violations& out) {
@@ -166,8 +176,7 @@ std::optional<Monitor::OpenCall> Monitor::answer(CallId call, Violations& out) {
         "response to a call that is not open (answered already, superseded by a later one (R17), or none)", call);
     return std::nullopt;
   }
-  OpenCall open = std::move(found->second);
-  open_.erase(found);
+  OpenCall open = close(found);
   if (open.progress == OpenCall::Progress::delivered)
     add(out, "respond", "response to " + quote(open.operation) + " before a transition took the call", call);
   if (open.progress == OpenCall::Progress::deferred)

@@ -52,6 +52,8 @@ class Monitor {
   const std::string& current() const { return instance_.current; }
   /// Calls without a response, in order.
   std::vector<CallId> open_calls() const;
+  bool is_open(CallId call) const;
+  std::size_t open_count() const { return open_.size(); }
 
  private:
   /// A call without a response.
@@ -61,9 +63,13 @@ class Monitor {
     std::optional<std::string> error_code;  // resolved by a transition with this `error`
   };
 
+  using OpenCalls = std::map<CallId, OpenCall>;
+
   void follow(const Transition& t, CallId call);
   void check_source(const Transition& t, CallId call, Violations& out) const;
   void check_unannounced(Violations& out);
+  /// The call has had its response.
+  OpenCall close(OpenCalls::iterator call);
   /// Removes and returns the open call that a response is for; nothing if there is none.
   std::optional<OpenCall> answer(CallId call, Violations& out);
   const Operation* operation(std::string_view name) const;
@@ -71,7 +77,7 @@ class Monitor {
 
   Service service_;
   Instance instance_;
-  std::map<CallId, OpenCall> open_;
+  OpenCalls open_;
   std::string last_transition_;
   std::multiset<std::string, std::less<>> unannounced_;  // events of the last transition
 };

@@ -1,6 +1,7 @@
 #include "core/rsm/rules.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace race::rsm {
 namespace {
@@ -106,6 +107,13 @@ void add_pending(Instance& instance, const Transition& t, std::uint64_t call) {
   // REFINEMENT R17: the latest call that took t has the response; an earlier one has none any more.
   if (!t.concurrent) calls.clear();
   calls.push_back(call);
+}
+
+void drop_pending(Instance& instance, std::uint64_t call) {
+  for (auto at = instance.pending.begin(); at != instance.pending.end();) {
+    std::erase(at->second, call);
+    at = at->second.empty() ? instance.pending.erase(at) : std::next(at);
+  }
 }
 
 // Trans1 (4.4): a service takes a call.

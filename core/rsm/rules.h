@@ -62,6 +62,9 @@ std::vector<Answer> respond(const Service& service, Instance& instance, const Tr
 /// pending(t) := true (4.2): `call` has taken t.
 void add_pending(Instance& instance, const Transition& t, std::uint64_t call);
 
+/// `call` has had its response by other ways than a transition that answers it: no transition is to answer it any more.
+void drop_pending(Instance& instance, std::uint64_t call);
+
 /// Whether `call` has taken a concurrent transition that defers to t, and has no response yet (R25).
 bool answers_one(const Service& service, const Instance& instance, const Transition& t, std::uint64_t call);
 

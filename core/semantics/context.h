@@ -52,6 +52,9 @@ struct CallRecord {
 };
 
 /// A call that leaves the run (FuncSC). Without caller: made because the run ended, not by code.
+///
+/// `supersedes`: the number of the caller's earlier call of the operation that was open and cannot be answered any more
+/// (R20), for those who carry calls out; 0: none. It follows from the calls before it, so no trace has it.
 struct OutgoingCall {
   std::uint64_t number = 0;
   OperationId operation = kNone;
@@ -59,6 +62,7 @@ struct OutgoingCall {
   List args;
   Dict kwargs;
   StateId caller = kNoState;
+  std::uint64_t supersedes = 0;
   bool operator==(const OutgoingCall&) const = default;
 };
 

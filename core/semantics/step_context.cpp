@@ -10,7 +10,9 @@ void StepContext::send(StateId s, BufferedCall call) {
   const std::string whose = program.services.is_open(call.operation) ? call.service : std::string();
   const auto old = std::ranges::find_if(
       records, [&](const CallRecord& record) { return record.caller == s && record.service == whose; });
+  std::uint64_t supersedes = 0;
   if (old != records.end()) {
+    if (!old->answered) supersedes = old->number;
     logged.place = static_cast<std::size_t>(old - records.begin());
     logged.before = std::move(*old);
     records.erase(old);
@@ -19,7 +21,7 @@ void StepContext::send(StateId s, BufferedCall call) {
   mark_response_readers(run, program, call.operation);
   work.log.calls.push_back(std::move(logged));
   work.outgoing.push_back({number, call.operation, std::move(call.service), std::move(call.name), std::move(call.args),
-                           std::move(call.kwargs), s});
+                           std::move(call.kwargs), s, supersedes});
 }
 
 }  // namespace race::semantics

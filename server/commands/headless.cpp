@@ -6,6 +6,7 @@
 
 #include "core/execution/step_json.h"
 #include "core/rcm/translate.h"
+#include "server/execution/outgoing_calls.h"
 
 namespace race::server {
 
@@ -86,11 +87,11 @@ void Headless::settle(Execution& execution, Cell& cell) {
   do {
     take_deliveries(execution);
     if (execution.run().position() == 0) {
-      complete(execution.start({}), cell);
+      complete(execution, execution.start({}), cell);
       take_deliveries(execution);
     }
     while (execution.has_input()) {
-      complete(execution.step({}), cell);
+      complete(execution, execution.step({}), cell);
       take_deliveries(execution);
     }
   } while (cell.work() || !deliveries_.empty());
@@ -109,10 +110,9 @@ void Headless::take_deliveries(Execution& execution) {
 }
 
 // What came of a macro step leaves.
-void Headless::complete(const Progress& progress, Cell& cell) {
+void Headless::complete(const Execution& execution, const Progress& progress, Cell& cell) {
   for (const std::string& text : progress.printed) logged(cell.clock().now(), "core", text);
-  for (const semantics::OutgoingCall& call : progress.calls)
-    cell.host().call({"1", call.number}, call.service, call.name, call.args, call.kwargs);
+  make_calls(cell.host(), "1", progress.calls, execution.is_over());
   Dict out{{"time", cell.clock().now()}, {"step", integer(progress.position)}};
   if (progress.entry) out.set("input", input_json(*progress.entry));
   for (const auto& [key, value] : progress.delta) out.set(key, value);

@@ -42,7 +42,7 @@ class Headless final : public services::HostObserver {
   void execute(execution::Execution& execution, Cell& cell, const HeadlessSetup& setup);
   void settle(execution::Execution& execution, Cell& cell);
   void take_deliveries(execution::Execution& execution);
-  void complete(const execution::Progress& progress, Cell& cell);
+  void complete(const execution::Execution& execution, const execution::Progress& progress, Cell& cell);
 
   const Report& report_;
   std::vector<services::Delivery> deliveries_;

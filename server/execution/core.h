@@ -207,6 +207,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   void take_edit(LiveEdit edit);
   void follow_again();
   bool deliver_edit(std::uint32_t limit);
+  void abandon_unless_open(const std::vector<std::uint64_t>& calls);
   void look_ahead();
   void note_obstacles(const std::vector<semantics::Obstacle>& obstacles);
   void find_breakpoints();

@@ -1,5 +1,7 @@
 // Edits of a running core, and what a person sets in it (core/SEMANTICS.md section 9). They are delivered between macro
 // steps; an edit that cannot be waits, and everyone sees for what.
+#include <algorithm>
+#include <iterator>
 #include <tuple>
 
 #include "core/execution/step_json.h"
@@ -123,6 +125,7 @@ bool Core::deliver_edit(std::uint32_t limit) {
   }
   if (edit_->state && run().is_active(*edit_->state)) return false;
   const LiveEdit& edit = edit_->edit;
+  const std::vector<std::uint64_t> open_calls = run().unanswered_calls();
   auto progress = execution_.edit(edit.entry, edit.model, {.derivation = derivation_watched_}, limit);
   if (!progress) {
     note_obstacles(progress.error());
@@ -135,8 +138,20 @@ bool Core::deliver_edit(std::uint32_t limit) {
   find_breakpoints();
   if ((*progress)->reached_goal) paused_ = true;
   emit(**progress);
+  abandon_unless_open(open_calls);
   publish_info();
   return true;
+}
+
+// The calls of callers that an edit has removed are dropped.
+void Core::abandon_unless_open(const std::vector<std::uint64_t>& calls) {
+  const std::vector<std::uint64_t> open = run().unanswered_calls();
+  std::vector<std::uint64_t> dropped;
+  std::ranges::set_difference(calls, open, std::back_inserter(dropped));
+  held_.add([this, dropped = std::move(dropped)](const Error* failure) {
+    if (failure) return;
+    for (const std::uint64_t call : dropped) resources_.host.abandon({id_, call});
+  });
 }
 
 // Those that the model has, also for the execution, which keeps those of the same elements: a name stays as it was

@@ -2,6 +2,7 @@
 #include "core/execution/checkpoint.h"
 #include "core/execution/step_json.h"
 #include "server/execution/core.h"
+#include "server/execution/outgoing_calls.h"
 #include "server/wire/calendar.h"
 
 namespace race::server {
@@ -24,13 +25,12 @@ List breakpoints_json(const std::vector<execution::GoalName>& breakpoints) {
 // What came of a part of a macro step: the one place where anything leaves a core.
 void Core::emit(const Progress& progress) {
   record(progress);
-  held_.add([this, calls = progress.calls, printed = progress.printed,
+  held_.add([this, calls = progress.calls, over = is_over(), printed = progress.printed,
              delta = execution_.is_watched() && !progress.edited ? delta_of(progress) : Value(),
              steps = progress.derivation ? steps_of(progress) : Value()](const Error* failure) {
     if (failure) return;
     for (const std::string& text : printed) resources_.watcher.printed(id_, text);
-    for (const semantics::OutgoingCall& call : calls)
-      resources_.host.call({id_, call.number}, call.service, call.name, call.args, call.kwargs);
+    make_calls(resources_.host, id_, calls, over);
     if (!delta.is_null()) resources_.watcher.state_changed(id_, delta);
     if (!steps.is_null()) resources_.watcher.derived(id_, steps);
   });

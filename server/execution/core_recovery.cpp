@@ -54,10 +54,12 @@ void Core::failed(const Error& error) {
 }
 
 // core/SEMANTICS.md section 10. What it was about to say is never said. What it has set in motion is told to stop, by
-// nobody's call: no answer to these reaches a run.
+// nobody's call: no answer to these reaches a run, and none to its open calls, which are `unavailable` to it
+// (rebuild()).
 void Core::interrupt(const Error& error) {
   for (const semantics::OutgoingCall& call : run().safe_calls())
     resources_.host.call({"", 0}, call.service, call.name, {}, {});
+  resources_.host.abandon_all(id_);
   interruption_ = {.number = ++interruptions_,
                    .reason = "storage",
                    .message = error.message,

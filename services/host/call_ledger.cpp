@@ -7,6 +7,7 @@ namespace race::services {
 
 CallLedger::Violations CallLedger::call(const PendingCall& call, const List& args, const Dict& kwargs) {
   pending_.push_back(call);
+  if (!call.caller.core.empty()) awaited_.insert_or_assign(call.caller, call.id);
   return add(call.time, monitor_.called(call.id, call.operation, args, kwargs));
 }
 
@@ -36,26 +37,60 @@ CallLedger::Violations CallLedger::add(Time now, const rsm::Monitor::Violations&
 }
 
 std::optional<PendingCall> CallLedger::take(CallId call) {
-  const auto found = std::ranges::find(pending_, call, &PendingCall::id);
+  const auto found = find(call);
   if (found == pending_.end()) return std::nullopt;
-  PendingCall taken = std::move(*found);
+  PendingCall taken = *found;
   pending_.erase(found);
+  forget_caller(taken);
   return taken;
+}
+
+bool CallLedger::is_pending(CallId call) const { return find(call) != pending_.end(); }
+
+CallId CallLedger::abandon(const Caller& caller) {
+  const auto found = awaited_.extract(caller);
+  return found ? found.mapped() : 0;
+}
+
+std::vector<CallId> CallLedger::abandon_all(const std::string& core) {
+  const auto first = awaited_.lower_bound({core, 0});
+  auto last = first;
+  std::vector<CallId> abandoned;
+  for (; last != awaited_.end() && last->first.core == core; ++last) abandoned.push_back(last->second);
+  awaited_.erase(first, last);
+  return abandoned;
 }
 
 std::vector<PendingCall> CallLedger::reset() {
   monitor_.restarted();
+  awaited_.clear();
   return std::exchange(pending_, {});
 }
 
+// Ids of calls grow.
+std::vector<PendingCall>::const_iterator CallLedger::find(CallId call) const {
+  const auto found = std::ranges::lower_bound(pending_, call, {}, &PendingCall::id);
+  return found != pending_.end() && found->id == call ? found : pending_.end();
+}
+
 std::string CallLedger::operation_of(CallId call) const {
-  const auto found = std::ranges::find(pending_, call, &PendingCall::id);
+  const auto found = find(call);
   return found == pending_.end() ? std::string() : found->operation;
 }
 
+void CallLedger::forget_caller(const PendingCall& call) {
+  const auto found = awaited_.find(call.caller);
+  if (found != awaited_.end() && found->second == call.id) awaited_.erase(found);
+}
+
+// OPTIMIZATION: what is open for the monitor is pending, so that as many are the same.
 void CallLedger::drop_superseded() {
-  const auto open = monitor_.open_calls();
-  std::erase_if(pending_, [&](const PendingCall& each) { return std::ranges::find(open, each.id) == open.end(); });
+  if (monitor_.open_count() == pending_.size()) return;
+  std::erase_if(pending_, [&](const PendingCall& each) {
+    if (monitor_.is_open(each.id)) return false;
+    forget_caller(each);
+    return true;
+  });
 }
 
 }  // namespace race::services

@@ -4,8 +4,10 @@
 // Threads: one at a time, under the host's lock.
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,7 +22,7 @@ namespace race::services {
 struct Caller {
   std::string core;
   std::uint64_t call = 0;
-  bool operator==(const Caller&) const = default;
+  auto operator<=>(const Caller&) const = default;
 };
 
 struct PendingCall {
@@ -59,6 +61,16 @@ class CallLedger {
 
   /// Removes a call that is pending: its response goes out now. Nothing: it has had one.
   std::optional<PendingCall> take(CallId call);
+  bool is_pending(CallId call) const;
+
+  // Nobody can receive the response to a call of a core any more: it stays pending until it has one, and is returned
+  // once.
+
+  /// The call that `caller` made; 0: it is not pending, or was abandoned before.
+  CallId abandon(const Caller& caller);
+  /// All calls of `core`, in the order of its numbers.
+  std::vector<CallId> abandon_all(const std::string& core);
+
   /// The component is disconnected: returns what was pending, in order of call. The RSM is in its initial state again.
   std::vector<PendingCall> reset();
 
@@ -70,11 +82,14 @@ class CallLedger {
   const std::string& state() const { return monitor_.current(); }
 
  private:
+  std::vector<PendingCall>::const_iterator find(CallId call) const;
   std::string operation_of(CallId call) const;
+  void forget_caller(const PendingCall& call);
   void drop_superseded();
 
   rsm::Monitor monitor_;
   std::vector<PendingCall> pending_;
+  std::map<Caller, CallId> awaited_;  // of those that are pending: whose response a core can receive
   Violations violations_;
 };
 

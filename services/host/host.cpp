@@ -62,6 +62,31 @@ CallId Host::call(Caller caller, const std::string& service, std::string operati
   return pending.id;
 }
 
+void Host::abandon(const Caller& caller) {
+  const MutexLock lock(mutex_);
+  for (const auto& entry : entries_)
+    if (const CallId call = entry->ledger ? entry->ledger->abandon(caller) : 0) tell_abandoned(*entry, call);
+}
+
+void Host::abandon_all(const std::string& core) {
+  const MutexLock lock(mutex_);
+  for (const auto& entry : entries_)
+    if (entry->ledger)
+      for (const CallId call : entry->ledger->abandon_all(core)) tell_abandoned(*entry, call);
+}
+
+// It may answer what was called before it comes to this.
+void Host::tell_abandoned(ServiceEntry& entry, CallId call) {
+  post(entry, [this, number = entry.number, call](Component& component) {
+    if (is_pending(number, call)) component.abandoned(call);
+  });
+}
+
+bool Host::is_pending(std::size_t number, CallId call) const {
+  const MutexLock lock(mutex_);
+  return entries_[number]->ledger->is_pending(call);
+}
+
 void Host::answer_unavailable(const PendingCall& call, const std::string& key, const ServiceEntry* entry) {
   const std::string why = !entry ? "there is no such service" : entry->status.available ? "no such operation" : "lost";
   Delivery answer{Delivery::Kind::response,

@@ -60,6 +60,12 @@ class Host {
   CallId call(Caller caller, const std::string& service, std::string operation, List args, Dict kwargs)
       EXCLUDES(mutex_);
 
+  /// Nobody can receive the response to the call that `caller` made, or to any call of `core` whose response is still
+  /// to come: the component is told, once (Component::abandoned). Nothing else happens, and nothing at all to a call
+  /// that has had its response.
+  void abandon(const Caller& caller) EXCLUDES(mutex_);
+  void abandon_all(const std::string& core) EXCLUDES(mutex_);
+
   /// Time has passed: the answers that are due now go to their queues. With `wait`, those that are due and not there
   /// yet are waited for. Observers hear of flows that have stopped. On the thread that sets the clock, after it was
   /// set.
@@ -101,6 +107,8 @@ class Host {
   ServiceEntry* find(const std::string& key) const REQUIRES(mutex_);
   void log(const ServiceEntry& entry, const CallLedger::Violations& violations) REQUIRES(mutex_);
   void notify_status(ServiceEntry& entry) REQUIRES(mutex_);
+  void tell_abandoned(ServiceEntry& entry, CallId call) REQUIRES(mutex_);
+  bool is_pending(std::size_t number, CallId call) const EXCLUDES(mutex_);
   void answer(ServiceEntry& entry, CallId call, Value value, bool is_error) REQUIRES(mutex_);
   void deliver_response(const ServiceEntry& entry, const PendingCall& call, Value value, bool is_error)
       REQUIRES(mutex_);

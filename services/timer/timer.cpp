@@ -31,14 +31,28 @@ void Timer::wait(const services::Call& call, const Dict& arguments) {
   if (waits_.size() >= kMostWaits)
     return refuse(call, services::error_value("too_many", "at most " + std::to_string(kMostWaits) + " calls can wait"));
   const services::Time now = host().now();
-  waits_.emplace(now + arguments.find("seconds")->to_double(), Wait{call.id, now});
+  by_call_[call.id] = waits_.emplace(now + arguments.find("seconds")->to_double(), Wait{call.id, now});
+}
+
+void Timer::abandoned(services::CallId call) {
+  const auto found = by_call_.find(call);
+  if (found == by_call_.end()) return;
+  end_wait(found->second);
+  host().error(call, services::error_value("abandoned", "nobody waits for the response"));
+}
+
+// It has left its place, and may be answered.
+Timer::Wait Timer::end_wait(Waits::iterator wait) {
+  const Wait over = wait->second;
+  by_call_.erase(over.call);
+  waits_.erase(wait);
+  take(running_ != 0 ? "waited_running" : "waited_idle", over.call);
+  return over;
 }
 
 void Timer::answer_waits(services::Time now) {
   while (!waits_.empty() && waits_.begin()->first <= now + kTolerance) {
-    const Wait over = waits_.begin()->second;
-    waits_.erase(waits_.begin());
-    take(running_ != 0 ? "waited_running" : "waited_idle", over.call);
+    const Wait over = end_wait(waits_.begin());
     host().result(over.call, Dict{{"elapsed", Value(now - over.began)}});
   }
 }

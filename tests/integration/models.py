@@ -68,6 +68,18 @@ def slow(name="slow", lists=100):
                            "ports": [{"name": "done", "when": "res.n > 0"}]})
 
 
+def waiting(seconds, times=1, name="waiting"):
+    """Enters a state with a time-out as often, at once; ends at `late` when it has been in it for so long at last."""
+    return document(name, {
+        "state": "Root", "parameters": [{"name": "times", "value": times}], "first": "Ask",
+        "children": [{
+            "state": "Ask", "parameters": [{"name": "times", "from": "par.times"}], "variables": [{"name": "n", "initial": 0}],
+            "keep": True, "entry": "var.n += 1",
+            "ports": [{"name": "again", "when": "var.n < par.times", "to": "Ask"},
+                      {"name": "late", "after": f"60 if var.n < par.times else {seconds}"}]}],
+        "ports": [{"name": "late", "when": "chi.Ask.port.late"}]})
+
+
 def faulty(name="faulty"):
     """Divides by zero at the first tick."""
     return document(name, {"state": "Root", "variables": [{"name": "zero", "initial": 0}],

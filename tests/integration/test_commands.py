@@ -111,6 +111,10 @@ class Run(unittest.TestCase):
         status, lines, _ = race("run", "DOCUMENT", "--json", document=models.ticking(last=2))
         self.assertEqual((status, json.loads(lines[-1])["outcome"]), (0, "done"))
 
+    def test_a_time_out_that_is_entered_often_comes_at_last(self):
+        status, lines, _ = race("run", "DOCUMENT", "--fast", "--json", document=models.waiting(0.2, times=1200))
+        self.assertEqual((status, json.loads(lines[-1])["outcome"]), (0, "late"))
+
     def test_a_faulted_run_ends_with_status_1(self):
         status, lines, _ = race("run", "DOCUMENT", "--fast", "--json", document=models.faulty())
         last = json.loads(lines[-1])

@@ -148,6 +148,31 @@ class Cores(unittest.TestCase):
         core = self.server.core(models.calling("timer", "cancel"))
         self.assertEqual(self.server.ended(core)["results"], {"code": "not_accepted"})
 
+    def waits(self):
+        """How many calls wait at the timer."""
+        services = self.server.get("/services", "services")["services"]
+        return len(next(service for service in services if service["key"] == "timer")["pending"])
+
+    def test_a_time_out_that_is_entered_anew_leaves_its_place_at_the_timer(self):
+        # More often than calls can wait there.
+        often = self.server.core(models.waiting(60, times=1200, name="often"))
+        self.server.wait(often, lambda core: core["micro"] == 0)
+        state = self.server.get(f"/cores/{often}/state", "core_state")["state"]
+        self.assertEqual(state["variables"]["Root/Ask"]["n"], 1200)
+        self.server.wait_for(lambda: self.waits() == 1)
+        other = self.server.core(models.waiting(0.2))
+        self.assertEqual(self.server.ended(other)["outcome"], "late")
+        self.assertEqual(self.server.get(f"/cores/{often}", "core")["status"], "running")
+        self.server.expect("DELETE", f"/cores/{often}", None, "core", 200)
+        self.server.wait_for(lambda: self.waits() == 0)
+        again = self.server.core(models.waiting(0.2, times=1200, name="often"))
+        self.assertEqual(self.server.ended(again)["outcome"], "late")
+
+    def test_a_time_out_that_the_timer_refuses_is_a_fault(self):
+        ended = self.server.ended(self.server.core(models.waiting(-1)))
+        self.assertEqual((ended["status"], ended["fault"]["kind"], ended["fault"]["at"]), ("faulted", "value", "Root/Ask/After_late"))
+        self.assertIn("time-out: invalid", ended["fault"]["message"])
+
     def test_micro_steps_one_by_one_are_the_macro_step(self):
         core = self.paused_core(models.chain())
         entered = []

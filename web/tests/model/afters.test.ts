@@ -25,7 +25,12 @@ const stateOf = (root: object, origin: Readonly<Record<string, string>>): State 
 const waiting = (port: string, from: string) => ({
   state: `After_${port}`,
   parameters: [{ name: "seconds", from, unit: "s" }],
+  variables: [{ name: "tries", initial: 1 }],
   entry: "svc.timer.wait(par.seconds)",
+  actions: [
+    { when: "svc.timer.wait.error.code == 'unavailable' and var.tries < 10", do: "var.tries += 1\nsvc.timer.wait(par.seconds)" },
+    { when: "svc.timer.wait.error.code != 'unavailable'", do: "int('time-out: ' + svc.timer.wait.error.code)" },
+  ],
   ports: [{ name: "due", when: "svc.timer.wait.result" }],
 });
 const exit = (port: string, to?: string) => ({ name: port, when: `chi.After_${port}.port.due`, ...(to !== undefined && { to }) });

@@ -183,6 +183,42 @@ TEST_F(RobotMonitor, RestartsWithTheService) {
   EXPECT_THAT(monitor.event("robot_state", 1), IsEmpty());
 }
 
+// Two calls of `wait`, of which each answer names its own (R25).
+struct TimerMonitor : testing::Test {
+  TimerMonitor() {
+    for (const Monitor::CallId call : {1, 2}) {
+      monitor.called(call, "wait", {}, {});
+      monitor.transition("begin", call);
+    }
+  }
+  Monitor monitor{read_service_text(R"({
+    "rsm": 1, "name": "timer", "operations": [{"name": "wait", "error": "any"}], "states": [{"name": "On"}], "init": "On",
+    "transitions": [
+      {"id": "begin", "src": "On", "dst": "On", "operation": "wait", "defer": ["over"], "concurrent": true},
+      {"id": "over", "src": "On", "dst": "On"}]})",
+                                    "services/timer")
+                      .value()};
+};
+
+TEST_F(TimerMonitor, IsSilentForAnswersInAnyOrder) {
+  for (const Monitor::CallId call : {2, 1}) {
+    EXPECT_THAT(monitor.transition("over", call), IsEmpty());
+    EXPECT_THAT(monitor.result(call, Value()), IsEmpty());
+  }
+}
+
+TEST_F(TimerMonitor, ExpectsNoAnswerToACallThatWasAnsweredTooEarly) {
+  EXPECT_THAT(monitor.result(1, Value()), ElementsAre(Breaks("respond", 1)));
+  EXPECT_THAT(monitor.transition("over", 0), IsEmpty());
+  EXPECT_THAT(monitor.result(2, Value()), IsEmpty()) << "the earliest that waits is the second";
+}
+
+TEST_F(TimerMonitor, ExpectsNoAnswerToACallThatWasRejectedTooLate) {
+  EXPECT_THAT(monitor.rejected(1), ElementsAre(Breaks("R7", 1)));
+  EXPECT_THAT(monitor.transition("over", 1), ElementsAre(Breaks("Trans2", 1)));
+  EXPECT_THAT(monitor.open_calls(), ElementsAre(2));
+}
+
 TEST(InterfaceMonitor, ChecksNamesTypesAndThatACallIsAnsweredOnce) {
   Monitor monitor{
       read_service_text(R"({"operations": [{"name": "op", "result": "int"}], "events": [{"name": "e"}]})", "services/S")

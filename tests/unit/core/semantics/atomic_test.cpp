@@ -135,6 +135,36 @@ TEST(CondBD, ReadsTheResponseToTheCallOfItsOwnState) {
   EXPECT_EQ(run.get("results", "R/B", "r"), Value(20));
 }
 
+// The numbers of the open calls that these supersede (R20).
+std::vector<std::uint64_t> superseded(SmallRun& run) {
+  std::vector<std::uint64_t> out;
+  for (const OutgoingCall& call : run->take_calls()) out.push_back(call.supersedes);
+  return out;
+}
+
+TEST(FuncSC, NamesTheOpenCallOfItsCallerThatItSupersedes) {
+  SmallRun run(callers());
+  run.step();
+  EXPECT_THAT(superseded(run), ElementsAre(0, 0)) << "two callers";
+  run.event("a");
+  EXPECT_THAT(superseded(run), ElementsAre(1)) << "A was left, and calls again";
+  run.result(3, 10);
+  run.event("a");
+  EXPECT_THAT(superseded(run), ElementsAre(0)) << "it has been answered";
+  run->post_response(4, false, 10);
+  run.step();
+  run.event("a");
+  run.event("a");
+  EXPECT_THAT(superseded(run), ElementsAre(0, 5));
+}
+
+TEST(FuncSC, SupersedesNoCallOfAnotherOperationOrService) {
+  SmallRun run(R"({'state': 'R', 'parameters': [{'name': 's', 'value': 'x'}],
+    'entry': 'svc.t.f()\nsvc.t.g()\nsvc.u.f()\nsvc[par.s].h()\nsvc.y.h()\nsvc.x.h()\nsvc.t.f()'})");
+  run.step();
+  EXPECT_THAT(superseded(run), ElementsAre(0, 0, 0, 0, 0, 4, 1));
+}
+
 // R7: what nobody has declared or named answers `unavailable`, which the caller can read.
 TEST(CondBD, ReadsTheErrorOfAServiceThatOnlyAComputedNameNames) {
   SmallRun run(R"({'state': 'R', 'parameters': [{'name': 's', 'value': 'ghost'}], 'entry': 'svc[par.s].haunt(1)',

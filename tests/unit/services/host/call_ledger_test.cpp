@@ -91,5 +91,40 @@ TEST_F(CallLedgerTest, AResetReturnsWhatWasPendingInOrderAndStartsAnew) {
   EXPECT_EQ(ledger.state(), "Dark");
 }
 
+TEST_F(CallLedgerTest, AbandonsACallOnceAndKeepsItPending) {
+  call(1, "on");
+  EXPECT_EQ(ledger.abandon({"other", 1}), 0U);
+  EXPECT_EQ(ledger.abandon({"core", 1}), 1U);
+  EXPECT_EQ(ledger.abandon({"core", 1}), 0U);
+  EXPECT_THAT(pending(), ElementsAre(1)) << "it must still be answered";
+  EXPECT_TRUE(ledger.take(1));
+}
+
+TEST_F(CallLedgerTest, AbandonsNoCallThatIsPendingNoLonger) {
+  call(1, "on");
+  ledger.transition(1.0, "on", 1);
+  ledger.respond(1.0, 1, nullptr, false);
+  ledger.take(1);
+  call(2, "blink");
+  ledger.transition(1.0, "blink", 2);
+  call(3, "blink");
+  ledger.transition(1.0, "blink", 3);
+  EXPECT_EQ(ledger.abandon({"core", 1}), 0U) << "answered";
+  EXPECT_EQ(ledger.abandon({"core", 2}), 0U) << "superseded (R17)";
+  ledger.reset();
+  EXPECT_EQ(ledger.abandon({"core", 3}), 0U) << "lost";
+}
+
+TEST_F(CallLedgerTest, AbandonsAllCallsOfACore) {
+  for (const CallId id : {1, 2, 3}) call(id, "on");
+  ledger.call({4, "on", 1.0, {"core2", 1}}, {}, {});
+  ledger.call({5, "on", 1.0, {}}, {}, {});
+  ledger.abandon({"core", 2});
+  EXPECT_THAT(ledger.abandon_all("core"), ElementsAre(1, 3));
+  EXPECT_THAT(ledger.abandon_all("core"), IsEmpty());
+  EXPECT_THAT(ledger.abandon_all("core2"), ElementsAre(4));
+  EXPECT_THAT(ledger.abandon_all(""), IsEmpty()) << "the server waits for nothing";
+}
+
 }  // namespace
 }  // namespace race::services

@@ -33,11 +33,13 @@ class Lamp final : public Component {
     calls.push_back(call);
     if (answer) answer(call);
   }
+  void abandoned(CallId call) override { abandoned_calls.push_back(call); }
   void step() override {
     if (broken) throw std::runtime_error("burnt out");
   }
   ServiceHost& host;
   std::vector<Call> calls;
+  std::vector<CallId> abandoned_calls;
   std::function<void(const Call&)> answer;
   bool broken = false;
 };
@@ -159,6 +161,47 @@ TEST_F(HostTest, WhatWasMeantForTheLostDoesNotReachItsSuccessor) {
   bench.queue.run();
   EXPECT_THAT(lamp.calls, IsEmpty());
   EXPECT_THAT(bench.responses(), ElementsAre("lamp.on !> unavailable"));
+}
+
+TEST_F(HostTest, AnAbandonedCallIsToldToItsComponentOnce) {
+  const CallId first = bench.call("lamp", "blink"), second = bench.call("lamp", "blink");
+  bench.host.abandon({"1", 1});
+  bench.host.abandon({"1", 1});
+  EXPECT_THAT(lamp.abandoned_calls, IsEmpty()) << "not on its queue";
+  bench.queue.run();
+  EXPECT_THAT(lamp.abandoned_calls, ElementsAre(first));
+  EXPECT_EQ(bench.host.service("lamp")->pending.size(), 2U) << "it is still answered";
+  bench.host.abandon_all("2");
+  bench.host.abandon_all("1");
+  bench.queue.run();
+  EXPECT_THAT(lamp.abandoned_calls, ElementsAre(first, second));
+  EXPECT_THAT(bench.responses(), IsEmpty());
+}
+
+TEST_F(HostTest, OnlyAnOpenCallIsAbandoned) {
+  obey();
+  auto& other = bench.add<Lamp>("other");
+  const CallId on = bench.call("lamp", "on");
+  bench.host.abandon({"1", 1});
+  bench.host.abandon({"1", 99});
+  const CallId blink = bench.call("lamp", "blink");
+  bench.host.abandon({"1", 2});
+  lamp.host.result(blink, 3);  // before it has heard of it
+  bench.call("other", "on");
+  bench.host.abandon({"1", 3});
+  bench.host.disconnect("other");
+  bench.host.reconnect("other");
+  bench.queue.run();
+  EXPECT_THAT(lamp.abandoned_calls, IsEmpty()) << on << " and " << blink << " were answered";
+  EXPECT_THAT(other.abandoned_calls, IsEmpty()) << "its successor has not been called";
+}
+
+TEST_F(HostTest, ACallThatIsAbandonedBeforeItArrivesArrivesFirst) {
+  const CallId call = bench.host.call({"1", 1}, "lamp", "on", {}, {});
+  bench.host.abandon_all("1");
+  bench.queue.run();
+  EXPECT_EQ(lamp.calls.size(), 1U);
+  EXPECT_THAT(lamp.abandoned_calls, ElementsAre(call));
 }
 
 TEST_F(HostTest, OnlySoManyViolationsAreKept) {

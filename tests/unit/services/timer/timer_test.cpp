@@ -101,6 +101,34 @@ TEST_F(TimerTest, BoundsItsWaits) {
   EXPECT_EQ(bench.responses().size(), Timer::kMostWaits + 1);
 }
 
+TEST_F(TimerTest, AnAbandonedWaitIsAnsweredAtOnceAndLeavesItsPlace) {
+  for (std::size_t i = 0; i < Timer::kMostWaits; ++i) bench.call("timer", "wait", {10});
+  bench.host.abandon({"1", 500});
+  bench.queue.run();
+  ASSERT_THAT(bench.responses(), ElementsAre("timer.wait !> abandoned"));
+  EXPECT_EQ(bench.deliveries.back().caller.call, 500U);
+  bench.call("timer", "wait", {0});
+  EXPECT_EQ(bench.responses().size(), 1U) << "there is a place";
+  bench.host.abandon_all("1");
+  bench.queue.run();
+  EXPECT_EQ(bench.responses().size(), Timer::kMostWaits + 1);
+  for (std::size_t i = 0; i < Timer::kMostWaits; ++i) bench.call("timer", "wait", {1});
+  bench.pass(1.0);
+  EXPECT_EQ(bench.responses().size(), 2 * Timer::kMostWaits + 1);
+  EXPECT_EQ(bench.responses().back(), "timer.wait -> {\"elapsed\":1.0}");
+}
+
+TEST_F(TimerTest, LeavesTheAlarmAloneWhenItsCallIsAbandoned) {
+  bench.call("timer", "start", {0.1});
+  bench.call("timer", "wait", {5});
+  bench.host.abandon_all("1");
+  bench.queue.run();
+  EXPECT_THAT(bench.responses(), ElementsAre("timer.wait !> abandoned"));
+  bench.pass(0.1);
+  EXPECT_EQ(events("elapsed"), 1);
+  EXPECT_EQ(bench.responses().back(), "timer.start -> {\"elapsed\":0.1}");
+}
+
 TEST_F(TimerTest, TicksTenTimesASecond) {
   bench.pass(1.05);
   EXPECT_EQ(events("tick"), 11);
