@@ -23,8 +23,8 @@ def link(of, name=None, **parameters):
 
 def task(*links, after="success", library=()):
     """A task of library states in sequence: the first is left through port `after`, the others through `success`; every other port, and
-    those of the last, end the task. Results: pose of the tool (`pose`), state of the gripper (`gripper`), those of the links (`Pick_at`).
-    `library`: further states that may be linked."""
+    those of the last, end the task. Results: pose of the tool (`pose`), state of the gripper (`gripper`), those of the links
+    (`Pick_x_t_g`). `library`: further states that may be linked."""
     library = [*DOCUMENT["library"], *library]
     known = {state["state"]: state for state in library}
     found, ends = [], {}

@@ -7,7 +7,7 @@ from scenario import LET_GO, answer, bump, drag, gesture, lead, link, part, run,
 
 ROOT = "Demonstrator/Table"
 PICK, PLACE = f"{ROOT}/Work/Task/Pick", f"{ROOT}/Work/Task/Place"
-CARRY, TEACH = f"{PLACE}/SetDown/Approach/Across", f"{PLACE}/TeachPose"
+CARRY, TEACH = f"{PLACE}/Carry/Approach/Across", f"{PLACE}/TeachPose"
 KNOWN = {**DATABASE, "o_t_c": O_T_C}
 
 
@@ -78,7 +78,7 @@ class LostParts(unittest.TestCase):
         back = {"when": question("do not hold the part Cube"), "do": [put("Cube", 0.5, 0.0, 0.02), {"act": "answer", "button": "Continue"}]}
         out = clear_table(falls, back, parts=("Cube",))
         self.assertEqual((out.name, placed(out)), ("success", ["Cube"]))
-        self.assertEqual(out.fired.count(f"{PLACE}/SetDown/Approach.lost"), 1)
+        self.assertEqual(out.fired.count(f"{PLACE}/Carry/Approach.lost"), 1)
         self.assertEqual(out.fired.count(f"{ROOT}/SearchObject.success"), 2)
         self.assertEqual(out.calls.count("robot.stop"), 1)
 
@@ -97,7 +97,7 @@ class LostParts(unittest.TestCase):
     def test_a_part_that_falls_while_the_arm_stands_stops_the_transport(self):
         falls = {"when": {"active": f"{ROOT}/Work/Collision", "after": 0.3}, "do": {"act": "take", "part": NAMES["Cube"]}}
         out = clear_table(bump(CARRY, force=-40.0), falls, answer("Continue"), answer("Abort", question("do not hold")), parts=("Cube",))
-        self.assertEqual((out.name, out.fired.count(f"{PLACE}/SetDown/Look.empty")), ("abort", 1))
+        self.assertEqual((out.name, out.fired.count(f"{PLACE}/Carry/Look.empty")), ("abort", 1))
 
     def test_a_part_on_its_side_must_be_set_upright_by_a_person(self):
         on_its_side = {"position": [0.5, 0.0, 0.02], "orientation": [0, math.sqrt(0.5), 0, math.sqrt(0.5)]}
@@ -127,7 +127,7 @@ class PlacedParts(unittest.TestCase):
         self.assertEqual(out.calls.count("db.add") - out.fired.count(f"{ROOT}/SearchObject.success"), 1)
 
     def test_a_part_on_its_place_is_placed_though_the_rest_is_skipped(self):
-        out = clear_table(bump(f"{PLACE}/SetDown/Retreat", 0.2), answer("Skip"), parts=("Cube",))
+        out = clear_table(bump(f"{PLACE}/Retreat", 0.2), answer("Skip"), parts=("Cube",))
         self.assertEqual((out.name, placed(out), out.results["skipped"]), ("success", ["Cube"], []))
 
     def test_a_part_that_is_moved_back_counts_once(self):

@@ -5,8 +5,9 @@ import unittest
 from cell import BODIES, DATABASE, NAMES, TAUGHT
 from scenario import LET_GO, answer, bump, lead, link, part, run, task, touch
 
-APPROACH, GRASP = "Root/Work/Task/Pick/Approach/Across", "Root/Work/Task/Pick/Grasp"
-CARRY = "Root/Work/Task/Place/SetDown/Approach/Across"
+TASK = "Root/Work/Task"
+APPROACH, GRASP = f"{TASK}/Pick/Approach/Across", f"{TASK}/Pick/Grasp"
+CARRY = f"{TASK}/Place/Carry/Approach/Across"
 
 
 def work(label="Cube", **parameters):
@@ -17,12 +18,29 @@ def pick_again(label="Cube"):
     return link("Pick", "Again", **part(label), speed=1.0)
 
 
+def resumed(out):
+    """The innermost state of the task that is active each time a person has answered that it goes on, below the task."""
+    reports = [r for r in out.reports if {"Root/Work/Collision.continue", "Root/Work/Trouble.resume"} & {*r.get("fired", [])}]
+    active = ([state for state, now in r["active"].items() if now and state.startswith(TASK)] for r in reports)
+    return [max(states, key=len).removeprefix(f"{TASK}/") for states in active]
+
+
 class Interruptions(unittest.TestCase):
+    def test_every_step_is_resumed_where_that_is_safe(self):
+        """The step begins anew: a motion goes up first, and before a part is carried on the gripper is checked."""
+        points = {"Pick/Approach/Down": "Pick/Approach/Up", "Pick/Grasp": "Pick/Grasp", "Pick/Retreat": "Pick/Retreat",
+                  "Place/Carry/Approach/Down": "Place/Carry/Look", "Place/SetDown/Release": "Place/SetDown/Release",
+                  "Place/Retreat": "Place/Retreat"}
+        acts = [act for state in points for act in (bump(f"{TASK}/{state}"), answer("Continue"))]
+        out = run(task(work()), *acts)
+        self.assertEqual(resumed(out), list(points.values()))
+        self.assertEqual((out.name, out.fired.count(f"{TASK}/Pick/Release.success")), ("success", 1))
+
     def test_approach_restarts_from_where_the_arm_is(self):
         out = run(task(work()), bump(APPROACH), answer("Continue"))
         self.assertEqual(out.name, "success")
         self.assertEqual([p for p in out.fired if "/Pick/Dispatcher." in p],
-                         [f"Root/Work/Task/Pick/Dispatcher.{to}" for to in ("to_Release", "to_GetPose")])
+                         [f"Root/Work/Task/Pick/Dispatcher.{to}" for to in ("to_Release", "to_Approach")])
         self.assertNotIn("Root/Work/Task/Pick/Approach.error", out.fired)
 
     def test_grasp_goes_on_and_keeps_where_it_was(self):
@@ -56,18 +74,18 @@ class Interruptions(unittest.TestCase):
         self.assertAlmostEqual(out.time("Root/Work.error") - out.time("Root/Work/Task.collision"), 3.1, delta=0.2)
 
     def test_skip_leaves_open_fingers_and_the_part_where_it_was(self):
-        for state, after, way in ((APPROACH, 0.1, "Up"), (GRASP, 0.1, "Up"), (GRASP, 0.8, "Back")):
+        for state, after, way in ((APPROACH, 0.1, "Open"), (GRASP, 0.1, "Open"), (GRASP, 0.8, "SetDown")):
             out = run(task(work(), pick_again(), after="skip"), bump(state, after), answer("Skip"))
             self.assertEqual((out.name, out.fired.count("Root/Work.skip")), ("success", 1), (state, after))
             self.assertEqual(out.fired.count(f"Root/Work/GiveUp/Task/{way}.success"), 1, (state, after))
 
     def test_skip_brings_a_part_that_is_held_back(self):
         out = run(task(work(), pick_again(), after="skip"), bump(CARRY, force=-40.0), answer("Skip"))
-        self.assertEqual((out.name, out.fired.count("Root/Work/GiveUp/Task/Back.success")), ("success", 1))
+        self.assertEqual((out.name, out.fired.count("Root/Work/GiveUp/Task/SetDown.success")), ("success", 1))
         self.assertAlmostEqual(out.results["Again_actual_width"], 0.04, delta=0.002)
 
     def test_a_collision_while_a_part_is_given_up_is_answered_too(self):
-        back = "Root/Work/GiveUp/Task/Back/Approach/Across"
+        back = "Root/Work/GiveUp/Task/Carry/Approach/Across"
         out = run(task(work(), pick_again(), after="skip"), bump(CARRY, force=-40.0), answer("Skip"), bump(back), answer("Continue"))
         self.assertEqual((out.name, out.fired.count("Root/Work/GiveUp/Task.collision")), ("success", 1))
 
@@ -95,6 +113,15 @@ class Teaching(unittest.TestCase):
         self.assertLess(math.dist(led, place["position"][:2]), 0.02)
         found = run(task(work(TAUGHT), link("Pick", "Again", label=TAUGHT, o_t_x=place, speed=1.0)), *lead(self.TEACH, *ways))
         self.assertAlmostEqual(found.results["Again_actual_width"], 0.04, delta=0.002)
+
+    def test_teaching_that_is_interrupted_begins_anew(self):
+        """The arm may have been pushed from the pose that was taught."""
+        *stored, let_go, gone = lead(self.TEACH, [-0.28, 0.15, 0.05], [0, 0, -0.196])
+        hit = [bump(f"{self.TEACH}/LetGo"), answer("Continue")]
+        still = [answer("Done", {"active": f"{self.TEACH}/{state}", "after": 0.2}) for state in ("Grip", "Lead")]
+        out = run(task(work(TAUGHT)), *stored, *hit, *still, let_go, gone)
+        self.assertEqual((out.name, resumed(out)), ("success", ["Place/TeachPose/Grip/Deadline/After_over"]))
+        self.assertEqual(out.calls.count("db.add"), 2)
 
     def test_a_grasp_is_stored_in_the_parts_frame(self):
         below = {"position": [0.5, 0.0, 0.02], "orientation": [0, 0, 1, 0]}
@@ -140,6 +167,28 @@ class Failures(unittest.TestCase):
         out = run(task(work()), self.TAKEN, answer("Continue"))
         self.assertEqual((out.name, out.fired.count("Root/Work/Task.lost")), ("lost", 1))
         self.assertEqual(out.asked(), ["The fingers do not hold the part Cube. Continue looks for it again. " + LET_GO])
+
+    def test_continue_repeats_the_step_that_failed(self):
+        far = {"position": [2.0, 0.0, 0.02], "orientation": [0, 0, 0, 1]}
+        out = run(task(link("Work", label="Cube", o_t_x=far)), answer("Continue"), answer("Abort"))
+        self.assertEqual((out.name, resumed(out)), ("abort", ["Pick/Approach/Across"]))
+
+    def test_continue_asks_again_for_a_place_that_was_not_taught(self):
+        cancel = answer("Cancel", Teaching.HELD["when"])
+        out = run(task(work(TAUGHT)), cancel, answer("Continue"), cancel, answer("Abort"))
+        ports = ("Pick.success", "Place/GetPose.missing", "Place/TeachPose.error")
+        self.assertEqual((out.name, [out.fired.count(f"{TASK}/{port}") for port in ports]), ("abort", [1, 1, 2]))
+
+    def test_continue_lets_go_again_where_the_part_is(self):
+        document = task(work())
+        set_down = next(state for state in document["library"] if state["state"] == "SetDown")
+        release = {"state": "Release", "ports": [{"name": "success", "when": "False"}, {"name": "error", "after": "0.1"}]}
+        failing = {**set_down, "children": [each if each["state"] != "Release" else release for each in set_down["children"]]}
+        document["library"] = [each if each is not set_down else failing for each in document["library"]]
+        out = run(document, answer("Continue"), answer("Abort"))
+        ports = ("Carry.success", "SetDown/CheckPart.success", "SetDown/Release.error")
+        fired = [out.fired.count(f"{TASK}/Place/{port}") for port in ports]
+        self.assertEqual((out.name, fired), ("abort", [1, 1, 2]))
 
     def test_skip_gives_it_up_and_abort_ends(self):
         for button, outcome in (("Skip", "skip"), ("Abort", "abort")):

@@ -168,19 +168,19 @@ class ResumedTasks(ProcessFailureTest):
         self.answer(STUCK)
         self.break_and_restore(KILL, "database", during=f"{PICK}/Retreat", asks=f"{WORK}/Trouble", missed="db")
         self.answer(STUCK)
-        self.break_and_restore(HANG, "recognition", during=f"{PLACE}/SetDown/Retreat", asks=f"{TABLE}/Trouble", missed="obj_rec")
+        self.break_and_restore(HANG, "recognition", during=f"{PLACE}/Retreat", asks=f"{TABLE}/Trouble", missed="obj_rec")
         self.answer(STILL)
         # The person can be asked only when there is a display again.
         self.break_and_restore(HANG, "database", "display", during=f"{PICK}/Retreat", asks=f"{WORK}/Trouble", missed="db")
         self.answer(STUCK)
-        self.break_and_restore(KILL, "recognition", "display", during=f"{PLACE}/SetDown/Retreat", asks=f"{TABLE}/Trouble", missed="obj_rec")
+        self.break_and_restore(KILL, "recognition", "display", during=f"{PLACE}/Retreat", asks=f"{TABLE}/Trouble", missed="obj_rec")
         self.answer(STILL)
         self.assert_success()
 
     def test_a_part_lost_with_its_cell_is_searched_again(self):
         self.start_cell(["Cube"])
         self.start_task()
-        self.break_and_restore(HANG, "cell", during=f"{PLACE}/SetDown/Approach/Across", asks=f"{WORK}/Trouble", missed="robot")
+        self.break_and_restore(HANG, "cell", during=f"{PLACE}/Carry/Approach/Across", asks=f"{WORK}/Trouble", missed="robot")
         self.answer(STUCK)
         self.answer(GONE)  # a restarted cell has a new world: the part is where it was at first
         self.assert_success()
@@ -206,7 +206,7 @@ class FailuresAfterCollision(ProcessFailureTest):
 
     def test_a_part_is_given_up_once_the_cell_is_back(self):
         self.answer(HIT, "Skip")
-        self.break_and_restore(KILL, "cell", during=f"{WORK}/GiveUp/Task/Back", asks=f"{WORK}/Stuck", missed="robot")
+        self.break_and_restore(KILL, "cell", during=f"{WORK}/GiveUp/Task/Carry", asks=f"{WORK}/Stuck", missed="robot")
         self.answer("could not be given up")
         self.assert_success(skipped=["Cube"])
 
