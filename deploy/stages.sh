@@ -3,8 +3,9 @@
 # shellcheck shell=bash
 
 readonly out=$PWD/build/test
-rm -rf "$out" && mkdir -p "$out" || exit 1
-table=() failed_stages=() failed_without_report=0
+# Of each stage, as it ends: name, seconds, seconds of processors, `ok`, `failed`, or `broken` (without a report of tests).
+readonly ended=$out/stages.txt
+rm -rf "$out" && mkdir -p "$out" && : >"$ended" || exit 1
 
 # tally: `PASSED FAILED` of all reports so far. Before the first one Python need not be there.
 tally() {
@@ -12,34 +13,56 @@ tally() {
 }
 failures() { tally | cut -d' ' -f2; }
 
+# timed LOG COMMAND...: runs it with its output in the log, and its time of processors in LOG.cpu.
+timed() {
+  local log=$1 TIMEFORMAT='%U %S'
+  shift
+  { time "$@" >"$log" 2>&1; } 2>"$log.cpu"
+}
+
 # stage NAME COMMAND...: runs it with its output in a log; says how it went and how long it took. A build that broke or a
-# program that never reported is one failure by itself.
+# program that never reported is one failure by itself. Stages that run beside others must not report tests.
 stage() {
-  local name=$1 log=$out/$1.log started=$SECONDS failures_before status seconds
+  local name=$1 log=$out/$1.log started=$SECONDS failures_before status seconds cpu result=ok
   shift
   failures_before=$(failures)
   printf '[%4d s] %s ...\n' "$SECONDS" "$name"
-  "$@" >"$log" 2>&1
+  timed "$log" "$@"
   status=$? seconds=$((SECONDS - started))
-  table+=("$(printf '%-20s %5d s' "$name" "$seconds")")
+  cpu=$(awk '{ printf "%d", $1 + $2 }' "$log.cpu")
+  if ((status != 0)); then
+    result=failed
+    [[ $(failures) == "$failures_before" ]] && result=broken
+  fi
+  printf '%s %d %d %s\n' "$name" "$seconds" "$cpu" "$result" >>"$ended"
   if ((status == 0)); then
     printf '[%4d s] %s: ok (%d s)\n' "$SECONDS" "$name" "$seconds"
     return 0
   fi
-  failed_stages+=("$name")
-  [[ $(failures) == "$failures_before" ]] && ((++failed_without_report))
   printf '[%4d s] %s: FAILED (%d s); the end of its log, %s:\n' "$SECONDS" "$name" "$seconds" "${log#"$PWD/"}"
   tail -n 80 "$log" | sed 's/^/    /'
   return 1
+}
+
+# passed NAME: whether this stage has ended well.
+passed() { grep -q "^$1 .* ok$" "$ended"; }
+
+# beside FUNCTION: runs its stages beside those that follow, on what these leave of the processors; `wait` waits for them.
+beside() {
+  {
+    renice --priority 19 "$BASHPID" >/dev/null
+    "$1"
+  } &
 }
 
 # finish: the table of stages and the sum of all reports; leaves with status 0 if all passed.
 finish() {
   local passed failed
   read -r passed failed < <(tally)
-  ((failed += failed_without_report))
-  printf '%s\n' "${table[@]}" "$(printf '%-20s %5d s' total "$SECONDS")"
-  ((${#failed_stages[@]})) && printf 'failed: %s\n' "${failed_stages[*]}"
+  ((failed += $(grep -c ' broken$' "$ended")))
+  awk '{ printf "%-20s %5d s %6d s of processors\n", $1, $2, $3 }' "$ended"
+  printf '%-20s %5d s\n' total "$SECONDS"
+  if grep -qv ' ok$' "$ended"; then printf 'failed: %s\n' "$(awk '$4 != "ok" { print $1 }' "$ended" | paste -sd' ')"; fi
   printf '%d passed, %d failed\n' "$passed" "$failed"
   ((failed == 0 && passed > 0))
   exit

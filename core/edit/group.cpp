@@ -23,6 +23,8 @@ class Group {
     if (rcm::is_resumed(tree_.document(), parent_))
       fail(ErrorCode::keep, "a deep history goes on with a child of the parent, and would begin the group anew",
            parent_);
+    if (composite.keep && composite.keep->deep)
+      fail(ErrorCode::keep, "the parent keeps what its children have; the group would begin anew", parent_);
     find_first(composite);
     for (const std::string& id : members_) {
       check_barrier(id);

@@ -45,8 +45,8 @@ class Ungroup {
   }
 
   void check_state() {
-    if (state_.link || state_.oracle || state_.entry || state_.exit || (state_.keep && !state_.keep->any) ||
-        !tree_.list(id_, ListName::variables).empty())
+    if (state_.link || state_.oracle || state_.entry || state_.exit ||
+        (state_.keep && (!state_.keep->any || state_.keep->deep)) || !tree_.list(id_, ListName::variables).empty())
       fail("a state with a link, an oracle, `entry`, `exit`, `keep` for some ports or variables is more than a group",
            id_);
     if (state_of(tree_, parent_)->oracle) fail("the parent chooses among its children", parent_);

@@ -15,8 +15,9 @@ namespace race::rcm {
 inline bool is_deep(const std::optional<Oracle>& oracle) { return oracle && oracle->deep; }
 
 /// The oracle by which `state`, which links no other, is translated. `inside`: its parent resumes by a deep history.
-/// Then a history is deep, too; and a composite whose `first` is a state, without oracle and `keep`, has a deep history
-/// that resumes it through no port of its own, but when it was left with its parent. All others begin anew.
+/// Then a history is deep, too; and a composite without oracle and `keep`, of whose children one at a time is active
+/// (its `first` is a state, and no barrier leads to several), has a deep history that resumes it through no port of its
+/// own, but when it was left with its parent. All others begin anew.
 std::optional<Oracle> oracle_of(const State& state, bool inside);
 
 /// The states of the document that a deep history contains, directly or by links, and that it resumes: those to which

@@ -1,10 +1,12 @@
 #include "core/rcm/extent.h"
 
 #include <algorithm>
+#include <array>
 #include <unordered_map>
 
 #include "core/rcm/after.h"
 #include "core/rcm/constraints.h"
+#include "core/rcm/deep_history.h"
 
 namespace race::rcm {
 namespace {
@@ -33,21 +35,37 @@ std::size_t bytes_of(const Barrier& barrier) {
   return out;
 }
 
+/// What translation makes of an oracle: about the text of a dispatcher, and of the actions of a history.
+Extent made_for_oracle(const Oracle& oracle, const State& state) {
+  constexpr std::size_t kTexts = 100;  // besides names, for each child
+  Extent out{1, kElement + 2 * oracle.text.size(), 0};
+  for (const Node& child : state.children) out.bytes += 3 * kElement + kTexts + 8 * name_of(child).size();
+  return out;
+}
+
 class Counter {
  public:
   explicit Counter(const Library& library) : library_(library) {}
 
-  /// `level`: the depth of the recursion; beyond kMaxDepth the result only says that it is too deep.
-  Extent count(const State& state, std::size_t level) {
+  /// `level`: the depth of the recursion; beyond kMaxDepth the result only says that it is too deep. `inside`: the
+  /// parent resumes by a deep history.
+  Extent count(const State& state, std::size_t level, bool inside) {
     if (level > kMaxDepth) return {1, 0, kMaxDepth + 1};
     if (state.link) {
-      const Extent linked = count_linked(*library_.find(*state.link), level + 1);
+      const Extent linked = count_linked(*library_.find(*state.link), level + 1, inside);
       return {linked.states, std::min(linked.bytes + bytes_of(state), kMaxBytes + 1), linked.depth + 1};
     }
     Extent out{1 + made_for_after(state), bytes_of(state), 0};
+    const auto oracle = oracle_of(state, inside);
+    if (oracle) {
+      const Extent made = made_for_oracle(*oracle, state);
+      out.states += made.states;
+      out.bytes += made.bytes;
+    }
     for (const Node& child : state.children) {
       const auto* inner = std::get_if<State>(&child);
-      const Extent part = inner ? count(*inner, level + 1) : Extent{1, bytes_of(std::get<Barrier>(child)), 1};
+      const Extent part =
+          inner ? count(*inner, level + 1, is_deep(oracle)) : Extent{1, bytes_of(std::get<Barrier>(child)), 1};
       out.states = std::min(out.states + part.states, kMaxStates + 1);
       out.bytes = std::min(out.bytes + part.bytes, kMaxBytes + 1);
       out.depth = std::max(out.depth, part.depth);
@@ -56,23 +74,24 @@ class Counter {
   }
 
  private:
-  Extent count_linked(const State& state, std::size_t level) {
-    if (const auto known = known_.find(&state); known != known_.end()) return known->second;
-    const Extent out = count(state, level);
-    return known_[&state] = out;
+  Extent count_linked(const State& state, std::size_t level, bool inside) {
+    auto& known = known_[inside ? 1 : 0];
+    if (const auto found = known.find(&state); found != known.end()) return found->second;
+    const Extent out = count(state, level, inside);
+    return known[&state] = out;
   }
 
   const Library& library_;
-  std::unordered_map<const State*, Extent> known_;
+  std::array<std::unordered_map<const State*, Extent>, 2> known_;  // outside and inside of deep histories
 };
 
 }  // namespace
 
 Extent extent_of(const Document& document, const Library& library) {
   Counter counter(library);
-  Extent out = counter.count(document.root, 1);
+  Extent out = counter.count(document.root, 1, false);
   for (const State& state : document.library) {
-    const Extent one = counter.count(state, 1);
+    const Extent one = counter.count(state, 1, false);
     out = {std::max(out.states, one.states), std::max(out.bytes, one.bytes), std::max(out.depth, one.depth)};
   }
   return out;

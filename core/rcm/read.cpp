@@ -136,7 +136,7 @@ std::optional<std::vector<std::string>> read_ports(Fields& fields, std::string_v
 bool read_deep(Fields& fields) {
   const Value* deep = fields.find("deep");
   if (!deep) return false;
-  if (!deep->is_bool() || !deep->as_bool()) fields.violation(ErrorCode::type, "`deep` must be true, or absent");
+  if (!deep->is_bool() || !deep->as_bool()) fields.violation(ErrorCode::type, "`deep` must be true");
   return true;
 }
 

@@ -1,4 +1,5 @@
 // The constraints of structure: names, what refers to what, links and oracles.
+#include <algorithm>
 #include <set>
 
 #include "core/rcm/after.h"
@@ -7,6 +8,7 @@
 #include "core/rcm/deep_history.h"
 #include "core/rcm/oracle.h"
 #include "core/rcm/path.h"
+#include "core/rcm/used_variables.h"
 #include "core/value/fields.h"
 
 namespace race::rcm {
@@ -88,7 +90,7 @@ class Structure {
     if (state.first && !level.has(*state.first))
       add(ErrorCode::first, path, "`first`: there is no child " + quote(*state.first));
     if (state.oracle) check_oracle(state, path, level);
-    if (resumed_.contains(&state)) check_made_names(state, path, level, true, true);
+    if (resumed_.contains(&state)) check_resumed(state, path, level);
     check_after(state, path, level);
     check_children(state, path, level);
   }
@@ -187,7 +189,7 @@ class Structure {
       add(ErrorCode::oracle, path, "`call` must be a call such as svc.Oracle.decide(par, res, var)");
     if (history && state.keep) add(ErrorCode::oracle, path, "a history has no `keep` of its own");
     if (history && oracle.resume) check_keep("resume", *oracle.resume, state, path);
-    check_made_names(state, path, level, history, false);
+    check_made_names(state, path, level, history);
   }
 
   /// The names that the translation of `after` adds must be free.
@@ -201,16 +203,25 @@ class Structure {
       add(ErrorCode::duplicate, path, "child `After`: the `after` of a port makes a barrier of this name");
   }
 
-  /// The names that the translation of an oracle adds must be free. `around`: it is that of a state around this one.
-  void check_made_names(const State& state, const std::string& path, const Level& level, bool history, bool around) {
-    const std::string oracle = around ? "deep history around it" : "oracle";
+  /// The names that the translation of the oracle adds must be free.
+  void check_made_names(const State& state, const std::string& path, const Level& level, bool history) {
     if (level.has(kDispatcher))
-      add(ErrorCode::duplicate, path, "child `Dispatcher`: the " + oracle + " makes a state of this name");
+      add(ErrorCode::duplicate, path, "child `Dispatcher`: the oracle makes a state of this name");
     for (const Datum& variable : state.variables) {
       if (history && variable.name == kLastActive)
-        add(ErrorCode::duplicate, path,
-            "variable `last_active`: the " + (around ? oracle : "history") + " makes a variable of this name");
+        add(ErrorCode::duplicate, path, "variable `last_active`: the history makes a variable of this name");
     }
+  }
+
+  /// The same of a state that a deep history around it resumes. Its code does not know of the variable either.
+  void check_resumed(const State& state, const std::string& path, const Level& level) {
+    if (level.has(kDispatcher))
+      add(ErrorCode::duplicate, path, "child `Dispatcher`: the deep history around it makes a state of this name");
+    const auto is_made = [](const auto& name) { return name == kLastActive; };
+    if (std::ranges::any_of(state.variables, is_made, &Datum::name) ||
+        std::ranges::any_of(used_variables(state), is_made))
+      add(ErrorCode::duplicate, path,
+          "variable `last_active`: the deep history around it makes a variable of this name");
   }
 
   const Library& library_;

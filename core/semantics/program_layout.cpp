@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "core/language/check/checker.h"
+#include "core/rcm/used_variables.h"
 #include "core/semantics/program_internal.h"
 
 namespace race::semantics {
@@ -77,7 +77,7 @@ class Layout {
       declared.insert(variable.name);
       place(variable.initial, id, variable.meta.id);
     }
-    for (const std::string& name : used_variables(state)) {  // var.x may be used undeclared
+    for (const std::string& name : rcm::used_variables(state)) {  // var.x may be used undeclared
       if (!declared.insert(name).second) continue;
       info.variables.push_back(name);
       place(std::nullopt, id, "");
@@ -100,26 +100,6 @@ class Layout {
     }
     info.end = static_cast<std::uint32_t>(p_.states.size());
     p_.states[number] = std::move(info);
-  }
-
-  static std::vector<std::string> used_variables(const rcm::State& state) {
-    std::vector<std::string> names;
-    const auto add = [&](const std::string& text) {
-      for (std::string& name : language::variable_names(text)) names.push_back(std::move(name));
-    };
-    if (state.entry) add(*state.entry);
-    if (state.exit) add(*state.exit);
-    for (const rcm::Action& action : state.actions) {
-      add(action.when);
-      add(action.code);
-    }
-    for (const rcm::Port& port : state.ports)
-      if (port.when) add(*port.when);
-    for (const rcm::Node& node : state.children)
-      if (const auto* child = std::get_if<rcm::State>(&node))
-        for (const rcm::Parameter& parameter : child->parameters)
-          if (parameter.from) add(*parameter.from);
-    return names;
   }
 
   NodeRef child_named(StateId parent, const std::string& name) const {

@@ -203,12 +203,9 @@ inline void StepContext::clear_earlier_activation(StateId s) {
     set_flag(program.flag(p), false, s, info.parent);
     if (info.parent != kNoState) std::erase(live(info.parent).unconnected_ports, p);
   }
-  if (!info.keeps || !keeps_values(s)) {
-    live(s).life = live(s).activations;
-    if (!info.stateless) reset_values(run, program, s, work.log.values);
-  } else if (!info.keeps_deep) {
-    live(s).life = live(s).activations;
-  }
+  const bool kept = info.keeps && keeps_values(s);
+  if (!kept || !info.keeps_deep) live(s).life = live(s).activations;
+  if (!kept && !info.stateless) reset_values(run, program, s, work.log.values);
   if (info.read_by_parent) mark_dirty(run, info.parent);
 }
 

@@ -44,10 +44,10 @@ export const constant: FieldReader = (value, field) => {
   throw new Refusal("constant", `\`${field}\` has a number out of the range of a double`);
 };
 
-/** `deep`, which is true or absent. */
+/** `deep`: true, or absent. */
 const deep: FieldReader = (value) => {
   if (value === undefined || value === true) return value;
-  throw wrongType("deep", "true, or absent");
+  throw wrongType("deep", "true");
 };
 
 const ports: FieldReader = (value, field) => (value === undefined ? undefined : requiredTexts(value, field));

@@ -395,6 +395,12 @@ TEST(Group, RefusesChildrenOfAStateThatADeepHistoryResumes) {
   EXPECT_EQ(refusal(ungroup(m.tree(), m["library/Work/G"])), m["library/Work/G"] + ": not_accepted");
 }
 
+TEST(Group, RefusesChildrenOfAStateThatKeepsDeep) {
+  Model m = deep_history();
+  m.apply(Edit{{Set{m["library/Work"], "keep", {}, json("{'deep': true, 'ports': []}")}}});
+  EXPECT_EQ(refusal(group(m.tree(), {m["library/Work/B"]}, "G", "s")), m["library/Work"] + ": keep");
+}
+
 TEST(Group, OffersThePortsThatTheParentReads) {
   Model m = chain();
   m.apply(Edit{{Set{m["R/C/ok"], "to", {}, {}}}});
@@ -441,6 +447,7 @@ TEST(Ungroup, RefusesStatesThatDoSomethingThemselves) {
   };
   EXPECT_TRUE(refused("entry", "'pass'"));
   EXPECT_TRUE(refused("keep", "['B_no']"));
+  EXPECT_TRUE(refused("keep", "{'deep':true}"));
   EXPECT_TRUE(refused("oracle", "{'kind':'history'}"));
   EXPECT_TRUE(refused("first", "'Nobody'"));
   Model m = chain();

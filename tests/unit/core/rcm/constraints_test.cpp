@@ -178,6 +178,34 @@ TEST(Extent, OfTextThatLinksMultiplyIsBounded) {
   EXPECT_THAT(rejected(root(), library), ElementsAre(": too_large"));
 }
 
+TEST(Extent, CountsWhatADeepHistoryMakes) {
+  std::string groups;
+  for (int i = 0; i < 40; ++i) {
+    groups += (i == 0 ? "" : ", ") + std::string(R"({"state": "G)") + std::to_string(i) +
+              R"(", "first": "C0", "children": [)";
+    for (int k = 0; k < 1000; ++k)
+      groups += (k == 0 ? "" : ", ") + std::string(R"({"state": "C)") + std::to_string(k) +
+                R"(", "first": "L", "children": [{"state": "L"}]})";
+    groups += "]}";
+  }
+  const std::string root = R"({"state": "P", "first": "G0", "children": [)" + groups + "]";
+  EXPECT_THAT(rejected(root + "}", ""), IsEmpty()) << "80041 states";
+  EXPECT_THAT(rejected(root + R"(, "oracle": {"kind": "history"}})", ""), IsEmpty());
+  EXPECT_THAT(rejected(root + R"(, "oracle": {"kind": "history", "deep": true}})", ""), ElementsAre(": too_large"))
+      << "and 40041 dispatchers";
+}
+
+TEST(Extent, OfLongChainsInADeepHistoryIsBounded) {
+  std::string library = R"({"state": "L0"})";
+  for (int i = 1; i < 60'000; ++i)
+    library += R"(, {"state": "L)" + std::to_string(i) + R"(", "first": "C", "children": [{"state": "C", "link": "L)" +
+               std::to_string(i - 1) + "\"}]}";
+  EXPECT_THAT(rejected(R"({"state": "P", "first": "A", "children": [{"state": "A", "link": "L59999"}],
+                           "oracle": {"kind": "history", "deep": true}})",
+                       library),
+              ElementsAre(": too_deep"));
+}
+
 TEST(Extent, OfLongChainsIsBounded) {
   std::string library = R"({"state": "L0"})";
   for (int i = 1; i < 20'000; ++i)

@@ -174,6 +174,7 @@ TEST(DeepHistory, EndsAtStatesThatSayOtherwise) {
   EXPECT_EQ(child(child(task, "Steps"), "B").first, "Dispatcher");
   EXPECT_EQ(child(task, "Chosen").keep, std::nullopt) << "another oracle";
   EXPECT_EQ(child(task, "Fork").first, "Begin") << "a barrier as first";
+  EXPECT_EQ(child(task, "Later").first, "Alone") << "a barrier that leads to several";
 }
 
 TEST(DeepHistory, LeavesTheSameLibraryStateElsewhereAsItIs) {
