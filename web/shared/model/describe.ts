@@ -46,14 +46,17 @@ export function codeText(code: string): string {
   return lines.length > 1 ? `${lines[0] ?? ""} …` : (lines[0] ?? "");
 }
 
+/** What the author of the state has written. */
 export function describeState(state: State): readonly Line[] {
+  const variables = state.variables.filter(({ made }) => made !== true);
+  const actions = state.actions.filter(({ made }) => made !== true);
   return [
     ...state.parameters.map((p): Line => ({ label: "params", text: parameterText(p), name: p.name })),
     ...state.results.map((r): Line => ({ label: "results", text: r.name, name: r.name })),
-    ...state.variables.map((v): Line => ({ label: "vars", text: v.name, name: v.name })),
+    ...variables.map((v): Line => ({ label: "vars", text: v.name, name: v.name })),
     ...(state.entry === undefined ? [] : [{ label: "entry", text: codeText(state.entry) } as const]),
     ...(state.exit === undefined ? [] : [{ label: "exit", text: codeText(state.exit) } as const]),
-    ...state.actions.map((a): Line => ({ label: "action", text: `[${a.when}] ${codeText(a.do)}` })),
+    ...actions.map((a): Line => ({ label: "action", text: `[${a.when}] ${codeText(a.do)}` })),
   ];
 }
 

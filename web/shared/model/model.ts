@@ -24,14 +24,19 @@ export interface Parameter extends Identified {
   readonly doc?: string;
 }
 
+/** What the translation of a history may have added to a state, so that its author has not written it. */
+interface Translated {
+  readonly made?: true;
+}
+
 /** A result (Def. 3.3) or a variable. */
-export interface Declaration extends Identified {
+export interface Declaration extends Identified, Translated {
   readonly name: string;
   readonly initial?: JsonValue;
 }
 
 /** Def. 3.7. */
-export interface Action extends Identified {
+export interface Action extends Identified, Translated {
   readonly when: string;
   readonly do: string;
 }

@@ -5,14 +5,26 @@ import type { Dispatcher, Node, State } from "./model";
 /** Path in the native model -> path in the document that it was translated from (api/schemas: native). */
 export type Origin = Readonly<Record<string, string>>;
 
+/** The variable in which a history has its last child. */
+const kMemory = "last_active";
+
 const choiceOf = (dispatcher: State) => dispatcher.parameters.find(({ name }) => name === "choice")?.from;
 
 function kindOf(dispatcher: State, { keepsDeep }: State): Dispatcher {
-  if (choiceOf(dispatcher) !== "var.last_active") return "choice";
+  if (choiceOf(dispatcher) !== `var.${kMemory}`) return "choice";
   return keepsDeep === true ? "deep history" : "history";
 }
 
-/** The model with its dispatchers marked, and the oracles in the states that have one. */
+/** The variable and the actions by which a history remembers its last child, marked. */
+function markMemory({ variables, actions, children }: State): Pick<State, "variables" | "actions"> {
+  const stores = new Set(children.map(({ name }) => `var.${kMemory} = '${name}'`));
+  return {
+    variables: variables.map((variable) => (variable.name === kMemory ? { ...variable, made: true } : variable)),
+    actions: actions.map((action) => (stores.has(action.do) ? { ...action, made: true } : action)),
+  };
+}
+
+/** The model with its dispatchers and what histories remember marked, and the oracles in the states that have one. */
 export function withOracles(root: State, origin: Origin): State {
   const mark = (state: State, path: string): State => {
     const first = state.children.find((child) => child.name === state.first);
@@ -25,7 +37,8 @@ export function withOracles(root: State, origin: Origin): State {
     });
     if (!translated) return { ...state, children };
     const kind = kindOf(first, state);
-    return { ...state, children, oracle: kind === "choice" ? (choiceOf(first) ?? first.entry ?? "external") : kind };
+    if (kind === "choice") return { ...state, children, oracle: choiceOf(first) ?? first.entry ?? "external" };
+    return { ...state, ...markMemory(state), children, oracle: kind };
   };
   return mark(root, root.name);
 }

@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import * as schema from "../../generated/validators";
 import { check } from "../../shared/messages/check";
+import { describeState } from "../../shared/model/describe";
 import type { State } from "../../shared/model/model";
 import { withOracles } from "../../shared/model/oracles";
 import { readModel } from "../../shared/model/readModel";
@@ -29,6 +30,14 @@ describe("withOracles", () => {
     const [deep, flat] = [{ deep: true, ports: ["hit"] }, ["hit"]].map((keep) => withOracles(translated(choice("var.last_active"), keep), kOrigin));
     expect([deep?.oracle, flat?.oracle]).toEqual(["deep history", "history"]);
     expect([deep, flat].map((root) => root && dispatchers(root)[0])).toEqual(["deep history", "history"]);
+  });
+  it("marks what a history remembers, which is not drawn", () => {
+    const root = translated(choice("var.last_active"));
+    const stores = (name: string) => ({ when: `chi.${name}.active and var.last_active != '${name}'`, do: `var.last_active = '${name}'` });
+    const own = { when: "chi.A.active", do: "var.x = 1" };
+    const marked = withOracles({ ...root, variables: [{ name: "x" }, { name: "last_active" }], actions: [own, stores("A")] }, kOrigin);
+    expect(marked.actions.map(({ made }) => made)).toEqual([undefined, true]);
+    expect(describeState(marked).map(({ text }) => text)).toEqual(["x", "[chi.A.active] var.x = 1"]);
   });
   it("leaves a state alone that its author has called Dispatcher", () => {
     const written = withOracles(translated(choice("par.begin")), { ...kOrigin, "Root/Dispatcher": "Root/Dispatcher" });
