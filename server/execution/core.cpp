@@ -93,12 +93,13 @@ Expected<Core::Preparation> Core::retire() {
   });
 }
 
+// What is shown of it has all of this from the first moment: `live_` stands before what publishes it.
 void Core::replace(const Core& other, Preparation preparation) {
+  live_ = other.live_.load();
   std::erase_if(preparation.breakpoints,
                 [this](const execution::GoalName& name) { return !find_goal(*header_.program, name).has_value(); });
   std::ignore = set_breakpoints(std::move(preparation.breakpoints));
   if (preparation.paused) std::ignore = pause();
-  live_ = other.live_.load();
   if (other.state_watched_) watch_state();
   if (other.derivation_watched_) watch_derivation(true);
 }

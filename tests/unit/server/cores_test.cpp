@@ -67,11 +67,13 @@ TEST_F(CoresTest, AModelThatIsLoadedTakesThePlaceOfOneThatHasNotBegun) {
   using enum execution::Goal::Kind;
   ASSERT_TRUE(cores.find(id).value()->pause());
   ASSERT_TRUE(cores.find(id).value()->set_breakpoints({{entered, {}, "R"}}));
+  ASSERT_TRUE(cores.find(id).value()->set_live(true));
   ASSERT_TRUE(cores.load(id, {"s", 2, second}, {}));
   const auto core = cores.find(id).value();
   const Value info = core->info();
   EXPECT_EQ(info.find("document")->as_string(), "s");
   EXPECT_EQ(info.find("revision")->as_integer(), 2);
+  EXPECT_TRUE(info.find("live")->as_bool()) << "it is shown so from the first moment";
   EXPECT_TRUE(info.find("paused")->as_bool()) << "who paused it did not say that it may go";
   EXPECT_TRUE(info.find("breakpoints")->as_list().empty()) << "there is no R any more";
   EXPECT_EQ(store.runs->get(core->run_id())->document, "s");
