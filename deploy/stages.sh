@@ -48,11 +48,16 @@ stage() {
 passed() { grep -q "^$1 .* ok$" "$ended"; }
 
 # beside FUNCTION: runs its stages beside those that follow, on what these leave of the processors; `wait` waits for them.
+# They end with the script: their processes are a group.
 beside() {
+  set -m
   {
     renice --priority 19 "$BASHPID" >/dev/null
     "$1"
   } &
+  set +m
+  # shellcheck disable=SC2064  # the process of now
+  trap "kill -- -$! 2>/dev/null" EXIT
 }
 
 # finish: the table of stages and the sum of all reports; leaves with status 0 if all passed.
