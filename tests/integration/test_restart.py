@@ -1,10 +1,12 @@
-"""Documents and values survive a restart; message numbers are not used again."""
+"""Documents and values survive a restart, message numbers are not used again, and a time-out of a run begins anew."""
 import shutil
 import tempfile
+import time
 import unittest
 
 import models
 from client import Server
+from server_case import ServerCase
 
 
 class Restart(unittest.TestCase):
@@ -39,6 +41,19 @@ class Restart(unittest.TestCase):
                 self.assertEqual(message["kind"], "snapshot")
                 numbers.append(message["sequence"])
         self.assertGreater(numbers[1], numbers[0])
+
+
+class TimeOut(ServerCase):
+    def test_the_time_of_a_run_that_was_interrupted_begins_anew_when_it_is_resumed(self):
+        core = self.server.core(models.waiting(1.0))
+        self.server.wait(core, lambda c: c["step"] > 0)
+        time.sleep(0.5)
+        self.kill()
+        self.assertEqual(self.server.get(f"/cores/{core}", "core")["status"], "interrupted")
+        resumed = time.monotonic()
+        self.server.post(f"/cores/{core}/resume", None, "core")
+        self.assertEqual(self.server.ended(core)["outcome"], "late")
+        self.assertGreater(time.monotonic() - resumed, 0.9, "not the rest of the time alone")
 
 
 if __name__ == "__main__":
