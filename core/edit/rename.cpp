@@ -5,6 +5,7 @@
 #include "core/edit/builder.h"
 #include "core/edit/compound.h"
 #include "core/edit/references.h"
+#include "core/rcm/after.h"
 #include "core/value/fields.h"
 
 namespace race::edit {
@@ -44,6 +45,7 @@ class Renaming {
         return links();
       case ListName::ports:
         port_lists(parent);
+        waiting_state(id, parent);
         return of_state(parent, "port", ListName::ports);
       case ListName::parameters:
         return of_state(parent, "par", list);
@@ -57,10 +59,11 @@ class Renaming {
   }
 
   /// Renames the last name of `path` in all texts of a scope.
-  void in_scope(std::string_view state, const Path& path) {
-    for (const CodeText& text : texts_in_scope(tree(), state)) in_text(text, path);
+  void in_scope(std::string_view state, const Path& path) { in_scope(state, path, name_); }
+  void in_scope(std::string_view state, const Path& path, const std::string& name) {
+    for (const CodeText& text : texts_in_scope(tree(), state)) in_text(text, path, name);
     for (const auto& [link, text] : taken_over_texts(tree(), state)) {
-      if (!replacements_in(text, path).empty())
+      if (!replacements_in(text, path, name).empty())
         builder_.fail({ErrorCode::scope,
                        "its parameter " + quote(name_of(tree(), text.id)) + " names " + quote(old_) + " in the library",
                        link});
@@ -68,27 +71,37 @@ class Renaming {
   }
 
   void services() {
+    if (old_ == rcm::kTimer) keep_time_outs();
     const auto& services = tree().fields().services;
     if (const auto entry = services.find(old_); entry != services.end()) {
       builder_.add(Set{"", "services", name_, Value(entry->second)});
       builder_.add(Set{"", "services", old_, std::nullopt});
     }
-    for (const CodeText& text : all_texts(tree())) in_text(text, {"svc", old_});
+    for (const CodeText& text : all_texts(tree())) in_text(text, {"svc", old_}, name_);
   }
 
  private:
-  void in_text(const CodeText& text, const Path& path) {
-    auto replacements = replacements_in(text, path);
+  /// Translation makes calls of the service with this key.
+  void keep_time_outs() {
+    tree().for_each([&](const Element& element) {
+      const auto* port = std::get_if<rcm::Port>(&element.content);
+      if (port && port->after)
+        builder_.fail({ErrorCode::not_accepted, "the time-out of a port calls `svc.timer`", port->meta.id});
+    });
+  }
+
+  void in_text(const CodeText& text, const Path& path, const std::string& name) {
+    auto replacements = replacements_in(text, path, name);
     if (!replacements.empty())
       builder_.set(text.id, text.field, field_with(tree(), text, replaced(text.text, std::move(replacements))));
   }
 
-  std::vector<Replacement> replacements_in(const CodeText& text, const Path& path) {
+  std::vector<Replacement> replacements_in(const CodeText& text, const Path& path, const std::string& name) {
     const References references = references_in(text);
     if (!references.is_parsed) unparsed(text);
     std::vector<Replacement> out;
     for (const Reference& reference : references.found) {
-      if (reference.begins_with(path)) out.push_back(with_name(text.text, reference, path.size() - 1, name_));
+      if (reference.begins_with(path)) out.push_back(with_name(text.text, reference, path.size() - 1, name));
     }
     return out;
   }
@@ -132,6 +145,12 @@ class Renaming {
       if (state.oracle->deep) oracle.set("deep", true);
       builder_.set(parent, "oracle", std::move(oracle));
     }
+  }
+
+  /// The state that waits for the time of a port with `after` is named after the port.
+  void waiting_state(std::string_view port, const std::string& state) {
+    if (!std::get<rcm::Port>(tree().find(port)->content).after) return;
+    in_scope(state, {"chi", rcm::after_name(old_)}, rcm::after_name(name_));
   }
 
   /// A port, parameter or result of a state: in its own texts, in those of its parent, and the same for the states that

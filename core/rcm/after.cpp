@@ -7,8 +7,9 @@ namespace {
 
 // A call that is lost with its timer, or with the server, is made again; while the timer is gone it fails at once.
 constexpr int kMostTries = 10;
+const std::string kWait = "svc." + std::string(kTimer) + ".wait";
 // Of any other error, its code becomes the message of a fault: a time-out that never comes must not go unnoticed.
-constexpr const char* kFault = "int('time-out: ' + svc.timer.wait.error.code)";
+const std::string kFault = "int('time-out: ' + " + kWait + ".error.code)";
 
 std::size_t waiting_ports(const State& state) {
   return static_cast<std::size_t>(
@@ -40,14 +41,13 @@ State after_state(const Port& port, DerivedIds& ids) {
   seconds.unit = "s";
   seconds.meta = meta(out.meta, ":seconds");
   out.parameters.push_back(std::move(seconds));
-  const std::string wait = "svc.timer.wait(par.seconds)", tries = std::to_string(kMostTries);
+  const std::string wait = kWait + "(par.seconds)", tries = std::to_string(kMostTries);
   out.variables.push_back(Datum{"tries", Value(1), Value(), "", "", meta(out.meta, ":tries")});
   out.entry = wait;
-  out.actions.push_back(Action{"svc.timer.wait.error.code == 'unavailable' and var.tries < " + tries,
+  out.actions.push_back(Action{kWait + ".error.code == 'unavailable' and var.tries < " + tries,
                                "var.tries += 1\n" + wait, meta(out.meta, ":again")});
-  out.actions.push_back(Action{"svc.timer.wait.error.code != 'unavailable'", kFault, meta(out.meta, ":refused")});
-  out.ports.push_back(
-      Port{std::string(kDue), "svc.timer.wait.result", std::nullopt, std::nullopt, meta(out.meta, ":due")});
+  out.actions.push_back(Action{kWait + ".error.code != 'unavailable'", kFault, meta(out.meta, ":refused")});
+  out.ports.push_back(Port{std::string(kDue), kWait + ".result", std::nullopt, std::nullopt, meta(out.meta, ":due")});
   return out;
 }
 

@@ -13,6 +13,7 @@ namespace race::rcm {
 
 inline constexpr std::string_view kAfterBarrier = "After";
 inline constexpr std::string_view kDue = "due";
+inline constexpr std::string_view kTimer = "timer";  // key of the service that is called
 
 /// The name of the state that waits for the port: `After_p`.
 std::string after_name(std::string_view port);

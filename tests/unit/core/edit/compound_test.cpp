@@ -150,6 +150,19 @@ TEST(Rename, OfPortsAndVariablesAndBarriers) {
   m.apply(rename(m.tree(), m["Root"], "Task"));
 }
 
+TEST(Rename, OfAPortWithATimeOutRenamesTheStateThatWaits) {
+  Model m(json(R"({'rcm': 1, 'services': {'timer': 'timer'}, 'root': {'state': 'R', 'children': [{'state': 'A'}],
+    'actions': [{'when': 'chi.After_late.active and not chi.After_late.port.due', 'do': 'var.x = \'After_late\''}],
+    'ports': [{'name': 'late', 'after': '2'}]}})"));
+  m.apply(rename(m.tree(), m["R/late"], "slow"));
+  EXPECT_EQ(m.violations(), "");
+  const Value root = m.tree().write(m["R"]);
+  const Value& action = root.find("actions")->as_list()[0];
+  EXPECT_EQ(*action.find("when"), Value("chi.After_slow.active and not chi.After_slow.port.due"));
+  EXPECT_EQ(*action.find("do"), Value("var.x = \"After_late\"")) << "a text that is no name";
+  EXPECT_EQ(refusal(rename_service(m.tree(), "timer", "clock")), m["R/slow"] + ": not_accepted");
+}
+
 TEST(Rename, OfAPortLeavesAHistoryAndAKeepDeep) {
   Model m(json(R"({'rcm': 1, 'root': {'state': 'R', 'first': 'A', 'children': [
     {'state': 'A', 'keep': {'deep': true, 'ports': ['a']}, 'ports': [{'name': 'a', 'when': 'True'}]}],
