@@ -5,8 +5,9 @@
 # Test files are compiled without optimization, as they are compiled more often than they run; what they test is
 # optimized. A file that does much itself stands in a library of its own (semantics_random_cases).
 #
-# Labels: the room under test (`core`, `services`, `server`, `application`; by default that of the folder tests/unit/ROOM)
-# and `slow` for what takes more than some seconds. A room's test programs are built together by the target tests_ROOM.
+# Labels: the room under test (`core`, `services`, `server`, `application`; by default that of the folder tests/unit/ROOM),
+# `threads` for programs whose tests use several, which the thread sanitizer runs, and `slow` for what takes more than some
+# seconds. The test programs of a room, and those with `threads`, are built together by the target tests_LABEL.
 find_package(GTest REQUIRED)
 
 # race_test_main: main() of the test programs, and their precompiled header.
@@ -19,9 +20,10 @@ target_precompile_headers(race_test_main PRIVATE <gmock/gmock.h> <gtest/gtest.h>
   <tl/expected.hpp>)
 
 set(RACE_TEST_ROOMS core services server application)
-set(RACE_TEST_LABELS ${RACE_TEST_ROOMS} slow)
-foreach(room ${RACE_TEST_ROOMS})
-  add_custom_target(tests_${room})
+set(RACE_TEST_TARGETS ${RACE_TEST_ROOMS} threads)
+set(RACE_TEST_LABELS ${RACE_TEST_TARGETS} slow)
+foreach(label ${RACE_TEST_TARGETS})
+  add_custom_target(tests_${label})
 endforeach()
 
 function(race_test name)
@@ -45,7 +47,7 @@ function(race_test name)
     if(NOT label IN_LIST RACE_TEST_LABELS)
       message(FATAL_ERROR "race_test(${name}): there is no label '${label}', only ${RACE_TEST_LABELS}")
     endif()
-    if(label IN_LIST RACE_TEST_ROOMS)
+    if(label IN_LIST RACE_TEST_TARGETS)
       add_dependencies(tests_${label} ${name})
     endif()
   endforeach()
