@@ -2,6 +2,7 @@
 // place of cores.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,7 @@ class Bench final : public HostObserver {
 
   /// Lets `seconds` pass in steps of 1 ms; time waits for the answers that are due.
   void pass(double seconds) {
-    for (int ms = 0; ms < static_cast<int>(seconds * 1000 + 0.5); ++ms) {
+    for (auto ms = std::lround(seconds * 1000); ms > 0; --ms) {
       clock.set(static_cast<double>(++milliseconds) / 1000);
       host.advance(true);
       queue.run();
