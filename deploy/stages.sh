@@ -47,8 +47,8 @@ stage() {
 # passed NAME: whether this stage has ended well.
 passed() { grep -q "^$1 .* ok$" "$ended"; }
 
-# beside FUNCTION: runs its stages beside those that follow, on what these leave of the processors; `wait` waits for them.
-# They end with the script: their processes are a group.
+# beside FUNCTION: runs its stages beside those that follow, on what these leave of the processors, until
+# wait_beside. They end with the script: their processes are a group.
 beside() {
   set -m
   {
@@ -58,6 +58,10 @@ beside() {
   set +m
   # shellcheck disable=SC2064  # the process of now
   trap "kill -- -$! 2>/dev/null" EXIT
+}
+wait_beside() {
+  wait
+  trap - EXIT
 }
 
 # finish: the table of stages and the sum of all reports; leaves with status 0 if all passed.

@@ -6,6 +6,7 @@
 #include "core/edit/compound.h"
 #include "core/edit/references.h"
 #include "core/rcm/after.h"
+#include "core/rcm/document.h"
 #include "core/value/fields.h"
 
 namespace race::edit {
@@ -135,16 +136,13 @@ class Renaming {
   }
 
   void port_lists(const std::string& parent) {
-    const rcm::State& state = *state_of(tree(), parent);
-    if (state.keep && !state.keep->ports.empty()) {
-      const Value ports = renamed(state.keep->ports);
-      builder_.set(parent, "keep", state.keep->deep ? Value(Dict{{"deep", true}, {"ports", ports}}) : ports);
-    }
-    if (state.oracle && state.oracle->resume) {
-      Dict oracle{{"kind", "history"}, {"resume", renamed(*state.oracle->resume)}};
-      if (state.oracle->deep) oracle.set("deep", true);
-      builder_.set(parent, "oracle", std::move(oracle));
-    }
+    rcm::State state = *state_of(tree(), parent);
+    const auto rename_in = [&](std::vector<std::string>& ports) { std::ranges::replace(ports, old_, name_); };
+    if (state.keep) rename_in(state.keep->ports);
+    if (state.oracle && state.oracle->resume) rename_in(*state.oracle->resume);
+    const Value json = rcm::write_state(state);
+    if (state.keep && !state.keep->ports.empty()) builder_.set(parent, "keep", *json.find("keep"));
+    if (state.oracle && state.oracle->resume) builder_.set(parent, "oracle", *json.find("oracle"));
   }
 
   /// The state that waits for the time of a port with `after` is named after the port.

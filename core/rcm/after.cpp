@@ -56,8 +56,6 @@ bool has_after_barrier(const State& state) {
   return waiting > 1 || (waiting == 1 && (state.first || state.oracle));
 }
 
-std::size_t made_for_after(const State& state) { return waiting_ports(state) + (has_after_barrier(state) ? 1 : 0); }
-
 void translate_after(State& state, DerivedIds& ids) {
   if (waiting_ports(state) == 0) return;
   const bool has_barrier = has_after_barrier(state);

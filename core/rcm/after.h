@@ -25,9 +25,6 @@ State after_state(const Port& port, DerivedIds& ids);
 /// Whether the states that wait need a barrier: the state has a `first` already, or they are several.
 bool has_after_barrier(const State& state);
 
-/// How many states and barriers the `after` of the ports of this state make.
-std::size_t made_for_after(const State& state);
-
 /// Replaces the `after` of the ports of `state` by the states that wait. Requires a state without violations, whose
 /// oracle has been translated.
 void translate_after(State& state, DerivedIds& ids);

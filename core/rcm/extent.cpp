@@ -7,6 +7,7 @@
 #include "core/rcm/after.h"
 #include "core/rcm/constraints.h"
 #include "core/rcm/deep_history.h"
+#include "core/rcm/oracle.h"
 
 namespace race::rcm {
 namespace {
@@ -35,12 +36,30 @@ std::size_t bytes_of(const Barrier& barrier) {
   return out;
 }
 
-/// What translation makes of an oracle: about the text of a dispatcher, and of the actions of a history.
-Extent made_for_oracle(const Oracle& oracle, const State& state) {
-  constexpr std::size_t kTexts = 100;  // besides names, for each child
-  Extent out{1, kElement + 2 * oracle.text.size(), 0};
-  for (const Node& child : state.children) out.bytes += 3 * kElement + kTexts + 8 * name_of(child).size();
+std::size_t bytes_of(const std::vector<Node>& nodes) {
+  std::size_t out = 0;
+  for (const Node& node : nodes) out += std::visit([](const auto& each) { return bytes_of(each); }, node);
   return out;
+}
+
+/// What translation adds to a state with this oracle, or with `after` in its ports.
+Extent made_by_translation(const State& state, const std::optional<Oracle>& oracle) {
+  if (!oracle && std::ranges::none_of(state.ports, [](const Port& port) { return port.after.has_value(); })) return {};
+  State bare;  // what translation reads, and of the children their names alone
+  bare.first = state.first;
+  bare.ports = state.ports;
+  bare.oracle = oracle;
+  for (const Node& child : state.children) {
+    if (std::holds_alternative<Barrier>(child))
+      bare.children.push_back(child);
+    else
+      std::get<State>(bare.children.emplace_back(State())).name = name_of(child);
+  }
+  const std::size_t children = bare.children.size(), bytes = bytes_of(bare) + bytes_of(bare.children);
+  DerivedIds no_ids;
+  if (oracle) translate_oracle(bare, no_ids);
+  translate_after(bare, no_ids);
+  return {bare.children.size() - children, bytes_of(bare) + bytes_of(bare.children) - bytes, 1};
 }
 
 class Counter {
@@ -55,13 +74,9 @@ class Counter {
       const Extent linked = count_linked(*library_.find(*state.link), level + 1, inside);
       return {linked.states, std::min(linked.bytes + bytes_of(state), kMaxBytes + 1), linked.depth + 1};
     }
-    Extent out{1 + made_for_after(state), bytes_of(state), 0};
     const auto oracle = oracle_of(state, inside);
-    if (oracle) {
-      const Extent made = made_for_oracle(*oracle, state);
-      out.states += made.states;
-      out.bytes += made.bytes;
-    }
+    const Extent made = made_by_translation(state, oracle);
+    Extent out{1 + made.states, bytes_of(state) + made.bytes, made.depth};
     for (const Node& child : state.children) {
       const auto* inner = std::get_if<State>(&child);
       const Extent part =

@@ -205,23 +205,28 @@ class Structure {
 
   /// The names that the translation of the oracle adds must be free.
   void check_made_names(const State& state, const std::string& path, const Level& level, bool history) {
-    if (level.has(kDispatcher))
-      add(ErrorCode::duplicate, path, "child `Dispatcher`: the oracle makes a state of this name");
-    for (const Datum& variable : state.variables) {
-      if (history && variable.name == kLastActive)
-        add(ErrorCode::duplicate, path, "variable `last_active`: the history makes a variable of this name");
-    }
+    check_dispatcher("oracle", path, level);
+    if (history && declares_last_active(state)) add_last_active("history", path);
   }
 
   /// The same of a state that a deep history around it resumes. Its code does not know of the variable either.
   void check_resumed(const State& state, const std::string& path, const Level& level) {
+    const std::string around = "deep history around it";
+    check_dispatcher(around, path, level);
+    const auto used = used_variables(state);
+    if (declares_last_active(state) || std::ranges::find(used, kLastActive) != used.end())
+      add_last_active(around, path);
+  }
+
+  void check_dispatcher(const std::string& maker, const std::string& path, const Level& level) {
     if (level.has(kDispatcher))
-      add(ErrorCode::duplicate, path, "child `Dispatcher`: the deep history around it makes a state of this name");
-    const auto is_made = [](const auto& name) { return name == kLastActive; };
-    if (std::ranges::any_of(state.variables, is_made, &Datum::name) ||
-        std::ranges::any_of(used_variables(state), is_made))
-      add(ErrorCode::duplicate, path,
-          "variable `last_active`: the deep history around it makes a variable of this name");
+      add(ErrorCode::duplicate, path, "child `Dispatcher`: the " + maker + " makes a state of this name");
+  }
+  static bool declares_last_active(const State& state) {
+    return std::ranges::find(state.variables, kLastActive, &Datum::name) != state.variables.end();
+  }
+  void add_last_active(const std::string& maker, const std::string& path) {
+    add(ErrorCode::duplicate, path, "variable `last_active`: the " + maker + " makes a variable of this name");
   }
 
   const Library& library_;

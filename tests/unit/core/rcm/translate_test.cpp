@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "core/rcm/document.h"
+#include "core/rcm/extent.h"
 #include "core/rcm/ids.h"
+#include "core/rcm/library.h"
 #include "tests/unit/core/rcm/cases.h"
 
 namespace race::rcm {
@@ -150,6 +152,20 @@ TEST(HistoryOracle, FollowsTheCompositesOwnVariablesAndActions) {
       "variables": [{"name": "v"}], "actions": [{"when": "False", "do": "pass"}], "oracle": {"kind": "history"}}})");
   EXPECT_EQ(model.root.variables[1].name, "last_active");
   EXPECT_EQ(model.root.actions[0].when, "False");
+}
+
+// What is accepted can be read back from a journal, whose native model is held against the same limits.
+TEST(Translate, MakesNothingThatTheExtentOfTheDocumentDoesNotCount) {
+  for (const auto& folder : cases(false)) {
+    const auto document = read_document_text(read_text(folder / "model.json"));
+    ASSERT_TRUE(document) << folder;
+    Document native;
+    native.root = translate(*document)->root;
+    const Extent counted = extent_of(*document, Library(*document)), made = extent_of(native, Library(native));
+    EXPECT_LE(made.states, counted.states) << folder;
+    EXPECT_LE(made.bytes, counted.bytes) << folder;
+    EXPECT_LE(made.depth, counted.depth) << folder;
+  }
 }
 
 TEST(DeepHistory, MakesTheCompositesInsideGoOnWhenTheyWereLeftWithTheirParent) {

@@ -31,6 +31,18 @@ struct CallLedgerTest : testing::Test {
     for (const PendingCall& each : ledger.pending()) ids.push_back(each.id);
     return ids;
   }
+  void accept(CallId id, const std::string& operation) {
+    call(id, operation);
+    ledger.transition(1.0, operation, id);
+  }
+  /// Call 1 has been answered, and 3 has superseded 2, as `blink` is deferred (R17).
+  void answer_one_and_supersede_two() {
+    accept(1, "on");
+    ledger.respond(1.0, 1, nullptr, false);
+    ledger.take(1);
+    accept(2, "blink");
+    accept(3, "blink");
+  }
   CallLedger ledger{blinking_lamp()};
 };
 
@@ -51,14 +63,7 @@ TEST_F(CallLedgerTest, FollowsTheStateOfTheService) {
 }
 
 TEST_F(CallLedgerTest, ALaterCallSupersedesAnEarlierOneThatIsDeferred) {
-  call(1, "on");
-  ledger.transition(1.0, "on", 1);
-  ledger.respond(1.0, 1, nullptr, false);
-  ledger.take(1);
-  call(2, "blink");
-  ledger.transition(1.0, "blink", 2);
-  call(3, "blink");
-  ledger.transition(1.0, "blink", 3);
+  answer_one_and_supersede_two();
   EXPECT_THAT(pending(), ElementsAre(3));
 }
 
@@ -101,14 +106,7 @@ TEST_F(CallLedgerTest, AbandonsACallOnceAndKeepsItPending) {
 }
 
 TEST_F(CallLedgerTest, AbandonsNoCallThatIsPendingNoLonger) {
-  call(1, "on");
-  ledger.transition(1.0, "on", 1);
-  ledger.respond(1.0, 1, nullptr, false);
-  ledger.take(1);
-  call(2, "blink");
-  ledger.transition(1.0, "blink", 2);
-  call(3, "blink");
-  ledger.transition(1.0, "blink", 3);
+  answer_one_and_supersede_two();
   EXPECT_EQ(ledger.abandon({"core", 1}), 0U) << "answered";
   EXPECT_EQ(ledger.abandon({"core", 2}), 0U) << "superseded (R17)";
   ledger.reset();
