@@ -1,6 +1,9 @@
-# race_test(NAME SOURCES file... [LIBS target...] [LABELS label...] [TIMEOUT seconds]
-# [ALONE file...]): a GoogleTest program NAME,
-# registered with CTest as one test. Its cases see RACE_SOURCE_DIR (the project's folder) as a string literal.
+# race_test(NAME SOURCES file... [LIBS target...] [LABELS label...] [TIMEOUT seconds] [SHARDS count] [COST cost]
+# [ALONE file...]): a GoogleTest program NAME, registered with CTest as one test. Its cases see RACE_SOURCE_DIR (the
+# project's folder) as a string literal.
+#
+# SHARDS: a long program is registered so many times, as NAME_0, NAME_1, ..., and GoogleTest shares its cases out; CTest runs
+# them side by side. COST: CTest begins with what costs most. Each shard has a name of the program of its own, as GoogleTest names the report after it.
 #
 # Test files are compiled without optimization, as they are compiled more often than they run; what they test is
 # optimized. A file that does much itself stands in a library of its own (semantics_random_cases).
@@ -27,7 +30,7 @@ foreach(label ${RACE_TEST_TARGETS})
 endforeach()
 
 function(race_test name)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBS;LABELS;ALONE" ${ARGN})
+  cmake_parse_arguments(ARG "" "TIMEOUT;SHARDS;COST" "SOURCES;LIBS;LABELS;ALONE" ${ARGN})
   if(CMAKE_CURRENT_SOURCE_DIR MATCHES "/tests/unit/([a-z]+)")
     list(APPEND ARG_LABELS ${CMAKE_MATCH_1})
     list(REMOVE_DUPLICATES ARG_LABELS)
@@ -38,11 +41,14 @@ function(race_test name)
   target_precompile_headers(${name} REUSE_FROM race_test_main)
   race_unity(${name} EXCEPT ${ARG_ALONE})
   target_compile_definitions(${name} PRIVATE RACE_SOURCE_DIR="${RACE_SOURCE_DIR}")
-  add_test(NAME ${name} COMMAND ${name})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)
   endif()
-  set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}")
+  race_register_test(${name} "${ARG_SHARDS}")
+  set_tests_properties(${race_registered} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}")
+  if(ARG_COST)
+    set_tests_properties(${race_registered} PROPERTIES COST ${ARG_COST})
+  endif()
   foreach(label ${ARG_LABELS})
     if(NOT label IN_LIST RACE_TEST_LABELS)
       message(FATAL_ERROR "race_test(${name}): there is no label '${label}', only ${RACE_TEST_LABELS}")
@@ -51,4 +57,23 @@ function(race_test name)
       add_dependencies(tests_${label} ${name})
     endif()
   endforeach()
+endfunction()
+
+# race_register_test(NAME SHARDS): tells CTest of the program, and sets race_registered to the names of its tests.
+function(race_register_test name shards)
+  if(NOT shards)
+    add_test(NAME ${name} COMMAND ${name})
+    set(race_registered ${name} PARENT_SCOPE)
+    return()
+  endif()
+  math(EXPR last "${shards} - 1")
+  foreach(shard RANGE ${last})
+    set(link ${CMAKE_CURRENT_BINARY_DIR}/${name}_${shard})
+    add_custom_command(TARGET ${name} POST_BUILD COMMAND ${CMAKE_COMMAND} -E create_symlink ${name} ${link})
+    add_test(NAME ${name}_${shard} COMMAND ${link})
+    set_tests_properties(${name}_${shard} PROPERTIES
+      ENVIRONMENT "GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${shard}")
+    list(APPEND names ${name}_${shard})
+  endforeach()
+  set(race_registered ${names} PARENT_SCOPE)
 endfunction()

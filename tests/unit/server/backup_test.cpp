@@ -15,7 +15,7 @@
 #include "services/database/store.h"
 #include "tests/unit/core/execution/journals.h"
 #include "tests/unit/services/sqlite/faulty_vfs.h"
-#include "tests/unit/services/sqlite/folder.h"
+#include "tests/unit/temporary_folder.h"
 
 namespace race::server {
 namespace {
@@ -47,7 +47,7 @@ struct BackupTest : testing::Test {
     return names;
   }
 
-  const sqlite::Folder folder{"backup"};
+  const TemporaryFolder folder;
   const fs::path data = folder.file("data");
   Backups backups{data};
 };

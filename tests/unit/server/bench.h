@@ -1,18 +1,14 @@
-// What tests of the server share: a Host whose news nobody wants, folders that are removed at the end, a store.
+// What tests of the server share: a Host whose news nobody wants, a store.
 #pragma once
 
-#include <unistd.h>
-
-#include <atomic>
-#include <filesystem>
 #include <memory>
-#include <string>
 
 #include "server/store/data_folder.h"
 #include "server/store/journal_writer.h"
 #include "server/store/runs.h"
 #include "server/stream/requests.h"
 #include "services/host/host.h"
+#include "tests/unit/temporary_folder.h"
 
 namespace race::server {
 
@@ -25,23 +21,6 @@ struct NoObserver final : services::HostObserver {
   void delivered(const services::Delivery&) override {}
   void changed(const services::ServiceStatus&) override {}
   void logged(services::Time, const std::string&, const std::string&) override {}
-};
-
-/// A new data folder, removed at the end.
-struct TemporaryFolder {
-  TemporaryFolder() {
-    static std::atomic<int> next{0};
-    path = memory() / ("race_test_" + std::to_string(::getpid()) + "_" + std::to_string(++next));
-    std::filesystem::create_directories(path);
-  }
-  /// Most tests store nothing that has to outlive them.
-  static std::filesystem::path memory() {
-    return std::filesystem::exists("/dev/shm") ? "/dev/shm" : std::filesystem::temp_directory_path();
-  }
-  ~TemporaryFolder() { std::filesystem::remove_all(path); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  std::filesystem::path path;
 };
 
 /// The store of runs in a folder of its own.

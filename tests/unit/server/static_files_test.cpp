@@ -6,6 +6,8 @@
 #include <fstream>
 #include <set>
 
+#include "tests/unit/temporary_folder.h"
+
 namespace race::server {
 namespace {
 
@@ -22,7 +24,6 @@ std::string header(const std::optional<Reply>& reply, const std::string& name) {
 
 struct StaticFiles : testing::Test {
   StaticFiles() {
-    fs::remove_all(folder);
     fs::create_directories(folder / "web" / "assets");
     write("web/index.html", "<p>");
     write("web/assets/a-1f.js", "1;");
@@ -32,7 +33,6 @@ struct StaticFiles : testing::Test {
     write("secret.txt", "s");
     fs::create_symlink(folder / "secret.txt", folder / "web" / "link.txt");
   }
-  ~StaticFiles() override { fs::remove_all(folder); }
   void write(const char* name, const char* text) { std::ofstream(folder / name) << text; }
   std::optional<Reply> get(const std::string& path, Headers headers = {}) {
     Request request;
@@ -41,7 +41,9 @@ struct StaticFiles : testing::Test {
     request.headers = std::move(headers);
     return static_file(folder / "web", request);
   }
-  fs::path folder = fs::path(testing::TempDir()) / "race_static_files_test";
+
+  const TemporaryFolder place;
+  const fs::path folder = place.path;
 };
 
 TEST_F(StaticFiles, AreServedWithTheirTypes) {

@@ -155,10 +155,10 @@ INSTANTIATE_TEST_SUITE_P(Part, RandomRuns, testing::Range<std::uint64_t>(0, kPar
 
 // R4: a discarded micro step leaves no trace in Δ.
 TEST(RandomModels, AFaultLeavesDeltaAsAfterTheLastCompleteMicroStep) {
-  const std::uint64_t seed = setting("RACE_SEED", 7);
-  std::cout << "RACE_SEED=" << seed << std::endl;
-  int faults = 0;
-  for (std::uint64_t i = 0; i < 3000; ++i) {
+  const std::uint64_t seed = setting("RACE_SEED", 7), models = sample(3000);
+  std::cout << "RACE_SEED=" << seed << ", " << models << " models" << std::endl;
+  std::uint64_t faults = 0;
+  for (std::uint64_t i = 0; i < models; ++i) {
     RandomModels random(seed + i);
     auto program = Program::build(random.model(), RandomModels::services());
     ASSERT_TRUE(program);
@@ -180,7 +180,7 @@ TEST(RandomModels, AFaultLeavesDeltaAsAfterTheLastCompleteMicroStep) {
       EXPECT_EQ(before.calls, run.state().calls) << "seed " << seed + i;
     }
   }
-  EXPECT_GT(faults, 100);
+  EXPECT_GT(faults, models / 30);
 }
 
 }  // namespace

@@ -3,10 +3,9 @@
 #include <SQLiteCpp/Database.h>
 #include <gmock/gmock.h>
 
-#include <filesystem>
-
 #include "core/value/json.h"
 #include "tests/unit/services/host/bench.h"
+#include "tests/unit/temporary_folder.h"
 
 namespace race::database {
 namespace {
@@ -95,8 +94,8 @@ TEST_F(DatabaseTest, IsAcceptedWhileOtherCallsWait) {
 }
 
 TEST(DatabaseFile, SurvivesARestart) {
-  const auto path = std::filesystem::path(testing::TempDir()) / "race_database_test.sqlite";
-  for (const char* suffix : {"", "-wal", "-shm"}) std::filesystem::remove(path.string() + suffix);
+  const TemporaryFolder folder;
+  const auto path = folder.path / "race.sqlite";
   {
     Bench first;
     first.add<Database>("db", Store::open(path).value());
@@ -116,8 +115,8 @@ TEST(DatabaseFile, ThatCannotBeOpenedIsAnError) {
 }
 
 TEST(DatabaseFile, ThatHasLostItsTableAnswersIo) {
-  const auto path = std::filesystem::path(testing::TempDir()) / "race_database_test_broken.sqlite";
-  for (const char* suffix : {"", "-wal", "-shm"}) std::filesystem::remove(path.string() + suffix);
+  const TemporaryFolder folder;
+  const auto path = folder.path / "race.sqlite";
   Bench bench;
   bench.add<Database>("db", Store::open(path).value());
   SQLite::Database(path.string(), SQLite::OPEN_READWRITE).exec("DROP TABLE record");

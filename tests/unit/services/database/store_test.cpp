@@ -10,20 +10,19 @@
 
 #include "core/value/json.h"
 #include "tests/unit/services/sqlite/faulty_vfs.h"
-#include "tests/unit/services/sqlite/folder.h"
 #include "tests/unit/setting.h"
+#include "tests/unit/temporary_folder.h"
 
 namespace race::database {
 namespace {
 
 using sqlite::FaultyVfs;
-using sqlite::Folder;
 using testing::ElementsAre;
 
 using Content = std::map<std::string, std::string>;  // key -> JSON
 
 struct StoreTest : testing::Test {
-  Folder folder{"store"}, after{"store_after"};
+  TemporaryFolder folder, after;
   const std::string path = folder.file("database.sqlite"), path_after = after.file("database.sqlite");
 
   void change_file(const char* sql) const { SQLite::Database(path, SQLite::OPEN_READWRITE).exec(sql); }
@@ -72,7 +71,7 @@ TEST_F(StoreTest, KeepsEveryChangeAfterALossOfPowerAtAnyOperation) {
   Content answered, with_next;
   vfs.before_each([&](std::uint64_t operation) {
     for (const double kept : {0.0, 0.5, 1.0}) {
-      vfs.lose_power(folder.path(), after.path(), kept, operation);
+      vfs.lose_power(folder.path, after.path, kept, operation);
       auto store = Store::open(path_after);
       ASSERT_TRUE(store) << to_string(store.error()) << ", operation " << operation;
       EXPECT_THAT(content_of(*store), testing::AnyOf(answered, with_next))

@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "tests/unit/services/sqlite/folder.h"
+#include "tests/unit/temporary_folder.h"
 
 namespace race::sqlite {
 namespace {
@@ -30,7 +30,7 @@ TEST(Sha256, OfFieldsTellsWhereOneEnds) {
 }
 
 TEST(Sha256, OfAFileIsThatOfItsContent) {
-  const Folder folder("digest");
+  const TemporaryFolder folder;
   const std::string text(200'000, 'a');
   std::ofstream(folder.file("text")) << text;
   EXPECT_EQ(sha256_of_file(folder.file("text")).value(), sha256(text));

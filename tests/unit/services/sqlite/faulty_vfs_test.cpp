@@ -6,13 +6,13 @@
 #include <gmock/gmock.h>
 
 #include "services/sqlite/file.h"
-#include "tests/unit/services/sqlite/folder.h"
+#include "tests/unit/temporary_folder.h"
 
 namespace race::sqlite {
 namespace {
 
 struct FaultyVfsTest : testing::Test {
-  Folder disk{"faulty_vfs"}, after{"faulty_vfs_after"};
+  TemporaryFolder disk, after;
   const std::string path = disk.file("rows.sqlite");
 
   void make_table() const { open(path)->exec("CREATE TABLE row (number INTEGER PRIMARY KEY, text TEXT NOT NULL)"); }
@@ -34,7 +34,7 @@ TEST_F(FaultyVfsTest, KeepsWhatWasSynchronised) {
   make_table();
   const auto file = open(path);
   insert(*file, 1);
-  vfs.lose_power(disk.path(), after.path());
+  vfs.lose_power(disk.path, after.path);
   EXPECT_EQ(rows_after(), 1);
 }
 
@@ -44,9 +44,9 @@ TEST_F(FaultyVfsTest, LosesWhatWasNotSynchronised) {
   const auto file = open(path);
   file->exec("PRAGMA synchronous = OFF");
   insert(*file, 1);
-  vfs.lose_power(disk.path(), after.path());
+  vfs.lose_power(disk.path, after.path);
   EXPECT_EQ(rows_after(), 0);
-  vfs.lose_power(disk.path(), after.path(), 1);
+  vfs.lose_power(disk.path, after.path, 1);
   EXPECT_EQ(rows_after(), 1) << "a crash of the process alone loses nothing";
 }
 
@@ -57,7 +57,7 @@ TEST_F(FaultyVfsTest, MaySkipASynchronisation) {
   insert(*file, 1);
   vfs.skip_syncs(true);
   insert(*file, 2);
-  vfs.lose_power(disk.path(), after.path());
+  vfs.lose_power(disk.path, after.path);
   EXPECT_EQ(rows_after(), 1);
 }
 

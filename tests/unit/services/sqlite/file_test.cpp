@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "tests/unit/services/sqlite/faulty_vfs.h"
-#include "tests/unit/services/sqlite/folder.h"
+#include "tests/unit/temporary_folder.h"
 
 namespace race::sqlite {
 namespace {
@@ -24,7 +24,7 @@ void fail_half_way(SQLite::Database& file) {
 constexpr std::array<Migration, 2> kMigrations = {make_row, add_text};
 
 struct FileTest : testing::Test {
-  Folder folder{"sqlite_file"};
+  TemporaryFolder folder;
   const std::string path = folder.file("rows.sqlite");
 };
 
@@ -159,13 +159,13 @@ int rows_of(const std::string& path) try {
 }
 
 TEST_F(FileTest, KeepsEveryCommitAfterALossOfPowerAtAnyOperation) {
-  const Folder after("sqlite_file_after");
+  const TemporaryFolder after;
   FaultyVfs vfs;
   int committed = 0;
   vfs.before_each([&](std::uint64_t operation) {
     for (const double kept : {0.0, 0.5, 1.0}) {
       const int expected = committed;
-      vfs.lose_power(folder.path(), after.path(), kept, operation);
+      vfs.lose_power(folder.path, after.path, kept, operation);
       const int found = rows_of(after.file("rows.sqlite"));
       EXPECT_TRUE(found == expected || found == expected + 1)
           << found << " of " << expected << " before operation " << operation << ", kept " << kept;

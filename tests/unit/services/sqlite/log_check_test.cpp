@@ -13,7 +13,7 @@
 
 #include "services/sqlite/file.h"
 #include "tests/unit/services/sqlite/faulty_vfs.h"
-#include "tests/unit/services/sqlite/folder.h"
+#include "tests/unit/temporary_folder.h"
 
 namespace race::sqlite {
 namespace {
@@ -38,7 +38,7 @@ void flip(const fs::path& path, std::size_t bit) {
 }
 
 struct LogCheckTest : testing::Test {
-  Folder disk{"log_check"}, after{"log_check_after"};
+  TemporaryFolder disk, after;
   const std::string path = disk.file("rows.sqlite"), copy = after.file("rows.sqlite");
 
   /// A row of several pages now and then, so that transactions have one frame and more.
@@ -53,8 +53,8 @@ struct LogCheckTest : testing::Test {
   }
   /// As a crash of the process leaves them: what an open file is now.
   void copy_files() const {
-    fs::remove_all(after.path());
-    fs::create_directories(after.path());
+    fs::remove_all(after.path);
+    fs::create_directories(after.path);
     fs::copy_file(path, copy);
     if (fs::exists(path + "-wal")) fs::copy_file(path + "-wal", copy + "-wal");
   }
@@ -125,7 +125,7 @@ TEST_F(LogCheckTest, ALossOfPowerAtAnyOperationIsNoDamage) {
   int losses = 0;
   vfs.before_each([&](std::uint64_t operation) {
     for (const double kept : {0.0, 0.5, 0.5, 0.9, 1.0}) {
-      vfs.lose_power(disk.path(), after.path(), kept, kSeed + 10 * operation + static_cast<std::uint64_t>(++losses));
+      vfs.lose_power(disk.path, after.path, kept, kSeed + 10 * operation + static_cast<std::uint64_t>(++losses));
       expect_sound("operation " + std::to_string(operation) + ", kept " + std::to_string(kept));
     }
   });
@@ -155,7 +155,7 @@ TEST_F(LogCheckTest, RepeatedLossesOfPowerAreNoDamage) {
       FaultyVfs vfs;
       const std::uint64_t begin = vfs.operations();
       vfs.before_each([&](std::uint64_t operation) {
-        if (operation == begin + last) vfs.lose_power(disk.path(), after.path(), kept, random());
+        if (operation == begin + last) vfs.lose_power(disk.path, after.path, kept, random());
       });
       const auto file = open_table();
       for (int number = 0; number < 6; ++number) {
@@ -168,8 +168,8 @@ TEST_F(LogCheckTest, RepeatedLossesOfPowerAreNoDamage) {
     }
     expect_sound("round " + std::to_string(round));
     ++losses;
-    fs::remove_all(disk.path());
-    fs::copy(after.path(), disk.path());
+    fs::remove_all(disk.path);
+    fs::copy(after.path, disk.path);
   }
   EXPECT_GT(losses, 20);
 }
@@ -177,8 +177,8 @@ TEST_F(LogCheckTest, RepeatedLossesOfPowerAreNoDamage) {
 TEST_F(LogCheckTest, AFullDiskIsNoDamage) {
   for (const bool for_ever : {false, true})
     for (std::uint64_t nth = 1; nth < 60; ++nth) {
-      fs::remove_all(disk.path());
-      fs::create_directories(disk.path());
+      fs::remove_all(disk.path);
+      fs::create_directories(disk.path);
       FaultyVfs vfs;
       const auto file = open_table();
       for (int number = 0; number < 5; ++number) insert(*file, number);
