@@ -15,13 +15,13 @@ namespace http = beast::http;
 using asio::ip::tcp;
 using boost::system::error_code;
 
-constexpr auto kUse = asio::as_tuple(asio::use_awaitable);
+constexpr auto kAwaited = asio::as_tuple(asio::use_awaitable);
 
-using Request = http::request<http::string_body>;
+using ClientRequest = http::request<http::string_body>;
 
-Request make_request(const remote::Address& address, std::string_view method, std::string_view target,
-                     const std::optional<Value>& body) {
-  Request request(http::string_to_verb(method), target, 11);
+ClientRequest make_request(const remote::Address& address, std::string_view method, std::string_view target,
+                           const std::optional<Value>& body) {
+  ClientRequest request(http::string_to_verb(method), target, 11);
   request.set(http::field::host, address.host + ":" + std::to_string(address.port));
   request.set(http::field::accept, "application/json");
   request.keep_alive(false);
@@ -35,21 +35,22 @@ Request make_request(const remote::Address& address, std::string_view method, st
 
 // One request on a connection of its own.
 struct Exchange {
-  asio::awaitable<Expected<HttpClient::Answer>> run(const remote::Address& address, const Request& request,
+  asio::awaitable<Expected<HttpClient::Answer>> run(const remote::Address& address, const ClientRequest& request,
                                                     HttpClient::Timeouts timeouts) {
     tcp::resolver resolver(io);
-    const auto [unknown, endpoints] = co_await resolver.async_resolve(address.host, std::to_string(address.port), kUse);
+    const auto [unknown, endpoints] =
+        co_await resolver.async_resolve(address.host, std::to_string(address.port), kAwaited);
     if (unknown) co_return failure(unknown);
     stream.expires_after(timeouts.connect);
-    const auto [absent, endpoint] = co_await stream.async_connect(endpoints, kUse);
+    const auto [absent, endpoint] = co_await stream.async_connect(endpoints, kAwaited);
     if (absent) co_return failure(absent);
     stream.expires_after(timeouts.answer);
-    const auto [unsent, sent] = co_await http::async_write(stream, request, kUse);
+    const auto [unsent, sent] = co_await http::async_write(stream, request, kAwaited);
     if (unsent) co_return failure(unsent);
     beast::flat_buffer buffer;
     http::response_parser<http::string_body> parser;
     parser.body_limit(HttpClient::kBodyBytes);
-    const auto [broken, received] = co_await http::async_read(stream, buffer, parser, kUse);
+    const auto [broken, received] = co_await http::async_read(stream, buffer, parser, kAwaited);
     if (broken) co_return failure(broken);
     auto body = parse_json(parser.get().body());
     if (!body)
@@ -77,7 +78,7 @@ Expected<HttpClient> HttpClient::create(std::string url, Timeouts timeouts) {
 
 Expected<HttpClient::Answer> HttpClient::request(std::string_view method, std::string_view target,
                                                  const std::optional<Value>& body) const {
-  const Request request = make_request(address_, method, target, body);
+  const ClientRequest request = make_request(address_, method, target, body);
   Exchange exchange;
   Expected<Answer> answer = unexpected(ErrorCode::unavailable, "the connection failed");
   asio::co_spawn(exchange.io, exchange.run(address_, request, timeouts_),
