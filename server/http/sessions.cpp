@@ -95,8 +95,8 @@ class ComponentSession final : Session, public std::enable_shared_from_this<Comp
  public:
   ComponentSession(beast::tcp_stream stream, remote::Remotes& remotes)
       : Session(std::move(stream)),
-        heart_(executor_),
-        beat_(remotes.heartbeat() / remote::ProcessLink::kPingsPerHeartbeat),
+        heartbeat_timer_(executor_),
+        heartbeat_check_(remotes.heartbeat() / remote::ProcessLink::kPingsPerHeartbeat),
         link_(remotes) {}
 
   awaitable<void> run(Upgrade request) {
@@ -104,7 +104,7 @@ class ComponentSession final : Session, public std::enable_shared_from_this<Comp
     asio::co_spawn(
         executor_, [self = shared_from_this()] { return self->write(); }, asio::detached);
     asio::co_spawn(
-        executor_, [self = shared_from_this()] { return self->beat(); }, asio::detached);
+        executor_, [self = shared_from_this()] { return self->check_heartbeats(); }, asio::detached);
     beast::flat_buffer buffer(remote::kMessageBytes + 1024);
     for (;;) {
       const auto [error, bytes] = co_await socket_.async_read(buffer, kAsTuple);
@@ -116,7 +116,7 @@ class ComponentSession final : Session, public std::enable_shared_from_this<Comp
     link_.out().on_change({});
     link_.disconnect("its connection has ended");
     waker_.cancel();
-    heart_.cancel();
+    heartbeat_timer_.cancel();
   }
 
  private:
@@ -137,18 +137,18 @@ class ComponentSession final : Session, public std::enable_shared_from_this<Comp
     }
   }
 
-  awaitable<void> beat() {
+  awaitable<void> check_heartbeats() {
     while (!over_) {
-      heart_.expires_after(beat_);
-      co_await heart_.async_wait(kAsTuple);
+      heartbeat_timer_.expires_after(heartbeat_check_);
+      co_await heartbeat_timer_.async_wait(kAsTuple);
       if (over_) co_return;
       link_.check_heartbeat();
       if (link_.disconnected()) co_return close();
     }
   }
 
-  asio::steady_timer heart_;
-  std::chrono::milliseconds beat_;
+  asio::steady_timer heartbeat_timer_;
+  std::chrono::milliseconds heartbeat_check_;
   remote::ProcessLink link_;
 };
 

@@ -6,7 +6,7 @@
 
 namespace race::server {
 
-DiskWatch::DiskWatch(std::chrono::milliseconds patience) : patience_(patience), thread_([this] { run(); }) {}
+DiskWatch::DiskWatch(std::chrono::milliseconds timeout) : timeout_(timeout), thread_([this] { run(); }) {}
 
 DiskWatch::~DiskWatch() {
   {
@@ -31,29 +31,29 @@ bool DiskWatch::answered(const void* journal, std::size_t records) {
   const auto found = waiting_.find(journal);
   if (found == waiting_.end()) return false;
   Waiting& waiting = found->second;
-  const bool told = std::exchange(waiting.told, false);
+  const bool notified = std::exchange(waiting.notified, false);
   waiting.records -= std::min(records, waiting.records);
   waiting.since = Clock::now();
   if (waiting.records == 0) waiting_.erase(found);
-  return told;
+  return notified;
 }
 
 void DiskWatch::run() {
   const services::MutexLock lock(mutex_);
   while (!closed_) {
-    closing_.wait_for(mutex_, patience_ / 8, [this]() REQUIRES(mutex_) { return closed_; });
-    tell();
+    closing_.wait_for(mutex_, timeout_ / 8, [this]() REQUIRES(mutex_) { return closed_; });
+    notify_sinks();
   }
 }
 
 // Under the lock: a sink hears that its disk hangs before it hears how that ended.
-void DiskWatch::tell() {
+void DiskWatch::notify_sinks() {
   const auto now = Clock::now();
   for (auto& [journal, waiting] : waiting_) {
-    if (waiting.told || now - waiting.since < patience_) continue;
-    waiting.told = true;
+    if (waiting.notified || now - waiting.since < timeout_) continue;
+    waiting.notified = true;
     if (const auto sink = waiting.sink.lock())
-      sink->stalled({ErrorCode::storage, "the disk has not answered for " + std::to_string(patience_.count()) + " ms"});
+      sink->stalled({ErrorCode::storage, "the disk has not answered for " + std::to_string(timeout_.count()) + " ms"});
   }
 }
 

@@ -18,14 +18,14 @@ namespace race::server {
 class DiskWatch {
  public:
   /// Longer than any flush of a disk that works takes, and shorter than a person would wait.
-  static constexpr std::chrono::milliseconds kPatience{5000};
+  static constexpr std::chrono::milliseconds kTimeout{5000};
 
-  explicit DiskWatch(std::chrono::milliseconds patience);
+  explicit DiskWatch(std::chrono::milliseconds timeout);
   ~DiskWatch();
 
-  /// One more record of `journal` waits for the disk; `sink` is told when it has waited too long.
+  /// One more record of `journal` waits for the disk; `sink` is notified when it has waited too long.
   void waits(const void* journal, const std::weak_ptr<RunSink>& sink) EXCLUDES(mutex_);
-  /// `records` of `journal` wait no more: whether its sink was told that the disk hangs.
+  /// `records` of `journal` wait no more: whether its sink was notified that the disk hangs.
   bool answered(const void* journal, std::size_t records) EXCLUDES(mutex_);
 
  private:
@@ -34,12 +34,12 @@ class DiskWatch {
     std::weak_ptr<RunSink> sink;
     std::size_t records = 0;
     Clock::time_point since;
-    bool told = false;
+    bool notified = false;
   };
   void run();
-  void tell() REQUIRES(mutex_);
+  void notify_sinks() REQUIRES(mutex_);
 
-  const std::chrono::milliseconds patience_;
+  const std::chrono::milliseconds timeout_;
   services::Mutex mutex_;
   services::ConditionVariable closing_;
   std::map<const void*, Waiting> waiting_ GUARDED_BY(mutex_);

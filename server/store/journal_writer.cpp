@@ -92,14 +92,14 @@ std::uint64_t RunJournal::interval_at(std::uint64_t position) {
 }
 
 Expected<std::unique_ptr<JournalWriter>> JournalWriter::open(const std::string& path,
-                                                             std::chrono::milliseconds patience) try {
-  return std::unique_ptr<JournalWriter>(new JournalWriter(sqlite::open(path), patience));
+                                                             std::chrono::milliseconds timeout) try {
+  return std::unique_ptr<JournalWriter>(new JournalWriter(sqlite::open(path), timeout));
 } catch (const SQLite::Exception& exception) {
   return tl::unexpected(sqlite::error_of(exception, "cannot open the journal"));
 }
 
-JournalWriter::JournalWriter(std::unique_ptr<SQLite::Database> file, std::chrono::milliseconds patience)
-    : file_(std::move(file)), statements_(*file_), watch_(patience), thread_([this] { run(); }) {}
+JournalWriter::JournalWriter(std::unique_ptr<SQLite::Database> file, std::chrono::milliseconds timeout)
+    : file_(std::move(file)), statements_(*file_), watch_(timeout), thread_([this] { run(); }) {}
 
 JournalWriter::~JournalWriter() { close(); }
 

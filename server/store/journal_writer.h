@@ -63,10 +63,10 @@ class RunJournal {
 
 class JournalWriter {
  public:
-  /// Writes to the store at `path` (DataFolder::store). A run whose records the disk has not taken after `patience` is
+  /// Writes to the store at `path` (DataFolder::store). A run whose records the disk has not taken after `timeout` is
   /// told so. Errors: those of sqlite::error_of.
   static Expected<std::unique_ptr<JournalWriter>> open(const std::string& path,
-                                                       std::chrono::milliseconds patience = DiskWatch::kPatience);
+                                                       std::chrono::milliseconds timeout = DiskWatch::kTimeout);
   ~JournalWriter();
 
   /// The next record of a journal. How many may wait is limited by those who append: a core stops when it is ahead.
@@ -87,7 +87,7 @@ class JournalWriter {
     std::shared_ptr<RunJournal> journal;
     JournalRecord record;
   };
-  JournalWriter(std::unique_ptr<SQLite::Database> file, std::chrono::milliseconds patience);
+  JournalWriter(std::unique_ptr<SQLite::Database> file, std::chrono::milliseconds timeout);
   void run();
   std::deque<Item> next() EXCLUDES(mutex_);
   void write(const std::deque<Item>& items);

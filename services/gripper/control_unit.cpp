@@ -31,7 +31,7 @@ void ControlUnit::grasp(double width, double speed, double force) {
   target_ = width;
   pace_ = speed;
   force_ = force;
-  patience_ = 0;
+  elapsed_ = 0;
   outcome_.reset();
 }
 
@@ -40,7 +40,7 @@ void ControlUnit::release(double width, double speed) {
   phase_ = Phase::open;
   target_ = width;
   pace_ = speed;
-  patience_ = 0;
+  elapsed_ = 0;
   outcome_.reset();
 }
 
@@ -80,8 +80,8 @@ double ControlUnit::towards(double width, double largest_speed) const {
 }
 
 bool ControlUnit::stalled() {
-  patience_ = std::abs(speed_) < kStanding ? patience_ + 1 : 0;
-  return patience_ > kStall;
+  elapsed_ = std::abs(speed_) < kStanding ? elapsed_ + 1 : 0;
+  return elapsed_ > kStall;
 }
 
 double ControlUnit::close() {
@@ -92,19 +92,19 @@ double ControlUnit::close() {
   }
   if (stalled()) {
     phase_ = Phase::clamp;
-    patience_ = 0;
+    elapsed_ = 0;
   }
   const double closing_force = kSpeedGain * (pace_ + speed_) + kDriveFriction * pace_;
   return std::clamp(closing_force, -force_, force_);
 }
 
 double ControlUnit::clamp() {
-  if (++patience_ == kClamping) {
+  if (++elapsed_ == kClamping) {
     phase_ = Phase::hold;
     held_width_ = width_;
     outcome_ = Outcome::held;
   }
-  const double ramp = std::min(1.0, 2.0 * patience_ / kClamping);
+  const double ramp = std::min(1.0, 2.0 * elapsed_ / kClamping);
   return kLeastForce / 2 + ramp * (force_ - kLeastForce / 2);
 }
 

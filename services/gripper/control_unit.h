@@ -63,7 +63,7 @@ class ControlUnit {
   double target_ = 0, pace_ = 0;  // m, m/s
   double force_ = 0;              // N
   double held_width_ = 0;         // m, when the force had been built up
-  int patience_ = 0;              // ms that the fingers have not moved, or the force has been on
+  int elapsed_ = 0;               // ms that the fingers have not moved, or the force has been on
   std::optional<Outcome> outcome_;
   bool lost_ = false;
 };

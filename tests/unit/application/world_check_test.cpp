@@ -96,8 +96,8 @@ constexpr std::array kPendingCommands = {
     R"({"act": "place", "part": "p"})",
     R"({"act": "take", "part": "p"})"};
 
-// An act that goes to a process is the same act there.
-TEST(WritePersonAct, WhatIsWrittenIsReadAsTheSameAct) {
+// A command that goes to a process is the same command there.
+TEST(WritePersonCommand, WhatIsWrittenIsReadAsTheSameCommand) {
   for (const char* json : kPendingCommands) {
     const Value before = parse_json(json).value();
     const Value written = write_person_command(read_person_command(before, kClientKeep).value());
@@ -114,7 +114,7 @@ TEST(WritePersonAct, WhatIsWrittenIsReadAsTheSameAct) {
   }
 }
 
-TEST(WritePersonAct, AHandThatStaysUntilItIsReleasedSaysNoKeep) {
+TEST(WritePersonCommand, AHandThatStaysUntilItIsReleasedSaysNoKeep) {
   const double forever = std::numeric_limits<double>::infinity();
   const PersonCommand act =
       read_person_command(parse_json(R"({"act": "drag", "to": [1, 2, 3]})").value(), forever).value();

@@ -41,7 +41,7 @@ struct HostedCores : testing::Test, CoreWatcher {
   // A server on the same data folder as the one before.
   void begin_server() {
     runs = Runs::open(folder.store()).value();
-    writer = JournalWriter::open(folder.store(), patience).value();
+    writer = JournalWriter::open(folder.store(), disk_timeout).value();
     pool = std::make_unique<Pool>(2);
     cores = std::make_unique<Cores>(*pool, host, *this, *runs, *writer, replays);
     ASSERT_TRUE(cores->recover());
@@ -103,7 +103,7 @@ struct HostedCores : testing::Test, CoreWatcher {
   sqlite::FaultyVfs disk;
   TemporaryFolder place;
   DataFolder folder = DataFolder::open(place.path).value();
-  std::chrono::milliseconds patience = DiskWatch::kPatience;
+  std::chrono::milliseconds disk_timeout = DiskWatch::kTimeout;
   std::unique_ptr<Runs> runs;
   std::unique_ptr<JournalWriter> writer;
   std::unique_ptr<Pool> pool;

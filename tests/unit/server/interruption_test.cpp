@@ -123,7 +123,7 @@ class HangingDisk {
 };
 
 TEST_F(Interruption, ADiskThatHangsStopsTheRunAsOneThatFails) {
-  patience = std::chrono::milliseconds(100);
+  disk_timeout = std::chrono::milliseconds(100);
   begin_server();
   const auto core = small_core();
   ASSERT_TRUE(core->start());
@@ -150,7 +150,7 @@ TEST_F(Interruption, ADiskThatHangsStopsTheRunAsOneThatFails) {
 }
 
 TEST_F(Interruption, WhatIsNotDurableIsNotShownWhenSomethingElseIsTold) {
-  patience = std::chrono::milliseconds(100);
+  disk_timeout = std::chrono::milliseconds(100);
   begin_server();
   const auto core = small_core();
   ASSERT_TRUE(core->start());
@@ -166,7 +166,7 @@ TEST_F(Interruption, WhatIsNotDurableIsNotShownWhenSomethingElseIsTold) {
 }
 
 TEST_F(Interruption, AStartThatADiskHoldsUpIsRefusedAndCommandsNothingLater) {
-  patience = std::chrono::milliseconds(100);
+  disk_timeout = std::chrono::milliseconds(100);
   begin_server();
   const auto core = small_core();
   {
@@ -179,7 +179,7 @@ TEST_F(Interruption, AStartThatADiskHoldsUpIsRefusedAndCommandsNothingLater) {
 }
 
 TEST_F(Interruption, AnEndThatADiskHeldUpIsTheEnd) {
-  patience = std::chrono::milliseconds(100);
+  disk_timeout = std::chrono::milliseconds(100);
   begin_server();
   const auto core = small_core();
   ASSERT_TRUE(core->start());

@@ -335,13 +335,13 @@ class Workshop {
     for (const std::size_t end = counts_.edits + edits; counts_.edits < end && !testing::Test::HasFailure();) {
       RandomEditedRun run(random_, history_.tree().document(), counts_);
       bool waits = change();  // also if the run is over at once
-      for (int i = 0, patience = 0; i < 60 && !run.is_over() && !testing::Test::HasFailure(); ++i) {
+      for (int i = 0, waited_steps = 0; i < 60 && !run.is_over() && !testing::Test::HasFailure(); ++i) {
         if (random_.chance(0.6)) waits = change() || waits;
         if (waits) {
           waits = !run.edit(history_.tree().document());
           counts_.waited += waits ? 1 : 0;
-          patience = waits ? patience + 1 : 0;
-          if (patience > 8) waits = take_back();
+          waited_steps = waits ? waited_steps + 1 : 0;
+          if (waited_steps > 8) waits = take_back();
         }
         if (!run.is_over() && random_.chance(0.1)) run.force();
         if (!run.is_over()) run.step();

@@ -147,52 +147,52 @@ TEST(Expression, GivesAValueUnknownOrAFault) {
   EXPECT_EQ(r.expression("[chi.C, chi.C.active, chi.b]"), "[true,true,false]");
 }
 
-class Listener final : public EvaluationTrace {
+class TextTrace final : public EvaluationTrace {
  public:
   void atom(bool service, Truth value, SourceRange where) override {
-    heard +=
+    text +=
         (service ? "BD" : "BE") + std::to_string(static_cast<int>(value)) + "@" + std::to_string(where.column) + " ";
   }
   void statement(bool service, SourceRange where) override {
-    heard += (service ? "SD@" : "ST@") + std::to_string(where.line) + " ";
+    text += (service ? "SD@" : "ST@") + std::to_string(where.line) + " ";
   }
-  void required_event(EventId event) override { heard += "event" + std::to_string(event) + " "; }
+  void required_event(EventId event) override { text += "event" + std::to_string(event) + " "; }
   void required_response(OperationId operation, std::string_view, bool error) override {
-    heard += (error ? "error" : "result") + std::to_string(operation) + " ";
+    text += (error ? "error" : "result") + std::to_string(operation) + " ";
   }
-  std::string heard;
+  std::string text;
 };
 
 TEST(Trace, RecordsAtomsInOrderWithWhatTheyRequire) {
   Runner r;
-  Listener listener;
-  r.state.trace = &listener;
+  TextTrace trace;
+  r.state.trace = &trace;
   r.state.deliver(0, Value(Dict{{"x", Value(4)}}));
   EXPECT_EQ(r.condition("not (chi.C or svc.t.data.x < 3) and (1 < 2 or res.unset)"), "True");
-  EXPECT_EQ(listener.heard, "BE0@6 event0 BD0@15 BE1@38 ") << "what is passed over is not heard";
-  listener.heard.clear();
+  EXPECT_EQ(trace.text, "BE0@6 event0 BD0@15 BE1@38 ") << "what is passed over is not traced";
+  trace.text.clear();
   EXPECT_EQ(r.condition("svc.t.op.error or svc.t.data"), "True");
-  EXPECT_EQ(listener.heard, "error0 BD2@1 event0 BD1@19 ");
+  EXPECT_EQ(trace.text, "error0 BD2@1 event0 BD1@19 ");
 }
 
 TEST(Trace, RecordsNothingOfAnExplanation) {
   Runner r;
-  Listener listener;
-  r.state.trace = &listener;
+  TextTrace trace;
+  r.state.trace = &trace;
   const Code code = r.code("chi.C", CodeKind::condition);
   EXPECT_EQ(explain(code, r.state).value, Truth::no);
-  EXPECT_EQ(listener.heard, "");
+  EXPECT_EQ(trace.text, "");
   r.interpreter.condition(code, r.state);
-  EXPECT_EQ(listener.heard, "BE0@1 ") << "but what comes after it";
+  EXPECT_EQ(trace.text, "BE0@1 ") << "but what comes after it";
 }
 
 TEST(Trace, RecordsStatementsButNotCalls) {
   Runner r;
-  Listener listener;
-  r.state.trace = &listener;
+  TextTrace trace;
+  r.state.trace = &trace;
   r.state.deliver(0, Value(1));
   EXPECT_EQ(r.function("x = 1\nsvc.t.op(x)\nif x:\n    svc.t.op(2)\nres.x = svc.t.data"), "");
-  EXPECT_EQ(listener.heard, "ST@1 SD@3 SD@5 event0 ");
+  EXPECT_EQ(trace.text, "ST@1 SD@3 SD@5 event0 ");
   EXPECT_EQ(r.state.calls.size(), 2U);
 }
 

@@ -119,11 +119,11 @@ struct RemotesTest : testing::Test {
   // Lets the processes talk until `what` holds.
   template <typename What>
   bool until(std::vector<Process*> processes, What what) {
-    const auto patience = std::chrono::steady_clock::now() + 20s;
+    const auto deadline = std::chrono::steady_clock::now() + 20s;
     for (;;) {
       for (Process* process : processes) process->pump();
       if (what()) return true;
-      if (std::chrono::steady_clock::now() > patience) return false;
+      if (std::chrono::steady_clock::now() > deadline) return false;
       seen.wait();
     }
   }
