@@ -22,7 +22,6 @@
 namespace race::execution {
 namespace {
 
-using semantics::BarrierInfo;
 using semantics::PortId;
 using semantics::Program;
 using semantics::Run;

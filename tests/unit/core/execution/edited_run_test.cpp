@@ -16,7 +16,6 @@ namespace race::execution {
 namespace {
 
 using semantics::Force;
-using testing::ElementsAre;
 using testing::IsEmpty;
 
 // A and B follow one another on every event; both count ticks. The id of an element is its name in small letters.
