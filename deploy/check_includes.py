@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""check_includes.py [FOLDER]: the folders of core, services and server form no cycle by their includes, and rooms point one way.
+"""check_includes.py [FOLDER]: the folders of core, services and server form no cycle by their includes, rooms point one way, and
+some headers are for some folders alone.
 
 Prints each violation with an include that causes it; exit status 1 if there is one.
 """
@@ -9,22 +10,25 @@ from itertools import pairwise
 from pathlib import Path
 
 ROOMS = ("core", "services", "server")  # each may include the rooms before it
+RESERVED = {  # header: the folders that may include it; tests may include all
+    "core/semantics/run.h": ("core/semantics", "core/execution"),  # one driver of a run
+}
 INCLUDE = re.compile(r'^\s*#include "((?:core|services|server)/[^"]+)"', re.MULTILINE)
 
 
 def read_includes(root):
-    """{folder: {included folder: "file includes file"}} of all C++ files."""
+    """Pairs (file, included file) of all C++ files."""
+    files = (path for room in ROOMS for path in sorted((root / room).rglob("*")) if path.suffix in (".h", ".cpp"))
+    return [(path.relative_to(root), Path(included))
+            for path in files for included in INCLUDE.findall(path.read_text(encoding="utf-8"))]
+
+
+def edges_of(includes):
+    """{folder: {included folder: "file includes file"}}"""
     edges = {}
-    for room in ROOMS:
-        for path in sorted((root / room).rglob("*")):
-            if path.suffix not in (".h", ".cpp"):
-                continue
-            file = path.relative_to(root)
-            targets = edges.setdefault(str(file.parent), {})
-            for included in INCLUDE.findall(path.read_text(encoding="utf-8")):
-                folder = str(Path(included).parent)
-                if folder != str(file.parent):
-                    targets.setdefault(folder, f"{file} includes {included}")
+    for file, included in includes:
+        if file.parent != included.parent:
+            edges.setdefault(str(file.parent), {}).setdefault(str(included.parent), f"{file} includes {included}")
     return edges
 
 
@@ -53,9 +57,19 @@ def find_cycle(edges):
     return None
 
 
-def violations(edges):
-    """Sentences: a cycle, if there is one, and includes from a lower room."""
-    found = []
+def find_reserved(root, includes):
+    """Sentences: includes of reserved headers from other folders, and reserved headers that are not there."""
+    missing = [f"there is no {header}, which is reserved" for header in RESERVED if not (root / header).is_file()]
+    return missing + [f"{included} is for {' and '.join(RESERVED[str(included)])} alone: {file} includes it"
+                      for file, included in includes
+                      if str(file.parent) not in RESERVED.get(str(included), (str(file.parent),))]
+
+
+def violations(root):
+    """Sentences: a cycle, if there is one, includes from a lower room, and includes of reserved headers."""
+    includes = read_includes(root)
+    edges = edges_of(includes)
+    found = find_reserved(root, includes)
     cycle = find_cycle(edges)
     if cycle:
         found.append("cycle: " + " -> ".join(cycle))
@@ -68,8 +82,8 @@ def violations(edges):
 
 
 def main():
-    found = violations(read_includes(Path(sys.argv[1] if len(sys.argv) > 1 else ".")))
-    print("\n".join(found) or "no cycle")
+    found = violations(Path(sys.argv[1] if len(sys.argv) > 1 else "."))
+    print("\n".join(found) or "includes are as they should be")
     return 1 if found else 0
 
 

@@ -1,5 +1,7 @@
 #include "core/execution/compare.h"
 
+#include <algorithm>
+
 #include "core/execution/step_json.h"
 
 namespace race::execution {
@@ -21,6 +23,16 @@ bool same(const Value& first, const Value& second) {
   return true;
 }
 
+// The first micro step of which the derivations differ.
+std::optional<std::size_t> first_derivation(const Value& first, const Value& second) {
+  if (first.is_null() || second.is_null()) return std::nullopt;
+  const List& a = first.find("micro")->as_list();
+  const List& b = second.find("micro")->as_list();
+  const auto [in_a, in_b] = std::ranges::mismatch(a, b);
+  if (in_a == a.end() && in_b == b.end()) return std::nullopt;
+  return static_cast<std::size_t>(in_a - a.begin());
+}
+
 }  // namespace
 
 Expected<Comparison> compare(JournalWalk& first, JournalWalk& second, std::uint64_t most) {
@@ -29,7 +41,8 @@ Expected<Comparison> compare(JournalWalk& first, JournalWalk& second, std::uint6
     ASSIGN_OR_RETURN(Value a, next_step(first));
     ASSIGN_OR_RETURN(Value b, next_step(second));
     if (!same(a, b)) {
-      comparison.difference = {comparison.compared + 1, std::move(a), std::move(b)};
+      const auto micro = first_derivation(a, b);
+      comparison.difference = {comparison.compared + 1, micro, std::move(a), std::move(b)};
       return comparison;
     }
     ++comparison.compared;

@@ -3,6 +3,7 @@
 // Pure functions.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -16,7 +17,8 @@ namespace race::execution {
 /// that.
 struct Difference {
   std::uint64_t step = 0;
-  Value first, second;  // schemas/trace_step.json; null: this run has no such macro step
+  std::optional<std::size_t> micro = {};  // the first derivation that differs or that one lacks; none: all are the same
+  Value first, second;                    // schemas/trace_step.json; null: this run has no such macro step
 };
 
 struct Comparison {

@@ -4,7 +4,6 @@
 #include <string>
 
 namespace race::execution {
-namespace {}  // namespace
 
 Expected<JournalWalk> JournalWalk::create(const JournalHeader& header, std::shared_ptr<JournalSource> source,
                                           std::uint64_t last) {

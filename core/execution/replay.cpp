@@ -76,20 +76,4 @@ Expected<Execution> Replay::before(std::uint64_t step, int micro) {
   return execution;
 }
 
-Expected<Value> derive_journal(const Journal& journal) {
-  const JournalHeader& header = journal.header;
-  ASSIGN_OR_RETURN(Execution execution, Execution::create(header));
-  List steps;
-  for (const JournalEntry& entry : journal.entries) {
-    const auto progress = execution.replay(entry, {.entry = false, .derivation = true});
-    if (!progress)
-      return unexpected(progress.error().code, progress.error().message, "entries/" + std::to_string(steps.size()));
-    steps.push_back(derived_step(execution, **progress));
-  }
-  Dict document;
-  document.set("steps", std::move(steps));
-  set_status(execution.run(), document);
-  return Value(std::move(document));
-}
-
 }  // namespace race::execution

@@ -46,9 +46,4 @@ class Replay {
   std::map<std::uint64_t, Execution> checkpoints_;  // by position
 };
 
-/// The derivation document of a journal (core/SEMANTICS.md section 7), a step for each entry; after an abort (section
-/// 10), which has no micro steps, its status is `aborted`. Error `conflict`, at the
-/// entry: the run does not take it.
-Expected<Value> derive_journal(const Journal& journal);
-
 }  // namespace race::execution

@@ -44,11 +44,6 @@ std::optional<PortId> Program::find_port(std::string_view address) const {
 }
 
 std::optional<StateId> Program::state_with_id(std::string_view id) const { return found<StateId>(ids.states, id); }
-std::optional<BarrierId> Program::barrier_with_id(std::string_view id) const {
-  return found<BarrierId>(ids.barriers, id);
-}
 std::optional<PortId> Program::port_with_id(std::string_view id) const { return found<PortId>(ids.ports, id); }
-std::optional<ActionId> Program::action_with_id(std::string_view id) const { return ids.actions.find(id); }
-std::optional<ValueIndex> Program::value_with_id(std::string_view id) const { return ids.values.find(id); }
 
 }  // namespace race::semantics

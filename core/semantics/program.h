@@ -145,13 +145,9 @@ class Program {
   std::optional<StateId> find_state(std::string_view path) const;
   std::optional<PortId> find_port(std::string_view address) const;
 
-  /// The element with this id (rcm `meta.id`), the first if the document repeats it; in logarithmic time.
+  /// The state or port with this id (rcm `meta.id`), the first if the document repeats it; in logarithmic time.
   std::optional<StateId> state_with_id(std::string_view id) const;
-  std::optional<BarrierId> barrier_with_id(std::string_view id) const;
   std::optional<PortId> port_with_id(std::string_view id) const;
-  std::optional<ActionId> action_with_id(std::string_view id) const;
-  /// The place of the parameter, result or variable with this id.
-  std::optional<ValueIndex> value_with_id(std::string_view id) const;
 
   const std::string& id(StateId s) const { return ids.states[index(s)]; }
   const std::string& id(BarrierId b) const { return ids.barriers[index(b)]; }

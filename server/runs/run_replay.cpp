@@ -70,6 +70,7 @@ Expected<Value> compare_runs(Runs& runs, RunId first, RunId second, std::uint64_
             {"compared", integer(comparison.compared)}};
   if (comparison.difference) {
     json.set("step", integer(comparison.difference->step));
+    if (comparison.difference->micro) json.set("micro", integer(*comparison.difference->micro));
     json.set("first", std::move(comparison.difference->first));
     json.set("second", std::move(comparison.difference->second));
   } else if (comparison.compared < last) {

@@ -24,9 +24,6 @@ struct Measurement {
   std::vector<Rgb> colour;
 };
 
-/// Standard deviation [m] of the depth z [m].
-inline double depth_deviation(double z) { return 1.425e-3 * z * z; }
-
 /// What is measured of `picture`; the same `seed` gives the same.
 Measurement measure(const Picture& picture, std::uint64_t seed);
 

@@ -164,6 +164,9 @@ class Runs(unittest.TestCase):
             found = server.get(f"/runs/{one['id']}/compare?with={other['id']}", "run_comparison")
             self.assertFalse(found["same"])
             self.assertEqual(found["step"], 1)
+            ours, theirs = found["first"]["micro"], found["second"]["micro"]
+            self.assertEqual(ours[:found["micro"]], theirs[:found["micro"]])
+            self.assertNotEqual(ours[found["micro"]], theirs[found["micro"]])
             self.assertNotEqual(found["first"]["calls"], found["second"]["calls"])
             server.get(f"/runs/{one['id']}/compare", status=422)
             server.get(f"/runs/{one['id']}/compare?with=99", status=404)

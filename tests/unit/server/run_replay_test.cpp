@@ -40,6 +40,7 @@ TEST_F(RunReplay, ComparesInPartsOfBoundedLength) {
   found = compare_runs(*runs_, one, other, 5, 100).value();
   EXPECT_FALSE(found.find("same")->as_bool());
   EXPECT_EQ(number(found, "step"), 11);
+  EXPECT_EQ(found.find("micro"), nullptr) << "derivations do not have the data of an event";
   EXPECT_EQ(found.find("next"), nullptr);
   found = compare_runs(*runs_, one, one, 1, 100).value();
   EXPECT_TRUE(found.find("same")->as_bool());

@@ -57,10 +57,49 @@ TEST(Compare, FindsTheFirstStepThatDiffers) {
   EXPECT_EQ(*found.difference->second.find("input")->find("data"), Value(5));
 }
 
+// A run whose first macro step goes from A to B, and on to C if `condition` is fulfilled; B's entry is `entry`.
+Journal passing(const std::string& condition, const std::string& entry = "pass") {
+  const std::string b = R"({"state": "B", "results": [{"name": "r"}], "entry": ")" + entry +
+                        R"(", "ports": [{"name": "next", "when": ")" + condition + R"(", "to": "C"}]})";
+  const std::string document = R"({"rcm": 1, "root": {"state": "Root", "first": "A", "children": [
+    {"state": "A", "ports": [{"name": "next", "when": "True", "to": "B"}]}, )" +
+                               b + R"(, {"state": "C"}]}})";
+  Journal journal = journal_of(rcm::read_document_text(document).value(), {});
+  journal.entries.emplace_back(StartEntry{});
+  return journal;
+}
+
+std::size_t micro_steps(const Value& step) { return step.find("micro")->as_list().size(); }
+
+TEST(Compare, FindsTheFirstDerivationThatDiffers) {
+  const auto found = compared(passing("1 < 2"), passing("not 2 < 1")).difference;
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->step, 1u);
+  EXPECT_EQ(found->micro, 3u) << "the one that begins to leave B";
+  EXPECT_EQ(micro_steps(found->first), micro_steps(found->second));
+}
+
+TEST(Compare, FindsTheDerivationThatOneStepDoesNotHave) {
+  const Journal longer = passing("True"), shorter = passing("False");
+  const auto found = compared(longer, shorter).difference, turned = compared(shorter, longer).difference;
+  ASSERT_TRUE(found && turned);
+  EXPECT_LT(micro_steps(found->second), micro_steps(found->first));
+  EXPECT_EQ(found->micro, micro_steps(found->second));
+  EXPECT_EQ(turned->micro, found->micro);
+}
+
+TEST(Compare, FindsNoDerivationIfOnlyTheStateDiffers) {
+  const auto found = compared(passing("True", "res.r = 1"), passing("True", "res.r = 2")).difference;
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->micro, std::nullopt);
+  EXPECT_NE(*found->first.find("state"), *found->second.find("state"));
+}
+
 TEST(Compare, FindsTheStepThatOneRunDoesNotHave) {
   const Comparison found = compared(counting({1, 2}), counting({1}));
   ASSERT_TRUE(found.difference);
   EXPECT_EQ(found.difference->step, 3u);
+  EXPECT_EQ(found.difference->micro, std::nullopt);
   EXPECT_TRUE(found.difference->first.is_dict());
   EXPECT_TRUE(found.difference->second.is_null());
 }

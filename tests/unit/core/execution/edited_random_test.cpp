@@ -9,7 +9,6 @@
 #include "core/edit/apply.h"
 #include "core/edit/history.h"
 #include "core/execution/checkpoint.h"
-#include "core/execution/replay.h"
 #include "core/execution/script.h"
 #include "core/execution/step_json.h"
 #include "core/rcm/constraints.h"
@@ -23,7 +22,6 @@
 namespace race::execution {
 namespace {
 
-using semantics::BarrierInfo;
 using semantics::PortId;
 using semantics::Program;
 using semantics::Run;
@@ -196,13 +194,12 @@ class RandomEditedRun {
     const auto read = read_journal(text);
     ASSERT_TRUE(read) << to_string(read.error().front());
     ASSERT_EQ(read->entries, journal_.entries);
-    const auto derived = derive_journal(*read);
-    ASSERT_TRUE(derived) << to_string(derived.error());
-    const List& steps = derived->find("steps")->as_list();
-    ASSERT_EQ(steps.size(), steps_.size());
-    for (std::size_t i = 0; i < steps.size(); ++i)
+    const auto steps = derived_steps(*read);
+    ASSERT_TRUE(steps) << to_string(steps.error());
+    ASSERT_EQ(steps->size(), steps_.size());
+    for (std::size_t i = 0; i < steps->size(); ++i)
       for (const char* key : {"micro", "calls", "state"})
-        ASSERT_EQ(*steps[i].find(key), *steps_[i].find(key)) << "step " << i << " " << key;
+        ASSERT_EQ(*(*steps)[i].find(key), *steps_[i].find(key)) << "step " << i << " " << key;
     // A script has the budgets of every run, so not all faults of this test.
     if (live_->run().status() == Status::faulted || steps_.size() % 3 != 0) return;
     const auto script = read_script(script_json(journal_));

@@ -64,6 +64,20 @@ TEST(Journal, IsWrittenByNames) {
             R"({"steps":100000,"value_units":1000000,"micro_steps":500})");
 }
 
+TEST(Journal, HasEditsAndForcesByNames) {
+  const EditEntry edit{{{edit::Remove{"a"}}}, Dict{{"R/A", nullptr}}, Dict{{"t", Dict{{"events", List{}}}}}, 7};
+  EXPECT_EQ(to_json(input_json(edit)),
+            R"({"kind":"edit","revision":7,"edit":{"operations":[{"op":"remove","id":"a"}]},)"
+            R"("origin":{"R/A":null},"services":{"t":{"events":[]}}})");
+  EXPECT_EQ(to_json(input_json(EditEntry{edit.edit, {}, {}})),
+            R"({"kind":"edit","edit":{"operations":[{"op":"remove","id":"a"}]}})");
+  using semantics::Force;
+  EXPECT_EQ(to_json(input_json(ForceEntry{{Force::Scope::var, "R", "n", 1}})),
+            R"({"kind":"force","force":{"path":"R","scope":"var","name":"n","value":1}})");
+  EXPECT_EQ(to_json(input_json(ForceEntry{{Force::Scope::port, "R/A", "go"}})),
+            R"({"kind":"force","force":{"path":"R/A","scope":"port","name":"go"}})");
+}
+
 TEST(Journal, AsAScriptHasAStepForEachEntryButTheAbort) {
   const Journal journal = small_journal();
   const Value json = script_json(journal);

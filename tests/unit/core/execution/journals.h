@@ -1,10 +1,13 @@
 // Journals for tests: one made by hand, and those of runs of random models.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <utility>
 
 #include "core/execution/execution.h"
+#include "core/execution/journal_walk.h"
+#include "core/execution/step_json.h"
 #include "core/rcm/document.h"
 #include "core/rcm/native.h"
 #include "core/rcm/translate.h"
@@ -51,6 +54,18 @@ inline Journal small_journal() {
                      EventEntry{"t", "tick", Dict{{"x", List{1, "\n\u00e9", nullptr}}}},
                      AbortEntry{}};
   return journal;
+}
+
+/// The steps that a journal comes to, as a derivation document has them. Errors: those of JournalWalk::next.
+inline Expected<List> derived_steps(const Journal& journal) {
+  const auto source = std::make_shared<MemoryJournal>(journal.entries);
+  ASSIGN_OR_RETURN(JournalWalk walk, JournalWalk::create(journal.header, source, journal.entries.size()));
+  List steps;
+  while (!walk.at_end()) {
+    ASSIGN_OR_RETURN(const Progress* progress, walk.next({.derivation = true}));
+    steps.push_back(derived_step(walk.execution(), *progress));
+  }
+  return steps;
 }
 
 /// The journal of a random run of a random model, of at most about `steps` macro steps, and the execution.

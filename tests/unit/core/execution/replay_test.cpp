@@ -5,7 +5,6 @@
 
 #include <iostream>
 
-#include "core/execution/step_json.h"
 #include "core/execution/why.h"
 #include "tests/unit/core/execution/journals.h"
 #include "tests/unit/core/semantics/random_runs.h"
@@ -61,7 +60,7 @@ TEST(Replay, DerivesAnyStepsAndOfAnOpenOneTheFirstMicroSteps) {
   for (std::uint64_t i = 0; i < journals; ++i) {
     RandomReplay at(seed + i);
     SCOPED_TRACE("seed " + std::to_string(seed + i));
-    const List whole = derive_journal(at.journal).value().find("steps")->as_list();
+    const List whole = derived_steps(at.journal).value();
     for (int questions = 0; questions < 4; ++questions) {
       const std::size_t from = at.step(), to = from + at.random.pick(at.journal.entries.size() - from + 1);
       const auto steps = at.replay.steps(from, to, at.journal.entries.size(), -1);

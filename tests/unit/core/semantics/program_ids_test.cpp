@@ -27,19 +27,19 @@ TEST(ProgramIds, FindElementsOfEachKind) {
   const auto program = program_of(kDocument);
   EXPECT_EQ(program->state_with_id("r"), Program::root);
   EXPECT_EQ((*program)[program->state_with_id("b").value()].path, "R/B");
-  EXPECT_EQ((*program)[program->barrier_with_id("s").value()].path, "R/s");
+  EXPECT_EQ(program->barriers[program->ids.barriers.find("s").value()].path, "R/s");
   EXPECT_EQ(program->address(program->port_with_id(rcm::derived_id("b", "lq")).value()), "R/B.q");
-  EXPECT_EQ(program->action_with_id("x"), 1U);
+  EXPECT_EQ(program->ids.actions.find("x"), 1U);
   const StateInfo& root = (*program)[Program::root];
-  EXPECT_EQ(program->value_with_id("pa"), root.first_parameter);
-  EXPECT_EQ(program->value_with_id("rc"), root.first_result + 1);
-  EXPECT_EQ(program->value_with_id("vd"), root.first_variable);
+  EXPECT_EQ(program->ids.values.find("pa"), root.first_parameter);
+  EXPECT_EQ(program->ids.values.find("rc"), root.first_result + 1);
+  EXPECT_EQ(program->ids.values.find("vd"), root.first_variable);
 }
 
 TEST(ProgramIds, FindNothingThatHasNoneOrIsOfAnotherKind) {
   const auto program = program_of(kDocument);
   EXPECT_EQ(program->state_with_id(""), std::nullopt);
-  EXPECT_EQ(program->value_with_id(""), std::nullopt);
+  EXPECT_EQ(program->ids.values.find(""), std::nullopt);
   EXPECT_EQ(program->state_with_id("l"), std::nullopt) << "a library state is none of the native model";
   EXPECT_EQ(program->state_with_id("s"), std::nullopt);
   EXPECT_EQ(program->ids.actions[0], "");
@@ -56,14 +56,15 @@ TEST(ProgramIds, LeadBackToEveryElement) {
   for (std::uint32_t s = 0; s < program->states.size(); ++s)
     EXPECT_EQ(program->state_with_id(program->id(StateId{s})), StateId{s});
   for (std::uint32_t b = 0; b < program->barriers.size(); ++b)
-    EXPECT_EQ(program->barrier_with_id(program->id(BarrierId{b})), BarrierId{b});
+    EXPECT_EQ(program->ids.barriers.find(program->id(BarrierId{b})), b);
   for (std::uint32_t p = 0; p < program->ports.size(); ++p)
     EXPECT_EQ(program->port_with_id(program->id(PortId{p})), PortId{p});
-  for (ActionId a = 0; a < program->actions.size(); ++a) EXPECT_EQ(program->action_with_id(program->ids.actions[a]), a);
+  for (ActionId a = 0; a < program->actions.size(); ++a)
+    EXPECT_EQ(program->ids.actions.find(program->ids.actions[a]), a);
   std::size_t declared = 0;
   for (ValueIndex v = 0; v < program->initial.size(); ++v) {
     if (program->ids.values[v].empty()) continue;  // a variable that is used undeclared is no element
-    EXPECT_EQ(program->value_with_id(program->ids.values[v]), v);
+    EXPECT_EQ(program->ids.values.find(program->ids.values[v]), v);
     ++declared;
   }
   EXPECT_EQ(declared, 4U);

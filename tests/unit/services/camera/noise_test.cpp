@@ -35,7 +35,8 @@ TEST(Noise, OfDepthGrowsWithTheSquareOfTheDistance) {
       }
     }
     const double step = 2.85e-3 * z * z;
-    const double expected = std::sqrt(depth_deviation(z) * depth_deviation(z) + step * step / 12);
+    const double deviation = step / 2;
+    const double expected = std::sqrt(deviation * deviation + step * step / 12);
     EXPECT_NEAR(std::sqrt(squares / n), expected, 0.1 * expected) << z << " m";
     EXPECT_NEAR(sum / n, 0, 0.1 * expected) << z << " m";
   }
