@@ -6,13 +6,21 @@ from document_replica import digest
 
 
 class LiveRun:
-    """Of a core that the server makes of the document and starts."""
+    """Of a core that the server makes of the document and starts. `cores`: those that came to where nothing leads on, and
+    the one that runs."""
 
     def __init__(self, server, document):
-        self.server, self.document, self.forced = server, document, 0
-        self.core = server.post("/cores", {"document": document, "arguments": {}}, "core", 201)["id"]
-        for command, body in (("live", {"live": True}), ("start", None)):
-            (server.put if body else server.post)(f"/cores/{self.core}/{command}", body, "core")
+        self.server, self.document, self.forced, self.cores = server, document, 0, []
+        self.begin()
+
+    def begin(self):
+        self.cores.append(self.server.post("/cores", {"document": self.document, "arguments": {}}, "core", 201)["id"])
+        self.server.put(f"/cores/{self.core}/live", {"live": True}, "core")
+        self.server.post(f"/cores/{self.core}/start", None, "core")
+
+    @property
+    def core(self):
+        return self.cores[-1]
 
     def info(self):
         core = self.server.get(f"/cores/{self.core}", "core")
@@ -20,8 +28,8 @@ class LiveRun:
         return core
 
     def follow(self):
-        """Until it is at the last revision of the document, which is sound. What it waits for it names: if that is still
-        active after a while, it is left by force."""
+        """Until it is at the last revision of the document, which is sound. What it waits for it names: a state that
+        is still active after a while is left by force."""
         last, end, patience = self.entry(), time.monotonic() + TIMEOUT, time.monotonic() + 1
         assert not last["errors"], last["errors"]
         while (core := self.info())["revision"] < last["revision"]:
@@ -29,24 +37,29 @@ class LiveRun:
             assert "refused_edit" not in core or core["refused_edit"]["revision"] < last["revision"], core
             waiting = core.get("waiting_edit", {"revision": 0})
             if waiting["revision"] == last["revision"] and time.monotonic() > patience:
-                assert waiting["waits"], core
-                self.leave(waiting["waits"])
+                if waiting["waits"]:
+                    self.leave(waiting["waits"][0]["path"])
             time.sleep(0.02)
         assert self.digest() == digest(meaning(self.server.get(f"/documents/{self.document}/native", "native")["document"]))
 
-    def leave(self, waits):
-        """Each of these active states, or the nearest one above it that has a port, through that."""
-        root = self.native()["root"]
-        for wait in waits:
-            path, port, state = wait["path"].split("/"), None, root
-            for depth, name in enumerate(path[1:], 2):
-                state = next(child for child in state["children"] if name in (child.get("state"), child.get("barrier")))
-                if state.get("ports"):
-                    port = {"path": "/".join(path[:depth]), "scope": "port", "name": state["ports"][0]["name"]}
-            assert port, f"nothing leads out of {wait}"
-            status, answer = self.server.request("POST", f"/api/v1/cores/{self.core}/force", port)
-            assert status in (200, 404, 409), answer  # it has left it by itself, or is another model meanwhile
-            self.forced += status == 200
+    def leave(self, path):
+        """The active state there, or the nearest one above it that has a port, through that. Nothing leads out of a state of
+        the root without ports (a group, say): then another core begins."""
+        state, port, above = self.native()["root"], None, path.partition("/")[0]
+        for name in path.split("/")[1:]:
+            state = next((child for child in state.get("children", ()) if child.get("state") == name), None)
+            if state is None:  # the run has got the edit meanwhile
+                return
+            above += f"/{name}"
+            if state.get("ports"):
+                port = {"path": above, "scope": "port", "name": state["ports"][0]["name"]}
+        if not port:
+            self.server.post(f"/cores/{self.core}/stop", None, "core")
+            self.begin()
+            return
+        status, answer = self.server.request("POST", f"/api/v1/cores/{self.core}/force", port)
+        assert status in (200, 404, 409), answer  # else it was left, or is another model meanwhile
+        self.forced += status == 200
 
     def entry(self):
         return self.server.get(f"/documents/{self.document}", "document_entry")

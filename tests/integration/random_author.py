@@ -11,13 +11,14 @@ from random_edits import RandomEdits
 
 
 class RandomAuthor:
-    """One author: knows the document as far as it has read the channel. `accepted`: revisions of own edits, by token."""
+    """One author: knows the document as far as it has read the channel. `accepted`: revisions of own edits, by token;
+    `unsure`: tokens of those that were on their way when a connection was lost: one may arrive after the answer to its second."""
 
     def __init__(self, server, document, name, seed):
         self.server, self.document, self.name = server, document, name
         self.random = random.Random(f"{seed}/{name}")
         self.edits, self.replica, self.stream = RandomEdits(name, self.random), Replica(), None
-        self.accepted, self.restored, self.refused, self.sent, self.lost = {}, set(), 0, 0, 0
+        self.accepted, self.restored, self.unsure, self.refused, self.sent, self.lost = {}, set(), set(), 0, 0, 0
 
     def run(self, edits):
         """So many edits, accepted or refused."""
@@ -80,6 +81,7 @@ class RandomAuthor:
         self.stream.send_checked(message)
         while self.happens(0.1):  # was it accepted?
             self.lost += 1
+            self.unsure.add(wish["request"])
             self.reconnect(self.random.random() * 0.02)
             self.stream.send_checked(message)
         while True:
@@ -96,6 +98,7 @@ class RandomAuthor:
         path = f"/api/v1/documents/{self.document}/edits"
         while self.happens(0.08):  # its answer is not read
             self.lost += 1
+            self.unsure.add(wish["request"])
             connection = http.client.HTTPConnection("127.0.0.1", self.server.port, timeout=TIMEOUT)
             connection.request("POST", path, json.dumps(wish), {"Content-Type": "application/json"})
             connection.close()
