@@ -1,5 +1,5 @@
 // Eight clients edit one document on the real server, with connections that break: all end with the document that the server has, and has
-// again after a restart. RACE_SEED and RACE_EDITS (how many edits they make together), which are printed, repeat a run.
+// again after a restart. RACE_SEED and RACE_CROWD_EDITS (how many edits they make together), which are printed, repeat a run.
 import { createHash } from "node:crypto";
 import { openEditor, type Editor } from "../../web/shared/edit/editor";
 import { readExact } from "../../web/shared/edit/exact";
@@ -67,7 +67,7 @@ const storedText = async (): Promise<string> => (await fetch(`${fixture.url}/api
 
 it("eight clients, the server and its disk have the same document", async () => {
   const random = randomOf(setting("RACE_SEED", 20261122));
-  const edits = setting("RACE_EDITS", 400);
+  const edits = setting("RACE_CROWD_EDITS", 400);
   const parameters = '[{"name": "kept", "value": 1.0, "meta": {"id": "kept"}}, {"name": "typed", "value": 1, "meta": {"id": "typed"}}]';
   const text = `{"rcm": 1, "root": {"state": "Root", "parameters": ${parameters}, "meta": {"id": "root"}}}`;
   const put = await fetch(`${fixture.url}/api/v1/documents/${kName}`, { method: "PUT", body: text, headers: { "content-type": "application/json" } });

@@ -1,5 +1,7 @@
 """A document as a client has it that applies the accepted edits (api/schemas/edit.json), written apart from the server's."""
 import copy
+import hashlib
+import json
 
 LISTS = ("parameters", "results", "variables", "actions", "children", "ports")
 
@@ -85,12 +87,19 @@ def apply(document, operations):
             set_value(document, operation)
 
 
+def digest(document):
+    """SHA-256 of its canonical JSON."""
+    return hashlib.sha256(json.dumps(document, sort_keys=True, separators=(",", ":")).encode()).hexdigest()
+
+
 class Replica:
-    """What a subscriber of `document/NAME` has. `texts`: the document at each revision that it has seen."""
+    """What a subscriber of `document/NAME` has. `errors`: the violations of the document; `sound`: the last revision that it
+    has seen without any."""
 
     def __init__(self):
         self.document, self.revision, self.sequence = None, 0, None
-        self.accepted, self.texts = {}, {}
+        self.errors, self.sound = [], 0
+        self.accepted = {}
 
     def take(self, message):
         """A snapshot or delta of the channel. AssertionError: an edit is missing."""
@@ -102,5 +111,6 @@ class Replica:
             assert data["revision"] == self.revision + 1, (data["revision"], self.revision)
             apply(self.document, data["operations"])
             self.accepted[data["revision"]] = data
-        self.revision = data["revision"]
-        self.texts[self.revision] = copy.deepcopy(self.document)
+        self.revision, self.errors = data["revision"], data["errors"]
+        if not self.errors:
+            self.sound = self.revision

@@ -59,7 +59,9 @@ def record(name, calls, look):
         assert server.stop() == (0, "")
         most = most_of_a_thread(trace, only_first=phase.new)
     shutil.rmtree(data)
-    return [Point(name, call, n + 1) for call in sorted(most) for n in range(most[call])], seen
+    points = [Point(name, call, n + 1) for call in sorted(most) for n in range(most[call])]
+    assert points, f"the recorded run of {name} makes none of the calls {calls}"
+    return points, seen
 
 
 def most_of_a_thread(trace, only_first):
@@ -77,10 +79,12 @@ def most_of_a_thread(trace, only_first):
 
 
 def choose(points, count, seed):
-    """Spread evenly over all, with a random beginning. RACE_POINT=phase:call:n chooses one; `count`: a number or "all"."""
+    """Spread evenly over all, with a random beginning. RACE_POINT=phase:call:n chooses one; `count`: "all", or a number, no
+    more than there are."""
     if one := os.environ.get("RACE_POINT"):
         phase, call, number = one.split(":")
         return [Point(phase, call, int(number))]
-    count = len(points) if count == "all" else min(int(count), len(points))
+    count = len(points) if count == "all" else int(count)
+    assert 0 < count <= len(points), f"{count} points are asked for, there are {len(points)}"
     first = random.Random(seed).random()
     return [points[int((i + first) * len(points) / count)] for i in range(count)]

@@ -1,9 +1,12 @@
 """What a server has stored, as its files and its answers have it."""
+import json
 import shutil
 import sqlite3
+import subprocess
 import tempfile
 from pathlib import Path
 
+from client import PROGRAM
 from crash_scenario import STEPS
 
 DERIVATIONS = 100  # macro steps of one answer
@@ -61,3 +64,16 @@ def derivations(connection, core, last):
         to = min(last, first + DERIVATIONS - 1)
         found += connection.get(f"/cores/{core}/derivations?from={first}&to={to}")["steps"]
     return found
+
+
+def as_derived(step):
+    """A macro step as `race replay` prints it."""
+    calls = [{k: v for k, v in call.items() if k != "call"} for call in step["calls"]]
+    return {"micro": step["micro"], "calls": calls, "state": step["state"]}
+
+
+def replay(run, data, *options):
+    """What `race replay` prints of the run."""
+    done = subprocess.run([PROGRAM, "replay", run, "--data", data, *options], capture_output=True, text=True, timeout=280, check=False)
+    assert done.returncode == 0, (done.stdout, done.stderr)
+    return done.stdout if options else json.loads(done.stdout)

@@ -14,18 +14,13 @@ from pathlib import Path
 
 import models
 from client import PROGRAM, PROJECT, Server
+from stored_data import as_derived
 
 
 def race(*words):
     """(status, stdout, stderr)"""
     out = subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True, timeout=280, check=False)
     return out.returncode, out.stdout, out.stderr
-
-
-def as_derived(step):
-    """A macro step as `race replay` prints it."""
-    calls = [{k: v for k, v in call.items() if k != "call"} for call in step["calls"]]
-    return {"micro": step["micro"], "calls": calls, "state": step["state"]}
 
 
 class Runs(unittest.TestCase):
