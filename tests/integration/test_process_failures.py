@@ -76,7 +76,10 @@ class ProcessFailureTest(unittest.TestCase):
         if during:
             self.until_active(during)
         for unit in units:
-            self.processes[unit].signal(how)
+            if how == KILL:
+                self.processes[unit].kill()
+            else:
+                self.processes[unit].signal(how)
         self.wait_processes(False, *units)
 
     def restore(self, *units):
