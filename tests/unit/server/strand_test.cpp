@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <memory>
 
 namespace race::server {
 namespace {
@@ -33,11 +34,11 @@ TEST(Pool, DoesEverythingBeforeItEnds) {
   std::atomic<int> done{0};
   {
     Pool pool(2);
-    Strand strand(pool);
+    const auto strand = std::make_shared<Strand>(pool);  // its tasks, which post another one, keep it
     for (int i = 0; i < 100; ++i)
-      strand.post([&] {
+      strand->post([&done, strand] {
         ++done;
-        strand.post([&] { ++done; });
+        strand->post([&done, strand] { ++done; });
       });
   }
   EXPECT_EQ(done, 200);

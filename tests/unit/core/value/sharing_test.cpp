@@ -51,8 +51,8 @@ TEST(CopyOnWrite, AListCanContainACopyOfItself) {
 }
 
 TEST(Freeze, ReachesEveryLevelAndKeepsTheValue) {
-  Value value(Dict{{"a", List{List{"deep"}}}});
-  const Value same(Dict{{"a", List{List{"deep"}}}});
+  Value value(Dict{{"a", List{Value(List{"deep"})}}});
+  const Value same(Dict{{"a", List{Value(List{"deep"})}}});
   value.freeze();
   EXPECT_EQ(value, same);
   Value inner = value.find("a")->as_list()[0];
