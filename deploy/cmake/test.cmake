@@ -3,7 +3,8 @@
 # project's folder) as a string literal.
 #
 # SHARDS: a long program is registered so many times, as NAME_0, NAME_1, ..., and GoogleTest shares its cases out; CTest runs
-# them side by side. COST: CTest begins with what costs most. Each shard has a name of the program of its own, as GoogleTest names the report after it.
+# them side by side. Each has a name of the program of its own, as GoogleTest names the report after it. COST: CTest begins
+# with what costs most.
 #
 # Test files are compiled without optimization, as they are compiled more often than they run; what they test is
 # optimized. A file that does much itself stands in a library of its own (semantics_random_cases).

@@ -30,13 +30,13 @@ class LiveRun:
     def follow(self):
         """Until it is at the last revision of the document, which is sound. What it waits for it names: a state that
         is still active after a while is left by force."""
-        last, end, patience = self.entry(), time.monotonic() + TIMEOUT, time.monotonic() + 1
+        last, end, force_from = self.entry(), time.monotonic() + TIMEOUT, time.monotonic() + 1
         assert not last["errors"], last["errors"]
         while (core := self.info())["revision"] < last["revision"]:
             assert time.monotonic() < end, core
             assert "refused_edit" not in core or core["refused_edit"]["revision"] < last["revision"], core
             waiting = core.get("waiting_edit", {"waits": []})
-            if waiting["waits"] and time.monotonic() > patience:
+            if waiting["waits"] and time.monotonic() > force_from:
                 self.leave(waiting["waits"][0]["path"])
             time.sleep(0.02)
         assert self.digest() == digest(meaning(self.server.get(f"/documents/{self.document}/native", "native")["document"]))

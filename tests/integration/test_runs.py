@@ -129,6 +129,14 @@ class Runs(unittest.TestCase):
         with suppress(OSError, http.client.HTTPException):
             answers.append(server.request("POST", "/api/v1/runs", file)[0])
 
+    def test_a_file_of_an_earlier_build_has_the_same_hashes(self):
+        """Literals: a build must read what an earlier one wrote. They change only with the version of journals, and the file."""
+        status, text, errors = race("replay", PROJECT / "api/examples/run_file.ticking.json", "--hash")
+        self.assertEqual((status, errors), (0, ""))
+        self.assertEqual(text.split()[2:], [
+            "chain", "f49306b52b8ed4cdfa88c9fe0671ca81a0ce6fd4b538986d1b196bc1834db353",
+            "derivations", "bba8d3b49c6b85e0766db2abb6ad1fd5c743ffd966f25cc02673bc9032662737"])
+
     def test_a_file_is_replayed_by_the_command(self):
         with Server(data=self.data) as server:
             run, derivations = self.run_once(server, models.ticking("filed", last=3))
