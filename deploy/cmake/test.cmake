@@ -50,6 +50,10 @@ function(race_test name)
   endif()
   race_register_test(${name} "${ARG_SHARDS}")
   set_tests_properties(${race_registered} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}")
+  if(RACE_SANITIZE)  # of binutils, which is there with any compiler; each sanitizer looks for its own variable
+    set_tests_properties(${race_registered} PROPERTIES ENVIRONMENT_MODIFICATION
+      "ASAN_SYMBOLIZER_PATH=set:/usr/bin/addr2line;TSAN_SYMBOLIZER_PATH=set:/usr/bin/addr2line;UBSAN_SYMBOLIZER_PATH=set:/usr/bin/addr2line")
+  endif()
   if(ARG_COST)
     set_tests_properties(${race_registered} PROPERTIES COST ${ARG_COST})
   endif()

@@ -2,13 +2,22 @@
 
 #include <utility>
 
+#include "services/failures.h"
+
 namespace race::server {
 
 Pool::Pool(unsigned threads) {
-  for (unsigned i = 0; i < threads; ++i) threads_.emplace_back([this] { run(); });
+  try {
+    for (unsigned i = 0; i < threads; ++i) threads_.emplace_back([this] { run(); });
+  } catch (...) {  // no thread can be had
+    end();
+    throw;
+  }
 }
 
-Pool::~Pool() {
+Pool::~Pool() { end(); }
+
+void Pool::end() {
   {
     const services::MutexLock lock(mutex_);
     stop_ = true;
@@ -26,7 +35,7 @@ void Pool::post(Work work) {
 }
 
 void Pool::run() {
-  while (const auto work = next()) (*work)();
+  while (auto work = next()) services::run_reporting("work of a thread", *work);
 }
 
 std::optional<Work> Pool::next() {
@@ -39,32 +48,44 @@ std::optional<Work> Pool::next() {
 }
 
 void Strand::Queue::post(const std::shared_ptr<Queue>& queue, Work work) {
-  {
-    const services::MutexLock lock(queue->mutex);
-    queue->work.push_back(std::move(work));
-    if (std::exchange(queue->scheduled, true)) return;
+  const services::MutexLock lock(queue->mutex);
+  queue->work.push_back(std::move(work));
+  if (queue->scheduled) return;
+  try {
+    queue->pool.post([queue] { run_one(queue); });
+  } catch (...) {  // it is not posted: who posts next gets the strand going
+    queue->work.pop_back();
+    throw;
   }
-  queue->pool.post([queue] { run_one(queue); });
+  queue->scheduled = true;
 }
 
-// One piece of work, then the others' turn: no strand keeps a thread of the pool.
+void Strand::finish() {
+  const services::MutexLock lock(queue_->mutex);
+  queue_->done.wait(queue_->mutex, [this]() REQUIRES(queue_->mutex) { return !queue_->scheduled; });
+}
+
+// One piece of work, then the others' turn: no strand keeps a thread of the pool, unless there is no memory for a turn.
 void Strand::Queue::run_one(const std::shared_ptr<Queue>& queue) {
-  Work work;
-  {
-    const services::MutexLock lock(queue->mutex);
-    work = std::move(queue->work.front());
-    queue->work.pop_front();
-  }
-  work();
-  work = nullptr;
-  {
-    const services::MutexLock lock(queue->mutex);
-    if (queue->work.empty()) {
-      queue->scheduled = false;
-      return;
+  for (bool given_up = false; !given_up;) {
+    Work work;
+    {
+      const services::MutexLock lock(queue->mutex);
+      work = std::move(queue->work.front());
+      queue->work.pop_front();
     }
+    services::run_reporting("work of a strand", work);
+    work = nullptr;
+    {
+      const services::MutexLock lock(queue->mutex);
+      if (queue->work.empty()) {
+        queue->scheduled = false;
+        queue->done.notify_all();
+        return;
+      }
+    }
+    given_up = services::run_reporting("the turn of a strand", [&] { queue->pool.post([queue] { run_one(queue); }); });
   }
-  queue->pool.post([queue] { run_one(queue); });
 }
 
 }  // namespace race::server

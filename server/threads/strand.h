@@ -1,5 +1,6 @@
 // Pool and Strand: worker threads, and sequences of work on them. Work posted to a strand runs in order, one at a time,
-// on any thread of its pool. Each core has a strand; so does the stream.
+// on any thread of its pool. Each core has a strand; so does the stream. Work that throws is over, and reported
+// (services/failures.h); what was posted after it is done all the same.
 //
 // Threads: post() and ask() on any.
 #pragma once
@@ -21,6 +22,7 @@ using Work = std::function<void()>;
 
 class Pool {
  public:
+  /// Throws std::system_error if they cannot be had.
   explicit Pool(unsigned threads);
   /// Finishes all posted work, and the work that it posts: work must not post itself for ever.
   ~Pool();
@@ -30,6 +32,7 @@ class Pool {
 
  private:
   void run();
+  void end();
   /// Waits for work; nothing: the pool ends.
   std::optional<Work> next() EXCLUDES(mutex_);
 
@@ -45,6 +48,8 @@ class Strand {
   /// The pool outlives the strand's work.
   explicit Strand(Pool& pool) : queue_(std::make_shared<Queue>(pool)) {}
   void post(Work work) { Queue::post(queue_, std::move(work)); }
+  /// Waits until all posted work is done. Not to be called on the strand itself.
+  void finish();
 
   /// Posts `function` and waits for its value, at most `timeout`. Nothing: the strand was busy for longer; the function
   /// still runs later, so it must own what it uses. Not to be called on the strand itself.
@@ -70,6 +75,7 @@ class Strand {
     static void run_one(const std::shared_ptr<Queue>& queue);
     Pool& pool;
     services::Mutex mutex;
+    services::ConditionVariable done;
     std::deque<Work> work GUARDED_BY(mutex);
     bool scheduled GUARDED_BY(mutex) = false;
   };

@@ -3,7 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <memory>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "services/failures.h"
 
 namespace race::server {
 namespace {
@@ -28,6 +36,68 @@ TEST(Strand, ABusyOneDoesNotHoldUpAnother) {
   EXPECT_EQ(busy.ask([] { return 5; }, std::chrono::milliseconds(1)), std::nullopt);
   release = true;
   EXPECT_EQ(busy.ask([] { return 6; }), 6);
+}
+
+/// What is reported while it lives.
+struct Reported {
+  Reported() {
+    services::set_failure_handler([this](const std::string& text) { texts.push_back(text); });
+  }
+  ~Reported() { services::set_failure_handler({}); }
+  Reported(const Reported&) = delete;
+  Reported& operator=(const Reported&) = delete;
+  std::vector<std::string> texts;  // one at a time
+};
+
+TEST(Strand, GoesOnAfterWorkThatThrows) {
+  Reported reported;
+  {
+    Pool pool(2);
+    Strand strand(pool);
+    strand.post([] { throw std::runtime_error("no"); });
+    strand.post([] { throw std::bad_alloc(); });
+    EXPECT_EQ(strand.ask([] { return 5; }), 5);
+    strand.post([] { throw std::runtime_error("nor that"); });
+    strand.finish();
+  }
+  EXPECT_EQ(reported.texts,
+            (std::vector<std::string>{"work of a strand failed: no", "work of a strand failed: no memory is left",
+                                      "work of a strand failed: nor that"}));
+}
+
+TEST(Strand, WhoAsksGetsTheException) {
+  const Reported reported;
+  Pool pool(1);
+  Strand strand(pool);
+  EXPECT_THROW(strand.ask([]() -> int { throw std::runtime_error("no"); }), std::runtime_error);
+  EXPECT_EQ(strand.ask([] { return 5; }), 5);
+  EXPECT_TRUE(reported.texts.empty());
+}
+
+TEST(Strand, CanWaitUntilItsWorkIsDone) {
+  Pool pool(2);
+  Strand strand(pool);
+  strand.finish();  // none
+  int done = 0;     // of the strand alone
+  for (int i = 0; i < 3; ++i)
+    strand.post([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      ++done;
+    });
+  strand.finish();
+  EXPECT_EQ(done, 3);
+}
+
+TEST(Pool, GoesOnAfterWorkThatThrows) {
+  Reported reported;
+  std::atomic<int> done{0};
+  {
+    Pool pool(1);
+    pool.post([] { throw std::runtime_error("no"); });
+    pool.post([&] { ++done; });
+  }
+  EXPECT_EQ(done, 1);
+  EXPECT_EQ(reported.texts, std::vector<std::string>{"work of a thread failed: no"});
 }
 
 TEST(Pool, DoesEverythingBeforeItEnds) {
