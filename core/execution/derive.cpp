@@ -1,6 +1,10 @@
 #include "core/execution/derive.h"
 
+#include <algorithm>
+#include <span>
+
 #include "core/rcm/document.h"
+#include "core/value/error_list.h"
 #include "core/value/json.h"
 
 namespace race::execution {
@@ -28,9 +32,11 @@ Checked<Value> derive_texts(std::string_view model, std::string_view script, Ord
 
 Value errors_json(const std::vector<Error>& errors) {
   List list;
-  for (const Error& error : errors)
+  for (const Error& error : std::span(errors).first(std::min(errors.size(), kMaxErrors)))
     list.emplace_back(Dict{{"path", error.path}, {"code", name(error.code)}, {"message", error.message}});
-  return Dict{{"errors", std::move(list)}};
+  Dict json{{"errors", std::move(list)}};
+  if (is_full(errors)) json.set("more_errors", true);
+  return json;
 }
 
 }  // namespace race::execution

@@ -17,7 +17,8 @@ Checked<Value> derive_texts(std::string_view model, std::string_view script, Ord
 /// A script from its text (script.h). Its own codes, with an empty path: those of parse_json.
 Checked<Script> read_script_text(std::string_view text);
 
-/// {"errors": [{"path", "code", "message"}]}, the shape of every refusal.
+/// {"errors": [{"path", "code", "message"}]}, the shape of every refusal; of more than kMaxErrors these alone, with
+/// `more_errors`, which is true.
 Value errors_json(const std::vector<Error>& errors);
 
 }  // namespace race::execution

@@ -6,6 +6,7 @@
 #include "core/execution/executed_model.h"
 #include "core/execution/input_fields.h"
 #include "core/execution/journal.h"
+#include "core/value/error_list.h"
 #include "core/value/fields.h"
 
 namespace race::execution {
@@ -135,8 +136,8 @@ JournalEntry read_edit_entry(Fields& fields, Errors& errors) {
   entry.services = read_object(fields, "services");
   for (const auto& [path, from] : entry.origin)
     if (!from.is_string() && !from.is_null())
-      errors.push_back({ErrorCode::type, "an origin must be a string or null, got " + std::string(kind_name(from)),
-                        fields.path() + "/origin/" + path.as_string()});
+      add_error(errors, {ErrorCode::type, "an origin must be a string or null, got " + std::string(kind_name(from)),
+                         fields.path() + "/origin/" + path.as_string()});
   read_interfaces(entry.services, fields.path() + "/services", errors);
   return entry;
 }

@@ -90,7 +90,7 @@ Checked<Script> read_script(const Value& json) {
       if (service)
         script.services.emplace_back(key.as_string(), std::move(*service));
       else
-        errors.insert(errors.end(), service.error().begin(), service.error().end());
+        append_below(errors, std::move(service).error(), "");
     }
   }
   if (const Value* closed = fields.find("closed")) {

@@ -9,6 +9,7 @@
 #include "core/rcm/constraints_internal.h"
 #include "core/rcm/oracle.h"
 #include "core/rcm/path.h"
+#include "core/value/error_list.h"
 
 namespace race::rcm {
 namespace {
@@ -47,7 +48,7 @@ class CodeCheck {
       : library_(library), names_(names), checks_(checks), open_(scope_of({})), errors_(errors) {}
 
   void check_state(const State& state, const std::string& path) {
-    if (state.link) return;
+    if (state.link || is_full(errors_)) return;
     const auto at_state = [&] { return path; };
     const Scope scope = scope_of(symbols_of(state));
     if (state.entry) check([] { return "entry"; }, *state.entry, CodeKind::function, scope, at_state);
@@ -160,6 +161,7 @@ class CodeCheck {
   template <typename Which, typename Where>
   void check(Which which, std::string_view text, CodeKind kind, const Scope& scope, Where where,
              Names names = Names::checked) {
+    if (is_full(errors_)) return;
     if (checks_) {
       report(which, known_errors(text, kind, scope), where, names);
     } else {
@@ -180,7 +182,7 @@ class CodeCheck {
       const bool unknown = error.code == ErrorCode::unknown_name;
       if (!names_ && (unknown || error.code == ErrorCode::scope)) continue;
       if ((names == Names::open && unknown) || (names == Names::only && !unknown)) continue;
-      errors_.push_back(Error{error.code, which() + (": " + error.message), where(), error.where});
+      add_error(errors_, {error.code, which() + (": " + error.message), where(), error.where});
     }
   }
 

@@ -1,13 +1,12 @@
 #include "core/rcm/constraints.h"
 
-#include <algorithm>
-#include <iterator>
 #include <set>
 #include <string>
 
 #include "core/rcm/constraints_internal.h"
 #include "core/rcm/extent.h"
 #include "core/rcm/library.h"
+#include "core/value/error_list.h"
 
 namespace race::rcm {
 namespace {
@@ -24,23 +23,20 @@ std::set<std::string> said_nameless(const std::vector<Error>& errors) {
 void check_extent(const Document& document, const Library& library, std::vector<Error>& errors) {
   const Extent extent = extent_of(document, library);
   if (extent.depth > kMaxDepth)
-    errors.push_back(
-        {ErrorCode::too_deep, "states and links are nested more than " + std::to_string(kMaxDepth) + " levels deep"});
+    add_error(errors, {ErrorCode::too_deep,
+                       "states and links are nested more than " + std::to_string(kMaxDepth) + " levels deep"});
   if (extent.states > kMaxStates || extent.bytes > kMaxBytes)
-    errors.push_back({ErrorCode::too_large, "with its links, it has more than " + std::to_string(kMaxStates) +
-                                                " states and barriers, or more than " +
-                                                std::to_string(kMaxBytes >> 20U) + " MiB of text"});
+    add_error(errors, {ErrorCode::too_large, "with its links, it has more than " + std::to_string(kMaxStates) +
+                                                 " states and barriers, or more than " +
+                                                 std::to_string(kMaxBytes >> 20U) + " MiB of text"});
 }
 
 /// Appends what is wrong with a document to what reading it has found.
 void add_violations(const Document& document, bool has_root, CodeChecks* checks, std::vector<Error>& errors) {
+  if (is_full(errors)) return;
   const auto nameless = said_nameless(errors);
   const Library library(document);
-  std::vector<Error> structure;
-  check_structure(document, has_root, library, structure);
-  std::erase_if(structure,
-                [&](const Error& error) { return error.code == ErrorCode::name && nameless.contains(error.path); });
-  std::ranges::move(structure, std::back_inserter(errors));
+  check_structure(document, has_root, library, nameless, errors);
   if (errors.empty()) check_extent(document, library, errors);
   const bool names = errors.empty();
   check_code(document, library, names, checks, errors);

@@ -1,6 +1,7 @@
 // The constraints on documents: of structure (thesis 3.1, after Definitions 3.8 and 3.9; links and oracles, 3.3) and of
-// code (3.2, core/SEMANTICS.md section 2). Every violation is listed, with the path of the state that holds it or,
-// for a port, of the port. Pure functions.
+// code (3.2, core/SEMANTICS.md section 2). Violations are listed with the path of the state that holds them or,
+// for a port, of the port: those of the shape, then of structure, then of code, each in the order of the document,
+// until the list is full (error_list.h). Pure functions.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +19,7 @@ inline constexpr std::size_t kMaxStates = 100'000;
 inline constexpr std::size_t kMaxDepth = 256;
 inline constexpr std::size_t kMaxBytes = 64U << 20U;
 
-/// All violations of a document. If its structure has violations, names in its code are not checked (`scope`,
+/// The violations of a document. If its structure has violations, names in its code are not checked (`scope`,
 /// `unknown_name`).
 std::vector<Error> violations(const Document& document);
 

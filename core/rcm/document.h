@@ -1,5 +1,5 @@
 // The RCM codec: documents (core/SEMANTICS.md, section 1) from JSON and back. A document is rejected as a whole, with
-// every violation listed. A draft keeps what has the right shape, even if it breaks other constraints.
+// its violations (constraints.h). A draft keeps what has the right shape, even if it breaks other constraints.
 // Pure functions.
 #pragma once
 
@@ -21,7 +21,8 @@ struct Draft {
   Document document;
   std::vector<Error> errors;
   bool has_root = false;
-  std::size_t bad_ids = 0;  // how many of the errors are about ids (`meta.id`), which are left out
+  std::size_t bad_ids = 0;  // how many ids (`meta.id`) are none; they are left out, and each is one of the errors
+                            // unless these are full
 };
 
 /// Reads as much as can be read. `json` is a document as parse_json gives it with `keep_out_of_range`.

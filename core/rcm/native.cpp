@@ -4,6 +4,7 @@
 
 #include "core/rcm/document.h"
 #include "core/rcm/translate.h"
+#include "core/value/error_list.h"
 #include "core/value/fields.h"
 
 namespace race::rcm {
@@ -36,15 +37,15 @@ Origin read_origin(const Dict& json, const std::string& path, const Origin& elem
   for (const auto& [key, from] : json) {
     const std::string& element = key.as_string();
     if (!elements.contains(element))
-      errors.push_back({ErrorCode::unknown_name, "the model has no element of this path", path + "/" + element});
+      add_error(errors, {ErrorCode::unknown_name, "the model has no element of this path", path + "/" + element});
     else if (!from.is_string())
-      errors.push_back(
-          {ErrorCode::type, "an origin must be a string, got " + std::string(kind_name(from)), path + "/" + element});
+      add_error(errors, {ErrorCode::type, "an origin must be a string, got " + std::string(kind_name(from)),
+                         path + "/" + element});
     else
       origin.emplace(element, from.as_string());
   }
   for (const auto& [element, itself] : elements)
-    if (!json.find(element)) errors.push_back({ErrorCode::missing, "the origin is missing", path + "/" + element});
+    if (!json.find(element)) add_error(errors, {ErrorCode::missing, "the origin is missing", path + "/" + element});
   return origin;
 }
 

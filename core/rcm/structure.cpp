@@ -9,6 +9,7 @@
 #include "core/rcm/oracle.h"
 #include "core/rcm/path.h"
 #include "core/rcm/used_variables.h"
+#include "core/value/error_list.h"
 #include "core/value/fields.h"
 
 namespace race::rcm {
@@ -31,7 +32,8 @@ Level level_of(const std::vector<Node>& nodes) {
 
 class Structure {
  public:
-  Structure(const Library& library, std::vector<Error>& errors) : library_(library), errors_(errors) {}
+  Structure(const Library& library, const std::set<std::string>& nameless, std::vector<Error>& errors)
+      : library_(library), nameless_(nameless), errors_(errors) {}
 
   void check_document(const Document& document, bool has_root) {
     resumed_ = resumed_states(document, library_);
@@ -52,7 +54,8 @@ class Structure {
 
  private:
   void add(ErrorCode code, const std::string& path, std::string message) {
-    errors_.push_back(Error{code, std::move(message), path});
+    if (code == ErrorCode::name && nameless_.contains(path)) return;
+    add_error(errors_, {code, std::move(message), path});
   }
 
   /// Names of one kind are unique; whether each is a valid name is checked elsewhere.
@@ -81,6 +84,7 @@ class Structure {
   }
 
   void check_state(const State& state, const std::string& path, const Level& siblings) {
+    if (is_full(errors_)) return;
     check_name("state", state.name, path);
     check_data(state, path);
     check_ports(state, path, siblings);
@@ -230,14 +234,16 @@ class Structure {
   }
 
   const Library& library_;
+  const std::set<std::string>& nameless_;
   std::vector<Error>& errors_;
   std::set<const State*> resumed_;
 };
 
 }  // namespace
 
-void check_structure(const Document& document, bool has_root, const Library& library, std::vector<Error>& errors) {
-  Structure(library, errors).check_document(document, has_root);
+void check_structure(const Document& document, bool has_root, const Library& library,
+                     const std::set<std::string>& nameless, std::vector<Error>& errors) {
+  Structure(library, nameless, errors).check_document(document, has_root);
 }
 
 }  // namespace race::rcm

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "core/rsm/document.h"
+#include "core/value/error_list.h"
 #include "core/value/fields.h"
 
 namespace race::rsm {
@@ -26,7 +27,7 @@ class Constraints {
   using Names = std::set<std::string, std::less<>>;
   static constexpr std::string_view kTransition = "transition";  // the id of one is any text
 
-  void add(ErrorCode code, std::string message) { errors_.push_back(Error{code, std::move(message), path_}); }
+  void add(ErrorCode code, std::string message) { add_error(errors_, {code, std::move(message), path_}); }
 
   void declare(std::string_view what, const std::string& name, Names& names) {
     if (name.empty()) return;

@@ -219,7 +219,7 @@ Checked<Service> read_service(const Value& json, const std::string& path) {
   Errors errors;
   Service out = read_fields(json, path, errors);
   if (json.is_dict()) {
-    for (Error& error : violations(out, path)) errors.push_back(std::move(error));
+    append_below(errors, violations(out, path), "");
   }
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   return out;

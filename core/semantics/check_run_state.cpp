@@ -1,6 +1,7 @@
 // What contradicts itself in a checkpoint: flags and stamps that no sequence of inputs leads to, as far as the rules
 // below rely on it or a reader should know.
 #include "core/semantics/run_checkpoint_internal.h"
+#include "core/value/error_list.h"
 
 namespace race::semantics {
 namespace {
@@ -22,7 +23,7 @@ class StateCheck {
  private:
   bool is_on(Flag flag) const { return r_.flags[flag] != 0; }
   void conflict(const std::string& at, std::string message) {
-    errors_.push_back({ErrorCode::conflict, std::move(message), path_ + "/states/" + at});
+    add_error(errors_, {ErrorCode::conflict, std::move(message), path_ + "/states/" + at});
   }
 
   void check_root(Status status) {

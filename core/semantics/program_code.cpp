@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/semantics/program_internal.h"
+#include "core/value/error_list.h"
 
 namespace race::semantics {
 namespace {
@@ -73,7 +74,7 @@ class CodeCompiler {
     if (code) return *code;
     for (Error& error : code.error()) {
       error.path = path;
-      errors_.push_back(std::move(error));
+      add_error(errors_, std::move(error));
     }
     return {};
   }

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "core/semantics/run_checkpoint_internal.h"
+#include "core/value/error_list.h"
 
 namespace race::semantics {
 
@@ -67,7 +68,7 @@ class StateReader {
       read_entry(name.as_string(), entry, below(path, name.as_string()));
   }
   void violation(ErrorCode code, const std::string& path, std::string message) {
-    errors_.push_back({code, std::move(message), path});
+    add_error(errors_, {code, std::move(message), path});
   }
   void unknown_name(const std::string& path, const std::string& what, std::string_view name) {
     violation(ErrorCode::unknown_name, path, "the model has no " + what + " `" + std::string(name) + "`");

@@ -6,6 +6,7 @@
 
 #include "core/semantics/micro.h"
 #include "core/semantics/run_internal.h"
+#include "core/value/error_list.h"
 
 namespace race::semantics {
 
@@ -38,10 +39,10 @@ Bound bind(const Program& program, const Dict& arguments) {
     const std::string& name = key.as_string();
     const auto parameter = std::ranges::find(parameters, name, &ParameterInfo::name);
     if (parameter == parameters.end())
-      bound.errors.push_back(
-          {ErrorCode::unknown_name, "the task has no parameter `" + name + "`", "arguments/" + name});
+      add_error(bound.errors,
+                {ErrorCode::unknown_name, "the task has no parameter `" + name + "`", "arguments/" + name});
     else if (!value.is_finite())
-      bound.errors.push_back({ErrorCode::constant, "the argument is not finite", "arguments/" + name});
+      add_error(bound.errors, {ErrorCode::constant, "the argument is not finite", "arguments/" + name});
     else
       bound.values[static_cast<std::size_t>(parameter - parameters.begin())] = value;
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/value/error_list.h"
+
 namespace race {
 namespace {
 
@@ -35,7 +37,7 @@ std::string quote(std::string_view name) { return "`" + std::string(name) + "`";
 void append_below(std::vector<Error>& errors, std::vector<Error> more, const std::string& below) {
   for (Error& error : more) {
     error.path = below + (below.empty() || error.path.empty() ? "" : "/") + error.path;
-    errors.push_back(std::move(error));
+    add_error(errors, std::move(error));
   }
 }
 

@@ -90,7 +90,7 @@ void append_below(std::vector<Error>& errors, std::vector<Error> more, const std
 template <typename T>
 using Expected = tl::expected<T, Error>;
 
-/// For checks that list every violation of their input.
+/// For checks that list every violation of their input; as many as error_list.h says.
 template <typename T>
 using Checked = tl::expected<T, std::vector<Error>>;
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/value/error_list.h"
+
 namespace race {
 namespace {
 
@@ -82,9 +84,10 @@ Fields::Fields(const Value& json, std::string path, std::string what, std::vecto
 }
 
 void Fields::violation(ErrorCode code, std::string message, std::string_view key) {
+  if (is_full(errors_)) return;
   std::string path = path_;
   if (paths_ == Paths::field && !key.empty()) path += (path.empty() ? "" : "/") + std::string(key);
-  errors_.push_back(Error{code, what_ + ": " + std::move(message), std::move(path)});
+  add_error(errors_, {code, what_ + ": " + std::move(message), std::move(path)});
 }
 
 void Fields::wrong_type(std::string_view key, std::string_view expected, const Value& value) {

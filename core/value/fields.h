@@ -1,7 +1,7 @@
 // Fields: reads and validates a JSON object field by field. A field that is missing, of the wrong type, out of range or
 // unknown becomes a violation. Its path is that of the element that the object describes, or of the field itself
-// (Paths). Reading continues, so that all violations are listed at once. Used for one object, on one thread; borrows
-// the object and the list of violations.
+// (Paths). Reading continues, so that violations are listed at once (error_list.h). Used for one object, on one thread;
+// borrows the object and the list of violations.
 #pragma once
 
 #include <cstddef>

@@ -4,6 +4,7 @@
 #include "server/cell/screen_services.h"
 #include "server/wire/calendar.h"
 #include "server/wire/channel_names.h"
+#include "services/failures.h"
 
 namespace race::server {
 namespace {
@@ -23,6 +24,8 @@ Checked<std::unique_ptr<Application>> Application::create(const Setup& setup) {
   if (auto opened = app->open_store(setup); !opened) return tl::unexpected(std::move(opened).error());
   app->create_stream(setup);
   if (auto created = app->create_cell(setup); !created) return tl::unexpected(std::move(created).error());
+  services::set_failure_handler(
+      [raw = app.get()](const std::string& text) { raw->log("server", text, LogLevel::error); });
   if (auto created = app->create_cores(setup); !created) return of_store(std::move(created).error(), *app->folder_);
   app->create_editing();
   if (setup.script)
@@ -130,6 +133,7 @@ Checked<void> Application::add_operator(const OperatorScript& script) {
 }
 
 Application::~Application() {
+  services::set_failure_handler({});
   edits_.reset();
   if (live_edits_) live_edits_->close();
   if (cores_) cores_->close();
@@ -140,12 +144,8 @@ Application::~Application() {
 }
 
 Backend Application::make_backend() {
-  return {[this](Request request) { return handle(std::move(request), resources()); },
-          *hub_,
-          *displays_,
-          *edits_,
-          cell_->remotes(),
-          [this](const std::string& text) { log("server", text, LogLevel::error); }};
+  return {[this](Request request) { return handle(std::move(request), resources()); }, *hub_, *displays_, *edits_,
+          cell_->remotes()};
 }
 
 void Application::log(const std::string& source, const std::string& text, LogLevel level) {

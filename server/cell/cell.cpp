@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <utility>
 
 #include "server/cell/component_groups.h"
 #include "server/cell/remote_world_proxy.h"
+#include "server/store/files.h"
 #include "services/camera/camera.h"
 #include "services/database/database.h"
+#include "services/failures.h"
 #include "services/gripper/gripper.h"
 #include "services/recognition/object_recognition.h"
 #include "services/robot/robot.h"
@@ -23,7 +26,11 @@ Expected<std::unique_ptr<Cell>> Cell::create(const CellSetup& setup, services::H
   const fs::path scene = fs::path(setup.folder) / "scene.json";
   const auto here = [&](const char* group) { return std::ranges::find(setup.remote, group) == setup.remote.end(); };
   if (auto added = cell->add_remotes(setup); !added) return tl::unexpected(std::move(added).error());
-  if (here("cell") && !setup.folder.empty() && fs::exists(scene)) {
+  bool has_world = here("cell") && !setup.folder.empty();
+  if (has_world) {
+    ASSIGN_OR_RETURN(has_world, file_exists(scene));
+  }
+  if (has_world) {
     if (auto added = cell->add_world(scene, setup.seed); !added) return tl::unexpected(std::move(added).error());
     if (auto added = cell->add_vision(setup); !added) return tl::unexpected(std::move(added).error());
   }
@@ -76,7 +83,9 @@ Expected<void> Cell::add_vision(const CellSetup& setup) {
   host_.attach("camera", std::make_unique<camera::Camera>(camera_host, local_world_->world(), setup.seed));
   const fs::path parts_path = fs::path(setup.folder) / "parts.json";
   const bool elsewhere = std::ranges::find(setup.remote, "recognition") != setup.remote.end();
-  if (elsewhere || !fs::exists(parts_path)) return {};
+  if (elsewhere) return {};
+  ASSIGN_OR_RETURN(const bool has_parts, file_exists(parts_path));
+  if (!has_parts) return {};
   ASSIGN_OR_RETURN(auto parts, recognition::load_parts(parts_path));
   auto& host = host_.declare("obj_rec", "ObjectRecognition", queue_);
   host_.attach("obj_rec", std::make_unique<recognition::ObjectRecognition>(host, std::move(parts)));
@@ -121,16 +130,26 @@ void Cell::start_real_time() {
       next += 1ms;
       std::this_thread::sleep_until(next);
       if (const auto now = std::chrono::steady_clock::now(); now - next > 100ms) next = now;
-      step();
+      take_step();
     }
   });
+}
+
+// What fails in each step is reported once.
+void Cell::take_step() {
+  try {
+    step();
+    failing_ = false;
+  } catch (...) {
+    if (!std::exchange(failing_, true)) services::report_failure("a step of the cell");
+  }
 }
 
 void Cell::stop() {
   if (stop_.exchange(true)) return;
   if (thread_.joinable()) thread_.join();
   database_queue_.reset();
-  remotes_->stop();
+  if (remotes_) remotes_->stop();
   host_.stop();
 }
 

@@ -117,7 +117,9 @@ Expected<const ComponentGroup*> find_component_group(std::string_view name) {
 Expected<database::Store> open_store(const std::string& folder, const std::string& database) {
   ASSIGN_OR_RETURN(auto store, database::Store::open(database));
   const fs::path seeds = fs::path(folder) / "database.json";
-  if (folder.empty() || !fs::exists(seeds)) return store;
+  if (folder.empty()) return store;
+  ASSIGN_OR_RETURN(const bool has_seeds, file_exists(seeds));
+  if (!has_seeds) return store;
   ASSIGN_OR_RETURN(const std::string text, read_file(seeds));
   ASSIGN_OR_RETURN(const Value values, parse_json(text));
   if (!values.is_dict()) return unexpected(ErrorCode::type, "expected an object of key: value", seeds);

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "core/value/error_list.h"
 #include "core/value/json.h"
 #include "services/display/screens.h"
 
@@ -163,7 +164,7 @@ std::vector<Error> check_bodies(const OperatorScript& script, const CellWorld& w
       const auto* person = std::get_if<PersonCommand>(&act);
       const std::string* body = person ? body_of(*person) : nullptr;
       if (body && !world.may_have(*body))
-        errors.push_back({ErrorCode::not_found, "there is no link or part `" + *body + "`", at("acts", i)});
+        add_error(errors, {ErrorCode::not_found, "there is no link or part `" + *body + "`", at("acts", i)});
     }
   return errors;
 }

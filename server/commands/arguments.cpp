@@ -24,13 +24,15 @@ std::vector<const CLI::Option*> arguments_of(const CLI::App& app) {
   return app.get_options([&app](const CLI::Option* option) { return option != app.get_help_ptr(); });
 }
 
-// No number (nan) is refused too.
+// No number (nan) is refused too, and a whole one that is not written as such (8e3, 80.0).
 CLI::Validator within(const NumberRange& range) {
   const auto check = [range](const std::string& text) -> std::string {
     double value = 0;
     const char* end = text.data() + text.size();
-    const auto read = std::from_chars(text.data(), end, value);
-    if (read.ec == std::errc() && read.ptr == end && range.has(value)) return "";
+    const auto format = range.whole ? std::chars_format::fixed : std::chars_format::general;
+    const auto read = std::from_chars(text.data(), end, value, format);
+    const bool is_written_so = !range.whole || text.find('.') == std::string::npos;
+    if (read.ec == std::errc() && read.ptr == end && is_written_so && range.has(value)) return "";
     return "must be " + range.text() + ", got " + quote(text);
   };
   return {check, ""};

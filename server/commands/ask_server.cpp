@@ -25,6 +25,7 @@ void print_errors(const HttpClient::Answer& answer, bool json) {
   for (const Value& error : errors->as_list())
     std::fprintf(stderr, "%s: %s: %s\n", text_of(error, "path").c_str(), text_of(error, "code").c_str(),
                  text_of(error, "message").c_str());
+  if (answer.body.find("more_errors")) std::fprintf(stderr, "%s\n", kMoreErrors);
 }
 
 }  // namespace

@@ -38,13 +38,15 @@ CheckedFile check_file(const std::string& path, bool is_first) {
   return {{path, violations(*json, is_first)}};
 }
 
-// {"files": [{"file", "errors": [...]}]}
+// {"files": [{"file", "errors": [...]}]}; each with `more_errors` if there are more than are listed.
 void print_json(const std::vector<CheckedFile>& files) {
   List list;
   for (const CheckedFile& each : files) {
     const FileErrors nameless{"", each.found.errors};
-    list.emplace_back(
-        Dict{{"file", each.found.file}, {"errors", *file_errors_json(std::span(&nameless, 1)).find("errors")}});
+    Dict entry{{"file", each.found.file}};
+    const Value errors = file_errors_json(std::span(&nameless, 1));
+    for (const auto& [key, value] : errors.as_dict()) entry.set(key, value);
+    list.emplace_back(std::move(entry));
   }
   std::printf("%s\n", to_json(Dict{{"files", std::move(list)}}, 1).c_str());
 }

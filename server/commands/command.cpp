@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <exception>
+#include <new>
 #include <utility>
 
 #include "core/value/json.h"
@@ -40,6 +42,12 @@ std::string overview(Commands commands) {
   return text;
 }
 
+// What no function has named as an error: nothing more can be done. No memory is needed to say so.
+int give_up(const char* code, const char* why) {
+  std::fprintf(stderr, "race: %s: %s\n", code, why);
+  return kExitBadInput;
+}
+
 int run(const Command& command, std::vector<std::string> words) {
   Arguments arguments{std::string(command.name)};
   const auto run = command.declare(arguments);
@@ -68,7 +76,7 @@ int refuse_command(Commands commands, const std::string& word) {
 
 }  // namespace
 
-int run_command(Commands commands, std::vector<std::string> words) {
+int run_command(Commands commands, std::vector<std::string> words) try {
   if (!words.empty() && words[0] == "--version") {
     if (words.size() > 1) return refuse(Error{ErrorCode::syntax, "is a word too many", words[1]});
     print(stdout, "race " + std::string(version()) + "\ncompiler: " + std::string(compiler()) + '\n');
@@ -85,6 +93,10 @@ int run_command(Commands commands, std::vector<std::string> words) {
   if (!words.empty() && !asks_for_help(words[0])) return refuse_command(commands, words[0]);
   print(help ? stdout : stderr, overview(commands));
   return help ? kExitOk : kExitBadInput;
+} catch (const std::bad_alloc&) {
+  return give_up("out_of_memory", "there is not enough memory");
+} catch (const std::exception& failure) {  // such as a thread that cannot be had
+  return give_up("internal", failure.what());
 }
 
 }  // namespace race::server

@@ -1,6 +1,7 @@
 // The commands of the program `race`: each declares its arguments and what runs it, in a file of its own or of its
 // kind. Exit codes: 0 fine; 1 the run or check found something, or a server that was asked refuses; 2 bad input: a
-// command line that is wrong, a file that cannot be read or is no document, a document that cannot run, no server.
+// command line that is wrong, a file that cannot be read or is no document, a document that cannot run, no server; and
+// memory or threads that cannot be had.
 #pragma once
 
 #include <functional>

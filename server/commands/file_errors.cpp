@@ -1,8 +1,18 @@
 #include "server/commands/file_errors.h"
 
+#include <algorithm>
 #include <cstdio>
 
+#include "core/value/error_list.h"
+
 namespace race::server {
+namespace {
+
+std::span<const Error> listed(const FileErrors& of_file) {
+  return std::span(of_file.errors).first(std::min(of_file.errors.size(), kMaxErrors));
+}
+
+}  // namespace
 
 std::string error_line(const std::string& file, const Error& error) {
   std::string line;
@@ -12,14 +22,17 @@ std::string error_line(const std::string& file, const Error& error) {
 }
 
 void print_errors(std::span<const FileErrors> all) {
-  for (const FileErrors& of_file : all)
-    for (const Error& error : of_file.errors) std::fprintf(stderr, "%s\n", error_line(of_file.file, error).c_str());
+  for (const FileErrors& of_file : all) {
+    for (const Error& error : listed(of_file)) std::fprintf(stderr, "%s\n", error_line(of_file.file, error).c_str());
+    if (!is_full(of_file.errors)) continue;
+    std::fprintf(stderr, "%s%s\n", of_file.file.empty() ? "" : (of_file.file + ": ").c_str(), kMoreErrors);
+  }
 }
 
 Value file_errors_json(std::span<const FileErrors> all) {
   List list;
   for (const FileErrors& of_file : all) {
-    for (const Error& error : of_file.errors) {
+    for (const Error& error : listed(of_file)) {
       Dict json;
       if (!of_file.file.empty()) json.set("file", of_file.file);
       json.set("path", error.path);
@@ -32,7 +45,10 @@ Value file_errors_json(std::span<const FileErrors> all) {
       list.emplace_back(std::move(json));
     }
   }
-  return Dict{{"errors", std::move(list)}};
+  Dict json{{"errors", std::move(list)}};
+  if (std::ranges::any_of(all, [](const FileErrors& of_file) { return is_full(of_file.errors); }))
+    json.set("more_errors", true);
+  return json;
 }
 
 }  // namespace race::server

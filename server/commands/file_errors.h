@@ -19,11 +19,14 @@ struct FileErrors {
 /// `FILE: path: code: message`, in one line; without a file or a path, the rest.
 std::string error_line(const std::string& file, const Error& error);
 
+/// The line after the errors of a file that has more than kMaxErrors, which are not listed.
+inline constexpr const char* kMoreErrors = "there are more errors, which are not listed";
+
 /// Prints each error to stderr as a line.
 void print_errors(std::span<const FileErrors> all);
 
 /// {"errors": [{"file", "path", "code", "message"}]}, with `file` where there is one, and `line` and `column` where
-/// they are known.
+/// they are known; if there are more than kMaxErrors in a file, these alone, and `more_errors`, which is true.
 Value file_errors_json(std::span<const FileErrors> all);
 
 }  // namespace race::server

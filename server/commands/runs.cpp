@@ -44,7 +44,7 @@ int list(const std::string& data, bool json) {
     before = block->next;
   }
   Dict list{{"runs", std::move(all)}};
-  if (!damaged.empty()) list.set("damaged", *errors_json(damaged).find("errors"));
+  if (!damaged.empty()) list.set("damaged", error_list(damaged));
   if (json) std::printf("%s\n", to_json(std::move(list), 1).c_str());
   if (damaged.empty()) return kExitOk;
   refuse(damaged);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -22,6 +23,8 @@
 namespace race::server {
 namespace {
 
+namespace fs = std::filesystem;
+
 // Numbers of messages go on where an earlier server can not have been: 1000 a millisecond since 1970.
 std::int64_t first_sequence() { return now_ms() * 1000; }
 
@@ -30,6 +33,30 @@ struct Options {
   std::optional<std::string> config;
   bool check_config = false;
 };
+
+// Whether the folder holds anything of a demo: a cell or a document.
+bool holds_demo(const fs::path& folder, std::error_code& unknown) {
+  auto entry = fs::directory_iterator(folder, unknown);
+  for (; !unknown && entry != fs::directory_iterator(); entry.increment(unknown)) {
+    const std::string name = entry->path().filename();
+    if (name == "scene.json" || name == "database.json" || name.ends_with(".rcm.json")) return true;
+  }
+  return false;
+}
+
+// A demo of nothing is a slip in its name. (Of the configuration, an empty name is no demo.)
+std::optional<FileErrors> check_demo(const Options& options, const Arguments& arguments) {
+  const std::string &folder = options.settings.demo, option = "--demo";
+  const bool is_option = arguments.given(option);
+  const auto wrong = [&](ErrorCode code, const std::string& why) {
+    return FileErrors{is_option ? "" : *options.config, {{code, why, is_option ? option : "demo"}}};
+  };
+  if (folder.empty() && is_option) return wrong(ErrorCode::missing, "the option needs a folder");
+  std::error_code unknown;
+  if (folder.empty() || holds_demo(folder, unknown)) return {};
+  if (unknown) return wrong(ErrorCode::io, quote(folder) + " cannot be read: " + unknown.message());
+  return wrong(ErrorCode::not_found, quote(folder) + " holds neither a cell (scene.json) nor documents (*.rcm.json)");
+}
 
 // Reads the configuration into the settings, but for those that the command line gives; then checks them all.
 std::optional<FileErrors> load_config(Options& options, const Arguments& arguments) {
@@ -62,6 +89,7 @@ int serve(Options& options, const Arguments& arguments) {
     return refuse(Error{ErrorCode::missing, "there is no configuration to check", "--config"});
   if (const auto wrong = load_config(options, arguments)) return refuse(*wrong);
   const Settings& settings = options.settings;
+  if (const auto wrong = check_demo(options, arguments)) return refuse(*wrong);
   Application::Setup setup = setup_of(settings);
   if (settings.operator_script) {
     auto script = load_operator_script(*settings.operator_script);
@@ -70,6 +98,7 @@ int serve(Options& options, const Arguments& arguments) {
   }
   if (options.check_config) return kExitOk;
   std::signal(SIGPIPE, SIG_IGN);  // of a log that nobody reads any more
+  std::signal(SIGHUP, SIG_IGN);   // of a terminal that is closed
   LineLog log(STDERR_FILENO, log_level_of(settings.log_level).value());
   setup.lines = &log;
   auto app = Application::create(setup);
@@ -100,6 +129,8 @@ std::function<int()> declare(Arguments& arguments) {
 
 }  // namespace
 
-const Command kServe = {"serve", "serves cores, services and the browser clients on 127.0.0.1", declare};
+const Command kServe = {
+    "serve", "serves cores, services and the browser clients on 127.0.0.1, until SIGTERM or SIGINT; SIGHUP is ignored",
+    declare};
 
 }  // namespace race::server

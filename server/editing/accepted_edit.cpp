@@ -14,7 +14,7 @@ Value accepted_edit_json(const DocumentPast::Edit& accepted, const std::vector<E
   if (takes_back) json.set("of", revision.origin.revision);
   if (!edit.request.empty()) json.set("request", edit.request);
   json.set("operations", *edit::write_edit(edit.edit).find("operations"));
-  json.set("errors", *errors_json(errors).find("errors"));
+  set_errors(json, errors);
   json.set("undo", static_cast<std::int64_t>(depths.undo));
   json.set("redo", static_cast<std::int64_t>(depths.redo));
   Value out(std::move(json));
@@ -22,15 +22,15 @@ Value accepted_edit_json(const DocumentPast::Edit& accepted, const std::vector<E
 }
 
 Value document_snapshot_json(const DocumentEntry& entry) {
-  Value out = Dict{{"document", entry.revision.document},
-                   {"revision", entry.revision.number},
-                   {"json", entry.document},
-                   {"errors", *errors_json(entry.errors).find("errors")}};
+  Dict json{{"document", entry.revision.document}, {"revision", entry.revision.number}, {"json", entry.document}};
+  set_errors(json, entry.errors);
+  Value out(std::move(json));
   return std::move(out.freeze());
 }
 
 Value edit_refusal_json(const std::string& document, const std::string& token, const EditRefusal& refusal) {
-  Dict json{{"document", document}, {"request", token}, {"errors", *errors_json(refusal.errors).find("errors")}};
+  Dict json{{"document", document}, {"request", token}};
+  set_errors(json, refusal.errors);
   if (refusal.revision > 0) {
     json.set("revision", refusal.revision);
     json.set("author", refusal.author);

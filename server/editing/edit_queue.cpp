@@ -37,10 +37,10 @@ void EditQueue::request_edit(const std::shared_ptr<Subscriber>& sender, const Va
 bool EditQueue::post(const Sender& sender, std::shared_ptr<const Message> message) {
   const services::MutexLock lock(mutex_);
   if (stopped_ || edits_ >= most_) return false;
-  ++edits_;
   pool_.post([this, sender, message = std::move(message)] {
     if (begin_edit()) execute(sender, *message);
   });
+  ++edits_;  // under the lock: before it begins
   return true;
 }
 

@@ -188,9 +188,9 @@ Expected<Value> Core::set_breakpoints(std::vector<execution::GoalName> names) {
 
 void Core::schedule() {
   if (std::exchange(scheduled_, true)) return;
-  strand_.post([self = shared_from_this()] {
-    self->scheduled_ = false;
-    self->advance();
+  post_work([this] {
+    scheduled_ = false;
+    advance();
   });
 }
 

@@ -219,7 +219,11 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
     RunRecord record;
     execution::Execution execution;
   };
-  void interrupt(const Error& error);
+  void interrupt(const Error& error, const char* reason = "storage");
+  /// What throws may leave a step half done: the run is what its journal says.
+  void interrupt_after(const std::exception& failure);
+  /// Posts work that may throw.
+  void post_work(Work work);
   void publish_interruption();
   void end_rebuilt_run();
   Expected<void> readable() const;
@@ -247,6 +251,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   Value info_ GUARDED_BY(mutex_);
   execution::ExecutedModel model_ GUARDED_BY(mutex_);
   std::atomic<bool> state_watched_{false}, derivation_watched_{false}, closed_{false}, live_{false};
+  std::atomic<bool> state_asked_{false}, derivation_asked_{false};  // and what is asked for has not come
 
   RunRecord record_;  // as it was stored when the core was made, or rebuilt; its number and document stay
   std::shared_ptr<RunJournal> journal_;

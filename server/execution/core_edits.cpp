@@ -68,7 +68,9 @@ void Core::follow(LiveEdit edit) {
 }
 
 void Core::refuse_edit(std::int64_t revision, const std::vector<Error>& errors) {
-  Value refused = Dict{{"revision", revision}, {"errors", *errors_json(errors).find("errors")}};
+  Dict json{{"revision", revision}};
+  set_errors(json, errors);
+  Value refused(std::move(json));
   strand_.post([self = shared_from_this(), refused = refused.freeze()] {
     if (!self->live_ || self->closed_ || self->is_over()) return;
     self->edit_.reset();

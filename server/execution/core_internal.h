@@ -34,8 +34,9 @@ Expected<T> Core::on_strand(F function) {
       self->held_.add([question, value = Expected<T>(function())](const Error* failure) {
         question->promise.set_value(failure ? Expected<T>(tl::unexpect, *failure) : value);
       });
-    } catch (...) {
+    } catch (const std::exception& failure) {
       question->promise.set_exception(std::current_exception());
+      self->interrupt_after(failure);
     }
   });
   if (answer.wait_for(kTimeout) != std::future_status::ready) {

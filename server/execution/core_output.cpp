@@ -81,6 +81,7 @@ Value Core::steps_of(const Progress& progress) const {
 
 void Core::watch_state() {
   state_watched_ = true;
+  if (state_asked_.exchange(true)) return;
   strand_.post([self = shared_from_this()] { self->publish_snapshot(&CoreWatcher::state_snapshot); });
 }
 
@@ -88,17 +89,19 @@ void Core::publish_snapshot(void (CoreWatcher::*publish)(const std::string&, Val
   Value snapshot = Dict{{"core", info_json()}, {"state", execution_.watch()}};
   snapshot.freeze();
   held_.add([this, snapshot, publish](const Error* failure) {
+    state_asked_ = false;
     if (!failure) (resources_.watcher.*publish)(id_, snapshot);
   });
 }
 
 void Core::watch_derivation(bool on) {
   derivation_watched_ = on;
-  if (!on) return;
+  if (!on || derivation_asked_.exchange(true)) return;
   strand_.post([self = shared_from_this()] { self->publish_next_derivation(); });
 }
 
 void Core::publish_next_derivation() {
+  derivation_asked_ = false;
   Value next = Dict{{"next", integer(run().position() + 1)}};
   next.freeze();
   held_.add([this, next](const Error* failure) {

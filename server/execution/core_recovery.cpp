@@ -30,10 +30,10 @@ void Core::open_journal() {
 }
 
 void Core::durable(std::uint64_t ticket) {
-  strand_.post([self = shared_from_this(), ticket] {
-    const bool was_ahead = self->held_.size() >= kMostHeld;
-    self->held_.release(ticket);
-    if (was_ahead) self->schedule();
+  post_work([this, ticket] {
+    const bool was_ahead = held_.size() >= kMostHeld;
+    held_.release(ticket);
+    if (was_ahead) schedule();
   });
 }
 
@@ -56,17 +56,36 @@ void Core::failed(const Error& error) {
 // core/SEMANTICS.md section 10. What it was about to say is never said. What it has set in motion is told to stop, by
 // nobody's call: no answer to these reaches a run, and none to its open calls, which are `unavailable` to it
 // (rebuild()).
-void Core::interrupt(const Error& error) {
+void Core::interrupt(const Error& error, const char* reason) {
   for (const semantics::OutgoingCall& call : run().safe_calls())
     resources_.host.call({"", 0}, call.service, call.name, {}, {});
   resources_.host.abandon_all(id_);
   interruption_ = {.number = ++interruptions_,
-                   .reason = "storage",
+                   .reason = reason,
                    .message = error.message,
                    .was_paused = std::exchange(paused_, true)};
   execution_.set_goal(std::nullopt);
   publish_interruption();
   held_.fail(error);
+}
+
+void Core::interrupt_after(const std::exception& failure) {
+  if (interruption_) return;
+  const Error error{ErrorCode::unavailable, std::string("a step failed: ") + failure.what(), {}};
+  interrupt(error, "failure");
+  interruption_->stalled = true;  // until what it has handed over is stored
+  resources_.writer.append(journal_, {.failure = error});
+}
+
+void Core::post_work(Work work) {
+  strand_.post([self = shared_from_this(), work = std::move(work)] {
+    try {
+      work();
+    } catch (const std::exception& failure) {
+      self->interrupt_after(failure);
+      throw;  // for the log
+    }
+  });
 }
 
 // Not on the strand: the threads of the cores never wait for the disk, so that the safe calls of all are made at once.

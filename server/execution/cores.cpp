@@ -22,7 +22,9 @@ std::vector<Error> wrong_types(const rcm::Document& document, const std::vector<
   return errors;
 }
 
+// 0 of what is no id. A number has one form: with zeros before it, it would name a core once more.
 std::uint64_t number_of(const std::string& id) {
+  if (id.starts_with('0')) return 0;
   std::uint64_t number = 0;
   const auto [end, error] = std::from_chars(id.data(), id.data() + id.size(), number);
   return error == std::errc() && end == id.data() + id.size() ? number : 0;

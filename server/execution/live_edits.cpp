@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "services/failures.h"
+
 namespace race::server {
 
 void LiveEdits::changed(const std::string& document) {
@@ -18,7 +20,7 @@ void LiveEdits::close() {
 }
 
 void LiveEdits::bring_all() {
-  while (const auto document = next()) bring(*document);
+  while (const auto document = next()) services::run_reporting("an edit of live cores", [&] { bring(*document); });
 }
 
 std::optional<std::string> LiveEdits::next() {

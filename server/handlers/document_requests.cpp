@@ -53,7 +53,7 @@ Value revision_json(const Revision& revision) {
 
 Value entry_json(const DocumentEntry& entry) {
   Dict json = with_change({{"name", entry.revision.document}}, entry.revision);
-  json.set("errors", *errors_json(entry.errors).find("errors"));
+  set_errors(json, entry.errors);
   json.set("document", entry.document);
   return json;
 }

@@ -20,7 +20,7 @@ Handled list_documents(const Request& request, Documents& documents) {
   }
   Dict json{{"documents", std::move(list)}};
   if (!stored->next.empty()) json.set("next", stored->next);
-  if (!stored->damaged.empty()) json.set("damaged", *errors_json(stored->damaged).find("errors"));
+  if (!stored->damaged.empty()) json.set("damaged", error_list(stored->damaged));
   return ok(std::move(json));
 }
 

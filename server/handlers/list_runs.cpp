@@ -23,8 +23,7 @@ Handled list_runs(const Request& request, Runs& runs) {
   for (const RunRecord& run : found->runs) list.push_back(run_json(run));
   Dict json{{"runs", std::move(list)}};
   if (found->next) json.set("next", static_cast<std::int64_t>(*found->next));
-  if (const std::vector<Error> damaged = found->errors(); !damaged.empty())
-    json.set("damaged", *errors_json(damaged).find("errors"));
+  if (const std::vector<Error> damaged = found->errors(); !damaged.empty()) json.set("damaged", error_list(damaged));
   return ok(std::move(json));
 }
 

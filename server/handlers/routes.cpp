@@ -108,13 +108,23 @@ Checked<void> check_empty(const std::string& text) {
   return {};
 }
 
+// What is stored and cannot be read; a damaged text is found when somebody asks for it.
+void log_damage(const Request& request, const std::vector<Error>& errors, const Resources& resources) {
+  if (errors.front().code != ErrorCode::corrupt) return;
+  std::get<EventLog&>(resources).append(std::get<Cell&>(resources).clock().now(), "server",
+                                        request.method + " " + request.path + ": " + to_string(errors.front()),
+                                        LogLevel::error);
+}
+
 Reply answer(const Route& route, const Request& request, const Resources& resources) {
   if (const auto unknown = unknown_parameters(route, request); !unknown.empty()) return refusal(400, unknown);
   if (!route.has_body)
     if (const auto empty = check_empty(request.body); !empty) return refusal(empty.error());
   const auto make = [&] {
     auto reply = route.handle(request, resources);
-    return reply ? std::move(*reply) : refusal(reply.error());
+    if (reply) return std::move(*reply);
+    if (request.method == "GET") log_damage(request, reply.error(), resources);
+    return refusal(reply.error());
   };
   return route.creates ? std::get<IdempotentAnswers&>(resources).answer(request, make) : make();
 }
@@ -133,14 +143,7 @@ Reply handle(Request request, const Resources& resources) {
       continue;
     }
     request.parameters = std::move(*parameters);
-    try {
-      return answer(route, request, resources);
-    } catch (const std::exception& failure) {
-      const services::Time now = std::get<Cell&>(resources).clock().now();
-      std::get<EventLog&>(resources).append(now, "server", request.method + " " + request.path + ": " + failure.what(),
-                                            LogLevel::error);
-      return refusal(500, "internal", "the server failed to answer; see its log");
-    }
+    return answer(route, request, resources);
   }
   if (allowed.empty()) return refusal(404, "not_found", "there is no such route");
   Reply reply = refusal(405, "method", "this route has " + allowed);

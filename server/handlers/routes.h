@@ -31,7 +31,7 @@ std::span<const Route> routes();
 
 /// Answers a request by its route; 405 for a path with other methods, 404 for none; 400 for a parameter that the route
 /// does not have, 422 for a body that it does not have. An exception of a handler (out of memory, a bug of ours) is
-/// logged and answered 500; the server continues.
+/// logged and answered 500; the server continues. What a GET finds damaged is logged, too.
 Reply handle(Request request, const Resources& resources);
 
 }  // namespace race::server

@@ -3,12 +3,14 @@
 
 #include <array>
 #include <chrono>
+#include <new>
 
 #include "core/value/json.h"
 #include "server/http/refusal.h"
 #include "server/http/request_filter.h"
 #include "server/http/sessions.h"
 #include "server/http/static_files.h"
+#include "services/failures.h"
 
 namespace race::server {
 namespace {
@@ -56,20 +58,32 @@ struct ResponseOptions {
 // Problem details (RFC 9457) of a refusal. They have no type of their own: `errors` have the codes.
 Value problem(int status, const Value& refused) {
   const Value& errors = *refused.find("errors");
-  return Dict{{"status", status},
-              {"title", std::string(http::obsolete_reason(static_cast<http::status>(status)))},
-              {"detail", *errors.as_list().front().find("message")},
-              {"errors", errors}};
+  Dict json{{"status", status},
+            {"title", std::string(http::obsolete_reason(static_cast<http::status>(status)))},
+            {"detail", *errors.as_list().front().find("message")}};
+  for (const auto& [key, value] : refused.as_dict()) json.set(key, value);  // schemas/errors.json
+  return json;
 }
+
+// What a browser may do with an answer of ours (http/README.md). Pages use scripts, styles, fonts and workers of their
+// own, images that displays get as data, and nothing of other servers. A foreign page that shows ours in a frame could
+// have its visitors press our buttons.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kPageRules = {{
+    {"Content-Security-Policy",
+     "default-src 'self'; img-src 'self' data:; object-src 'none'; base-uri 'none'; form-action 'none'; "
+     "frame-ancestors 'none'"},
+    {"X-Frame-Options", "DENY"},
+    {"Cross-Origin-Opener-Policy", "same-origin"},
+    {"Cross-Origin-Resource-Policy", "same-origin"},
+    {"Referrer-Policy", "same-origin"},
+}};
 
 http::response<http::string_body> to_response(Reply reply, ResponseOptions options) {
   http::response<http::string_body> response(static_cast<http::status>(reply.status), 11);
   response.keep_alive(options.keep_alive);
   response.set(http::field::server, "race");
   response.set("X-Content-Type-Options", "nosniff");
-  // A foreign page that shows ours in a frame could have its visitors press our buttons.
-  response.set("Content-Security-Policy", "frame-ancestors 'none'");
-  response.set("X-Frame-Options", "DENY");
+  for (const auto& [name, value] : kPageRules) response.set(name, value);
   for (const auto& [name, value] : reply.headers) response.set(name, value);
   if (reply.type.empty()) {
     const bool is_refusal = reply.status >= 400;
@@ -91,11 +105,27 @@ http::response<http::string_body> to_response(Reply reply, ResponseOptions optio
   return response;
 }
 
-Reply answer(Request request, Context& context) {
+Reply find_answer(Request request, Context& context) {
   if (request.path.starts_with("/api/")) return context.backend.handle(std::move(request));
   if (request.method == "GET")
     if (auto file = static_file(context.web, request)) return std::move(*file);
   return refusal(404, "not_found", "there is no such page");
+}
+
+Reply no_memory() { return refusal(503, "out_of_memory", "the server has no memory left for this"); }
+
+// An exception ends its request alone.
+Reply answer(Request request, Context& context) {
+  const std::string name = request.method + ' ' + request.path;
+  try {
+    return find_answer(std::move(request), context);
+  } catch (const std::bad_alloc&) {
+    services::report_failure(name.c_str());
+    return no_memory();
+  } catch (...) {
+    services::report_failure(name.c_str());
+    return refusal(500, "internal", "the server failed to answer; see its log");
+  }
 }
 
 // Runs `work` on the pool of the handlers and goes on here with its value. (What a co_await expression uses has a name:
@@ -127,8 +157,18 @@ std::optional<Reply> read_error(error_code error) {
   return std::nullopt;
 }
 
+// The response, or that there is no memory for it.
+http::response<http::string_body> try_response(Reply reply, ResponseOptions options) {
+  try {
+    return to_response(std::move(reply), options);
+  } catch (const std::bad_alloc&) {
+    services::report_failure("a response");
+    return to_response(no_memory(), options);
+  }
+}
+
 awaitable<bool> send(beast::tcp_stream& stream, Reply reply, ResponseOptions options) {
-  const auto response = to_response(std::move(reply), options);
+  const auto response = try_response(std::move(reply), options);
   stream.expires_after(kWriteTimeout);
   const auto [error, bytes] = co_await http::async_write(stream, response, kAsTuple);
   if (error || options.keep_alive) co_return !error;
@@ -207,31 +247,41 @@ awaitable<bool> serve_one(beast::tcp_stream& stream, beast::flat_buffer& buffer,
 }
 
 awaitable<void> serve(tcp::socket socket, Context& context) {
-  beast::tcp_stream stream(std::move(socket));
-  beast::flat_buffer buffer(RequestFilter::kHeaderBytes + 64 * 1024);
   try {
+    beast::tcp_stream stream(std::move(socket));
+    beast::flat_buffer buffer(RequestFilter::kHeaderBytes + 64 * 1024);
     bool more = co_await serve_one(stream, buffer, context, context.limits.read_timeout);
     while (more) more = co_await serve_one(stream, buffer, context, context.limits.idle_timeout);
-  } catch (const std::exception& failure) {
-    context.backend.log(std::string("a connection failed: ") + failure.what());
+  } catch (...) {
+    services::report_failure("a connection");
   }
   --context.connections;
 }
 
+void admit(tcp::socket socket, Context& context) {
+  if (context.connections >= context.limits.connections) return;
+  error_code ignored;
+  socket.set_option(tcp::no_delay(true), ignored);
+  const asio::any_io_executor executor = socket.get_executor();
+  asio::co_spawn(executor, serve(std::move(socket), context), asio::detached);
+  ++context.connections;
+}
+
+// Until the acceptor is closed. Whoever it cannot serve, it goes on.
 awaitable<void> accept(tcp::acceptor& acceptor, Context& context) {
-  for (;;) {
-    auto [error, socket] = co_await acceptor.async_accept(kAsTuple);
-    if (error == asio::error::operation_aborted) co_return;
-    if (error) {  // out of descriptors: others will be given back
-      asio::steady_timer pause(acceptor.get_executor(), 100ms);
-      co_await pause.async_wait(kAsTuple);
-      continue;
+  while (acceptor.is_open()) {
+    bool failed = false;
+    try {
+      auto [error, socket] = co_await acceptor.async_accept(kAsTuple);
+      failed = static_cast<bool>(error);
+      if (!failed) admit(std::move(socket), context);
+    } catch (...) {
+      services::report_failure("a new connection");
+      failed = true;
     }
-    if (context.connections >= context.limits.connections) continue;
-    ++context.connections;
-    error_code ignored;
-    socket.set_option(tcp::no_delay(true), ignored);
-    asio::co_spawn(acceptor.get_executor(), serve(std::move(socket), context), asio::detached);
+    if (!failed || !acceptor.is_open()) continue;
+    asio::steady_timer pause(acceptor.get_executor(), 100ms);  // out of descriptors or memory: it will be given back
+    co_await pause.async_wait(kAsTuple);
   }
 }
 
@@ -279,7 +329,8 @@ std::uint16_t HttpServer::port() const { return sockets_->acceptor.local_endpoin
 void HttpServer::run() {
   sockets_->signals.async_wait([this](error_code, int) { sockets_->io.stop(); });
   asio::co_spawn(sockets_->io, accept(sockets_->acceptor, sockets_->context), asio::detached);
-  sockets_->io.run();
+  // What throws there has ended a handler; the others go on.
+  while (!services::run_reporting("the sockets", [this] { sockets_->io.run(); })) continue;
 }
 
 void HttpServer::stop() { sockets_->io.stop(); }

@@ -20,14 +20,13 @@
 namespace race::server {
 
 /// What the sockets hand requests and connections to; outlives them. Threads: `handle` on any of the handlers' (it may
-/// wait), `log` on the sockets'.
+/// wait; what it throws ends the request: 503 without memory, else 500).
 struct Backend {
   std::function<Reply(Request)> handle;  // requests to /api/
   Hub& hub;
   Displays& displays;
   EditRequests& edits;
   remote::Remotes& remotes;
-  std::function<void(const std::string&)> log;
 };
 
 class HttpServer {

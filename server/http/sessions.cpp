@@ -10,11 +10,13 @@
 namespace race::server {
 namespace {
 
+constexpr std::chrono::seconds kMessageTimeout{10};  // for the other side to take a message
+
 // A WebSocket, and what wakes the coroutine that writes to it.
 class Session {
  protected:
   explicit Session(beast::tcp_stream stream)
-      : socket_(std::move(stream)), executor_(socket_.get_executor()), waker_(executor_) {}
+      : socket_(std::move(stream)), executor_(socket_.get_executor()), waker_(executor_), deadline_(executor_) {}
 
   // Whether it is open then; a message has at most `limit` bytes, and is one frame.
   awaitable<bool> accept(const Upgrade& request, std::size_t limit) {
@@ -29,11 +31,27 @@ class Session {
     waker_.expires_at(std::chrono::steady_clock::time_point::max());
     co_await waker_.async_wait(kAsTuple);
   }
+  // Sends one message, while `self` holds this. False: it cannot be sent, or is not taken in time; the connection ends.
+  awaitable<bool> send(asio::const_buffer message, std::shared_ptr<void> self) {
+    deadline_.expires_after(kMessageTimeout);
+    deadline_.async_wait([this, self = std::move(self)](boost::system::error_code cancelled) {
+      if (!cancelled) reset();
+    });
+    const auto [error, bytes] = co_await socket_.async_write(message, kAsTuple);
+    deadline_.cancel();
+    co_return !error;
+  }
   void close() { beast::get_lowest_layer(socket_).close(); }
+  // Closes; what has not been taken is dropped.
+  void reset() {
+    boost::system::error_code ignored;
+    beast::get_lowest_layer(socket_).socket().set_option(asio::socket_base::linger(true, 0), ignored);
+    close();
+  }
 
   websocket::stream<beast::tcp_stream> socket_;
   asio::any_io_executor executor_;
-  asio::steady_timer waker_;
+  asio::steady_timer waker_, deadline_;
   bool over_ = false;
 };
 
@@ -61,6 +79,7 @@ class StreamSession final : Session, public Subscriber, public std::enable_share
       const auto data = buffer.cdata();
       handle_stream_request({static_cast<const char*>(data.data()), data.size()}, shared_from_this(), targets_);
       buffer.consume(buffer.size());
+      co_await hub_turn();
     }
     over_ = true;
     displays_.disconnect(*this);
@@ -70,11 +89,22 @@ class StreamSession final : Session, public Subscriber, public std::enable_share
   }
 
  private:
+  // Until the hub has done what this client has asked for: what it says meanwhile stays in its socket.
+  awaitable<void> hub_turn() {
+    auto initiate = [this](auto handler) {
+      auto shared = std::make_shared<decltype(handler)>(std::move(handler));
+      hub_.after(
+          [executor = executor_, shared = std::move(shared)] { asio::post(executor, [shared] { (*shared)(); }); });
+    };
+    co_await asio::async_initiate<const asio::use_awaitable_t<>, void()>(initiate, asio::use_awaitable);
+  }
+
   awaitable<void> write() {
     while (!over_) {
       while (auto text = outbox_.pop()) {
-        const auto [error, bytes] = co_await socket_.async_write(asio::buffer(**text), kAsTuple);
-        if (error || over_) co_return close();
+        const asio::const_buffer message = asio::buffer(**text);
+        const bool sent = co_await send(message, shared_from_this());
+        if (!sent || over_) co_return close();
       }
       for (const std::string& channel : outbox_.take_stale_channels()) {
         if (channel == Hub::kPrivateQueue) co_return close();
@@ -129,8 +159,9 @@ class ComponentSession final : Session, public std::enable_shared_from_this<Comp
     while (!over_) {
       while (auto encoded = link_.out().pop()) {
         socket_.binary(encoded->binary);
-        const auto [error, bytes] = co_await socket_.async_write(asio::buffer(encoded->bytes), kAsTuple);
-        if (error || over_) co_return close();
+        const asio::const_buffer message = asio::buffer(encoded->bytes);
+        const bool sent = co_await send(message, shared_from_this());
+        if (!sent || over_) co_return close();
       }
       if (link_.out().drained()) co_return close();
       co_await sleep();

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <utility>
 #include <vector>
 
 #include "server/http/content_coding.h"
 #include "server/http/field_list.h"
 #include "server/http/refusal.h"
+#include "server/store/files.h"
 #include "services/sqlite/digest.h"
 
 namespace race::server {
@@ -77,12 +76,6 @@ const Copy* choose_copy(const Request& request, const std::vector<Copy>& copies)
   return found == copies.end() ? nullptr : &*found;
 }
 
-std::optional<std::string> read_copy(const Copy& copy) {
-  std::ifstream stream(copy.file, std::ios::binary);
-  if (!stream) return std::nullopt;
-  return std::string(std::istreambuf_iterator<char>(stream), {});
-}
-
 }  // namespace
 
 std::optional<Reply> static_file(const std::string& folder, const Request& request) {
@@ -97,8 +90,8 @@ std::optional<Reply> static_file(const std::string& folder, const Request& reque
   Reply reply;
   const std::vector<Copy> copies = copies_of(root, *file);
   if (const Copy* copy = choose_copy(request, copies)) {
-    auto text = read_copy(*copy);
-    if (!text) return std::nullopt;
+    auto text = read_file(copy->file);
+    if (!text) return refusal(500, "io", "the file of this page cannot be read");  // its path is no client's business
     const std::string tag = '"' + sqlite::hex(sqlite::sha256(*text)) + '"';
     reply.type = type_of(*file);
     if (copy->coding != "identity") reply.headers.emplace_back("Content-Encoding", copy->coding);

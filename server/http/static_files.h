@@ -14,7 +14,7 @@ namespace race::server {
 ///
 /// A file NAME may have compressed copies NAME.br and NAME.gz, which have no paths of their own: the one that the
 /// client's Accept-Encoding prefers is sent. 406 (`not_acceptable`): it accepts none, nor the file itself. Each has a
-/// strong ETag of its own; 304 without a body if If-None-Match names it.
+/// strong ETag of its own; 304 without a body if If-None-Match names it. 500 (`io`): it cannot be read.
 std::optional<Reply> static_file(const std::string& folder, const Request& request);
 
 }  // namespace race::server

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/language/primitives/utf8.h"
 #include "server/wire/channel_names.h"
 
 namespace race::server {
@@ -30,7 +31,7 @@ LogLevel level_of(std::string_view status) {
 
 void EventLog::append(services::Time time, const std::string& source, const std::string& text, LogLevel level) {
   if (lines_) lines_->write(level, source, text);
-  Value entry = Dict{{"time", time}, {"source", source}, {"text", text.substr(0, kMaxText)}};
+  Value entry = Dict{{"time", time}, {"source", source}, {"text", std::string(language::utf8::prefix(text, kMaxText))}};
   entry.freeze();
   {
     const services::MutexLock lock(mutex_);

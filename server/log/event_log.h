@@ -19,7 +19,7 @@ namespace race::server {
 class EventLog {
  public:
   static constexpr std::size_t kMaxEntries = 200;
-  static constexpr std::size_t kMaxText = 2000;  // bytes of a line; the rest is cut off
+  static constexpr std::size_t kMaxText = 2000;  // bytes of a line; what follows the last whole character is cut off
 
   /// The hub and `lines` outlive this; without `lines`, clients alone see the log.
   explicit EventLog(Hub& hub, LineLog* lines = nullptr) : hub_(hub), lines_(lines) {}

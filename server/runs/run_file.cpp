@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include "core/rcm/document.h"
 #include "core/rcm/ids.h"
 #include "core/rsm/document.h"
+#include "core/value/error_list.h"
 #include "core/value/fields.h"
 #include "core/value/json.h"
 #include "server/runs/run_json.h"
@@ -84,7 +84,7 @@ std::map<std::string, rsm::Service> read_services(Fields& file, Errors& errors) 
     if (service)
       services.emplace(key.as_string(), std::move(*service));
     else
-      std::ranges::move(service.error(), std::back_inserter(errors));
+      append_below(errors, std::move(service).error(), "");
   }
   return services;
 }
@@ -118,7 +118,7 @@ std::vector<Sample> read_samples(Fields& file, Errors& errors) {
     fields.close();
     check_pose(sample.pose, path + "/pose", errors);
     if (deeper_than(sample.pose, JsonLimits{}.depth))
-      errors.push_back({ErrorCode::too_deep, "a pose is not so deep", path + "/pose"});
+      add_error(errors, {ErrorCode::too_deep, "a pose is not so deep", path + "/pose"});
     sample.pose.freeze();
     samples.push_back(std::move(sample));
   }

@@ -3,6 +3,8 @@
 #include <future>
 #include <utility>
 
+#include "services/failures.h"
+
 namespace race::server {
 
 RunKeeper::~RunKeeper() {
@@ -47,7 +49,7 @@ void RunKeeper::take(const Value& pose) {
 void RunKeeper::flush() {
   std::promise<void> written;
   strand_.post([&] {
-    write_all();
+    services::run_reporting("writing the samples", [this] { write_all(); });
     written.set_value();
   });
   written.get_future().wait();

@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "services/failures.h"
+
 namespace race::server {
 
 DiskWatch::DiskWatch(std::chrono::milliseconds timeout) : timeout_(timeout), thread_([this] { run(); }) {}
@@ -51,9 +53,10 @@ void DiskWatch::notify_sinks() {
   const auto now = Clock::now();
   for (auto& [journal, waiting] : waiting_) {
     if (waiting.notified || now - waiting.since < timeout_) continue;
-    waiting.notified = true;
-    if (const auto sink = waiting.sink.lock())
+    const auto sink = waiting.sink.lock();
+    waiting.notified = !sink || services::run_reporting("telling that the disk hangs", [&] {
       sink->stalled({ErrorCode::storage, "the disk has not answered for " + std::to_string(timeout_.count()) + " ms"});
+    });
   }
 }
 

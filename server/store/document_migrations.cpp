@@ -8,6 +8,7 @@
 #include "core/rcm/constraints.h"
 #include "core/rcm/document.h"
 #include "core/rcm/ids.h"
+#include "core/value/error_list.h"
 #include "core/value/json.h"
 #include "server/store/document_text.h"
 #include "server/store/revision_rows.h"
@@ -20,7 +21,8 @@ std::optional<rcm::Document> read_without_bad_ids(const std::string& text) {
   const auto json = parse_json(text, JsonLimits{.keep_out_of_range = true});
   if (!json) return {};
   rcm::Draft draft = rcm::read_draft(*json);
-  if (draft.errors.size() > draft.bad_ids || !rcm::violations(draft.document).empty()) return {};
+  if (is_full(draft.errors) || draft.errors.size() > draft.bad_ids || !rcm::violations(draft.document).empty())
+    return {};
   return std::move(draft.document);
 }
 

@@ -15,7 +15,7 @@ struct DocumentText {
   Value json;                 // an object
   rcm::Document document;     // what of it has the right shape
   bool is_whole = false;      // all of it has: `document` says all that the text says
-  std::vector<Error> errors;  // every violation; none: it is a document
+  std::vector<Error> errors;  // its violations (rcm::violations); none: it is a document
 };
 
 /// The beginning of the root's `doc`: at most 1000 code points.

@@ -1,17 +1,24 @@
 #include "server/store/files.h"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 namespace race::server {
 namespace {
+
+constexpr std::size_t kBlock = std::size_t{1} << 16U;
+
+/// As errno says.
+tl::unexpected<Error> cannot_read() {
+  return unexpected(ErrorCode::io, std::string("cannot be read: ") + std::strerror(errno));
+}
 
 /// As errno says.
 tl::unexpected<Error> cannot_write(const std::string& path) {
@@ -29,11 +36,41 @@ bool write_all(int file, std::string_view text) {
 
 }  // namespace
 
-Expected<std::string> read_file(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream.is_open() || stream.bad()) return unexpected(ErrorCode::io, "cannot be read", path);
+Expected<std::string> read_open_file(int descriptor, std::size_t most) {
+  std::string text;
+  while (true) {
+    const std::size_t size = text.size();
+    text.resize(size + kBlock);
+    const ssize_t got = ::read(descriptor, text.data() + size, kBlock);
+    if (got < 0 && errno != EINTR) return cannot_read();
+    text.resize(size + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+    if (got == 0) return text;
+    if (text.size() > most) return unexpected(ErrorCode::too_large, "has more than " + std::to_string(most) + " bytes");
+  }
+}
+
+// Opening a pipe for reading does not wait for who writes it.
+Expected<std::string> read_file(const std::string& path, std::size_t most) {
+  const int opened = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  struct stat found = {};
+  Expected<std::string> text = cannot_read();
+  if (opened >= 0) {
+    if (::fstat(opened, &found) == 0 && !S_ISREG(found.st_mode))
+      text = unexpected(ErrorCode::io, "is no file");
+    else
+      text = read_open_file(opened, most);
+    ::close(opened);
+  }
+  if (!text) text.error().path = path;
   return text;
+}
+
+Expected<bool> file_exists(const std::string& path) {
+  std::error_code unknown;
+  const auto kind = std::filesystem::status(path, unknown).type();
+  if (kind == std::filesystem::file_type::not_found) return false;
+  if (kind == std::filesystem::file_type::regular) return true;
+  return unexpected(ErrorCode::io, unknown ? "cannot be read: " + unknown.message() : "is no file", path);
 }
 
 Expected<void> replace_file(const std::string& path, std::string_view text) {

@@ -14,6 +14,7 @@
 #include "server/store/run_checkpoints.h"
 #include "server/store/run_entries.h"
 #include "server/store/run_row.h"
+#include "services/failures.h"
 #include "services/sqlite/file.h"
 #include "services/sqlite/write_transaction.h"
 
@@ -130,7 +131,17 @@ void JournalWriter::append(std::shared_ptr<RunJournal> journal, JournalRecord re
 }
 
 void JournalWriter::run() {
-  for (auto items = next(); !items.empty(); items = next()) write(items);
+  for (auto items = next(); !items.empty(); items = next())
+    if (!services::run_reporting("the journal", [&] { write(items); })) fail(items);
+}
+
+// Such as without memory. Some may have been written: a run that hears of a failure reads back what is stored.
+void JournalWriter::fail(const std::deque<Item>& items) {
+  for (const Item& item : items)
+    services::run_reporting("telling that the journal fails", [&] {
+      watch_.answered(item.journal.get(), 1);
+      if (!item.journal->failed_) report(*item.journal, 0, unexpected(ErrorCode::storage, "the journal has failed"));
+    });
 }
 
 // All that waits; nothing: the writer ends.
@@ -168,6 +179,8 @@ void JournalWriter::write(const std::deque<Item>& items) {
   for (const auto& [journal, count] : records)
     if (watch_.answered(journal, count) && (journal->failed_ || written[journal]))
       written[journal] = unexpected(ErrorCode::storage, "the disk has answered too late");
+  for (const Item& item : items)
+    if (item.record.failure) written[item.journal.get()] = tl::unexpected(*item.record.failure);
   for (const auto& [journal, outcome] : written)
     report(*journal, batches.contains(journal) ? batches.at(journal).ticket() : 0, outcome);
 }

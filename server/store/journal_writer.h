@@ -36,6 +36,8 @@ struct JournalRecord {
   std::optional<execution::JournalEntry> entry = {};
   std::optional<Value> checkpoint = {};  // schemas/checkpoint.json, frozen
   std::optional<RunEnd> end = {};
+  /// Why the run does not go on: when all before is stored, its journal fails with this.
+  std::optional<Error> failure = {};
 };
 
 /// The journal of one run as it grows. After a failure, nothing more is written to it: a new one goes on from what is
@@ -91,6 +93,7 @@ class JournalWriter {
   void run();
   std::deque<Item> next() EXCLUDES(mutex_);
   void write(const std::deque<Item>& items);
+  void fail(const std::deque<Item>& items);
   static void report(RunJournal& journal, std::uint64_t ticket, const Expected<void>& written);
 
   services::Mutex mutex_;

@@ -1,5 +1,8 @@
 #include "server/stream/hub.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "core/value/json.h"
 #include "server/wire/errors.h"
 
@@ -34,6 +37,7 @@ void Hub::publish_snapshot(std::string name, Value data) {
     const auto known = channels_.find(name);
     if (known == channels_.end()) return;
     Channel& channel = known->second;
+    if (channel.is_idle()) return;
     channel.snapshot = Message{channel.sequence, serialise(name, channel.sequence, "snapshot", data)};
     for (const auto& subscriber : channel.waiting) {
       send(*subscriber, name, channel.snapshot->text, channel.source.sampled);
@@ -52,7 +56,9 @@ void Hub::publish_delta(std::string name, Value data) {
     for (const auto& subscriber : channel.subscribers) send(*subscriber, name, message.text, channel.source.sampled);
     channel.bytes += message.text->size();
     channel.deltas.push_back(message);
-    while (channel.deltas.size() > (channel.source.sampled ? 1 : kMaxDeltas) || channel.bytes > kMaxDeltaBytes) {
+    const std::size_t most = channel.source.sampled ? 1 : kMaxDeltas;
+    const std::size_t most_bytes = channel.is_idle() ? kMaxIdleDeltaBytes : kMaxDeltaBytes;
+    while (channel.deltas.size() > most || channel.bytes > most_bytes) {
       channel.bytes -= channel.deltas.front().text->size();
       channel.deltas.pop_front();
     }
@@ -128,11 +134,16 @@ void Hub::join(const std::shared_ptr<Subscriber>& subscriber, const std::string&
                std::optional<std::int64_t> since) {
   subscriber->outbox().drop(name);
   Channel* channel = find(name);
-  if (!channel) {
-    const Value data = errors_json({{ErrorCode::not_found, "there is no channel of this name", name}});
-    return send(*subscriber, kPrivateQueue, serialise(name, first_, "error", data), false);
+  if (!channel) return tell(*subscriber, name, {ErrorCode::not_found, "there is no channel of this name", name});
+  std::set<std::string>& joined = joined_[subscriber];
+  if (!joined.contains(name) && joined.size() == kMaxSubscriptions) {
+    if (channel->is_idle()) put_idle(name);
+    return tell(*subscriber, name,
+                {ErrorCode::too_large,
+                 "a client has at most " + std::to_string(kMaxSubscriptions) + " channels at once", name});
   }
-  const bool first = channel->subscribers.empty() && channel->waiting.empty();
+  joined.insert(name);
+  const bool first = channel->is_idle();
   channel->subscribers.erase(subscriber);
   if (since && catch_up(name, *channel, *subscriber, *since)) {
     channel->subscribers.insert(subscriber);
@@ -159,28 +170,63 @@ bool Hub::catch_up(const std::string& name, Channel& channel, Subscriber& subscr
   return true;
 }
 
-void Hub::detach(Channel& channel, const std::shared_ptr<Subscriber>& subscriber) {
+void Hub::tell(Subscriber& subscriber, const std::string& name, const Error& error) {
+  send(subscriber, kPrivateQueue, serialise(name, first_, "error", errors_json({error})), false);
+}
+
+void Hub::detach(const std::string& name, const std::shared_ptr<Subscriber>& subscriber) {
+  const auto known = channels_.find(name);
+  if (known == channels_.end()) return;
+  Channel& channel = known->second;
   const std::size_t removed = channel.subscribers.erase(subscriber) + channel.waiting.erase(subscriber);
-  const bool last = channel.subscribers.empty() && channel.waiting.empty();
-  if (removed == 0 || !last || !channel.source.watched) return;
-  channel.source.watched(false);
-  // A source that publishes only while it is watched leaves a gap from here on.
-  channel.snapshot.reset();
-  channel.deltas.clear();
-  channel.bytes = 0;
+  if (removed == 0 || !channel.is_idle()) return;
+  if (channel.source.watched) {
+    channel.source.watched(false);
+    // A source that publishes only while it is watched leaves a gap from here on.
+    channel.snapshot.reset();
+    channel.deltas.clear();
+    channel.bytes = 0;
+  }
+  put_idle(name);
+}
+
+// The channel has no subscriber any more. Beyond the bounds, those that were left first are forgotten.
+void Hub::put_idle(const std::string& name) {
+  std::erase(idle_, name);
+  idle_.push_back(name);
+  std::size_t bytes = 0;
+  std::erase_if(idle_, [&](const std::string& each) {
+    const auto channel = channels_.find(each);
+    if (channel == channels_.end() || !channel->second.is_idle()) return true;
+    bytes += channel->second.kept_bytes();
+    return false;
+  });
+  while (idle_.size() > kMaxIdle || bytes > kMaxIdleBytes) {
+    const auto oldest = channels_.find(idle_.front());
+    bytes -= oldest->second.kept_bytes();
+    forget(oldest);
+    idle_.pop_front();
+  }
+}
+
+void Hub::forget(std::map<std::string, Channel>::iterator channel) {
+  next_first_ = std::max(next_first_, channel->second.sequence + 2);
+  channels_.erase(channel);
 }
 
 void Hub::unsubscribe(std::shared_ptr<Subscriber> subscriber, std::string name) {
   strand_.post([this, subscriber = std::move(subscriber), name = std::move(name)] {
-    const auto known = channels_.find(name);
-    if (known != channels_.end()) detach(known->second, subscriber);
+    if (const auto of = joined_.find(subscriber); of != joined_.end()) of->second.erase(name);
+    detach(name, subscriber);
     subscriber->outbox().drop(name);
   });
 }
 
 void Hub::disconnect(std::shared_ptr<Subscriber> subscriber) {
   strand_.post([this, subscriber = std::move(subscriber)] {
-    for (auto& [name, channel] : channels_) detach(channel, subscriber);
+    const auto of = joined_.extract(subscriber);
+    if (of.empty()) return;
+    for (const std::string& name : of.mapped()) detach(name, subscriber);
   });
 }
 
@@ -191,6 +237,7 @@ void Hub::shut_down() {
       channel.subscribers.clear();
       channel.waiting.clear();
     }
+    joined_.clear();
     return true;
   });
 }
@@ -202,8 +249,8 @@ void Hub::close(std::string name, std::vector<Error> errors) {
     const Text text = serialise(name, known->second.sequence + 1, "error", errors_json(errors));
     for (const Subscribers* all : {&known->second.subscribers, &known->second.waiting})
       for (const auto& subscriber : *all) send(*subscriber, kPrivateQueue, text, false);
-    next_first_ = std::max(next_first_, known->second.sequence + 2);
-    channels_.erase(known);
+    for (auto& [subscriber, names] : joined_) names.erase(name);
+    forget(known);
   });
 }
 

@@ -35,7 +35,7 @@ class Subscriber {
 /// Where the data of a channel comes from. Its functions run on the hub's strand and may be empty.
 struct Source {
   bool sampled = false;               // only the newest message counts; every message is the whole state
-  std::function<void()> refresh;      // asks for a snapshot, which is published soon
+  std::function<void()> refresh;      // asks for a snapshot, which is published soon; one, however often it was asked
   std::function<void(bool)> watched;  // the channel has its first subscriber (true) or lost its last (false)
 };
 
@@ -43,6 +43,13 @@ class Hub {
  public:
   static constexpr std::size_t kMaxDeltas = 256;  // deltas of a channel
   static constexpr std::size_t kMaxDeltaBytes = 4 * 1024 * 1024;
+  /// Channels of a subscriber.
+  static constexpr std::size_t kMaxSubscriptions = 256;
+  /// Channels without a subscriber that keep what they have for those who come again, those that were left last; with
+  /// so many bytes of messages in all.
+  static constexpr std::size_t kMaxIdle = 64;
+  static constexpr std::size_t kMaxIdleBytes = 32 * 1024 * 1024;
+  static constexpr std::size_t kMaxIdleDeltaBytes = 256 * 1024;  // of one
   /// What is for one client alone is queued under no channel's name: one queue, whatever names clients ask for. No
   /// snapshot makes up for what its outbox has dropped of it (Outbox::take_stale_channels()): the connection has to
   /// end, so that the client asks again.
@@ -52,12 +59,18 @@ class Hub {
   /// the source of a channel, or nothing if there is no such channel.
   Hub(Pool& pool, std::int64_t first, std::function<std::optional<Source>(const std::string&)> find);
 
+  /// Its work is done first.
+  ~Hub() { strand_.finish(); }
+
   /// Frozen values only.
   void publish_snapshot(std::string channel, Value data);
   void publish_delta(std::string channel, Value data);
+  /// Does `work`, which must not block, when all that was asked for before is done: so that who asks for much waits.
+  void after(Work work) { strand_.post(std::move(work)); }
   /// Ends the channel: its subscribers get these errors, then nothing. Who subscribes later asks its source again.
   void close(std::string channel, std::vector<Error> errors);
 
+  /// Errors, told to the subscriber: `not_found`; `too_large`, it has kMaxSubscriptions.
   void subscribe(std::shared_ptr<Subscriber> subscriber, std::string channel, std::optional<std::int64_t> since);
   /// Sends a snapshot to a subscriber that lost messages (Outbox::take_stale_channels()) of a channel, if it is still
   /// subscribed.
@@ -93,12 +106,18 @@ class Hub {
     std::size_t bytes = 0;
     std::optional<Message> snapshot;   // as of its number
     Subscribers subscribers, waiting;  // those that wait for a snapshot get no deltas yet
+
+    bool is_idle() const { return subscribers.empty() && waiting.empty(); }
+    std::size_t kept_bytes() const { return bytes + (snapshot ? snapshot->text->size() : 0); }
   };
 
   Channel* find(const std::string& name);
   static void begin_anew(Channel& channel);
+  void tell(Subscriber& subscriber, const std::string& channel, const Error& error);
   void join(const std::shared_ptr<Subscriber>& subscriber, const std::string& name, std::optional<std::int64_t> since);
-  void detach(Channel& channel, const std::shared_ptr<Subscriber>& subscriber);
+  void detach(const std::string& name, const std::shared_ptr<Subscriber>& subscriber);
+  void put_idle(const std::string& name);
+  void forget(std::map<std::string, Channel>::iterator channel);
   bool catch_up(const std::string& name, Channel& channel, Subscriber& subscriber, std::int64_t since);
   static void send(Subscriber& subscriber, const std::string& channel, Text text, bool sampled);
   static Text serialise(const std::string& channel, std::int64_t sequence, const char* kind, const Value& data);
@@ -108,6 +127,8 @@ class Hub {
   std::int64_t next_first_;  // of channels to come: larger than all numbers of channels that were closed
   std::function<std::optional<Source>(const std::string&)> find_;
   std::map<std::string, Channel> channels_;
+  std::map<std::shared_ptr<Subscriber>, std::set<std::string>> joined_;  // the channels of each subscriber
+  std::deque<std::string> idle_;                                         // channels without one, in order of leaving
   bool shut_down_ = false;
 };
 

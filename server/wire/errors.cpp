@@ -1,8 +1,12 @@
 #include "server/wire/errors.h"
 
+#include <algorithm>
+
+#include "core/value/error_list.h"
+
 namespace race::server {
 
-Value errors_json(const std::vector<Error>& errors) {
+List error_list(std::span<const Error> errors) {
   List list;
   for (const Error& error : errors) {
     Dict json{{"path", error.path}, {"code", name(error.code)}, {"message", error.message}};
@@ -12,7 +16,18 @@ Value errors_json(const std::vector<Error>& errors) {
     }
     list.emplace_back(std::move(json));
   }
-  return Dict{{"errors", std::move(list)}};
+  return list;
+}
+
+void set_errors(Dict& json, const std::vector<Error>& errors) {
+  json.set("errors", error_list(std::span(errors).first(std::min(errors.size(), kMaxErrors))));
+  if (is_full(errors)) json.set("more_errors", true);
+}
+
+Value errors_json(const std::vector<Error>& errors) {
+  Dict json;
+  set_errors(json, errors);
+  return json;
 }
 
 }  // namespace race::server

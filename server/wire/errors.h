@@ -1,6 +1,7 @@
 // Errors as clients see them, in responses and on the stream.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/value/expected.h"
@@ -8,7 +9,14 @@
 
 namespace race::server {
 
-/// schemas/errors.json: {"errors": [{"path", "code", "message"}]}, with `line` and `column` where they are known.
+/// Each as schemas/errors.json, `server_error`: {"path", "code", "message"}, with `line` and `column` where they are
+/// known.
+List error_list(std::span<const Error> errors);
+
+/// Sets `errors` to the first kMaxErrors; if there are more, sets `more_errors`, which is true.
+void set_errors(Dict& json, const std::vector<Error>& errors);
+
+/// schemas/errors.json
 Value errors_json(const std::vector<Error>& errors);
 
 }  // namespace race::server

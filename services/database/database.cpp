@@ -3,6 +3,11 @@
 #include "services/arguments.h"
 
 namespace race::database {
+namespace {
+
+constexpr std::size_t kMostLogged = 100;  // more damage is in the answers alone
+
+}  // namespace
 
 Database::Database(Store store, services::ServiceHost& host)
     : TableComponent(operations(), host), store_(std::move(store)) {}
@@ -31,8 +36,13 @@ void Database::answer(const services::Call& call, Expected<Value> value) {
   if (value) {
     host().result(call.id, std::move(*value));
   } else {
+    if (value.error().code == ErrorCode::corrupt) log_damage(value.error());
     refuse(call, services::error_value(value.error()));
   }
+}
+
+void Database::log_damage(const Error& error) {
+  if (logged_.size() < kMostLogged && logged_.insert(error.message).second) host().log(error.message);
 }
 
 void Database::refuse_arguments(const services::Call& call, const Error& error) {

@@ -12,6 +12,9 @@
 // Threads: its group's.
 #pragma once
 
+#include <set>
+#include <string>
+
 #include "services/database/store.h"
 #include "services/table_component.h"
 
@@ -32,9 +35,11 @@ class Database final : public services::TableComponent {
   void remove(const services::Call& call, const Dict& arguments);
   void list(const services::Call& call, const Dict& arguments);
   void answer(const services::Call& call, Expected<Value> value);
+  void log_damage(const Error& error);
   void refuse_arguments(const services::Call& call, const Error& error) override;
 
   Store store_;
+  std::set<std::string> logged_;  // damage, each once: a task may ask for a value again and again
 };
 
 }  // namespace race::database

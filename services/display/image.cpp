@@ -4,7 +4,6 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -55,9 +54,12 @@ Expected<std::string> image_url(const std::string& image, const std::string& fol
   std::string url = "data:" + std::string(type->second) + ";base64,";
   const auto bytes = fs::file_size(file, error);
   if (!error && (bytes + 2) / 3 * 4 + url.size() > kImageCharacters) return too_large();
+  if (error) return refuse(ErrorCode::io, "`" + image + "` cannot be read");
   std::ifstream stream(file, std::ios::binary);
-  const std::string content{std::istreambuf_iterator<char>(stream), {}};
-  if (error || !stream || content.size() != bytes) return refuse(ErrorCode::io, "`" + image + "` cannot be read");
+  std::string content(bytes, '\0');
+  stream.read(content.data(), static_cast<std::streamsize>(bytes));
+  const bool is_whole = stream && stream.peek() == std::char_traits<char>::eof() && !stream.bad();
+  if (!is_whole) return refuse(ErrorCode::io, "`" + image + "` cannot be read");
   return url + base64(content);
 }
 

@@ -1,5 +1,9 @@
 #include "services/host/work_queue.h"
 
+#include <iterator>
+
+#include "services/failures.h"
+
 namespace race::services {
 
 void WorkQueue::post(Work work) {
@@ -16,7 +20,13 @@ bool WorkQueue::run() {
     const MutexLock lock(mutex_);
     work.swap(work_);
   }
-  for (const Work& each : work) each();
+  for (auto each = work.begin(); each != work.end(); ++each) try {
+      (*each)();
+    } catch (...) {
+      const MutexLock lock(mutex_);
+      work_.insert(work_.begin(), std::move_iterator(each + 1), std::move_iterator(work.end()));
+      throw;
+    }
   return !work.empty();
 }
 
@@ -29,7 +39,7 @@ WorkThread::WorkThread() {
   thread_ = std::thread([this] {
     while (!stop_) {
       wait();
-      run();
+      run_reporting("work of a service", [this] { run(); });
     }
   });
 }

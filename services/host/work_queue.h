@@ -16,7 +16,8 @@ class WorkQueue {
   using Work = std::function<void()>;
   virtual ~WorkQueue() = default;
   void post(Work work) EXCLUDES(mutex_);
-  /// Runs what had been posted when it was called, in order; whether there was anything.
+  /// Runs what had been posted when it was called, in order; whether there was anything. Throws what work throws; what
+  /// was posted after that stays.
   bool run() EXCLUDES(mutex_);
 
  protected:
@@ -29,7 +30,8 @@ class WorkQueue {
   std::vector<Work> work_ GUARDED_BY(mutex_);
 };
 
-/// A group with its own thread: runs what is posted until it is destroyed; work posted before that is still done.
+/// A group with its own thread: runs what is posted until it is destroyed; work posted before that is still done. Work
+/// that throws is over, and reported (services/failures.h).
 class WorkThread final : public WorkQueue {
  public:
   WorkThread();

@@ -56,14 +56,18 @@ struct SocketClient::Socket {
   asio::awaitable<void> read() {
     beast::flat_buffer buffer(kMessageBytes + 1024);
     std::string why;
-    for (;;) {
-      const auto [error, bytes] = co_await stream.async_read(buffer, kUse);
-      if (error) {
-        why = error.message();
-        break;
+    try {
+      for (;;) {
+        const auto [error, bytes] = co_await stream.async_read(buffer, kUse);
+        if (error) {
+          why = error.message();
+          break;
+        }
+        handlers.received({beast::buffers_to_string(buffer.cdata()), stream.got_binary()});
+        buffer.consume(buffer.size());
       }
-      handlers.received({beast::buffers_to_string(buffer.cdata()), stream.got_binary()});
-      buffer.consume(buffer.size());
+    } catch (const std::exception& failure) {  // such as without memory
+      why = failure.what();
     }
     over = true;
     out.on_change({});

@@ -8,16 +8,26 @@
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
+#include <LinearMath/btAlignedAllocator.h>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdlib>
+#include <new>
 #include <stdexcept>
 
 #include "services/world/multibody_internal.h"
 
 namespace race::world {
 namespace {
+
+// Bullet uses what malloc() gives without a look at it.
+void* allocate(std::size_t bytes) {
+  if (void* memory = std::malloc(bytes)) return memory;
+  throw std::bad_alloc();
+}
+const bool kAllocates = (btAlignedAllocSetCustom(allocate, std::free), true);
 
 constexpr double kGravity = 9.81;  // m/s2
 // Iterations of the contact solver: 10 let a held part turn in the fingers, more than 30 change nothing but the cost.

@@ -21,6 +21,11 @@ SCHEMAS = {path.stem: json.loads(path.read_text()) for path in (PROJECT / "api" 
 BY_ADDRESS = {schema["$id"]: schema for schema in SCHEMAS.values()}
 PROGRAM = os.environ.get("RACE_PROGRAM", str(PROJECT / "build/release/race"))
 ROGUE = os.environ.get("RACE_ROGUE", "")
+# Headers of every answer, for browsers: nothing of other servers, no frames, no window of another page, no address of ours to others.
+PAGE_RULES = ("Content-Security-Policy: default-src 'self'; img-src 'self' data:; object-src 'none'; base-uri 'none'; "
+              "form-action 'none'; frame-ancestors 'none'", "X-Frame-Options: DENY", "X-Content-Type-Options: nosniff",
+              "Cross-Origin-Opener-Policy: same-origin", "Cross-Origin-Resource-Policy: same-origin",
+              "Referrer-Policy: same-origin")
 TIMEOUT = 20  # seconds until a test gives up; no test needs them
 # Data folders are in memory: a disk that is busy with something else interrupts runs, which is not what is tested. A
 # kill loses nothing that is in the page cache, and strace's failures are not the disk's: a real disk would add nothing

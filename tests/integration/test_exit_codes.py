@@ -1,5 +1,6 @@
 """Exit codes of every command: 0 fine, 1 the run or check found something, 2 bad input; and what `-` reads."""
 import json
+import os
 import subprocess
 import tempfile
 import unittest
@@ -13,6 +14,7 @@ FILES = {
     "fine.rcm.json": json.dumps(models.ticking(last=1)),
     "faulty.rcm.json": json.dumps(models.faulty()),
     "wrong.rcm.json": json.dumps(WRONG),
+    "many.rcm.json": json.dumps(models.document("many", {"state": "Root", "children": [{"state": "A", "first": "B"}] * 150})),
     "fine.rsm.json": json.dumps({"rsm": 1, "name": "tap", "events": [{"name": "drop"}]}),
     "wrong.rsm.json": json.dumps({"rsm": 1, "name": "tap", "events": [{"name": "drop"}, {"name": "drop"}]}),
     "script.json": json.dumps({"steps": [{}, {"events": [{"service": "timer", "event": "tick"}]}, {}]}),
@@ -133,9 +135,54 @@ class Codes(CommandCase):
             ("wrong.rcm.json", [("Root", "first")]), ("fine.rcm.json", []), ("wrong.rsm.json", [("", "duplicate")]),
             ("none", [("", "io")])]))
         self.assertEqual([line.split(": ")[0] for line in errors.splitlines()], ["wrong.rcm.json", "wrong.rsm.json", "none"])
+        status, output, errors = self.race("check", "--json", "many.rcm.json", "wrong.rcm.json")
+        many, wrong = json.loads(output)["files"]
+        self.assertEqual((status, len(many["errors"]), many["more_errors"], "more_errors" in wrong), (1, 200, True, False))
+        lines = errors.splitlines()
+        self.assertEqual((len(lines), lines[200]), (202, "many.rcm.json: there are more errors, which are not listed"))
         status, output, _ = self.race("run", "--json", "wrong.rcm.json")
         [error] = json.loads(output)["errors"]
         self.assertEqual((status, error["file"], error["path"], error["code"]), (2, "wrong.rcm.json", "Root", "first"))
+
+
+class Unreadable(CommandCase):
+    """Whatever stands in the place of a file: a line says which and why, and the status is 2."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        for name in ("scene.json", "parts.json", "database.json"):  # as folders, pipes, and what fails to be read
+            for kind in ("folder", "pipe", "broken"):
+                path = Path(cls.folder, f"{kind}-{name}", name)
+                path.parent.mkdir()
+                if kind == "folder":
+                    path.mkdir()
+                elif kind == "pipe":
+                    os.mkfifo(path)
+                else:
+                    path.symlink_to("/proc/self/mem")  # reading it is EIO
+
+    def test_files_of_the_command_line(self):
+        for file, why in ((".", "Is a directory"), ("/proc/self/mem", "Input/output error"), ("none", "No such file or directory"),
+                          (300 * "x", "File name too long"), ("fine.rcm.json/x", "Not a directory")):
+            for words in (("check", file), ("check", "fine.rcm.json", file), ("fmt", file), ("fmt", "--write", file),
+                          ("translate", file), ("derive", file, "script.json"), ("derive", "fine.rcm.json", file), ("run", file),
+                          ("run", "fine.rcm.json", "--fast", "--operator", file), ("replay", file), ("serve", "--operator", file),
+                          ("serve", "--config", file)):
+                with self.subTest(words=words):
+                    self.assertEqual(self.race(*words)[::2], (2, f"{file}: io: cannot be read: {why}\n"))
+
+    def test_files_of_a_cell(self):
+        for folder in sorted(path for path in Path(self.folder).iterdir() if path.is_dir() and "-" in path.name):
+            name = folder.name.partition("-")[2]
+            if name == "parts.json":  # is read for a camera alone
+                continue
+            for words in (("run", "fine.rcm.json", "--fast", "--cell", folder),
+                          ("serve", "--port", "0", "--data", f"{self.folder}/cell", "--demo", folder)):
+                with self.subTest(words=words):
+                    status, _, errors = self.race(*map(str, words))
+                    self.assertEqual((status, errors.count("\n")), (2, 1), errors)
+                    self.assertIn(f"{folder.name}/{name}: io: ", errors)
 
 
 class StandardInput(CommandCase):

@@ -4,7 +4,7 @@ import http.client
 import subprocess
 import unittest
 
-from client import PROJECT, TIMEOUT, Server
+from client import PAGE_RULES, PROJECT, TIMEOUT, Server
 
 WEB = PROJECT / "web/dist"
 LEAST_SIZE = 1024  # bytes of a file that is compressed (web/compress.ts)
@@ -61,7 +61,7 @@ class Pages(unittest.TestCase):
                     self.assertEqual(response.getheader("Cache-Control"), "public, max-age=31536000, immutable")
                     kind = {".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8"}[file.suffix]
                     self.assertEqual(response.getheader("Content-Type"), kind)
-                    self.assertEqual(response.getheader("Content-Security-Policy"), "frame-ancestors 'none'")
+                    self.assertEqual(response.getheader("Content-Security-Policy"), PAGE_RULES[0].split(": ", 1)[1])
                     tags.add(response.getheader("ETag"))
             self.assertEqual(len(tags), len(CODINGS))
 

@@ -92,6 +92,12 @@ class Config(Case):
                              (("--config", "-", "--operator", "-"), "--config: duplicate: "),
                              (("--log-level", "loud"), "--log-level: out_of_range: "),
                              (("--port", "1.5"), "--port: out_of_range: must be a whole number from 0 to 65535, got `1.5`"),
+                             (("--port", "8e3"), "--port: out_of_range: must be a whole number from 0 to 65535, got `8e3`"),
+                             (("--port", "80.0"), "--port: out_of_range: "), (("--port", "0x50"), "--port: out_of_range: "),
+                             (("--demo", "nowhere"), "--demo: io: `nowhere` cannot be read: No such file or directory"),
+                             (("--demo", "config.json"), "--demo: io: `config.json` cannot be read: Not a directory"),
+                             (("--demo", "."), "--demo: not_found: `.` holds neither a cell (scene.json) nor documents"),
+                             (("--demo=",), "--demo: missing: the option needs a folder"),
                              (("--remote", "cell,cell"), "--remote: duplicate: ")):
             status, _, lines = self.serve(*words)
             self.assertEqual(status, 2)

@@ -1,10 +1,12 @@
 #include "core/language/check/checker.h"
 
 #include <algorithm>
+#include <map>
 
 #include "core/language/check/names.h"
 #include "core/language/library/functions.h"
 #include "core/language/syntax/parser.h"
+#include "core/value/error_list.h"
 
 namespace race::language {
 namespace {
@@ -24,8 +26,10 @@ class Checker {
   }
 
  private:
-  void report(ErrorCode code, std::string message, const Expr& e) {
-    problems_.push_back({code, std::move(message), e.at});
+  void report(ErrorCode code, std::string message, const Expr& e) { add({code, std::move(message), e.at}); }
+
+  void add(Problem problem) {
+    if (found_[problem.code]++ <= kMaxErrors) problems_.push_back(std::move(problem));
   }
 
   // Statements.
@@ -89,7 +93,7 @@ class Checker {
     const std::string_view root = root_of(e);
     if (reference.meaning == Meaning::value && reference.writable) return dunder(e.name, e);
     if (reference.meaning == Meaning::invalid && reference.problem.code == ErrorCode::unknown_name && root == "res")
-      return problems_.push_back(reference.problem);
+      return add(reference.problem);
     const bool of_value = (root == "res" || root == "var") && reference.meaning == Meaning::other;
     if (is_reserved(root) && !of_value)
       return report(ErrorCode::scope, std::string(root) + " cannot be written like this", e);
@@ -129,7 +133,7 @@ class Checker {
     if (e.kind != ExprKind::index) dunder(e.name, e);
     const Reference reference = resolve(e, kind_, symbols_);
     if (reference.dynamic != nullptr) expression(*reference.dynamic);
-    if (reference.meaning == Meaning::invalid) return problems_.push_back(reference.problem);
+    if (reference.meaning == Meaning::invalid) return add(reference.problem);
     if (reference.meaning != Meaning::other) return;
     if (e.kind != ExprKind::name) return for_each_part(e, [&](const Expr& part) { expression(part); });
     if (std::find(locals_.begin(), locals_.end(), e.name) == locals_.end())
@@ -244,6 +248,8 @@ class Checker {
   const Symbols& symbols_;
   std::vector<std::string> locals_;
   std::vector<Problem> problems_;
+  // How many were found of each code: enough of each are kept, as who calls leaves out those of some codes.
+  std::map<ErrorCode, std::size_t> found_;
 };
 
 void find_variables(const Expr& e, std::vector<std::string>& names) {

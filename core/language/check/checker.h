@@ -10,8 +10,9 @@
 
 namespace race::language {
 
-/// All violations of `text` as code of a state with these names: `syntax`, `forbidden`, `scope`, `effect`,
-/// `service_call`, `unknown_name`. Empty = it compiles. Paths are left to the caller.
+/// The violations of `text` as code of a state with these names: `syntax`, `forbidden`, `scope`, `effect`,
+/// `service_call`, `unknown_name`; of one code not more than fill a list (error_list.h). Empty = it compiles. Paths are
+/// left to the caller.
 std::vector<Error> check(std::string_view text, CodeKind kind, const Symbols& symbols);
 
 /// The names after `var.` in `text`, declared or not. Empty for code that does not parse.

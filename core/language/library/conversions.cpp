@@ -15,9 +15,10 @@ namespace {
 // The text of a number: without space around it, other decimal digits as ASCII ones, without underscores between
 // digits. Nothing if there are underscores elsewhere.
 std::optional<std::string> number_text(const std::string& text) {
-  std::u32string points = utf8::decode(text);
-  while (!points.empty() && unicode::is_space(points.back())) points.pop_back();
-  while (!points.empty() && unicode::is_space(points.front())) points.erase(points.begin());
+  const std::u32string decoded = utf8::decode(text);
+  std::u32string_view points = decoded;
+  while (!points.empty() && unicode::is_space(points.back())) points.remove_suffix(1);
+  while (!points.empty() && unicode::is_space(points.front())) points.remove_prefix(1);
   std::string out;
   bool digit_before = false;
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "core/language/library/library_internal.h"
+#include "core/language/primitives/search.h"
 #include "core/language/primitives/unicode.h"
 #include "core/language/primitives/utf8.h"
 #include "core/language/values/values.h"
@@ -23,9 +24,10 @@ Value stripped(Context& context, const Value& self, Arguments arguments, bool le
   const std::string* chars = nullptr;
   if (!text_or_none(context, arguments, 0, chars)) return Value::unknown();
   const std::u32string points = utf8::decode(self.as_string());
-  const std::u32string set = chars == nullptr ? std::u32string() : utf8::decode(*chars);
+  std::u32string set = chars == nullptr ? std::u32string() : utf8::decode(*chars);
+  std::ranges::sort(set);
   const auto drops = [&](char32_t p) {
-    return chars == nullptr ? unicode::is_space(p) : set.find(p) != std::u32string::npos;
+    return chars == nullptr ? unicode::is_space(p) : std::ranges::binary_search(set, p);
   };
   std::size_t begin = 0;
   std::size_t end = points.size();
@@ -61,17 +63,22 @@ List words(std::string_view text, std::int64_t most, bool from_right) {
   return found;
 }
 
-List pieces(std::string_view text, const std::string& separator, std::int64_t most, bool from_right) {
+List pieces(std::string_view text, std::string_view separator, std::int64_t most) {
   List found;
   while (most-- != 0) {
-    const std::size_t at = from_right ? text.rfind(separator) : text.find(separator);
-    if (at == std::string_view::npos) break;
-    const std::string_view behind = text.substr(at + separator.size());
-    found.emplace_back(from_right ? behind : text.substr(0, at));
-    text = from_right ? text.substr(0, at) : behind;
+    const std::size_t at = find_first(text, separator);
+    if (at == kNowhere) break;
+    found.emplace_back(text.substr(0, at));
+    text = text.substr(at + separator.size());
   }
   found.emplace_back(text);
-  if (from_right) std::reverse(found.begin(), found.end());
+  return found;
+}
+
+List pieces_from_right(std::string_view text, std::string_view separator, std::int64_t most) {
+  List found = pieces(mirrored(text), mirrored(separator), most);
+  for (Value& piece : found) piece = Value(mirrored(piece.as_string()));
+  std::ranges::reverse(found);
   return found;
 }
 
@@ -86,7 +93,8 @@ Value split(Context& context, const Value& self, Arguments arguments, bool from_
   }
   if (separator == nullptr) return within_limits(context, Value(words(self.as_string(), most, from_right)));
   if (separator->empty()) return context.fail(FaultKind::value, "empty separator");
-  return within_limits(context, Value(pieces(self.as_string(), *separator, most, from_right)));
+  const auto divide = from_right ? pieces_from_right : pieces;
+  return within_limits(context, Value(divide(self.as_string(), *separator, most)));
 }
 
 // Pads to arguments[0] code points with arguments[1]; `left` of all that is missing goes before the text.

@@ -2,13 +2,12 @@
 #include <algorithm>
 
 #include "core/language/library/library_internal.h"
+#include "core/language/primitives/search.h"
 #include "core/language/primitives/utf8.h"
 #include "core/language/values/values.h"
 
 namespace race::language::library {
 namespace {
-
-constexpr std::size_t kNowhere = std::string_view::npos;
 
 const std::string* text(Context& context, const Value& v) {
   if (v.is_string()) return &v.as_string();
@@ -48,7 +47,7 @@ Value search(Context& context, const Value& self, Arguments arguments, bool last
   const std::string* sub = text(context, arguments[0]);
   const auto w = sub == nullptr ? std::nullopt : window(context, self, arguments);
   if (!w) return Value::unknown();
-  const std::size_t found = !w->valid ? kNowhere : last ? w->text.rfind(*sub) : w->text.find(*sub);
+  const std::size_t found = !w->valid ? kNowhere : last ? find_last(w->text, *sub) : find_first(w->text, *sub);
   if (found == kNowhere) return Value(-1);
   return Value(static_cast<std::int64_t>(utf8::length(std::string_view(self.as_string()).substr(0, w->begin + found))));
 }
@@ -85,7 +84,8 @@ Value str_count(Context& context, const Value& self, Arguments arguments) {
   if (!w->valid) return Value(0);
   if (sub->empty()) return Value(static_cast<std::int64_t>(utf8::length(w->text) + 1));
   std::int64_t count = 0;
-  for (std::size_t at = w->text.find(*sub); at != kNowhere; at = w->text.find(*sub, at + sub->size())) ++count;
+  for (std::size_t at = find_first(w->text, *sub); at != kNowhere; at = find_first(w->text, *sub, at + sub->size()))
+    ++count;
   return Value(count);
 }
 
@@ -109,7 +109,7 @@ Value str_partition(Context& context, const Value& self, Arguments arguments) {
   if (sep == nullptr) return Value::unknown();
   if (sep->empty()) return context.fail(FaultKind::value, "empty separator");
   const std::string_view all = self.as_string();
-  const std::size_t at = all.find(*sep);
+  const std::size_t at = find_first(all, *sep);
   if (at == kNowhere) return parted(all, "", "");
   return parted(all.substr(0, at), *sep, all.substr(at + sep->size()));
 }
@@ -119,7 +119,7 @@ Value str_rpartition(Context& context, const Value& self, Arguments arguments) {
   if (sep == nullptr) return Value::unknown();
   if (sep->empty()) return context.fail(FaultKind::value, "empty separator");
   const std::string_view all = self.as_string();
-  const std::size_t at = all.rfind(*sep);
+  const std::size_t at = find_last(all, *sep);
   if (at == kNowhere) return parted("", "", all);
   return parted(all.substr(0, at), *sep, all.substr(at + sep->size()));
 }
@@ -138,7 +138,7 @@ Value str_replace(Context& context, const Value& self, Arguments arguments) {
   std::string out;
   std::size_t at = 0;
   for (; count != 0; --count) {
-    const std::size_t found = all.find(*old, at);
+    const std::size_t found = find_first(all, *old, at);
     if (found == kNowhere) break;
     out += all.substr(at, found - at);
     out += *by;

@@ -62,6 +62,12 @@ std::size_t offset(std::string_view text, std::size_t index) {
   return at;
 }
 
+std::string_view prefix(std::string_view text, std::size_t bytes) {
+  if (bytes >= text.size()) return text;
+  while (bytes > 0 && continues(text[bytes])) --bytes;
+  return text.substr(0, bytes);
+}
+
 char32_t next(std::string_view text, std::size_t& at) {
   const auto byte = [&](std::size_t i) { return static_cast<char32_t>(static_cast<unsigned char>(text[at + i])); };
   const std::size_t bytes = width(text[at]);

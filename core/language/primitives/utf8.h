@@ -22,6 +22,9 @@ std::size_t length(std::string_view text);
 /// The byte at which code point `index` begins; the size of the text if there are not so many.
 std::size_t offset(std::string_view text, std::size_t index);
 
+/// The longest beginning of the text that has at most so many bytes and ends between code points.
+std::string_view prefix(std::string_view text, std::size_t bytes);
+
 /// The code point that begins at byte `at`; `at` moves to the next one.
 char32_t next(std::string_view text, std::size_t& at);
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/language/primitives/numbers.h"
+#include "core/language/primitives/search.h"
 #include "core/language/values/values.h"
 
 namespace race::language {
@@ -82,7 +83,7 @@ bool contains(Context& context, const Value& container, const Value& item) {
     return item.is_string() && container.as_dict().find(item) != nullptr;
   }
   if (container.is_string()) {
-    if (item.is_string()) return container.as_string().find(item.as_string()) != std::string::npos;
+    if (item.is_string()) return find_first(container.as_string(), item.as_string()) != kNowhere;
     context.fail(FaultKind::type, "'in <string>' requires string as left operand, not " + std::string(type_name(item)));
     return false;
   }

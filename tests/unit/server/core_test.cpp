@@ -1,12 +1,14 @@
 // What watchers of a core are told, wherever in a macro step they come.
 #include "server/execution/core.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <deque>
 #include <functional>
 #include <future>
+#include <new>
 #include <set>
 #include <thread>
 
@@ -162,6 +164,39 @@ TEST_F(CoreTest, AWatcherWhoComesBetweenMicroStepsCostsNobodyAChange) {
   ASSERT_TRUE(core->step({execution::Goal::Kind::macro}));
   wait_for_the_end_of_the_macro_step();
   EXPECT_EQ(micro, (std::vector<std::int64_t>{0, 7, 8}));
+  expect_that_all_have_the_state();
+}
+
+TEST_F(CoreTest, WhatThrowsInterruptsTheRunWhichIsRebuiltAndGoesOn) {
+  bool thrown = false;
+  on_print = [&](const std::string& text) {
+    if (text == "150" && !std::exchange(thrown, true)) throw std::bad_alloc();
+  };
+  const auto status = [this] { return core->info().find("status")->as_string(); };
+  std::ignore = core->start();
+  while (status() != "interrupted") std::this_thread::yield();
+  const Value interruption = *core->info().find("interruption");
+  EXPECT_EQ(interruption.find("reason")->as_string(), "failure");
+  EXPECT_THAT(interruption.find("message")->as_string(), testing::HasSubstr("a step failed: std::bad_alloc"));
+  while (!core->resume()) std::this_thread::yield();  // until its journal has what it had handed over
+  while (status() == "running" && core->info().find("micro")->as_integer() > 0) std::this_thread::yield();
+  EXPECT_NE(status(), "interrupted");
+}
+
+TEST_F(CoreTest, HoweverOftenItsStateIsAskedForOneSnapshotIsMade) {
+  std::promise<void> busy, go_on;
+  on_print = [&](const std::string& text) {
+    if (text != "150") return;
+    busy.set_value();
+    go_on.get_future().wait();
+  };
+  core->watch_state();
+  ASSERT_TRUE(core->start());
+  busy.get_future().wait();
+  for (int i = 0; i < 1000; ++i) core->watch_state();
+  go_on.set_value();
+  wait_for_the_end_of_the_macro_step();
+  EXPECT_EQ(micro.size(), 2U);
   expect_that_all_have_the_state();
 }
 

@@ -55,6 +55,11 @@ TEST_F(EventLogTest, LogsAStatusOnlyWhenItChanges) {
   EXPECT_THAT(entries(), testing::ElementsAre("core/1: pick: ready", "core/1: pick: running", "core/2: pick: running"));
 }
 
+TEST_F(EventLogTest, CutsALongLineBetweenCharacters) {
+  log.append(0, "timer", std::string(EventLog::kMaxText - 1, 'x') + "é");
+  EXPECT_THAT(entries(), testing::ElementsAre("timer: " + std::string(EventLog::kMaxText - 1, 'x')));
+}
+
 TEST(EventLog, WritesItsLinesByLevel) {
   Pool pool{1};
   Hub hub{pool, 1, [](const std::string&) { return std::nullopt; }};

@@ -4,7 +4,9 @@
 
 #include <array>
 
+#include "core/value/error_list.h"
 #include "core/value/json.h"
+#include "server/wire/errors.h"
 
 namespace race::server {
 namespace {
@@ -23,6 +25,23 @@ TEST(FileErrorsJson, NamesTheFileOfEachError) {
       to_json(file_errors_json(all)),
       R"({"errors":[{"file":"a.json","path":"Root/A","code":"type","message":"must be a string","line":3,"column":5},)"
       R"({"path":"x","code":"io","message":"no"}]})");
+}
+
+TEST(FileErrorsJson, SaysThatThereAreMoreThanItLists) {
+  FileErrors all{"a.json", std::vector(kMaxErrors, kError)};
+  EXPECT_EQ(file_errors_json(std::span(&all, 1)).find("more_errors"), nullptr);
+  all.errors.push_back(kError);
+  const Value json = file_errors_json(std::span(&all, 1));
+  EXPECT_EQ(json.find("errors")->as_list().size(), kMaxErrors);
+  EXPECT_EQ(*json.find("more_errors"), Value(true));
+}
+
+TEST(ErrorsJson, SaysThatThereAreMoreThanItLists) {
+  std::vector<Error> errors(kMaxErrors, kError);
+  EXPECT_EQ(errors_json(errors).find("more_errors"), nullptr);
+  errors.push_back(kError);
+  EXPECT_EQ(errors_json(errors).find("errors")->as_list().size(), kMaxErrors);
+  EXPECT_EQ(*errors_json(errors).find("more_errors"), Value(true));
 }
 
 }  // namespace

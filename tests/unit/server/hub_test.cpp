@@ -25,11 +25,19 @@ struct HubClient final : BoxedSubscriber {
   static constexpr std::int64_t HubFirst = 1000;
 };
 
-// A channel `n` whose state is a number: its deltas are the new number. `pose` is sampled, `seen` is published only
-// while it is watched.
+// A channel `n` whose state is a number: its deltas are the new number. So are `n/0`, `n/1`, ... `pose` is sampled,
+// `seen` is published only while it is watched; the state of `large/0`, ... is a text of a third of kMaxIdleBytes.
 struct HubTest : testing::Test {
   std::optional<Source> source(const std::string& name) {
-    if (name == "n") return Source{false, [this] { refresh("n"); }, {}};
+    if (name == "n" || name.starts_with("n/")) return Source{false, [this, name] { refresh(name); }, {}};
+    if (name.starts_with("large/")) {
+      return Source{false,
+                    [this, name] {
+                      ++refreshed;
+                      hub.publish_snapshot(name, Value(std::string(Hub::kMaxIdleBytes / 3, 'x')));
+                    },
+                    {}};
+    }
     if (name == "pose") return Source{true, {}, [this](bool on) { watched = on; }};
     if (name == "seen") return Source{false, [this] { refresh("seen"); }, [this](bool on) { watched = on; }};
     return std::nullopt;
@@ -272,6 +280,79 @@ TEST_F(HubTest, SendsToOneClientAloneAndOnlyIfItDoesNotHearTheChannel) {
   EXPECT_THAT(received(client), ElementsAre("note 0 2"));
   hub.send(std::make_shared<HubClient>(), "n", "note", Value(3));  // it is gone
   EXPECT_THAT(received(client), IsEmpty());
+}
+
+TEST_F(HubTest, AClientHasABoundedNumberOfChannels) {
+  for (std::size_t i = 0; i < Hub::kMaxSubscriptions; ++i) hub.subscribe(client, "n/" + std::to_string(i), {});
+  for (int i = 0; i < 2; ++i) settle();  // it has twice as many things to do as for one channel's deltas
+  EXPECT_EQ(received(client).size(), Hub::kMaxSubscriptions);
+  hub.subscribe(client, "n", {});
+  hub.subscribe(client, "n/7", {});  // which it has
+  settle();
+  const std::vector<Value> messages = client->messages();
+  ASSERT_EQ(messages.size(), 2U);
+  const Value& error = messages[0].find("data")->find("errors")->as_list().at(0);
+  EXPECT_EQ(error.find("code")->as_string(), "too_large");
+  EXPECT_EQ(error.find("path")->as_string(), "n");
+  EXPECT_EQ(messages[1].find("channel")->as_string(), "n/7");
+  hub.unsubscribe(client, "n/7");
+  hub.subscribe(client, "n", {});
+  EXPECT_THAT(received(client), ElementsAre("snapshot 0 0"));
+}
+
+TEST_F(HubTest, ForgetsWhatNobodyHasSubscribedToForLong) {
+  const auto join_and_leave = [this](const std::string& name) {
+    hub.subscribe(client, name, {});
+    settle();
+    hub.unsubscribe(client, name);
+    settle();
+  };
+  for (std::size_t i = 0; i <= Hub::kMaxIdle; ++i) join_and_leave("n/" + std::to_string(i));
+  client->received();
+  refreshed = 0;
+  hub.subscribe(client, "n/1", HubClient::HubFirst);
+  EXPECT_THAT(received(client), ElementsAre("snapshot 0 0")) << "it is kept";
+  EXPECT_EQ(refreshed, 0);
+  hub.subscribe(client, "n/0", HubClient::HubFirst);
+  EXPECT_THAT(received(client), ElementsAre("snapshot 2 0")) << "it was forgotten: its numbers are new";
+  EXPECT_EQ(refreshed, 1);
+}
+
+TEST_F(HubTest, KeepsABoundedAmountOfWhatNobodyHasSubscribedTo) {
+  for (const char* name : {"large/0", "large/1", "large/2"}) {
+    hub.subscribe(client, name, {});
+    settle();
+    client->received();
+    hub.unsubscribe(client, name);
+    settle();
+  }
+  refreshed = 0;
+  hub.subscribe(client, "large/1", {});
+  settle();
+  EXPECT_EQ(refreshed, 0);
+  hub.subscribe(client, "large/0", {});
+  settle();
+  EXPECT_EQ(refreshed, 1);
+}
+
+TEST_F(HubTest, DeltasThatNobodyGetsAreKeptInSmallAmounts) {
+  hub.subscribe(client, "n", {});
+  settle();
+  hub.unsubscribe(client, "n");
+  const std::string text(Hub::kMaxIdleDeltaBytes / 3, 'x');
+  for (int i = 0; i < 5; ++i) hub.publish_delta("n", Value(text));
+  hub.subscribe(client, "n", HubClient::HubFirst + 3);
+  EXPECT_THAT(received(client), ElementsAre("delta 4 -", "delta 5 -"));
+  hub.subscribe(other, "n", HubClient::HubFirst + 2);
+  EXPECT_THAT(received(other), ElementsAre("snapshot 5 0")) << "the third is not kept any more";
+}
+
+TEST_F(HubTest, SaysWhenItHasDoneWhatItWasAskedFor) {
+  std::vector<std::string> had;
+  hub.subscribe(client, "nothing", {});
+  hub.after([&] { had = client->received(); });
+  settle();
+  EXPECT_THAT(had, ElementsAre("error 0 -"));
 }
 
 }  // namespace

@@ -6,9 +6,12 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <new>
+#include <stdexcept>
 #include <thread>
 
 #include "server/http/refusal.h"
+#include "services/failures.h"
 #include "tests/unit/server/bench.h"
 
 namespace race::server {
@@ -83,8 +86,7 @@ struct ListenerTest : testing::Test {
     if (thread.joinable()) thread.join();
   }
   void serve(const HttpServer::Limits& limits) {
-    server =
-        HttpServer::listen(0, "", {answer, hub, displays, edits, remotes, [](const std::string&) {}}, limits).value();
+    server = HttpServer::listen(0, "", {answer, hub, displays, edits, remotes}, limits).value();
     thread = std::thread([this] { server->run(); });
   }
   std::unique_ptr<Connection> connection(const std::string& text = "") {
@@ -94,6 +96,8 @@ struct ListenerTest : testing::Test {
     return made;
   }
   static Reply answer(const Request& request) {
+    if (request.path == "/api/v1/memory") throw std::bad_alloc();
+    if (request.path == "/api/v1/mistake") throw std::runtime_error("no");
     return request.path == "/api/v1/health" ? Reply() : refusal(404, "not_found", "there is no such route");
   }
 
@@ -153,6 +157,19 @@ TEST_F(ListenerTest, ClosesOneConnectionTooManyUntilAnotherHasEnded) {
   while (status == 0 && std::chrono::steady_clock::now() < end) status = connection()->get("/api/v1/health");
   EXPECT_EQ(status, 200);
   EXPECT_EQ(second->get("/api/v1/health"), 200);
+}
+
+TEST_F(ListenerTest, AnExceptionEndsItsRequestAlone) {
+  std::vector<std::string> reported;  // one at a time
+  services::set_failure_handler([&](const std::string& text) { reported.push_back(text); });
+  serve({60s, 60s});
+  auto client = connection();
+  EXPECT_EQ(client->get("/api/v1/memory"), 503);
+  EXPECT_EQ(client->get("/api/v1/mistake"), 500);
+  EXPECT_EQ(client->get("/api/v1/health"), 200);
+  services::set_failure_handler({});
+  EXPECT_EQ(reported, (std::vector<std::string>{"GET /api/v1/memory failed: no memory is left",
+                                                "GET /api/v1/mistake failed: no"}));
 }
 
 TEST(Limits, AreHalfAMinuteToArriveAndTwoBetweenRequests) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 namespace race::server {
 namespace {
 
@@ -29,6 +31,14 @@ TEST(Worker, StopsWorkThatTakesTooLong) {
   Worker worker;
   EXPECT_EQ(worker.ask(until_stopped, 1ms).error().code, ErrorCode::too_large);
   EXPECT_EQ(worker.ask(five, 1s).value(), 5) << "the thread is free again";
+}
+
+TEST(Worker, GivesWhoAsksTheExceptionAndIsFreeAgain) {
+  Worker worker;
+  for (std::size_t i = 0; i < 2 * Worker::kMost; ++i)
+    EXPECT_THROW(worker.ask([](const Worker::Stop&) -> int { throw std::runtime_error("no"); }, 1s),
+                 std::runtime_error);
+  EXPECT_EQ(worker.ask(five, 1s).value(), 5);
 }
 
 TEST(Worker, HasABoundedQueue) {

@@ -1,6 +1,6 @@
 // Edits of the document of a run, in words: what is not yet in the run, and what it waits for.
 import type { Core } from "../../generated/messages";
-import { errorsText } from "./errorsText";
+import { countErrors, errorsText } from "./errorsText";
 import { isInterrupted } from "./interruption";
 
 export interface EditText {
@@ -20,7 +20,7 @@ export function editText(core: Core): EditText | undefined {
   const { waiting_edit: waiting, refused_edit: refused } = core;
   if (refused !== undefined)
     return {
-      title: `Revision ${refused.revision} of ${core.document} has ${errorsText(refused.errors.length)} and cannot be executed`,
+      title: `Revision ${refused.revision} of ${core.document} has ${errorsText(countErrors(refused.errors, refused.more_errors))} and cannot be executed`,
       waits: refused.errors.map(({ path, message }) => ({ path, text: path === "" ? message : `${path}: ${message}` })),
       holds: `The run goes on with revision ${core.revision}.`,
     };

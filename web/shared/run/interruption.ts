@@ -22,6 +22,13 @@ export function interruptionText(core: Core): InterruptionText | undefined {
       holds: "It is as its journal says. Open calls are answered `unavailable`; none is sent again. Nothing moves until someone resumes, steps or stops it; while the disk fails, that is refused.",
     };
   }
+  if (core.interruption?.reason === "failure") {
+    return {
+      title: `Run ${core.id} is interrupted: a step of it failed in the server`,
+      happened,
+      holds: "It is as its journal says. Open calls were answered `unavailable`; none is sent again. Nothing moves until someone resumes, steps or stops it.",
+    };
+  }
   return {
     title: `Run ${core.id} is interrupted: the server ended and was started again`,
     happened,

@@ -7,15 +7,17 @@ export interface Draft {
   readonly name: string;
   readonly revision: number;
   readonly errors: readonly ServerError[];
+  /** There are more than the listed ones. */
+  readonly more_errors?: true;
 }
 
 /** A server that stores no drafts sends no errors. */
 type Summary = Pick<DocumentSummary, "name"> & { readonly errors?: number };
-type Entry = Pick<DocumentEntry, "name" | "revision"> & { readonly errors?: readonly ServerError[] };
+type Entry = Pick<DocumentEntry, "name" | "revision"> & { readonly errors?: readonly ServerError[]; readonly more_errors?: true };
 
 export const errorCount = ({ errors }: Summary): number => errors ?? 0;
 
-export const draftOf = ({ name, revision, errors }: Entry): Draft => ({ name, revision, errors: errors ?? [] });
+export const draftOf = ({ name, revision, errors, more_errors }: Entry): Draft => ({ name, revision, errors: errors ?? [], ...(more_errors && { more_errors }) });
 
 /** The document in a list. */
 export function documentText(summary: Summary): string {

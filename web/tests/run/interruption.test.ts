@@ -34,6 +34,11 @@ describe("interruptionText", () => {
     expect(text?.happened).toBe("no space left");
     expect(text?.holds).toMatch(/Open calls are answered `unavailable`.*Nothing moves until someone resumes.*while the disk fails, that is refused/);
   });
+  it("says of a step that failed that it is not stored", () => {
+    const text = interruptionText({ ...core, interruption: { reason: "failure", message: "no memory" } });
+    expect(text?.title).toContain("a step of it failed");
+    expect(text?.happened).toBe("no memory");
+  });
 });
 
 describe("interruptedElsewhere", () => {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 namespace race::language::utf8 {
 namespace {
@@ -22,6 +23,12 @@ void at_each_offset(std::string_view part, Visit visit) {
       }
     }
   }
+}
+
+TEST(Utf8, APrefixEndsBetweenCodePoints) {
+  const std::string text = "aé€😀";
+  const std::vector<std::string> expected = {"", "a", "a", "aé", "aé", "aé", "aé€", "aé€", "aé€", "aé€", text, text};
+  for (std::size_t bytes = 0; bytes < expected.size(); ++bytes) EXPECT_EQ(utf8::prefix(text, bytes), expected[bytes]);
 }
 
 TEST(Utf8, AsciiIsValidAtEachLength) {

@@ -129,5 +129,20 @@ TEST(DatabaseFile, ThatHasLostItsTableAnswersIo) {
             Value(Dict{{"code", "io"}, {"message", "cannot read `x`: no such table: record"}}));
 }
 
+TEST(DamagedDatabase, NamesWhatIsDamagedInTheAnswerAndOnceInTheLog) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("database.sqlite");
+  {
+    auto store = Store::open(path).value();
+    for (const char* key : {"a", "b"}) ASSERT_TRUE(store.put(key, 1));
+  }
+  SQLite::Database(path, SQLite::OPEN_READWRITE).exec("UPDATE record SET value = '2' WHERE key = 'b'");
+  Bench bench;
+  bench.add<Database>("db", Store::open(path).value());
+  for (const char* key : {"a", "b", "a", "b"}) bench.call("db", "get", {key});
+  EXPECT_THAT(bench.responses(), ElementsAre("db.get -> 1", "db.get !> corrupt", "db.get -> 1", "db.get !> corrupt"));
+  EXPECT_THAT(bench.log, ElementsAre("the value of `b` is damaged"));
+}
+
 }  // namespace
 }  // namespace race::database

@@ -43,6 +43,11 @@ TEST_F(ImageTest, AFileOfTheCellBecomesADataUrl) {
   EXPECT_EQ(image_url("dot.svg", folder).value(), "data:image/svg+xml;base64,TQ==");
 }
 
+TEST_F(ImageTest, AFileThatTheDiskDoesNotGiveIsRefused) {
+  fs::create_symlink("/proc/self/mem", folder / "broken.png");  // reading it is EIO
+  EXPECT_EQ(refused("broken.png"), ErrorCode::io);
+}
+
 TEST_F(ImageTest, NothingButImagesOfTheFolderCanBeShown) {
   write("scene.json", "{}");
   fs::create_directory(folder / "folder.png");

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
+#include "services/failures.h"
+
 namespace race::services {
 namespace {
 
@@ -18,6 +22,33 @@ TEST(WorkQueue, RunsInOrderWhatWasPostedBefore) {
   EXPECT_TRUE(queue.run());
   EXPECT_EQ(text, "abc");
   EXPECT_FALSE(queue.run());
+}
+
+TEST(WorkQueue, KeepsWhatIsBehindWorkThatThrows) {
+  WorkQueue queue;
+  std::string text;
+  queue.post([&] { text += "a"; });
+  queue.post([] { throw std::runtime_error("b"); });
+  queue.post([&] { text += "c"; });
+  EXPECT_THROW(queue.run(), std::runtime_error);
+  queue.post([&] { text += "d"; });
+  EXPECT_TRUE(queue.run());
+  EXPECT_EQ(text, "acd");
+}
+
+TEST(WorkThread, GoesOnAfterWorkThatThrows) {
+  int failures = 0, done = 0;  // of the thread alone, until it is gone
+  set_failure_handler([&](const std::string&) { ++failures; });
+  {
+    WorkThread thread;
+    for (int i = 0; i < 10; ++i) {
+      thread.post([] { throw std::runtime_error("no"); });
+      thread.post([&] { ++done; });
+    }
+  }
+  set_failure_handler({});
+  EXPECT_EQ(failures, 10);
+  EXPECT_EQ(done, 10);
 }
 
 TEST(WorkThread, HasDoneEverythingWhenItIsGone) {
