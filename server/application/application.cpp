@@ -139,8 +139,8 @@ Application::~Application() {
   if (cores_) cores_->close();
   if (cell_) cell_->stop();
   if (writer_) writer_->close();  // before the strands that it tells
-  pool_.reset();
-  stream_pool_.reset();
+  if (pool_) pool_->end();
+  if (stream_pool_) stream_pool_->end();
 }
 
 Backend Application::make_backend() {

@@ -6,7 +6,7 @@
 
 namespace race::server {
 
-Pool::Pool(unsigned threads) {
+Pool::Pool(unsigned threads) : running_(threads) {
   try {
     for (unsigned i = 0; i < threads; ++i) threads_.emplace_back([this] { run(); });
   } catch (...) {  // no thread can be had
@@ -15,8 +15,6 @@ Pool::Pool(unsigned threads) {
   }
 }
 
-Pool::~Pool() { end(); }
-
 void Pool::end() {
   {
     const services::MutexLock lock(mutex_);
@@ -24,14 +22,17 @@ void Pool::end() {
   }
   posted_.notify_all();
   for (std::thread& thread : threads_) thread.join();
+  threads_.clear();
 }
 
-void Pool::post(Work work) {
+bool Pool::post(Work work) {
   {
     const services::MutexLock lock(mutex_);
+    if (running_ == 0) return false;
     work_.push_back(std::move(work));
   }
   posted_.notify_one();
+  return true;
 }
 
 void Pool::run() {
@@ -41,23 +42,29 @@ void Pool::run() {
 std::optional<Work> Pool::next() {
   const services::MutexLock lock(mutex_);
   posted_.wait(mutex_, [this]() REQUIRES(mutex_) { return stop_ || !work_.empty(); });
-  if (work_.empty()) return std::nullopt;
+  if (work_.empty()) {
+    --running_;
+    return std::nullopt;
+  }
   Work work = std::move(work_.front());
   work_.pop_front();
   return work;
 }
 
 void Strand::Queue::post(const std::shared_ptr<Queue>& queue, Work work) {
+  Work dropped;  // after the lock: it may own what posts
   const services::MutexLock lock(queue->mutex);
   queue->work.push_back(std::move(work));
   if (queue->scheduled) return;
   try {
-    queue->pool.post([queue] { run_one(queue); });
+    queue->scheduled = queue->pool.post([queue] { run_one(queue); });
   } catch (...) {  // it is not posted: who posts next gets the strand going
     queue->work.pop_back();
     throw;
   }
-  queue->scheduled = true;
+  if (queue->scheduled) return;
+  dropped = std::move(queue->work.back());
+  queue->work.pop_back();
 }
 
 void Strand::finish() {

@@ -1,6 +1,7 @@
 // Pool and Strand: worker threads, and sequences of work on them. Work posted to a strand runs in order, one at a time,
 // on any thread of its pool. Each core has a strand; so does the stream. Work that throws is over, and reported
-// (services/failures.h); what was posted after it is done all the same.
+// (services/failures.h); what was posted after it is done all the same. A pool that has ended drops what is posted: who
+// is still at work while the server ends needs no care.
 //
 // Threads: post() and ask() on any.
 #pragma once
@@ -24,21 +25,23 @@ class Pool {
  public:
   /// Throws std::system_error if they cannot be had.
   explicit Pool(unsigned threads);
-  /// Finishes all posted work, and the work that it posts: work must not post itself for ever.
-  ~Pool();
+  ~Pool() { end(); }
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
-  void post(Work work) EXCLUDES(mutex_);
+  /// False: the pool has ended, and the work is dropped.
+  bool post(Work work) EXCLUDES(mutex_);
+  /// Finishes all posted work, and the work that it posts: work must not post itself for ever. Not on its threads.
+  void end() EXCLUDES(mutex_);
 
  private:
   void run();
-  void end();
-  /// Waits for work; nothing: the pool ends.
+  /// Waits for work; nothing: the thread ends.
   std::optional<Work> next() EXCLUDES(mutex_);
 
   services::Mutex mutex_;
   services::ConditionVariable posted_;
   std::deque<Work> work_ GUARDED_BY(mutex_);
+  unsigned running_ GUARDED_BY(mutex_) = 0;  // threads
   bool stop_ GUARDED_BY(mutex_) = false;
   std::vector<std::thread> threads_;
 };

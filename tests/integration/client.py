@@ -76,8 +76,11 @@ class Server:
     def stop(self):
         """Sends SIGTERM, as a service manager does; the server must end by itself with status 0."""
         self.process.terminate()
-        status = self.process.wait(TIMEOUT)
-        self.process.stdout.close()
+        try:
+            status = self.process.wait(TIMEOUT)
+        finally:
+            self.process.kill()
+            self.process.stdout.close()
         if self.own:
             shutil.rmtree(self.data)
         assert status == 0, f"the server ended with status {status}"

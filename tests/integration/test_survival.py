@@ -13,6 +13,7 @@ from pathlib import Path
 
 import models
 from client import PROGRAM, PROJECT, TIMEOUT, Server
+from random_task import random_task
 from traced_server import TracedServer, data_folder
 
 DEMO = PROJECT / "deploy/demo"
@@ -53,6 +54,18 @@ class Signals(unittest.TestCase):
             server.process.send_signal(signal.SIGHUP)
             self.assertEqual(get(server.port, "/api/v1/health")[0], 200)
             self.assertEqual(server.stop(), (0, ""))
+
+    def test_it_ends_while_live_cores_get_edits(self):
+        for round in range(20):
+            server = Server()
+            task = server.put("/documents/task", random_task("task", 1), "document_entry")["document"]
+            core = server.post("/cores", {"document": "task", "arguments": {}}, "core", 201)["id"]
+            server.put(f"/cores/{core}/live", {"live": True})
+            server.post(f"/cores/{core}/start")
+            for revision in range(1, 2 + round % 5):
+                change = {"op": "set", "id": task["root"]["meta"]["id"], "field": "doc", "value": str(revision)}
+                server.post("/documents/task/edits", {"revision": revision, "author": "Ada", "operations": [change]})
+            server.stop()
 
     def test_sigterm_and_sigint_end_it(self):
         for number in (signal.SIGTERM, signal.SIGINT):

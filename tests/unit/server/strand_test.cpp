@@ -114,5 +114,20 @@ TEST(Pool, DoesEverythingBeforeItEnds) {
   EXPECT_EQ(done, 200);
 }
 
+TEST(Pool, DropsWhatIsPostedOnceItHasEnded) {
+  Pool pool(2);
+  Strand strand(pool);
+  EXPECT_TRUE(pool.post([] {}));
+  pool.end();
+  bool done = false;
+  const auto owned = std::make_shared<int>();
+  EXPECT_FALSE(pool.post([&] { done = true; }));
+  for (int i = 0; i < 2; ++i) strand.post([&done, owned] { done = true; });
+  EXPECT_EQ(owned.use_count(), 1);
+  EXPECT_EQ(strand.ask([] { return 5; }), std::nullopt);
+  strand.finish();  // does not wait for it
+  EXPECT_FALSE(done);
+}
+
 }  // namespace
 }  // namespace race::server
