@@ -1,4 +1,5 @@
 """A run that follows the edits of its document, and what holds after each macro step (core/SEMANTICS.md section 9)."""
+import collections
 import time
 
 from client import TIMEOUT
@@ -11,6 +12,7 @@ class LiveRun:
 
     def __init__(self, server, document):
         self.server, self.document, self.forced, self.cores = server, document, 0, []
+        self.tries = collections.Counter()  # to leave a state, by path
         self.begin()
 
     def begin(self):
@@ -42,21 +44,27 @@ class LiveRun:
         assert self.digest() == digest(meaning(self.server.get(f"/documents/{self.document}/native", "native")["document"]))
 
     def leave(self, path):
-        """The active state there, or the nearest one above it that has a port, through that. Nothing leads out of a state of
-        the root without ports (a group, say): then another core begins."""
-        state, port, above = self.native()["root"], None, path.partition("/")[0]
+        """The active state there, or the nearest one above it (also above a barrier) that has a port, through that; where this
+        leads back, through the next one above. Nothing leads out of a state of the root without ports (a group, say): then
+        another core begins."""
+        state, ports, above = self.native()["root"], [], path.partition("/")[0]
         for name in path.split("/")[1:]:
-            state = next((child for child in state.get("children", ()) if child.get("state") == name), None)
+            children = state.get("children", ())
+            if any(child.get("barrier") == name for child in children):
+                break
+            state = next((child for child in children if child.get("state") == name), None)
             if state is None:  # the run has got the edit meanwhile
                 return
             above += f"/{name}"
-            if state.get("ports"):
-                port = {"path": above, "scope": "port", "name": state["ports"][0]["name"]}
-        if not port:
+            ports += [{"path": above, "scope": "port", "name": port["name"]} for port in state.get("ports", ())[:1]]
+        self.tries[path] += 1
+        ports = ports[:max(0, len(ports) - self.tries[path] // 4)]
+        if not ports:
             self.server.post(f"/cores/{self.core}/stop", None, "core")
+            self.tries.clear()
             self.begin()
             return
-        status, answer = self.server.request("POST", f"/api/v1/cores/{self.core}/force", port)
+        status, answer = self.server.request("POST", f"/api/v1/cores/{self.core}/force", ports[-1])
         assert status in (200, 404, 409), answer  # else it was left, or is another model meanwhile
         self.forced += status == 200
 
