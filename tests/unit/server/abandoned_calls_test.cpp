@@ -55,6 +55,7 @@ struct AbandonedCalls : HostedCores {
     delivery.key = "t";
     delivery.name = "tick";
     delivery.data = Value(data);
+    delivery.data.freeze();
     core->deliver(delivery);
   }
   // What the service has been told since the last time, once the core has taken a tick with `data`.

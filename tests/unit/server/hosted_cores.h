@@ -65,6 +65,7 @@ struct HostedCores : testing::Test, CoreWatcher {
     delivery.kind = services::Delivery::Kind::response;
     delivery.caller = {core.id(), call};
     delivery.data = data;
+    delivery.data.freeze();
     core.deliver(delivery);
   }
   static std::string status(const Expected<Value>& info) { return info.value().find("status")->as_string(); }
