@@ -129,7 +129,8 @@ void Core::set_info(Value info) {
   for (const char* counter : {"step", "micro", "waiting"}) news.erase(counter);
   // Nor does who watches a paused one learn from its steps that ever more wait.
   if (info.find("paused")->as_bool())
-    news.set("waiting", static_cast<int>(std::bit_width(static_cast<std::uint64_t>(info.find("waiting")->as_integer()))));
+    news.set("waiting",
+             static_cast<int>(std::bit_width(static_cast<std::uint64_t>(info.find("waiting")->as_integer()))));
   if (Value(news) == announced_) return;
   announced_ = std::move(news);
   resources_.watcher.core_changed(id_, std::move(info));
