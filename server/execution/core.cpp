@@ -65,8 +65,13 @@ Value Core::info() const {
 void Core::deliver(const services::Delivery& delivery) {
   {
     const services::MutexLock lock(mutex_);
-    inbox_.push_back(delivery);
-    if (inbox_.size() > 1) return;  // who put the first one has woken it
+    if (inbox_.deliveries.size() >= kMostInputs || inbox_.units > kMostInputUnits) {
+      inbox_.has_dropped = true;
+      return;
+    }
+    inbox_.units += delivery.data.size_units();
+    inbox_.deliveries.push_back(delivery);
+    if (inbox_.deliveries.size() > 1) return;  // who put the first one has woken it
   }
   strand_.post([self = shared_from_this()] { self->advance(); });
 }
@@ -197,11 +202,11 @@ void Core::schedule() {
 // One turn: as many micro steps as are its due, then the others on this pool. Too far ahead of the disk, it is left
 // until that has caught up (durable()).
 void Core::advance() {
-  take_inbox();
+  if (!take_inbox()) return;
   if (!started_ || paused_ || closed_ || is_over()) return;
   for (std::uint32_t left = kTurn; left > 0;) {
     if (held_.size() >= kMostHeld) return;
-    if (!execution_.is_open()) take_inbox();
+    if (!execution_.is_open() && !take_inbox()) return;
     if (!execution_.is_open() && deliver_edit(left)) {
       if (paused_ || is_over()) return;
       continue;
@@ -213,20 +218,43 @@ void Core::advance() {
   schedule();
 }
 
-void Core::take_inbox() {
-  std::vector<services::Delivery> inbox;
+// False: more waits than may, and the run is interrupted. One that is interrupted already takes what it has room for.
+bool Core::take_inbox() {
+  Inbox inbox;
   {
     const services::MutexLock lock(mutex_);
-    inbox.swap(inbox_);
+    inbox = std::exchange(inbox_, {});
   }
-  if (!started_) return;  // before the start, nothing is an input
-  for (services::Delivery& delivery : inbox) {
+  if (!started_) return true;  // before the start, nothing is an input
+  bool has_dropped = inbox.has_dropped;
+  for (services::Delivery& delivery : inbox.deliveries) {
+    if (!has_room()) {
+      has_dropped = true;
+      break;
+    }
+    waiting_units_ += delivery.data.size_units();
     if (delivery.kind == services::Delivery::Kind::event) {
       execution_.post_event(delivery.key, delivery.name, std::move(delivery.data));
     } else {
       execution_.post_response(delivery.caller.call, delivery.is_error, std::move(delivery.data));
     }
   }
+  if (has_dropped && !interruption_ && !is_over()) {
+    interrupt_and_rebuild({ErrorCode::too_large, "more inputs wait than the server keeps", {}}, "overload");
+    return false;
+  }
+  if (paused_ && held_.size() == 0 && !inbox.deliveries.empty()) publish_info();  // how many wait
+  return true;
+}
+
+// Whether one more input may wait. Their units are counted anew when they may be too many.
+bool Core::has_room() {
+  const execution::WaitingInputs& waiting = execution_.waiting();
+  if (waiting.size() >= kMostInputs) return false;
+  if (waiting_units_ <= kMostInputUnits) return true;
+  waiting_units_ = 0;
+  for (const semantics::Input& input : waiting.inputs()) waiting_units_ += input.data.size_units();
+  return waiting_units_ <= kMostInputUnits;
 }
 
 // At most `limit` micro steps of the open macro step, or of a new one. Returns what of the limit is used up.

@@ -84,8 +84,12 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   /// As published last (schemas/core.json).
   Value info() const EXCLUDES(mutex_);
 
-  /// A service said something that may concern this core.
+  /// A service said something that may concern this core. What waits is bounded: beyond that the run is interrupted, or
+  /// what comes is dropped if it is already.
   void deliver(const services::Delivery& delivery) EXCLUDES(mutex_);
+
+  static constexpr std::size_t kMostInputs = 10'000;         // that wait
+  static constexpr std::size_t kMostInputUnits = 4U << 20U;  // of their data (Value::size_units), but for the last
 
   // Commands: wait, and give the core as it is then, once what they caused is durable. Errors: `conflict`: it is not in
   // the state for it; `storage`: the disk fails, and the run is interrupted.
@@ -184,7 +188,8 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   bool awaits_input() const { return execution_.has_goal() && !execution_.is_open() && !has_input(); }
   void schedule();
   void advance();
-  void take_inbox();
+  bool take_inbox();
+  bool has_room();
   std::uint32_t do_part(std::uint32_t limit);
   const execution::Progress& next_part(std::uint32_t limit);
   void hold();
@@ -222,6 +227,8 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   void interrupt(const Error& error, const char* reason = "storage");
   /// What throws may leave a step half done: the run is what its journal says.
   void interrupt_after(const std::exception& failure);
+  /// What it has handed over to the journal is stored; then the run is what that says.
+  void interrupt_and_rebuild(const Error& error, const char* reason);
   /// Posts work that may throw.
   void post_work(Work work);
   void publish_interruption();
@@ -247,7 +254,12 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   Strand strand_;
 
   mutable services::Mutex mutex_;
-  std::vector<services::Delivery> inbox_ GUARDED_BY(mutex_);
+  struct Inbox {
+    std::vector<services::Delivery> deliveries;
+    std::size_t units = 0;     // of their data
+    bool has_dropped = false;  // what came beyond the bounds
+  };
+  Inbox inbox_ GUARDED_BY(mutex_);
   Value info_ GUARDED_BY(mutex_);
   execution::ExecutedModel model_ GUARDED_BY(mutex_);
   std::atomic<bool> state_watched_{false}, derivation_watched_{false}, closed_{false}, live_{false};
@@ -256,6 +268,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   RunRecord record_;  // as it was stored when the core was made, or rebuilt; its number and document stay
   std::shared_ptr<RunJournal> journal_;
   HeldOutputs held_;
+  std::size_t waiting_units_ = 0;  // of the inputs that wait in the execution, or more
   execution::Execution execution_;
   std::vector<execution::GoalName> breakpoint_names_;
   bool started_ = false, paused_ = false, scheduled_ = false;

@@ -1,4 +1,6 @@
 // What leaves a core: entries to the journal at once, everything else when they are durable.
+#include <bit>
+
 #include "core/execution/checkpoint.h"
 #include "core/execution/step_json.h"
 #include "server/execution/core.h"
@@ -125,6 +127,10 @@ void Core::set_info(Value info) {
   // Counters move with every input; the list of cores hears of what else changes.
   Dict news = info.as_dict();
   for (const char* counter : {"step", "micro", "waiting"}) news.erase(counter);
+  // Nor does who watches a paused one learn from its steps that ever more wait.
+  if (info.find("paused")->as_bool())
+    news.set("waiting",
+             static_cast<int>(std::bit_width(static_cast<std::uint64_t>(info.find("waiting")->as_integer()))));
   if (Value(news) == announced_) return;
   announced_ = std::move(news);
   resources_.watcher.core_changed(id_, std::move(info));

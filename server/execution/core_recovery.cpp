@@ -71,8 +71,11 @@ void Core::interrupt(const Error& error, const char* reason) {
 
 void Core::interrupt_after(const std::exception& failure) {
   if (interruption_) return;
-  const Error error{ErrorCode::unavailable, std::string("a step failed: ") + failure.what(), {}};
-  interrupt(error, "failure");
+  interrupt_and_rebuild({ErrorCode::unavailable, std::string("a step failed: ") + failure.what(), {}}, "failure");
+}
+
+void Core::interrupt_and_rebuild(const Error& error, const char* reason) {
+  interrupt(error, reason);
   interruption_->stalled = true;  // until what it has handed over is stored
   resources_.writer.append(journal_, {.failure = error});
 }

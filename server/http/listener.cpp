@@ -231,7 +231,7 @@ awaitable<bool> serve_one(beast::tcp_stream& stream, beast::flat_buffer& buffer,
     co_return false;
   }
   if (upgrade && request->path == kComponents && request->method == "GET") {
-    co_await serve_components(std::move(stream), parser.release(), context.backend.remotes);
+    co_await serve_components(std::move(stream), parser.release(), context.backend.remotes, context.backend.hub);
     co_return false;
   }
   if (request->path == kStream || request->path == kComponents) {

@@ -123,8 +123,10 @@ class StreamSession final : Session, public Subscriber, public std::enable_share
 // One process of components. Held by its coroutines.
 class ComponentSession final : Session, public std::enable_shared_from_this<ComponentSession> {
  public:
-  ComponentSession(beast::tcp_stream stream, remote::Remotes& remotes)
+  ComponentSession(beast::tcp_stream stream, remote::Remotes& remotes, Hub& hub)
       : Session(std::move(stream)),
+        hub_(hub),
+        handled_(executor_),
         heartbeat_timer_(executor_),
         heartbeat_check_(remotes.heartbeat() / remote::ProcessLink::kPingsPerHeartbeat),
         link_(remotes) {}
@@ -135,21 +137,49 @@ class ComponentSession final : Session, public std::enable_shared_from_this<Comp
         executor_, [self = shared_from_this()] { return self->write(); }, asio::detached);
     asio::co_spawn(
         executor_, [self = shared_from_this()] { return self->check_heartbeats(); }, asio::detached);
+    link_.on_handled([this, weak = weak_from_this(), executor = executor_] {
+      asio::post(executor, [this, weak] {
+        if (const auto self = weak.lock()) handled_.cancel();
+      });
+    });
     beast::flat_buffer buffer(remote::kMessageBytes + 1024);
     for (;;) {
       const auto [error, bytes] = co_await socket_.async_read(buffer, kAsTuple);
       if (error) break;
       link_.received({beast::buffers_to_string(buffer.cdata()), socket_.got_binary()});
       buffer.consume(buffer.size());
+      co_await turn();
     }
     over_ = true;
     link_.out().on_change({});
+    link_.on_handled({});
     link_.disconnect("its connection has ended");
     waker_.cancel();
     heartbeat_timer_.cancel();
   }
 
  private:
+  // Until what the process has said is handled, and the hub has told most of it: meanwhile the rest stays in its
+  // socket.
+  awaitable<void> turn() {
+    while (link_.is_behind() && !link_.disconnected()) co_await wait();
+    count_in_hub();
+    while (in_hub_ > kMostInHub && !link_.disconnected()) co_await wait();
+  }
+  awaitable<void> wait() {
+    handled_.expires_at(std::chrono::steady_clock::time_point::max());
+    co_await handled_.async_wait(kAsTuple);
+  }
+  void count_in_hub() {
+    ++in_hub_;
+    hub_.after([this, weak = weak_from_this(), executor = executor_] {
+      asio::post(executor, [this, weak] {
+        const auto self = weak.lock();
+        if (self && in_hub_-- == kMostInHub + 1) handled_.cancel();
+      });
+    });
+  }
+
   awaitable<void> write() {
     link_.out().on_change([this, weak = weak_from_this(), executor = executor_] {
       asio::post(executor, [this, weak] {
@@ -174,10 +204,17 @@ class ComponentSession final : Session, public std::enable_shared_from_this<Comp
       co_await heartbeat_timer_.async_wait(kAsTuple);
       if (over_) co_return;
       link_.check_heartbeat();
-      if (link_.disconnected()) co_return close();
+      if (!link_.disconnected()) continue;
+      handled_.cancel();
+      co_return close();
     }
   }
 
+  static constexpr int kMostInHub = 256;
+
+  Hub& hub_;
+  int in_hub_ = 0;              // messages that the hub may not have told yet
+  asio::steady_timer handled_;  // wakes who waits until something is
   asio::steady_timer heartbeat_timer_;
   std::chrono::milliseconds heartbeat_check_;
   remote::ProcessLink link_;
@@ -190,8 +227,8 @@ awaitable<void> serve_stream(beast::tcp_stream stream, Upgrade request, StreamTa
   co_await session->run(std::move(request));
 }
 
-awaitable<void> serve_components(beast::tcp_stream stream, Upgrade request, remote::Remotes& remotes) {
-  auto session = std::make_shared<ComponentSession>(std::move(stream), remotes);
+awaitable<void> serve_components(beast::tcp_stream stream, Upgrade request, remote::Remotes& remotes, Hub& hub) {
+  auto session = std::make_shared<ComponentSession>(std::move(stream), remotes, hub);
   co_await session->run(std::move(request));
 }
 

@@ -25,6 +25,6 @@ using Upgrade = http::request<http::string_body>;
 /// Serves one client of the stream until it leaves.
 awaitable<void> serve_stream(beast::tcp_stream stream, Upgrade request, StreamTargets targets);
 /// Serves one process of components until it is lost.
-awaitable<void> serve_components(beast::tcp_stream stream, Upgrade request, remote::Remotes& remotes);
+awaitable<void> serve_components(beast::tcp_stream stream, Upgrade request, remote::Remotes& remotes, Hub& hub);
 
 }  // namespace race::server

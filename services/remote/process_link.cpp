@@ -14,8 +14,8 @@ bool is_of_world(Kind kind) {
 
 }  // namespace
 
-// What the thread of the group needs of a link, which may be destroyed before it. All but `pong_received` and `out`
-// belongs to that thread once the hello is accepted.
+// What the thread of the group needs of a link, which may be destroyed before it. All but `pong_received`, `out`,
+// `unhandled` and `on_handled` belongs to that thread once the hello is accepted.
 struct ProcessLink::Process {
   std::atomic<bool> pong_received{false};                          // since the last ping
   std::shared_ptr<SendQueue> out = std::make_shared<SendQueue>();  // held by the components too
@@ -23,7 +23,26 @@ struct ProcessLink::Process {
   std::vector<std::string> keys;  // in the order of its hello
   RemoteWorld* world = nullptr;   // that it brought
   std::size_t group = 0;
-  std::string fault;  // why nothing that it says counts any more; empty: it counts
+  std::string fault;              // why nothing that it says counts any more; empty: it counts
+  std::atomic<int> unhandled{0};  // messages
+  services::Mutex mutex;
+  std::function<void()> on_handled GUARDED_BY(mutex);
+
+  // A message until it is handled, or dropped.
+  class Unhandled {
+   public:
+    explicit Unhandled(std::shared_ptr<Process> process) : process_(std::move(process)) { ++process_->unhandled; }
+    Unhandled(const Unhandled&) = delete;
+    Unhandled& operator=(const Unhandled&) = delete;
+    ~Unhandled() {
+      --process_->unhandled;
+      const services::MutexLock lock(process_->mutex);
+      if (process_->on_handled) process_->on_handled();
+    }
+
+   private:
+    const std::shared_ptr<Process> process_;
+  };
 
   void send(const Message& message) { out->push(encode(message).value()); }
 
@@ -58,6 +77,7 @@ ProcessLink::ProcessLink(Remotes& remotes) : remotes_(remotes), process_(std::ma
 
 ProcessLink::~ProcessLink() {
   process_->out->on_change({});
+  on_handled({});
   disconnect("its connection has ended");
 }
 
@@ -72,10 +92,18 @@ void ProcessLink::received(EncodedMessage message) {
     }
     return;
   }
-  remotes_.post(process_->group, [process = process_, message = std::move(message)] {
+  auto unhandled = std::make_shared<Process::Unhandled>(process_);
+  remotes_.post(process_->group, [process = process_, message = std::move(message), unhandled = std::move(unhandled)] {
     if (!process->fault.empty()) return;
     if (auto good = process->handle(message); !good) process->refuse(good.error());
   });
+}
+
+bool ProcessLink::is_behind() const { return process_->unhandled > 0; }
+
+void ProcessLink::on_handled(std::function<void()> handled) {
+  const services::MutexLock lock(process_->mutex);
+  process_->on_handled = std::move(handled);
 }
 
 Expected<void> ProcessLink::accept_hello(const EncodedMessage& message) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -26,6 +27,10 @@ class ProcessLink {
   SendQueue& out();
   /// A message came. An invalid one is answered `refused`, and the process is disconnected.
   void received(EncodedMessage message);
+  /// Whether what has come is not handled yet: what the process says meanwhile is to stay in its socket.
+  bool is_behind() const;
+  /// `handled` is called, on any thread, whenever something was handled; not any more when this returns with another.
+  void on_handled(std::function<void()> handled);
   /// To be called kPingsPerHeartbeat times in the time of the heartbeat: sends a ping; disconnects a process that has
   /// answered none of the last kPingsPerHeartbeat.
   void check_heartbeat();

@@ -1,7 +1,8 @@
-"""Clients that flood the stream: the server's memory stays bounded, and others are served meanwhile.
+"""Clients that flood the stream, and processes of services that flood the cores: the server's memory stays bounded, and others are served meanwhile.
 
 RACE_FLOOD says for how many seconds each flood lasts (5).
 """
+import json
 import os
 import re
 import socket
@@ -12,6 +13,7 @@ from pathlib import Path
 
 import models
 from client import Server, Stream
+from component_process import LONG_HEARTBEAT, ComponentClient, service, wait_available
 
 SECONDS = float(os.environ.get("RACE_FLOOD", "5"))
 CEILING = 150e6  # [bytes] that the server may grow by
@@ -26,9 +28,9 @@ def resident(server):
 class Flood(threading.Thread):
     """A client that says what messages() gives, one after the other, and never reads."""
 
-    def __init__(self, server, messages):
+    def __init__(self, stream, messages):
         super().__init__()
-        self.stream = Stream(server.port)
+        self.stream = stream
         self.stream.socket.settimeout(0.2)
         self.messages = messages
         self.said = 0
@@ -76,6 +78,73 @@ def unsubscribe(channel):
     return f'{{"type": "unsubscribe", "channel": "{channel}"}}'
 
 
+def watch(server, floods):
+    """Until they have ended: the most memory that the server had [bytes], the longest answer of its health [s]."""
+    for flood in floods:
+        flood.start()
+    most, slowest = resident(server), 0
+    while any(flood.is_alive() for flood in floods):
+        asked = time.monotonic()
+        server.get("/health", "health")
+        slowest = max(slowest, time.monotonic() - asked)
+        most = max(most, resident(server))
+        time.sleep(0.1)
+    for flood in floods:
+        flood.join()
+        flood.stream.close()
+    return most, slowest
+
+
+class ProcessFlood(unittest.TestCase):
+    """A process of a service says events as fast as it can, to a core that takes each in a macro step of its own."""
+
+    COUNTING = models.document("count", {
+        "state": "Root", "variables": [{"name": "n", "initial": 0}],
+        "actions": [{"when": "svc.display.button", "do": "var.n = var.n + 1"}]}, services={"display": "display"})
+
+    def connect(self, server):
+        client = ComponentClient(server.port)
+        rsm = service(server, "display")["rsm"]
+        client.send_checked({"type": "hello", "protocol": 1, "components": [{"key": "display", "type": "display", "rsm": rsm}]})
+        client.next("welcome")
+        wait_available(server, "display")
+        return client
+
+    def flood(self, paused):
+        server = Server("--remote", "display", *LONG_HEARTBEAT)
+        self.addCleanup(server.process.kill)
+        client = self.connect(server)
+        core = server.core(self.COUNTING)
+        if paused:
+            server.post(f"/cores/{core}/pause")
+        before = resident(server)
+        event = json.dumps({"type": "event", "key": "display", "name": "button",
+                            "data": {"button": "x" * 200, "display": "main"}})
+        process = Flood(client, forever(event))
+        most, slowest = watch(server, [process])
+        info = server.get(f"/cores/{core}", "core")
+        begun = time.monotonic()
+        server.stop()
+        ended = time.monotonic() - begun
+        print(f"{self.id().rpartition('.')[2]}: {process.said} events, +{(most - before) / 1e6:.0f} MB, health within "
+              f"{1000 * slowest:.0f} ms, {info['status']} at {info['step']}, {info['waiting']} wait, ends in {ended:.1f} s", flush=True)
+        self.assertGreater(process.said, 10_000, "that is no flood")
+        self.assertLess(most - before, CEILING)
+        self.assertLess(ended, 5)
+        return info
+
+    def test_a_core_that_runs_keeps_up_or_is_interrupted(self):
+        info = self.flood(paused=False)
+        self.assertGreater(info["step"], 1000)
+        if info["status"] == "interrupted":
+            self.assertEqual(info["interruption"]["reason"], "overload")
+
+    def test_a_core_that_is_paused_is_interrupted(self):
+        info = self.flood(paused=True)
+        self.assertEqual((info["status"], info["interruption"]["reason"]), ("interrupted", "overload"))
+        self.assertLessEqual(info["waiting"], 10_000)
+
+
 class FloodTest(unittest.TestCase):
     def flood(self, messages, clients=2):
         """How many messages were said while the server stayed within its bounds."""
@@ -83,19 +152,8 @@ class FloodTest(unittest.TestCase):
             large = models.storing("large")
             core = server.core(large, {"value": ["x" * 1000] * 300}, start=False)
             before = resident(server)
-            floods = [Flood(server, messages(core, i)) for i in range(clients)]
-            for flood in floods:
-                flood.start()
-            most, slowest = before, 0
-            while any(flood.is_alive() for flood in floods):
-                asked = time.monotonic()
-                server.get("/health", "health")
-                slowest = max(slowest, time.monotonic() - asked)
-                most = max(most, resident(server))
-                time.sleep(0.1)
-            for flood in floods:
-                flood.join()
-                flood.stream.close()
+            floods = [Flood(Stream(server.port), messages(core, i)) for i in range(clients)]
+            most, slowest = watch(server, floods)
             said = sum(flood.said for flood in floods)
             print(f"{self.id().rpartition('.')[2]}: {said} messages, +{(most - before) / 1e6:.0f} MB, "
                   f"health within {1000 * slowest:.0f} ms", flush=True)

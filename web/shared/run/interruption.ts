@@ -29,6 +29,13 @@ export function interruptionText(core: Core): InterruptionText | undefined {
       holds: "It is as its journal says. Open calls were answered `unavailable`; none is sent again. Nothing moves until someone resumes, steps or stops it.",
     };
   }
+  if (core.interruption?.reason === "overload") {
+    return {
+      title: `Run ${core.id} is interrupted: more inputs waited than the server keeps`,
+      happened,
+      holds: "It is as its journal says; the inputs that waited are gone. Open calls were answered `unavailable`; none is sent again. Nothing moves until someone resumes, steps or stops it.",
+    };
+  }
   return {
     title: `Run ${core.id} is interrupted: the server ended and was started again`,
     happened,

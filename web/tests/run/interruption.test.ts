@@ -39,6 +39,11 @@ describe("interruptionText", () => {
     expect(text?.title).toContain("a step of it failed");
     expect(text?.happened).toBe("no memory");
   });
+  it("says of too many inputs that they are gone", () => {
+    const text = interruptionText({ ...core, interruption: { reason: "overload", message: "more wait" } });
+    expect(text?.title).toContain("more inputs waited");
+    expect(text?.holds).toContain("the inputs that waited are gone");
+  });
 });
 
 describe("interruptedElsewhere", () => {

@@ -244,6 +244,24 @@ TEST_F(RemotesTest, AnAnswerOfThoseBeforeIsNotHeard) {
   EXPECT_THAT(seen.all(), ElementsAre("1 burn !> unavailable", "2 on -> null", "lit -> 1"));
 }
 
+TEST_F(RemotesTest, TellsWhenWhatAProcessSaidIsHandledOrDropped) {
+  Process process(remotes);
+  process.hello();
+  ASSERT_TRUE(until({&process}, [&] { return process.welcome; }));
+  std::atomic<int> handled{0};
+  process.link.on_handled([&] { ++handled; });
+  Message pong;
+  pong.kind = Kind::pong;
+  process.link.received(encode(pong).value());
+  while (process.link.is_behind()) std::this_thread::yield();
+  while (handled == 0) std::this_thread::yield();
+  remotes.stop();
+  process.link.received(encode(pong).value());
+  EXPECT_FALSE(process.link.is_behind());
+  EXPECT_EQ(handled, 2);
+  process.link.on_handled({});
+}
+
 TEST_F(RemotesTest, WhoAnswersNoPingIsLost) {
   Process process(remotes);
   greet(process);
