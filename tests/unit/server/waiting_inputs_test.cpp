@@ -30,6 +30,7 @@ struct WaitingInputsOfCores : HostedCores {
     delivery.key = "t";
     delivery.name = event;
     delivery.data = data;
+    delivery.data.freeze();
     for (std::size_t i = 0; i < times; ++i) core.deliver(delivery);
   }
   static std::int64_t waiting(const Value& info) { return info.find("waiting")->as_integer(); }
