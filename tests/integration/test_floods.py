@@ -1,4 +1,5 @@
-"""Clients that flood the stream, and processes of services that flood the cores: the server's memory stays bounded, and others are served meanwhile.
+"""Clients that flood the stream, and processes of services that flood the cores: the server's memory stays bounded, and
+others are served meanwhile.
 
 RACE_FLOOD says for how many seconds each flood lasts (5).
 """
