@@ -53,6 +53,7 @@ const Progress& Execution::begin_with(Run&& run, std::optional<JournalEntry> ent
   }
   open_ = true;
   recording_ = recording;
+  progress_.untold = false;
   progress_.entry = std::move(entry);
   progress_.position = run_.position();
   progress_.micro = 0;

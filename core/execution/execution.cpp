@@ -21,8 +21,14 @@ Expected<Execution> Execution::create(const JournalHeader& header) {
   return execution;
 }
 
-// What has come of the micro steps leaves the run.
 inline const Progress& Execution::finish() {
+  progress_.untold = open_ && recording_.whole && !progress_.reached_goal;
+  return progress_.untold ? progress_ : tell_part();
+}
+
+// What has come of the micro steps leaves the run.
+inline const Progress& Execution::tell_part() {
+  progress_.untold = false;
   run_.take_output(progress_.calls, progress_.printed);
   for (std::string& text : progress_.printed)
     if (text.ends_with('\n')) text.pop_back();
@@ -97,20 +103,27 @@ const Progress& Execution::begin(std::optional<Input>&& input, Recording recordi
   assert(!open_ && !is_over());
   open_ = true;
   recording_ = recording;
+  progress_.untold = false;
   run_.begin(std::move(input));
   progress_.position = run_.position();
   progress_.micro = 0;
   return continue_step(limit);
 }
 
-const Progress& Execution::continue_step(std::uint32_t limit) {
-  assert(open_ && (limit > 0 || progress_.micro == 0));
+inline void Execution::begin_part() {
+  progress_.complete = progress_.reached_goal = false;
+  if (progress_.untold) return;  // it is one with those before
   progress_.first = progress_.micro;
   progress_.edited = false;
-  progress_.complete = progress_.reached_goal = false;
   progress_.derivation.reset();
+}
+
+const Progress& Execution::continue_step(std::uint32_t limit) {
+  assert(open_ && (limit > 0 || progress_.micro == 0));
+  begin_part();
   if (recording_.derivation) {
     semantics::TreeRecorder trees;
+    if (progress_.derivation) trees.derivation = std::move(*progress_.derivation);
     do_micro_steps(trees, limit);
     progress_.derivation = std::move(trees.derivation);
   } else if (order_.is_declared() && run_.state().forced == semantics::kNoPort) {

@@ -25,6 +25,9 @@ namespace race::execution {
 struct Recording {
   bool entry = true;        // its entry of the journal
   bool derivation = false;  // the trees of its micro steps
+  /// Parts of it are not told one by one: what comes of them is one progress, when the macro step is over, a goal is
+  /// reached, or somebody asks (tell_part()). Then a macro step that is given up before has told nobody anything.
+  bool whole = false;
 };
 
 /// What came of a macro step, or of a part of one. Calls and prints are in the order in which they were made.
@@ -39,6 +42,7 @@ struct Progress {
   std::optional<semantics::Derivation> derivation = {};  // of the micro steps of this part
   bool edited = false;    // the model is another one than in the part before: `delta` says nothing, watch() all
   bool complete = false;  // the macro step is over
+  bool untold = false;    // parts of it are done; only `position`, `first` and `micro` say something yet
   bool reached_goal = false;
 };
 
@@ -90,6 +94,9 @@ class Execution {
   Expected<const Progress*> force(const semantics::Force& force, Recording recording, std::uint32_t limit = kNoLimit);
   /// The open macro step goes on.
   const Progress& continue_step(std::uint32_t limit = kNoLimit);
+  /// What came of the parts of the open macro step that are untold. Requires that some are.
+  const Progress& tell_part();
+  bool has_untold() const { return open_ && progress_.untold; }
   /// Ends the run between macro steps (core/SEMANTICS.md section 10): no exit function runs, what is safe is called.
   const Progress& abort();
   /// A macro step has begun and is not over.
@@ -132,6 +139,7 @@ class Execution {
   void do_micro_steps(R& recorder, std::uint32_t limit);
   bool after_micro_step();
   bool reaches_goal();
+  void begin_part();
   const Progress& finish();
 
   semantics::Run run_;

@@ -50,6 +50,18 @@ struct InputWriter {
   }
 };
 
+Dict budgets_json(const semantics::Budgets& budgets) {
+  Dict json{{"steps", integer(budgets.evaluation.steps)},
+            {"value_units", integer(budgets.evaluation.value_units)},
+            {"micro_steps", integer(budgets.micro_steps)}};
+  if (budgets.is_earlier) return json;
+  json.set("work", integer(budgets.work));
+  json.set("calls", integer(budgets.calls));
+  json.set("output_units", integer(budgets.output_units));
+  json.set("data_units", integer(budgets.data_units));
+  return json;
+}
+
 Dict script_step(const JournalEntry& entry) {
   if (const auto* event = std::get_if<EventEntry>(&entry)) return {{"events", List{event_json(*event)}}};
   if (const auto* response = std::get_if<ResponseEntry>(&entry)) return {{"responses", List{response_json(*response)}}};
@@ -61,14 +73,11 @@ Dict script_step(const JournalEntry& entry) {
 }  // namespace
 
 Value header_json(const JournalHeader& header) {
-  const semantics::Budgets& budgets = header.budgets;
   return Dict{{"native", header.native},
               {"arguments", header.arguments},
               {"services", interfaces_json(*header.program)},
               {"semantics", kSemanticsVersion},
-              {"budgets", Dict{{"steps", integer(budgets.evaluation.steps)},
-                               {"value_units", integer(budgets.evaluation.value_units)},
-                               {"micro_steps", integer(budgets.micro_steps)}}}};
+              {"budgets", budgets_json(header.budgets)}};
 }
 
 Value input_json(const JournalEntry& entry) { return std::visit(InputWriter{}, entry); }

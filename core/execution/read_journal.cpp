@@ -43,6 +43,14 @@ semantics::Budgets read_budgets(Fields& header, Errors& errors) {
   Fields fields(*json, "header/budgets", "budgets", errors, kByField);
   const auto steps = read_count(fields, "steps"), units = read_count(fields, "value_units"),
              micro_steps = read_count(fields, "micro_steps", std::numeric_limits<std::uint32_t>::max());
+  // A header of an earlier version has none of these: the run has those of this version.
+  budgets.is_earlier = !fields.find("work");
+  if (!budgets.is_earlier) {
+    budgets.work = read_count(fields, "work").value_or(0);
+    budgets.calls = read_count(fields, "calls").value_or(0);
+    budgets.output_units = read_count(fields, "output_units").value_or(0);
+    budgets.data_units = read_count(fields, "data_units").value_or(0);
+  }
   fields.close();
   budgets.evaluation = {steps.value_or(0), units.value_or(0)};
   budgets.micro_steps = static_cast<std::uint32_t>(micro_steps.value_or(0));

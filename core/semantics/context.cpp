@@ -1,5 +1,9 @@
 #include "core/semantics/context.h"
 
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
 #include "core/semantics/work_set.h"
 
 namespace race::semantics {
@@ -11,6 +15,8 @@ RunState::RunState(const Program& program)
       live(program.states.size()),
       arrivals(program.barriers.size(), 0),
       work_set(program.states.size()),
+      value_units(program.initial_units),
+      data_units(std::accumulate(value_units.begin(), value_units.end(), std::uint64_t{0})),
       event_data(program.services.events().size(), Value::unknown()),
       event_tick(program.services.events().size(), 0),
       response_tick(program.services.operations().size(), 0),
@@ -70,7 +76,28 @@ bool is_touched(const RunState& run, const Program& program, StateId s) {
 
 }  // namespace
 
+void count_data(RunState& run, const ValueLog& log, std::vector<ValueIndex>& changed) {
+  changed.clear();
+  for (const auto& [at, before] : log)
+    if (holds_data(before) || holds_data(run.values[at])) changed.push_back(at);
+  if (changed.empty()) return;
+  std::ranges::sort(changed);
+  const auto repeated = std::ranges::unique(changed);
+  changed.erase(repeated.begin(), repeated.end());
+  for (const ValueIndex at : changed) {
+    const Value& now = run.values[at];
+    const std::uint32_t units = data_units(now);
+    run.data_units += units;
+    run.data_units -= std::exchange(run.value_units[at], units);
+  }
+}
+
 void fill_lists(RunState& run, const Program& program) {
+  run.data_units = 0;
+  for (std::size_t at = 0; at < run.values.size(); ++at) {
+    run.value_units[at] = data_units(run.values[at]);
+    run.data_units += run.value_units[at];
+  }
   for (std::uint32_t number = 0; number < program.states.size(); ++number) {
     const StateId s{number}, parent = program[s].parent;
     if (!run.flags[program.flag(s)]) continue;

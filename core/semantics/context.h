@@ -93,7 +93,9 @@ struct RunState {
   // state would take an SProp without effect.
   StateSet work_set;
   std::uint32_t active_states = 0;
-  bool small_budget = false;  // even a short condition may exceed it: all are evaluated
+  std::vector<std::uint32_t> value_units;  // of the strings, lists and dicts in `values`; 0 of all else
+  std::uint64_t data_units = 0;            // their sum
+  bool small_budget = false;               // even a short condition may exceed it: all are evaluated
 
   // Σ
   std::uint64_t epoch = 1;  // the present macro step
@@ -118,6 +120,9 @@ struct RunState {
 /// too of its descendants. `log` takes the old values.
 using ValueLog = std::vector<std::pair<ValueIndex, Value>>;
 void reset_values(RunState& run, const Program& program, StateId s, ValueLog& log);
+
+/// Counts the strings, lists and dicts that the changes in `log` have put in place of others. `changed` is emptied.
+void count_data(RunState& run, const ValueLog& log, std::vector<ValueIndex>& changed);
 
 /// Fills in what follows from Φ, the values and the arrivals that stand in `run`: its lists and counts. Every active
 /// state is in the work set, to be evaluated anew: with unchanged data that has no effect. Requires that the run is

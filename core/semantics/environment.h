@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/language/interface/environment.h"
+#include "core/semantics/budgets.h"
 #include "core/semantics/context.h"
 #include "core/semantics/evaluation_record.h"
 
@@ -21,7 +22,9 @@ struct BufferedCall {
 
 class StepEnvironment final : public language::Environment {
  public:
-  StepEnvironment(const Program& program, RunState& run, ValueLog& log) : program_(program), run_(run), log_(log) {
+  /// `the_budgets` outlive this.
+  StepEnvironment(const Program& program, RunState& run, ValueLog& log, const Budgets& the_budgets)
+      : budgets(the_budgets), program_(program), run_(run), log_(log) {
     attach();
   }
 
@@ -42,8 +45,17 @@ class StepEnvironment final : public language::Environment {
   void write(ValueIndex at, Value value) override;
   void call(OperationId operation, std::string_view service, std::string_view name, List args, Dict kwargs) override;
   const language::ServiceTable& services() const override { return program_.services; }
-  void print(std::string text) override { printed.push_back(std::move(text)); }
+  void print(std::string text) override {
+    use.output_units += text.size() + 1;
+    printed.push_back(std::move(text));
+  }
 
+  /// Adds what a function that completed has done to `use`: its `work` and its calls. The budget of the macro step that
+  /// is exceeded then, if one is, as a fault's message; empty otherwise.
+  std::string take_use(std::uint64_t work);
+
+  const Budgets& budgets;
+  MacroStepUse use;                  // of this macro step
   std::vector<BufferedCall> calls;   // of the function that is being evaluated
   std::vector<std::string> printed;  // by functions of this macro step, for people
   EvaluationRecord evaluation;       // of the last evaluation; without a trace, of its calls alone

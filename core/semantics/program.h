@@ -19,6 +19,13 @@
 
 namespace race::semantics {
 
+/// Whether a value counts in the data of a run (Budgets::data_units): a string, list or dict.
+inline bool holds_data(const Value& v) { return v.kind() >= Value::Kind::string; }
+/// What it counts.
+inline std::uint32_t data_units(const Value& v) {
+  return holds_data(v) ? static_cast<std::uint32_t>(v.size_units()) : 0;
+}
+
 enum class StateId : std::uint32_t {};
 enum class BarrierId : std::uint32_t {};
 enum class PortId : std::uint32_t {};
@@ -167,6 +174,7 @@ class Program {
   std::vector<PortInfo> ports;  // of one state together, siblings in order
   std::vector<ActionInfo> actions;
   std::vector<Value> initial;                             // by ValueIndex; unknown = has no value
+  std::vector<std::uint32_t> initial_units;               // data_units() of each
   std::vector<std::uint8_t> value_readers, flag_readers;  // Reader bits
   std::vector<StateId> value_owner;                       // whose parameter, result or variable it is
   language::ServiceTable services;

@@ -28,6 +28,7 @@ class Layout {
     p_.ids.values.add(id);
     p_.initial.push_back(initial ? *initial : Value::unknown());
     p_.initial.back().freeze();
+    p_.initial_units.push_back(data_units(p_.initial.back()));
     p_.value_owner.push_back(owner);
     return static_cast<ValueIndex>(p_.initial.size() - 1);
   }

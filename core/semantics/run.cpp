@@ -70,6 +70,10 @@ bool Run::micro_step(R& recorder, const Order& order) {
   Body& b = *body_;
   assert(order.fits(*b.program) && (R::kVisitsAll || order.is_declared()));
   if (b.status != Status::running) return false;
+  if (b.budgets.evaluation.is_told_to_stop()) [[unlikely]] {
+    fail_at_root(language::FaultKind::budget, "told to stop");
+    return false;
+  }
   const bool reevaluates_all = R::kReevaluatesAll || (R::kVisitsAll && !order.is_declared());
   if (!reevaluates_all && b.state.started && b.state.work_set.empty()) return false;  // OPTIMIZATION: it is idle
   b.work.log.clear();
@@ -82,6 +86,7 @@ bool Run::micro_step(R& recorder, const Order& order) {
       recorder.discard(mark);
       return false;
     }
+    if (!b.work.log.values.empty()) count_data(b.state, b.work.log.values, b.work.changed);
   } catch (const FaultSignal& signal) {
     recorder.discard(mark);
     b.environment.calls.clear();
@@ -90,7 +95,14 @@ bool Run::micro_step(R& recorder, const Order& order) {
   }
   if (++b.micro_steps > b.budgets.micro_steps) {
     recorder.discard(mark);
-    fail_by_divergence();
+    fail_at_root(language::FaultKind::divergence,
+                 "more than " + std::to_string(b.budgets.micro_steps) + " micro steps in one macro step");
+    return false;
+  }
+  if (b.state.data_units > b.budgets.data_units) [[unlikely]] {
+    recorder.discard(mark);
+    fail_at_root(language::FaultKind::budget,
+                 "the values of the run have more than " + std::to_string(b.budgets.data_units) + " units");
     return false;
   }
   recorder.complete_micro_step(mark);
@@ -130,12 +142,8 @@ void Run::fail(RunFault fault) {
   body_->make_safe_calls(safe_calls());
 }
 
-void Run::fail_by_divergence() {
-  const std::uint32_t budget = body_->budgets.micro_steps;
-  fail({language::FaultKind::divergence,
-        program()[Program::root].path,
-        "more than " + std::to_string(budget) + " micro steps in one macro step",
-        {}});
+void Run::fail_at_root(language::FaultKind kind, std::string message) {
+  fail({kind, program()[Program::root].path, std::move(message), {}});
 }
 
 void Run::abort() {

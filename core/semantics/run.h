@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/language/evaluate/explain.h"
-#include "core/language/evaluate/interpreter.h"
+#include "core/semantics/budgets.h"
 #include "core/semantics/carry_over.h"
 #include "core/semantics/context.h"
 #include "core/semantics/force.h"
@@ -32,12 +32,6 @@ struct RunFault {
   std::string at;
   std::string message;
   SourceRange where;
-};
-
-/// What bounds a run (header of the journal, section 10).
-struct Budgets {
-  language::Interpreter::Limits evaluation;
-  std::uint32_t micro_steps = 10'000;  // of one macro step; one more is a divergence
 };
 
 /// What is wrong with `arguments` for the parameters of the root, by name, each at `arguments/NAME`: `unknown_name` for
@@ -124,6 +118,9 @@ class Run {
   /// of what is in `calls` and `printed`.
   void take_output(std::vector<OutgoingCall>& calls, std::vector<std::string>& printed);
 
+  /// Units (Value::size_units) of what it keeps of inputs: the newest data of each event, and the responses that count.
+  std::uint64_t service_data_units() const;
+
   const Program& program() const;
   const RunState& state() const;
   /// Active nodes, ports, arrivals and values: the `state` of core/SEMANTICS.md section 7.
@@ -159,7 +156,7 @@ class Run {
   void complete_micro_step();
   void end();
   void fail(RunFault fault);
-  void fail_by_divergence();
+  void fail_at_root(language::FaultKind kind, std::string message);
   std::unique_ptr<Body> body_;
 };
 

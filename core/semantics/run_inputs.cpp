@@ -63,6 +63,14 @@ std::vector<std::uint64_t> Run::unanswered_calls(std::optional<std::string_view>
   return unanswered;
 }
 
+std::uint64_t Run::service_data_units() const {
+  std::uint64_t units = 0;
+  for (const Value& data : body_->state.event_data) units += data.size_units();
+  for (const auto& records : body_->state.calls)
+    for (const CallRecord& record : records) units += record.response.size_units();
+  return units;
+}
+
 // Macro (4.19): the snapshot, then quiescence (Run::quiesce).
 //
 //   Σ' = Ω if updated(Ω,Σ), else Σ    Σ' ⊢ Δ ⟹↓ε Δ',Ω'
@@ -75,6 +83,7 @@ void Run::begin(std::optional<Input>&& input) {
   RunState& run = body_->state;
   const Program& program = *body_->program;
   body_->micro_steps = 0;
+  body_->environment.use = {};
   ++body_->position;
   run.forced = kNoPort;
   if (!input) return;

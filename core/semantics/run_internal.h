@@ -17,13 +17,13 @@ struct Run::Body {
       : program(std::move(p)),
         budgets(b),
         state(*program),
-        environment(*program, state, work.log.values),
+        environment(*program, state, work.log.values, budgets),
         interpreter(b.evaluation) {}
   Body(const Body& other)
       : program(other.program),
         budgets(other.budgets),
         state(other.state),
-        environment(*program, state, work.log.values),
+        environment(*program, state, work.log.values, budgets),
         interpreter(other.budgets.evaluation),
         arguments(other.arguments),
         status(other.status),
@@ -31,7 +31,9 @@ struct Run::Body {
         fault(other.fault),
         outgoing(other.outgoing),
         micro_steps(other.micro_steps),
-        position(other.position) {}
+        position(other.position) {
+    environment.use = other.environment.use;
+  }
   Body& operator=(const Body&) = delete;
 
   void make_safe_calls(std::vector<OutgoingCall> calls) {

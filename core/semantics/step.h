@@ -80,12 +80,18 @@ class Step : public StepContext {
     environment.enter(s, false);
     auto value = interpreter_.expression(expression, environment);
     if (!value) raise_fault(owner);
+    if ((environment.use.work += interpreter_.work()) > environment.budgets.work) [[unlikely]]
+      raise_over_budget(environment.take_use(0), owner);
     return std::move(*value);
   }
 
   [[noreturn]] void raise(language::Fault fault, StateId s) { throw FaultSignal{std::move(fault), program.flag(s)}; }
   /// The fault that the last evaluation, in the scope of `s`, ended with.
   [[noreturn, gnu::noinline, gnu::cold]] void raise_fault(StateId s) { raise(interpreter_.fault(), s); }
+  /// A budget of the macro step is exceeded.
+  [[noreturn, gnu::noinline, gnu::cold]] void raise_over_budget(std::string message, StateId s) {
+    raise({language::FaultKind::budget, std::move(message), {}}, s);
+  }
   /// R4: an entry or exit function of `s` was unmet.
   [[noreturn, gnu::noinline, gnu::cold]] void raise_unmet(StateId s) {
     language::Fault fault = interpreter_.fault();
@@ -106,13 +112,20 @@ bool Step<R>::execute(const Code& function, StateId s) {
   environment.enter(s, true);
   environment.calls.clear();
   environment.evaluation.clear();
-  const std::size_t before = work.log.values.size();
+  const std::size_t before = work.log.values.size(), printed_before = environment.printed.size();
+  const std::uint64_t output_before = environment.use.output_units;
   const auto outcome = interpreter_.function(function, environment);
   if (outcome == language::Interpreter::Outcome::fault) raise_fault(s);
-  if (outcome == language::Interpreter::Outcome::done) return true;
+  if (outcome == language::Interpreter::Outcome::done) {
+    if (std::string over = environment.take_use(interpreter_.work()); !over.empty()) [[unlikely]]
+      raise_over_budget(std::move(over), s);
+    return true;
+  }
   for (ValueLog& log = work.log.values; log.size() > before; log.pop_back())
     run.values[log.back().first] = std::move(log.back().second);
   environment.calls.clear();
+  environment.printed.resize(printed_before);
+  environment.use.output_units = output_before;
   return false;
 }
 

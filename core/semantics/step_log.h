@@ -58,6 +58,7 @@ struct StepLog {
 struct Workspace {
   StepLog log;
   std::vector<OutgoingCall> outgoing;  // of the micro step
+  std::vector<ValueIndex> changed;     // values, for count_data()
   std::vector<PortId> ports;           // the list of a PTrans1
   std::vector<BarrierId> barriers;     // the list of a PTrans2
 };

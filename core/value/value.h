@@ -94,6 +94,10 @@ class Value {
   /// An int or a double as a double. Requires is_numeric().
   double to_double() const noexcept { return is_integer() ? static_cast<double>(as_integer()) : as_number(); }
 
+  /// Whether a change in place copies first: something else holds the list or dict, too, or it is frozen. Requires a
+  /// list, dict or string.
+  bool is_shared() const noexcept { return heap()->frozen || heap()->references != 1; }
+
   // For changing in place: copies first if the value is shared. Each requires its kind. The reference is good
   // until this value is copied again.
   List& mutable_list();

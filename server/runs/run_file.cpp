@@ -129,7 +129,8 @@ std::vector<Sample> read_samples(Fields& file, Errors& errors) {
 Expected<void> check_budgets(const semantics::Budgets& budgets) {
   const semantics::Budgets ours;
   if (budgets.micro_steps <= ours.micro_steps && budgets.evaluation.steps <= ours.evaluation.steps &&
-      budgets.evaluation.value_units <= ours.evaluation.value_units)
+      budgets.evaluation.value_units <= ours.evaluation.value_units && budgets.work <= ours.work &&
+      budgets.calls <= ours.calls && budgets.output_units <= ours.output_units && budgets.data_units <= ours.data_units)
     return {};
   return unexpected(ErrorCode::out_of_range, "the budgets are beyond those of this server", "journal/header/budgets");
 }

@@ -1,5 +1,6 @@
 // Execution of assignments: targets, places and changes in place.
 #include "core/language/evaluate/machine_internal.h"
+#include "core/language/values/work.h"
 
 namespace race::language {
 
@@ -113,8 +114,9 @@ bool Machine::augmented(BinaryOperator op, Value& value, const Value& by, int le
   }
   const Value items = elements(context_, by);
   if (context_.failed) return false;
-  List& list = value.mutable_list();
-  list.insert(list.end(), items.as_list().begin(), items.as_list().end());
+  List* list = changeable_list(context_, value);
+  if (!list || !context_.charge(work::elements(items.as_list().size()))) return false;
+  list->insert(list->end(), items.as_list().begin(), items.as_list().end());
   return check_growth(context_, value, items, levels);
 }
 

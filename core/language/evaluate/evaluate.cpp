@@ -14,7 +14,7 @@ inline void Machine::begin(const Program& program, Environment& environment, boo
   nodes_ = program.nodes.data();
   constants_ = program.constants.data();
   environment_ = &environment;
-  budget_left_ = is_told_to_stop() ? 0 : static_cast<std::int64_t>(limits_.steps);
+  context_.left = is_told_to_stop() ? 0 : static_cast<std::int64_t>(limits_.steps);
   strict_ = strict;
   stopped_ = false;
   context_.failed = false;
@@ -24,12 +24,14 @@ inline void Machine::begin(const Program& program, Environment& environment, boo
 
 // OPTIMIZATION: reading a leaf takes a unit of the budget without a check, so an evaluation checks again at its end.
 inline bool Machine::over_budget() {
-  if (budget_left_ < 0) fail_over_budget(program_->root);
+  if (context_.left < 0) fail_over_budget(program_->root);
   return stopped_;
 }
 
 void Machine::fail_over_budget(NodeId id) {
-  if (!stopped_) fail(FaultKind::budget, "more than " + std::to_string(limits_.steps) + " steps", id);
+  if (stopped_) return;
+  context_.fail_over_budget();
+  locate_fault(id);
 }
 
 Truth Machine::condition(const Program& program, Environment& environment) {
@@ -125,7 +127,7 @@ const Value& Machine::evaluate(NodeId id, Value& out) {
     case Opcode::dynamic_response:
       return dynamic_response(n, id);
     case Opcode::collection:
-      return collection(n, out);
+      return collection(n, id, out);
     case Opcode::field:
       return field(n, id, out);
     case Opcode::index:

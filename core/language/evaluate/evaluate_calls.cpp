@@ -27,7 +27,9 @@ bool Machine::arguments(const std::uint32_t* run, std::size_t count) {
 const Value& Machine::function_call(const Node& n, NodeId id, Value& out) {
   const ArgumentScope scope(stack_);
   if (!arguments(program_->run(n), n.count)) return kUnknown;
-  return checked(program_->functions[n.b]->compute(context_, scope.arguments()), id, out);
+  const Function& function = *program_->functions[n.b];
+  if (!context_.charge(function.work)) return locate_fault(id);
+  return checked(function.compute(context_, scope.arguments()), id, out);
 }
 
 const Value& Machine::invalid_call(const Node& n, NodeId id) {
@@ -45,10 +47,7 @@ const Method::Overload* Machine::find_overload(const Method& method, const Value
          "'" + std::string(type_name(object)) + "' object has no method '" + std::string(method.name) + "'", id);
     return nullptr;
   }
-  const Signature known = signature(overload->parameters);
-  std::size_t required = 0;
-  for (const Signature::Parameter& p : known.parameters) required += p.required ? 1 : 0;
-  if (given < required || (given > known.parameters.size() && !known.variadic)) {
+  if (given < overload->required || given > overload->most) {
     fail(FaultKind::type, std::string(method.name) + "() takes another number of arguments", id);
     return nullptr;
   }

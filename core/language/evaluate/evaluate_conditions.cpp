@@ -25,22 +25,22 @@ Truth Machine::test(NodeId id) {
     case Opcode::greater_equal:
     case Opcode::equal:
     case Opcode::not_equal:
-      --budget_left_;
-      if (is_told_to_stop()) return budget_left_ = -1, Truth::unknown;  // the end of the evaluation sees it
+      --context_.left;
+      if (is_told_to_stop()) return context_.left = -1, Truth::unknown;  // the end of the evaluation sees it
       return compare_node(n, id);
     case Opcode::logical_and:
-      --budget_left_;
+      --context_.left;
       return all_of(n);
     case Opcode::logical_or:
-      --budget_left_;
+      --context_.left;
       return any_of(n);
     case Opcode::logical_not: {
-      --budget_left_;
+      --context_.left;
       const Truth t = test(n.a);
       return t == Truth::yes ? Truth::no : t == Truth::no ? Truth::yes : t;
     }
     case Opcode::flag:
-      --budget_left_;
+      --context_.left;
       return environment_->flags[n.a] != 0 ? Truth::yes : Truth::no;
     default: {
       Value out;
@@ -78,7 +78,7 @@ Truth Machine::any_of(const Node& n) {
 Truth Machine::test_traced(NodeId id) {
   const Node& n = nodes_[id];
   if (n.op == Opcode::logical_not) {
-    --budget_left_;
+    --context_.left;
     const Truth t = test_traced(n.a);
     return t == Truth::yes ? Truth::no : t == Truth::no ? Truth::yes : t;
   }
@@ -87,7 +87,7 @@ Truth Machine::test_traced(NodeId id) {
     if (t != Truth::fault) environment_->trace->atom(n.service, t, program_->range(id));
     return t;
   }
-  --budget_left_;
+  --context_.left;
   const Truth decides = n.op == Opcode::logical_and ? Truth::no : Truth::yes;
   Truth result = decides == Truth::no ? Truth::yes : Truth::no;
   const std::uint32_t* parts = program_->run(n);

@@ -1,6 +1,7 @@
 // Evaluation of lists, dicts, strings and their parts.
 #include "core/language/evaluate/machine_internal.h"
 #include "core/language/values/printing.h"
+#include "core/language/values/work.h"
 
 namespace race::language {
 
@@ -51,6 +52,7 @@ const Value& Machine::slice(const Node& n, NodeId id, Value& out) {
 
 const Value& Machine::list(const Node& n, NodeId id, Value& out) {
   const std::uint32_t* run = program_->run(n);
+  if (!context_.charge(work::made(1))) return locate_fault(id);
   List items;
   items.reserve(n.count);
   bool any_unknown = false;
@@ -71,6 +73,7 @@ const Value& Machine::list(const Node& n, NodeId id, Value& out) {
 
 const Value& Machine::dict(const Node& n, NodeId id, Value& out) {
   const std::uint32_t* run = program_->run(n);
+  if (!context_.charge(work::made(1))) return locate_fault(id);
   Dict entries;
   bool any_unknown = false;
   for (std::size_t i = 0; i < n.count; i += 2) {
@@ -83,6 +86,7 @@ const Value& Machine::dict(const Node& n, NodeId id, Value& out) {
     any_unknown = any_unknown || key.is_unknown() || item.is_unknown();
     if (any_unknown) continue;
     if (!key.is_string()) return fail(FaultKind::type, "keys of a dict must be str", run[i]);
+    if (!context_.charge(work::sets(1) + work::block(key.as_string().size()))) return locate_fault(run[i]);
     entries.set(key, item);
   }
   if (any_unknown) return kUnknown;
@@ -90,9 +94,11 @@ const Value& Machine::dict(const Node& n, NodeId id, Value& out) {
 }
 
 // par, res, var as a whole: a copy of the values that are set
-const Value& Machine::collection(const Node& n, Value& out) {
+const Value& Machine::collection(const Node& n, NodeId id, Value& out) {
+  const auto& slots = program_->collections[n.a].entries;
+  if (!context_.charge(work::sets(slots.size()))) return locate_fault(id);
   Dict entries;
-  for (const auto& [name, slot] : program_->collections[n.a].entries) {
+  for (const auto& [name, slot] : slots) {
     const Value& v = environment_->values[slot];
     if (!v.is_unknown()) entries.set(constants_[name], v);
   }
@@ -101,6 +107,7 @@ const Value& Machine::collection(const Node& n, Value& out) {
 }
 
 const Value& Machine::comprehension(const Node& n, NodeId id, Value& out) {
+  if (!context_.charge(work::made(1))) return locate_fault(id);
   List made;
   bool any_unknown = false;
   if (!clause(n, 0, made, any_unknown)) return kUnknown;
@@ -146,8 +153,11 @@ const Value& Machine::fstring(const Node& n, NodeId id, Value& out) {
     const Value& v = evaluate(run[i], part);
     if (stopped_) return kUnknown;
     any_unknown = any_unknown || v.is_unknown();
-    if (!any_unknown) text += v.as_string();
-    if (!check_units(context_, text.size())) return locate_fault(id);
+    if (any_unknown) continue;
+    if (!check_units(context_, text.size() + v.as_string().size()) ||
+        !context_.charge(2 * work::block(v.as_string().size())))
+      return locate_fault(id);
+    text += v.as_string();
   }
   if (any_unknown) return kUnknown;
   out = Value(std::move(text));
@@ -165,6 +175,7 @@ const Value& Machine::format(const Node& n, NodeId id, Value& out) {
   const auto conversion = static_cast<char>(n.c);
   Value shown = v;
   if (conversion != 0) {
+    if (!charge_printing(context_, v)) return locate_fault(id);
     shown = Value(conversion == 's' ? str(v) : repr(v));
     if (conversion == 'a') shown = Value(ascii(shown.as_string()));
   }

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/language/evaluate/machine_internal.h"
+#include "core/language/values/work.h"
 
 namespace race::language {
 
@@ -108,7 +109,7 @@ Machine::Flow Machine::for_loop(const Node& n, NodeId id) {
 
 // OPTIMIZATION: `for i in range(...)` counts without a list; the limits of a list apply all the same.
 Machine::Flow Machine::for_range(const Node& n, const Node& range) {
-  --budget_left_;
+  --context_.left;
   std::optional<Range> counted;
   {
     const ArgumentScope scope(stack_);
@@ -148,6 +149,7 @@ Machine::Flow Machine::call_service(const Node& n, NodeId id) {
   const Value& service = site.service == kNone ? constants_[site.service_name] : evaluate(site.service, service_out);
   if (stopped_) return Flow::halt;
   if (!service.is_string()) return fail(FaultKind::type, "the name of a service must be str", id), Flow::halt;
+  if (!context_.charge(2 * work::made(1))) return locate_fault(id), Flow::halt;
   const std::string& name = constants_[site.name].as_string();
   const auto argument = [&](NodeId node) {
     Value out;

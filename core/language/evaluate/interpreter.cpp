@@ -21,6 +21,7 @@ std::optional<Value> Interpreter::expression(const Code& code, Environment& envi
 Interpreter::Outcome Interpreter::function(const Code& code, Environment& environment) {
   return state_->machine.function(code.program(), environment);
 }
+std::uint64_t Interpreter::work() const { return state_->machine.work(); }
 const Fault& Interpreter::fault() const { return state_->machine.fault(); }
 
 }  // namespace race::language

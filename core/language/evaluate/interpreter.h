@@ -17,11 +17,13 @@ namespace race::language {
 class Interpreter {
  public:
   struct Limits {
-    std::uint64_t steps = 100'000;          // one unit for each evaluated syntax node
+    std::uint64_t steps = 1'000'000;        // units of work: one for each evaluated syntax node, and values/work.h
     std::uint64_t value_units = 1'000'000;  // elements plus string bytes of one value
-    /// If somebody sets it, every evaluation ends at its next syntax node, with a `budget` fault: for work that nobody
-    /// waits for any more, whose result is thrown away. Outlives the interpreter; null: nobody stops it.
+    /// If somebody sets it, every evaluation ends soon, with a `budget` fault, and so does a run at its next micro
+    /// step: for work that nobody waits for any more, whose result is thrown away. Outlives the interpreter; null:
+    /// nobody stops it.
     const std::atomic<bool>* stop = nullptr;
+    bool is_told_to_stop() const { return stop && stop->load(std::memory_order_relaxed); }
   };
   Interpreter();
   explicit Interpreter(Limits limits);
@@ -38,6 +40,8 @@ class Interpreter {
   Outcome function(const Code& code, Environment& environment);
   /// Of the last evaluation that faulted; also says what was unknown when a function was unmet.
   const Fault& fault() const;
+  /// Units of work of the last expression or function.
+  std::uint64_t work() const;
 
  private:
   struct State;

@@ -5,6 +5,8 @@
 // reading something unknown stops the evaluation, except within available().
 #pragma once
 
+#include <algorithm>
+
 #include "core/language/compile/program.h"
 #include "core/language/evaluate/interpreter.h"
 #include "core/language/library/functions.h"
@@ -28,12 +30,19 @@ class ArgumentScope {
 
 class Machine {
  public:
-  explicit Machine(Interpreter::Limits limits) : limits_(limits) { context_.value_units = limits.value_units; }
+  explicit Machine(Interpreter::Limits limits) : limits_(limits) {
+    context_.value_units = limits.value_units;
+    context_.steps = limits.steps;
+  }
 
   Truth condition(const Program& program, Environment& environment);
   std::optional<Value> expression(const Program& program, Environment& environment);
   Interpreter::Outcome function(const Program& program, Environment& environment);
   const Fault& fault() const { return context_.fault; }
+  /// Units of work of the last evaluation; at most the budget.
+  std::uint64_t work() const {
+    return limits_.steps - static_cast<std::uint64_t>(std::max<std::int64_t>(context_.left, 0));
+  }
 
   // For explanations: one part of a condition, evaluated alone with a budget of its own.
   Truth part(const Program& program, Environment& environment, NodeId node);
@@ -80,7 +89,7 @@ class Machine {
   const Value& slice(const Node& n, NodeId id, Value& out);
   const Value& list(const Node& n, NodeId id, Value& out);
   const Value& dict(const Node& n, NodeId id, Value& out);
-  const Value& collection(const Node& n, Value& out);
+  const Value& collection(const Node& n, NodeId id, Value& out);
   const Value& comprehension(const Node& n, NodeId id, Value& out);
   bool clause(const Node& n, std::size_t number, List& made, bool& unknown);
   const Value& fstring(const Node& n, NodeId id, Value& out);
@@ -128,17 +137,16 @@ class Machine {
   const Node* nodes_ = nullptr;
   const Value* constants_ = nullptr;
   Environment* environment_ = nullptr;
-  std::int64_t budget_left_ = 0;
   bool strict_ = false;
   bool stopped_ = false;
   std::vector<Value> locals_;
   std::vector<Value> stack_;  // arguments of calls that are being made
 };
 
-inline bool Machine::is_told_to_stop() const { return limits_.stop && limits_.stop->load(std::memory_order_relaxed); }
+inline bool Machine::is_told_to_stop() const { return limits_.is_told_to_stop(); }
 
 // False: the budget has no unit left, or the evaluation is told to stop.
-inline bool Machine::take_unit() { return --budget_left_ >= 0 && !is_told_to_stop(); }
+inline bool Machine::take_unit() { return --context_.left >= 0 && !is_told_to_stop(); }
 
 inline const Value& Machine::read_local(const Node& n, NodeId id) {
   const Value& v = locals_[n.a];
@@ -149,24 +157,23 @@ inline const Value& Machine::read_local(const Node& n, NodeId id) {
 inline const Value& Machine::operand(NodeId id, Value& out) {
   const Node& n = nodes_[id];
   if (n.op == Opcode::constant) {
-    --budget_left_;
+    --context_.left;
     return constants_[n.a];
   }
   if (n.op == Opcode::slot) {
-    --budget_left_;
+    --context_.left;
     const Value& v = environment_->values[n.a];
     return v.is_unknown() ? unknown(id) : v;
   }
   if (n.op == Opcode::local) {
-    --budget_left_;
+    --context_.left;
     return read_local(n, id);
   }
   return evaluate(id, out);
 }
 
 struct Interpreter::State {
-  // One that may be stopped has no short way around the machine.
-  explicit State(Limits limits) : steps(limits.stop ? 0 : limits.steps), machine(limits) {}
+  explicit State(Limits limits) : steps(limits.steps), machine(limits) {}
   std::uint64_t steps;
   Machine machine;
 };

@@ -5,6 +5,7 @@
 #include "core/language/primitives/numbers.h"
 #include "core/language/values/printing.h"
 #include "core/language/values/values.h"
+#include "core/language/values/work.h"
 
 namespace race::language::library {
 namespace {
@@ -16,6 +17,7 @@ Value extreme(Context& context, Arguments arguments, BinaryOperator better, std:
     items = elements(context, arguments[1]);
     if (context.failed) return items;
   } else {
+    if (!context.charge(work::elements(arguments.size()))) return Value::unknown();
     items = Value(List(arguments.begin() + 1, arguments.end()));
     if (items.as_list().empty())
       return context.fail(FaultKind::type, std::string(name) + " expected at least 1 argument, got 0");
@@ -28,6 +30,7 @@ Value extreme(Context& context, Arguments arguments, BinaryOperator better, std:
     return context.fail(FaultKind::value, std::string(name) + "() arg is an empty sequence");
   }
   const Value* best = &list[0];
+  if (!context.charge(work::elements(list.size()))) return Value::unknown();
   for (const Value& item : list) {
     if (&item != best && compare(context, better, item, *best)) best = &item;
     if (context.failed) return Value::unknown();
@@ -73,6 +76,7 @@ Value sum(Context& context, Arguments arguments) {
   if (context.failed) return items;
   Value total = given(arguments, 1) ? arguments[1] : Value(0);
   if (total.is_string()) return context.fail(FaultKind::type, "sum() can't sum strings [use ''.join(seq) instead]");
+  if (!context.charge(work::elements(items.as_list().size()))) return Value::unknown();
   for (const Value& item : items.as_list()) {
     total = arithmetic(context, BinaryOperator::add, total, item);
     if (context.failed) return Value::unknown();
@@ -115,10 +119,13 @@ Value print(Context& context, Arguments arguments) {
   }
   std::string text;
   for (std::size_t i = 2; i < arguments.size(); ++i) {
+    if (!charge_printing(context, arguments[i]) || !context.charge(work::block(parts[0].size())))
+      return Value::unknown();
     if (i > 2) text += parts[0];
     text += str(arguments[i]);
     if (!check_units(context, text.size())) return Value::unknown();
   }
+  if (!context.charge(work::made(1) + work::block(parts[1].size()))) return Value::unknown();
   context.environment->print(text + parts[1]);
   return {};
 }

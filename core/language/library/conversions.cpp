@@ -8,6 +8,7 @@
 #include "core/language/primitives/utf8.h"
 #include "core/language/values/printing.h"
 #include "core/language/values/values.h"
+#include "core/language/values/work.h"
 
 namespace race::language::library {
 namespace {
@@ -48,6 +49,7 @@ Value invalid_integer(Context& context, const Value& v, std::int64_t base) {
 
 // int(text, base)
 Value integer_of_text(Context& context, const Value& v, std::int64_t base) {
+  if (!context.charge(work::made(1) + work::characters(v.as_string().size()))) return Value::unknown();
   const auto text = number_text(v.as_string());
   if (!text) return invalid_integer(context, v, base);
   std::string_view digits = *text;
@@ -114,6 +116,7 @@ Value to_float(Context& context, Arguments arguments) {
   if (!v.is_string())
     return context.fail(FaultKind::type,
                         "float() argument must be a string or a real number, not '" + std::string(type_name(v)) + "'");
+  if (!context.charge(work::made(1) + work::characters(v.as_string().size()))) return Value::unknown();
   const auto text = number_text(v.as_string());
   const auto value = text ? parse_float(*text) : std::nullopt;
   return value ? Value(*value) : context.fail(FaultKind::value, "could not convert string to float: " + repr(v));
@@ -122,6 +125,7 @@ Value to_float(Context& context, Arguments arguments) {
 Value to_str(Context& context, Arguments arguments) {
   if (!given(arguments, 0)) return Value("");
   if (arguments[0].is_string()) return arguments[0];
+  if (!charge_printing(context, arguments[0])) return Value::unknown();
   std::string text = str(arguments[0]);
   return check_units(context, text.size()) ? Value(std::move(text)) : Value::unknown();
 }
@@ -136,6 +140,7 @@ Value to_list(Context& context, Arguments arguments) {
 Value to_dict(Context& context, Arguments arguments) {
   Dict entries;
   if (given(arguments, 0) && arguments[0].is_dict()) {
+    if (!context.charge(work::entries(arguments[0].as_dict().size()))) return Value::unknown();
     entries = arguments[0].as_dict();
   } else if (given(arguments, 0)) {
     const Value pairs = elements(context, arguments[0]);
@@ -146,9 +151,11 @@ Value to_dict(Context& context, Arguments arguments) {
       if (pair.as_list().size() != 2)
         return context.fail(FaultKind::value, "dictionary update sequence element must have length 2");
       if (!pair.as_list()[0].is_string()) return context.fail(FaultKind::type, "keys of a dict must be str");
+      if (!context.charge(work::sets(1) + work::block(pair.as_list()[0].as_string().size()))) return Value::unknown();
       entries.set(pair.as_list()[0], pair.as_list()[1]);
     }
   }
+  if (!context.charge(work::sets(arguments.size() / 2))) return Value::unknown();
   for (std::size_t i = 1; i + 1 < arguments.size(); i += 2) entries.set(arguments[i], arguments[i + 1]);
   return within_limits(context, Value(std::move(entries)));
 }

@@ -1,6 +1,7 @@
 // The tables of functions, methods and constants.
 #include "core/language/library/functions.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -29,7 +30,7 @@ constexpr std::array kBuiltins = {
     Function{"print", "sep! end! *", print},
     Function{"range", "start stop? step?", range},
     Function{"reversed", "sequence", reversed},
-    Function{"round", "number= ndigits?=", round_number},
+    Function{"round", "number= ndigits?=", round_number, 16},
     Function{"sorted", "iterable reverse!", sorted},
     Function{"str", "object?=", to_str},
     Function{"sum", "iterable start?=", sum},
@@ -72,27 +73,42 @@ constexpr std::array kMath = {
 };
 
 constexpr std::array kGeo = {
-    Function{"angle", "a= b=", geo_angle},
-    Function{"compose", "a= b=", geo_compose},
-    Function{"distance", "a= b=", geo_distance},
-    Function{"identity", "", geo_identity},
-    Function{"interpolate", "a= b= s=", geo_interpolate},
-    Function{"inverse", "a=", geo_inverse},
-    Function{"mean", "poses=", geo_mean},
-    Function{"offset", "pose= x= y= z=", geo_offset},
-    Function{"pose", "position= orientation=", geo_pose},
-    Function{"rpy", "r= p= y=", geo_rpy},
-    Function{"to_rpy", "pose=", geo_to_rpy},
-    Function{"transform", "a= point=", geo_transform},
+    Function{"angle", "a= b=", geo_angle, 16},
+    Function{"compose", "a= b=", geo_compose, 64},
+    Function{"distance", "a= b=", geo_distance, 16},
+    Function{"identity", "", geo_identity, 32},
+    Function{"interpolate", "a= b= s=", geo_interpolate, 64},
+    Function{"inverse", "a=", geo_inverse, 64},
+    Function{"mean", "poses=", geo_mean, 64},
+    Function{"offset", "pose= x= y= z=", geo_offset, 64},
+    Function{"pose", "position= orientation=", geo_pose, 32},
+    Function{"rpy", "r= p= y=", geo_rpy, 32},
+    Function{"to_rpy", "pose=", geo_to_rpy, 32},
+    Function{"transform", "a= point=", geo_transform, 32},
 };
 
+// Of a method; signature() reads the same text for functions.
+constexpr Method::Overload overload(std::string_view parameters) {
+  Method::Overload made{.parameters = parameters};
+  while (!parameters.empty()) {
+    const std::string_view word = parameters.substr(0, parameters.find(' '));
+    parameters.remove_prefix(std::min(word.size() + 1, parameters.size()));
+    ++made.most;
+    if (word.find_first_of("?!") == word.npos) ++made.required;
+  }
+  return made;
+}
 constexpr Method::Overload reads(std::string_view parameters, Value (*compute)(Context&, const Value&, Arguments)) {
-  return {parameters, compute, nullptr};
+  Method::Overload made = overload(parameters);
+  made.compute = compute;
+  return made;
 }
 constexpr Method::Overload writes(std::string_view parameters, Value (*mutate)(Context&, Value&, Arguments)) {
-  return {parameters, nullptr, mutate};
+  Method::Overload made = overload(parameters);
+  made.mutate = mutate;
+  return made;
 }
-constexpr Method::Overload kNo = {"", nullptr, nullptr};
+constexpr Method::Overload kNo = {};
 
 constexpr Method text(std::string_view name, std::string_view parameters,
                       Value (*compute)(Context&, const Value&, Arguments)) {

@@ -18,6 +18,7 @@ struct Function {
   std::string_view name;
   std::string_view parameters;
   Value (*compute)(Context&, Arguments);
+  std::uint32_t work = 0;  // of each call, beyond its node; what depends on sizes the function charges itself
 };
 
 /// A method, with one overload for each type that has it. An overload computes a value, or mutates the object.
@@ -26,6 +27,7 @@ struct Method {
     std::string_view parameters;
     Value (*compute)(Context&, const Value& self, Arguments) = nullptr;
     Value (*mutate)(Context&, Value& self, Arguments) = nullptr;
+    std::size_t required = 0, most = 0;  // arguments, as `parameters` says
     explicit operator bool() const { return compute != nullptr || mutate != nullptr; }
   };
   std::string_view name;

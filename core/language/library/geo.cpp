@@ -6,6 +6,7 @@
 
 #include "core/language/library/library_internal.h"
 #include "core/language/values/values.h"
+#include "core/language/values/work.h"
 
 namespace race::language::library {
 namespace {
@@ -179,6 +180,7 @@ Value geo_mean(Context& context, Arguments arguments) {
   if (poses.empty()) return context.fail(FaultKind::value, "the mean of no poses");
   Vector3d sum = Vector3d::Zero();
   Eigen::Matrix4d products = Eigen::Matrix4d::Zero();
+  if (!context.charge(work::made(poses.size()))) return Value::unknown();
   for (const Value& v : poses) {
     Pose pose;
     if (!read(context, v, pose)) return Value::unknown();

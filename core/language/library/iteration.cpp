@@ -4,32 +4,50 @@
 #include "core/language/library/library_internal.h"
 #include "core/language/primitives/utf8.h"
 #include "core/language/values/values.h"
+#include "core/language/values/work.h"
 
 namespace race::language::library {
 
-Value all(Context& context, Arguments arguments) {
+namespace {
+
+// Whether there is an element of this truth; those before it are looked at.
+std::optional<bool> any_of_truth(Context& context, Arguments arguments, bool wanted) {
   const Value items = elements(context, arguments[0]);
-  if (context.failed) return items;
-  return Value(std::all_of(items.as_list().begin(), items.as_list().end(), truth));
+  if (context.failed) return std::nullopt;
+  const List& list = items.as_list();
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (!context.charge_element(i)) return std::nullopt;
+    if (truth(list[i]) == wanted) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Value all(Context& context, Arguments arguments) {
+  const auto found = any_of_truth(context, arguments, false);
+  return found ? Value(!*found) : Value::unknown();
 }
 
 Value any(Context& context, Arguments arguments) {
-  const Value items = elements(context, arguments[0]);
-  if (context.failed) return items;
-  return Value(std::any_of(items.as_list().begin(), items.as_list().end(), truth));
+  const auto found = any_of_truth(context, arguments, true);
+  return found ? Value(*found) : Value::unknown();
 }
 
 Value length(Context& context, Arguments arguments) {
   const Value& v = arguments[0];
   if (v.is_list()) return Value(static_cast<std::int64_t>(v.as_list().size()));
   if (v.is_dict()) return Value(static_cast<std::int64_t>(v.as_dict().size()));
-  if (v.is_string()) return Value(static_cast<std::int64_t>(utf8::length(v.as_string())));
+  if (v.is_string()) {
+    if (!context.charge(work::scan(v.as_string().size()))) return Value::unknown();
+    return Value(static_cast<std::int64_t>(utf8::length(v.as_string())));
+  }
   return context.fail(FaultKind::type, "object of type '" + std::string(type_name(v)) + "' has no len()");
 }
 
 Value range(Context& context, Arguments arguments) {
   const auto counted = range_of_arguments(context, arguments);
-  if (!counted) return Value::unknown();
+  if (!counted || !context.charge(work::elements(counted->count))) return Value::unknown();
   List items;
   items.reserve(counted->count);
   std::int64_t v = counted->start;
@@ -42,13 +60,13 @@ Value range(Context& context, Arguments arguments) {
 
 Value reversed(Context& context, Arguments arguments) {
   const Value items = elements(context, arguments[0]);
-  if (context.failed) return items;
+  if (context.failed || !context.charge(work::elements(items.as_list().size()))) return Value::unknown();
   return within_limits(context, Value(List(items.as_list().rbegin(), items.as_list().rend())));
 }
 
 Value sorted(Context& context, Arguments arguments) {
   const Value items = elements(context, arguments[0]);
-  if (context.failed) return items;
+  if (context.failed || !context.charge(work::elements(items.as_list().size()))) return Value::unknown();
   List list = items.as_list();
   if (!sort(context, list, given(arguments, 1) && truth(arguments[1]))) return Value::unknown();
   return within_limits(context, Value(std::move(list)));
@@ -63,6 +81,7 @@ Value enumerate(Context& context, Arguments arguments) {
     if (!start) return Value::unknown();
     number = *start;
   }
+  if (!context.charge(2 * work::made(items.as_list().size()))) return Value::unknown();
   List pairs;
   for (const Value& item : items.as_list()) {
     pairs.emplace_back(List{Value(number), item});
@@ -79,7 +98,9 @@ Value zip(Context& context, Arguments arguments) {
     if (context.failed) return Value::unknown();
     rows = std::min(rows, columns.back().as_list().size());
   }
-  if (!check_units(context, rows * columns.size())) return Value::unknown();
+  if (!check_units(context, rows * columns.size()) ||
+      !context.charge(2 * work::made(rows) + work::elements(rows * columns.size())))
+    return Value::unknown();
   List made;
   for (std::size_t i = 0; i < rows; ++i) {
     List row;

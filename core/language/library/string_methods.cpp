@@ -1,11 +1,13 @@
 // Methods of str that split, join, strip and pad.
 #include <algorithm>
+#include <bit>
 
 #include "core/language/library/library_internal.h"
 #include "core/language/primitives/search.h"
 #include "core/language/primitives/unicode.h"
 #include "core/language/primitives/utf8.h"
 #include "core/language/values/values.h"
+#include "core/language/values/work.h"
 
 namespace race::language::library {
 namespace {
@@ -23,6 +25,10 @@ bool text_or_none(Context& context, Arguments arguments, std::size_t i, const st
 Value stripped(Context& context, const Value& self, Arguments arguments, bool left, bool right) {
   const std::string* chars = nullptr;
   if (!text_or_none(context, arguments, 0, chars)) return Value::unknown();
+  const std::uint64_t set_size = chars == nullptr ? 1 : chars->size();
+  // The set is sorted, and searched for each character.
+  if (!context.charge(work::characters((self.as_string().size() + set_size) * std::bit_width(set_size)) / 2))
+    return Value::unknown();
   const std::u32string points = utf8::decode(self.as_string());
   std::u32string set = chars == nullptr ? std::u32string() : utf8::decode(*chars);
   std::ranges::sort(set);
@@ -34,6 +40,12 @@ Value stripped(Context& context, const Value& self, Arguments arguments, bool le
   while (left && begin < end && drops(points[begin])) ++begin;
   while (right && end > begin && drops(points[end - 1])) --end;
   return Value(utf8::encode(std::u32string_view(points).substr(begin, end - begin)));
+}
+
+// `found`, whose strings have been made; unknown and a fault if that was too much.
+Value made_list(Context& context, List found) {
+  if (!context.charge(2 * work::made(found.size()))) return Value::unknown();
+  return within_limits(context, Value(std::move(found)));
 }
 
 // The words between runs of space, from the left or the right, at most `most` + 1 of them.
@@ -91,10 +103,13 @@ Value split(Context& context, const Value& self, Arguments arguments, bool from_
     if (!limit) return Value::unknown();
     most = *limit;
   }
-  if (separator == nullptr) return within_limits(context, Value(words(self.as_string(), most, from_right)));
+  if (!context.charge(separator == nullptr ? work::characters(self.as_string().size())
+                                           : work::search(self.as_string().size() + separator->size())))
+    return Value::unknown();
+  if (separator == nullptr) return made_list(context, words(self.as_string(), most, from_right));
   if (separator->empty()) return context.fail(FaultKind::value, "empty separator");
   const auto divide = from_right ? pieces_from_right : pieces;
-  return within_limits(context, Value(divide(self.as_string(), *separator, most)));
+  return made_list(context, divide(self.as_string(), *separator, most));
 }
 
 // Pads to arguments[0] code points with arguments[1]; `left` of all that is missing goes before the text.
@@ -108,11 +123,13 @@ Value padded(Context& context, const Value& self, Arguments arguments, Left left
       return context.fail(FaultKind::type, "The fill character must be exactly one character long");
     fill = arguments[1].as_string();
   }
+  if (!context.charge(work::scan(self.as_string().size()))) return Value::unknown();
   const auto size = static_cast<std::int64_t>(utf8::length(self.as_string()));
   if (*width <= size) return self;
   if (!check_units(context, static_cast<std::uint64_t>(*width)) ||
       !check_units(context, static_cast<std::uint64_t>(*width - size) * fill.size() + self.as_string().size()))
     return Value::unknown();
+  if (!context.charge(work::characters(static_cast<std::uint64_t>(*width)) / 2)) return Value::unknown();
   const std::int64_t before = left(*width - size, *width);
   std::string out;
   for (std::int64_t i = 0; i < before; ++i) out += fill;
@@ -143,6 +160,7 @@ Value str_rsplit(Context& context, const Value& self, Arguments arguments) {
 Value str_splitlines(Context& context, const Value& self, Arguments arguments) {
   const bool keep = given(arguments, 0) && truth(arguments[0]);
   const std::string_view text = self.as_string();
+  if (!context.charge(work::characters(text.size()) / 4)) return Value::unknown();
   const auto ends = [](char32_t p) {
     return (p >= 0x0A && p <= 0x0D) || (p >= 0x1C && p <= 0x1E) || p == 0x85 || p == 0x2028 || p == 0x2029;
   };
@@ -156,7 +174,7 @@ Value str_splitlines(Context& context, const Value& self, Arguments arguments) {
     begin = at;
   }
   if (begin < text.size()) lines.emplace_back(text.substr(begin));
-  return within_limits(context, Value(std::move(lines)));
+  return made_list(context, std::move(lines));
 }
 
 Value str_join(Context& context, const Value& self, Arguments arguments) {
@@ -168,10 +186,11 @@ Value str_join(Context& context, const Value& self, Arguments arguments) {
     if (!item.is_string())
       return context.fail(FaultKind::type,
                           "sequence item: expected str instance, " + std::string(type_name(item)) + " found");
+    const std::size_t size = item.as_string().size() + (first ? 0 : self.as_string().size());
+    if (!check_units(context, out.size() + size) || !context.charge(1 + work::block(size))) return Value::unknown();
     if (!first) out += self.as_string();
     first = false;
     out += item.as_string();
-    if (!check_units(context, out.size())) return Value::unknown();
   }
   return Value(std::move(out));
 }
@@ -189,6 +208,7 @@ Value str_center(Context& context, const Value& self, Arguments arguments) {
 
 Value str_zfill(Context& context, const Value& self, Arguments arguments) {
   const std::string& text = self.as_string();
+  if (!context.charge(work::block(2 * text.size()))) return Value::unknown();
   const bool sign = !text.empty() && (text[0] == '+' || text[0] == '-');
   const Value digits = sign ? Value(text.substr(1)) : self;
   const auto width = integer(context, arguments[0]);

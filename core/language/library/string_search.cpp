@@ -5,6 +5,7 @@
 #include "core/language/primitives/search.h"
 #include "core/language/primitives/utf8.h"
 #include "core/language/values/values.h"
+#include "core/language/values/work.h"
 
 namespace race::language::library {
 namespace {
@@ -24,11 +25,14 @@ struct Window {
 
 std::optional<Window> window(Context& context, const Value& self, Arguments arguments) {
   const std::string_view text = self.as_string();
+  const auto is_given = [](const Value& v) { return !v.is_unknown() && !v.is_null(); };
+  if (!is_given(optional(arguments, 1)) && !is_given(optional(arguments, 2))) return Window{true, 0, text};
+  if (!context.charge(work::characters(text.size()) / 4)) return std::nullopt;
   const auto size = static_cast<std::int64_t>(utf8::length(text));
   std::int64_t bounds[2] = {0, size};
   for (std::size_t i = 0; i < 2; ++i) {
     const Value& v = optional(arguments, i + 1);
-    if (v.is_unknown() || v.is_null()) continue;
+    if (!is_given(v)) continue;
     const auto bound = integer(context, v);
     if (!bound) return std::nullopt;
     bounds[i] = *bound < 0 ? std::max<std::int64_t>(*bound + size, 0) : *bound;
@@ -46,7 +50,8 @@ std::optional<Window> window(Context& context, const Value& self, Arguments argu
 Value search(Context& context, const Value& self, Arguments arguments, bool last) {
   const std::string* sub = text(context, arguments[0]);
   const auto w = sub == nullptr ? std::nullopt : window(context, self, arguments);
-  if (!w) return Value::unknown();
+  const std::uint64_t passes = last ? 2 : 1;  // from the end, copies are made
+  if (!w || !context.charge(passes * work::search(w->text.size() + sub->size()))) return Value::unknown();
   const std::size_t found = !w->valid ? kNowhere : last ? find_last(w->text, *sub) : find_first(w->text, *sub);
   if (found == kNowhere) return Value(-1);
   return Value(static_cast<std::int64_t>(utf8::length(std::string_view(self.as_string()).substr(0, w->begin + found))));
@@ -80,26 +85,28 @@ Value str_rindex(Context& context, const Value& self, Arguments arguments) {
 Value str_count(Context& context, const Value& self, Arguments arguments) {
   const std::string* sub = text(context, arguments[0]);
   const auto w = sub == nullptr ? std::nullopt : window(context, self, arguments);
-  if (!w) return Value::unknown();
+  if (!w || !context.charge(work::search(w->text.size() + sub->size()))) return Value::unknown();
   if (!w->valid) return Value(0);
   if (sub->empty()) return Value(static_cast<std::int64_t>(utf8::length(w->text) + 1));
   std::int64_t count = 0;
-  for (std::size_t at = find_first(w->text, *sub); at != kNowhere; at = find_first(w->text, *sub, at + sub->size()))
+  for (std::size_t at = find_first(w->text, *sub); at != kNowhere; at = find_first(w->text, *sub, at + sub->size())) {
+    if (!context.charge(1)) return Value::unknown();
     ++count;
+  }
   return Value(count);
 }
 
 Value str_startswith(Context& context, const Value& self, Arguments arguments) {
   const std::string* prefix = text(context, arguments[0]);
   const auto w = prefix == nullptr ? std::nullopt : window(context, self, arguments);
-  if (!w) return Value::unknown();
+  if (!w || !context.charge(work::block(prefix->size()))) return Value::unknown();
   return Value(w->valid && w->text.substr(0, prefix->size()) == *prefix);
 }
 
 Value str_endswith(Context& context, const Value& self, Arguments arguments) {
   const std::string* suffix = text(context, arguments[0]);
   const auto w = suffix == nullptr ? std::nullopt : window(context, self, arguments);
-  if (!w) return Value::unknown();
+  if (!w || !context.charge(work::block(suffix->size()))) return Value::unknown();
   return Value(w->valid && w->text.size() >= suffix->size() &&
                w->text.substr(w->text.size() - suffix->size()) == *suffix);
 }
@@ -109,6 +116,7 @@ Value str_partition(Context& context, const Value& self, Arguments arguments) {
   if (sep == nullptr) return Value::unknown();
   if (sep->empty()) return context.fail(FaultKind::value, "empty separator");
   const std::string_view all = self.as_string();
+  if (!context.charge(work::made(3) + work::search(all.size() + sep->size()))) return Value::unknown();
   const std::size_t at = find_first(all, *sep);
   if (at == kNowhere) return parted(all, "", "");
   return parted(all.substr(0, at), *sep, all.substr(at + sep->size()));
@@ -119,6 +127,7 @@ Value str_rpartition(Context& context, const Value& self, Arguments arguments) {
   if (sep == nullptr) return Value::unknown();
   if (sep->empty()) return context.fail(FaultKind::value, "empty separator");
   const std::string_view all = self.as_string();
+  if (!context.charge(work::made(3) + work::search(all.size() + sep->size()))) return Value::unknown();
   const std::size_t at = find_last(all, *sep);
   if (at == kNowhere) return parted("", "", all);
   return parted(all.substr(0, at), *sep, all.substr(at + sep->size()));
@@ -135,15 +144,18 @@ Value str_replace(Context& context, const Value& self, Arguments arguments) {
     count = *limit;
   }
   const std::string_view all = self.as_string();
+  if (!context.charge(work::search(all.size() + old->size()))) return Value::unknown();
   std::string out;
   std::size_t at = 0;
   for (; count != 0; --count) {
     const std::size_t found = find_first(all, *old, at);
     if (found == kNowhere) break;
+    const std::size_t added = found - at + by->size();
+    if (!check_units(context, out.size() + added) || !context.charge(work::lookups(1) + work::block(added)))
+      return Value::unknown();
     out += all.substr(at, found - at);
     out += *by;
     at = found + old->size();
-    if (!check_units(context, out.size())) return Value::unknown();
     if (!old->empty()) continue;
     // Between all code points, before the first and behind the last.
     if (at == all.size()) return Value(std::move(out));

@@ -7,6 +7,7 @@
 #include "core/language/primitives/utf8.h"
 #include "core/language/values/printing.h"
 #include "core/language/values/values.h"
+#include "core/language/values/work.h"
 
 namespace race::language {
 namespace {
@@ -76,6 +77,10 @@ std::optional<Specification> parse_specification(Context& context, std::string_v
   if (text.size() - at > 1) return bad(context, "Invalid format specifier"), std::nullopt;
   if (at < text.size()) s.type = text[at] < 0x80 ? static_cast<char>(text[at]) : '?';
   if (s.align == 0) s.align = default_align;
+  if (!context.charge(work::characters(source.size() +
+                                       static_cast<std::uint64_t>(s.width + std::max<std::int64_t>(s.precision, 0))) /
+                      4))
+    return std::nullopt;
   const std::string_view plain = "deEfFgG%";
   const bool grouped = s.type == 0 || plain.find(s.type) != plain.npos;
   const bool by_four = s.grouping == '_' && (s.type == 'b' || s.type == 'o' || s.type == 'x' || s.type == 'X');
@@ -138,6 +143,7 @@ Value format_text(Context& context, const Value& v, std::string_view source) {
   if (s->sign != 0) return bad(context, "Sign not allowed in string format specifier");
   if (s->alternate || s->no_negative_zero || s->align == '=' || s->grouping != 0)
     return bad(context, "not allowed in string format specifier");
+  if (!context.charge(work::search(v.as_string().size()))) return Value::unknown();
   std::string text = v.as_string();
   if (s->precision >= 0) text = text.substr(0, utf8::offset(text, static_cast<std::size_t>(s->precision)));
   return laid_out(context, *s, "", "", std::move(text));
@@ -229,6 +235,7 @@ Value format_real(Context& context, double v, Specification s) {
 
 Value formatted(Context& context, const Value& v, std::string_view specification) {
   if (specification.empty()) {
+    if (!v.is_string() && !charge_printing(context, v)) return Value::unknown();
     std::string text = str(v);
     return check_units(context, text.size()) ? Value(std::move(text)) : Value::unknown();
   }
@@ -237,7 +244,7 @@ Value formatted(Context& context, const Value& v, std::string_view specification
     return context.fail(FaultKind::type,
                         "unsupported format string passed to " + std::string(type_name(v)) + ".__format__");
   const auto s = parse_specification(context, specification, '>');
-  if (!s) return Value::unknown();
+  if (!s || !context.charge(3 * work::made(1))) return Value::unknown();
   const std::string_view of_reals = "eEfFgG%";
   const std::string_view of_integers = "bcdnoxX";
   const bool real_type = s->type != 0 && of_reals.find(s->type) != of_reals.npos;

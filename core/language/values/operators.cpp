@@ -4,6 +4,7 @@
 #include "core/language/primitives/numbers.h"
 #include "core/language/primitives/search.h"
 #include "core/language/values/values.h"
+#include "core/language/values/work.h"
 
 namespace race::language {
 namespace {
@@ -57,13 +58,16 @@ Order order_of_reals(const Value& a, const Value& b) {
 
 Order order_of(Context& context, BinaryOperator op, const Value& a, const Value& b) {
   if (is_real(a) && is_real(b)) return order_of_reals(a, b);
-  if (a.is_string() && b.is_string())
+  if (a.is_string() && b.is_string()) {
+    if (!context.charge(1 + work::block(std::min(a.as_string().size(), b.as_string().size())))) return Order::none;
     return order(a.as_string(), b.as_string());  // UTF-8 keeps the order of code points
+  }
   if (a.is_list() && b.is_list()) {
     const List& x = a.as_list();
     const List& y = b.as_list();
     for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i)
-      if (!equal(x[i], y[i])) return order_of(context, op, x[i], y[i]);
+      if (!context.charge_element(i) || !equal(context, x[i], y[i]))
+        return context.failed ? Order::none : order_of(context, op, x[i], y[i]);
     return order(x.size(), y.size());
   }
   context.fail(FaultKind::type, "'" + std::string(symbol(op)) + "' not supported between instances of '" +
@@ -73,17 +77,23 @@ Order order_of(Context& context, BinaryOperator op, const Value& a, const Value&
 
 bool contains(Context& context, const Value& container, const Value& item) {
   if (container.is_list()) {
-    for (const Value& other : container.as_list())
-      if (equal(other, item)) return true;
+    const List& items = container.as_list();
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      if (!context.charge_element(i)) return false;
+      if (equal(context, items[i], item)) return true;
+    }
     return false;
   }
   if (container.is_dict()) {
     if (item.is_list() || item.is_dict())
       context.fail(FaultKind::type, "unhashable type: '" + std::string(type_name(item)) + "'");
-    return item.is_string() && container.as_dict().find(item) != nullptr;
+    return item.is_string() && context.charge(work::block(item.as_string().size())) &&
+           container.as_dict().find(item) != nullptr;
   }
   if (container.is_string()) {
-    if (item.is_string()) return find_first(container.as_string(), item.as_string()) != kNowhere;
+    if (item.is_string())
+      return context.charge(work::search(container.as_string().size() + item.as_string().size())) &&
+             find_first(container.as_string(), item.as_string()) != kNowhere;
     context.fail(FaultKind::type, "'in <string>' requires string as left operand, not " + std::string(type_name(item)));
     return false;
   }
@@ -161,6 +171,9 @@ Value repeated(Context& context, const Value& sequence, std::int64_t count) {
     check_units(context, context.value_units);
     return Value::unknown();
   }
+  if (!context.charge(work::elements(times) +
+                      (sequence.is_string() ? work::block(units * times) : work::elements(units * times))))
+    return Value::unknown();
   if (sequence.is_string()) {
     std::string text;
     text.reserve(units * times);
@@ -176,9 +189,11 @@ Value repeated(Context& context, const Value& sequence, std::int64_t count) {
 
 Value joined(Context& context, const Value& a, const Value& b) {
   if (a.is_string()) {
-    if (!check_units(context, a.as_string().size() + b.as_string().size())) return Value::unknown();
+    const std::size_t size = a.as_string().size() + b.as_string().size();
+    if (!check_units(context, size) || !context.charge(work::block(size))) return Value::unknown();
     return Value(a.as_string() + b.as_string());
   }
+  if (!context.charge(work::elements(a.as_list().size() + b.as_list().size()))) return Value::unknown();
   List items = a.as_list();
   items.insert(items.end(), b.as_list().begin(), b.as_list().end());
   return within_limits(context, Value(std::move(items)));
@@ -189,9 +204,9 @@ Value joined(Context& context, const Value& a, const Value& b) {
 bool compare(Context& context, BinaryOperator op, const Value& a, const Value& b) {
   switch (op) {
     case BinaryOperator::equal:
-      return equal(a, b);
+      return equal(context, a, b);
     case BinaryOperator::not_equal:
-      return !equal(a, b);
+      return !equal(context, a, b);
     case BinaryOperator::in:
       return contains(context, b, a);
     case BinaryOperator::not_in:

@@ -5,6 +5,7 @@
 #include "core/language/primitives/numbers.h"
 #include "core/language/primitives/unicode.h"
 #include "core/language/primitives/utf8.h"
+#include "core/language/values/work.h"
 
 namespace race::language {
 namespace {
@@ -95,6 +96,23 @@ std::string repr(const Value& v) {
   append(v, out);
   return out;
 }
+
+namespace {
+
+std::uint64_t cost_of_printing(const Value& v) {
+  if (v.is_number()) return 2 * work::made(1);
+  if (v.is_string()) return work::made(1) + work::characters(v.as_string().size()) / 2;
+  std::uint64_t cost = work::made(1) / 2;
+  if (v.is_list())
+    for (const Value& item : v.as_list()) cost += cost_of_printing(item);
+  if (v.is_dict())
+    for (const auto& [key, item] : v.as_dict()) cost += cost_of_printing(key) + cost_of_printing(item);
+  return cost;
+}
+
+}  // namespace
+
+bool charge_printing(Context& context, const Value& v) { return context.charge(cost_of_printing(v)); }
 
 std::string ascii(std::string_view text) {
   std::string out;

@@ -13,6 +13,8 @@ namespace race::language {
 std::string str(const Value& v);
 /// repr(v): strings in quotes, escapes where Python has them.
 std::string repr(const Value& v);
+/// Takes what str(v) and repr(v) cost off the budget; false and a fault if that is not enough.
+bool charge_printing(Context& context, const Value& v);
 /// `text` with everything that is not ASCII escaped.
 std::string ascii(std::string_view text);
 

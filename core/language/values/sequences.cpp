@@ -4,6 +4,7 @@
 #include "core/language/primitives/utf8.h"
 #include "core/language/values/printing.h"
 #include "core/language/values/values.h"
+#include "core/language/values/work.h"
 
 namespace race::language {
 namespace {
@@ -53,7 +54,7 @@ const Value* element(Context& context, const Value& a, const Value& key, Value& 
     return at ? &a.as_list()[*at] : nullptr;
   }
   if (a.is_dict()) {
-    if (!is_key(context, key)) return nullptr;
+    if (!is_key(context, key) || !context.charge(work::block(key.as_string().size()))) return nullptr;
     const Value* found = a.as_dict().find(key);
     if (found == nullptr) context.fail(FaultKind::missing, repr(key));
     return found;
@@ -63,6 +64,7 @@ const Value* element(Context& context, const Value& a, const Value& key, Value& 
     return nullptr;
   }
   const std::string& text = a.as_string();
+  if (!context.charge(work::characters(text.size()) / 4)) return nullptr;
   const auto at = position(context, key, utf8::length(text), "string");
   if (!at) return nullptr;
   std::size_t begin = utf8::offset(text, *at);
@@ -75,7 +77,8 @@ const Value* element(Context& context, const Value& a, const Value& key, Value& 
 Value* element(Context& context, Value& a, const Value& key, bool create) {
   if (a.is_list()) {
     const auto at = position(context, key, a.as_list().size(), create ? "list assignment" : "list");
-    return at ? &a.mutable_list()[*at] : nullptr;
+    List* items = at ? changeable_list(context, a) : nullptr;
+    return items ? &(*items)[*at] : nullptr;
   }
   if (!a.is_dict()) {
     if (create) {
@@ -89,12 +92,14 @@ Value* element(Context& context, Value& a, const Value& key, bool create) {
     context.fail(FaultKind::type, "keys of a dict must be str");
     return nullptr;
   }
-  if (!is_key(context, key)) return nullptr;
-  Dict& entries = a.mutable_dict();
-  if (Value* found = entries.find(key)) return found;
+  if (!is_key(context, key) || !context.charge(work::block(key.as_string().size()))) return nullptr;
+  Dict* entries = changeable_dict(context, a);
+  if (!entries) return nullptr;
+  if (Value* found = entries->find(key)) return found;
   if (create) {
-    entries.set(key, Value());
-    return entries.find(key);
+    if (!context.charge(work::sets(1))) return nullptr;
+    entries->set(key, Value());
+    return entries->find(key);
   }
   context.fail(FaultKind::missing, repr(key));
   return nullptr;
@@ -113,6 +118,7 @@ Value slice_of(Context& context, const Value& a, const Value& low, const Value& 
   if (by == 0) return context.fail(FaultKind::value, "slice step cannot be zero");
   const bool is_text = a.is_string();
   const bool bytes = is_text && utf8::ascii(a.as_string());
+  if (is_text && !context.charge(work::characters(a.as_string().size()) / (bytes ? 2 : 1))) return Value::unknown();
   const std::u32string points = is_text && !bytes ? utf8::decode(a.as_string()) : std::u32string();
   const auto size = static_cast<std::int64_t>(!is_text ? a.as_list().size()
                                               : bytes  ? a.as_string().size()
@@ -122,6 +128,13 @@ Value slice_of(Context& context, const Value& a, const Value& low, const Value& 
   const std::int64_t most = forward ? size : size - 1;
   const std::int64_t begin = clipped(low, forward ? 0 : size - 1, size, least, most);
   const std::int64_t end = clipped(high, forward ? size : -1, size, least, most);
+  if (!is_text && begin != end) {
+    // What lies between the bounds, divided by the step, is what is copied.
+    const auto distance = static_cast<std::uint64_t>(forward ? std::max<std::int64_t>(end - begin, 0)
+                                                             : std::max<std::int64_t>(begin - end, 0));
+    const auto step_size = forward ? static_cast<std::uint64_t>(by) : ~static_cast<std::uint64_t>(by) + 1;
+    if (!context.charge(work::made(1) + 2 * work::elements(distance / step_size))) return Value::unknown();
+  }
   std::string text;
   std::u32string chosen;
   List items;

@@ -6,6 +6,7 @@
 
 #include "core/language/primitives/numbers.h"
 #include "core/language/primitives/utf8.h"
+#include "core/language/values/work.h"
 
 namespace race::language {
 
@@ -57,9 +58,11 @@ Value elements(Context& context, const Value& v) {
   if (v.is_list()) return v;
   List items;
   if (v.is_dict()) {
+    if (!context.charge(work::elements(v.as_dict().size()))) return Value::unknown();
     for (const auto& [key, item] : v.as_dict()) items.push_back(key);
   } else if (v.is_string()) {
     const std::string& text = v.as_string();
+    if (!context.charge(work::made(text.size()))) return Value::unknown();
     for (std::size_t at = 0; at < text.size();) {
       const std::size_t begin = at;
       utf8::next(text, at);
@@ -75,11 +78,13 @@ namespace {
 
 void add(const Value& v, std::uint64_t limit, int depth, Measure& sum) {
   sum.units += 1;
+  sum.visited += 1;
   if (sum.units > limit) return;
   if (v.is_number()) {
     sum.finite = sum.finite && std::isfinite(v.as_number());
   } else if (v.is_string()) {
     sum.units += v.as_string().size();
+    sum.visited += 1;
   } else if (v.is_list() || v.is_dict()) {
     sum.depth = std::max(sum.depth, depth + 1);
     if (sum.depth > kMaxValueDepth) return;
@@ -91,6 +96,7 @@ void add(const Value& v, std::uint64_t limit, int depth, Measure& sum) {
     if (v.is_dict())
       for (const auto& [key, item] : v.as_dict()) {
         sum.units += key.as_string().size() + 1;
+        sum.visited += 1;
         add(item, limit, depth + 1, sum);
         if (sum.units > limit) return;
       }
@@ -98,6 +104,7 @@ void add(const Value& v, std::uint64_t limit, int depth, Measure& sum) {
 }
 
 bool fits(Context& context, const Measure& m, int levels = 0) {
+  context.charge(work::elements(m.visited));
   if (m.units > context.value_units) {
     context.fail(FaultKind::budget, "a value of more than " + std::to_string(context.value_units) + " units");
   } else if (m.depth + levels > kMaxValueDepth) {
@@ -148,7 +155,17 @@ bool check_storable(Context& context, const Value& v) {
   return !context.failed;
 }
 
-bool equal(const Value& a, const Value& b) {
+List* changeable_list(Context& context, Value& v) {
+  if (v.is_shared() && !context.charge(work::elements(v.as_list().size()))) return nullptr;
+  return &v.mutable_list();
+}
+
+Dict* changeable_dict(Context& context, Value& v) {
+  if (v.is_shared() && !context.charge(work::entries(v.as_dict().size()))) return nullptr;
+  return &v.mutable_dict();
+}
+
+bool equal(Context& context, const Value& a, const Value& b) {
   const auto numeric = [](const Value& v) { return v.is_numeric() || v.is_bool(); };
   if (numeric(a) && numeric(b)) {
     if (a.is_number() && b.is_number()) return a.as_number() == b.as_number();
@@ -157,23 +174,26 @@ bool equal(const Value& a, const Value& b) {
     return a.as_integer() == b.as_integer();
   }
   if (a.kind() != b.kind()) return false;
-  if (a.is_string()) return a.as_string() == b.as_string();
+  if (a.is_string())
+    return a.as_string().size() == b.as_string().size() && context.charge(work::block(a.as_string().size())) &&
+           a.as_string() == b.as_string();
   if (a.is_list()) {
     const List& x = a.as_list();
     const List& y = b.as_list();
     if (x.size() != y.size()) return false;
     for (std::size_t i = 0; i < x.size(); ++i)
-      if (!equal(x[i], y[i])) return false;
-    return true;
+      if (!context.charge_element(i) || !equal(context, x[i], y[i])) return false;
+    return !context.failed;
   }
   if (a.is_dict()) {
     if (a.as_dict().size() != b.as_dict().size()) return false;
     for (const auto& [key, item] : a.as_dict()) {
+      if (!context.charge(work::lookups(1) + work::block(key.as_string().size()))) return false;
       const Value* other = b.as_dict().find(key);
-      if (other == nullptr || !equal(item, *other)) return false;
+      if (other == nullptr || !equal(context, item, *other)) return false;
     }
   }
-  return true;
+  return !context.failed;
 }
 
 }  // namespace race::language

@@ -18,8 +18,8 @@ std::string_view type_name(const Value& v);
 /// Python's truth of a value. Requires a known one.
 bool truth(const Value& v);
 
-/// Python's ==: 1, 1.0 and True are equal. Requires known values.
-bool equal(const Value& a, const Value& b);
+/// Python's ==: 1, 1.0 and True are equal; false after a fault. Requires known values.
+bool equal(Context& context, const Value& a, const Value& b);
 
 /// a < b, a <= b, ... for `op` = less ... is_not_none; a type fault where Python has one (then false).
 bool compare(Context& context, BinaryOperator op, const Value& a, const Value& b);
@@ -46,6 +46,7 @@ std::optional<std::int64_t> integer(Context& context, const Value& v);
 /// double in it is finite. Stops counting above `limit`.
 struct Measure {
   std::uint64_t units = 0;
+  std::uint64_t visited = 0;  // values and keys; strings twice
   int depth = 0;
   bool finite = true;
 };
@@ -69,6 +70,11 @@ Value within_limits(Context& context, Value v);
 bool check_growth(Context& context, const Value& container, const Value& added, int levels);
 /// Whether a value of `units` is within the limit; a budget fault otherwise.
 bool check_units(Context& context, std::uint64_t units);
+
+/// For changing a list or dict in place: one that something else holds, too, is copied first, which is charged. Null
+/// after a fault. Each requires its kind.
+List* changeable_list(Context& context, Value& v);
+Dict* changeable_dict(Context& context, Value& v);
 
 /// Whether `v` may be stored in Δ or sent: not too large, and finite; a fault otherwise.
 bool check_storable(Context& context, const Value& v);

@@ -144,7 +144,7 @@ struct Step {
 // A random model and a random run of it, live: its journal and what came of each entry.
 struct LiveRun {
   LiveRun(std::uint64_t seed, int limit) : random(seed), native(random.model()) {
-    budgets.micro_steps = 300;
+    budgets = RandomModels::budgets(seed);
     program = Program::build(native, RandomModels::services()).value();
     Execution execution = Execution::create(program, {}, budgets).value();
     const Recording recording{.derivation = true};
@@ -184,6 +184,45 @@ struct LiveRun {
   Value state;
   semantics::Status status{};
 };
+
+// `whole`: parts of a macro step that is open are untold; what is told of all is what is told of parts.
+TEST(Execution, TellsPartsOfAMacroStepAsOneIfItIsToBeWhole) {
+  Execution whole = make_execution(), parts = make_execution();
+  whole.watch();
+  parts.watch();
+  const Progress first = whole.start({.derivation = true, .whole = true}, 0);
+  EXPECT_TRUE(first.untold);
+  EXPECT_THAT(first.calls, testing::IsEmpty());
+  EXPECT_TRUE(whole.has_untold());
+  const Progress all = whole.continue_step(), expected = parts.start({.derivation = true});
+  EXPECT_FALSE(all.untold);
+  EXPECT_TRUE(all.complete);
+  EXPECT_EQ(all.first, 0U);
+  EXPECT_EQ(all.micro, expected.micro);
+  EXPECT_EQ(all.entry, expected.entry);
+  EXPECT_EQ(all.calls, expected.calls);
+  EXPECT_EQ(all.printed, expected.printed);
+  EXPECT_EQ(all.delta, expected.delta);
+  EXPECT_EQ(Step(whole.run().program(), all), Step(parts.run().program(), expected));
+}
+
+TEST(Execution, TellsAPartThatSomebodyAsksForAndThenTheRest) {
+  const char* const counts =
+      R"json({"rcm": 1, "root": {"state": "R", "variables": [{"name": "n", "initial": 0}], "first": "A",
+    "children": [{"state": "A", "entry": "svc.t.f(1)", "ports": [{"name": "p", "when": "True", "to": "B"}]},
+                 {"state": "B", "entry": "svc.t.f(2)", "ports": [{"name": "p", "when": "True", "to": "C"}]}, {"state": "C"}]}})json";
+  const auto native = rcm::translate(rcm::read_document_text(counts).value()).value();
+  Execution execution = Execution::create(Program::build(native, {{"t", service()}}).value(), {}).value();
+  EXPECT_TRUE(execution.start({.whole = true}, 1).untold);
+  const Progress part = execution.tell_part();
+  EXPECT_THAT(names(part.calls), ElementsAre("f#1"));
+  EXPECT_FALSE(execution.has_untold());
+  EXPECT_TRUE(execution.continue_step(1).untold);
+  const Progress rest = execution.continue_step();
+  EXPECT_EQ(rest.first, 1U);
+  EXPECT_THAT(names(rest.calls), ElementsAre("f#2"));
+  EXPECT_TRUE(rest.complete);
+}
 
 TEST(RandomRuns, AreTheSameLiveInPartsAndReplayed) {
   const std::uint64_t seed = setting("RACE_SEED", 20141122), journals = setting("RACE_JOURNALS", 200);

@@ -23,6 +23,18 @@ class RandomModels {
     return {state("Root", 0, {}), {}};
   }
 
+  /// Budgets of a run; every third has so little that runs meet one now and then.
+  static Budgets budgets(std::uint64_t seed) {
+    Budgets budgets;
+    budgets.micro_steps = 300;
+    if (seed % 3 != 0) return budgets;
+    budgets.work = 100 + seed % 400;
+    budgets.calls = 1 + seed % 7;
+    budgets.output_units = 5 + seed % 50;
+    budgets.data_units = 10 + seed % 90;
+    return budgets;
+  }
+
   /// Services `t` and `u`, alike: events e0..e3 and the sampled s0, operations o0, o1 and `halt`, which is safe.
   static std::map<std::string, rsm::Service> services() {
     rsm::Service service;
@@ -164,7 +176,7 @@ class RandomModels {
   }
 
   std::string function() {
-    switch (pick(13)) {
+    switch (pick(15)) {
       case 0:
         return svc() + ".o" + number(2) + "(par.p)";
       case 1:
@@ -189,6 +201,11 @@ class RandomModels {
         return "var.v = 3\n" + svc() + ".o0(1)\nres.r = " + svc() + ".o0.result";
       case 11:
         return "for i in range(par.p):\n    " + svc() + ".o" + number(2) + "(i)\nvar.v = 1";
+      case 12:  // data that grows, shared by several places
+        return "l = var.l if available(var.l) else []\nm = l\nl.append([var.v])\nvar.l = l\nm.append(len(l))\nvar.m = "
+               "m";
+      case 13:
+        return "print(list(range(par.p)))\nvar.l = [var.l, 'ab'] if available(var.l) else 'abc'";
       default:
         return "res.r = par.p";
     }

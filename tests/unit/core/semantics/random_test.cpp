@@ -67,8 +67,7 @@ void drive(std::uint64_t seed, std::uint64_t limit, Outcomes& outcomes) {
   RandomModels random(seed);
   auto program = Program::build(random.model(), RandomModels::services());
   ASSERT_TRUE(program) << "seed " << seed << ": " << to_string(program.error()[0]);
-  Budgets budgets;
-  budgets.micro_steps = 300;
+  const Budgets budgets = RandomModels::budgets(seed);
   DrivenRun fast(*semantics::Run::create(*program, {}, budgets));
   DrivenRun recorded = fast;
   DrivenRun thorough = fast;
@@ -162,8 +161,7 @@ TEST(RandomModels, AFaultLeavesDeltaAsAfterTheLastCompleteMicroStep) {
     RandomModels random(seed + i);
     auto program = Program::build(random.model(), RandomModels::services());
     ASSERT_TRUE(program);
-    Budgets budgets;
-    budgets.micro_steps = 300;
+    const Budgets budgets = RandomModels::budgets(seed + i);
     DrivenRun run(*semantics::Run::create(*program, {}, budgets));
     for (int k = 0; k < 50 && run.status() == Status::running; ++k) {
       if (k > 0) random.post<DrivenRun>({&run}, run.state().call_count);
