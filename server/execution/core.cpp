@@ -13,6 +13,8 @@ using execution::Progress;
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 tl::unexpected<Error> conflict(std::string why) { return unexpected(ErrorCode::conflict, std::move(why)); }
 
 /// Of the program, or what is wrong with one of them.
@@ -32,14 +34,18 @@ Expected<std::vector<Goal>> find_goals(const semantics::Program& program,
 
 Expected<std::shared_ptr<Core>> Core::create(RunRecord run, execution::JournalHeader header,
                                              const CoreResources& resources) {
-  ASSIGN_OR_RETURN(Execution execution, Execution::create(header));
+  const auto give_up = std::make_shared<std::atomic<bool>>(false);
+  execution::JournalHeader stoppable = header;
+  stoppable.budgets.evaluation.stop = give_up.get();
+  ASSIGN_OR_RETURN(Execution execution, Execution::create(stoppable));
   // Held by the registry, and by work on its way through the strand.
-  std::shared_ptr<Core> core(new Core(std::move(run), std::move(header), std::move(execution), resources));
+  std::shared_ptr<Core> core(new Core(std::move(run), std::move(header), std::move(execution), give_up, resources));
   core->open_journal();
   return core;
 }
 
-Core::Core(RunRecord run, execution::JournalHeader header, Execution execution, const CoreResources& resources)
+Core::Core(RunRecord run, execution::JournalHeader header, Execution execution, Watchdog::Flag give_up,
+           const CoreResources& resources)
     : id_(std::to_string(run.id)),
       run_id_(run.id),
       header_(std::move(header)),
@@ -47,6 +53,7 @@ Core::Core(RunRecord run, execution::JournalHeader header, Execution execution, 
       strand_(resources.pool),
       model_(execution.model()),
       record_(std::move(run)),
+      give_up_(std::move(give_up)),
       execution_(std::move(execution)),
       replay_(std::make_shared<execution::Replay>(header_, resources.runs.source(run_id_))) {
   revision_ = record_.revision;
@@ -113,7 +120,7 @@ Expected<Value> Core::pause() {
   return on_strand<Value>([this]() -> Expected<Value> {
     if (auto sound = readable(); !sound) return tl::unexpected(std::move(sound).error());
     if (is_over()) return conflict("core " + id_ + " is over");
-    while (execution_.is_open() && !execution_.has_goal() && !paused_) do_part(Execution::kNoLimit);
+    if (!execution_.has_goal() && !paused_) finish_macro_step();
     if (!paused_) hold();
     return info_json();
   });
@@ -156,7 +163,11 @@ Expected<void> Core::end_run_now() {
   if (auto ready = ready_to_go_on(); !ready) return ready;
   execution_.set_goal(std::nullopt);
   execution_.set_breakpoints({});
-  while (execution_.is_open()) do_part(Execution::kNoLimit);
+  if (!finish_macro_step()) give_up_macro_step("stopped", "it was stopped in a long macro step");
+  if (interruption_) {
+    interruption_->ends = true;
+    return {};
+  }
   if (!is_over()) emit(execution_.abort());
   return {};
 }
@@ -193,10 +204,11 @@ Expected<Value> Core::set_breakpoints(std::vector<execution::GoalName> names) {
 
 void Core::schedule() {
   if (std::exchange(scheduled_, true)) return;
-  post_work([this] {
+  const auto rest = [this] {
     scheduled_ = false;
     advance();
-  });
+  };
+  strand_.post_later(interrupting(rest));
 }
 
 // One turn: as many micro steps as are its due, then the others on this pool. Too far ahead of the disk, it is left
@@ -204,15 +216,16 @@ void Core::schedule() {
 void Core::advance() {
   if (!take_inbox()) return;
   if (!started_ || paused_ || closed_ || is_over()) return;
-  for (std::uint32_t left = kTurn; left > 0;) {
+  const auto end = Clock::now() + kTurnTime;
+  for (std::uint32_t left = kTurn; left > 0 && Clock::now() < end;) {
     if (held_.size() >= kMostHeld) return;
     if (!execution_.is_open() && !take_inbox()) return;
-    if (!execution_.is_open() && deliver_edit(left)) {
+    if (!execution_.is_open() && deliver_edit(std::min(left, kPart))) {
       if (paused_ || is_over()) return;
       continue;
     }
     if (!execution_.is_open() && !has_input()) return publish_info();
-    left -= do_part(left);
+    left -= do_part(std::min(left, kPart));
     if (paused_ || is_over()) return;
   }
   schedule();
@@ -232,15 +245,20 @@ bool Core::take_inbox() {
       has_dropped = true;
       break;
     }
-    waiting_units_ += delivery.data.size_units();
+    const std::size_t units = delivery.data.size_units();
+    waiting_units_ += units;
+    received_units_ += units;
     if (delivery.kind == services::Delivery::Kind::event) {
       execution_.post_event(delivery.key, delivery.name, std::move(delivery.data));
     } else {
       execution_.post_response(delivery.caller.call, delivery.is_error, std::move(delivery.data));
     }
   }
+  has_dropped = has_dropped || !keeps_within_bounds();
   if (has_dropped && !interruption_ && !is_over()) {
-    interrupt_and_rebuild({ErrorCode::too_large, "more inputs wait than the server keeps", {}}, "overload");
+    interrupt_and_rebuild(
+        {ErrorCode::too_large, "more inputs wait, or more of their data is kept, than the server has room for", {}},
+        "overload");
     return false;
   }
   if (paused_ && held_.size() == 0 && !inbox.deliveries.empty()) publish_info();  // how many wait
@@ -257,22 +275,71 @@ bool Core::has_room() {
   return waiting_units_ <= kMostInputUnits;
 }
 
+// Whether the run keeps no more of what services have said than it may: the newest data of each event, and the last
+// response of each call. Counted anew when it may be too much.
+bool Core::keeps_within_bounds() {
+  if (received_units_ <= kMostKeptUnits) return true;
+  received_units_ = run().service_data_units();
+  return received_units_ <= kMostKeptUnits;
+}
+
 // At most `limit` micro steps of the open macro step, or of a new one. Returns what of the limit is used up.
 std::uint32_t Core::do_part(std::uint32_t limit) {
-  const Progress& progress = next_part(limit);
-  const std::uint32_t used = std::max(progress.micro - progress.first, 1U);
-  if (progress.reached_goal) paused_ = true;
-  emit(progress);
+  const std::uint32_t before = execution_.micro();
+  const auto begin = Clock::now();
+  if (!execution_.is_open()) step_time_ = {};
+  const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(resources_.longest_step - step_time_);
+  const Progress* progress = nullptr;
+  {
+    const auto watch = resources_.watchdog.watch(give_up_, left);
+    progress = &next_part(limit);
+  }
+  step_time_ += Clock::now() - begin;
+  if (*give_up_) {
+    give_up_macro_step("deadline", "a macro step has taken more than " +
+                                       std::to_string(resources_.longest_step.count()) + " ms");
+    return limit;
+  }
+  const std::uint32_t used = std::max(progress->micro - before, 1U);
+  take(*progress);
   return used;
 }
 
 const Progress& Core::next_part(std::uint32_t limit) {
   if (execution_.is_open()) return execution_.continue_step(limit);
-  const execution::Recording recording{.derivation = derivation_watched_};
-  return run().position() == 0 ? execution_.start(recording, limit) : execution_.step(recording, limit);
+  return run().position() == 0 ? execution_.start(recording(), limit) : execution_.step(recording(), limit);
+}
+
+// A macro step that takes several turns is told when it is over, so that it can be given up: nobody has heard of it
+// then. Derivations are large.
+void Core::take(const Progress& progress) {
+  if (progress.reached_goal) paused_ = true;
+  if (!progress.untold) return emit(progress);
+  if (progress.derivation && progress.micro - progress.first >= kMostUntold) emit(execution_.tell_part());
+}
+
+// Whether the macro step under way is over, or the core is paused in it: somebody waits for that, a short time.
+bool Core::finish_macro_step() {
+  const auto end = Clock::now() + kWaitForStep;
+  while (execution_.is_open() && !paused_ && !interruption_ && Clock::now() < end) do_part(kPart);
+  return !execution_.is_open() || paused_;
+}
+
+// core/SEMANTICS.md section 10: it is as if it had not begun, unless something of it has been told.
+void Core::give_up_macro_step(const char* reason, std::string why) {
+  *give_up_ = false;
+  step_time_ = {};
+  resources_.watcher.printed(id_, "interrupted: " + why);
+  interrupt_and_rebuild({ErrorCode::unavailable, std::move(why), {}}, reason);
+}
+
+// Who asks learns what the journal has, and nothing that a crash takes back.
+void Core::tell_untold() {
+  if (execution_.has_untold()) emit(execution_.tell_part());
 }
 
 void Core::hold() {
+  tell_untold();
   paused_ = true;
   execution_.set_goal(std::nullopt);
   publish_info();

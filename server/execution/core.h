@@ -25,6 +25,7 @@
 #include "server/store/journal_writer.h"
 #include "server/store/runs.h"
 #include "server/threads/strand.h"
+#include "server/threads/watchdog.h"
 #include "server/threads/worker.h"
 #include "services/host/host.h"
 #include "services/mutex.h"
@@ -56,6 +57,9 @@ struct CoreResources {
   Runs& runs;
   JournalWriter& writer;
   Worker& replays;
+  Watchdog& watchdog;
+  /// A macro step may compute for so long; then the run is interrupted.
+  std::chrono::milliseconds longest_step{10'000};
 };
 
 class Core final : public std::enable_shared_from_this<Core>, private RunSink {
@@ -90,6 +94,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
 
   static constexpr std::size_t kMostInputs = 10'000;         // that wait
   static constexpr std::size_t kMostInputUnits = 4U << 20U;  // of their data (Value::size_units), but for the last
+  static constexpr std::size_t kMostKeptUnits = 16U << 20U;  // of what a run keeps of them, but for the last
 
   // Commands: wait, and give the core as it is then, once what they caused is durable. Errors: `conflict`: it is not in
   // the state for it; `storage`: the disk fails, and the run is interrupted.
@@ -160,7 +165,8 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   void replace(const Core& other, Preparation preparation);
 
  private:
-  Core(RunRecord run, execution::JournalHeader header, execution::Execution execution, const CoreResources& resources);
+  Core(RunRecord run, execution::JournalHeader header, execution::Execution execution, Watchdog::Flag give_up,
+       const CoreResources& resources);
 
   // RunSink.
   void durable(std::uint64_t ticket) override;
@@ -190,8 +196,14 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   void advance();
   bool take_inbox();
   bool has_room();
+  bool keeps_within_bounds();
   std::uint32_t do_part(std::uint32_t limit);
   const execution::Progress& next_part(std::uint32_t limit);
+  void take(const execution::Progress& progress);
+  void tell_untold();
+  bool finish_macro_step();
+  void give_up_macro_step(const char* reason, std::string why);
+  execution::Recording recording() const { return {.derivation = derivation_watched_, .whole = true}; }
   void hold();
   Expected<void> ready_to_go_on();
   Expected<void> end_run_now();
@@ -231,6 +243,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   void interrupt_and_rebuild(const Error& error, const char* reason);
   /// Posts work that may throw.
   void post_work(Work work);
+  Work interrupting(Work work);
   void publish_interruption();
   void end_rebuilt_run();
   Expected<void> readable() const;
@@ -243,8 +256,14 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   Expected<Rebuilt> rebuild() const;
   Expected<void> ensure_rebuilt();
 
-  static constexpr std::uint32_t kTurn = 256;    // micro steps in one turn of the strand
-  static constexpr std::size_t kMostHeld = 256;  // outputs that wait for the disk; then no macro step begins
+  static constexpr std::uint32_t kTurn = 256;  // micro steps in one turn of the strand,
+  static constexpr std::uint32_t kPart = 16;   // after so many the time is looked at
+  static constexpr std::chrono::milliseconds kTurnTime{2};
+  /// A person who pauses or stops a core waits so long for the end of its macro step.
+  static constexpr std::chrono::milliseconds kWaitForStep{200};
+  static constexpr std::chrono::milliseconds kLongestRebuild{20'000};
+  static constexpr std::uint32_t kMostUntold = 1000;  // micro steps with their derivation
+  static constexpr std::size_t kMostHeld = 256;       // outputs that wait for the disk; then no macro step begins
   static constexpr std::chrono::seconds kReplayTimeout{5};
 
   const std::string id_;
@@ -268,7 +287,10 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   RunRecord record_;  // as it was stored when the core was made, or rebuilt; its number and document stay
   std::shared_ptr<RunJournal> journal_;
   HeldOutputs held_;
-  std::size_t waiting_units_ = 0;  // of the inputs that wait in the execution, or more
+  std::size_t waiting_units_ = 0;   // of the inputs that wait in the execution, or more
+  std::size_t received_units_ = 0;  // that the run keeps of inputs, or more
+  const Watchdog::Flag give_up_;    // what is computed takes too long: the execution stops, in a fault of nobody's
+  std::chrono::nanoseconds step_time_{0};  // that the open macro step has computed
   execution::Execution execution_;
   std::vector<execution::GoalName> breakpoint_names_;
   bool started_ = false, paused_ = false, scheduled_ = false;
@@ -293,6 +315,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
     bool was_paused = false;  // before it
     bool stalled = false;     // the disk has not answered: what the journal says is not known yet
     bool rebuilt = false;     // the execution is as the journal says
+    bool ends = false;        // the run is aborted when it is rebuilt
   };
   std::optional<Interruption> interruption_;
   std::uint64_t interruptions_ = 0;

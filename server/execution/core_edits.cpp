@@ -128,7 +128,8 @@ bool Core::deliver_edit(std::uint32_t limit) {
   if (edit_->state && run().is_active(*edit_->state)) return false;
   const LiveEdit& edit = edit_->edit;
   const std::vector<std::uint64_t> open_calls = run().unanswered_calls();
-  auto progress = execution_.edit(edit.entry, edit.model, {.derivation = derivation_watched_}, limit);
+  const auto watch = resources_.watchdog.watch(give_up_, resources_.longest_step);
+  auto progress = execution_.edit(edit.entry, edit.model, recording(), limit);
   if (!progress) {
     note_obstacles(progress.error());
     return false;
@@ -138,8 +139,8 @@ bool Core::deliver_edit(std::uint32_t limit) {
   edit_.reset();
   set_model(execution_.model());
   find_breakpoints();
-  if ((*progress)->reached_goal) paused_ = true;
-  emit(**progress);
+  step_time_ = {};
+  take(**progress);
   abandon_unless_open(open_calls);
   publish_info();
   return true;
@@ -176,12 +177,12 @@ Expected<Value> Core::force(semantics::Force force) {
     if (auto sound = readable(); !sound) return tl::unexpected(std::move(sound).error());
     if (interruption_) return unexpected(ErrorCode::conflict, "core " + id_ + " is interrupted");
     if (!started_ || is_over()) return unexpected(ErrorCode::conflict, "core " + id_ + " is not running");
-    while (execution_.is_open() && !paused_) do_part(execution::Execution::kNoLimit);
+    if (!finish_macro_step()) return unexpected(ErrorCode::conflict, "core " + id_ + " is in a long macro step");
     if (execution_.is_open()) return unexpected(ErrorCode::conflict, "core " + id_ + " is paused in a macro step");
     if (is_over()) return unexpected(ErrorCode::conflict, "core " + id_ + " is over");
-    ASSIGN_OR_RETURN(const execution::Progress* progress, execution_.force(force, {.derivation = derivation_watched_}));
-    if (progress->reached_goal) paused_ = true;
-    emit(*progress);
+    ASSIGN_OR_RETURN(const execution::Progress* progress, execution_.force(force, recording(), kPart));
+    step_time_ = {};
+    take(*progress);
     schedule();
     publish_info();
     return info_json();

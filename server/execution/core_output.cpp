@@ -88,6 +88,7 @@ void Core::watch_state() {
 }
 
 void Core::publish_snapshot(void (CoreWatcher::*publish)(const std::string&, Value)) {
+  tell_untold();
   Value snapshot = Dict{{"core", info_json()}, {"state", execution_.watch()}};
   snapshot.freeze();
   held_.add([this, snapshot, publish](const Error* failure) {

@@ -80,15 +80,17 @@ void Core::interrupt_and_rebuild(const Error& error, const char* reason) {
   resources_.writer.append(journal_, {.failure = error});
 }
 
-void Core::post_work(Work work) {
-  strand_.post([self = shared_from_this(), work = std::move(work)] {
+void Core::post_work(Work work) { strand_.post(interrupting(std::move(work))); }
+
+Work Core::interrupting(Work work) {
+  return [self = shared_from_this(), work = std::move(work)] {
     try {
       work();
     } catch (const std::exception& failure) {
       self->interrupt_after(failure);
       throw;  // for the log
     }
-  });
+  };
 }
 
 // Not on the strand: the threads of the cores never wait for the disk, so that the safe calls of all are made at once.
@@ -106,9 +108,10 @@ void Core::take_rebuilt(std::uint64_t interruption, Expected<Rebuilt> rebuilt) {
     interruption_->message += "; " + rebuilt.error().message;
     return publish_interruption();
   }
-  const bool was_paused = interruption_->was_paused;
+  const bool was_paused = interruption_->was_paused, ends = interruption_->ends;
   take(std::move(*rebuilt));
   if (!started_) paused_ = was_paused;
+  if (ends) std::ignore = end_run_now();
   publish_info();
 }
 
@@ -156,8 +159,14 @@ Expected<void> Core::readable() const {
 // before is forgotten.
 Expected<Core::Rebuilt> Core::rebuild() const {
   ASSIGN_OR_RETURN(RunRecord stored, resources_.runs.get(run_id()));
-  execution::Replay replay(header_, resources_.runs.source(run_id()));
-  ASSIGN_OR_RETURN(Execution rebuilt, replay.after(stored.steps));
+  execution::JournalHeader stoppable = header_;
+  stoppable.budgets.evaluation.stop = give_up_.get();
+  execution::Replay replay(stoppable, resources_.runs.source(run_id()));
+  const auto watch = resources_.watchdog.watch(give_up_, kLongestRebuild);
+  auto replayed = replay.after(stored.steps);
+  if (give_up_->exchange(false))
+    return unexpected(ErrorCode::unavailable, "the run takes too long to be rebuilt from its journal");
+  ASSIGN_OR_RETURN(Execution rebuilt, std::move(replayed));
   rebuilt.post_lost();
   // A disk that takes nothing leaves it as `running`: when the server has ended, that means the same.
   if (stored.steps > 0 && !rebuilt.is_over()) std::ignore = resources_.runs.set_status(run_id(), "interrupted");

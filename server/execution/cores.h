@@ -21,7 +21,7 @@ class Cores {
 
   /// All outlive this.
   Cores(Pool& pool, services::Host& host, CoreWatcher& watcher, Runs& runs, JournalWriter& writer, Worker& replays)
-      : resources_{pool, host, watcher, runs, writer, replays} {}
+      : resources_{pool, host, watcher, runs, writer, replays, watchdog_} {}
 
   /// A core of a document in a revision that waits to be started; its run is stored. Errors: violations of the program
   /// (with `type` for a service of another type than the document expects), an argument that does not fit, `conflict`:
@@ -64,6 +64,7 @@ class Cores {
   Expected<std::shared_ptr<Core>> create_run(const StoredDocument& stored, execution::JournalHeader header);
   void add(const std::shared_ptr<Core>& core) EXCLUDES(mutex_);
 
+  Watchdog watchdog_;
   const CoreResources resources_;
   services::Mutex loading_;
   mutable services::Mutex mutex_;

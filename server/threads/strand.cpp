@@ -25,11 +25,11 @@ void Pool::end() {
   threads_.clear();
 }
 
-bool Pool::post(Work work) {
+bool Pool::post(Work work, Turn turn) {
   {
     const services::MutexLock lock(mutex_);
     if (running_ == 0) return false;
-    work_.push_back(std::move(work));
+    (turn == Turn::now ? work_ : later_).push_back(std::move(work));
   }
   posted_.notify_one();
   return true;
@@ -41,23 +41,31 @@ void Pool::run() {
 
 std::optional<Work> Pool::next() {
   const services::MutexLock lock(mutex_);
-  posted_.wait(mutex_, [this]() REQUIRES(mutex_) { return stop_ || !work_.empty(); });
-  if (work_.empty()) {
+  posted_.wait(mutex_, [this]() REQUIRES(mutex_) { return stop_ || !work_.empty() || !later_.empty(); });
+  if (work_.empty() && later_.empty()) {
     --running_;
     return std::nullopt;
   }
-  Work work = std::move(work_.front());
-  work_.pop_front();
+  std::deque<Work>& queue = next_queue();
+  Work work = std::move(queue.front());
+  queue.pop_front();
   return work;
 }
 
-void Strand::Queue::post(const std::shared_ptr<Queue>& queue, Work work) {
-  Work dropped;  // after the lock: it may own what posts
+// Requires that work waits.
+std::deque<Work>& Pool::next_queue() {
+  const bool later = work_.empty() || (!later_.empty() && since_later_ >= kLaterAfter);
+  since_later_ = later || later_.empty() ? 0 : since_later_ + 1;
+  return later ? later_ : work_;
+}
+
+void Strand::Queue::post(const std::shared_ptr<Queue>& queue, Work work, Pool::Turn turn) {
+  Piece dropped;  // after the lock: it may own what posts
   const services::MutexLock lock(queue->mutex);
-  queue->work.push_back(std::move(work));
+  queue->work.push_back({std::move(work), turn});
   if (queue->scheduled) return;
   try {
-    queue->scheduled = queue->pool.post([queue] { run_one(queue); });
+    queue->scheduled = queue->pool.post([queue] { run_one(queue); }, turn);
   } catch (...) {  // it is not posted: who posts next gets the strand going
     queue->work.pop_back();
     throw;
@@ -78,11 +86,12 @@ void Strand::Queue::run_one(const std::shared_ptr<Queue>& queue) {
     Work work;
     {
       const services::MutexLock lock(queue->mutex);
-      work = std::move(queue->work.front());
+      work = std::move(queue->work.front().work);
       queue->work.pop_front();
     }
     services::run_reporting("work of a strand", work);
     work = nullptr;
+    Pool::Turn turn = Pool::Turn::now;
     {
       const services::MutexLock lock(queue->mutex);
       if (queue->work.empty()) {
@@ -90,8 +99,10 @@ void Strand::Queue::run_one(const std::shared_ptr<Queue>& queue) {
         queue->done.notify_all();
         return;
       }
+      turn = queue->work.front().turn;
     }
-    given_up = services::run_reporting("the turn of a strand", [&] { queue->pool.post([queue] { run_one(queue); }); });
+    given_up =
+        services::run_reporting("the turn of a strand", [&] { queue->pool.post([queue] { run_one(queue); }, turn); });
   }
 }
 

@@ -3,10 +3,15 @@
 // (services/failures.h); what was posted after it is done all the same. A pool that has ended drops what is posted: who
 // is still at work while the server ends needs no care.
 //
+// Fair turns: who has more to do than one turn allows posts the rest for later (post_later). That waits until all that
+// was posted otherwise has had its turn, but for one in kLaterAfter, so that it does not wait for ever. So strands that
+// are always busy share what the others leave.
+//
 // Threads: post() and ask() on any.
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <future>
@@ -28,8 +33,10 @@ class Pool {
   ~Pool() { end(); }
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
+  enum class Turn : std::uint8_t { now, later };
+  static constexpr unsigned kLaterAfter = 8;  // pieces of other work
   /// False: the pool has ended, and the work is dropped.
-  bool post(Work work) EXCLUDES(mutex_);
+  bool post(Work work, Turn turn = Turn::now) EXCLUDES(mutex_);
   /// Finishes all posted work, and the work that it posts: work must not post itself for ever. Not on its threads.
   void end() EXCLUDES(mutex_);
 
@@ -37,11 +44,13 @@ class Pool {
   void run();
   /// Waits for work; nothing: the thread ends.
   std::optional<Work> next() EXCLUDES(mutex_);
+  std::deque<Work>& next_queue() REQUIRES(mutex_);
 
   services::Mutex mutex_;
   services::ConditionVariable posted_;
-  std::deque<Work> work_ GUARDED_BY(mutex_);
-  unsigned running_ GUARDED_BY(mutex_) = 0;  // threads
+  std::deque<Work> work_ GUARDED_BY(mutex_), later_ GUARDED_BY(mutex_);
+  unsigned since_later_ GUARDED_BY(mutex_) = 0;  // pieces of other work that went before what waits in later_
+  unsigned running_ GUARDED_BY(mutex_) = 0;      // threads
   bool stop_ GUARDED_BY(mutex_) = false;
   std::vector<std::thread> threads_;
 };
@@ -50,7 +59,9 @@ class Strand {
  public:
   /// The pool outlives the strand's work.
   explicit Strand(Pool& pool) : queue_(std::make_shared<Queue>(pool)) {}
-  void post(Work work) { Queue::post(queue_, std::move(work)); }
+  void post(Work work) { Queue::post(queue_, std::move(work), Pool::Turn::now); }
+  /// The rest of a turn of this strand: after what others have posted, and after what was posted here.
+  void post_later(Work work) { Queue::post(queue_, std::move(work), Pool::Turn::later); }
   /// Waits until all posted work is done. Not to be called on the strand itself.
   void finish();
 
@@ -74,12 +85,16 @@ class Strand {
   // Kept alive by its work in the pool.
   struct Queue {
     explicit Queue(Pool& its_pool) : pool(its_pool) {}
-    static void post(const std::shared_ptr<Queue>& queue, Work work);
+    static void post(const std::shared_ptr<Queue>& queue, Work work, Pool::Turn turn);
     static void run_one(const std::shared_ptr<Queue>& queue);
     Pool& pool;
     services::Mutex mutex;
     services::ConditionVariable done;
-    std::deque<Work> work GUARDED_BY(mutex);
+    struct Piece {
+      Work work;
+      Pool::Turn turn;
+    };
+    std::deque<Piece> work GUARDED_BY(mutex);
     bool scheduled GUARDED_BY(mutex) = false;
   };
   std::shared_ptr<Queue> queue_;

@@ -58,7 +58,7 @@ struct HostedCores : testing::Test, CoreWatcher {
   std::shared_ptr<Core> small_core() {
     const execution::JournalHeader header = execution::small_journal().header;
     RunRecord run = runs->create({"small", 1, header, {}}, 0).value();
-    return Core::create(std::move(run), header, {*pool, host, *this, *runs, *writer, replays}).value();
+    return Core::create(std::move(run), header, {*pool, host, *this, *runs, *writer, replays, watchdog}).value();
   }
   static void answer(Core& core, std::uint64_t call, const Value& data) {
     services::Delivery delivery;
@@ -109,6 +109,7 @@ struct HostedCores : testing::Test, CoreWatcher {
   std::unique_ptr<JournalWriter> writer;
   std::unique_ptr<Pool> pool;
   Worker replays;
+  Watchdog watchdog;
   std::unique_ptr<Cores> cores;
 };
 

@@ -4,6 +4,8 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
+#include <future>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -36,6 +38,58 @@ TEST(Strand, ABusyOneDoesNotHoldUpAnother) {
   EXPECT_EQ(busy.ask([] { return 5; }, std::chrono::milliseconds(1)), std::nullopt);
   release = true;
   EXPECT_EQ(busy.ask([] { return 6; }), 6);
+}
+
+TEST(Pool, DoesWhatIsPostedForLaterAfterAllElse) {
+  Pool pool(1);
+  std::string order;  // of the pool's one thread
+  std::promise<void> posted;
+  pool.post([&] { posted.get_future().wait(); });
+  for (char c = 'a'; c < 'd'; ++c) pool.post([&order, c] { order += c; }, Pool::Turn::later);
+  for (char c = 'A'; c < 'D'; ++c) pool.post([&order, c] { order += c; });
+  posted.set_value();
+  pool.end();
+  EXPECT_EQ(order, "ABCabc");
+}
+
+TEST(Pool, DoesWhatIsPostedForLaterNowAndThenHoweverMuchElseThereIs) {
+  Pool pool(1);
+  std::string order;
+  std::promise<void> posted;
+  pool.post([&] { posted.get_future().wait(); });
+  pool.post([&order] { order += 'l'; }, Pool::Turn::later);
+  pool.post([&order] { order += 'l'; }, Pool::Turn::later);
+  for (unsigned i = 0; i < 3 * Pool::kLaterAfter; ++i) pool.post([&order] { order += '.'; });
+  posted.set_value();
+  pool.end();
+  EXPECT_EQ(order, "........l........l........");
+}
+
+// Strands that always have more to do, each for some time, and one that has little: it waits for no more than the turns
+// that have begun.
+TEST(Strand, ThatHasLittleToDoWaitsForNoneThatAlwaysHasMore) {
+  Pool pool(2);
+  std::vector<std::unique_ptr<Strand>> busy;
+  std::atomic<bool> ends{false};
+  std::atomic<int> turns{0};
+  std::function<void(Strand&)> spin = [&](Strand& strand) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(1);
+    while (std::chrono::steady_clock::now() < end) {
+    }
+    ++turns;
+    if (!ends) strand.post_later([&] { spin(strand); });
+  };
+  for (int i = 0; i < 20; ++i) {
+    busy.push_back(std::make_unique<Strand>(pool));
+    busy.back()->post_later([&spin, strand = busy.back().get()] { spin(*strand); });
+  }
+  Strand good(pool);
+  for (int i = 0; i < 50; ++i) {
+    const int before = turns;
+    EXPECT_EQ(good.ask([] { return 5; }), 5);
+    EXPECT_LT(turns - before, 20) << "no round of all others";
+  }
+  ends = true;
 }
 
 /// What is reported while it lives.

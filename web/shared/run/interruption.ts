@@ -36,6 +36,13 @@ export function interruptionText(core: Core): InterruptionText | undefined {
       holds: "It is as its journal says; the inputs that waited are gone. Open calls were answered `unavailable`; none is sent again. Nothing moves until someone resumes, steps or stops it.",
     };
   }
+  if (core.interruption?.reason === "deadline" || core.interruption?.reason === "stopped") {
+    return {
+      title: `Run ${core.id} is interrupted: a macro step did not end`,
+      happened,
+      holds: "It is as it was before that macro step, whose input is gone. Open calls were answered `unavailable`; none is sent again. Nothing moves until someone resumes, steps or stops it.",
+    };
+  }
   return {
     title: `Run ${core.id} is interrupted: the server ended and was started again`,
     happened,
