@@ -90,6 +90,7 @@ TEST(Strand, ThatHasLittleToDoWaitsForNoneThatAlwaysHasMore) {
     EXPECT_LT(turns - before, 20) << "no round of all others";
   }
   ends = true;
+  pool.end();
 }
 
 /// What is reported while it lives.

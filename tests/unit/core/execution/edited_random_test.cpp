@@ -318,7 +318,7 @@ edit::Tree first_document(semantics::RandomModels& random) {
 class Workshop {
  public:
   explicit Workshop(std::uint64_t seed, Counts& counts)
-      : random_(seed),
+      : random_(seed, false),
         history_(first_document(random_), 0, {.edits = 100'000}),
         first_(rcm::format_document(history_.tree().document())),
         counts_(counts) {

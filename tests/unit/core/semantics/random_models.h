@@ -14,7 +14,8 @@ namespace race::semantics {
 
 class RandomModels {
  public:
-  explicit RandomModels(std::uint64_t seed) : random_(seed) {}
+  /// `data`: functions also make strings and lists.
+  explicit RandomModels(std::uint64_t seed, bool data = true) : random_(seed), data_(data) {}
 
   /// A native model with at most about 40 states; one in five is deep and narrow.
   rcm::NativeModel model() {
@@ -176,7 +177,7 @@ class RandomModels {
   }
 
   std::string function() {
-    switch (pick(15)) {
+    switch (pick(data_ ? 15 : 13)) {
       case 0:
         return svc() + ".o" + number(2) + "(par.p)";
       case 1:
@@ -201,10 +202,10 @@ class RandomModels {
         return "var.v = 3\n" + svc() + ".o0(1)\nres.r = " + svc() + ".o0.result";
       case 11:
         return "for i in range(par.p):\n    " + svc() + ".o" + number(2) + "(i)\nvar.v = 1";
-      case 12:  // data that grows, shared by several places
+      case 13:  // data that grows, shared by several places
         return "l = var.l if available(var.l) else []\nm = l\nl.append([var.v])\nvar.l = l\nm.append(len(l))\nvar.m = "
                "m";
-      case 13:
+      case 14:
         return "print(list(range(par.p)))\nvar.l = [var.l, 'ab'] if available(var.l) else 'abc'";
       default:
         return "res.r = par.p";
@@ -278,6 +279,7 @@ class RandomModels {
   }
 
   std::mt19937_64 random_;
+  bool data_;
   int states_ = 0;
   bool deep_ = false;
 };
