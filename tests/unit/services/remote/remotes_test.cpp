@@ -123,6 +123,7 @@ struct RemotesTest : testing::Test {
     for (;;) {
       for (Process* process : processes) process->pump();
       if (what()) return true;
+      host.advance(false);
       if (std::chrono::steady_clock::now() > deadline) return false;
       seen.wait();
     }
