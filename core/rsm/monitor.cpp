@@ -49,6 +49,7 @@ void Monitor::restarted() {
   open_.clear();
   unannounced_.clear();
   last_transition_.clear();
+  superseded_ = 0;
 }
 
 std::vector<Monitor::CallId> Monitor::open_calls() const {
@@ -56,8 +57,6 @@ std::vector<Monitor::CallId> Monitor::open_calls() const {
   for (const auto& [call, open] : open_) out.push_back(call);
   return out;
 }
-
-bool Monitor::is_open(CallId call) const { return open_.contains(call); }
 
 const Operation* Monitor::operation(std::string_view name) const {
   for (const Operation& operation : service_.operations) {
@@ -89,6 +88,7 @@ Monitor::Violations Monitor::called(CallId call, std::string_view name, const Li
 
 Monitor::Violations Monitor::transition(std::string_view id, CallId call) {
   Violations out;
+  superseded_ = 0;
   check_unannounced(out);
   const Transition* t = find_transition(service_, id);
   if (!t) {
@@ -131,7 +131,8 @@ void Monitor::follow(const Transition& t, CallId call) {
     const auto earlier = instance_.pending.find(t.id);
     // REFINEMENT R17: the earlier call that took t has no response any more.
     if (!t.concurrent && earlier != instance_.pending.end() && earlier->second.front() != call)
-      open_.erase(earlier->second.front());
+      superseded_ = earlier->second.front();
+    open_.erase(superseded_);
     add_pending(instance_, t, call);
     open_[call].progress = OpenCall::Progress::deferred;
   }

@@ -39,6 +39,8 @@ class Monitor {
   /// The service took transition `id`, on `call` or spontaneously (0), or spontaneously to answer `call`, one of
   /// several (R25).
   Violations transition(std::string_view id, CallId call);
+  /// The call that the last transition() took the response from: it is open no longer (R17). 0: none.
+  CallId superseded() const { return superseded_; }
   /// The service rejected a call (R7).
   Violations rejected(CallId call);
   Violations result(CallId call, const Value& value);
@@ -52,8 +54,6 @@ class Monitor {
   const std::string& current() const { return instance_.current; }
   /// Calls without a response, in order.
   std::vector<CallId> open_calls() const;
-  bool is_open(CallId call) const;
-  std::size_t open_count() const { return open_.size(); }
 
  private:
   /// A call without a response.
@@ -79,6 +79,7 @@ class Monitor {
   Instance instance_;
   OpenCalls open_;
   std::string last_transition_;
+  CallId superseded_ = 0;
   std::multiset<std::string, std::less<>> unannounced_;  // events of the last transition
 };
 

@@ -36,6 +36,7 @@ struct Session {
     if (why.empty()) why = std::move(reason);
     over = true;
   }
+  void end_invalid(const Error& error) { end("the server says what does not fit: " + to_string(error)); }
   std::string reason() {
     const services::MutexLock lock(mutex);
     return why;
@@ -57,16 +58,11 @@ struct Session {
 void handle_message(const remote::EncodedMessage& encoded, remote::ProcessHost& process, Session& session,
                     const std::string& name) {
   auto message = remote::decode(encoded, remote::Reader::process);
-  const auto end_invalid = [&session](const Error& error) {
-    session.end("the server says what does not fit: " + to_string(error));
-  };
-  if (!message) return end_invalid(message.error());
+  if (!message) return session.end_invalid(message.error());
   if (message->kind == remote::Kind::refused) return session.refuse(*message);
   if (message->kind == remote::Kind::reply) return process.handle_reply(std::move(*message));
   if (message->kind == remote::Kind::welcome) print_line(name + " is there");
-  process.queue().post([&process, end_invalid, message = std::move(*message)]() mutable {
-    if (auto handled = process.handle(std::move(message)); !handled) end_invalid(handled.error());
-  });
+  if (!process.receive(std::move(*message), encoded.bytes.size())) session.end("the server says more than is handled");
 }
 
 // Steps the group in real time while it is connected.
@@ -76,7 +72,7 @@ Expected<void> serve(remote::ProcessHost& process, Session& session) {
     next += 1ms;
     std::this_thread::sleep_until(next);
     if (const auto now = steady_clock::now(); now - next > 100ms) next = now;
-    process.step();
+    if (auto stepped = process.step(); !stepped) session.end_invalid(stepped.error());
   }
   const services::MutexLock lock(session.mutex);
   if (session.refused) return tl::unexpected(*session.refused);

@@ -41,6 +41,7 @@ Value service_state_json(const services::ServiceStatus& status) {
   Dict json{{"key", status.key},
             {"state", status.state ? Value(*status.state) : Value()},
             {"available", status.available},
+            {"pending_count", number(status.pending_count)},
             {"pending", std::move(pending)},
             {"violations", std::move(violations)},
             {"publishes", std::move(publishes)},

@@ -25,6 +25,15 @@ tl::unexpected<Error> failure(std::string_view what, const SQLite::Exception& ex
   return tl::unexpected(sqlite::error_of(exception, what));
 }
 
+/// Returns its digest.
+sqlite::Digest write_row(SQLite::Database& file, std::string_view key, const std::string& value) {
+  const sqlite::Digest digest = digest_of(key, value);
+  auto insert = prepare(file, "INSERT OR REPLACE INTO record VALUES (?, ?, ?)", {key, value});
+  insert.bind(3, digest.data(), static_cast<int>(digest.size()));
+  insert.exec();
+  return digest;
+}
+
 tl::unexpected<Error> no_such_key(std::string_view key) {
   return unexpected(ErrorCode::not_found, "the database has no " + quote(key), std::string(key));
 }
@@ -53,14 +62,14 @@ struct Store::Found {
   std::string names;  // of the first damaged rows
 };
 
-Store::Store(std::unique_ptr<SQLite::Database> file) : file_(std::move(file)) {}
+Store::Store(std::unique_ptr<SQLite::Database> file, StoreLimits limits) : file_(std::move(file)), limits_(limits) {}
 Store::Store(Store&&) noexcept = default;
 Store::~Store() = default;
 
-Expected<Store> Store::open(const std::string& path) try {
+Expected<Store> Store::open(const std::string& path, StoreLimits limits) try {
   if (path != ":memory:")
     if (auto whole = sqlite::check_log(path); !whole) return tl::unexpected(std::move(whole).error());
-  Store store(sqlite::open(path));
+  Store store(sqlite::open(path), limits);
   auto ready = sqlite::check(*store.file_);
   if (ready) ready = sqlite::migrate(*store.file_, migrations());
   if (ready) ready = sqlite::check_schema(*store.file_);
@@ -140,6 +149,13 @@ Expected<void> Store::remove(std::string_view key) try {
   return failure("cannot remove " + quote(key), exception);
 }
 
+// As SQLite counts it, so that it is right also in a transaction and after a backup was restored.
+std::uint64_t Store::used_bytes() const {
+  const auto read = [this](const char* pragma) { return file_->execAndGet(pragma).getInt64(); };
+  return static_cast<std::uint64_t>((read("PRAGMA page_count") - read("PRAGMA freelist_count")) *
+                                    read("PRAGMA page_size"));
+}
+
 /// Stores the JSON `value`, or removes the row: with the hash of the table, in one transaction.
 Expected<void> Store::change(std::string_view key, const std::string* value) {
   SQLite::Transaction transaction(*file_, SQLite::TransactionBehavior::IMMEDIATE);
@@ -149,18 +165,19 @@ Expected<void> Store::change(std::string_view key, const std::string* value) {
     return no_such_key(key);
   }
   ASSIGN_OR_RETURN(sqlite::TableHash hash, sqlite::TableHash::read(*file_, kRecords));
+  if (value && !old && hash.rows >= limits_.keys)
+    return unexpected(ErrorCode::too_large, "the database has " + std::to_string(hash.rows) + " keys already");
   if (old) hash.remove(old->digest);
+  const std::uint64_t bytes_before = used_bytes();
   if (value) {
-    const sqlite::Digest digest = digest_of(key, *value);
-    auto insert = prepare(*file_, "INSERT OR REPLACE INTO record VALUES (?, ?, ?)", {key, *value});
-    insert.bind(3, digest.data(), static_cast<int>(digest.size()));
-    insert.exec();
-    hash.insert(digest);
+    hash.insert(write_row(*file_, key, *value));
   } else {
     prepare(*file_, "DELETE FROM record WHERE key = ?", {key}).exec();
   }
   if (old && !old->is_sound) hash = find_all().hash;  // what the damaged digest was is not known
   hash.write(*file_, kRecords);
+  if (const std::uint64_t bytes = used_bytes(); bytes > limits_.bytes && bytes > bytes_before)
+    return unexpected(ErrorCode::too_large, "the database is full: it has " + std::to_string(bytes_before) + " bytes");
   transaction.commit();
   return {};
 }
@@ -169,7 +186,11 @@ Expected<std::vector<std::string>> Store::keys(std::string_view prefix) try {
   if (auto complete = sound(); !complete) return tl::unexpected(std::move(complete).error());
   auto select = prepare(*file_, "SELECT key FROM record WHERE substr(key, 1, length(?1)) = ?1 ORDER BY key", {prefix});
   std::vector<std::string> keys;
-  while (select.executeStep()) keys.push_back(select.getColumn(0).getString());
+  std::size_t bytes = 0;
+  while (select.executeStep()) {
+    bytes += keys.emplace_back(select.getColumn(0).getString()).size();
+    if (bytes > kValueBytes) return unexpected(ErrorCode::too_large, "there are too many of these keys");
+  }
   return keys;
 } catch (const SQLite::Exception& exception) {
   return failure("cannot list keys", exception);

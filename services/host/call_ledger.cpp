@@ -1,19 +1,19 @@
 #include "services/host/call_ledger.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace race::services {
 
 CallLedger::Violations CallLedger::call(const PendingCall& call, const List& args, const Dict& kwargs) {
-  pending_.push_back(call);
+  pending_.emplace(call.id, call);
+  pending_units_ += call.units;
   if (!call.caller.core.empty()) awaited_.insert_or_assign(call.caller, call.id);
   return add(call.time, monitor_.called(call.id, call.operation, args, kwargs));
 }
 
 CallLedger::Violations CallLedger::transition(Time now, std::string_view id, CallId call) {
   Violations found = add(now, monitor_.transition(id, call));
-  drop_superseded();
+  take(monitor_.superseded());
   return found;
 }
 
@@ -37,15 +37,14 @@ CallLedger::Violations CallLedger::add(Time now, const rsm::Monitor::Violations&
 }
 
 std::optional<PendingCall> CallLedger::take(CallId call) {
-  const auto found = find(call);
-  if (found == pending_.end()) return std::nullopt;
-  PendingCall taken = *found;
-  pending_.erase(found);
-  forget_caller(taken);
-  return taken;
+  auto found = pending_.extract(call);
+  if (!found) return std::nullopt;
+  PendingCall& taken = found.mapped();
+  pending_units_ -= taken.units;
+  const auto awaited = awaited_.find(taken.caller);
+  if (awaited != awaited_.end() && awaited->second == call) awaited_.erase(awaited);
+  return std::move(taken);
 }
-
-bool CallLedger::is_pending(CallId call) const { return find(call) != pending_.end(); }
 
 CallId CallLedger::abandon(const Caller& caller) {
   const auto found = awaited_.extract(caller);
@@ -61,36 +60,16 @@ std::vector<CallId> CallLedger::abandon_all(const std::string& core) {
   return abandoned;
 }
 
-std::vector<PendingCall> CallLedger::reset() {
+CallLedger::PendingCalls CallLedger::reset() {
   monitor_.restarted();
   awaited_.clear();
+  pending_units_ = 0;
   return std::exchange(pending_, {});
 }
 
-// Ids of calls grow.
-std::vector<PendingCall>::const_iterator CallLedger::find(CallId call) const {
-  const auto found = std::ranges::lower_bound(pending_, call, {}, &PendingCall::id);
-  return found != pending_.end() && found->id == call ? found : pending_.end();
-}
-
 std::string CallLedger::operation_of(CallId call) const {
-  const auto found = find(call);
-  return found == pending_.end() ? std::string() : found->operation;
-}
-
-void CallLedger::forget_caller(const PendingCall& call) {
-  const auto found = awaited_.find(call.caller);
-  if (found != awaited_.end() && found->second == call.id) awaited_.erase(found);
-}
-
-// OPTIMIZATION: what is open for the monitor is pending, so that as many are the same.
-void CallLedger::drop_superseded() {
-  if (monitor_.open_count() == pending_.size()) return;
-  std::erase_if(pending_, [&](const PendingCall& each) {
-    if (monitor_.is_open(each.id)) return false;
-    forget_caller(each);
-    return true;
-  });
+  const auto found = pending_.find(call);
+  return found == pending_.end() ? std::string() : found->second.operation;
 }
 
 }  // namespace race::services

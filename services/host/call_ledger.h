@@ -1,5 +1,6 @@
 // CallLedger: the calls of one service that wait for a response, and a monitor that holds what the service announces
-// against its RSM (R18). It keeps what does not fit and changes nothing else.
+// against its RSM (R18). It keeps what does not fit and changes nothing else. What it does for one call takes no longer
+// the more of them wait.
 //
 // Threads: one at a time, under the host's lock.
 #pragma once
@@ -30,6 +31,7 @@ struct PendingCall {
   std::string operation;
   Time time = 0;  // when it arrived
   Caller caller;
+  std::size_t units = 0;  // of its arguments (Value::size_units)
 };
 
 /// What did not fit: the rule of the RSM, why, in which call (0: none).
@@ -43,7 +45,12 @@ struct Violation {
 class CallLedger {
  public:
   static constexpr std::size_t kViolationsKept = 100;
+  // Calls of a service that wait, and the units of their arguments, but for the last: one that answers nothing takes no
+  // more.
+  static constexpr std::size_t kMostPending = 10'000;
+  static constexpr std::size_t kMostPendingUnits = 32U << 20U;
   using Violations = std::vector<Violation>;
+  using PendingCalls = std::map<CallId, PendingCall>;
 
   /// A service in its initial state, without calls.
   explicit CallLedger(const rsm::Service& model) : monitor_(model) {}
@@ -51,7 +58,7 @@ class CallLedger {
   // What happened at `now`. Each returns what does not fit.
 
   Violations call(const PendingCall& call, const List& args, const Dict& kwargs);
-  /// Calls that a later one has superseded (R17) are pending no longer.
+  /// A call that this one has superseded (R17) is pending no longer.
   Violations transition(Time now, std::string_view id, CallId call);
   Violations reject(Time now, CallId call);
   Violations respond(Time now, CallId call, const Value& value, bool is_error);
@@ -61,7 +68,9 @@ class CallLedger {
 
   /// Removes a call that is pending: its response goes out now. Nothing: it has had one.
   std::optional<PendingCall> take(CallId call);
-  bool is_pending(CallId call) const;
+  bool is_pending(CallId call) const { return pending_.contains(call); }
+  /// Whether as many calls wait as may.
+  bool is_full() const { return pending_.size() >= kMostPending || pending_units_ > kMostPendingUnits; }
 
   // Nobody can receive the response to a call of a core any more: it stays pending until it has one, and is returned
   // once.
@@ -72,23 +81,20 @@ class CallLedger {
   std::vector<CallId> abandon_all(const std::string& core);
 
   /// The component is disconnected: returns what was pending, in order of call. The RSM is in its initial state again.
-  std::vector<PendingCall> reset();
+  PendingCalls reset();
 
-  /// In order of call.
-  const std::vector<PendingCall>& pending() const { return pending_; }
+  const PendingCalls& pending() const { return pending_; }
   /// The last kViolationsKept.
   const Violations& violations() const { return violations_; }
   /// Empty for a mere interface.
   const std::string& state() const { return monitor_.current(); }
 
  private:
-  std::vector<PendingCall>::const_iterator find(CallId call) const;
   std::string operation_of(CallId call) const;
-  void forget_caller(const PendingCall& call);
-  void drop_superseded();
 
   rsm::Monitor monitor_;
-  std::vector<PendingCall> pending_;
+  PendingCalls pending_;
+  std::size_t pending_units_ = 0;     // of the arguments of those
   std::map<Caller, CallId> awaited_;  // of those that are pending: whose response a core can receive
   Violations violations_;
 };

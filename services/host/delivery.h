@@ -1,6 +1,7 @@
 // Delivery: what a service says to cores: an event to all of them, a response to the caller alone.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <tuple>
@@ -18,6 +19,7 @@ struct Delivery {
   Value data;                  // frozen
   bool is_error = false;       // of a response
   Caller caller;               // of a response
+  std::size_t units = 0;       // of `data` (Value::size_units): counted once, for all cores
 };
 
 /// The order in which deliveries reach cores: (time, service, sequence).

@@ -6,6 +6,18 @@
 #include "services/arguments.h"
 
 namespace race::services {
+namespace {
+
+// Returns their units (Value::size_units).
+std::size_t freeze(List& args, Dict& kwargs) {
+  std::size_t units = 0;
+  for (Value& argument : args) units += argument.freeze().size_units();
+  kwargs.freeze();
+  for (const auto& [key, value] : kwargs) units += key.size_units() + value.size_units();
+  return units;
+}
+
+}  // namespace
 
 class Host::Endpoint final : public ServiceHost {
  public:
@@ -13,8 +25,8 @@ class Host::Endpoint final : public ServiceHost {
 
   Time now() const override { return host_.clock_.now(); }
   void transition(std::string_view id, CallId call) override { host_.transition(number_, id, call); }
-  void result(CallId call, Value value) override { host_.respond(number_, call, std::move(value), false); }
-  void error(CallId call, Value error) override { host_.respond(number_, call, std::move(error), true); }
+  void result(CallId call, Value value) override { host_.respond(number_, call, {std::move(value), false}); }
+  void error(CallId call, Value error) override { host_.respond(number_, call, {std::move(error), true}); }
   void reject(CallId call) override { host_.reject(number_, call); }
   void event(std::string_view name, Value data) override { host_.event(number_, name, std::move(data)); }
   void publish(std::string_view flow, PacketPtr packet) override { host_.publish(number_, flow, packet); }
@@ -39,20 +51,22 @@ ServiceHost& Host::declare(std::string key, std::string type, WorkQueue& queue) 
   const MutexLock lock(mutex_);
   auto entry = std::make_unique<ServiceEntry>(entries_.size(), std::move(key), std::move(type), queue);
   entry->host = std::make_unique<Endpoint>(*this, entry->number);
+  by_key_.emplace(entry->status.key, entry.get());
   entries_.push_back(std::move(entry));
   return *entries_.back()->host;
 }
 
 // ---- Calls.
 
+Host::Response Host::Response::unavailable() { return {Dict{{"code", Value(name(ErrorCode::unavailable))}}, true}; }
+
 CallId Host::call(Caller caller, const std::string& service, std::string operation, List args, Dict kwargs) {
-  for (Value& argument : args) argument.freeze();
-  kwargs.freeze();
+  const std::size_t units = freeze(args, kwargs);
   const MutexLock lock(mutex_);
-  const PendingCall pending{next_call_++, operation, clock_.now(), std::move(caller)};
+  const PendingCall pending{next_call_++, operation, clock_.now(), std::move(caller), units};
   ServiceEntry* entry = find(service);
-  if (!entry || !entry->status.available || !find_operation(entry->model, operation)) {
-    answer_unavailable(pending, service, entry);
+  if (!can_be_called(pending, service, entry)) {
+    answer_unavailable(pending, service);
     return pending.id;
   }
   log(*entry, entry->ledger->call(pending, args, kwargs));
@@ -87,31 +101,37 @@ bool Host::is_pending(std::size_t number, CallId call) const {
   return entries_[number]->ledger->is_pending(call);
 }
 
-void Host::answer_unavailable(const PendingCall& call, const std::string& key, const ServiceEntry* entry) {
-  const std::string why = !entry ? "there is no such service" : entry->status.available ? "no such operation" : "lost";
-  Delivery answer{Delivery::Kind::response,
-                  call.time,
-                  entries_.size(),
-                  next_delivery_++,
-                  key,
-                  call.operation,
-                  Dict{{"code", Value(name(ErrorCode::unavailable))}},
-                  true,
-                  call.caller};
-  answer.data.freeze();
-  observer_.logged(call.time, key, "cannot answer `" + call.operation + "` of core " + call.caller.core + ": " + why);
-  observer_.delivered(answer);
+// Says why not, in the log; that too many wait, once until half of them are answered.
+bool Host::can_be_called(const PendingCall& call, const std::string& key, ServiceEntry* entry) {
+  const auto refuse = [&](const std::string& why) {
+    observer_.logged(call.time, key, "cannot answer `" + call.operation + "` of core " + call.caller.core + ": " + why);
+    return false;
+  };
+  if (!entry) return refuse("there is no such service");
+  if (!entry->status.available) return refuse("lost");
+  if (!find_operation(entry->model, call.operation)) return refuse("no such operation");
+  const std::size_t pending = entry->ledger->pending().size();
+  if (!entry->ledger->is_full()) {
+    entry->refusal_logged = entry->refusal_logged && pending > CallLedger::kMostPending / 2;
+    return true;
+  }
+  if (std::exchange(entry->refusal_logged, true)) return false;
+  return refuse(std::to_string(pending) + " calls wait already, and more are refused");
 }
 
-void Host::answer(ServiceEntry& entry, CallId call, Value value, bool is_error) {
-  if (const auto pending = entry.ledger->take(call)) deliver_response(entry, *pending, std::move(value), is_error);
+void Host::answer_unavailable(const PendingCall& call, const std::string& key) {
+  const Response response = Response::unavailable();
+  observer_.delivered({Delivery::Kind::response, call.time, entries_.size(), next_delivery_++, key, call.operation,
+                       response.value, response.is_error, call.caller, response.units});
 }
 
-void Host::deliver_response(const ServiceEntry& entry, const PendingCall& call, Value value, bool is_error) {
-  Delivery delivery{Delivery::Kind::response, clock_.now(), entry.number, next_delivery_++, entry.status.key,
-                    call.operation,           {},           is_error,     call.caller};
-  delivery.data = std::move(value.freeze());
-  observer_.delivered(delivery);
+void Host::answer(ServiceEntry& entry, CallId call, const Response& response) {
+  if (const auto pending = entry.ledger->take(call)) deliver_response(entry, *pending, response);
+}
+
+void Host::deliver_response(const ServiceEntry& entry, const PendingCall& call, const Response& response) {
+  observer_.delivered({Delivery::Kind::response, clock_.now(), entry.number, next_delivery_++, entry.status.key,
+                       call.operation, response.value, response.is_error, call.caller, response.units});
 }
 
 // ---- What components announce.
@@ -125,12 +145,12 @@ void Host::transition(std::size_t number, std::string_view id, CallId call) {
   notify_status(entry);
 }
 
-void Host::respond(std::size_t number, CallId call, Value value, bool is_error) {
+void Host::respond(std::size_t number, CallId call, const Response& response) {
   const MutexLock lock(mutex_);
   ServiceEntry& entry = *entries_[number];
   if (!entry.status.available) return;
-  log(entry, entry.ledger->respond(clock_.now(), call, value, is_error));
-  answer(entry, call, std::move(value), is_error);
+  log(entry, entry.ledger->respond(clock_.now(), call, response.value, response.is_error));
+  answer(entry, call, response);
   notify_status(entry);
 }
 
@@ -139,11 +159,13 @@ void Host::reject(std::size_t number, CallId call) {
   ServiceEntry& entry = *entries_[number];
   if (!entry.status.available) return;
   log(entry, entry.ledger->reject(clock_.now(), call));
-  answer(entry, call, Dict{{"code", Value(name(ErrorCode::not_accepted))}}, true);
+  answer(entry, call, {Dict{{"code", Value(name(ErrorCode::not_accepted))}}, true});
   notify_status(entry);
 }
 
 void Host::event(std::size_t number, std::string_view name, Value data) {
+  data.freeze();
+  const std::size_t units = data.size_units();
   const MutexLock lock(mutex_);
   ServiceEntry& entry = *entries_[number];
   if (!entry.status.available) return;
@@ -156,7 +178,8 @@ void Host::event(std::size_t number, std::string_view name, Value data) {
   delivery.sequence = next_delivery_++;
   delivery.key = entry.status.key;
   delivery.name = std::string(name);
-  delivery.data = std::move(data.freeze());
+  delivery.data = std::move(data);
+  delivery.units = units;
   observer_.delivered(delivery);
 }
 
@@ -170,16 +193,28 @@ void Host::log(const ServiceEntry& entry, const CallLedger::Violations& violatio
     observer_.logged(each.time, entry.status.key, each.rule + ": " + each.message);
 }
 
-void Host::notify_status(ServiceEntry& entry) {
-  entry.update_status(flows_, clock_.now());
-  observer_.changed(entry.status);
+void Host::notify_status(const ServiceEntry& entry) { changed_.insert(entry.number); }
+
+void Host::report_changes() {
+  const Time now = clock_.now();
+  for (auto next = changed_.begin(); next != changed_.end();) {
+    ServiceEntry& entry = *entries_[*next];
+    if (now < entry.reported + kStatusPeriod) {
+      ++next;
+      continue;
+    }
+    entry.update_status(flows_, now);
+    observer_.changed(entry.status);
+    entry.reported = now;
+    next = changed_.erase(next);
+  }
 }
 
 // ---- What can be seen from outside.
 
-ServiceEntry* Host::find(const std::string& key) const {
-  const auto found = std::ranges::find_if(entries_, [&](const auto& each) { return each->status.key == key; });
-  return found == entries_.end() ? nullptr : found->get();
+ServiceEntry* Host::find(std::string_view key) const {
+  const auto found = by_key_.find(key);
+  return found == by_key_.end() ? nullptr : found->second;
 }
 
 std::vector<ServiceStatus> Host::services() const {

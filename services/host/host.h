@@ -4,6 +4,10 @@
 // response to the caller alone. Packets of data flows go from service to service, past the cores (flows.h); answers
 // that are due hold world time up (reservations.h).
 //
+// What a call, an announcement or a packet costs does not depend on how many calls wait: what can be seen of a service
+// is put together in advance(), and told at most once in kStatusPeriod. A service has a bounded number of calls that
+// wait (CallLedger::kMostPending); more are answered `unavailable` at once.
+//
 // Threads: call(), watch() and the queries on any. A component is called on the thread of its queue. The observer and
 // the watchers of flows are called under the host's lock, in the order in which things happened: they must be quick and
 // must not call the host.
@@ -15,7 +19,10 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/rsm/model.h"
@@ -34,13 +41,16 @@ class HostObserver {
  public:
   virtual ~HostObserver() = default;
   virtual void delivered(const Delivery& delivery) = 0;
-  /// State, pending calls, violations or flows of a service have changed; of a flow that passes, once a second.
+  /// State, pending calls, violations or flows of a service have changed; of a flow that passes, once a second. What
+  /// changes within Host::kStatusPeriod is told at once, at its end.
   virtual void changed(const ServiceStatus& status) = 0;
   virtual void logged(Time time, const std::string& key, const std::string& text) = 0;
 };
 
 class Host {
  public:
+  static constexpr Time kStatusPeriod = 0.02;  // [s]
+
   /// Both live longer than the host.
   Host(const Clock& clock, HostObserver& observer);
   ~Host();
@@ -56,7 +66,8 @@ class Host {
               Connection connection = Connection::connected) EXCLUDES(mutex_);
 
   /// Calls an operation. Its response reaches the observer once, now or later, with `caller`; an unknown or
-  /// disconnected service or an unknown operation answers {"code": "unavailable"}. `args` and `kwargs` are frozen here.
+  /// disconnected service, an unknown operation or a service for which too many wait answers {"code": "unavailable"}.
+  /// `args` and `kwargs` are frozen here.
   CallId call(Caller caller, const std::string& service, std::string operation, List args, Dict kwargs)
       EXCLUDES(mutex_);
 
@@ -67,7 +78,7 @@ class Host {
   void abandon_all(const std::string& core) EXCLUDES(mutex_);
 
   /// Time has passed: the answers that are due now go to their queues. With `wait`, those that are due and not there
-  /// yet are waited for. Observers hear of flows that have stopped. On the thread that sets the clock, after it was
+  /// yet are waited for. Observers hear of services that have changed. On the thread that sets the clock, after it was
   /// set.
   void advance(bool wait) EXCLUDES(mutex_);
   /// step() of each component of `queue`, in order of declaration. On the thread of the queue.
@@ -94,9 +105,19 @@ class Host {
   class Endpoint;  // the ServiceHost of a component: hands its announcements to the functions below
   using Work = std::function<void(Component&)>;
 
+  /// Frozen and counted before the lock is taken: it may be large.
+  struct Response {
+    Response(Value its_value, bool error)
+        : value(std::move(its_value.freeze())), units(value.size_units()), is_error(error) {}
+    static Response unavailable();
+    Value value;
+    std::size_t units;
+    bool is_error;
+  };
+
   // What the component of the service `number` announces; nothing happens while it is disconnected.
   void transition(std::size_t number, std::string_view id, CallId call) EXCLUDES(mutex_);
-  void respond(std::size_t number, CallId call, Value value, bool is_error) EXCLUDES(mutex_);
+  void respond(std::size_t number, CallId call, const Response& response) EXCLUDES(mutex_);
   void reject(std::size_t number, CallId call) EXCLUDES(mutex_);
   void event(std::size_t number, std::string_view name, Value data) EXCLUDES(mutex_);
   void publish(std::size_t number, std::string_view flow, const PacketPtr& packet) EXCLUDES(mutex_);
@@ -104,15 +125,16 @@ class Host {
   void log(std::size_t number, const std::string& text) EXCLUDES(mutex_);
 
   // Calls and what is said of them.
-  ServiceEntry* find(const std::string& key) const REQUIRES(mutex_);
+  ServiceEntry* find(std::string_view key) const REQUIRES(mutex_);
   void log(const ServiceEntry& entry, const CallLedger::Violations& violations) REQUIRES(mutex_);
-  void notify_status(ServiceEntry& entry) REQUIRES(mutex_);
+  void notify_status(const ServiceEntry& entry) REQUIRES(mutex_);
+  void report_changes() REQUIRES(mutex_);
   void tell_abandoned(ServiceEntry& entry, CallId call) REQUIRES(mutex_);
   bool is_pending(std::size_t number, CallId call) const EXCLUDES(mutex_);
-  void answer(ServiceEntry& entry, CallId call, Value value, bool is_error) REQUIRES(mutex_);
-  void deliver_response(const ServiceEntry& entry, const PendingCall& call, Value value, bool is_error)
-      REQUIRES(mutex_);
-  void answer_unavailable(const PendingCall& call, const std::string& key, const ServiceEntry* entry) REQUIRES(mutex_);
+  void answer(ServiceEntry& entry, CallId call, const Response& response) REQUIRES(mutex_);
+  void deliver_response(const ServiceEntry& entry, const PendingCall& call, const Response& response) REQUIRES(mutex_);
+  bool can_be_called(const PendingCall& call, const std::string& key, ServiceEntry* entry) REQUIRES(mutex_);
+  void answer_unavailable(const PendingCall& call, const std::string& key) REQUIRES(mutex_);
 
   // What becomes of components.
   void make_available(ServiceEntry& entry) REQUIRES(mutex_);
@@ -135,6 +157,8 @@ class Host {
   Flows flows_ GUARDED_BY(mutex_);
   Reservations reservations_;  // outlives the components: their threads fulfil
   std::vector<std::unique_ptr<ServiceEntry>> entries_ GUARDED_BY(mutex_);  // in order of declaration
+  std::map<std::string, ServiceEntry*, std::less<>> by_key_ GUARDED_BY(mutex_);
+  std::set<std::size_t> changed_ GUARDED_BY(mutex_);  // numbers of services: the observer is to be told
   CallId next_call_ GUARDED_BY(mutex_) = 1;
   std::uint64_t next_delivery_ GUARDED_BY(mutex_) = 1;
 };

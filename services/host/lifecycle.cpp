@@ -39,9 +39,8 @@ void Host::disconnect(ServiceEntry& entry, const std::string& why) {
   entry.status.available = false;
   ++entry.disconnections;
   observer_.logged(clock_.now(), entry.status.key, "lost: " + why);
-  Value unavailable = Dict{{"code", Value(name(ErrorCode::unavailable))}};
-  unavailable.freeze();
-  for (const PendingCall& call : entry.ledger->reset()) deliver_response(entry, call, unavailable, true);
+  const Response unavailable = Response::unavailable();
+  for (const auto& [id, call] : entry.ledger->reset()) deliver_response(entry, call, unavailable);
   flows_.traffic().reset(entry.status.key);
   notify_status(entry);
   for (const Flows::Subscription& each : flows_.subscriptions_of(entry.number))
@@ -96,6 +95,7 @@ void Host::advance(bool wait) {
   }
   const MutexLock lock(mutex_);
   for (const std::string& key : flows_.traffic().stopped(clock_.now())) notify_traffic(key);
+  report_changes();
 }
 
 std::vector<std::size_t> Host::services_of(const WorkQueue& queue) const {

@@ -1,6 +1,7 @@
 #include "services/host/service_entry.h"
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 namespace race::services {
@@ -45,7 +46,10 @@ bool ServiceEntry::declares_subscription(std::string_view key, std::string_view 
 void ServiceEntry::update_status(const Flows& flows, Time now) {
   if (!ledger) return;  // declared and not attached yet
   if (!model.is_interface()) status.state = ledger->state();
-  status.pending = ledger->pending();
+  status.pending_count = ledger->pending().size();
+  status.pending.clear();
+  for (const auto& [id, call] : ledger->pending() | std::views::take(ServiceStatus::kPendingShown))
+    status.pending.push_back(call);
   status.violations = ledger->violations();
   for (Published& each : status.publishes) each = flows.published(status.key, each.flow, now);
   for (Subscribed& each : status.subscribes) each.listening = flows.is_subscribed(number, each.service, each.flow);

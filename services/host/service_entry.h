@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,11 +22,13 @@ namespace race::services {
 
 /// What can be seen of a service from outside.
 struct ServiceStatus {
+  static constexpr std::size_t kPendingShown = 32;
   std::string key, type;
   const rsm::Service* model = nullptr;  // lives as long as the host
   std::optional<std::string> state;     // none: a mere interface
   bool available = false;
-  std::vector<PendingCall> pending;   // in order of call
+  std::size_t pending_count = 0;      // calls that wait for a response
+  std::vector<PendingCall> pending;   // the first kPendingShown of them, in order of call
   CallLedger::Violations violations;  // the last CallLedger::kViolationsKept
   std::string last;                   // id of the transition taken last; empty: none yet
   std::vector<Published> publishes;   // as of now
@@ -48,7 +51,9 @@ struct ServiceEntry {
   rsm::Service model;
   std::unique_ptr<CallLedger> ledger;
   ServiceStatus status;
-  std::uint64_t disconnections = 0;  // work that was posted before one is dropped
+  std::uint64_t disconnections = 0;                        // work that was posted before one is dropped
+  Time reported = -std::numeric_limits<Time>::infinity();  // when the observer was last told of its status
+  bool refusal_logged = false;                             // that so many calls wait that more are refused
   std::unique_ptr<Component> component;
 };
 

@@ -232,8 +232,25 @@ void ProcessHost::set_clock(services::Time server) {
   clock_ahead_ = now > server + kMaxClockOffset ? now - server : 0;
 }
 
-void ProcessHost::step() {
-  queue_.run();
+// Of a flow, the newest packet waits.
+bool ProcessHost::receive(Message message, std::size_t bytes) {
+  std::string flow;
+  if (message.kind == Kind::packet) flow = message.key + " " + message.service + " " + message.name;
+  return received_.push({std::move(message), bytes}, flow) || !received_.overflowed();
+}
+
+// What had come when the step began.
+Expected<void> ProcessHost::handle_received() {
+  for (std::size_t left = received_.size(); left > 0; --left) {
+    auto next = received_.pop();
+    if (!next) break;  // a newer packet has replaced one of these
+    if (auto handled = handle(std::move(next->message)); !handled) return handled;
+  }
+  return {};
+}
+
+Expected<void> ProcessHost::step() {
+  if (auto handled = handle_received(); !handled) return handled;
   if (before_step_) before_step_();
   if (clock_ahead_ > 0) {
     clock_ahead_ -= kStep;
@@ -243,6 +260,7 @@ void ProcessHost::step() {
   for (const services::Reservations::Due& due : reservations_.take(clock_.now(), false)) due.answer();
   for (const auto& entry : entries_) entry->component->step();
   if (after_step_) after_step_();
+  return {};
 }
 
 }  // namespace race::remote

@@ -1,7 +1,7 @@
 // ProcessHost: hosts a component group in a process of its own. The components are those of the server; what they
 // announce to their ServiceHosts goes to the server.
 //
-// Threads: one, the group's. On any: work for the queue, handle_reply(), and a component's log() and fulfil().
+// Threads: one, the group's. On any: receive(), handle_reply(), and a component's log() and fulfil().
 #pragma once
 
 #include <atomic>
@@ -14,8 +14,8 @@
 #include "services/clock.h"
 #include "services/component.h"
 #include "services/host/reservations.h"
-#include "services/host/work_queue.h"
 #include "services/mutex.h"
+#include "services/remote/message_queue.h"
 #include "services/remote/protocol.h"
 #include "services/remote/send_queue.h"
 
@@ -60,15 +60,18 @@ class ProcessHost {
   /// until disconnect(). `ended`: whether the connection has ended; an empty one: never.
   void connect(SendQueue& server, std::function<bool()> ended = {});
   void disconnect();
+  /// A message of the server came, which has so many bytes: step() handles it. false: more wait than may, and the
+  /// connection is to end.
+  bool receive(Message message, std::size_t bytes);
   /// Handles a message of the server. Error `not_found`: it is for no component or world of this process. Throws what a
   /// component throws, after which the group must not be used.
   Expected<void> handle(Message message);
   /// The reply to a request came; request() may wait for it. On another thread than the group's.
   void handle_reply(Message reply) EXCLUDES(mutex_);
-  /// Advances time by 1 ms: runs what was posted and what is due, then step() of all components.
-  void step();
+  /// Advances time by 1 ms: handles what was received, runs what is due, then step() of all components. Error: that of
+  /// a message, after which the connection is to end.
+  Expected<void> step();
 
-  services::WorkQueue& queue() { return queue_; }
   /// Advances with step(); is set forward, or waits, when it is more than kMaxClockOffset from the server's.
   const services::Clock& clock() const { return clock_; }
 
@@ -81,7 +84,15 @@ class ProcessHost {
   void set_clock(services::Time server);
   void send(const Message& message, const std::string& flow = {});
 
-  services::WorkQueue queue_;
+  struct Received {
+    Message message;
+    std::size_t bytes = 0;
+  };
+  friend std::size_t size_of(const Received& received) { return received.bytes; }
+
+  Expected<void> handle_received();
+
+  MessageQueue<Received> received_;
   services::WorldClock clock_;
   services::Reservations reservations_;  // outlives the components: their threads fulfil
   std::function<void()> before_step_, after_step_;

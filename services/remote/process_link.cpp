@@ -8,6 +8,8 @@
 namespace race::remote {
 namespace {
 
+constexpr const char* kTooSlow = "it does not read what it is told";
+
 bool is_of_world(Kind kind) {
   return kind == Kind::pose || kind == Kind::ready || kind == Kind::done || kind == Kind::failed;
 }
@@ -136,6 +138,7 @@ Expected<void> ProcessLink::accept_hello(const EncodedMessage& message) {
 
 void ProcessLink::check_heartbeat() {
   if (disconnected_) return;
+  if (process_->out->overflowed()) return disconnect(kTooSlow);
   unanswered_ = process_->pong_received.exchange(false) ? 0 : unanswered_ + 1;
   if (unanswered_ > kPingsPerHeartbeat) return disconnect(accepted_ ? "it answers no more" : "it says no hello");
   if (!accepted_) return;
@@ -150,11 +153,12 @@ void ProcessLink::check_heartbeat() {
 
 void ProcessLink::disconnect(const std::string& why) {
   if (std::exchange(disconnected_, true)) return;
+  const std::string reason = process_->out->overflowed() ? kTooSlow : why;
   process_->out->close();
   if (!accepted_) return;
   // Posted before the places are released: a process that connects now finds this one disconnected.
-  remotes_.post(process_->group, [process = process_, &remotes = remotes_, why] {
-    if (process->fault.empty()) process->fault = why;
+  remotes_.post(process_->group, [process = process_, &remotes = remotes_, reason] {
+    if (process->fault.empty()) process->fault = reason;
     if (process->world) process->world->connect(nullptr, {});
     for (const std::string& key : process->keys) {
       remotes.host_.disconnect(key, process->fault);

@@ -32,7 +32,7 @@ class ProcessLink {
   /// `handled` is called, on any thread, whenever something was handled; not any more when this returns with another.
   void on_handled(std::function<void()> handled);
   /// To be called kPingsPerHeartbeat times in the time of the heartbeat: sends a ping; disconnects a process that has
-  /// answered none of the last kPingsPerHeartbeat.
+  /// answered none of the last kPingsPerHeartbeat, or does not read what it is told.
   void check_heartbeat();
   /// The connection has ended, because of `why`.
   void disconnect(const std::string& why);

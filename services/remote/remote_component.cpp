@@ -13,7 +13,7 @@ void RemoteComponent::connect(std::shared_ptr<SendQueue> process) {
   if (functions_.reset) functions_.reset();
 }
 
-// A process that reads nothing loses what is sent; it answers no ping either, and is disconnected.
+// If the queue is full, the connection ends, and what the process was to answer is answered `unavailable`.
 Expected<void> RemoteComponent::send(const Message& message, const std::string& flow) {
   if (!process_) return {};
   ASSIGN_OR_RETURN(EncodedMessage encoded, encode(message));

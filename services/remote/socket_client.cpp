@@ -76,7 +76,13 @@ struct SocketClient::Socket {
   }
 
   asio::awaitable<void> write() {
-    out.on_change([this] { asio::post(io, [this] { waker.cancel(); }); });
+    out.on_change([this] {
+      asio::post(io, [this] {
+        waker.cancel();
+        // The server reads nothing: what is being written will not end.
+        if (out.overflowed()) beast::get_lowest_layer(stream).close();
+      });
+    });
     while (!over) {
       while (auto encoded = out.pop()) {
         stream.binary(encoded->binary);

@@ -21,8 +21,8 @@ class SocketClient {
     std::function<void(std::string why)> closed;  // once, unless the client is destroyed before
   };
 
-  /// Connects within three seconds. Sends what `out` has until that is drained, or the connection ends; it outlives the
-  /// client. Errors: `unavailable` (no server answers), `conflict` (the server accepts no components).
+  /// Connects within three seconds. Sends what `out` has until that is drained or overflows, or the connection ends; it
+  /// outlives the client. Errors: `unavailable` (no server answers), `conflict` (the server accepts no components).
   static Expected<std::unique_ptr<SocketClient>> connect(const Address& address, SendQueue& out, Handlers handlers);
   /// Ends the connection.
   ~SocketClient();

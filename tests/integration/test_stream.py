@@ -156,12 +156,18 @@ class StreamTest(unittest.TestCase):
         with self.server.stream() as stream:
             for channel in ("cores", "services", "log"):
                 stream.subscribe(channel)
-                self.assertEqual((stream.message()["kind"]), "snapshot")
+                first = stream.until(lambda m, name=channel: m["channel"] == name)[-1]
+                self.assertEqual(first["kind"], "snapshot")
             document = models.calling("timer", "cancel", "heard")
             document["root"]["exit"] = "print('leaving')"
             core = self.server.core(document)
-            messages = stream.until(lambda m: m["channel"] == "log" and m["data"]["entries"][0]["text"] == "leaving")
-            self.assertIn("timer", [m["data"]["services"][0]["key"] for m in messages if m["channel"] == "services"])
+            awaited = [lambda m: m["channel"] == "log" and m["data"]["entries"][0]["text"] == "leaving",
+                       lambda m: m["channel"] == "services" and m["data"]["services"][0]["key"] == "timer"]
+
+            def is_last(message):
+                awaited[:] = [each for each in awaited if not each(message)]
+                return not awaited
+            messages = stream.until(is_last)
             self.server.ended(core)
             self.server.expect("DELETE", f"/cores/{core}", None, "core", 200)
             messages += stream.until(lambda m: m["channel"] == "cores" and "removed" in m["data"])

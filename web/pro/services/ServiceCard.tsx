@@ -32,6 +32,7 @@ export function ServiceCard({ service }: { readonly service: HostedService }) {
 }
 
 function Pending({ service }: { readonly service: HostedService }) {
+  const more = service.pending_count - service.pending.length;
   return (
     <section aria-label={`Pending calls of ${service.key}`}>
       <h3>Pending calls</h3>
@@ -50,6 +51,7 @@ function Pending({ service }: { readonly service: HostedService }) {
           ))}
         </ul>
       )}
+      {more > 0 && <p className="quiet">and {more} more</p>}
     </section>
   );
 }

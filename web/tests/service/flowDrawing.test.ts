@@ -9,7 +9,7 @@ const engine: LayoutEngine = async (graph) => (await elk.layout(graph as Paramet
 
 function service(key: string, publishes: readonly PublishedFlow[], subscribes: readonly SubscribedFlow[]): HostedService {
   const rsm = { rsm: 1, name: key, operations: [], events: [] } as const;
-  return { key, type: key, state: null, available: true, pending: [], violations: [], publishes, subscribes, rsm };
+  return { key, type: key, state: null, available: true, pending_count: 0, pending: [], violations: [], publishes, subscribes, rsm };
 }
 
 /** A camera at this rate that is read, and a service without flows. */

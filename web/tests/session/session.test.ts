@@ -64,7 +64,7 @@ describe("session", () => {
   it("reports the cell as unavailable without the server or `robot`, regardless of other services", () => {
     const here = applyEvent(emptySession, { type: "connection", connection: "open" });
     const rsm = { rsm: 1, name: "x", operations: [], events: [] } as const;
-    const service = (key: string, available: boolean) => ({ key, type: key, rsm, state: null, available, pending: [], violations: [], publishes: [], subscribes: [] });
+    const service = (key: string, available: boolean) => ({ key, type: key, rsm, state: null, available, pending_count: 0, pending: [], violations: [], publishes: [], subscribes: [] });
     const cell = (robot: boolean) => cellUnavailable(receive(here, { type: "services", services: [service("robot", robot), service("db", false)] }));
     expect([cellUnavailable(emptySession), cellUnavailable(here), cell(true), cell(false)]).toEqual(["the server is not there", undefined, undefined, "its process is not there"]);
   });
@@ -77,9 +77,9 @@ describe("session", () => {
   });
   it("merges what changed of a service and keeps its model", () => {
     const rsm = { rsm: 1, name: "robot", operations: [], events: [] } as const;
-    const idle = { key: "robot", type: "robot", state: "Idle", available: true, pending: [], violations: [], publishes: [], subscribes: [], rsm };
+    const idle = { key: "robot", type: "robot", state: "Idle", available: true, pending_count: 0, pending: [], violations: [], publishes: [], subscribes: [], rsm };
     const known = receive(running, { type: "services", services: [idle] });
-    const moved = receive(known, { type: "services_changed", services: [{ key: "robot", state: "Moving", available: true, pending: [], violations: [], publishes: [], subscribes: [] }] });
+    const moved = receive(known, { type: "services_changed", services: [{ key: "robot", state: "Moving", available: true, pending_count: 0, pending: [], violations: [], publishes: [], subscribes: [] }] });
     expect(moved.services[0]).toMatchObject({ state: "Moving", rsm });
   });
   it("starts the log anew with a snapshot and goes on with a delta", () => {

@@ -120,9 +120,12 @@ TEST_F(RobotMonitor, ReportsAResponseWithoutAnOpenCall) {
 TEST_F(RobotMonitor, ReportsAResponseToACallThatALaterOneSuperseded) {  // R17
   move(1);
   move(2);
+  EXPECT_EQ(monitor.superseded(), 0U);
   move(3);
+  EXPECT_EQ(monitor.superseded(), 2U);
   EXPECT_THAT(monitor.open_calls(), ElementsAre(1, 3));
   monitor.transition("arrive", 0);
+  EXPECT_EQ(monitor.superseded(), 0U) << "of the last transition";
   EXPECT_THAT(monitor.result(2, moved), ElementsAre(Breaks("respond", 2)));
   EXPECT_THAT(monitor.result(3, moved), IsEmpty());
 }

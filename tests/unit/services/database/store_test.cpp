@@ -151,6 +151,53 @@ TEST_F(StoreTest, OfANewerVersionIsRefused) {
   EXPECT_EQ(store.error().code, ErrorCode::version);
 }
 
+TEST_F(StoreTest, TakesNoMoreKeysThanItMay) {
+  for (int i = 0; i < 2; ++i) {
+    auto store = Store::open(path, {.keys = 2}).value();
+    for (const char* key : {"a", "b"}) EXPECT_TRUE(store.put(key, i)) << key;
+    EXPECT_EQ(store.put("c", i).error().code, ErrorCode::too_large);
+    EXPECT_THAT(store.keys("").value(), ElementsAre("a", "b"));
+  }
+  auto store = Store::open(path, {.keys = 2}).value();
+  EXPECT_TRUE(store.remove("a"));
+  EXPECT_TRUE(store.put("c", 3));
+}
+
+TEST_F(StoreTest, TakesNoMoreBytesThanItMay) {
+  constexpr std::uint64_t kBytes = 500'000;
+  auto store = Store::open(path, {.bytes = kBytes}).value();
+  const Value large = std::string(50'000, 'x');
+  int stored = 0;
+  Expected<void> put;
+  while ((put = store.put("large" + std::to_string(stored), large)) && stored < 100) ++stored;
+  ASSERT_FALSE(put);
+  EXPECT_EQ(put.error().code, ErrorCode::too_large);
+  EXPECT_THAT(stored, testing::AllOf(testing::Ge(8), testing::Le(9)));
+  EXPECT_TRUE(store.put("large0", large)) << "makes it no larger";
+  EXPECT_EQ(store.put("large0", std::string(100'000, 'x')).error().code, ErrorCode::too_large);
+  EXPECT_EQ(store.get("large0").value(), large) << "the old value stays";
+  EXPECT_TRUE(store.remove("large1"));
+  EXPECT_TRUE(store.put("other", large));
+}
+
+TEST_F(StoreTest, ThatHasMoreThanItMayIsReadAndCanBecomeSmaller) {
+  for (const char* key : {"a", "b"}) ASSERT_TRUE(Store::open(path).value().put(key, std::string(50'000, 'x')));
+  auto store = Store::open(path, {.keys = 1, .bytes = 10'000}).value();
+  EXPECT_THAT(store.keys("").value(), ElementsAre("a", "b"));
+  EXPECT_TRUE(store.put("a", 1));
+  EXPECT_TRUE(store.remove("b"));
+}
+
+TEST_F(StoreTest, ListsNoMoreThanAValueMayBe) {
+  auto store = Store::open(":memory:").value();
+  for (int i = 0; i < 17'000; ++i) {
+    const std::string number = std::to_string(10'000 + i);
+    ASSERT_TRUE(store.put(std::string(Store::kKeyBytes - number.size(), 'k') + number, i));
+  }
+  EXPECT_EQ(store.keys("k").error().code, ErrorCode::too_large);
+  EXPECT_TRUE(store.keys("x"));
+}
+
 struct DamagedStore : StoreTest {
   DamagedStore() {
     auto store = Store::open(path).value();

@@ -4,6 +4,11 @@
 
 namespace race::services {
 
+void Bench::changed(const ServiceStatus& status) {
+  changes.push_back(status.key + ": " + status.state.value_or("available") + " by " + status.last + ", " +
+                    std::to_string(status.pending_count) + " pending");
+}
+
 std::vector<std::string> Bench::responses() const {
   std::vector<std::string> all;
   for (const Delivery& delivery : deliveries) {

@@ -46,7 +46,7 @@ class Bench final : public HostObserver {
   std::vector<Violation> violations(const std::string& key) const { return host.service(key)->violations; }
 
   void delivered(const Delivery& delivery) override { deliveries.push_back(delivery); }
-  void changed(const ServiceStatus&) override { ++changes; }
+  void changed(const ServiceStatus& status) override;
   void logged(Time, const std::string&, const std::string& text) override { log.push_back(text); }
 
   WorldClock clock;
@@ -54,7 +54,7 @@ class Bench final : public HostObserver {
   std::vector<Delivery> deliveries;
   std::vector<std::string> log;
   std::uint64_t calls = 0;
-  int changes = 0;
+  std::vector<std::string> changes;  // of services: "key: STATE by TRANSITION, N pending"
   int milliseconds = 0;
   Host host;
 };

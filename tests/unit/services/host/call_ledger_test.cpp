@@ -28,7 +28,7 @@ struct CallLedgerTest : testing::Test {
   void call(CallId id, const std::string& operation) { ledger.call({id, operation, 1.0, {"core", id}}, {}, {}); }
   std::vector<CallId> pending() const {
     std::vector<CallId> ids;
-    for (const PendingCall& each : ledger.pending()) ids.push_back(each.id);
+    for (const auto& [id, call] : ledger.pending()) ids.push_back(id);
     return ids;
   }
   void accept(CallId id, const std::string& operation) {
@@ -90,10 +90,38 @@ TEST_F(CallLedgerTest, AResetReturnsWhatWasPendingInOrderAndStartsAnew) {
   call(2, "blink");
   const auto left = ledger.reset();
   ASSERT_THAT(left, SizeIs(2));
-  EXPECT_EQ(left[0].id, 1U);
-  EXPECT_EQ(left[1].id, 2U);
+  EXPECT_TRUE(left.contains(1));
+  EXPECT_TRUE(left.contains(2));
   EXPECT_THAT(pending(), IsEmpty());
   EXPECT_EQ(ledger.state(), "Dark");
+}
+
+TEST_F(CallLedgerTest, IsFullOfSoManyCalls) {
+  for (CallId id = 1; id <= CallLedger::kMostPending; ++id) {
+    ASSERT_FALSE(ledger.is_full()) << id;
+    call(id, "on");
+  }
+  EXPECT_TRUE(ledger.is_full());
+  ledger.take(5);
+  EXPECT_FALSE(ledger.is_full());
+}
+
+TEST_F(CallLedgerTest, IsFullOfSoManyArgumentsUntilTheirCallsAreOver) {
+  accept(1, "on");
+  ledger.take(1);
+  for (const CallId id : {2, 3, 4, 5})
+    ledger.call({id, "blink", 1.0, {"core", id}, CallLedger::kMostPendingUnits / 4}, {}, {});
+  EXPECT_FALSE(ledger.is_full()) << "as many as may";
+  call(6, "blink");
+  EXPECT_FALSE(ledger.is_full());
+  ledger.call({7, "blink", 1.0, {"core", 7}, 1}, {}, {});
+  EXPECT_TRUE(ledger.is_full());
+  for (const CallId id : {2, 3}) ledger.transition(1.0, "blink", id);
+  EXPECT_FALSE(ledger.is_full()) << "3 has superseded 2 (R17)";
+  ledger.call({8, "blink", 1.0, {"core", 8}, CallLedger::kMostPendingUnits}, {}, {});
+  EXPECT_TRUE(ledger.is_full());
+  ledger.reset();
+  EXPECT_FALSE(ledger.is_full());
 }
 
 TEST_F(CallLedgerTest, AbandonsACallOnceAndKeepsItPending) {

@@ -232,6 +232,74 @@ TEST_F(HostTest, AComponentThatThrowsIsLostAndTheOthersGoOn) {
   EXPECT_EQ(other.calls.size(), 1U);
 }
 
+TEST_F(HostTest, OfManyPendingCallsTheFirstAreShownAndAllAreCounted) {
+  constexpr std::size_t kShown = ServiceStatus::kPendingShown;
+  for (std::size_t i = 0; i <= kShown; ++i) bench.call("lamp", "blink");
+  const auto status = bench.host.service("lamp");
+  EXPECT_EQ(status->pending_count, kShown + 1);
+  ASSERT_EQ(status->pending.size(), kShown);
+  EXPECT_EQ(status->pending.front().id, lamp.calls.front().id);
+  lamp.host.reject(lamp.calls.front().id);
+  EXPECT_EQ(bench.host.service("lamp")->pending.back().id, lamp.calls.back().id);
+}
+
+TEST_F(HostTest, AServiceForWhichTooManyCallsWaitAnswersUnavailableAndSaysSoOnce) {
+  constexpr std::size_t kMost = CallLedger::kMostPending;
+  const auto call_often = [&](std::size_t times) {
+    for (std::size_t i = 0; i < times; ++i) bench.host.call({"1", ++bench.calls}, "lamp", "blink", {}, {});
+    bench.queue.run();
+  };
+  call_often(kMost + 3);
+  EXPECT_EQ(lamp.calls.size(), kMost);
+  EXPECT_EQ(bench.responses(), std::vector<std::string>(3, "lamp.blink !> unavailable"));
+  EXPECT_THAT(bench.log, ElementsAre(HasSubstr("10000 calls wait already")));
+  lamp.host.reject(lamp.calls[0].id);
+  call_often(2);
+  EXPECT_EQ(lamp.calls.size(), kMost + 1) << "one has had its answer";
+  EXPECT_EQ(bench.log.size(), 1U) << "it is full as before";
+  for (std::size_t i = 1; i <= kMost / 2; ++i) lamp.host.reject(lamp.calls[i].id);
+  call_often(kMost / 2 + 1);
+  EXPECT_EQ(bench.log.size(), 2U) << "it is full again";
+}
+
+TEST_F(HostTest, ServicesAreFullEachForItself) {
+  auto& other = bench.add<Lamp>("other");
+  for (std::size_t i = 0; i <= CallLedger::kMostPending; ++i)
+    bench.host.call({"1", ++bench.calls}, "lamp", "on", {}, {});
+  bench.call("other", "on");
+  EXPECT_EQ(other.calls.size(), 1U);
+}
+
+TEST_F(HostTest, ObserversAreToldOfTheFirstAndTheLastStateOfMany) {
+  bench.pass(0.1);
+  bench.changes.clear();
+  obey();
+  bench.call("lamp", "on");
+  for (int i = 0; i < 100; ++i) bench.call("lamp", "blink");
+  EXPECT_THAT(bench.changes, IsEmpty()) << "not before time passes";
+  bench.pass(0.001);
+  EXPECT_THAT(bench.changes, ElementsAre("lamp: Bright by t2, 1 pending"));
+  lamp.host.transition("t3");
+  bench.pass(0.010);
+  bench.call("lamp", "on");
+  bench.pass(0.005);
+  EXPECT_EQ(bench.changes.size(), 1U) << "again after kStatusPeriod";
+  bench.pass(0.010);
+  EXPECT_THAT(bench.changes, ElementsAre("lamp: Bright by t2, 1 pending", "lamp: Bright by t1, 1 pending"));
+  bench.pass(1);
+  EXPECT_EQ(bench.changes.size(), 2U) << "nothing changes any more";
+}
+
+TEST_F(HostTest, AResponseAndAnEventAreCountedOnceForAllCores) {
+  lamp.answer = [this](const Call& call) { lamp.host.result(call.id, List{1, "two", List{}}); };
+  bench.call("lamp", "on");
+  lamp.host.event("lit", "bright");
+  ASSERT_EQ(bench.deliveries.size(), 2U);
+  for (const Delivery& each : bench.deliveries) EXPECT_EQ(each.units, each.data.size_units());
+  EXPECT_EQ(bench.deliveries[0].units, 1U + 1U + 4U + 1U);
+  EXPECT_EQ(bench.deliveries[1].units, 7U);
+}
+
 TEST(Delivery, ReachesCoresByTimeThenServiceThenSequence) {
   Delivery early, late, second;
   late.time = 1;

@@ -122,6 +122,57 @@ TEST_F(ProcessHostTest, HandsPacketsOver) {
   EXPECT_THAT(lamp->packets, ElementsAre("camera.images at 4.0: 3 bytes"));
 }
 
+TEST_F(ProcessHostTest, HandlesInItsStepWhatItHasReceivedInOrder) {
+  for (const services::CallId id : {5, 6}) {
+    Message made = message(Kind::call);
+    made.name = "burn";
+    made.call = id;
+    EXPECT_TRUE(process.receive(std::move(made), 10));
+  }
+  EXPECT_THAT(lamp->calls, IsEmpty());
+  EXPECT_TRUE(process.step());
+  ASSERT_EQ(lamp->calls.size(), 2U);
+  EXPECT_EQ(lamp->calls[0].id, 5U);
+}
+
+TEST_F(ProcessHostTest, SaysWhatDoesNotFitOfWhatItHasReceived) {
+  Message made = message(Kind::wanted);
+  made.key = "heater";
+  EXPECT_TRUE(process.receive(std::move(made), 10));
+  EXPECT_EQ(process.step().error().code, ErrorCode::not_found);
+}
+
+TEST_F(ProcessHostTest, OfTheReceivedPacketsOfAFlowTheNewestWaits) {
+  const auto receive = [&](const char* flow, double time) {
+    Message made = message(Kind::packet, time);
+    made.service = "camera";
+    made.name = flow;
+    return process.receive(std::move(made), SendQueue::kBytes / 3);
+  };
+  for (int i = 0; i < 100; ++i) EXPECT_TRUE(receive("images", i));
+  EXPECT_TRUE(receive("clouds", 1));
+  EXPECT_TRUE(receive("depths", 1)) << "is dropped";
+  EXPECT_TRUE(process.step());
+  EXPECT_THAT(lamp->packets, ElementsAre("camera.images at 99.0: 0 bytes", "camera.clouds at 1.0: 0 bytes"));
+}
+
+TEST_F(ProcessHostTest, ReceivesNoMoreThanMayWait) {
+  Message made = message(Kind::call);
+  made.name = "burn";
+  std::size_t received = 0;
+  while (received < 1000 && process.receive(made, 1'000'000)) ++received;
+  EXPECT_EQ(received, SendQueue::kBytes / 1'000'256);
+  EXPECT_FALSE(process.receive(made, 1)) << "the connection is to end";
+}
+
+TEST_F(ProcessHostTest, EndsTheConnectionWhenAResultFindsNoRoom) {
+  while (server.push({std::string(1'000'000, 'x')}, "flow" + std::to_string(server.size()))) {
+  }
+  lamp->answer = std::string(1'000'000, 'x');
+  call("on", 5);
+  EXPECT_TRUE(server.overflowed());
+}
+
 TEST_F(ProcessHostTest, AsksTheServerAndWaitsForItsReply) {
   EXPECT_EQ(process.request("lamp", "colour", {}).error().code, ErrorCode::unavailable) << "it is not welcome yet";
   ASSERT_TRUE(process.handle(message(Kind::welcome)));

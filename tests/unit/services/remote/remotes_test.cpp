@@ -123,6 +123,7 @@ struct RemotesTest : testing::Test {
     for (;;) {
       for (Process* process : processes) process->pump();
       if (what()) return true;
+      host.advance(false);
       if (std::chrono::steady_clock::now() > deadline) return false;
       seen.wait();
     }
@@ -196,6 +197,22 @@ TEST_F(RemotesTest, PendingCallsOfALostProcessAreAnsweredInTheirOrder) {
   EXPECT_TRUE(until({}, [&] { return !available(); }));
   EXPECT_THAT(seen.all(), ElementsAre("1 burn !> unavailable", "2 burn !> unavailable", "3 burn !> unavailable"));
   EXPECT_THAT(seen.log(), Contains("lost: its connection has ended"));
+}
+
+// Nothing that it was to answer is lost without a word.
+TEST_F(RemotesTest, AProcessThatDoesNotReadWhatItIsToldIsLost) {
+  Process process(remotes);
+  greet(process);
+  call("burn");
+  const Value large = List(200'000, Value(0.12345678901234568));  // 4 MB of JSON
+  for (int i = 0; i < 40; ++i) host.call({"1", ++calls}, "lamp", "burn", {large}, {});
+  ASSERT_TRUE(until({}, [&] { return process.link.out().overflowed(); }));
+  EXPECT_TRUE(process.link.out().drained()) << "the writer ends the connection";
+  process.link.check_heartbeat();
+  ASSERT_TRUE(until({}, [&] { return !available(); }));
+  EXPECT_EQ(seen.all().size(), calls);
+  EXPECT_THAT(seen.all(), testing::Each(HasSubstr(" burn !> unavailable")));
+  EXPECT_THAT(seen.log(), Contains("lost: it does not read what it is told"));
 }
 
 TEST_F(RemotesTest, WhatAProcessSaidBeforeItDiedCounts) {

@@ -24,12 +24,44 @@ TEST(SendQueue, KeepsOfAFlowTheNewestAlone) {
   EXPECT_FALSE(queue.pop());
 }
 
-TEST(SendQueue, TakesNoMoreThanItsBytes) {
+const std::string kFilling(SendQueue::kBytes - SendQueue::kOverheadBytes, 'x');
+
+TEST(SendQueue, DropsAPacketThatFindsNoRoom) {
   SendQueue queue;
-  EXPECT_TRUE(queue.push({std::string(SendQueue::kBytes, 'x')}, "images"));
-  EXPECT_FALSE(queue.push({"y"}));
+  EXPECT_TRUE(queue.push({kFilling}, "images"));
+  EXPECT_FALSE(queue.push({"y"}, "clouds"));
+  EXPECT_FALSE(queue.overflowed());
   EXPECT_TRUE(queue.push({"y"}, "images")) << "it takes the place of what filled the queue";
   EXPECT_TRUE(queue.push({"y"}));
+  EXPECT_EQ(queue.size(), 2U);
+}
+
+TEST(SendQueue, IsClosedAndEmptyOnceAnotherMessageFindsNoRoom) {
+  SendQueue queue;
+  int woken = 0;
+  EXPECT_TRUE(queue.push({kFilling}));
+  queue.on_change([&] { ++woken; });
+  EXPECT_FALSE(queue.push({""}));
+  EXPECT_TRUE(queue.overflowed());
+  EXPECT_TRUE(queue.drained());
+  EXPECT_EQ(woken, 1) << "the connection is to end";
+  EXPECT_FALSE(queue.push({"y"}));
+  EXPECT_FALSE(queue.push({"y"}, "images"));
+}
+
+TEST(SendQueue, HasABoundForMessagesOfNoLengthToo) {
+  SendQueue queue;
+  std::size_t taken = 0;
+  while (taken < SendQueue::kBytes / 100 && queue.push({""})) ++taken;
+  EXPECT_EQ(taken, SendQueue::kBytes / SendQueue::kOverheadBytes);
+}
+
+TEST(SendQueue, HasRoomAgainForWhatHasLeft) {
+  SendQueue queue;
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_TRUE(queue.push({kFilling}, i == 1 ? "images" : ""));
+    EXPECT_TRUE(queue.pop());
+  }
 }
 
 TEST(SendQueue, WakesWhoSends) {
@@ -41,6 +73,7 @@ TEST(SendQueue, WakesWhoSends) {
   EXPECT_EQ(woken, 2);
   EXPECT_FALSE(queue.push({"b"}));
   EXPECT_EQ(woken, 2);
+  EXPECT_FALSE(queue.overflowed()) << "it was closed";
 }
 
 TEST(SendQueue, IsDrainedOnceItIsClosedAndAllHasLeft) {
