@@ -76,7 +76,7 @@ void Core::deliver(const services::Delivery& delivery) {
       inbox_.has_dropped = true;
       return;
     }
-    inbox_.units += delivery.data.size_units();
+    inbox_.units += delivery.units;
     inbox_.deliveries.push_back(delivery);
     if (inbox_.deliveries.size() > 1) return;  // who put the first one has woken it
   }
@@ -245,7 +245,7 @@ bool Core::take_inbox() {
       has_dropped = true;
       break;
     }
-    const std::size_t units = delivery.data.size_units();
+    const std::size_t units = delivery.units;
     waiting_units_ += units;
     received_units_ += units;
     if (delivery.kind == services::Delivery::Kind::event) {
@@ -296,8 +296,8 @@ std::uint32_t Core::do_part(std::uint32_t limit) {
   }
   step_time_ += Clock::now() - begin;
   if (*give_up_) {
-    give_up_macro_step("deadline", "a macro step has taken more than " +
-                                       std::to_string(resources_.longest_step.count()) + " ms");
+    give_up_macro_step("deadline",
+                       "a macro step has taken more than " + std::to_string(resources_.longest_step.count()) + " ms");
     return limit;
   }
   const std::uint32_t used = std::max(progress->micro - before, 1U);

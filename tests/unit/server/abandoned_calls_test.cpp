@@ -56,6 +56,7 @@ struct AbandonedCalls : HostedCores {
     delivery.name = "tick";
     delivery.data = Value(data);
     delivery.data.freeze();
+    delivery.units = delivery.data.size_units();
     core->deliver(delivery);
   }
   // What the service has been told since the last time, once the core has taken a tick with `data`.

@@ -68,7 +68,8 @@ struct CoreTest : testing::Test, CoreWatcher {
         rcm::write_native(document, native), semantics::Program::build(native, {}).value(), {}, {}};
     header.native.freeze();
     RunRecord run = store.runs->create({"long", 1, header, {}}, 0).value();
-    core = Core::create(std::move(run), std::move(header), {*pool, host, *this, *store.runs, *store.writer, replays, watchdog})
+    core = Core::create(std::move(run), std::move(header),
+                        {*pool, host, *this, *store.runs, *store.writer, replays, watchdog})
                .value();
   }
   // Not by the destructor: threads call this watcher until then.

@@ -66,6 +66,7 @@ struct HostedCores : testing::Test, CoreWatcher {
     delivery.caller = {core.id(), call};
     delivery.data = data;
     delivery.data.freeze();
+    delivery.units = delivery.data.size_units();
     core.deliver(delivery);
   }
   static std::string status(const Expected<Value>& info) { return info.value().find("status")->as_string(); }

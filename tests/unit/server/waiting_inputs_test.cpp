@@ -31,6 +31,7 @@ struct WaitingInputsOfCores : HostedCores {
     delivery.name = event;
     delivery.data = data;
     delivery.data.freeze();
+    delivery.units = delivery.data.size_units();
     for (std::size_t i = 0; i < times; ++i) core.deliver(delivery);
   }
   static std::int64_t waiting(const Value& info) { return info.find("waiting")->as_integer(); }
