@@ -32,14 +32,6 @@ void forced_condition(Step<R>& step, StateId s, PortId p) {
   rule.refinement(24);
 }
 
-/// REFINEMENT R24: the port of `s` that somebody has forced, in the activation that there was then; or none.
-template <Recorder R>
-PortId forced_port(const Step<R>& step, StateId s) {
-  if constexpr (!R::kVisitsAll) return kNoPort;  // OPTIMIZATION: nobody else pays for it
-  const PortId p = step.run.forced;
-  return p != kNoPort && step.program[p].state == s && step.ports_see_occurrence(s) ? p : kNoPort;
-}
-
 // PTrigger (3.27): a port whose condition is fulfilled takes its state out of play.
 //
 //   Δ ⊢ s.active ⇝ true     p ∈ s.ports    Σ,Δ ⊢ p.cond ⇝ true
