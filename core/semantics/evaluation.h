@@ -121,8 +121,7 @@ bool Action1(Step<R>& step, StateId s, ActionId a) {
     auto rule = step.apply(Rule::Action1, s, a);
     Cond(step, s, a, language::Truth::yes);
     if (Func(step, s, step.program.actions[a].code, FunctionOf::action, a)) {
-      step.set_executed(a);
-      step.recheck(s);
+      step.set_executed(s, a);
       return true;
     }
   }
@@ -162,10 +161,7 @@ void Action3(Step<R>& step, StateId s, ActionId a, language::Truth cond, Refinem
 template <Recorder R>
 [[gnu::noinline]] void evaluate_action(Step<R>& step, StateId s, ActionId a) {
   const ActionInfo& action = step.program.actions[a];
-  if (step.is_executed(a)) {
-    step.recheck(s);
-    return Action2(step, s, a, 0);
-  }
+  if (step.is_executed(s, a)) return Action2(step, s, a, 0);
   const bool served = action.served && !step.is_delivered_anew(s, a);
   if (served && !action.level) return Action2(step, s, a, 19);
   const language::Truth cond = step.truth(action.when, s, true);

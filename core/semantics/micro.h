@@ -17,9 +17,7 @@ template <Recorder R>
   for (const PortId p : ports(step, s)) {
     const PortInfo& port = step.program[p];
     if (step.untraced_truth(port.when, s, sees_occurrence) != language::Truth::yes) continue;
-    if (!port.svc || !step.is_triggered(p)) return p;
-    step.recheck(s);
-    return kNoPort;
+    return step.is_held_back(s, p) ? kNoPort : p;
   }
   return kNoPort;
 }

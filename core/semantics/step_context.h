@@ -47,13 +47,14 @@ class StepContext {
   void set_left_through(StateId s, PortId p);
 
   // Σ: executed (3.16, R19), triggered (R9) and occurrences (R21)
-  bool is_executed(ActionId a) const { return run.executed[a] == run.epoch; }
-  void set_executed(ActionId a);
+  // What holds `s` back in this macro step does not in the next one, so `s` is evaluated again then.
+  bool is_executed(StateId s, ActionId a);
+  void set_executed(StateId s, ActionId a);
   bool is_delivered_anew(StateId s, ActionId a) const;
-  bool is_triggered(PortId p) const { return run.triggered[index(p)] == run.epoch; }
+  /// R9: whether the port `p` of `s`, whose condition is fulfilled, has fired in this macro step.
+  bool is_held_back(StateId s, PortId p);
   void set_triggered(PortId p);
   bool ports_see_occurrence(StateId s) const { return live(s).activated_in != run.epoch; }
-  void recheck(StateId s) { recheck_in_next_macro_step(run, s); }
 
   /// Gives a call of `s` its number; it leaves the run with the micro step (R16).
   void send(StateId s, BufferedCall call);
@@ -225,7 +226,14 @@ inline void StepContext::set_left_through(StateId s, PortId p) {
   live(s).left_during = p != kNoPort || info.keeps_deep ? live(info.parent).life : 0;
 }
 
-inline void StepContext::set_executed(ActionId a) {
+inline bool StepContext::is_executed(StateId s, ActionId a) {
+  if (run.executed[a] != run.epoch) return false;
+  recheck_in_next_macro_step(run, s);
+  return true;
+}
+
+inline void StepContext::set_executed(StateId s, ActionId a) {
+  recheck_in_next_macro_step(run, s);
   run.executed[a] = run.epoch;
   run.served[a] = ++run.tick;
   changed = true;
@@ -238,6 +246,12 @@ inline bool StepContext::is_delivered_anew(StateId s, ActionId a) const {
   const ActionInfo& action = program.actions[a];
   return std::ranges::any_of(action.events, [&](EventId e) { return run.event_tick[e] > served; }) ||
          std::ranges::any_of(action.responses, [&](OperationId o) { return run.response_tick[o] > served; });
+}
+
+inline bool StepContext::is_held_back(StateId s, PortId p) {
+  if (!program[p].svc || run.triggered[index(p)] != run.epoch) return false;
+  recheck_in_next_macro_step(run, s);
+  return true;
 }
 
 // REFINEMENT R9
