@@ -166,7 +166,7 @@ template <Recorder R>
   if (served && !action.level) return Action2(step, s, a, 19);
   const language::Truth cond = step.truth(action.when, s, true);
   if (cond != language::Truth::yes) {
-    if (action.level) step.run.served[a] = 0;  // R19: it was not fulfilled; when it is again, the action runs again
+    if (action.level) step.clear_served(a);  // R19: it was not fulfilled; when it is again, the action runs again
     return Action3(step, s, a, cond, 0);
   }
   if (served) return Action2(step, s, a, 19);

@@ -51,6 +51,7 @@ class StepContext {
   bool is_executed(StateId s, ActionId a);
   void set_executed(StateId s, ActionId a);
   bool is_delivered_anew(StateId s, ActionId a) const;
+  void clear_served(ActionId a) { run.served[a] = 0; }
   /// R9: whether the port `p` of `s`, whose condition is fulfilled, has fired in this macro step.
   bool is_held_back(StateId s, PortId p);
   void set_triggered(PortId p);
