@@ -53,7 +53,6 @@ bool PTrigger(Step<R>& step, StateId s) {
   SDeact2(step, s);
   Act(step, p);
   step.set_left_through(s, p);
-  step.changed = true;
   return true;
 }
 
@@ -91,7 +90,6 @@ bool PTrans1(Step<R>& step, StateId s) {
     activate(step, d, p);
     Deact(step, p);
   }
-  step.changed = true;
   return true;
 }
 
@@ -123,7 +121,6 @@ bool PTrans2(Step<R>& step, StateId s) {
     }
     BDeact(step, b, 12);
   }
-  step.changed = true;
   return true;
 }
 
@@ -205,7 +202,6 @@ void Micro(Step<R>& step, const std::vector<Value>& arguments) {
     Resolve(step, Program::root, i, arguments[i].is_unknown() ? nullptr : &arguments[i]);
   SAct1(step, Program::root, kNoPort);
   step.run.started = true;
-  step.changed = true;
 }
 
 }  // namespace race::semantics

@@ -66,7 +66,7 @@ class StepContext {
   const Program& program;
   RunState& run;
   Workspace& work;
-  /// R14: whether this micro step changed Δ, `executed` or `triggered`.
+  /// R14: whether this micro step changed Δ, `executed` or `triggered`. Whatever changes does so with a flag, but actions.
   bool changed = false;
 
  private:
@@ -74,6 +74,7 @@ class StepContext {
   [[gnu::always_inline]] void set_flag(Flag flag, bool on, StateId owner, StateId parent) {
     work.log.flags.add(flag, run.flags[flag]);
     run.flags[flag] = on ? 1 : 0;
+    changed = true;
     if (const std::uint8_t readers = program.flag_readers[flag]) mark_readers(readers, owner, parent);
   }
   [[gnu::noinline]] void mark_readers(std::uint8_t readers, StateId owner, StateId parent) {
