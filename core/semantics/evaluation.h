@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/semantics/atomic.h"
+#include "core/semantics/attempt.h"
 
 namespace race::semantics {
 
@@ -116,17 +117,13 @@ void entry_or_exit(Step<R>& step, StateId s, const Code& f, FunctionOf of) {
 // Does not apply (false) if the function is unmet (R3).
 template <Recorder R>
 bool Action1(Step<R>& step, StateId s, ActionId a) {
-  const auto mark = step.recorder.mark();
-  {
-    auto rule = step.apply(Rule::Action1, s, a);
-    Cond(step, s, a, language::Truth::yes);
-    if (Func(step, s, step.program.actions[a].code, FunctionOf::action, a)) {
-      step.set_executed(s, a);
-      return true;
-    }
-  }
-  step.recorder.discard(mark);
-  return false;
+  Attempt attempt(step.recorder);
+  auto rule = step.apply(Rule::Action1, s, a);
+  Cond(step, s, a, language::Truth::yes);
+  if (!Func(step, s, step.program.actions[a].code, FunctionOf::action, a)) return false;
+  step.set_executed(s, a);
+  attempt.set_applies();
+  return true;
 }
 
 // Action2 (3.17): the action has been executed in this macro step.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/semantics/activation.h"
+#include "core/semantics/destinations.h"
 
 namespace race::semantics {
 
@@ -56,15 +57,6 @@ bool PTrigger(Step<R>& step, StateId s) {
   return true;
 }
 
-/// Resolves the parameters of a destination, if it is an inactive state and they have not been resolved in this
-/// transition.
-template <Recorder R>
-void resolve_once(Step<R>& step, NodeRef d) {
-  if (d.barrier || step.is_active(d.state())) return;
-  std::uint64_t& resolved_in = step.live(d.state()).resolved_in;
-  if (std::exchange(resolved_in, step.run.transitions) != step.run.transitions) resolve_parameters(step, d.state());
-}
-
 // PTrans1 (3.28): active ports of children lead to their destinations.
 //
 //   Δ ⊢ s.active ⇝ true    ∀ a_i ∈ s.actions, i = 1..n: Σ,Δ^{i-1} ⊢ a_i ⇝ a_i,Δ^i → Δ'
@@ -80,14 +72,10 @@ bool PTrans1(Step<R>& step, StateId s) {
   Active(step, s);
   evaluate_actions(step, s);
   const std::vector<PortId>& active_ports = take_active_ports(step, s);
-  const auto mark = step.recorder.mark();
-  ++step.run.transitions;
-  for (const PortId p : active_ports) resolve_once(step, step.program[p].to);
-  auto resolved = step.recorder.postpone(mark);
+  ResolvedDestinations<R> destinations(step, active_ports);
   for (const PortId p : active_ports) {
-    const NodeRef d = step.program[p].to;
-    resolved.insert(step.program.flag(d));
-    activate(step, d, p);
+    destinations.add_premises(p);
+    activate(step, destination(step.program, p), p);
     Deact(step, p);
   }
   return true;
@@ -111,13 +99,10 @@ bool PTrans2(Step<R>& step, StateId s) {
   evaluate_actions(step, s);
   for (const BarrierId b : take_active_barriers(step, s)) {
     const std::vector<StateId>& out = step.program[b].to;
-    const auto mark = step.recorder.mark();
-    ++step.run.transitions;
-    for (const StateId d : out) resolve_once(step, {false, index(d)});
-    auto resolved = step.recorder.postpone(mark);
+    ResolvedDestinations<R> destinations(step, out);
     for (const StateId d : out) {
-      resolved.insert(step.program.flag(d));
-      activate(step, {false, index(d)}, kNoPort);
+      destinations.add_premises(d);
+      activate(step, destination(step.program, d), kNoPort);
     }
     BDeact(step, b, 12);
   }
