@@ -84,11 +84,11 @@ Expected<void> serve(remote::ProcessHost& process, Session& session) {
 }
 
 struct Options {
-  std::string unit, server, folder, database = ":memory:";
+  std::string group, server, folder, database = ":memory:";
 };
 
 int run_service(const Options& options) {
-  const std::string& name = options.unit;
+  const std::string& name = options.group;
   const auto row = find_component_group(name);
   if (!row) return refuse(row.error());
   const std::string& url = options.server;
@@ -138,17 +138,17 @@ int run_service(const Options& options) {
 
 std::function<int()> declare(Arguments& arguments) {
   const auto options = std::make_shared<Options>();
-  arguments.positional("UNIT", options->unit, component_group_names());
+  arguments.positional("GROUP", options->group, component_group_names());
   arguments.required_text("--server", "URL", options->server,
                           "http://127.0.0.1:8080, where it runs; waits for it, and reconnects");
   arguments.text("--folder", "DIR", options->folder,
-                 "the cell: scene.json, parts.json, database.json, pictures, as its unit needs them");
-  arguments.text("--database", "FILE", options->database, "of the unit database: where its values are kept");
+                 "the cell: scene.json, parts.json, database.json, pictures, as its group needs them");
+  arguments.text("--database", "FILE", options->database, "of the group database: where its values are kept");
   return [options] { return run_service(*options); };
 }
 
 }  // namespace
 
-const Command kService = {"service", "runs one unit of a server's cell as a process, which may die", declare};
+const Command kService = {"service", "runs one component group of a server's cell as a process, which may die", declare};
 
 }  // namespace race::server

@@ -318,7 +318,7 @@ class Processes(unittest.TestCase):
         with Server(*LONG_HEARTBEAT) as server:
             url = f"http://127.0.0.1:{server.port}"
             for words, reason in ((["database", "--server", url], "no service of this key waits"),
-                                  (["oven", "--server", url], "there is no such unit"),
+                                  (["oven", "--server", url], "there is no such component group"),
                                   (["database", "--server", "ftp://x"], "http://HOST:PORT"),
                                   (["database"], "cell, recognition, database, display, audio"),
                                   (["cell", "--server", url, "--folder", "/nowhere"], "/nowhere")):
@@ -328,7 +328,7 @@ class Processes(unittest.TestCase):
         ended = subprocess.run([PROGRAM, "serve", "--port", "0", "--remote", "oven"], capture_output=True, text=True,
                                timeout=TIMEOUT, check=False)
         self.assertEqual(ended.returncode, 2)
-        self.assertIn("there is no such unit", ended.stderr)
+        self.assertIn("there is no such component group", ended.stderr)
 
 
 if __name__ == "__main__":
