@@ -1,11 +1,13 @@
 // race service NAME: one group of a cell as a process; its services are those of the server.
+#include <unistd.h>
+
 #include <atomic>
 #include <csignal>
-#include <cstdio>
 #include <thread>
 
 #include "server/cell/component_groups.h"
 #include "server/commands/command.h"
+#include "server/log/line_log.h"
 #include "services/mutex.h"
 #include "services/remote/socket_client.h"
 
@@ -19,10 +21,16 @@ constexpr auto kRetryInterval = 500ms;  // between attempts to connect
 
 std::atomic<bool> stop_requested{false};  // by SIGINT or SIGTERM
 
-void print_line(const std::string& text) {
-  std::printf("%s\n", text.c_str());
-  std::fflush(stdout);
-}
+/// The log of the process; its lines are the group's.
+class Log {
+ public:
+  explicit Log(const std::string& group) : group_(group) {}
+  void write(LogLevel level, const std::string& text) { lines_.write(level, group_, text); }
+
+ private:
+  LineLog lines_{STDERR_FILENO, LogLevel::info};
+  const std::string group_;
+};
 
 // The state of a connection, shared by the threads of the socket and of the group.
 struct Session {
@@ -54,16 +62,15 @@ struct Session {
 
 // Handles a message of the server, on the socket's thread. The group may wait for a reply; all else is queued for the
 // group.
-void handle_message(const remote::EncodedMessage& encoded, remote::ProcessHost& process, Session& session,
-                    const std::string& name) {
+void handle_message(const remote::EncodedMessage& encoded, remote::ProcessHost& process, Session& session, Log& log) {
   auto message = remote::decode(encoded, remote::Reader::process);
   const auto end_invalid = [&session](const Error& error) {
-    session.end("the server says what does not fit: " + to_string(error));
+    session.end("invalid message from the server: " + to_string(error));
   };
   if (!message) return end_invalid(message.error());
   if (message->kind == remote::Kind::refused) return session.refuse(*message);
   if (message->kind == remote::Kind::reply) return process.handle_reply(std::move(*message));
-  if (message->kind == remote::Kind::welcome) print_line(name + " is there");
+  if (message->kind == remote::Kind::welcome) log.write(LogLevel::info, "connected to the server");
   process.queue().post([&process, end_invalid, message = std::move(*message)]() mutable {
     if (auto handled = process.handle(std::move(message)); !handled) end_invalid(handled.error());
   });
@@ -95,10 +102,12 @@ int run_service(const Options& options) {
   const auto address = remote::read_address(url);
   if (!address) return refuse(address.error());
   const GroupSetup setup{options.folder, options.database};
+  Log log(name);
+  std::signal(SIGPIPE, SIG_IGN);  // of a log that nobody reads any more
   std::signal(SIGINT, [](int) { stop_requested = true; });
   std::signal(SIGTERM, [](int) { stop_requested = true; });
 
-  bool waiting = false;  // for the server, and has printed so
+  bool waiting = false;  // for the server, and has logged so
   while (!stop_requested) {
     // The server treats a lost process as dead: its services begin anew.
     remote::SendQueue out;
@@ -109,7 +118,7 @@ int run_service(const Options& options) {
     while (!stop_requested && !socket) {
       auto connected = remote::SocketClient::connect(
           *address, out,
-          {[&](const remote::EncodedMessage& encoded) { handle_message(encoded, process, session, name); },
+          {[&](const remote::EncodedMessage& encoded) { handle_message(encoded, process, session, log); },
            [&](std::string why) { session.end(std::move(why)); }});
       if (connected) {
         socket = std::move(*connected);
@@ -117,7 +126,7 @@ int run_service(const Options& options) {
         return refuse(Error{connected.error().code, connected.error().message, url});
       } else {
         if (!std::exchange(waiting, true))
-          print_line(name + " waits for the server at " + url + ": " + connected.error().message);
+          log.write(LogLevel::info, "waits for the server at " + url + ": " + connected.error().message);
         std::this_thread::sleep_for(kRetryInterval);
       }
     }
@@ -128,10 +137,10 @@ int run_service(const Options& options) {
     try {
       if (auto served = serve(process, session); !served) return refuse(served.error());
     } catch (const std::exception& failure) {
-      std::fprintf(stderr, "%s: died: %s\n", name.c_str(), failure.what());
+      log.write(LogLevel::error, std::string("failed: ") + failure.what());
       return kExitFindings;
     }
-    if (!stop_requested) print_line(name + " has lost the server: " + session.reason());
+    if (!stop_requested) log.write(LogLevel::warning, "lost the server: " + session.reason());
   }
   return kExitOk;
 }
