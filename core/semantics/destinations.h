@@ -19,8 +19,8 @@ void resolve_once(Step<R>& step, NodeRef d) {
   if (std::exchange(resolved_in, step.run.transitions) != step.run.transitions) resolve_parameters(step, d.state());
 }
 
-/// REFINEMENT R23: the parameters of all destinations are resolved before any of them is activated, so that these do not
-/// depend on each other's order. In a derivation they stand where their destination is activated.
+/// REFINEMENT R23: the parameters of all destinations are resolved before any of them is activated, so that these do
+/// not depend on each other's order. In a derivation they stand where their destination is activated.
 template <Recorder R>
 class ResolvedDestinations {
  public:

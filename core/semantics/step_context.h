@@ -66,7 +66,8 @@ class StepContext {
   const Program& program;
   RunState& run;
   Workspace& work;
-  /// R14: whether this micro step changed Δ, `executed` or `triggered`. Whatever changes does so with a flag, but actions.
+  /// R14: whether this micro step changed Δ, `executed` or `triggered`. Whatever changes does so with a flag, but
+  /// actions.
   bool changed = false;
 
  private:

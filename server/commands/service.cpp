@@ -158,6 +158,7 @@ std::function<int()> declare(Arguments& arguments) {
 
 }  // namespace
 
-const Command kService = {"service", "runs one component group of a server's cell as a process, which may die", declare};
+const Command kService = {"service", "runs one component group of a server's cell as a process, which may die",
+                          declare};
 
 }  // namespace race::server
