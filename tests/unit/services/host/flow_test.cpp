@@ -138,7 +138,7 @@ TEST_F(FlowTest, AFlowThatTheRsmDoesNotListIsAViolationAndNotHeard) {
   EXPECT_THAT(tap.wishes, IsEmpty());
 }
 
-TEST_F(FlowTest, AListenerThatIsLostListensNoLonger) {
+TEST_F(FlowTest, ASubscriberThatIsLostIsSubscribedNoLonger) {
   listen(true);
   basin.broken = true;
   tap.pour(1);
@@ -242,7 +242,7 @@ TEST_F(FlowTest, ObserversAreToldWhoListensAndWhoWatches) {
   EXPECT_EQ(bench.changes, 1);
   bench.host.unwatch(watch);
   EXPECT_EQ(bench.changes, 2);
-  listen(true);  // publisher and listener
+  listen(true);  // publisher and subscriber
   EXPECT_EQ(bench.changes, 4);
 }
 

@@ -15,8 +15,7 @@ using testing::IsEmpty;
 
 const rsm::Service& idle_model() {
   static const rsm::Service model =
-      rsm::read_service_text(R"({"rsm": 1, "name": "slow", "states": [{"name": "On"}], "init": "On"})", "slow")
-          .value();
+      rsm::read_service_text(R"({"rsm": 1, "name": "slow", "states": [{"name": "On"}], "init": "On"})", "slow").value();
   return model;
 }
 
