@@ -121,7 +121,7 @@ bool Action1(Step<R>& step, StateId s, ActionId a) {
   auto rule = step.apply(Rule::Action1, s, a);
   Cond(step, s, a, language::Truth::yes);
   if (!Func(step, s, step.program.actions[a].code, FunctionOf::action, a)) return false;
-  step.set_executed(s, a);
+  step.set_executed(a);
   attempt.set_applies();
   return true;
 }
@@ -158,7 +158,10 @@ void Action3(Step<R>& step, StateId s, ActionId a, language::Truth cond, Refinem
 template <Recorder R>
 [[gnu::noinline]] void evaluate_action(Step<R>& step, StateId s, ActionId a) {
   const ActionInfo& action = step.program.actions[a];
-  if (step.is_executed(s, a)) return Action2(step, s, a, 0);
+  if (step.is_executed(a)) {
+    step.recheck(s);
+    return Action2(step, s, a, 0);
+  }
   const bool served = action.served && !step.is_delivered_anew(s, a);
   if (served && !action.level) return Action2(step, s, a, 19);
   const language::Truth cond = step.truth(action.when, s, true);
@@ -167,7 +170,7 @@ template <Recorder R>
     return Action3(step, s, a, cond, 0);
   }
   if (served) return Action2(step, s, a, 19);
-  if (Action1(step, s, a)) return;
+  if (Action1(step, s, a)) return step.recheck(s);
   step.trace(action.when, s, true);
   Action3(step, s, a, cond, 3);
 }

@@ -47,14 +47,15 @@ class StepContext {
   void set_left_through(StateId s, PortId p);
 
   // Σ: executed (3.16, R19), triggered (R9) and occurrences (R21)
-  // What holds `s` back in this macro step does not in the next one, so `s` is evaluated again then.
-  bool is_executed(StateId s, ActionId a);
-  void set_executed(StateId s, ActionId a);
+  bool is_executed(ActionId a) const { return run.executed[a] == run.epoch; }
+  void set_executed(ActionId a);
   bool is_delivered_anew(StateId s, ActionId a) const;
   void clear_served(ActionId a) { run.served[a] = 0; }
-  /// R9: whether the port `p` of `s`, whose condition is fulfilled, has fired in this macro step.
+  /// R9: whether the port `p` of `s`, whose condition is fulfilled, has fired in this macro step. Then rechecks `s`.
   bool is_held_back(StateId s, PortId p);
   void set_triggered(PortId p);
+  /// `s` is evaluated again in the next macro step, in which `executed` and `triggered` are empty.
+  void recheck(StateId s) { recheck_in_next_macro_step(run, s); }
   bool ports_see_occurrence(StateId s) const { return live(s).activated_in != run.epoch; }
 
   /// Gives a call of `s` its number; it leaves the run with the micro step (R16).
@@ -229,14 +230,7 @@ inline void StepContext::set_left_through(StateId s, PortId p) {
   live(s).left_during = p != kNoPort || info.keeps_deep ? live(info.parent).life : 0;
 }
 
-inline bool StepContext::is_executed(StateId s, ActionId a) {
-  if (run.executed[a] != run.epoch) return false;
-  recheck_in_next_macro_step(run, s);
-  return true;
-}
-
-inline void StepContext::set_executed(StateId s, ActionId a) {
-  recheck_in_next_macro_step(run, s);
+inline void StepContext::set_executed(ActionId a) {
   run.executed[a] = run.epoch;
   run.served[a] = ++run.tick;
   changed = true;
@@ -253,7 +247,7 @@ inline bool StepContext::is_delivered_anew(StateId s, ActionId a) const {
 
 inline bool StepContext::is_held_back(StateId s, PortId p) {
   if (!program[p].svc || run.triggered[index(p)] != run.epoch) return false;
-  recheck_in_next_macro_step(run, s);
+  recheck(s);
   return true;
 }
 
