@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/semantics/atomic.h"
+#include "core/semantics/attempt.h"
 
 namespace race::semantics {
 
@@ -116,18 +117,13 @@ void entry_or_exit(Step<R>& step, StateId s, const Code& f, FunctionOf of) {
 // Does not apply (false) if the function is unmet (R3).
 template <Recorder R>
 bool Action1(Step<R>& step, StateId s, ActionId a) {
-  const auto mark = step.recorder.mark();
-  {
-    auto rule = step.apply(Rule::Action1, s, a);
-    Cond(step, s, a, language::Truth::yes);
-    if (Func(step, s, step.program.actions[a].code, FunctionOf::action, a)) {
-      step.set_executed(a);
-      step.recheck(s);
-      return true;
-    }
-  }
-  step.recorder.discard(mark);
-  return false;
+  Attempt attempt(step.recorder);
+  auto rule = step.apply(Rule::Action1, s, a);
+  Cond(step, s, a, language::Truth::yes);
+  if (!Func(step, s, step.program.actions[a].code, FunctionOf::action, a)) return false;
+  step.set_executed(a);
+  attempt.set_applies();
+  return true;
 }
 
 // Action2 (3.17): the action has been executed in this macro step.
@@ -170,11 +166,11 @@ template <Recorder R>
   if (served && !action.level) return Action2(step, s, a, 19);
   const language::Truth cond = step.truth(action.when, s, true);
   if (cond != language::Truth::yes) {
-    if (action.level) step.run.served[a] = 0;  // R19: it was not fulfilled; when it is again, the action runs again
+    if (action.level) step.clear_served(a);  // R19: it was not fulfilled; when it is again, the action runs again
     return Action3(step, s, a, cond, 0);
   }
   if (served) return Action2(step, s, a, 19);
-  if (Action1(step, s, a)) return;
+  if (Action1(step, s, a)) return step.recheck(s);
   step.trace(action.when, s, true);
   Action3(step, s, a, cond, 3);
 }

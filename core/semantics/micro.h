@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/semantics/activation.h"
+#include "core/semantics/destinations.h"
 
 namespace race::semantics {
 
@@ -17,9 +18,7 @@ template <Recorder R>
   for (const PortId p : ports(step, s)) {
     const PortInfo& port = step.program[p];
     if (step.untraced_truth(port.when, s, sees_occurrence) != language::Truth::yes) continue;
-    if (!port.svc || !step.is_triggered(p)) return p;
-    step.recheck(s);
-    return kNoPort;
+    return step.is_held_back(s, p) ? kNoPort : p;
   }
   return kNoPort;
 }
@@ -30,14 +29,6 @@ void forced_condition(Step<R>& step, StateId s, PortId p) {
   auto rule = step.apply(Rule::Cond, s, p);
   rule.value(language::Truth::yes);
   rule.refinement(24);
-}
-
-/// REFINEMENT R24: the port of `s` that somebody has forced, in the activation that there was then; or none.
-template <Recorder R>
-PortId forced_port(const Step<R>& step, StateId s) {
-  if constexpr (!R::kVisitsAll) return kNoPort;  // OPTIMIZATION: nobody else pays for it
-  const PortId p = step.run.forced;
-  return p != kNoPort && step.program[p].state == s && step.ports_see_occurrence(s) ? p : kNoPort;
 }
 
 // PTrigger (3.27): a port whose condition is fulfilled takes its state out of play.
@@ -63,17 +54,7 @@ bool PTrigger(Step<R>& step, StateId s) {
   SDeact2(step, s);
   Act(step, p);
   step.set_left_through(s, p);
-  step.changed = true;
   return true;
-}
-
-/// Resolves the parameters of a destination, if it is an inactive state and they have not been resolved in this
-/// transition.
-template <Recorder R>
-void resolve_once(Step<R>& step, NodeRef d) {
-  if (d.barrier || step.is_active(d.state())) return;
-  std::uint64_t& resolved_in = step.live(d.state()).resolved_in;
-  if (std::exchange(resolved_in, step.run.transitions) != step.run.transitions) resolve_parameters(step, d.state());
 }
 
 // PTrans1 (3.28): active ports of children lead to their destinations.
@@ -91,17 +72,12 @@ bool PTrans1(Step<R>& step, StateId s) {
   Active(step, s);
   evaluate_actions(step, s);
   const std::vector<PortId>& active_ports = take_active_ports(step, s);
-  const auto mark = step.recorder.mark();
-  ++step.run.transitions;
-  for (const PortId p : active_ports) resolve_once(step, step.program[p].to);
-  auto resolved = step.recorder.postpone(mark);
+  ResolvedDestinations<R> destinations(step, active_ports);
   for (const PortId p : active_ports) {
-    const NodeRef d = step.program[p].to;
-    resolved.insert(step.program.flag(d));
-    activate(step, d, p);
+    destinations.add_premises(p);
+    activate(step, destination(step.program, p), p);
     Deact(step, p);
   }
-  step.changed = true;
   return true;
 }
 
@@ -123,17 +99,13 @@ bool PTrans2(Step<R>& step, StateId s) {
   evaluate_actions(step, s);
   for (const BarrierId b : take_active_barriers(step, s)) {
     const std::vector<StateId>& out = step.program[b].to;
-    const auto mark = step.recorder.mark();
-    ++step.run.transitions;
-    for (const StateId d : out) resolve_once(step, {false, index(d)});
-    auto resolved = step.recorder.postpone(mark);
+    ResolvedDestinations<R> destinations(step, out);
     for (const StateId d : out) {
-      resolved.insert(step.program.flag(d));
-      activate(step, {false, index(d)}, kNoPort);
+      destinations.add_premises(d);
+      activate(step, destination(step.program, d), kNoPort);
     }
     BDeact(step, b, 12);
   }
-  step.changed = true;
   return true;
 }
 
@@ -215,7 +187,6 @@ void Micro(Step<R>& step, const std::vector<Value>& arguments) {
     Resolve(step, Program::root, i, arguments[i].is_unknown() ? nullptr : &arguments[i]);
   SAct1(step, Program::root, kNoPort);
   step.run.started = true;
-  step.changed = true;
 }
 
 }  // namespace race::semantics

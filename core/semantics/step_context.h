@@ -50,10 +50,13 @@ class StepContext {
   bool is_executed(ActionId a) const { return run.executed[a] == run.epoch; }
   void set_executed(ActionId a);
   bool is_delivered_anew(StateId s, ActionId a) const;
-  bool is_triggered(PortId p) const { return run.triggered[index(p)] == run.epoch; }
+  void clear_served(ActionId a) { run.served[a] = 0; }
+  /// R9: whether the port `p` of `s`, whose condition is fulfilled, has fired in this macro step. Then rechecks `s`.
+  bool is_held_back(StateId s, PortId p);
   void set_triggered(PortId p);
-  bool ports_see_occurrence(StateId s) const { return live(s).activated_in != run.epoch; }
+  /// `s` is evaluated again in the next macro step, in which `executed` and `triggered` are empty.
   void recheck(StateId s) { recheck_in_next_macro_step(run, s); }
+  bool ports_see_occurrence(StateId s) const { return live(s).activated_in != run.epoch; }
 
   /// Gives a call of `s` its number; it leaves the run with the micro step (R16).
   void send(StateId s, BufferedCall call);
@@ -64,7 +67,8 @@ class StepContext {
   const Program& program;
   RunState& run;
   Workspace& work;
-  /// R14: whether this micro step changed Δ, `executed` or `triggered`.
+  /// R14: whether this micro step changed Δ, `executed` or `triggered`. Whatever changes does so with a flag, but
+  /// actions.
   bool changed = false;
 
  private:
@@ -72,6 +76,7 @@ class StepContext {
   [[gnu::always_inline]] void set_flag(Flag flag, bool on, StateId owner, StateId parent) {
     work.log.flags.add(flag, run.flags[flag]);
     run.flags[flag] = on ? 1 : 0;
+    changed = true;
     if (const std::uint8_t readers = program.flag_readers[flag]) mark_readers(readers, owner, parent);
   }
   [[gnu::noinline]] void mark_readers(std::uint8_t readers, StateId owner, StateId parent) {
@@ -238,6 +243,12 @@ inline bool StepContext::is_delivered_anew(StateId s, ActionId a) const {
   const ActionInfo& action = program.actions[a];
   return std::ranges::any_of(action.events, [&](EventId e) { return run.event_tick[e] > served; }) ||
          std::ranges::any_of(action.responses, [&](OperationId o) { return run.response_tick[o] > served; });
+}
+
+inline bool StepContext::is_held_back(StateId s, PortId p) {
+  if (!program[p].svc || run.triggered[index(p)] != run.epoch) return false;
+  recheck(s);
+  return true;
 }
 
 // REFINEMENT R9

@@ -16,6 +16,15 @@ auto ports(const Step<R>& step, StateId s) {
     return step.program[s].ports;
 }
 
+/// REFINEMENT R24: the port of `s` that somebody has forced, in the activation that there was then; or none.
+/// OPTIMIZATION: without a derivation, none: a driver takes a recorder that visits all then.
+template <Recorder R>
+PortId forced_port(const Step<R>& step, StateId s) {
+  if (!R::kVisitsAll) return kNoPort;
+  const PortId p = step.run.forced;
+  return p != kNoPort && step.program[p].state == s && step.ports_see_occurrence(s) ? p : kNoPort;
+}
+
 /// The actions of `s`, in order.
 /// OPTIMIZATION: without a derivation, none if nothing that its conditions and actions read has changed.
 template <Recorder R>

@@ -110,7 +110,7 @@ std::string component_group_names() {
 Expected<const ComponentGroup*> find_component_group(std::string_view name) {
   for (const ComponentGroup& group : component_groups())
     if (group.name == name) return &group;
-  return unexpected(ErrorCode::not_found, "there is no such unit; there are " + component_group_names(),
+  return unexpected(ErrorCode::not_found, "there is no such component group; there are " + component_group_names(),
                     std::string(name));
 }
 

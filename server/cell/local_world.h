@@ -1,5 +1,5 @@
-// LocalWorld: a world in this process, with the person at it. Either the server's cell or the process of the unit
-// `cell` has one.
+// LocalWorld: a world in this process, with the person at it. Either the server's cell or the process of the
+// group `cell` has one.
 //
 // Threads: the group's, execute() too; the other functions of CellWorld are for any.
 #pragma once
@@ -22,7 +22,7 @@ class LocalWorld final : public CellWorld {
 
   /// What robot, gripper and camera act in.
   world::World& world() { return *world_; }
-  /// What the process of the unit `cell` sends to the server (world_check.h).
+  /// What the process of the group `cell` sends to the server (world_check.h).
   Value description() const;
   /// schemas/cell_pose.json, frozen.
   Value pose(services::Time now) const;

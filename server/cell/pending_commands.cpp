@@ -8,7 +8,7 @@ namespace race::server {
 namespace {
 
 // Shared by the waiting thread and the command, which may run after the wait has timed out.
-struct Turn {
+struct PendingCommand {
   std::atomic<bool> decided{false};  // the command has begun, or has timed out
   std::promise<Expected<Value>> answer;
 
@@ -22,15 +22,16 @@ Expected<Value> PendingCommands::wait(const std::function<void(CellWorld::Wanted
   {
     const services::MutexLock lock(mutex_);
     if (!free_.wait_for(mutex_, timeouts_.admission, [this]() REQUIRES(mutex_) { return pending_ < kMaxPending; }))
-      return unexpected(ErrorCode::unavailable, "other acts wait for the cell already; this one is not done");
+      return unexpected(ErrorCode::unavailable, "other commands wait for the cell already; this one is not done");
     ++pending_;
   }
-  const auto turn = std::make_shared<Turn>();
-  auto answer = turn->answer.get_future();
-  start([turn] { return turn->take(); }, [turn](Expected<Value> person) { turn->answer.set_value(std::move(person)); });
+  const auto command = std::make_shared<PendingCommand>();
+  auto answer = command->answer.get_future();
+  start([command] { return command->take(); },
+        [command](Expected<Value> person) { command->answer.set_value(std::move(person)); });
   constexpr auto kReady = std::future_status::ready;
   bool answered = answer.wait_for(timeouts_.completion) == kReady;
-  const bool given_up = !answered && turn->take();
+  const bool given_up = !answered && command->take();
   if (!answered && !given_up) answered = answer.wait_for(timeouts_.grace) == kReady;
   {
     const services::MutexLock lock(mutex_);

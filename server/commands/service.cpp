@@ -1,11 +1,13 @@
 // race service NAME: one group of a cell as a process; its services are those of the server.
+#include <unistd.h>
+
 #include <atomic>
 #include <csignal>
-#include <cstdio>
 #include <thread>
 
 #include "server/cell/component_groups.h"
 #include "server/commands/command.h"
+#include "server/log/line_log.h"
 #include "services/mutex.h"
 #include "services/remote/socket_client.h"
 
@@ -19,10 +21,16 @@ constexpr auto kRetryInterval = 500ms;  // between attempts to connect
 
 std::atomic<bool> stop_requested{false};  // by SIGINT or SIGTERM
 
-void print_line(const std::string& text) {
-  std::printf("%s\n", text.c_str());
-  std::fflush(stdout);
-}
+/// The log of the process; its lines are the group's.
+class Log {
+ public:
+  explicit Log(const std::string& group) : group_(group) {}
+  void write(LogLevel level, const std::string& text) { lines_.write(level, group_, text); }
+
+ private:
+  LineLog lines_{STDERR_FILENO, LogLevel::info};
+  const std::string group_;
+};
 
 // The state of a connection, shared by the threads of the socket and of the group.
 struct Session {
@@ -55,13 +63,12 @@ struct Session {
 
 // Handles a message of the server, on the socket's thread. The group may wait for a reply; all else is queued for the
 // group.
-void handle_message(const remote::EncodedMessage& encoded, remote::ProcessHost& process, Session& session,
-                    const std::string& name) {
+void handle_message(const remote::EncodedMessage& encoded, remote::ProcessHost& process, Session& session, Log& log) {
   auto message = remote::decode(encoded, remote::Reader::process);
   if (!message) return session.end_invalid(message.error());
   if (message->kind == remote::Kind::refused) return session.refuse(*message);
   if (message->kind == remote::Kind::reply) return process.handle_reply(std::move(*message));
-  if (message->kind == remote::Kind::welcome) print_line(name + " is there");
+  if (message->kind == remote::Kind::welcome) log.write(LogLevel::info, "connected to the server");
   if (!process.receive(std::move(*message), encoded.bytes.size())) session.end("the server says more than is handled");
 }
 
@@ -80,21 +87,23 @@ Expected<void> serve(remote::ProcessHost& process, Session& session) {
 }
 
 struct Options {
-  std::string unit, server, folder, database = ":memory:";
+  std::string group, server, folder, database = ":memory:";
 };
 
 int run_service(const Options& options) {
-  const std::string& name = options.unit;
+  const std::string& name = options.group;
   const auto row = find_component_group(name);
   if (!row) return refuse(row.error());
   const std::string& url = options.server;
   const auto address = remote::read_address(url);
   if (!address) return refuse(address.error());
   const GroupSetup setup{options.folder, options.database};
+  Log log(name);
+  std::signal(SIGPIPE, SIG_IGN);  // of a log that nobody reads any more
   std::signal(SIGINT, [](int) { stop_requested = true; });
   std::signal(SIGTERM, [](int) { stop_requested = true; });
 
-  bool waiting = false;  // for the server, and has printed so
+  bool waiting = false;  // for the server, and has logged so
   while (!stop_requested) {
     // The server treats a lost process as dead: its services begin anew.
     remote::SendQueue out;
@@ -105,7 +114,7 @@ int run_service(const Options& options) {
     while (!stop_requested && !socket) {
       auto connected = remote::SocketClient::connect(
           *address, out,
-          {[&](const remote::EncodedMessage& encoded) { handle_message(encoded, process, session, name); },
+          {[&](const remote::EncodedMessage& encoded) { handle_message(encoded, process, session, log); },
            [&](std::string why) { session.end(std::move(why)); }});
       if (connected) {
         socket = std::move(*connected);
@@ -113,7 +122,7 @@ int run_service(const Options& options) {
         return refuse(Error{connected.error().code, connected.error().message, url});
       } else {
         if (!std::exchange(waiting, true))
-          print_line(name + " waits for the server at " + url + ": " + connected.error().message);
+          log.write(LogLevel::info, "waits for the server at " + url + ": " + connected.error().message);
         std::this_thread::sleep_for(kRetryInterval);
       }
     }
@@ -124,27 +133,28 @@ int run_service(const Options& options) {
     try {
       if (auto served = serve(process, session); !served) return refuse(served.error());
     } catch (const std::exception& failure) {
-      std::fprintf(stderr, "%s: died: %s\n", name.c_str(), failure.what());
+      log.write(LogLevel::error, std::string("failed: ") + failure.what());
       return kExitFindings;
     }
-    if (!stop_requested) print_line(name + " has lost the server: " + session.reason());
+    if (!stop_requested) log.write(LogLevel::warning, "lost the server: " + session.reason());
   }
   return kExitOk;
 }
 
 std::function<int()> declare(Arguments& arguments) {
   const auto options = std::make_shared<Options>();
-  arguments.positional("UNIT", options->unit, component_group_names());
+  arguments.positional("GROUP", options->group, component_group_names());
   arguments.required_text("--server", "URL", options->server,
                           "http://127.0.0.1:8080, where it runs; waits for it, and reconnects");
   arguments.text("--folder", "DIR", options->folder,
-                 "the cell: scene.json, parts.json, database.json, pictures, as its unit needs them");
-  arguments.text("--database", "FILE", options->database, "of the unit database: where its values are kept");
+                 "the cell: scene.json, parts.json, database.json, pictures, as its group needs them");
+  arguments.text("--database", "FILE", options->database, "of the group database: where its values are kept");
   return [options] { return run_service(*options); };
 }
 
 }  // namespace
 
-const Command kService = {"service", "runs one unit of a server's cell as a process, which may die", declare};
+const Command kService = {"service", "runs one component group of a server's cell as a process, which may die",
+                          declare};
 
 }  // namespace race::server

@@ -27,7 +27,7 @@ std::vector<Setting> make_table() {
       {"web", "DIR", "the pages; without, the interface alone", Setting::Text{&S::web}},
       {"headless", "", "no pages, whatever --web says", Setting::Flag{&S::headless}},
       {"operator", "FILE", "a person at the cell who acts by this script", Setting::File{&S::operator_script}},
-      {"remote", "UNIT,...", "waits for processes (race service) that bring these: " + component_group_names(),
+      {"remote", "GROUP,...", "waits for processes (race service) that bring these: " + component_group_names(),
        Setting::Groups{&S::remote}},
       {"heartbeat", "SECONDS", "after which such a process that is silent is lost",
        Setting::Number{&S::heartbeat_s, {0.1, 3600}}},

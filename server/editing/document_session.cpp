@@ -77,7 +77,7 @@ std::optional<edit::History> DocumentSession::rebuild(const DocumentPast& past) 
   return history;
 }
 
-tl::expected<DocumentSession::Acceptance, EditRefusal> DocumentSession::edit(const EditRequest& request,
+tl::expected<DocumentSession::EditResult, EditRefusal> DocumentSession::edit(const EditRequest& request,
                                                                              std::int64_t now_ms) {
   if (!request.token.empty()) {
     const auto known = revisions_.find({request.author, request.token});
@@ -122,7 +122,7 @@ edit::History::Result DocumentSession::execute(const EditRequest& request) {
   return history.apply(request.author, seen, std::get<edit::Edit>(request.what));
 }
 
-tl::expected<DocumentSession::Acceptance, EditRefusal> DocumentSession::store(const edit::Accepted& accepted,
+tl::expected<DocumentSession::EditResult, EditRefusal> DocumentSession::store(const edit::Accepted& accepted,
                                                                               const EditRequest& request,
                                                                               std::int64_t now_ms) {
   is_lost_ = true;  // until the disk has it, the history is ahead
@@ -142,17 +142,17 @@ tl::expected<DocumentSession::Acceptance, EditRefusal> DocumentSession::store(co
   is_lost_ = false;
   last_ = std::move(next);
   remember(request.author, request.token, revision());
-  return Acceptance{accepted_edit_json(stored, last_.errors, depths(request.author))};
+  return EditResult{accepted_edit_json(stored, last_.errors, depths(request.author))};
 }
 
-tl::expected<DocumentSession::Acceptance, EditRefusal> DocumentSession::find_again(std::int64_t revision) {
+tl::expected<DocumentSession::EditResult, EditRefusal> DocumentSession::find_again(std::int64_t revision) {
   const std::string& name = last_.revision.document;
   auto entry = documents_->entry(name, revision);
   if (!entry) return tl::unexpected(EditRefusal{EditRefusal::Of::document, std::move(entry).error()});
   auto edit = documents_->edit_of(name, revision);
   if (!edit) return tl::unexpected(refused(std::move(edit).error(), EditRefusal::Of::document));
   const std::string author = entry->revision.change.author;
-  return Acceptance{accepted_edit_json({std::move(entry->revision), std::move(*edit)}, entry->errors, depths(author)),
+  return EditResult{accepted_edit_json({std::move(entry->revision), std::move(*edit)}, entry->errors, depths(author)),
                     true};
 }
 

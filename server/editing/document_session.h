@@ -34,12 +34,12 @@ class DocumentSession {
   Value snapshot() const;
   bool has_violations() const { return !last_.errors.empty(); }
 
-  struct Acceptance {
+  struct EditResult {
     Value edit;              // schemas/accepted_edit.json
     bool was_there = false;  // its token was that of an earlier edit, which this is
   };
   /// Makes the edit and stores it.
-  tl::expected<Acceptance, EditRefusal> edit(const EditRequest& request, std::int64_t now_ms);
+  tl::expected<EditResult, EditRefusal> edit(const EditRequest& request, std::int64_t now_ms);
 
   /// The document is stored as `entry`, whose text somebody has changed as a whole. The edit that this is; nothing if
   /// it is none: then the history begins anew.
@@ -52,9 +52,9 @@ class DocumentSession {
   DocumentSession(Documents& documents, DocumentEntry last) : documents_(&documents), last_(std::move(last)) {}
   static std::optional<edit::History> rebuild(const DocumentPast& past);
   edit::History::Result execute(const EditRequest& request);
-  tl::expected<Acceptance, EditRefusal> store(const edit::Accepted& accepted, const EditRequest& request,
+  tl::expected<EditResult, EditRefusal> store(const edit::Accepted& accepted, const EditRequest& request,
                                               std::int64_t now_ms);
-  tl::expected<Acceptance, EditRefusal> find_again(std::int64_t revision);
+  tl::expected<EditResult, EditRefusal> find_again(std::int64_t revision);
   void remember(const std::string& author, const std::string& token, std::int64_t revision);
   EditDepths depths(const std::string& author) const;
 

@@ -18,13 +18,14 @@ bool may_have_changed(const std::vector<Error>& errors) {
 
 }  // namespace
 
-/// Who has it has the document for itself.
-class Editing::Turn {
+/// While there is one, nobody else has the document.
+class Editing::DocumentLock {
  public:
-  Turn(Editing& editing, Document& document) : editing_(&editing), document_(&document) {}
-  Turn(Turn&& other) noexcept : editing_(std::exchange(other.editing_, nullptr)), document_(other.document_) {}
-  ~Turn() {
-    if (editing_) editing_->end_turn(*document_);
+  DocumentLock(Editing& editing, Document& document) : editing_(&editing), document_(&document) {}
+  DocumentLock(DocumentLock&& other) noexcept
+      : editing_(std::exchange(other.editing_, nullptr)), document_(other.document_) {}
+  ~DocumentLock() {
+    if (editing_) editing_->unlock(*document_);
   }
   Document& document() const { return *document_; }
 
@@ -36,7 +37,7 @@ class Editing::Turn {
 Editing::Editing(Documents& documents, EditPublisher& publisher, DocumentWatcher& watcher, Limits limits)
     : documents_(documents), publisher_(publisher), watcher_(watcher), limits_(limits) {}
 
-std::optional<Editing::Turn> Editing::take_turn(const std::string& name) {
+std::optional<Editing::DocumentLock> Editing::lock_document(const std::string& name) {
   const services::MutexLock lock(mutex_);
   std::unique_ptr<Document>& slot = open_[name];
   if (!slot) slot = std::make_unique<Document>();
@@ -52,10 +53,10 @@ std::optional<Editing::Turn> Editing::take_turn(const std::string& name) {
   }
   forget_least_used();
   if (!is_free) return std::nullopt;
-  return Turn(*this, document);
+  return DocumentLock(*this, document);
 }
 
-void Editing::end_turn(Document& document) {
+void Editing::unlock(Document& document) {
   if (document.session && document.session->is_lost()) document.session.reset();
   {
     const services::MutexLock lock(mutex_);
@@ -99,11 +100,11 @@ Checked<DocumentSession*> Editing::open(Document& document, const std::string& n
   return &*document.session;
 }
 
-tl::expected<DocumentSession::Acceptance, EditRefusal> Editing::edit(const std::string& name,
+tl::expected<DocumentSession::EditResult, EditRefusal> Editing::edit(const std::string& name,
                                                                      const EditRequest& request) {
-  auto turn = take_turn(name);
-  if (!turn) return tl::unexpected(EditRefusal{EditRefusal::Of::document, {busy()}});
-  Document& document = turn->document();
+  auto lock = lock_document(name);
+  if (!lock) return tl::unexpected(EditRefusal{EditRefusal::Of::document, {busy()}});
+  Document& document = lock->document();
   const auto session = open(document, name);
   if (!session) return tl::unexpected(EditRefusal{EditRefusal::Of::document, session.error()});
   auto accepted = (*session)->edit(request, now_ms());
@@ -115,9 +116,9 @@ tl::expected<DocumentSession::Acceptance, EditRefusal> Editing::edit(const std::
 }
 
 Checked<DocumentEntry> Editing::change_text(const std::string& name, const Change& by, const ChangeText& change) {
-  auto turn = take_turn(name);
-  if (!turn) return tl::unexpected(std::vector<Error>{busy()});
-  Document& document = turn->document();
+  auto lock = lock_document(name);
+  if (!lock) return tl::unexpected(std::vector<Error>{busy()});
+  Document& document = lock->document();
   auto stored = change();
   if (!stored) {
     if (may_have_changed(stored.error())) document.session.reset();
@@ -147,10 +148,10 @@ Checked<DocumentEntry> Editing::restore(const std::string& name, std::int64_t re
 }
 
 Expected<void> Editing::remove(const std::string& name, std::optional<std::int64_t> seen) {
-  auto turn = take_turn(name);
-  if (!turn) return tl::unexpected(busy());
+  auto lock = lock_document(name);
+  if (!lock) return tl::unexpected(busy());
   auto removed = documents_.remove(name, seen);
-  Document& document = turn->document();
+  Document& document = lock->document();
   if (removed || may_have_changed({removed.error()})) document.session.reset();
   if (!removed) return removed;
   document.last_known = 0;
@@ -163,9 +164,9 @@ Checked<DocumentEntry> Editing::branch(const std::string& name, const Documents:
 }
 
 Expected<void> Editing::publish_snapshot(const std::string& name) {
-  auto turn = take_turn(name);
-  if (!turn) return tl::unexpected(busy());
-  const auto session = open(turn->document(), name);
+  auto lock = lock_document(name);
+  if (!lock) return tl::unexpected(busy());
+  const auto session = open(lock->document(), name);
   if (session)
     publisher_.shown(name, (*session)->snapshot());
   else

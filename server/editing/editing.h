@@ -51,7 +51,7 @@ class Editing {
   // Errors of all: `unavailable`, others take long, or a backup is being brought back; those of Documents.
 
   /// Makes an edit of the document as it is now.
-  tl::expected<DocumentSession::Acceptance, EditRefusal> edit(const std::string& name, const EditRequest& request)
+  tl::expected<DocumentSession::EditResult, EditRefusal> edit(const std::string& name, const EditRequest& request)
       EXCLUDES(mutex_);
   /// As Documents::put, restore and branch.
   Checked<DocumentEntry> put(const std::string& name, std::string_view text, const Change& change,
@@ -85,16 +85,16 @@ class Editing {
 
  private:
   struct Document {
-    std::optional<DocumentSession> session;  // belongs to whoever has the turn
+    std::optional<DocumentSession> session;  // belongs to whoever has its lock
     std::int64_t last_known = 0;             // revision that was published last
     bool is_taken = false;
     std::size_t waiting = 0;
     std::uint64_t used = 0;
   };
-  class Turn;
+  class DocumentLock;
 
-  std::optional<Turn> take_turn(const std::string& name) EXCLUDES(mutex_);
-  void end_turn(Document& document) EXCLUDES(mutex_);
+  std::optional<DocumentLock> lock_document(const std::string& name) EXCLUDES(mutex_);
+  void unlock(Document& document) EXCLUDES(mutex_);
   void forget_least_used() REQUIRES(mutex_);
   void resume() EXCLUDES(mutex_);
   /// The session, read if it is not there.

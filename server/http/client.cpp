@@ -15,8 +15,6 @@ namespace http = beast::http;
 using asio::ip::tcp;
 using boost::system::error_code;
 
-constexpr auto kAwaited = asio::as_tuple(asio::use_awaitable);
-
 using ClientRequest = http::request<http::string_body>;
 
 ClientRequest make_request(const remote::Address& address, std::string_view method, std::string_view target,
@@ -35,22 +33,24 @@ ClientRequest make_request(const remote::Address& address, std::string_view meth
 
 // One request on a connection of its own.
 struct Exchange {
+  static constexpr auto kAsTuple = asio::as_tuple(asio::use_awaitable);
+
   asio::awaitable<Expected<HttpClient::Answer>> run(const remote::Address& address, const ClientRequest& request,
                                                     HttpClient::Timeouts timeouts) {
     tcp::resolver resolver(io);
     const auto [unknown, endpoints] =
-        co_await resolver.async_resolve(address.host, std::to_string(address.port), kAwaited);
+        co_await resolver.async_resolve(address.host, std::to_string(address.port), kAsTuple);
     if (unknown) co_return failure(unknown);
     stream.expires_after(timeouts.connect);
-    const auto [absent, endpoint] = co_await stream.async_connect(endpoints, kAwaited);
+    const auto [absent, endpoint] = co_await stream.async_connect(endpoints, kAsTuple);
     if (absent) co_return failure(absent);
     stream.expires_after(timeouts.answer);
-    const auto [unsent, sent] = co_await http::async_write(stream, request, kAwaited);
+    const auto [unsent, sent] = co_await http::async_write(stream, request, kAsTuple);
     if (unsent) co_return failure(unsent);
     beast::flat_buffer buffer;
     http::response_parser<http::string_body> parser;
     parser.body_limit(HttpClient::kBodyBytes);
-    const auto [broken, received] = co_await http::async_read(stream, buffer, parser, kAwaited);
+    const auto [broken, received] = co_await http::async_read(stream, buffer, parser, kAsTuple);
     if (broken) co_return failure(broken);
     auto body = parse_json(parser.get().body());
     if (!body)

@@ -1,5 +1,5 @@
-// JournalWriter: makes entries of all journals durable on one thread: what waits when it comes round shares one
-// transaction, so cores that are busy at once share a flush of the disk.
+// JournalWriter: makes entries of all journals durable on one thread: what waits when it begins the next round shares
+// one transaction, so cores that are busy at once share a flush of the disk.
 //
 // Threads: append(), recover() and close() on any.
 #pragma once

@@ -41,7 +41,7 @@ class Camera final : public services::TableComponent {
   std::uint64_t seed_;
   std::uint64_t pictures_ = 0;  // taken so far
   int under_way_ = 0;
-  std::set<std::string, std::less<>> wanted_;  // flows with a listener
+  std::set<std::string, std::less<>> wanted_;  // flows with a subscriber
   services::Time next_ = 0;                    // picture
   std::unique_ptr<services::Worker> worker_;
 };

@@ -1,7 +1,7 @@
 // ControlUnit: what runs in the gripper's controller at 1 kHz: closes until the fingers meet something, holds with a
 // force, opens to a width. It knows the width, its speed and the drive's force; no world, no RACE.
 //
-// Threads: one, its unit's.
+// Threads: one, its group's.
 #pragma once
 
 #include <optional>

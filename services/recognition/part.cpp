@@ -82,19 +82,19 @@ Piece read_piece(const Value& json, const std::string& path, Errors& errors) {
   return piece;
 }
 
-Turn read_turn(const Value& json, const std::string& path, Errors& errors) {
+RotationalSymmetry read_symmetry(const Value& json, const std::string& path, Errors& errors) {
   Fields fields(json, path, "turn", errors);
-  Turn turn;
-  numbers(fields, "axis", 3, -1, 1, turn.axis);
-  const double length = to_eigen(turn.axis).norm();
+  RotationalSymmetry symmetry;
+  numbers(fields, "axis", 3, -1, 1, symmetry.axis);
+  const double length = to_eigen(symmetry.axis).norm();
   if (!(length > 1e-3)) fields.violation(ErrorCode::out_of_range, "the axis must not be zero");
-  for (double& component : turn.axis) component /= length;
+  for (double& component : symmetry.axis) component /= length;
   const auto order = fields.number("order");
   if (!order || *order != std::floor(*order) || *order < 0 || *order > kHighestOrder)
     fields.violation(ErrorCode::out_of_range, "`order` must be an int from 0 (any angle) to 12");
-  turn.order = static_cast<int>(order.value_or(1));
+  symmetry.order = static_cast<int>(order.value_or(1));
   fields.close();
-  return turn;
+  return symmetry;
 }
 
 Marker read_marker(const Value& json, const std::string& path, Errors& errors) {
@@ -134,10 +134,10 @@ Part read_part(const Value& json, const std::string& path, Errors& errors) {
     fields.violation(ErrorCode::out_of_range, "pieces have one colour, or at least three, each its own");
   i = 0;
   for (const Value& turn : fields.list("symmetry"))
-    part.symmetry.push_back(read_turn(turn, path + ".symmetry[" + std::to_string(i++) + "]", errors));
+    part.symmetry.push_back(read_symmetry(turn, path + ".symmetry[" + std::to_string(i++) + "]", errors));
   for (const Value& marker : fields.list("markers"))
     part.markers.push_back(read_marker(marker, path + ".markers[" + std::to_string(part.markers.size()) + "]", errors));
-  if (!part.markers.empty() && std::ranges::count(part.symmetry, 0, &Turn::order) > 0)
+  if (!part.markers.empty() && std::ranges::count(part.symmetry, 0, &RotationalSymmetry::order) > 0)
     fields.violation(ErrorCode::out_of_range, "what has markers cannot be turned by any angle");
   fields.close();
   return part;

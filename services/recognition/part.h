@@ -29,7 +29,7 @@ struct Piece {
 };
 
 /// Turning the part about `axis` (in its frame) by a full turn / `order` changes nothing; order 0: by any angle.
-struct Turn {
+struct RotationalSymmetry {
   Vec3 axis{0, 0, 1};
   int order = 1;
 };
@@ -43,9 +43,9 @@ struct Marker {
 
 struct Part {
   std::string label;
-  std::vector<Piece> pieces;    // of one colour, or each of its own
-  std::vector<Turn> symmetry;   // of the form: the markers may tell the turns apart
-  std::vector<Marker> markers;  // none: whatever is printed on it, it is this part
+  std::vector<Piece> pieces;                 // of one colour, or each of its own
+  std::vector<RotationalSymmetry> symmetry;  // of the form: the markers may tell the turns apart
+  std::vector<Marker> markers;               // none: whatever is printed on it, it is this part
 };
 
 /// Reads a document of parts. Errors name the field: `missing`, `type`, `unknown_field`, `out_of_range`, `duplicate` (a

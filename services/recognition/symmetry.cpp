@@ -31,9 +31,9 @@ struct Symmetry::Group {
   }
 };
 
-Symmetry::Symmetry(const std::vector<Turn>& turns) : group_(std::make_unique<Group>()) {
+Symmetry::Symmetry(const std::vector<RotationalSymmetry>& turns) : group_(std::make_unique<Group>()) {
   std::vector<Rotation> generators;
-  for (const Turn& turn : turns) {
+  for (const RotationalSymmetry& turn : turns) {
     const Vector axis = to_eigen(turn.axis);
     if (turn.order == 0) {
       const auto parallel = [&](const Vector& other) { return std::abs(axis.dot(other)) > 1 - 1e-6; };

@@ -12,7 +12,7 @@ namespace race::recognition {
 class Symmetry {
  public:
   /// The group that `turns` generate.
-  explicit Symmetry(const std::vector<Turn>& turns);
+  explicit Symmetry(const std::vector<RotationalSymmetry>& turns);
   ~Symmetry();
   Symmetry(Symmetry&&) noexcept;
 

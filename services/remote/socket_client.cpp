@@ -17,7 +17,7 @@ namespace websocket = beast::websocket;
 using asio::ip::tcp;
 using boost::system::error_code;
 
-constexpr auto kUse = asio::as_tuple(asio::use_awaitable);
+constexpr auto kAsTuple = asio::as_tuple(asio::use_awaitable);
 constexpr std::chrono::seconds kHandshake(3);
 constexpr const char* kTarget = "/api/v1/components";
 
@@ -31,18 +31,18 @@ struct SocketClient::Socket {
   asio::awaitable<Expected<void>> open(const Address& address) {
     const std::string port = std::to_string(address.port), name = address.host + ":" + port;
     tcp::resolver resolver(io);
-    const auto [unknown, endpoints] = co_await resolver.async_resolve(address.host, port, kUse);
+    const auto [unknown, endpoints] = co_await resolver.async_resolve(address.host, port, kAsTuple);
     if (unknown) co_return failure(unknown);
     auto& lowest = beast::get_lowest_layer(stream);
     lowest.expires_after(kHandshake);
-    const auto [absent, endpoint] = co_await lowest.async_connect(endpoints, kUse);
+    const auto [absent, endpoint] = co_await lowest.async_connect(endpoints, kAsTuple);
     if (absent) co_return failure(absent);
     error_code ignored;
     lowest.socket().set_option(tcp::no_delay(true), ignored);
     stream.read_message_max(kMessageBytes);
     stream.auto_fragment(false);
     websocket::response_type answer;
-    const auto [refused] = co_await stream.async_handshake(answer, name, kTarget, kUse);
+    const auto [refused] = co_await stream.async_handshake(answer, name, kTarget, kAsTuple);
     if (refused == websocket::error::upgrade_declined)
       co_return unexpected(ErrorCode::conflict,
                            "answers " + std::to_string(answer.result_int()) + " where components are let in");
@@ -58,7 +58,7 @@ struct SocketClient::Socket {
     std::string why;
     try {
       for (;;) {
-        const auto [error, bytes] = co_await stream.async_read(buffer, kUse);
+        const auto [error, bytes] = co_await stream.async_read(buffer, kAsTuple);
         if (error) {
           why = error.message();
           break;
@@ -86,12 +86,12 @@ struct SocketClient::Socket {
     while (!over) {
       while (auto encoded = out.pop()) {
         stream.binary(encoded->binary);
-        const auto [error, bytes] = co_await stream.async_write(asio::buffer(encoded->bytes), kUse);
+        const auto [error, bytes] = co_await stream.async_write(asio::buffer(encoded->bytes), kAsTuple);
         if (error || over) co_return beast::get_lowest_layer(stream).close();
       }
       if (out.drained()) co_return beast::get_lowest_layer(stream).close();
       waker.expires_at(std::chrono::steady_clock::time_point::max());
-      co_await waker.async_wait(kUse);
+      co_await waker.async_wait(kAsTuple);
     }
   }
 

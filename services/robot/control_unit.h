@@ -2,7 +2,7 @@
 // observes external forces, and reacts by reflex, without a task. It knows torques, positions and speeds of
 // joints and where the arm keeps clear; no world, no RACE.
 //
-// Threads: one, its unit's.
+// Threads: one, its group's.
 #pragma once
 
 #include <functional>

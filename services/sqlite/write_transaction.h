@@ -1,5 +1,5 @@
 // WriteTransaction: a transaction that writes, in its turn. SQLite lets one connection write at a time, and others ask
-// again now and then: beside one that writes without a pause they may never come round. Within a process, writers of
+// again now and then: beside one that writes without a pause they may wait for ever. Within a process, writers of
 // one file therefore stand in line.
 //
 // Threads: any; it waits for its turn.

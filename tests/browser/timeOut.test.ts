@@ -4,7 +4,7 @@ import { openFixture, type Fixture } from "./fixture";
 
 const kTask = {
   rcm: 1,
-  name: "patience",
+  name: "answer_timeout",
   root: {
     state: "Root",
     children: [
@@ -22,8 +22,8 @@ let page: Page;
 beforeAll(async () => {
   fixture = await openFixture();
   page = fixture.page;
-  await fixture.send("PUT", "/documents/patience", kTask);
-  await fixture.send("POST", "/cores", { document: "patience" });
+  await fixture.send("PUT", "/documents/answer_timeout", kTask);
+  await fixture.send("POST", "/cores", { document: "answer_timeout" });
   await page.goto(`${fixture.url}/pro/`);
   await page.getByRole("group", { name: "State Root/Ask" }).waitFor();
 });

@@ -68,7 +68,7 @@ class ShowPart(unittest.TestCase):
         self.assertEqual((out.name, out.fired.count(f"{ROOT}/ShowPart.none")), ("success", 1))
 
     def test_waiting_for_a_shown_part_times_out(self):
-        out = clear_table(gesture(f"{ROOT}/SearchObject", 40), parts=(), patience=3.0)
+        out = clear_table(gesture(f"{ROOT}/SearchObject", 40), parts=(), answer_timeout=3.0)
         self.assertEqual((out.name, f"{ROOT}/ShowPart.error" in out.fired), ("error", True))
 
 
@@ -208,12 +208,12 @@ class KnownCamera(unittest.TestCase):
         self.assertNotIn("residual_position", out.results)
 
     def test_a_table_without_a_known_camera_leads_to_its_calibration(self):
-        out = clear_table(answer("Abort"), parts=(), database=DATABASE, limit=30, patience=3.0)
+        out = clear_table(answer("Abort"), parts=(), database=DATABASE, limit=30, answer_timeout=3.0)
         self.assertIn(f"{ROOT}.uncalibrated", out.fired)
         self.assertIn("Lead the arm to 10 places", " ".join(out.texts()))
 
     def test_nobody_leads_the_arm_with_a_part_in_the_gripper(self):
-        document = task(link("Pick", **part("Cube"), speed=1.0), link("Demonstrator", patience=2.0), library=[DOCUMENT["root"]])
+        document = task(link("Pick", **part("Cube"), speed=1.0), link("Demonstrator", answer_timeout=2.0), library=[DOCUMENT["root"]])
         out = run(document, parts=("Cube",))
         self.assertEqual((out.name, out.asked()[0]),
                          ("error", "There is a part in the gripper. Hold it, then press Done: the fingers open."))
@@ -221,7 +221,7 @@ class KnownCamera(unittest.TestCase):
 
     def test_recalibration_on_demand(self):
         tired = answer("Abort", question("places are there, but no more come"))
-        out = run(DOCUMENT, tired, parts=(), database=KNOWN, arguments={"recalibrate": True, "patience": 20.0}, limit=100)
+        out = run(DOCUMENT, tired, parts=(), database=KNOWN, arguments={"recalibrate": True, "answer_timeout": 20.0}, limit=100)
         self.assertEqual((out.name, "o_t_c" in out.results), ("abort", False))
         self.assertIn("Lead the arm to 10 places", " ".join(out.texts()))
 

@@ -11,6 +11,7 @@ import models
 import test_displays
 from client import PROGRAM, PROJECT, TIMEOUT, Server
 from component_process import LONG_HEARTBEAT, ComponentClient, ComponentProcess, service, wait_available
+from traced_server import LOG_LINE
 
 DEMO = str(PROJECT / "deploy/demo")
 POSE = {"position": [0.1, 0.2, 0.3], "orientation": [0.0, 0.0, 0.0, 1.0]}
@@ -308,17 +309,19 @@ class Processes(unittest.TestCase):
             free.bind(("127.0.0.1", 0))
             port = free.getsockname()[1]
         command = [PROGRAM, "service", "database", "--server", f"http://127.0.0.1:{port}"]
-        process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
-        self.assertIn("waits for the server", process.stdout.readline())
-        process.terminate()
-        self.assertEqual(process.wait(TIMEOUT), 0)
-        process.stdout.close()
+        with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+            line = process.stderr.readline()
+            self.assertRegex(line, LOG_LINE)
+            self.assertIn(f" info database: waits for the server at http://127.0.0.1:{port}: ", line)
+            process.terminate()
+            self.assertEqual(process.wait(TIMEOUT), 0)
+            self.assertEqual(process.stdout.read(), "")
 
     def test_wrong_use_is_reported_with_exit_code_2(self):
         with Server(*LONG_HEARTBEAT) as server:
             url = f"http://127.0.0.1:{server.port}"
             for words, reason in ((["database", "--server", url], "no service of this key waits"),
-                                  (["oven", "--server", url], "there is no such unit"),
+                                  (["oven", "--server", url], "there is no such component group"),
                                   (["database", "--server", "ftp://x"], "http://HOST:PORT"),
                                   (["database"], "cell, recognition, database, display, audio"),
                                   (["cell", "--server", url, "--folder", "/nowhere"], "/nowhere")):
@@ -328,7 +331,7 @@ class Processes(unittest.TestCase):
         ended = subprocess.run([PROGRAM, "serve", "--port", "0", "--remote", "oven"], capture_output=True, text=True,
                                timeout=TIMEOUT, check=False)
         self.assertEqual(ended.returncode, 2)
-        self.assertIn("there is no such unit", ended.stderr)
+        self.assertIn("there is no such component group", ended.stderr)
 
 
 if __name__ == "__main__":

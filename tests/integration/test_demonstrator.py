@@ -257,7 +257,7 @@ class SecondRun(CellAssertions, unittest.TestCase):
 
     def test_a_known_camera_is_calibrated_again_on_request(self):
         nobody_leads = {"when": {"display": {"text": "places are there, but no more come"}}, "do": {"act": "answer", "button": "Abort"}}
-        again = self.run_again(*NAMES, acts=[nobody_leads], recalibrate=True, patience=10.0)
+        again = self.run_again(*NAMES, acts=[nobody_leads], recalibrate=True, answer_timeout=10.0)
         self.assertEqual((again.outcome, again.results.get("o_t_c")), ("abort", None))
         self.assertEqual(len(again.answers("obj_rec", "start")), 1)  # it has searched the tool
 

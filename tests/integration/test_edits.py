@@ -68,7 +68,8 @@ class EditTest(ServerCase):
 
 class Vectors(unittest.TestCase):
     def test_the_replica_of_these_tests_applies_what_every_client_does(self):
-        files = sorted((PROJECT / "api/examples/edits").glob("apply.*.json"))
+        folder = PROJECT / "api/examples/edits"
+        files = sorted([*folder.glob("apply.*.json"), *folder.glob("compound.*.json")])
         self.assertGreater(len(files), 10)
         for file in files:
             vector = json.loads(file.read_text())

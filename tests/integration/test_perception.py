@@ -81,14 +81,14 @@ class Calibration(unittest.TestCase):
     def test_an_arm_that_never_rests_gives_no_sample(self):
         there_and_back = [[0.5, 0.1 * (-1) ** i, 0.35] for i in range(40)]
         drag = {"act": "drag", "hand": "hand", "path": there_and_back, "speed": 0.3}
-        outcome = run("CameraCalibration", [{"do": [*HANDS, drag]}], patience=3, hands=1)
+        outcome = run("CameraCalibration", [{"do": [*HANDS, drag]}], answer_timeout=3, hands=1)
         self.assertEqual((outcome.name, outcome.called("obj_rec", "start")), ("error", []))
         self.assertEqual(outcome.called("robot", "change_behavior")[-1]["args"], ["position"])
 
     def test_a_picture_during_which_the_arm_moves_gives_no_sample(self):
         jog = {"act": "push", "body": "gripper", "force": [0, 10, 0], "duration": 0.1}
         jogs = {"always": True, "when": {"active": "Root/Collect/Look"}, "do": jog}
-        outcome = run("CameraCalibration", [jogs], patience=3, hands=1)
+        outcome = run("CameraCalibration", [jogs], answer_timeout=3, hands=1)
         self.assertEqual(outcome.name, "error")
         self.assertIn("Root/Collect/Look.moved", outcome.fired)
         self.assertNotIn("Root/Collect/Look.seen", outcome.fired)
@@ -101,7 +101,7 @@ class Calibration(unittest.TestCase):
         self.assertEqual((outcome.called("db", "add"), outcome.called("robot", "move")), ([], []))
 
     def test_places_too_near_to_each_other_are_not_enough(self):
-        outcome = run("CameraCalibration", samples=1, spread=0.05, patience=2, hands=1)
+        outcome = run("CameraCalibration", samples=1, spread=0.05, answer_timeout=2, hands=1)
         self.assertEqual(outcome.name, "error")
         self.assertEqual([p for p in outcome.fired if p in ("Root/Collect/Look.seen", "Root/Collect.error")],
                          ["Root/Collect/Look.seen", "Root/Collect.error"])
@@ -112,7 +112,7 @@ class Calibration(unittest.TestCase):
                                  "do": {"act": "answer", "button": button}}
         outcome = run("CameraCalibration", [{"do": HANDS}, drag("1 of 1 places, but they are only 0.0 m apart, not 0.3 m."),
                                             drag("2 of 1 places, but they are only 0.0"), decide("Continue"), decide("Abort")],
-                      samples=1, patience=4)
+                      samples=1, answer_timeout=4)
         self.assertEqual((outcome.name, outcome.fired.count("Root/Collect/Decide.error")), ("abort", 1))
         self.assertEqual(outcome.texts()[-1], "3 of 1 places are there. Lead the arm to another one and hold it still until it beeps.")
 
@@ -128,7 +128,7 @@ class Calibration(unittest.TestCase):
                 "do": [*HANDS, {"act": "drag", "hand": "hand", "by": [0, 0.1, 0]}]}
         done = {"when": {"display": {"text": "Let go of the arm, it moves"}, "after": 0.5},
                 "do": [{"act": "release", "hand": "hand"}, {"act": "answer", "button": "Done"}]}
-        outcome = run("CameraCalibration", [resume, lead, done], samples=2, spread=0.05, patience=4)
+        outcome = run("CameraCalibration", [resume, lead, done], samples=2, spread=0.05, answer_timeout=4)
         self.assertEqual((outcome.name, outcome.results["samples"]), ("success", 2))
         self.assertEqual((outcome.fired.count("Root/Collect.error"), outcome.fired.count("Root/Collect/Look.seen")), (1, 2))
 

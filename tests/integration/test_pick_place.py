@@ -68,8 +68,8 @@ class Interruptions(unittest.TestCase):
         self.assertEqual(felt["classification"], "intended")
         self.assertLess(max(abs(force) for force in left["f_ext_hat"]), 12)
 
-    def test_waiting_for_a_person_ends_after_patience(self):
-        out = run(task(work(patience=3.0)), bump(APPROACH), displays=())
+    def test_waiting_for_a_person_ends_after_answer_timeout(self):
+        out = run(task(work(answer_timeout=3.0)), bump(APPROACH), displays=())
         self.assertEqual(out.name, "error")
         self.assertAlmostEqual(out.time("Root/Work.error") - out.time("Root/Work/Task.collision"), 3.1, delta=0.2)
 
@@ -139,13 +139,13 @@ class Teaching(unittest.TestCase):
         self.assertEqual(out.fired.count("Root/Work/Task/Place/TeachPose.error"), 1)
 
     def test_the_arm_becomes_compliant_only_when_somebody_holds_it(self):
-        out = run(task(work(TAUGHT, patience=2.0)), displays=("phone",))
+        out = run(task(work(TAUGHT, answer_timeout=2.0)), displays=("phone",))
         self.assertIn(f"{self.TEACH}/Grip.error", out.fired)
         self.assertNotIn("robot.change_behavior", out.calls[:out.calls.index("display.clear")])
         self.assertGreater(out.results["pose"]["position"][2], 0.195)
 
     def test_cancel_and_timeout_are_errors_that_store_nothing_and_hold_the_arm(self):
-        teach, held = link("TeachPose", key="new", patience=2.0), answer("Done", {"active": "Root/TeachPose/Grip", "after": 0.2})
+        teach, held = link("TeachPose", key="new", answer_timeout=2.0), answer("Done", {"active": "Root/TeachPose/Grip", "after": 0.2})
         cancel = answer("Cancel", {"active": "Root/TeachPose/Lead", "after": 0.5})
         for acts, way in (([], "Grip"), ([held], "Lead"), ([held, cancel], "Lead")):
             out = run(task(teach, link("Rise", travel=0.4), after="error"), *acts)
@@ -195,7 +195,7 @@ class Failures(unittest.TestCase):
             self.assertEqual(run(task(work()), self.TAKEN, answer(button)).name, outcome)
 
     def test_waiting_for_an_answer_times_out(self):
-        out = run(task(link("Trouble", text="?", patience=5.0)), displays=())
+        out = run(task(link("Trouble", text="?", answer_timeout=5.0)), displays=())
         self.assertEqual(out.name, "error")
         self.assertGreater(out.calls.count("display.ask"), 1, "a display may come")
 

@@ -13,7 +13,7 @@ from client import TIMEOUT, Server, check
 from component_process import ComponentProcess, service, wait_available, wait_until
 from geometry import angle
 
-UNITS = {"cell": ["robot", "gripper", "camera"], "recognition": ["obj_rec"], "database": ["db"], "display": ["display"], "audio": ["audio"]}
+GROUPS = {"cell": ["robot", "gripper", "camera"], "recognition": ["obj_rec"], "database": ["db"], "display": ["display"], "audio": ["audio"]}
 CALIBRATION, TABLE, WORK = "Demonstrator/Calibration", "Demonstrator/Table", "Demonstrator/Table/Work"
 COLLECT, INTERRUPTED = f"{CALIBRATION}/CameraCalibration/Collect", f"{CALIBRATION}/CameraCalibration/Trouble"
 PICK, PLACE, COLLISION = f"{WORK}/Task/Pick", f"{WORK}/Task/Place", f"{WORK}/Collision"
@@ -34,11 +34,11 @@ class ProcessFailureTest(unittest.TestCase):
         self.parts = parts
         known = {**cell.DATABASE, "o_t_c": cell.O_T_C}
         cell.copy_cell(self.folder, {"scene.json": cell.scene(parts, *bodies), "database.json": database or known})
-        self.server = Server("--remote", ",".join(UNITS), "--heartbeat", "2")
+        self.server = Server("--remote", ",".join(GROUPS), "--heartbeat", "2")
         self.addCleanup(self.server.stop)
         self.processes, self.known_questions, self.known_sounds = {}, set(), set()
-        for unit in UNITS:
-            self.start_process(unit)
+        for group in GROUPS:
+            self.start_process(group)
         self.phone = self.server.stream()
         self.addCleanup(self.phone.close)
         self.phone.send_checked({"type": "display", "name": "phone", "sound": sound})
@@ -46,15 +46,15 @@ class ProcessFailureTest(unittest.TestCase):
     def start_task(self, begin="Table"):
         self.core = self.server.core(cell.DOCUMENT, {"begin": begin, "speed": 1.0})
 
-    def start_process(self, unit):
+    def start_process(self, group):
         options = {"database": ["--folder", self.folder, "--database", self.values], "audio": []}
-        self.processes[unit] = ComponentProcess(self.server, unit, *map(str, options.get(unit, ["--folder", self.folder])))
-        self.addCleanup(self.processes[unit].__exit__)
-        self.wait_processes(True, unit)
+        self.processes[group] = ComponentProcess(self.server, group, *map(str, options.get(group, ["--folder", self.folder])))
+        self.addCleanup(self.processes[group].__exit__)
+        self.wait_processes(True, group)
 
-    def wait_processes(self, available, *units):
-        for unit in units:
-            for key in UNITS[unit]:
+    def wait_processes(self, available, *groups):
+        for group in groups:
+            for key in GROUPS[group]:
                 wait_available(self.server, key, available)
 
     def until_active(self, state):
@@ -71,25 +71,25 @@ class ProcessFailureTest(unittest.TestCase):
                 self.assertTrue(state in active or status in ("ready", "running"), f"{status} before {state} was active")
                 self.assertLess(time.monotonic(), end, f"{state} does not become active, but {sorted(active)}")
 
-    def break_processes(self, how, *units, during=None):
+    def break_processes(self, how, *groups, during=None):
         """Sends a signal to the processes while the state is active; returns when the server has noticed."""
         if during:
             self.until_active(during)
-        for unit in units:
+        for group in groups:
             if how == KILL:
-                self.processes[unit].kill()
+                self.processes[group].kill()
             else:
-                self.processes[unit].signal(how)
-        self.wait_processes(False, *units)
+                self.processes[group].signal(how)
+        self.wait_processes(False, *groups)
 
-    def restore(self, *units):
+    def restore(self, *groups):
         """Continues the processes, or starts new ones in place of killed ones."""
-        for unit in units:
-            if self.processes[unit].process.poll() is None:
-                self.processes[unit].signal(signal.SIGCONT)
-                self.wait_processes(True, unit)
+        for group in groups:
+            if self.processes[group].process.poll() is None:
+                self.processes[group].signal(signal.SIGCONT)
+                self.wait_processes(True, group)
             else:
-                self.start_process(unit)
+                self.start_process(group)
 
     def wait_question(self, text):
         """Waits until the phone shows an unanswered question with this text; returns it."""
@@ -140,18 +140,18 @@ class ProcessFailureTest(unittest.TestCase):
         """Services that were `unavailable` for the core so far, in order."""
         return [r["service"] for r in self.responses() if r.get("error", {}).get("code") == "unavailable"]
 
-    def break_in_call(self, how, unit, call):
+    def break_in_call(self, how, group, call):
         """Sends a signal to the process while this call is pending; the call must be answered `unavailable`."""
-        self.break_processes(how, unit)
+        self.break_processes(how, group)
         self.assertEqual(self.response(call).get("error", {}).get("code"), "unavailable")
 
-    def break_and_restore(self, how, *units, during, asks, missed):
+    def break_and_restore(self, how, *groups, during, asks, missed):
         """Sends a signal to the processes; the task finds service `missed` unavailable and asks; then the processes are restored."""
         before = len(self.unavailable_services())
-        self.break_processes(how, *units, during=during)
+        self.break_processes(how, *groups, during=during)
         self.until_active(asks)
-        self.assertIn(missed, self.unavailable_services()[before:], (units, during))
-        self.restore(*units)
+        self.assertIn(missed, self.unavailable_services()[before:], (groups, during))
+        self.restore(*groups)
 
     def assert_success(self, skipped=()):
         ended = self.server.ended(self.core, 60)

@@ -48,7 +48,7 @@ export function App() {
     <div className="app">
       <TopBar />
       <TaskPanel tree={tree} />
-      <main className="stage" id="stage">
+      <main className="workspace" id="workspace">
         {page === "task" && <ModelCanvas tree={tree} />}
         {page === "draft" && <DraftErrors />}
         {page === "services" && <ServicesView />}

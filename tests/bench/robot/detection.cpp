@@ -2,7 +2,7 @@
 #include <stdexcept>
 
 #include "tests/bench/robot/cell.h"
-#include "tests/bench/robot/meeting.h"
+#include "tests/bench/robot/collision.h"
 
 namespace race::robot {
 namespace {

@@ -1,4 +1,4 @@
-// Prints the tables of services/robot/README.md: those of meeting.h, in world time, and what the control cycle costs
+// Prints the tables of services/robot/README.md: those of collision.h, in world time, and what the control cycle costs
 // this computer.
 #include <algorithm>
 #include <cstdio>
@@ -8,7 +8,7 @@
 #include "services/robot/control_unit.h"
 #include "services/world/clearance.h"
 #include "services/world/world.h"
-#include "tests/bench/robot/meeting.h"
+#include "tests/bench/robot/collision.h"
 
 namespace {
 

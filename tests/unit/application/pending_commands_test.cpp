@@ -64,7 +64,7 @@ TEST(PendingCommands, RefusesMoreThanTheMaximum) {
     });
   for (int count = started; count < PendingCommands::kMaxPending; count = started) started.wait(count);
   const auto one = [&](const auto&, const auto& done) { done(Value(1)); };
-  EXPECT_THAT(why(commands.wait(one)), HasSubstr("unavailable: other acts wait"));
+  EXPECT_THAT(why(commands.wait(one)), HasSubstr("unavailable: other commands wait"));
   for (const CellWorld::Done& done : begun) done(Value());
   for (std::thread& each : waiting) each.join();
   EXPECT_TRUE(commands.wait(one));

@@ -60,11 +60,11 @@ class DocumentSessions : public DocumentStore {
   static EditRequest undo(const std::string& author = "Ada") {
     return {{}, {}, author, "", "", EditRequest::TakeBack::undo};
   }
-  std::int64_t revision(const tl::expected<DocumentSession::Acceptance, EditRefusal>& edited) {
+  std::int64_t revision(const tl::expected<DocumentSession::EditResult, EditRefusal>& edited) {
     EXPECT_TRUE(edited) << edited.error().errors.front().message;
     return edited ? edited->edit.find("revision")->as_integer() : 0;
   }
-  ErrorCode refusal(const tl::expected<DocumentSession::Acceptance, EditRefusal>& edited) {
+  ErrorCode refusal(const tl::expected<DocumentSession::EditResult, EditRefusal>& edited) {
     EXPECT_FALSE(edited);
     return edited ? ErrorCode::json : edited.error().errors.front().code;
   }

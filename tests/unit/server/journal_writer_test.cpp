@@ -20,7 +20,7 @@ namespace {
 using execution::EventEntry;
 using execution::StartEntry;
 
-struct Heard final : RunSink {
+struct RecordingSink final : RunSink {
   void durable(std::uint64_t ticket) override { last = ticket; }
   void stalled(const Error&) override { ++stalls; }
   void failed(const Error& error) override {
@@ -36,7 +36,7 @@ struct Writing {
   Writing(Runs& runs, JournalWriter& to)
       : run(runs.create({"small", 1, execution::small_journal().header, {}}, 0).value()),
         writer(to),
-        journal(std::make_shared<RunJournal>(run, heard)) {}
+        journal(std::make_shared<RunJournal>(run, sink)) {}
   void append(execution::JournalEntry entry) {
     writer.append(journal, {.ticket = ++ticket, .entry = std::move(entry)});
   }
@@ -46,12 +46,12 @@ struct Writing {
   }
   /// Whether all of it is durable; false if it has failed.
   bool settled() const {
-    while (heard->last < ticket && heard->failures == 0) std::this_thread::sleep_for(std::chrono::microseconds(100));
-    return heard->failures == 0;
+    while (sink->last < ticket && sink->failures == 0) std::this_thread::sleep_for(std::chrono::microseconds(100));
+    return sink->failures == 0;
   }
   RunRecord run;
   JournalWriter& writer;
-  std::shared_ptr<Heard> heard = std::make_shared<Heard>();
+  std::shared_ptr<RecordingSink> sink = std::make_shared<RecordingSink>();
   std::shared_ptr<RunJournal> journal;
   std::uint64_t ticket = 0;
 };
@@ -92,17 +92,17 @@ TEST(JournalWriter, SaysThatTheDiskHangsAndThenThatTheJournalHasFailed) {
   const auto file = sqlite::open(store.folder.store());
   auto busy = std::make_unique<sqlite::WriteTransaction>(*file);
   writing.append_some(2);
-  while (writing.heard->stalls == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  EXPECT_EQ(writing.heard->failures, 0) << "what is stored is not known yet";
+  while (writing.sink->stalls == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_EQ(writing.sink->failures, 0) << "what is stored is not known yet";
   busy.reset();
   EXPECT_FALSE(writing.settled());
-  EXPECT_EQ(writing.heard->last, 0U);
+  EXPECT_EQ(writing.sink->last, 0U);
   const std::uint64_t stored = store.runs->get(writing.run.id)->steps;
   EXPECT_GE(stored, 1U);
   writing.append_some(1);
   writer->close();
   EXPECT_EQ(store.runs->get(writing.run.id)->steps, stored);
-  EXPECT_EQ(writing.heard->stalls + writing.heard->failures, 2) << "each is said once";
+  EXPECT_EQ(writing.sink->stalls + writing.sink->failures, 2) << "each is said once";
 }
 
 // Its core may have appended more before it heard of the failure.
@@ -115,16 +115,16 @@ TEST(JournalWriter, AFailedJournalIsToldTheEndOfEachTimeThatTheDiskHangs) {
   failed.append_some(1);
   EXPECT_FALSE(failed.settled());
   disk.repair();
-  const int stalls = failed.heard->stalls, failures = failed.heard->failures;
+  const int stalls = failed.sink->stalls, failures = failed.sink->failures;
   const auto file = sqlite::open(store.folder.store());
   auto busy = std::make_unique<sqlite::WriteTransaction>(*file);
   other.append_some(1);
   failed.append_some(1);
-  while (failed.heard->stalls == stalls || other.heard->stalls == 0)
+  while (failed.sink->stalls == stalls || other.sink->stalls == 0)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   busy.reset();
   EXPECT_FALSE(other.settled());
-  while (failed.heard->failures == failures) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  while (failed.sink->failures == failures) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   EXPECT_EQ(store.runs->get(failed.run.id)->steps, 0U);
 }
 
@@ -142,7 +142,7 @@ TEST(JournalWriter, WritesNothingOfARunThatIsNotInTheStoreAndTheOthersWhole) {
   other.append_some(3);
   busy.reset();
   EXPECT_FALSE(lost.settled());
-  EXPECT_EQ(lost.heard->code, ErrorCode::not_found);
+  EXPECT_EQ(lost.sink->code, ErrorCode::not_found);
   EXPECT_TRUE(other.settled());
   EXPECT_EQ(store.runs->get(other.run.id)->steps, 5U);
   EXPECT_EQ(file->execAndGet("SELECT count(*) FROM entry").getInt(), 5) << "all of the other run";
@@ -172,7 +172,7 @@ TEST(JournalWriter, WhatItSaysIsDurableSurvivesALossOfPower) {
     const auto runs = Runs::open(copy.path / "race.sqlite");
     ASSERT_TRUE(runs) << to_string(runs.error());
     for (const Writing* each : {&first, &second}) {
-      const std::uint64_t said = each->heard->last;
+      const std::uint64_t said = each->sink->last;
       const auto run = (*runs)->get(each->run.id);
       ASSERT_TRUE(run) << to_string(run.error());
       ASSERT_GE(run->steps, said) << "operation " << operation;
@@ -204,16 +204,16 @@ TEST(JournalWriter, AfterAFailureNothingMoreIsWrittenToAJournalUntilItIsReadAgai
         writing.append_some(3);
         ASSERT_TRUE(writing.settled());
         disk.fail_at(nth, fault, for_ever);
-        for (int i = 0; i < 4 && writing.heard->failures == 0; ++i) {
+        for (int i = 0; i < 4 && writing.sink->failures == 0; ++i) {
           writing.append_some(1);
           writing.settled();
         }
         const bool failed = disk.has_failed();
         disk.repair();
-        const std::uint64_t said = writing.heard->last;
+        const std::uint64_t said = writing.sink->last;
         if (failed) {
-          EXPECT_EQ(writing.heard->failures, 1);
-          EXPECT_EQ(writing.heard->code, ErrorCode::storage);
+          EXPECT_EQ(writing.sink->failures, 1);
+          EXPECT_EQ(writing.sink->code, ErrorCode::storage);
         }
         writing.append_some(2);  // of a run that has failed: dropped
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -221,11 +221,11 @@ TEST(JournalWriter, AfterAFailureNothingMoreIsWrittenToAJournalUntilItIsReadAgai
         if (failed) {
           EXPECT_EQ(stored.steps, said);
         }
-        const auto heard = std::make_shared<Heard>();
-        store.writer->append(std::make_shared<RunJournal>(stored, heard),
+        const auto sink = std::make_shared<RecordingSink>();
+        store.writer->append(std::make_shared<RunJournal>(stored, sink),
                              {.ticket = 1, .entry = EventEntry{"t", "tick", 0}});
-        while (heard->last == 0 && heard->failures == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        EXPECT_EQ(heard->last, 1U);
+        while (sink->last == 0 && sink->failures == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        EXPECT_EQ(sink->last, 1U);
         EXPECT_EQ(file->execAndGet("PRAGMA wal_checkpoint(TRUNCATE)").getInt(), 0) << "a transaction was left open";
         EXPECT_TRUE(store.runs->entries(stored.id, 1, stored.steps + 1));
       }

@@ -81,7 +81,7 @@ class Client {
   }
 }
 
-class Meeting {
+class EditingSimulation {
   readonly server: SimulatedServer;
   readonly clients: readonly Client[];
   readonly random: Random;
@@ -131,32 +131,32 @@ class Meeting {
 
 it("all clients have the server's document in the end, and each edit is in it once or was refused once", () => {
   const seed = setting("RACE_SEED", 20261122);
-  const meetings = setting("RACE_MEETINGS", 10);
+  const simulations = setting("RACE_SIMULATIONS", 10);
   let accepted = 0;
   let rejected = 0;
   let ended = 0;
-  for (let i = 0; i < meetings; ++i) {
-    const repeat = `RACE_SEED=${seed + i} RACE_MEETINGS=1`;
-    const meeting = new Meeting(seed + i);
+  for (let i = 0; i < simulations; ++i) {
+    const repeat = `RACE_SEED=${seed + i} RACE_SIMULATIONS=1`;
+    const simulation = new EditingSimulation(seed + i);
     for (let k = 0; k < 3000; ++k) {
-      meeting.act();
-      if (k % 500 === 499) meeting.settle();
+      simulation.act();
+      if (k % 500 === 499) simulation.settle();
     }
-    meeting.settle();
-    const { history, requests } = meeting.server;
-    for (const { session } of meeting.clients) {
+    simulation.settle();
+    const { history, requests } = simulation.server;
+    for (const { session } of simulation.clients) {
       expect(session.pending, repeat).toEqual([]);
       expect(session.confirmed?.revision, repeat).toBe(history.revision);
       expect(session.view && documentText(session.view), repeat).toBe(documentText(history.tree));
     }
-    const refused = meeting.clients.flatMap((client) => client.refused);
-    expect([...requests, ...refused].sort(), repeat).toEqual(meeting.clients.flatMap((client) => client.made).sort());
+    const refused = simulation.clients.flatMap((client) => client.refused);
+    expect([...requests, ...refused].sort(), repeat).toEqual(simulation.clients.flatMap((client) => client.made).sort());
     accepted += requests.length;
     rejected += refused.length;
-    ended += meeting.clients.reduce((sum, client) => sum + client.ended, 0);
+    ended += simulation.clients.reduce((sum, client) => sum + client.ended, 0);
   }
   console.log(`${accepted} accepted, ${rejected} refused, ${ended} connections ended by the server`);
   expect(accepted).toBeGreaterThan(rejected);
-  expect(rejected).toBeGreaterThan(meetings);
-  expect(ended).toBeGreaterThan(meetings);
+  expect(rejected).toBeGreaterThan(simulations);
+  expect(ended).toBeGreaterThan(simulations);
 });

@@ -28,8 +28,9 @@ function applied(tree: Tree, edit: Edit): Applied {
   return result;
 }
 
+// The server makes the operations of a compound edit; a client applies them as any others.
 describe("vectors of edits that are applied", () => {
-  it.each(vectorNames("apply."))("%s", (name) => {
+  it.each([...vectorNames("apply."), ...vectorNames("compound.")])("%s", (name) => {
     const { document, edit, result, inverse } = vector(name) as ApplyVector;
     const after = applied(treeOf(document), edit);
     expect(documentText(after.tree)).toBe(documentText(treeOf(result)));

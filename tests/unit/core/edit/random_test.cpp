@@ -20,9 +20,9 @@ struct Author {
   RandomEdits edits;
 };
 
-class Meeting {
+class EditingSimulation {
  public:
-  Meeting(std::uint64_t seed, std::size_t authors)
+  EditingSimulation(std::uint64_t seed, std::size_t authors)
       : random_(seed, "r"), history_(Tree::read(random_document(seed)).value(), 0, {.edits = 100'000}) {
     first_ = text_of(history_.tree());
     for (std::size_t i = 0; i < authors; ++i) {
@@ -105,27 +105,27 @@ class Meeting {
 
 TEST(RandomEdits, ReplicasAgreeAndUndoOfEverythingGivesTheFirstDocument) {
   const std::uint64_t seed = setting("RACE_SEED", 20261122);
-  const std::uint64_t meetings = setting("RACE_MEETINGS", 16);
-  std::cout << "RACE_SEED=" << seed << " RACE_MEETINGS=" << meetings << std::endl;
+  const std::uint64_t simulations = setting("RACE_SIMULATIONS", 16);
+  std::cout << "RACE_SEED=" << seed << " RACE_SIMULATIONS=" << simulations << std::endl;
   std::size_t accepted = 0, rejected = 0, conflicts = 0;
-  for (std::uint64_t i = 0; i < meetings && !testing::Test::HasFatalFailure(); ++i) {
+  for (std::uint64_t i = 0; i < simulations && !testing::Test::HasFatalFailure(); ++i) {
     SCOPED_TRACE("RACE_SEED=" + std::to_string(seed + i));
-    Meeting meeting(seed + i, 2 + i % 7);
+    EditingSimulation simulation(seed + i, 2 + i % 7);
     for (std::size_t k = 0; k < 150 && !testing::Test::HasFatalFailure(); ++k) {
-      meeting.act();
-      if (meeting.chance(0.02)) meeting.expect_agreement();
+      simulation.act();
+      if (simulation.chance(0.02)) simulation.expect_agreement();
     }
-    meeting.expect_agreement();
-    i % 2 == 0 ? meeting.undo_everything() : meeting.undo_in_reverse();
-    meeting.expect_agreement();
-    accepted += meeting.accepted();
-    rejected += meeting.rejected();
-    conflicts += meeting.conflicts();
+    simulation.expect_agreement();
+    i % 2 == 0 ? simulation.undo_everything() : simulation.undo_in_reverse();
+    simulation.expect_agreement();
+    accepted += simulation.accepted();
+    rejected += simulation.rejected();
+    conflicts += simulation.conflicts();
   }
   std::cout << accepted << " accepted, " << rejected << " rejected, " << conflicts
             << " of them because of another's edit\n";
   EXPECT_GT(accepted, rejected);
-  EXPECT_GT(conflicts, meetings);
+  EXPECT_GT(conflicts, simulations);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // The test vectors of api/examples/edits, which the clients read, too: what an edit makes of a document.
 #include <filesystem>
 
+#include "core/edit/compound.h"
 #include "core/edit/history.h"
 #include "tests/unit/core/edit/documents.h"
 #include "tests/unit/core/rcm/cases.h"
@@ -27,16 +28,45 @@ std::vector<Vector> vectors(std::string_view prefix) {
 
 std::string text_of(const Value& document) { return rcm::format_document(document_of(document)); }
 
+void expect_applied(const Vector& vector) {
+  const auto applied = apply(document_of(vector["document"]), read_edit(vector["edit"]).value());
+  ASSERT_TRUE(applied) << to_string(applied.error());
+  EXPECT_EQ(rcm::format_document(applied->document), text_of(vector["result"]));
+  EXPECT_EQ(to_json(write_edit(applied->inverse), 1), to_json(vector["inverse"], 1));
+  const auto back = apply(applied->document, applied->inverse);
+  ASSERT_TRUE(back);
+  EXPECT_EQ(rcm::format_document(back->document), text_of(vector["document"]));
+}
+
 TEST(Vectors, OfEditsThatAreApplied) {
   for (const Vector& vector : vectors("apply.")) {
     SCOPED_TRACE(vector.name);
-    const auto applied = apply(document_of(vector["document"]), read_edit(vector["edit"]).value());
-    ASSERT_TRUE(applied) << to_string(applied.error());
-    EXPECT_EQ(rcm::format_document(applied->document), text_of(vector["result"]));
-    EXPECT_EQ(to_json(write_edit(applied->inverse), 1), to_json(vector["inverse"], 1));
-    const auto back = apply(applied->document, applied->inverse);
-    ASSERT_TRUE(back);
-    EXPECT_EQ(rcm::format_document(back->document), text_of(vector["document"]));
+    expect_applied(vector);
+  }
+}
+
+/// `compound` as api/schemas/edit_request.json has it.
+Expected<Edit> make_edit(const Tree& tree, const Value& compound, const std::string& seed) {
+  const auto text = [&](const char* field) { return compound.find(field)->as_string(); };
+  const std::string kind = text("kind");
+  if (kind == "rename") return rename(tree, text("id"), text("name"));
+  if (kind == "connect") return connect(tree, text("from"), text("to"));
+  if (kind == "ungroup") return ungroup(tree, text("id"));
+  if (kind == "extract") return extract(tree, text("id"), text("name"), seed);
+  Ids ids;
+  for (const Value& id : compound.find("ids")->as_list()) ids.push_back(id.as_string());
+  return group(tree, ids, text("name"), seed);
+}
+
+TEST(Vectors, OfCompoundEdits) {
+  for (const Vector& vector : vectors("compound.")) {
+    SCOPED_TRACE(vector.name);
+    const Value* seed = vector.json.find("seed");
+    const auto edit = make_edit(Tree::read(document_of(vector["document"])).value(), vector["compound"],
+                                seed ? seed->as_string() : std::string());
+    ASSERT_TRUE(edit) << to_string(edit.error());
+    EXPECT_EQ(to_json(write_edit(*edit), 1), to_json(vector["edit"], 1));
+    expect_applied(vector);
   }
 }
 

@@ -315,9 +315,9 @@ edit::Tree first_document(semantics::RandomModels& random) {
 }
 
 /// A random model that several authors edit while it runs, one run after the other.
-class Workshop {
+class EditedRunScenario {
  public:
-  explicit Workshop(std::uint64_t seed, Counts& counts)
+  explicit EditedRunScenario(std::uint64_t seed, Counts& counts)
       : random_(seed, false),
         history_(first_document(random_), 0, {.edits = 100'000}),
         first_(rcm::format_document(history_.tree().document())),
@@ -406,9 +406,9 @@ TEST(EditedRandomRuns, AreWhatSection9SaysAndRunAgainFromJournalsAndCheckpoints)
   Counts counts;
   for (std::uint64_t i = 0; i < kModels && !HasFailure(); ++i) {
     SCOPED_TRACE("RACE_SEED=" + std::to_string(seed + i));
-    Workshop workshop(seed + i, counts);
-    workshop.work(edits);
-    if (!HasFailure()) workshop.expect_undo_of_everything_gives_the_first_document();
+    EditedRunScenario scenario(seed + i, counts);
+    scenario.work(edits);
+    if (!HasFailure()) scenario.expect_undo_of_everything_gives_the_first_document();
   }
   std::cout << counts.edits << " edits, " << counts.refused << " of documents that cannot run; " << counts.tried
             << " tried, " << counts.carried << " carried, " << counts.waited << " waits; " << counts.forces

@@ -14,13 +14,13 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 /// A cell with a camera alone; its world stands still, so that only the camera makes a difference.
-struct Studio {
-  explicit Studio(std::uint64_t seed = 1)
+struct CameraCell {
+  explicit CameraCell(std::uint64_t seed = 1)
       : world(world::World::load(RACE_SOURCE_DIR "/deploy/demo/scene.json").value()) {
     auto& service = bench.host.declare("camera", "KinectDriver", bench.queue);
     bench.host.attach("camera", std::make_unique<Camera>(service, *world, seed));
   }
-  ~Studio() { bench.host.stop(); }
+  ~CameraCell() { bench.host.stop(); }
   services::Flows::WatchId watch(const char* flow = "frame") {
     return bench.host.watch("camera", flow, [this](const services::PacketPtr& packet) {
       packets.push_back(packet);
@@ -40,34 +40,34 @@ std::uint16_t depth_mm(const services::Packet& packet, int u, int v) {
 }
 
 TEST(Camera, TakesNoPictureWhileNobodyListens) {
-  Studio studio;
-  studio.bench.pass(1);
-  const auto watch = studio.watch();
-  studio.bench.pass(0.25);
-  const auto seen = studio.packets.size();
+  CameraCell cell;
+  cell.bench.pass(1);
+  const auto watch = cell.watch();
+  cell.bench.pass(0.25);
+  const auto seen = cell.packets.size();
   EXPECT_GE(seen, 2U);
-  studio.bench.host.unwatch(watch);
-  studio.bench.pass(0.5);
-  studio.watch();
-  studio.bench.pass(0.001);  // the first picture is on its way, and none of the time before
-  EXPECT_EQ(studio.packets.size(), seen);
+  cell.bench.host.unwatch(watch);
+  cell.bench.pass(0.5);
+  cell.watch();
+  cell.bench.pass(0.001);  // the first picture is on its way, and none of the time before
+  EXPECT_EQ(cell.packets.size(), seen);
 }
 
 TEST(Camera, TakesPicturesAtTheRateOfTheSceneAndDeliversThemAPeriodLater) {
-  Studio studio;
-  studio.watch();
-  studio.bench.pass(0.3);
-  ASSERT_THAT(studio.arrivals, ElementsAre(35, 135, 235));
-  EXPECT_NEAR(studio.packets[1]->time - studio.packets[0]->time, 0.1, 0.0015);
-  EXPECT_EQ(studio.packets[1]->header.find("time")->as_number(), studio.packets[1]->time);
+  CameraCell cell;
+  cell.watch();
+  cell.bench.pass(0.3);
+  ASSERT_THAT(cell.arrivals, ElementsAre(35, 135, 235));
+  EXPECT_NEAR(cell.packets[1]->time - cell.packets[0]->time, 0.1, 0.0015);
+  EXPECT_EQ(cell.packets[1]->header.find("time")->as_number(), cell.packets[1]->time);
 }
 
 TEST(Camera, ShowsTheWorldAsItIs) {
-  Studio studio;
-  studio.watch();
-  studio.bench.pass(0.05);
-  ASSERT_EQ(studio.packets.size(), 1U);
-  const services::Packet& packet = *studio.packets[0];
+  CameraCell cell;
+  cell.watch();
+  cell.bench.pass(0.05);
+  ASSERT_EQ(cell.packets.size(), 1U);
+  const services::Packet& packet = *cell.packets[0];
   EXPECT_EQ(packet.header.find("encoding")->as_string(), "depth16_mm+rgb8");
   ASSERT_EQ(packet.bytes.size(), 640U * 480U * 5U);
   // The scene's camera looks from 0.9 m above at 45 degrees: at the table, here free of parts.
@@ -79,12 +79,12 @@ TEST(Camera, ShowsTheWorldAsItIs) {
 }
 
 TEST(Camera, ACloudHasThePointsOfThePictureAndNoOthers) {
-  Studio studio;
-  studio.watch("frame");
-  studio.watch("cloud");
-  studio.bench.pass(0.05);
-  ASSERT_EQ(studio.packets.size(), 2U);
-  const services::Packet &frame = *studio.packets[0], &cloud = *studio.packets[1];
+  CameraCell cell;
+  cell.watch("frame");
+  cell.watch("cloud");
+  cell.bench.pass(0.05);
+  ASSERT_EQ(cell.packets.size(), 2U);
+  const services::Packet &frame = *cell.packets[0], &cloud = *cell.packets[1];
   EXPECT_EQ(cloud.time, frame.time);
   const auto number = [&](const char* name) { return frame.header.find(name)->to_double(); };
   std::size_t point = 0;
@@ -110,21 +110,21 @@ TEST(Camera, ACloudHasThePointsOfThePictureAndNoOthers) {
 
 TEST(Camera, MakesNoCloudForWhoWantsAPictureNorTheOtherWayRound) {
   for (const char* flow : {"frame", "cloud"}) {
-    Studio studio;
-    studio.watch(flow);
-    studio.bench.pass(0.05);
-    ASSERT_EQ(studio.packets.size(), 1U);
-    EXPECT_EQ(studio.packets[0]->header.find("points") != nullptr, flow == std::string("cloud"));
+    CameraCell cell;
+    cell.watch(flow);
+    cell.bench.pass(0.05);
+    ASSERT_EQ(cell.packets.size(), 1U);
+    EXPECT_EQ(cell.packets[0]->header.find("points") != nullptr, flow == std::string("cloud"));
   }
 }
 
 TEST(Camera, GivesTheSamePicturesForTheSameSeedOnly) {
   const auto pictures = [](std::uint64_t seed) {
-    Studio studio(seed);
-    studio.watch();
-    studio.bench.pass(0.15);
+    CameraCell cell(seed);
+    cell.watch();
+    cell.bench.pass(0.15);
     std::vector<std::vector<std::byte>> all;
-    for (const auto& packet : studio.packets) all.push_back(packet->bytes);
+    for (const auto& packet : cell.packets) all.push_back(packet->bytes);
     return all;
   };
   const auto first = pictures(7);
@@ -135,18 +135,18 @@ TEST(Camera, GivesTheSamePicturesForTheSameSeedOnly) {
 }
 
 TEST(Camera, TellsItsPinholeAndRange) {
-  Studio studio;
-  studio.bench.call("camera", "info");
-  ASSERT_EQ(studio.bench.deliveries.size(), 1U);
-  const Value& info = studio.bench.deliveries[0].data;
+  CameraCell cell;
+  cell.bench.call("camera", "info");
+  ASSERT_EQ(cell.bench.deliveries.size(), 1U);
+  const Value& info = cell.bench.deliveries[0].data;
   EXPECT_EQ(info.find("width")->to_double(), 640);
   // 57 degrees across 640 pixels
   EXPECT_NEAR(2 * std::atan(320 / info.find("fx")->to_double()) * 180 / M_PI, 57, 1e-9);
   EXPECT_NEAR(2 * std::atan(240 / info.find("fy")->to_double()) * 180 / M_PI, 43, 1e-9);
   EXPECT_EQ(info.find("nearest")->to_double(), 0.8);
-  EXPECT_THAT(studio.bench.violations("camera"), IsEmpty());
-  studio.bench.call("camera", "info", {Value(1)});
-  EXPECT_EQ(studio.bench.violations("camera").size(), 1U) << "an argument too many";
+  EXPECT_THAT(cell.bench.violations("camera"), IsEmpty());
+  cell.bench.call("camera", "info", {Value(1)});
+  EXPECT_EQ(cell.bench.violations("camera").size(), 1U) << "an argument too many";
 }
 
 }  // namespace

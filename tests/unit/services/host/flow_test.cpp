@@ -145,7 +145,7 @@ TEST_F(FlowTest, AFlowThatTheRsmDoesNotListIsAViolationAndNotHeard) {
   EXPECT_THAT(tap.wishes, IsEmpty());
 }
 
-TEST_F(FlowTest, AListenerThatIsLostListensNoLonger) {
+TEST_F(FlowTest, ASubscriberThatIsLostIsSubscribedNoLonger) {
   listen(true);
   basin.broken = true;
   tap.pour(1);
@@ -249,7 +249,7 @@ TEST_F(FlowTest, ObserversAreToldWhoListensAndWhoWatches) {
   EXPECT_EQ(told(), 1U);
   bench.host.unwatch(watch);
   EXPECT_EQ(told(), 1U);
-  listen(true);
+  listen(true);  // publisher and subscriber
   EXPECT_EQ(told(), 2U);
 }
 

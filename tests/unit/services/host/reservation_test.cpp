@@ -15,14 +15,13 @@ using testing::IsEmpty;
 
 const rsm::Service& idle_model() {
   static const rsm::Service model =
-      rsm::read_service_text(R"({"rsm": 1, "name": "thinker", "states": [{"name": "On"}], "init": "On"})", "thinker")
-          .value();
+      rsm::read_service_text(R"({"rsm": 1, "name": "slow", "states": [{"name": "On"}], "init": "On"})", "slow").value();
   return model;
 }
 
-class Thinker final : public Component {
+class SlowComponent final : public Component {
  public:
-  explicit Thinker(ServiceHost& its_host) : host(its_host), worker(its_host) {}
+  explicit SlowComponent(ServiceHost& its_host) : host(its_host), worker(its_host) {}
   const rsm::Service& model() const override { return idle_model(); }
   void call(const Call&) override {}
   ServiceHost& host;
@@ -30,15 +29,15 @@ class Thinker final : public Component {
 };
 
 struct ReservationTest : testing::Test {
-  ReservationTest() : first(bench.add<Thinker>("first")), second(bench.add<Thinker>("second")) {}
+  ReservationTest() : first(bench.add<SlowComponent>("first")), second(bench.add<SlowComponent>("second")) {}
   /// An answer that notes its name and the world time at which it runs.
   std::function<void()> note(std::string name) {
     return [this, name] { notes.push_back(name + "@" + std::to_string(bench.milliseconds)); };
   }
   Bench bench;
   std::vector<std::string> notes;
-  Thinker& first;
-  Thinker& second;
+  SlowComponent& first;
+  SlowComponent& second;
 };
 
 TEST_F(ReservationTest, AnAnswerRunsAtItsTimeHoweverEarlyItIsThere) {

@@ -146,7 +146,7 @@ struct RemotesTest : testing::Test {
   RemoteWorld world{clock, [this](const Value& value) { return is_round(value); }, {}};  // of lamp
   services::Host host{clock, seen};
   std::uint64_t calls = 0;
-  // The desk of the lantern.
+  // What the host functions of the lantern answer with.
   const std::string colour = "red";
   std::atomic<std::uint64_t> repainted{0};
   std::atomic<int> cleaned{0};
@@ -283,8 +283,8 @@ TEST_F(RemotesTest, WhoAnswersNoPingIsLost) {
   Process process(remotes);
   greet(process);
   call("burn");
-  for (int beat = 0; beat <= ProcessLink::kPingsPerHeartbeat; ++beat) {
-    EXPECT_TRUE(available()) << beat;
+  for (int check = 0; check <= ProcessLink::kPingsPerHeartbeat; ++check) {
+    EXPECT_TRUE(available()) << check;
     process.link.check_heartbeat();
   }
   process.link.check_heartbeat();
@@ -296,11 +296,11 @@ TEST_F(RemotesTest, WhoAnswersNoPingIsLost) {
 TEST_F(RemotesTest, WhoAnswersPingsStays) {
   Process process(remotes);
   greet(process);
-  for (int beat = 0; beat < 20; ++beat) {
+  for (int check = 0; check < 20; ++check) {
     process.link.check_heartbeat();
-    // Its answer comes after the pong: the next beat has heard it.
+    // Its answer comes after the pong: the next check knows it.
     call("on");
-    const std::size_t answers = static_cast<std::size_t>(beat) + 2;  // with the event of the first
+    const std::size_t answers = static_cast<std::size_t>(check) + 2;  // with the event of the first
     ASSERT_TRUE(until({&process}, [&] { return seen.all().size() == answers; }));
   }
   EXPECT_TRUE(available());
@@ -308,7 +308,7 @@ TEST_F(RemotesTest, WhoAnswersPingsStays) {
 
 TEST_F(RemotesTest, WhoSaysNoHelloIsSentAway) {
   ProcessLink link(remotes);
-  for (int beat = 0; beat <= ProcessLink::kPingsPerHeartbeat; ++beat) link.check_heartbeat();
+  for (int check = 0; check <= ProcessLink::kPingsPerHeartbeat; ++check) link.check_heartbeat();
   EXPECT_TRUE(link.out().drained());
 }
 
@@ -431,7 +431,7 @@ TEST_F(RemotesTest, PacketsPassBothWays) {
   EXPECT_TRUE(until({&process}, [&] { return queue.run(), !component.listened; })) << "nobody listens any more";
 }
 
-// A process that asks its desk; what the server says to it, as text.
+// A process that calls host functions; what the server answers, as text.
 struct Asking : Process {
   explicit Asking(Remotes& remotes) : Process(remotes, {"lantern"}) {}
   void ask(const std::string& key, const std::string& function) {

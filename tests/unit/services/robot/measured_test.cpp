@@ -10,7 +10,7 @@
 #include <map>
 #include <ostream>
 
-#include "tests/bench/robot/meeting.h"
+#include "tests/bench/robot/collision.h"
 
 namespace race::robot {
 
