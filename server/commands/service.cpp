@@ -44,7 +44,7 @@ struct Session {
     if (why.empty()) why = std::move(reason);
     over = true;
   }
-  void end_invalid(const Error& error) { end("the server says what does not fit: " + to_string(error)); }
+  void end_invalid(const Error& error) { end("invalid message from the server: " + to_string(error)); }
   std::string reason() {
     const services::MutexLock lock(mutex);
     return why;

@@ -163,6 +163,7 @@ Expected<void> Core::end_run_now() {
   if (auto ready = ready_to_go_on(); !ready) return ready;
   execution_.set_goal(std::nullopt);
   execution_.set_breakpoints({});
+  paused_ = false;  // it may have stopped within the macro step
   if (!finish_macro_step()) give_up_macro_step("stopped", "it was stopped in a long macro step");
   if (interruption_) {
     interruption_->ends = true;

@@ -16,6 +16,8 @@
 namespace race::server {
 namespace {
 
+using namespace std::string_literals;
+
 /// The file of a run that goes on, whose journal nobody has executed.
 RunFile unchecked_file_of(execution::Journal journal) {
   RunFile file;
@@ -161,7 +163,7 @@ TEST(RunFiles, AskForNoMoreWorkThanARunOfThisServer) {
             (std::pair(ErrorCode::out_of_range, std::string("journal/header/budgets"))));
 }
 
-/// A run whose first micro step takes long, all within the budgets.
+/// A run whose first macro step takes long, all within the budgets.
 execution::Journal hostile(std::string_view root) {
   Dict arguments{{"x", List(40'000, Value(1))}, {"y", List(40'000, Value(1))}};
   const std::string document = R"({"rcm": 1, "root": {"state": "Root", "parameters": [{"name": "x"}, {"name": "y"}], )";
@@ -171,17 +173,24 @@ execution::Journal hostile(std::string_view root) {
   return journal;
 }
 
+// So many ports of a state, none of which fires.
+std::string ports(int count, const std::string& when) {
+  std::string text;
+  for (int i = 0; i < count; ++i)
+    text += (i == 0 ? "" : ", ") + R"({"name": "p)"s + std::to_string(i) + R"(", "when": ")" + when + R"("})";
+  return R"("ports": [)" + text + "]";
+}
+
 TEST(RunFiles, AreStoppedWhenTheirRunTakesTooLong) {
-  std::string comparisons = "par.x == par.y", ports;
-  for (int i = 0; i < 400; ++i) comparisons += " and par.x == par.y";
-  for (int i = 0; i < 8; ++i) {
-    ports += i == 0 ? "" : ", ";
-    ports += R"({"name": "p)" + std::to_string(i) + R"(", "when": ")" + comparisons + R"( and False"})";
-  }
-  for (const std::string& root :
-       {std::string(R"("entry": "for i in range(30000):\n    z = [i] * 90000")"),
-        std::string(R"("ports": [{"name": "p", "when": "len([i for i in range(30000) if sum(par.x) < i]) > 0"}])"),
-        R"("ports": [)" + ports + "]"}) {
+  std::string comparisons = "par.x == par.y";
+  for (int i = 0; i < 40; ++i) comparisons += " and par.x == par.y";
+  const std::string slow = "len([i for i in range(100000)])";
+  const auto state = [&](const char* name, const char* to) {
+    return R"({"state": ")"s + name + R"(", "ports": [{"name": "p", "when": ")" + slow + R"( > 0", "to": ")" + to +
+           R"("}]})";
+  };
+  for (const std::string& root : {ports(400, slow + " < 0"), ports(400, comparisons + " and False"),
+                                  R"("first": "A", "children": [)" + state("A", "B") + ", " + state("B", "A") + "]"}) {
     SCOPED_TRACE(root.substr(0, 100));
     const std::string text = write_run_file(unchecked_file_of(hostile(root))).value();
     Worker worker;

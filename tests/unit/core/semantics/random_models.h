@@ -9,6 +9,7 @@
 
 #include "core/rcm/model.h"
 #include "core/rsm/model.h"
+#include "core/semantics/budgets.h"
 
 namespace race::semantics {
 
