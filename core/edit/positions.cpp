@@ -5,9 +5,9 @@
 namespace race::edit {
 
 void Positions::rollback() {
-  for (auto& [key, slots] : saved_) {
-    if (slots) {
-      lists_[key] = std::move(*slots);
+  for (auto& [key, entries] : saved_) {
+    if (entries) {
+      lists_[key] = std::move(*entries);
     } else {
       lists_.erase(key);
     }
@@ -23,68 +23,68 @@ void Positions::sync(const Tree& tree, const std::string& parent, ListName list)
   if (found != lists_.end()) {
     auto expected = present.begin();
     bool same = true;
-    for (const Slot& slot : found->second) {
-      if (slot.left == 0) same = same && expected != present.end() && *expected++ == slot.id;
+    for (const Entry& entry : found->second) {
+      if (entry.left == 0) same = same && expected != present.end() && *expected++ == entry.id;
     }
     if (same && expected == present.end()) return;
   }
   // A list that nobody has touched, or that of an element which was inserted anew under the id of another one.
-  Slots slots;
-  for (const std::string& id : present) slots.push_back({id, 0});
-  lists_[key] = std::move(slots);
+  Entries entries;
+  for (const std::string& id : present) entries.push_back({id, 0});
+  lists_[key] = std::move(entries);
 }
 
 Departure Positions::leave(const std::string& parent, ListName list, std::string_view id) {
-  Slots& slots = lists_.at({parent, list});
-  const auto slot = std::ranges::find_if(slots, [&](const Slot& s) { return s.left == 0 && s.id == id; });
-  return slot->left = ++last_;
+  Entries& entries = lists_.at({parent, list});
+  const auto entry = std::ranges::find_if(entries, [&](const Entry& s) { return s.left == 0 && s.id == id; });
+  return entry->left = ++last_;
 }
 
-Positions::Spot Positions::spot_at(const Key& key, const Slots& slots, std::size_t slot, bool is_return) {
-  Spot out{{key.first, key.second, std::nullopt}, slot, is_return};
-  for (std::size_t i = slot; i > 0 && !out.place.after; --i) {
-    if (slots[i - 1].left == 0) out.place.after = slots[i - 1].id;
+Positions::Spot Positions::spot_at(const Key& key, const Entries& entries, std::size_t entry, bool is_return) {
+  Spot out{{key.first, key.second, std::nullopt}, entry, is_return};
+  for (std::size_t i = entry; i > 0 && !out.place.after; --i) {
+    if (entries[i - 1].left == 0) out.place.after = entries[i - 1].id;
   }
   return out;
 }
 
 std::optional<Positions::Spot> Positions::spot(const Place& place, Departure since, Departure until) const {
   const Key key{place.parent, place.list};
-  const Slots& slots = lists_.at(key);
+  const Entries& entries = lists_.at(key);
   if (!place.after) return Spot{place, 0, false};
   std::optional<std::size_t> best;
-  for (std::size_t i = 0; i < slots.size(); ++i) {
-    if (slots[i].id != *place.after) continue;
-    if (slots[i].left == 0) return Spot{place, i + 1, false};
-    const bool counts = slots[i].left > since && slots[i].left <= until;
-    if (counts && (!best || slots[i].left > slots[*best].left)) best = i;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (entries[i].id != *place.after) continue;
+    if (entries[i].left == 0) return Spot{place, i + 1, false};
+    const bool counts = entries[i].left > since && entries[i].left <= until;
+    if (counts && (!best || entries[i].left > entries[*best].left)) best = i;
   }
   if (!best) return std::nullopt;
-  return spot_at(key, slots, *best + 1, false);
+  return spot_at(key, entries, *best + 1, false);
 }
 
 std::optional<Positions::Spot> Positions::spot(const std::string& parent, ListName list, Departure departure) const {
   const Key key{parent, list};
-  const Slots& slots = lists_.at(key);
-  const auto slot = std::ranges::find(slots, departure, &Slot::left);
-  if (departure == 0 || slot == slots.end()) return std::nullopt;
-  return spot_at(key, slots, static_cast<std::size_t>(slot - slots.begin()), true);
+  const Entries& entries = lists_.at(key);
+  const auto entry = std::ranges::find(entries, departure, &Entry::left);
+  if (departure == 0 || entry == entries.end()) return std::nullopt;
+  return spot_at(key, entries, static_cast<std::size_t>(entry - entries.begin()), true);
 }
 
 void Positions::enter(const Spot& spot, std::string_view id) {
-  Slots& slots = lists_.at({spot.place.parent, spot.place.list});
+  Entries& entries = lists_.at({spot.place.parent, spot.place.list});
   if (spot.is_return) {
-    slots[spot.slot] = {std::string(id), 0};
+    entries[spot.entry] = {std::string(id), 0};
   } else {
-    slots.insert(slots.begin() + static_cast<std::ptrdiff_t>(spot.slot), {std::string(id), 0});
+    entries.insert(entries.begin() + static_cast<std::ptrdiff_t>(spot.entry), {std::string(id), 0});
   }
 }
 
 void Positions::prune(Departure departure) {
   for (auto list = lists_.begin(); list != lists_.end();) {
-    Slots& slots = list->second;
-    std::erase_if(slots, [&](const Slot& slot) { return slot.left > 0 && slot.left <= departure; });
-    const bool is_plain = std::ranges::all_of(slots, [](const Slot& slot) { return slot.left == 0; });
+    Entries& entries = list->second;
+    std::erase_if(entries, [&](const Entry& entry) { return entry.left > 0 && entry.left <= departure; });
+    const bool is_plain = std::ranges::all_of(entries, [](const Entry& entry) { return entry.left == 0; });
     list = is_plain ? lists_.erase(list) : std::next(list);
   }
 }

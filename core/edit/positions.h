@@ -27,8 +27,8 @@ class Positions {
   /// A place for an element to enter, in terms of the tree.
   struct Spot {
     Place place;
-    std::size_t slot = 0;
-    bool is_return = false;  // to a slot that is there already
+    std::size_t entry = 0;
+    bool is_return = false;  // to a entry that is there already
   };
 
   Departure last() const { return last_; }
@@ -58,17 +58,17 @@ class Positions {
   void prune(Departure departure);
 
  private:
-  struct Slot {
+  struct Entry {
     std::string id;
     Departure left = 0;  // 0: the element is there
   };
-  using Slots = std::vector<Slot>;
+  using Entries = std::vector<Entry>;
   using Key = std::pair<std::string, ListName>;
 
-  static Spot spot_at(const Key& key, const Slots& slots, std::size_t slot, bool is_return);
+  static Spot spot_at(const Key& key, const Entries& entries, std::size_t entry, bool is_return);
 
-  std::map<Key, Slots> lists_;
-  std::map<Key, std::optional<Slots>> saved_;  // what lists were at begin()
+  std::map<Key, Entries> lists_;
+  std::map<Key, std::optional<Entries>> saved_;  // what lists were at begin()
   Departure last_ = 0;
 };
 

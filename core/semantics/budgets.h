@@ -13,7 +13,7 @@ struct Budgets {
   std::uint32_t micro_steps = 10'000;  // of one macro step; one more is a divergence
   // Of one macro step:
   std::uint64_t work = 10'000'000;         // units of work of its functions and parameters
-  std::uint64_t calls = 1'000;             // of its functions
+  std::uint64_t calls = 5'000;             // of its functions
   std::uint64_t output_units = 1'000'000;  // of what its functions send and print
   std::uint64_t data_units = 4'000'000;    // of the values in Δ
   /// The header of the journal has none of the last four: an earlier version wrote it.

@@ -134,13 +134,13 @@ void Hub::join(const std::shared_ptr<Subscriber>& subscriber, const std::string&
                std::optional<std::int64_t> since) {
   subscriber->outbox().drop(name);
   Channel* channel = find(name);
-  if (!channel) return tell(*subscriber, name, {ErrorCode::not_found, "there is no channel of this name", name});
+  if (!channel) return send_error(*subscriber, name, {ErrorCode::not_found, "there is no channel of this name", name});
   std::set<std::string>& joined = joined_[subscriber];
   if (!joined.contains(name) && joined.size() == kMaxSubscriptions) {
     if (channel->is_idle()) put_idle(name);
-    return tell(*subscriber, name,
-                {ErrorCode::too_large,
-                 "a client has at most " + std::to_string(kMaxSubscriptions) + " channels at once", name});
+    return send_error(*subscriber, name,
+                      {ErrorCode::too_large,
+                       "a client has at most " + std::to_string(kMaxSubscriptions) + " channels at once", name});
   }
   joined.insert(name);
   const bool first = channel->is_idle();
@@ -170,7 +170,7 @@ bool Hub::catch_up(const std::string& name, Channel& channel, Subscriber& subscr
   return true;
 }
 
-void Hub::tell(Subscriber& subscriber, const std::string& name, const Error& error) {
+void Hub::send_error(Subscriber& subscriber, const std::string& name, const Error& error) {
   send(subscriber, kPrivateQueue, serialise(name, first_, "error", errors_json({error})), false);
 }
 
@@ -204,12 +204,12 @@ void Hub::put_idle(const std::string& name) {
   while (idle_.size() > kMaxIdle || bytes > kMaxIdleBytes) {
     const auto oldest = channels_.find(idle_.front());
     bytes -= oldest->second.kept_bytes();
-    forget(oldest);
+    remove_channel(oldest);
     idle_.pop_front();
   }
 }
 
-void Hub::forget(std::map<std::string, Channel>::iterator channel) {
+void Hub::remove_channel(std::map<std::string, Channel>::iterator channel) {
   next_first_ = std::max(next_first_, channel->second.sequence + 2);
   channels_.erase(channel);
 }
@@ -250,7 +250,7 @@ void Hub::close(std::string name, std::vector<Error> errors) {
     for (const Subscribers* all : {&known->second.subscribers, &known->second.waiting})
       for (const auto& subscriber : *all) send(*subscriber, kPrivateQueue, text, false);
     for (auto& [subscriber, names] : joined_) names.erase(name);
-    forget(known);
+    remove_channel(known);
   });
 }
 

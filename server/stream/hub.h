@@ -113,11 +113,11 @@ class Hub {
 
   Channel* find(const std::string& name);
   static void begin_anew(Channel& channel);
-  void tell(Subscriber& subscriber, const std::string& channel, const Error& error);
+  void send_error(Subscriber& subscriber, const std::string& channel, const Error& error);
   void join(const std::shared_ptr<Subscriber>& subscriber, const std::string& name, std::optional<std::int64_t> since);
   void detach(const std::string& name, const std::shared_ptr<Subscriber>& subscriber);
   void put_idle(const std::string& name);
-  void forget(std::map<std::string, Channel>::iterator channel);
+  void remove_channel(std::map<std::string, Channel>::iterator channel);
   bool catch_up(const std::string& name, Channel& channel, Subscriber& subscriber, std::int64_t since);
   static void send(Subscriber& subscriber, const std::string& channel, Text text, bool sampled);
   static Text serialise(const std::string& channel, std::int64_t sequence, const char* kind, const Value& data);

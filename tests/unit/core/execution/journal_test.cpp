@@ -61,7 +61,7 @@ TEST(Journal, IsWrittenByNames) {
             R"({"operations":[{"name":"wait"},{"name":"stop","safe":true}],)"
             R"("events":[{"name":"tick","sampled":true},{"name":"unread"}]})");
   EXPECT_EQ(to_json(*json.find("header")->find("budgets")),
-            R"({"steps":1000000,"value_units":1000000,"micro_steps":500,"work":10000000,"calls":1000,)"
+            R"({"steps":1000000,"value_units":1000000,"micro_steps":500,"work":10000000,"calls":5000,)"
             R"("output_units":1000000,"data_units":4000000})");
 }
 
