@@ -123,6 +123,12 @@ void reset_values(RunState& run, const Program& program, StateId s, ValueLog& lo
 
 /// Counts the strings, lists and dicts that the changes in `log` have put in place of others. `changed` is emptied.
 void count_data(RunState& run, const ValueLog& log, std::vector<ValueIndex>& changed);
+/// OPTIMIZATION: whether there are any; most changes are of numbers.
+inline bool changes_data(const RunState& run, const ValueLog& log) {
+  for (const auto& [at, before] : log)
+    if (holds_data(before) || holds_data(run.values[at])) return true;
+  return false;
+}
 
 /// Fills in what follows from Φ, the values and the arrivals that stand in `run`: its lists and counts. Every active
 /// state is in the work set, to be evaluated anew: with unchanged data that has no effect. Requires that the run is

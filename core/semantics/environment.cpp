@@ -43,20 +43,21 @@ void StepEnvironment::write(ValueIndex at, Value value) {
   run_.values[at] = std::move(value);
 }
 
-std::string StepEnvironment::take_use(std::uint64_t work) {
-  use.work += work;
+void StepEnvironment::count_calls() {
   use.calls += calls.size();
   for (const BufferedCall& call : calls) {
     for (const Value& each : call.args) use.output_units += each.size_units();
     for (const auto& [name, each] : call.kwargs) use.output_units += each.size_units();
   }
+}
+
+std::string StepEnvironment::exceeded_budget() const {
   const auto more_than = [](std::uint64_t most, const char* of_what) {
     return "more than " + std::to_string(most) + " " + of_what + " in one macro step";
   };
   if (use.work > budgets.work) return more_than(budgets.work, "steps");
   if (use.calls > budgets.calls) return more_than(budgets.calls, "calls");
-  if (use.output_units > budgets.output_units) return more_than(budgets.output_units, "units called with and printed");
-  return {};
+  return more_than(budgets.output_units, "units called with and printed");
 }
 
 void StepEnvironment::call(OperationId operation, std::string_view service, std::string_view name, List args,

@@ -50,9 +50,17 @@ class StepEnvironment final : public language::Environment {
     printed.push_back(std::move(text));
   }
 
-  /// Adds what a function that completed has done to `use`: its `work` and its calls. The budget of the macro step that
-  /// is exceeded then, if one is, as a fault's message; empty otherwise.
-  std::string take_use(std::uint64_t work);
+  /// Adds what a function that completed has done to `use`: its `work` and its calls.
+  void take_use(std::uint64_t work) {
+    use.work += work;
+    if (!calls.empty()) [[unlikely]]
+      count_calls();
+  }
+  bool is_over_budget() const {
+    return use.work > budgets.work || use.calls > budgets.calls || use.output_units > budgets.output_units;
+  }
+  /// Requires that it is over one.
+  std::string exceeded_budget() const;
 
   const Budgets& budgets;
   MacroStepUse use;                  // of this macro step
@@ -61,6 +69,8 @@ class StepEnvironment final : public language::Environment {
   EvaluationRecord evaluation;       // of the last evaluation; without a trace, of its calls alone
 
  private:
+  void count_calls();
+
   const Program& program_;
   RunState& run_;
   ValueLog& log_;

@@ -86,7 +86,8 @@ bool Run::micro_step(R& recorder, const Order& order) {
       recorder.discard(mark);
       return false;
     }
-    if (!b.work.log.values.empty()) count_data(b.state, b.work.log.values, b.work.changed);
+    if (changes_data(b.state, b.work.log.values)) [[unlikely]]
+      count_data(b.state, b.work.log.values, b.work.changed);
   } catch (const FaultSignal& signal) {
     recorder.discard(mark);
     b.environment.calls.clear();

@@ -80,8 +80,9 @@ class Step : public StepContext {
     environment.enter(s, false);
     auto value = interpreter_.expression(expression, environment);
     if (!value) raise_fault(owner);
-    if ((environment.use.work += interpreter_.work()) > environment.budgets.work) [[unlikely]]
-      raise_over_budget(environment.take_use(0), owner);
+    environment.take_use(interpreter_.work());
+    if (environment.is_over_budget()) [[unlikely]]
+      raise_over_budget(owner);
     return std::move(*value);
   }
 
@@ -89,8 +90,8 @@ class Step : public StepContext {
   /// The fault that the last evaluation, in the scope of `s`, ended with.
   [[noreturn, gnu::noinline, gnu::cold]] void raise_fault(StateId s) { raise(interpreter_.fault(), s); }
   /// A budget of the macro step is exceeded.
-  [[noreturn, gnu::noinline, gnu::cold]] void raise_over_budget(std::string message, StateId s) {
-    raise({language::FaultKind::budget, std::move(message), {}}, s);
+  [[noreturn, gnu::noinline, gnu::cold]] void raise_over_budget(StateId s) {
+    raise({language::FaultKind::budget, environment.exceeded_budget(), {}}, s);
   }
   /// R4: an entry or exit function of `s` was unmet.
   [[noreturn, gnu::noinline, gnu::cold]] void raise_unmet(StateId s) {
@@ -117,8 +118,9 @@ bool Step<R>::execute(const Code& function, StateId s) {
   const auto outcome = interpreter_.function(function, environment);
   if (outcome == language::Interpreter::Outcome::fault) raise_fault(s);
   if (outcome == language::Interpreter::Outcome::done) {
-    if (std::string over = environment.take_use(interpreter_.work()); !over.empty()) [[unlikely]]
-      raise_over_budget(std::move(over), s);
+    environment.take_use(interpreter_.work());
+    if (environment.is_over_budget()) [[unlikely]]
+      raise_over_budget(s);
     return true;
   }
   for (ValueLog& log = work.log.values; log.size() > before; log.pop_back())
