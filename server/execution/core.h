@@ -262,8 +262,8 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   /// A person who pauses or stops a core waits so long for the end of its macro step.
   static constexpr std::chrono::milliseconds kWaitForStep{200};
   static constexpr std::chrono::milliseconds kLongestRebuild{20'000};
-  static constexpr std::uint32_t kMostUntold = 1000;  // micro steps with their derivation
-  static constexpr std::size_t kMostHeld = 256;       // outputs that wait for the disk; then no macro step begins
+  static constexpr std::uint32_t kMostUntold = 256;  // micro steps with their derivation
+  static constexpr std::size_t kMostHeld = 256;      // outputs that wait for the disk; then no macro step begins
   static constexpr std::chrono::seconds kReplayTimeout{5};
 
   const std::string id_;

@@ -62,10 +62,15 @@ def chain(name="chain"):
 
 
 def slow(name="slow", lists=100):
-    """Ends after one macro step, which makes as many large lists: each takes some milliseconds."""
-    return document(name, {"state": "Root", "parameters": [{"name": "lists", "value": lists}], "results": [{"name": "n", "initial": 0}],
-                           "entry": "for i in range(par.lists):\n    x = [i] * 900000\nres.n = 1",
-                           "ports": [{"name": "done", "when": "res.n > 0"}]})
+    """Ends after one macro step, whose conditions make twice as many large lists: each takes some milliseconds."""
+    large = "len([i for i in range(200000)]) > 0"
+    return document(name, {
+        "state": "Root", "parameters": [{"name": "lists", "value": lists}], "first": "A",
+        "children": [{"state": "A", "keep": True, "parameters": [{"name": "lists", "from": "par.lists"}],
+                      "results": [{"name": "n", "initial": 0}], "entry": "res.n += 1",
+                      "ports": [{"name": "next", "when": f"{large} and res.n < par.lists", "to": "B"}]},
+                     {"state": "B", "ports": [{"name": "next", "when": large, "to": "A"}]}],
+        "ports": [{"name": "done", "when": "chi.A.res.n >= par.lists"}]})
 
 
 def waiting(seconds, times=1, name="waiting"):

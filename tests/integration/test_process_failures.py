@@ -13,7 +13,8 @@ from client import TIMEOUT, Server, check
 from component_process import ComponentProcess, service, wait_available, wait_until
 from geometry import angle
 
-GROUPS = {"cell": ["robot", "gripper", "camera"], "recognition": ["obj_rec"], "database": ["db"], "display": ["display"], "audio": ["audio"]}
+GROUPS = {"cell": ["robot", "gripper", "camera"], "recognition": ["obj_rec"], "database": ["db"], "display": ["display"],
+          "audio": ["audio"]}
 CALIBRATION, TABLE, WORK = "Demonstrator/Calibration", "Demonstrator/Table", "Demonstrator/Table/Work"
 COLLECT, INTERRUPTED = f"{CALIBRATION}/CameraCalibration/Collect", f"{CALIBRATION}/CameraCalibration/Trouble"
 PICK, PLACE, COLLISION = f"{WORK}/Task/Pick", f"{WORK}/Task/Place", f"{WORK}/Collision"

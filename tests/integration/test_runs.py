@@ -107,7 +107,7 @@ class Runs(unittest.TestCase):
             begun = time.monotonic()
             server.post(f"/cores/{core}/start", {"arguments": {"lists": 20}}, "core")
             server.ended(core)
-            lists = int(20 * 8 / (time.monotonic() - begun))  # so many take about eight seconds
+            lists = int(20 * 5 / (time.monotonic() - begun))  # so many take about five seconds
             core = server.core(models.slow(), {"lists": lists}, start=False)
             with suppress(AssertionError):  # it takes longer than a request waits
                 server.post(f"/cores/{core}/start", None, "core")
