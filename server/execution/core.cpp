@@ -293,9 +293,11 @@ std::uint32_t Core::do_part(std::uint32_t limit) {
   const Progress* progress = nullptr;
   {
     const auto watch = resources_.watchdog.watch(give_up_, left);
-    progress = &next_part(limit);
+    progress = &next_part(std::min(limit, part_));
   }
-  step_time_ += Clock::now() - begin;
+  const auto taken = Clock::now() - begin;
+  part_ = taken > kTurnTime / 4 ? 1 : std::min(2 * part_, kPart);
+  step_time_ += taken;
   if (*give_up_) {
     give_up_macro_step("deadline",
                        "a macro step has taken more than " + std::to_string(resources_.longest_step.count()) + " ms");

@@ -257,7 +257,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   Expected<void> ensure_rebuilt();
 
   static constexpr std::uint32_t kTurn = 256;  // micro steps in one turn of the strand,
-  static constexpr std::uint32_t kPart = 16;   // after so many the time is looked at
+  static constexpr std::uint32_t kPart = 16;   // after so many at most the time is looked at
   static constexpr std::chrono::milliseconds kTurnTime{2};
   /// A person who pauses or stops a core waits so long for the end of its macro step.
   static constexpr std::chrono::milliseconds kWaitForStep{200};
@@ -290,6 +290,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   std::size_t waiting_units_ = 0;   // of the inputs that wait in the execution, or more
   std::size_t received_units_ = 0;  // that the run keeps of inputs, or more
   const Watchdog::Flag give_up_;    // what is computed takes too long: the execution stops, in a fault of nobody's
+  std::uint32_t part_ = 1;          // micro steps until the time is looked at: few while they are slow
   std::chrono::nanoseconds step_time_{0};  // that the open macro step has computed
   execution::Execution execution_;
   std::vector<execution::GoalName> breakpoint_names_;

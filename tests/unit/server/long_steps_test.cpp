@@ -73,7 +73,7 @@ TEST_F(LongSteps, CanBeStopped) {
   std::this_thread::sleep_for(milliseconds(100));
   const auto begin = Clock::now();
   ASSERT_TRUE(spinning->stop());
-  EXPECT_LT(Clock::now() - begin, milliseconds(2000)) << "500 ms on a machine that does nothing else";
+  EXPECT_LT(Clock::now() - begin, milliseconds(5000)) << "500 ms, but for sanitizers and busy machines";
   EXPECT_EQ(observer.calls().back(), ":halt");
   wait(*spinning, [](const Value& now) { return now.find("status")->as_string() == "aborted"; });
   const RunId id = spinning->run_id();
@@ -92,7 +92,7 @@ TEST_F(LongSteps, CanBeStoppedWhenSomethingOfThemHasBeenShown) {
   spinning->watch_state();
   const auto begin = Clock::now();
   ASSERT_TRUE(spinning->stop());
-  EXPECT_LT(Clock::now() - begin, milliseconds(2000));
+  EXPECT_LT(Clock::now() - begin, milliseconds(5000));
   EXPECT_EQ(observer.calls().back(), ":halt");
 }
 
@@ -110,7 +110,7 @@ TEST_F(LongSteps, OfManyCoresDoNotHoldUpOneThatHasLittleToDo) {
     const auto begin = Clock::now();
     happen(*good, "tick");
     wait(*good, [&](const Value& now) { return now.find("step")->as_integer() == step; });
-    EXPECT_LT(Clock::now() - begin, milliseconds(500));
+    EXPECT_LT(Clock::now() - begin, milliseconds(3000));
   }
   for (const auto& each : spinning) each->close();
 }
@@ -124,7 +124,7 @@ TEST_F(LongSteps, DoNotKeepAServerThatEnds) {
   const auto begin = Clock::now();
   spinning->close();
   pool->end();
-  EXPECT_LT(Clock::now() - begin, milliseconds(1000));
+  EXPECT_LT(Clock::now() - begin, milliseconds(5000));
 }
 
 }  // namespace
