@@ -80,7 +80,6 @@ void count_data(RunState& run, const ValueLog& log, std::vector<ValueIndex>& cha
   changed.clear();
   for (const auto& [at, before] : log)
     if (holds_data(before) || holds_data(run.values[at])) changed.push_back(at);
-  if (changed.empty()) return;
   std::ranges::sort(changed);
   const auto repeated = std::ranges::unique(changed);
   changed.erase(repeated.begin(), repeated.end());

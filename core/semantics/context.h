@@ -121,7 +121,8 @@ struct RunState {
 using ValueLog = std::vector<std::pair<ValueIndex, Value>>;
 void reset_values(RunState& run, const Program& program, StateId s, ValueLog& log);
 
-/// Counts the strings, lists and dicts that the changes in `log` have put in place of others. `changed` is emptied.
+/// Counts the strings, lists and dicts that the changes in `log` have put in place of others. `changed`: for its own
+/// use.
 void count_data(RunState& run, const ValueLog& log, std::vector<ValueIndex>& changed);
 /// OPTIMIZATION: whether there are any; most changes are of numbers.
 inline bool changes_data(const RunState& run, const ValueLog& log) {

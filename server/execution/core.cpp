@@ -298,11 +298,7 @@ std::uint32_t Core::do_part(std::uint32_t limit) {
   const auto taken = Clock::now() - begin;
   part_ = taken > kTurnTime / 4 ? 1 : std::min(2 * part_, kPart);
   step_time_ += taken;
-  if (*give_up_) {
-    give_up_macro_step("deadline",
-                       "a macro step has taken more than " + std::to_string(resources_.longest_step.count()) + " ms");
-    return limit;
-  }
+  if (gave_up()) return limit;
   const std::uint32_t used = std::max(progress->micro - before, 1U);
   take(*progress);
   return used;
@@ -328,6 +324,14 @@ bool Core::finish_macro_step() {
   return !execution_.is_open() || paused_;
 }
 
+// Whether what was computed took too long. It is no fault of the run: the execution is rebuilt.
+bool Core::gave_up() {
+  if (!*give_up_) return false;
+  give_up_macro_step("deadline",
+                     "a macro step has taken more than " + std::to_string(resources_.longest_step.count()) + " ms");
+  return true;
+}
+
 // core/SEMANTICS.md section 10: it is as if it had not begun, unless something of it has been told.
 void Core::give_up_macro_step(const char* reason, std::string why) {
   *give_up_ = false;
@@ -338,7 +342,7 @@ void Core::give_up_macro_step(const char* reason, std::string why) {
 
 // Who asks learns what the journal has, and nothing that a crash takes back.
 void Core::tell_untold() {
-  if (execution_.has_untold()) emit(execution_.tell_part());
+  if (!interruption_ && execution_.has_untold()) emit(execution_.tell_part());
 }
 
 void Core::hold() {

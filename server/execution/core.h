@@ -202,6 +202,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   void take(const execution::Progress& progress);
   void tell_untold();
   bool finish_macro_step();
+  bool gave_up();
   void give_up_macro_step(const char* reason, std::string why);
   execution::Recording recording() const { return {.derivation = derivation_watched_, .whole = true}; }
   void hold();
@@ -253,7 +254,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   void take(Rebuilt rebuilt);
   void open_journal();
   // On any other thread: they wait for the disk.
-  Expected<Rebuilt> rebuild() const;
+  Expected<Rebuilt> rebuild(std::chrono::milliseconds longest, bool ends) const;
   Expected<void> ensure_rebuilt();
 
   static constexpr std::uint32_t kTurn = 256;  // micro steps in one turn of the strand,

@@ -130,6 +130,7 @@ bool Core::deliver_edit(std::uint32_t limit) {
   const std::vector<std::uint64_t> open_calls = run().unanswered_calls();
   const auto watch = resources_.watchdog.watch(give_up_, resources_.longest_step);
   auto progress = execution_.edit(edit.entry, edit.model, recording(), limit);
+  if (gave_up()) return true;
   if (!progress) {
     note_obstacles(progress.error());
     return false;
@@ -180,7 +181,9 @@ Expected<Value> Core::force(semantics::Force force) {
     if (!finish_macro_step()) return unexpected(ErrorCode::conflict, "core " + id_ + " is in a long macro step");
     if (execution_.is_open()) return unexpected(ErrorCode::conflict, "core " + id_ + " is paused in a macro step");
     if (is_over()) return unexpected(ErrorCode::conflict, "core " + id_ + " is over");
+    const auto watch = resources_.watchdog.watch(give_up_, resources_.longest_step);
     ASSIGN_OR_RETURN(const execution::Progress* progress, execution_.force(force, recording(), kPart));
+    if (gave_up()) return unexpected(ErrorCode::unavailable, interruption_->message);
     step_time_ = {};
     take(*progress);
     schedule();

@@ -31,7 +31,9 @@ Expected<T> Core::on_strand(F function) {
   strand_.post([self = shared_from_this(), function = std::move(function), question] {
     if (!question->move_to(Progress::taken)) return;
     try {
-      self->held_.add([question, value = Expected<T>(function())](const Error* failure) {
+      auto answer = Expected<T>(function());
+      self->tell_untold();
+      self->held_.add([question, value = std::move(answer)](const Error* failure) {
         question->promise.set_value(failure ? Expected<T>(tl::unexpect, *failure) : value);
       });
     } catch (const std::exception& failure) {

@@ -13,7 +13,7 @@ Expected<std::shared_ptr<Core>> Core::recover(RunRecord run, execution::JournalH
   ASSIGN_OR_RETURN(auto core, create(std::move(run), std::move(header), resources));
   core->paused_ = true;
   core->interruption_ = {.number = 0, .reason = "restart", .message = "the server ended while the run was under way"};
-  ASSIGN_OR_RETURN(Rebuilt rebuilt, core->rebuild());
+  ASSIGN_OR_RETURN(Rebuilt rebuilt, core->rebuild(kLongestRebuild, false));
   core->take(std::move(rebuilt));
   {
     const services::MutexLock lock(core->mutex_);
@@ -95,8 +95,9 @@ Work Core::interrupting(Work work) {
 
 // Not on the strand: the threads of the cores never wait for the disk, so that the safe calls of all are made at once.
 void Core::rebuild_later() {
-  resources_.writer.recover([self = shared_from_this(), number = interruption_->number] {
-    self->strand_.post([self, number, rebuilt = std::make_shared<Expected<Rebuilt>>(self->rebuild())] {
+  resources_.writer.recover([self = shared_from_this(), number = interruption_->number, ends = interruption_->ends] {
+    const auto longest = ends ? kWaitForStep : kLongestRebuild;
+    self->strand_.post([self, number, rebuilt = std::make_shared<Expected<Rebuilt>>(self->rebuild(longest, ends))] {
       self->take_rebuilt(number, std::move(*rebuilt));
     });
   });
@@ -111,7 +112,9 @@ void Core::take_rebuilt(std::uint64_t interruption, Expected<Rebuilt> rebuilt) {
   const bool was_paused = interruption_->was_paused, ends = interruption_->ends;
   take(std::move(*rebuilt));
   if (!started_) paused_ = was_paused;
-  if (ends) std::ignore = end_run_now();
+  if (!ends) return publish_info();
+  started_ = true;  // also a run whose first macro step was given up: `abort` is its first entry then
+  std::ignore = end_run_now();
   publish_info();
 }
 
@@ -123,7 +126,7 @@ Expected<void> Core::ensure_rebuilt() {
                      return is_to_rebuild() ? std::optional(interruption_->number) : std::nullopt;
                    }));
   if (!interruption) return {};
-  auto rebuilt = std::make_shared<Expected<Rebuilt>>(rebuild());
+  auto rebuilt = std::make_shared<Expected<Rebuilt>>(rebuild(kLongestRebuild, false));
   if (!*rebuilt) return tl::unexpected(rebuilt->error());
   ASSIGN_OR_RETURN(std::ignore, on_strand<bool>([this, interruption, rebuilt]() -> Expected<bool> {
                      take_rebuilt(*interruption, std::move(*rebuilt));
@@ -156,16 +159,20 @@ Expected<void> Core::readable() const {
 }
 
 // The run as its journal says. Its open calls are answered `unavailable` (R7) and never sent again; what had arrived
-// before is forgotten.
-Expected<Core::Rebuilt> Core::rebuild() const {
+// before is forgotten. One that `ends` and whose last macro step takes too long ends in that, without an entry.
+Expected<Core::Rebuilt> Core::rebuild(std::chrono::milliseconds longest, bool ends) const {
   ASSIGN_OR_RETURN(RunRecord stored, resources_.runs.get(run_id()));
   execution::JournalHeader stoppable = header_;
   stoppable.budgets.evaluation.stop = give_up_.get();
   execution::Replay replay(stoppable, resources_.runs.source(run_id()));
-  const auto watch = resources_.watchdog.watch(give_up_, kLongestRebuild);
+  const auto watch = resources_.watchdog.watch(give_up_, longest);
   auto replayed = replay.after(stored.steps);
-  if (give_up_->exchange(false))
-    return unexpected(ErrorCode::unavailable, "the run takes too long to be rebuilt from its journal");
+  if (give_up_->exchange(false)) {
+    if (!ends) return unexpected(ErrorCode::unavailable, "the run takes too long to be rebuilt from its journal");
+    ASSIGN_OR_RETURN(Execution aborted, Execution::create(header_));
+    aborted.abort();
+    return Rebuilt{std::move(stored), std::move(aborted)};
+  }
   ASSIGN_OR_RETURN(Execution rebuilt, std::move(replayed));
   rebuilt.post_lost();
   // A disk that takes nothing leaves it as `running`: when the server has ended, that means the same.

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <future>
 #include <thread>
 
 #include "core/rcm/document.h"
@@ -24,15 +25,23 @@ constexpr const char* kSpinning = R"json({"rcm": 1, "root": {"state": "R", "firs
     {"state": "B", "ports": [{"name": "p", "when": "len([i for i in range(150000)]) > 0", "to": "A"}]}]}})json";
 
 struct LongSteps : HostedCores {
-  std::shared_ptr<Core> core(milliseconds longest_step = milliseconds(10'000)) {
+  std::shared_ptr<Core> core(milliseconds longest_step = milliseconds(10'000), const char* first = "Idle") {
     static constexpr const char* kService = R"({"operations": [{"name": "move"}, {"name": "halt", "safe": true}],
       "events": [{"name": "spin"}, {"name": "tick"}]})";
-    const auto header = execution::journal_of(rcm::read_document_text(kSpinning).value(),
+    const auto header = execution::journal_of(rcm::read_document_text(with_first(first)).value(),
                                               {{"t", rsm::read_service_text(kService, "t").value()}})
                             .header;
     RunRecord run = runs->create({"spin", 1, header, {}}, 0).value();
     return Core::create(std::move(run), header, {*pool, host, *this, *runs, *writer, replays, watchdog, longest_step})
         .value();
+  }
+  // In a long macro step, a moment after it has begun.
+  std::shared_ptr<Core> spinning_core() {
+    auto spinning = core();
+    EXPECT_TRUE(spinning->start());
+    happen(*spinning, "spin");
+    std::this_thread::sleep_for(milliseconds(100));
+    return spinning;
   }
   static void happen(Core& core, const std::string& event) {
     services::Delivery delivery;
@@ -40,7 +49,10 @@ struct LongSteps : HostedCores {
     delivery.name = event;
     core.deliver(delivery);
   }
-  static bool is_spinning(const Value& state) { return state.find("micro")->as_integer() > 0; }
+  static std::string with_first(const std::string& first) {
+    std::string text = kSpinning;
+    return text.replace(text.find("Idle"), 4, first);
+  }
   static std::string reason(const Value& info) { return info.find("interruption")->find("reason")->as_string(); }
 };
 
@@ -67,10 +79,7 @@ TEST_F(LongSteps, EndAtTheDeadlineAsIfTheirInputHadNotCome) {
 
 TEST_F(LongSteps, CanBeStopped) {
   begin_server();
-  const auto spinning = core();
-  ASSERT_TRUE(spinning->start());
-  happen(*spinning, "spin");
-  std::this_thread::sleep_for(milliseconds(100));
+  const auto spinning = spinning_core();
   const auto begin = Clock::now();
   ASSERT_TRUE(spinning->stop());
   EXPECT_LT(Clock::now() - begin, milliseconds(5000)) << "500 ms, but for sanitizers and busy machines";
@@ -79,6 +88,25 @@ TEST_F(LongSteps, CanBeStopped) {
   const RunId id = spinning->run_id();
   while (!runs->get(id)->is_over()) std::this_thread::sleep_for(milliseconds(5));
   EXPECT_EQ(runs->get(id)->steps, 2U) << "the start and the abort";
+}
+
+TEST_F(LongSteps, OfTheStartCanBeStopped) {
+  begin_server();
+  const auto spinning = core(milliseconds(10'000), "A");
+  auto started = std::async(std::launch::async, [&] { return spinning->start(); });
+  std::this_thread::sleep_for(milliseconds(100));
+  ASSERT_TRUE(spinning->stop());
+  wait(*spinning, [](const Value& now) { return now.find("status")->as_string() == "aborted"; });
+}
+
+TEST_F(LongSteps, AreDurableWhenTheyAreShown) {
+  begin_server();
+  const auto spinning = spinning_core();
+  const Value state = spinning->state().value();
+  EXPECT_EQ(state.find("core")->find("step")->as_integer(), 2);
+  EXPECT_GT(state.find("core")->find("micro")->as_integer(), 0);
+  EXPECT_EQ(runs->get(spinning->run_id())->steps, 2U);
+  spinning->close();
 }
 
 TEST_F(LongSteps, CanBeStoppedWhenSomethingOfThemHasBeenShown) {
@@ -94,6 +122,10 @@ TEST_F(LongSteps, CanBeStoppedWhenSomethingOfThemHasBeenShown) {
   ASSERT_TRUE(spinning->stop());
   EXPECT_LT(Clock::now() - begin, milliseconds(5000));
   EXPECT_EQ(observer.calls().back(), ":halt");
+  const RunId id = spinning->run_id();
+  while (!runs->get(id)->is_over()) std::this_thread::sleep_for(milliseconds(5));
+  EXPECT_EQ(runs->get(id)->status, "aborted");
+  EXPECT_EQ(runs->get(id)->steps, 2U) << "the start and the macro step in which it ended";
 }
 
 TEST_F(LongSteps, OfManyCoresDoNotHoldUpOneThatHasLittleToDo) {
@@ -117,10 +149,7 @@ TEST_F(LongSteps, OfManyCoresDoNotHoldUpOneThatHasLittleToDo) {
 
 TEST_F(LongSteps, DoNotKeepAServerThatEnds) {
   begin_server();
-  const auto spinning = core();
-  ASSERT_TRUE(spinning->start());
-  happen(*spinning, "spin");
-  std::this_thread::sleep_for(milliseconds(50));
+  const auto spinning = spinning_core();
   const auto begin = Clock::now();
   spinning->close();
   pool->end();

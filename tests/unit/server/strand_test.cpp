@@ -4,7 +4,6 @@
 
 #include <atomic>
 #include <chrono>
-#include <functional>
 #include <future>
 #include <memory>
 #include <new>
@@ -65,32 +64,34 @@ TEST(Pool, DoesWhatIsPostedForLaterNowAndThenHoweverMuchElseThereIs) {
   EXPECT_EQ(order, ".......l........l.........");
 }
 
-// Strands that always have more to do, each for some time, and one that has little: it waits for no more than the turns
-// that have begun.
-TEST(Strand, ThatHasLittleToDoWaitsForNoneThatAlwaysHasMore) {
-  Pool pool(2);
-  std::vector<std::unique_ptr<Strand>> busy;
-  std::atomic<bool> ends{false};
-  std::atomic<int> turns{0};
-  std::function<void(Strand&)> spin = [&](Strand& strand) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(1);
-    while (std::chrono::steady_clock::now() < end) {
-    }
-    ++turns;
-    if (!ends) strand.post_later([&] { spin(strand); });
-  };
-  for (int i = 0; i < 20; ++i) {
-    busy.push_back(std::make_unique<Strand>(pool));
-    busy.back()->post_later([&spin, strand = busy.back().get()] { spin(*strand); });
-  }
-  Strand good(pool);
-  for (int i = 0; i < 50; ++i) {
-    const int before = turns;
-    EXPECT_EQ(good.ask([] { return 5; }), 5);
-    EXPECT_LT(turns - before, 20) << "no round of all others";
-  }
-  ends = true;
-  pool.end();
+TEST(Strand, ThatHasLittleToDoGoesBeforeTheRestOfTurns) {
+  Pool pool(1);
+  Strand busy(pool), other(pool), good(pool);
+  std::string order;  // of the pool's one thread
+  std::promise<void> posted;
+  pool.post([&] { posted.get_future().wait(); });
+  busy.post_later([&] {
+    order += 'b';
+    busy.post_later([&] { order += 'c'; });
+  });
+  other.post_later([&] { order += 'o'; });
+  good.post([&] { order += 'g'; });
+  posted.set_value();
+  for (Strand* each : {&busy, &other, &good}) each->finish();
+  EXPECT_EQ(order, "gboc");
+}
+
+TEST(Strand, KeepsItsOrderWhateverWaitsForLater) {
+  Pool pool(1);
+  Strand strand(pool);
+  std::string order;
+  std::promise<void> posted;
+  pool.post([&] { posted.get_future().wait(); });
+  strand.post_later([&] { order += '1'; });
+  strand.post([&] { order += '2'; });
+  posted.set_value();
+  strand.finish();
+  EXPECT_EQ(order, "12");
 }
 
 /// What is reported while it lives.

@@ -39,6 +39,11 @@ describe("interruptionText", () => {
     expect(text?.title).toContain("a step of it failed");
     expect(text?.happened).toBe("no memory");
   });
+  it.each(["deadline", "stopped"] as const)("says of a macro step that did not end (%s) that its input is gone", (reason) => {
+    const text = interruptionText({ ...core, interruption: { reason, message: "10 s" } });
+    expect(text?.title).toContain("a macro step did not end");
+    expect(text?.holds).toContain("whose input is gone");
+  });
   it("says of too many inputs that they are gone", () => {
     const text = interruptionText({ ...core, interruption: { reason: "overload", message: "more wait" } });
     expect(text?.title).toContain("more inputs waited");
