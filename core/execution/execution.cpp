@@ -27,7 +27,7 @@ inline const Progress& Execution::finish() {
 }
 
 // What has come of the micro steps leaves the run.
-inline const Progress& Execution::tell_part() {
+const Progress& Execution::tell_part() {
   progress_.untold = false;
   run_.take_output(progress_.calls, progress_.printed);
   for (std::string& text : progress_.printed)
