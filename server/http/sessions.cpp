@@ -63,7 +63,10 @@ class StreamSession final : Session, public Subscriber, public std::enable_share
 
   Outbox& outbox() override { return outbox_; }
   void wake() override {
-    asio::post(executor_, [self = shared_from_this()] { self->waker_.cancel(); });
+    asio::post(executor_, [self = shared_from_this()] {
+      if (self->outbox_.is_cut()) self->reset();
+      self->waker_.cancel();
+    });
   }
 
   awaitable<void> run(Upgrade request) {
@@ -107,7 +110,7 @@ class StreamSession final : Session, public Subscriber, public std::enable_share
         if (!sent || over_) co_return close();
       }
       for (const std::string& channel : outbox_.take_stale_channels()) {
-        if (channel == Hub::kPrivateQueue) co_return close();
+        if (channel == Outbox::kPrivateQueue) co_return close();
         hub_.resend_snapshot(shared_from_this(), channel);
       }
       co_await sleep();

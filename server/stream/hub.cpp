@@ -9,11 +9,14 @@
 namespace race::server {
 
 Hub::Hub(Pool& pool, std::int64_t first, std::function<std::optional<Source>(const std::string&)> find)
-    : strand_(pool), first_(first), next_first_(first), find_(std::move(find)) {}
+    : strand_(pool),
+      publications_(strand_, [this](const auto& name, const auto& what) { overflow(name, what); }),
+      first_(first),
+      next_first_(first),
+      find_(std::move(find)) {}
 
 Text Hub::serialise(const std::string& channel, std::int64_t sequence, const char* kind, const Value& data) {
-  return std::make_shared<const std::string>(
-      to_json(Dict{{"channel", channel}, {"sequence", sequence}, {"kind", kind}, {"data", data}}));
+  return messages_.make(to_json(Dict{{"channel", channel}, {"sequence", sequence}, {"kind", kind}, {"data", data}}));
 }
 
 void Hub::send(Subscriber& subscriber, const std::string& channel, Text text, bool sampled) {
@@ -31,80 +34,6 @@ Hub::Channel* Hub::find(const std::string& name) {
   return &channel;
 }
 
-// A snapshot has the number of the last delta that it contains. A channel that nobody has asked for yet keeps nothing.
-void Hub::publish_snapshot(std::string name, Value data) {
-  strand_.post([this, name = std::move(name), data = std::move(data)] {
-    const auto known = channels_.find(name);
-    if (known == channels_.end()) return;
-    Channel& channel = known->second;
-    if (channel.is_idle()) return;
-    channel.snapshot = Message{channel.sequence, serialise(name, channel.sequence, "snapshot", data)};
-    for (const auto& subscriber : channel.waiting) {
-      send(*subscriber, name, channel.snapshot->text, channel.source.sampled);
-      channel.subscribers.insert(subscriber);
-    }
-    channel.waiting.clear();
-  });
-}
-
-void Hub::publish_delta(std::string name, Value data) {
-  strand_.post([this, name = std::move(name), data = std::move(data)] {
-    const auto known = channels_.find(name);
-    if (known == channels_.end()) return;
-    Channel& channel = known->second;
-    const Message message{++channel.sequence, serialise(name, channel.sequence, "delta", data)};
-    for (const auto& subscriber : channel.subscribers) send(*subscriber, name, message.text, channel.source.sampled);
-    channel.bytes += message.text->size();
-    channel.deltas.push_back(message);
-    const std::size_t most = channel.source.sampled ? 1 : kMaxDeltas;
-    const std::size_t most_bytes = channel.is_idle() ? kMaxIdleDeltaBytes : kMaxDeltaBytes;
-    while (channel.deltas.size() > most || channel.bytes > most_bytes) {
-      channel.bytes -= channel.deltas.front().text->size();
-      channel.deltas.pop_front();
-    }
-    if (!channel.source.sampled || channel.waiting.empty()) return;
-    // Every message of a sampled channel is the whole.
-    channel.snapshot = Message{channel.sequence, serialise(name, channel.sequence, "snapshot", data)};
-    for (const auto& subscriber : channel.waiting) {
-      send(*subscriber, name, channel.snapshot->text, true);
-      channel.subscribers.insert(subscriber);
-    }
-    channel.waiting.clear();
-  });
-}
-
-void Hub::publish_replacement(std::string name, Value data) {
-  strand_.post([this, name = std::move(name), data = std::move(data)] {
-    const auto known = channels_.find(name);
-    if (known == channels_.end()) return;
-    Channel& channel = known->second;
-    begin_anew(channel);
-    channel.snapshot = Message{channel.sequence, serialise(name, channel.sequence, "snapshot", data)};
-    channel.subscribers.merge(channel.waiting);
-    for (const auto& subscriber : channel.subscribers)
-      send(*subscriber, name, channel.snapshot->text, channel.source.sampled);
-  });
-}
-
-void Hub::restart(std::string prefix) {
-  strand_.post([this, prefix = std::move(prefix)] {
-    for (auto& [name, channel] : channels_) {
-      if (!name.starts_with(prefix)) continue;
-      begin_anew(channel);
-      channel.waiting.merge(channel.subscribers);
-      if (!channel.waiting.empty() && channel.source.refresh) channel.source.refresh();
-    }
-  });
-}
-
-// A client that has everything up to here lacks something all the same.
-void Hub::begin_anew(Channel& channel) {
-  ++channel.sequence;
-  channel.deltas.clear();
-  channel.bytes = 0;
-  channel.snapshot.reset();
-}
-
 void Hub::send(std::weak_ptr<Subscriber> client, std::string name, const char* kind, Value data, To to) {
   strand_.post([this, client = std::move(client), name = std::move(name), kind, data = std::move(data), to] {
     const auto subscriber = shut_down_ ? nullptr : client.lock();
@@ -112,7 +41,7 @@ void Hub::send(std::weak_ptr<Subscriber> client, std::string name, const char* k
     const auto channel = channels_.find(name);
     const bool hears = channel != channels_.end() && channel->second.subscribers.contains(subscriber);
     if (to == To::those_not_subscribed && hears) return;
-    send(*subscriber, kPrivateQueue, serialise(name, first_, kind, data), false);
+    send_alone(subscriber, name, kind, data);
   });
 }
 
@@ -125,7 +54,9 @@ void Hub::subscribe(std::shared_ptr<Subscriber> subscriber, std::string name, st
 void Hub::resend_snapshot(std::shared_ptr<Subscriber> subscriber, std::string name) {
   strand_.post([this, subscriber = std::move(subscriber), name = std::move(name)] {
     const auto known = channels_.find(name);
-    if (known != channels_.end() && known->second.subscribers.contains(subscriber))
+    if (known == channels_.end()) return;
+    const Channel& channel = known->second;
+    if (channel.subscribers.contains(subscriber) || channel.waiting.contains(subscriber))
       join(subscriber, name, std::nullopt);
   });
 }
@@ -134,13 +65,15 @@ void Hub::join(const std::shared_ptr<Subscriber>& subscriber, const std::string&
                std::optional<std::int64_t> since) {
   subscriber->outbox().drop(name);
   Channel* channel = find(name);
-  if (!channel) return send_error(*subscriber, name, {ErrorCode::not_found, "there is no channel of this name", name});
+  const auto refused = [&](ErrorCode code, const std::string& why) {
+    send_alone(subscriber, name, "error", errors_json({{code, why, name}}));
+  };
+  if (!channel) return refused(ErrorCode::not_found, "there is no channel of this name");
   std::set<std::string>& joined = joined_[subscriber];
   if (!joined.contains(name) && joined.size() == kMaxSubscriptions) {
     if (channel->is_idle()) put_idle(name);
-    return send_error(*subscriber, name,
-                      {ErrorCode::too_large,
-                       "a client has at most " + std::to_string(kMaxSubscriptions) + " channels at once", name});
+    return refused(ErrorCode::too_large,
+                   "a client has at most " + std::to_string(kMaxSubscriptions) + " channels at once");
   }
   joined.insert(name);
   const bool first = channel->is_idle();
@@ -170,8 +103,10 @@ bool Hub::catch_up(const std::string& name, Channel& channel, Subscriber& subscr
   return true;
 }
 
-void Hub::send_error(Subscriber& subscriber, const std::string& name, const Error& error) {
-  send(subscriber, kPrivateQueue, serialise(name, first_, "error", errors_json({error})), false);
+void Hub::send_alone(const std::shared_ptr<Subscriber>& subscriber, const std::string& name, const char* kind,
+                     const Value& data) {
+  send(*subscriber, Outbox::kPrivateQueue, serialise(name, first_, kind, data), false);
+  limit_memory(subscriber);
 }
 
 void Hub::detach(const std::string& name, const std::shared_ptr<Subscriber>& subscriber) {
@@ -182,10 +117,7 @@ void Hub::detach(const std::string& name, const std::shared_ptr<Subscriber>& sub
   if (removed == 0 || !channel.is_idle()) return;
   if (channel.source.watched) {
     channel.source.watched(false);
-    // A source that publishes only while it is watched leaves a gap from here on.
-    channel.snapshot.reset();
-    channel.deltas.clear();
-    channel.bytes = 0;
+    channel.drop_kept();  // a source that publishes only while it is watched leaves a gap from here on
   }
   put_idle(name);
 }
@@ -231,8 +163,8 @@ void Hub::disconnect(std::shared_ptr<Subscriber> subscriber) {
 }
 
 void Hub::shut_down() {
+  shut_down_ = true;
   strand_.ask([this] {
-    shut_down_ = true;
     for (auto& [name, channel] : channels_) {
       channel.subscribers.clear();
       channel.waiting.clear();
@@ -248,7 +180,7 @@ void Hub::close(std::string name, std::vector<Error> errors) {
     if (known == channels_.end()) return;
     const Text text = serialise(name, known->second.sequence + 1, "error", errors_json(errors));
     for (const Subscribers* all : {&known->second.subscribers, &known->second.waiting})
-      for (const auto& subscriber : *all) send(*subscriber, kPrivateQueue, text, false);
+      for (const auto& subscriber : *all) send(*subscriber, Outbox::kPrivateQueue, text, false);
     for (auto& [subscriber, names] : joined_) names.erase(name);
     remove_channel(known);
   });
@@ -256,7 +188,7 @@ void Hub::close(std::string name, std::vector<Error> errors) {
 
 void Hub::refuse(std::shared_ptr<Subscriber> subscriber, std::string name, std::vector<Error> errors) {
   strand_.post([this, subscriber = std::move(subscriber), name = std::move(name), errors = std::move(errors)] {
-    send(*subscriber, kPrivateQueue, serialise(name, first_, "error", errors_json(errors)), false);
+    send_alone(subscriber, name, "error", errors_json(errors));
   });
 }
 

@@ -2,11 +2,14 @@
 // snapshot. A subscriber that reconnects gets the deltas it missed. A new one gets the snapshot if it is current; else,
 // or if the missed deltas are not kept any more, the hub asks the channel's source for a new snapshot.
 //
-// All work is done on the hub's strand: publishing never blocks, and each message is serialised once.
+// All work is done on the hub's strand: publishing never blocks, and each message is serialised once. What waits for
+// the strand is bounded (publications.h), and so is all that messages hold, whether channels keep them or clients have
+// not taken them (kMaxBytes).
 //
 // Threads: any.
 #pragma once
 
+#include <atomic>
 #include <deque>
 #include <functional>
 #include <map>
@@ -19,6 +22,7 @@
 #include "core/value/expected.h"
 #include "core/value/value.h"
 #include "server/stream/outbox.h"
+#include "server/stream/publications.h"
 #include "server/threads/strand.h"
 
 namespace race::server {
@@ -28,7 +32,7 @@ class Subscriber {
  public:
   virtual ~Subscriber() = default;
   virtual Outbox& outbox() = 0;
-  /// The outbox has a new message.
+  /// The outbox has a new message, or was cut.
   virtual void wake() = 0;
 };
 
@@ -50,10 +54,9 @@ class Hub {
   static constexpr std::size_t kMaxIdle = 64;
   static constexpr std::size_t kMaxIdleBytes = 32 * 1024 * 1024;
   static constexpr std::size_t kMaxIdleDeltaBytes = 256 * 1024;  // of one
-  /// What is for one client alone is queued under no channel's name: one queue, whatever names clients ask for. No
-  /// snapshot makes up for what its outbox has dropped of it (Outbox::take_stale_channels()): the connection has to
-  /// end, so that the client asks again.
-  static constexpr const char* kPrivateQueue = "";
+  /// Of all messages that channels keep and clients have not taken. Beyond it, what channels keep is dropped, that
+  /// which keeps most first (who comes again gets a snapshot); then the client that holds most is cut.
+  static constexpr std::size_t kMaxBytes = 128 * 1024 * 1024;
 
   /// `first`: the number of the first message of every channel; greater than all of an earlier server's. `find` gives
   /// the source of a channel, or nothing if there is no such channel.
@@ -62,9 +65,11 @@ class Hub {
   /// Its work is done first.
   ~Hub() { strand_.finish(); }
 
-  /// Frozen values only.
-  void publish_snapshot(std::string channel, Value data);
-  void publish_delta(std::string channel, Value data);
+  // Frozen values only. What is published faster than the hub tells it is dropped, and the channel begins anew: its
+  // source is asked for a snapshot that all get; of a sampled one the newest is told.
+
+  void publish_snapshot(const std::string& channel, Value data);
+  void publish_delta(const std::string& channel, Value data);
   /// Does `work`, which must not block, when all that was asked for before is done: so that who asks for much waits.
   void after(Work work) { strand_.post(std::move(work)); }
   /// Ends the channel: its subscribers get these errors, then nothing. Who subscribes later asks its source again.
@@ -78,13 +83,18 @@ class Hub {
   void unsubscribe(std::shared_ptr<Subscriber> subscriber, std::string channel);
   /// Removes the subscriber from all channels.
   void disconnect(std::shared_ptr<Subscriber> subscriber);
-  /// Removes all subscribers and accepts no new ones: their sockets end. Waits until that is done.
+  /// Removes all subscribers and accepts no new ones: their sockets end. What was published is not told any more.
+  /// Waits until that is done.
   void shut_down();
   /// The channel is about something else from now on: no delta leads from what it was to this snapshot, which all
   /// subscribers get.
-  void publish_replacement(std::string channel, Value data);
+  void publish_replacement(const std::string& channel, Value data);
   /// The same of all channels whose names begin so; their sources are asked for the snapshots.
   void restart(std::string prefix);
+  /// Units of what was published and waits to be told.
+  std::size_t waiting_units() const { return publications_.units(); }
+  /// Bytes of all messages that somebody still holds.
+  std::size_t message_bytes() const { return messages_.held(); }
   enum class To { all, those_not_subscribed };
   /// Sends a message to one client alone, if it is still there and, `those_not_subscribed`, does not get the deltas of
   /// the channel.
@@ -109,27 +119,45 @@ class Hub {
 
     bool is_idle() const { return subscribers.empty() && waiting.empty(); }
     std::size_t kept_bytes() const { return bytes + (snapshot ? snapshot->text->size() : 0); }
+    void drop_kept() {
+      deltas.clear();
+      bytes = 0;
+      snapshot.reset();
+    }
   };
+
+  using Publish = void (Hub::*)(const std::string& name, Channel& channel, const Value& data);
+  void publish(Publish publish, Publications::Kind kind, const std::string& name, Value data);
+  void add_snapshot(const std::string& name, Channel& channel, const Value& data);
+  void add_delta(const std::string& name, Channel& channel, const Value& data);
+  void replace(const std::string& name, Channel& channel, const Value& data);
+  void overflow(const std::string& name, const Publications::Overflow& overflow);
 
   Channel* find(const std::string& name);
   static void begin_anew(Channel& channel);
-  void send_error(Subscriber& subscriber, const std::string& channel, const Error& error);
+  static void restart(Channel& channel, bool ask);
+  void send_alone(const std::shared_ptr<Subscriber>& subscriber, const std::string& channel, const char* kind,
+                  const Value& data);
   void join(const std::shared_ptr<Subscriber>& subscriber, const std::string& name, std::optional<std::int64_t> since);
   void detach(const std::string& name, const std::shared_ptr<Subscriber>& subscriber);
   void put_idle(const std::string& name);
   void remove_channel(std::map<std::string, Channel>::iterator channel);
   bool catch_up(const std::string& name, Channel& channel, Subscriber& subscriber, std::int64_t since);
   static void send(Subscriber& subscriber, const std::string& channel, Text text, bool sampled);
-  static Text serialise(const std::string& channel, std::int64_t sequence, const char* kind, const Value& data);
+  Text serialise(const std::string& channel, std::int64_t sequence, const char* kind, const Value& data);
+  void limit_memory(const std::shared_ptr<Subscriber>& told);
+  void drop_kept();
 
   Strand strand_;
+  MessageMemory messages_;
+  Publications publications_;
   const std::int64_t first_;
   std::int64_t next_first_;  // of channels to come: larger than all numbers of channels that were closed
   std::function<std::optional<Source>(const std::string&)> find_;
   std::map<std::string, Channel> channels_;
   std::map<std::shared_ptr<Subscriber>, std::set<std::string>> joined_;  // the channels of each subscriber
   std::deque<std::string> idle_;                                         // channels without one, in order of leaving
-  bool shut_down_ = false;
+  std::atomic<bool> shut_down_{false};
 };
 
 }  // namespace race::server

@@ -7,7 +7,7 @@ namespace race::server {
 
 void Outbox::push(const std::string& channel, Text text, bool sampled) {
   const services::MutexLock lock(mutex_);
-  if (needs_snapshot_.contains(channel)) return;
+  if (is_cut_ || needs_snapshot_.contains(channel)) return;
   if (sampled) {
     const auto older = std::ranges::find(items_, channel, &Item::channel);
     if (older != items_.end()) {
@@ -29,10 +29,12 @@ void Outbox::push(const std::string& channel, Text text, bool sampled) {
 
 std::optional<Text> Outbox::pop() {
   const services::MutexLock lock(mutex_);
+  sending_ = 0;
   if (items_.empty()) return std::nullopt;
   Text text = std::move(items_.front().text);
   items_.pop_front();
-  bytes_ -= text->size();
+  sending_ = text->size();
+  bytes_ -= sending_;
   return text;
 }
 
@@ -51,9 +53,27 @@ std::vector<std::string> Outbox::take_stale_channels() {
   return stale;
 }
 
+void Outbox::cut() {
+  const services::MutexLock lock(mutex_);
+  items_.clear();
+  bytes_ = 0;
+  is_cut_ = true;
+  needs_snapshot_ = {{kPrivateQueue, false}};
+}
+
+bool Outbox::is_cut() const {
+  const services::MutexLock lock(mutex_);
+  return is_cut_;
+}
+
 std::size_t Outbox::size() const {
   const services::MutexLock lock(mutex_);
   return items_.size();
+}
+
+std::size_t Outbox::bytes() const {
+  const services::MutexLock lock(mutex_);
+  return bytes_ + sending_;
 }
 
 void Outbox::erase(const std::string& channel) {

@@ -8,22 +8,23 @@
 #include <cstddef>
 #include <deque>
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "server/stream/messages.h"
 #include "services/mutex.h"
 
 namespace race::server {
-
-/// One serialisation, shared by all clients that get it.
-using Text = std::shared_ptr<const std::string>;
 
 class Outbox {
  public:
   static constexpr std::size_t kMessages = 256;
   static constexpr std::size_t kBytes = 8 * 1024 * 1024;
+  /// What is for one client alone is queued under no channel's name: one queue, whatever names clients ask for. No
+  /// snapshot makes up for what is dropped of it (take_stale_channels()): the connection has to end, so that the client
+  /// asks again.
+  static constexpr const char* kPrivateQueue = "";
 
   /// Queues a message. `sampled`: it replaces a queued one of its channel.
   void push(const std::string& channel, Text text, bool sampled) EXCLUDES(mutex_);
@@ -34,8 +35,13 @@ class Outbox {
   /// Once the queue is empty: the channels that need a snapshot, each once. Messages pushed to them are dropped until
   /// drop() is called.
   std::vector<std::string> take_stale_channels() EXCLUDES(mutex_);
+  /// Drops all messages, and those to come: the connection has to end at once (take_stale_channels() says so, too).
+  void cut() EXCLUDES(mutex_);
+  bool is_cut() const EXCLUDES(mutex_);
   /// Number of queued messages.
   std::size_t size() const EXCLUDES(mutex_);
+  /// Bytes of queued messages and of the one that was taken last, which is on its way to the client.
+  std::size_t bytes() const EXCLUDES(mutex_);
 
  private:
   struct Item {
@@ -47,7 +53,9 @@ class Outbox {
 
   mutable services::Mutex mutex_;
   std::deque<Item> items_ GUARDED_BY(mutex_);
-  std::size_t bytes_ GUARDED_BY(mutex_) = 0;
+  std::size_t bytes_ GUARDED_BY(mutex_) = 0;    // of items_
+  std::size_t sending_ GUARDED_BY(mutex_) = 0;  // bytes of the message that was taken last
+  bool is_cut_ GUARDED_BY(mutex_) = false;
   std::map<std::string, bool> needs_snapshot_ GUARDED_BY(mutex_);  // channel -> whether it was taken
 };
 

@@ -167,7 +167,7 @@ TEST_F(HubTest, AFormerSubscriberGetsNoSnapshot) {
 TEST_F(HubTest, NoAnswerComesAfterTooManyThatWereDropped) {
   for (std::size_t i = 0; i < Outbox::kMessages + 1; ++i) hub.subscribe(client, "nothing", {});
   EXPECT_THAT(received(client), IsEmpty());
-  EXPECT_THAT(client->box.take_stale_channels(), ElementsAre(Hub::kPrivateQueue)) << "its connection has to end";
+  EXPECT_THAT(client->box.take_stale_channels(), ElementsAre(Outbox::kPrivateQueue)) << "its connection has to end";
   hub.subscribe(client, "nothing", {});
   EXPECT_THAT(received(client), IsEmpty());
 }

@@ -1,0 +1,68 @@
+// Publications: what is published on channels and waits for the hub's strand. Beyond a bound a channel overflows: what
+// is published on it is dropped until the hub begins it anew, with a snapshot in the place of all that was dropped. So
+// who publishes never waits, and a hub that is slower than they are does not grow.
+//
+// Threads: any.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "core/value/value.h"
+#include "server/threads/strand.h"
+#include "services/mutex.h"
+
+namespace race::server {
+
+class Publications {
+ public:
+  /// Publications of a channel that wait, and units of their values (Value::size_units()). With so many, the next one
+  /// has no place; the last one may be as large as it is.
+  static constexpr std::size_t kMost = 256;
+  static constexpr std::size_t kMostUnits = 4 * 1024 * 1024;
+  static constexpr std::size_t kAllUnits = 32 * 1024 * 1024;  // of all channels
+
+  enum class Kind { delta, snapshot, replacement };
+  struct Overflow {
+    Value newest;  // what was dropped last, or was to be published when it failed
+    bool asks;     // for a snapshot; else one follows
+  };
+  /// Called on the strand: subscribers of the channel lack what was published.
+  using BeginAnew = std::function<void(const std::string& channel, const Overflow& overflow)>;
+
+  /// The strand outlives this and finishes before it ends.
+  Publications(Strand& strand, BeginAnew begin_anew) : strand_(strand), begin_anew_(std::move(begin_anew)) {}
+
+  /// Posts `work`, which publishes `data` (frozen); or drops it, and posts that the channel begins anew. One snapshot
+  /// waits all the same, so that subscribers see something however fast deltas come; if deltas are dropped after it,
+  /// the channel begins anew after it, too. A further snapshot is dropped: what waits leads to it. A channel also
+  /// begins anew if `work` throws and is no snapshot: asking for that again might go on for ever.
+  void post(const std::string& channel, Kind kind, Value data, Work work) EXCLUDES(mutex_);
+  /// Units of all that waits.
+  std::size_t units() const EXCLUDES(mutex_);
+
+ private:
+  struct Waiting {
+    std::size_t count = 0, units = 0;
+    bool has_snapshot = false;  // one that waits though it did not fit
+    std::size_t overflows = 0;  // how often the channel will begin anew; until then nothing fits
+    bool ends_anew = false;     // that is the last that waits
+    Value newest;               // that was dropped
+  };
+  using Channels = std::map<std::string, Waiting>;
+
+  bool fits(const Waiting& waiting) const REQUIRES(mutex_);
+  void begin(const std::string& channel, std::size_t units, bool fitted) EXCLUDES(mutex_);
+  void overflow(const std::string& channel) EXCLUDES(mutex_);
+  void forget_empty(Channels::iterator channel) REQUIRES(mutex_);
+
+  Strand& strand_;
+  const BeginAnew begin_anew_;
+  mutable services::Mutex mutex_;
+  Channels channels_ GUARDED_BY(mutex_);
+  std::size_t units_ GUARDED_BY(mutex_) = 0;
+};
+
+}  // namespace race::server
