@@ -1,5 +1,6 @@
 #include "server/log/event_log.h"
 
+#include <iterator>
 #include <utility>
 
 #include "core/language/primitives/utf8.h"
@@ -31,7 +32,9 @@ LogLevel level_of(std::string_view status) {
 
 void EventLog::append(services::Time time, const std::string& source, const std::string& text, LogLevel level) {
   if (lines_) lines_->write(level, source, text);
-  Value entry = Dict{{"time", time}, {"source", source}, {"text", std::string(language::utf8::prefix(text, kMaxText))}};
+  const std::string valid = as_utf8(text);
+  Value entry =
+      Dict{{"time", time}, {"source", as_utf8(source)}, {"text", std::string(language::utf8::prefix(valid, kMaxText))}};
   entry.freeze();
   {
     const services::MutexLock lock(mutex_);
@@ -48,6 +51,8 @@ bool EventLog::append_status(services::Time time, const std::string& core_id, co
     const services::MutexLock lock(mutex_);
     std::string& last = statuses_[core_id];
     if (std::exchange(last, status) == status) return false;
+    if (statuses_.size() > kMaxStatuses)  // of cores that reported after they had been removed
+      statuses_.erase(statuses_.begin()->first == core_id ? std::next(statuses_.begin()) : statuses_.begin());
   }
   append(time, "core/" + core_id, status_line(core), level_of(status));
   return true;

@@ -21,6 +21,8 @@ class EventLog {
   static constexpr std::size_t kMaxEntries = 200;
   static constexpr std::size_t kMaxText = 2000;  // bytes of a line; what follows the last whole character is cut off
 
+  static constexpr std::size_t kMaxStatuses = 1024;  // more than there are cores; without one, a line may come twice
+
   /// The hub and `lines` outlive this; without `lines`, clients alone see the log.
   explicit EventLog(Hub& hub, LineLog* lines = nullptr) : hub_(hub), lines_(lines) {}
 

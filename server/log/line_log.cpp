@@ -33,6 +33,8 @@ std::string code(const char* format, unsigned value) {
   return text.data();
 }
 
+std::string foreign_byte(unsigned char byte) { return code("\\x%02x", byte); }
+
 std::string escaped(char32_t c) {
   if (c == '\n') return "\\n";
   if (c == '\t') return "\\t";
@@ -47,7 +49,7 @@ std::string escaped(char32_t c) {
 std::string next_piece(std::string_view text, bool is_utf8, std::size_t& at) {
   if (is_utf8) return escaped(utf8::next(text, at));
   const auto byte = static_cast<unsigned char>(text[at++]);
-  return byte < 0x80 ? escaped(byte) : code("\\x%02x", byte);
+  return byte < 0x80 ? escaped(byte) : foreign_byte(byte);
 }
 
 // Adds `text`, escaped, to `line`, which gets no longer than `most`.
@@ -85,6 +87,19 @@ std::optional<LogLevel> log_level_of(std::string_view name) {
   const auto found = std::ranges::find(kLevels, name);
   if (found == kLevels.end()) return std::nullopt;
   return static_cast<LogLevel>(found - kLevels.begin());
+}
+
+std::string as_utf8(std::string_view text) {
+  if (utf8::valid(text)) return std::string(text);
+  std::string valid;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80)
+      valid += c;
+    else
+      valid += foreign_byte(byte);
+  }
+  return valid;
 }
 
 std::string log_line(std::int64_t now_ms, LogLevel level, std::string_view component, std::string_view text) {

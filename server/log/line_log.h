@@ -31,6 +31,9 @@ std::optional<LogLevel> log_level_of(std::string_view name);
 /// The most bytes of a line, with its end: a pipe takes so many at once, so that lines of processes do not mix.
 inline constexpr std::size_t kMaxLogLine = 2048;
 
+/// `text`, or, if it is no UTF-8 (an exception's text, a path), its bytes: ASCII as it is, others as `\xff`.
+std::string as_utf8(std::string_view text);
+
 /// `2026-11-23T07:51:56.123Z info server: text`, with an end of line and at most kMaxLogLine bytes; what is longer ends
 /// with `...`. Characters that could end a line or change what a terminal shows are escaped in `component` and `text`
 /// (`\n`, `\u001b`; a backslash is `\\`; bytes that are no UTF-8 are `\xff`), so that a text from outside makes no

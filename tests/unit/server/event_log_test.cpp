@@ -55,9 +55,21 @@ TEST_F(EventLogTest, LogsAStatusOnlyWhenItChanges) {
   EXPECT_THAT(entries(), testing::ElementsAre("core/1: pick: ready", "core/1: pick: running", "core/2: pick: running"));
 }
 
+TEST_F(EventLogTest, RemembersABoundedNumberOfStatuses) {
+  const std::size_t most = EventLog::kMaxStatuses;
+  for (std::size_t i = 0; i <= most; ++i) log.append_status(0, std::to_string(1'000'000 + i), core("ready"));
+  EXPECT_TRUE(log.append_status(0, "1000000", core("ready"))) << "it was forgotten";
+  EXPECT_FALSE(log.append_status(0, std::to_string(1'000'000 + most), core("ready")));
+}
+
 TEST_F(EventLogTest, CutsALongLineBetweenCharacters) {
   log.append(0, "timer", std::string(EventLog::kMaxText - 1, 'x') + "é");
   EXPECT_THAT(entries(), testing::ElementsAre("timer: " + std::string(EventLog::kMaxText - 1, 'x')));
+}
+
+TEST_F(EventLogTest, EscapesWhatIsNoUtf8) {
+  log.append(0, "a\xff", "cannot open \xc3\x28: \n");
+  EXPECT_THAT(entries(), testing::ElementsAre("a\\xff: cannot open \\xc3(: \n"));
 }
 
 TEST(EventLog, WritesItsLinesByLevel) {
