@@ -131,31 +131,34 @@ void JournalWriter::append(std::shared_ptr<RunJournal> journal, JournalRecord re
 }
 
 void JournalWriter::run() {
-  for (auto items = next(); !items.empty(); items = next())
-    if (!services::run_reporting("the journal", [&] { write(items); })) fail(items);
+  while (next()) {
+    if (!services::run_reporting("the journal", [this] { write(); })) fail();
+    items_.clear();
+  }
 }
 
 // Such as without memory. Some may have been written: a run that hears of a failure reads back what is stored.
-void JournalWriter::fail(const std::deque<Item>& items) {
-  for (const Item& item : items)
+void JournalWriter::fail() {
+  for (const Item& item : items_)
     services::run_reporting("telling that the journal fails", [&] {
       watch_.answered(item.journal.get(), 1);
       if (!item.journal->failed_) report(*item.journal, 0, unexpected(ErrorCode::storage, "the journal has failed"));
     });
 }
 
-// All that waits; nothing: the writer ends.
-std::deque<JournalWriter::Item> JournalWriter::next() {
+// All that waits; false: the writer ends. Takes no memory: nobody would hear of a failure here.
+bool JournalWriter::next() {
   const services::MutexLock lock(mutex_);
   appended_.wait(mutex_, [this]() REQUIRES(mutex_) { return closed_ || !waiting_.empty(); });
-  return std::exchange(waiting_, {});
+  items_.swap(waiting_);
+  return !items_.empty();
 }
 
 // Those whose journal has failed before are dropped. One transaction, one flush.
-void JournalWriter::write(const std::deque<Item>& items) {
+void JournalWriter::write() {
   std::map<RunJournal*, Batch> batches;
   std::map<RunJournal*, std::size_t> records;
-  for (const Item& item : items) {
+  for (const Item& item : items_) {
     RunJournal& journal = *item.journal;
     ++records[&journal];
     if (!journal.failed_) batches.try_emplace(&journal, journal.record_).first->second.add(item.record);
@@ -179,7 +182,7 @@ void JournalWriter::write(const std::deque<Item>& items) {
   for (const auto& [journal, count] : records)
     if (watch_.answered(journal, count) && (journal->failed_ || written[journal]))
       written[journal] = unexpected(ErrorCode::storage, "the disk has answered too late");
-  for (const Item& item : items)
+  for (const Item& item : items_)
     if (item.record.failure) written[item.journal.get()] = tl::unexpected(*item.record.failure);
   for (const auto& [journal, outcome] : written)
     report(*journal, batches.contains(journal) ? batches.at(journal).ticket() : 0, outcome);

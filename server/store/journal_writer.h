@@ -91,9 +91,9 @@ class JournalWriter {
   };
   JournalWriter(std::unique_ptr<SQLite::Database> file, std::chrono::milliseconds timeout);
   void run();
-  std::deque<Item> next() EXCLUDES(mutex_);
-  void write(const std::deque<Item>& items);
-  void fail(const std::deque<Item>& items);
+  bool next() EXCLUDES(mutex_);
+  void write();
+  void fail();
   static void report(RunJournal& journal, std::uint64_t ticket, const Expected<void>& written);
 
   services::Mutex mutex_;
@@ -101,7 +101,8 @@ class JournalWriter {
   std::deque<Item> waiting_ GUARDED_BY(mutex_);
   bool closed_ GUARDED_BY(mutex_) = false;
   std::unique_ptr<Pool> recovery_ = std::make_unique<Pool>(1);
-  const std::unique_ptr<SQLite::Database> file_;  // of the writer's thread, as the next
+  std::deque<Item> items_;  // that are written now: of the writer's thread, as the next
+  const std::unique_ptr<SQLite::Database> file_;
   Statements statements_;
   DiskWatch watch_;
   std::atomic<std::uint64_t> commits_{0}, entries_{0};

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <new>
 #include <thread>
 
 #include "services/sqlite/file.h"
@@ -21,7 +22,10 @@ using execution::EventEntry;
 using execution::StartEntry;
 
 struct RecordingSink final : RunSink {
-  void durable(std::uint64_t ticket) override { last = ticket; }
+  void durable(std::uint64_t ticket) override {
+    if (throws.exchange(false)) throw std::bad_alloc();
+    last = ticket;
+  }
   void stalled(const Error&) override { ++stalls; }
   void failed(const Error& error) override {
     code = error.code;
@@ -30,6 +34,7 @@ struct RecordingSink final : RunSink {
   std::atomic<std::uint64_t> last{0};
   std::atomic<int> failures{0}, stalls{0};
   std::atomic<ErrorCode> code{ErrorCode::io};
+  std::atomic<bool> throws{false};
 };
 
 struct Writing {
@@ -146,6 +151,28 @@ TEST(JournalWriter, WritesNothingOfARunThatIsNotInTheStoreAndTheOthersWhole) {
   EXPECT_TRUE(other.settled());
   EXPECT_EQ(store.runs->get(other.run.id)->steps, 5U);
   EXPECT_EQ(file->execAndGet("SELECT count(*) FROM entry").getInt(), 5) << "all of the other run";
+}
+
+TEST(JournalWriter, AnExceptionFailsTheJournalsThatAreWrittenAndNoOthers) {
+  TemporaryStore store;
+  Writing first(*store.runs, *store.writer), second(*store.runs, *store.writer);
+  const auto file = sqlite::open(store.folder.store());
+  auto busy = std::make_unique<sqlite::WriteTransaction>(*file);
+  Writing* const both[] = {&first, &second};
+  for (Writing* each : both) each->sink->throws = true;
+  first.append_some(1);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));  // the writer stands in line with these
+  second.append_some(1);
+  busy.reset();
+  for (Writing* each : both) {
+    EXPECT_FALSE(each->settled());
+    EXPECT_EQ(each->sink->code, ErrorCode::storage);
+    EXPECT_EQ(each->sink->failures, 1);
+  }
+  Writing third(*store.runs, *store.writer);
+  third.append_some(3);
+  EXPECT_TRUE(third.settled());
+  EXPECT_GE(store.runs->get(first.run.id)->steps, 1U) << "what was committed stays";
 }
 
 TEST(JournalWriter, KeepsAFewCheckpointsOfALongRun) {
