@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "server/wire/calendar.h"
+#include "services/failures.h"
 
 namespace race::server {
 namespace {
@@ -190,8 +191,9 @@ Editing::Pause::~Pause() {
 }
 
 // Subscribers are told before anybody changes a document: no edit of the new one follows what they have of the old one.
-void Editing::resume() {
-  publisher_.all_replaced();
+// Called by a destructor: what throws is reported, and documents change again all the same.
+void Editing::resume() noexcept {
+  services::run_reporting("telling that all documents may be others", [this] { publisher_.all_replaced(); });
   {
     const services::MutexLock lock(mutex_);
     for (auto& [name, document] : open_) {

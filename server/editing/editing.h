@@ -96,7 +96,7 @@ class Editing {
   std::optional<DocumentLock> lock_document(const std::string& name) EXCLUDES(mutex_);
   void unlock(Document& document) EXCLUDES(mutex_);
   void forget_least_used() REQUIRES(mutex_);
-  void resume() EXCLUDES(mutex_);
+  void resume() noexcept EXCLUDES(mutex_);
   /// The session, read if it is not there.
   Checked<DocumentSession*> open(Document& document, const std::string& name);
   using ChangeText = std::function<Checked<DocumentEntry>()>;

@@ -5,6 +5,7 @@
 
 #include <future>
 #include <iostream>
+#include <new>
 #include <thread>
 
 #include "core/value/json.h"
@@ -275,6 +276,15 @@ TEST_F(EditingTest, ChangesNothingDuringAPauseAndReadsAllAgainAfterIt) {
     recorder_.during = [this] { EXPECT_FALSE(editing_->edit("t", doc("Bob", 2, "z"))) << "before all are told"; };
   }
   EXPECT_EQ(recorder_.told.back(), "all");
+  EXPECT_EQ(accepted(doc("Bob", 2, "y")), 3);
+}
+
+TEST_F(EditingTest, DocumentsChangeAgainAfterAPauseAlsoIfNobodyCanBeTold) {
+  accepted(doc("Ada", 1, "x"));
+  {
+    const auto pause = editing_->pause().value();
+    recorder_.during = [] { throw std::bad_alloc(); };
+  }
   EXPECT_EQ(accepted(doc("Bob", 2, "y")), 3);
 }
 
