@@ -33,7 +33,12 @@ void RunKeeper::record(const Value& pose) {
   const double time = pose.find("time")->to_double();
   if (time < due_ && due_ <= time + kInterval) return;  // the second: a world that came back begins anew
   due_ = time + kInterval;
-  strand_.post([this, pose] { take(pose); });
+  if (poses_ >= kMostWaiting) return;
+  ++poses_;
+  strand_.post([this, pose] {
+    --poses_;
+    take(pose);
+  });
 }
 
 void RunKeeper::take(const Value& pose) {
@@ -65,7 +70,9 @@ void RunKeeper::write(RunId run) {
 }
 
 void RunKeeper::apply_limits() {
+  if (limits_due_.exchange(true)) return;
   strand_.post([this] {
+    limits_due_ = false;
     write_all();
     const auto hosted = [this](RunId id) { return cores_->find(std::to_string(id)).has_value(); };
     const auto removed = apply_retention(runs_, limits_, hosted);

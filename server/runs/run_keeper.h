@@ -28,6 +28,8 @@ class RunKeeper {
   static constexpr double kInterval = 0.2;     // [s] of world time between samples, until they are thinned out
   static constexpr std::size_t kWritten = 25;  // samples of a run that are written at once
 
+  static constexpr std::size_t kMostWaiting = 100;  // poses, while the disk takes nothing; then some are left out
+
   using Log = std::function<void(LogLevel, const std::string&)>;
   /// All outlive it; `log` is called on its thread.
   RunKeeper(Runs& runs, Samples& samples, const RetentionLimits& limits, Log log)
@@ -61,6 +63,8 @@ class RunKeeper {
 
   services::Mutex mutex_;
   std::set<std::string> running_ GUARDED_BY(mutex_);  // cores
+  std::atomic<std::size_t> poses_{0};                 // that wait to be taken
+  std::atomic<bool> limits_due_{false};               // they will be applied
   double due_ = 0;                                    // [s] of world time: of the thread of record()
   std::map<RunId, std::vector<Sample>> waiting_;      // of the thread of the pool
   Pool pool_{1};

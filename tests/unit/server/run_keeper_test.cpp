@@ -5,6 +5,8 @@
 #include <thread>
 
 #include "core/rcm/document.h"
+#include "services/sqlite/file.h"
+#include "services/sqlite/write_transaction.h"
 #include "tests/unit/server/run_store.h"
 
 namespace race::server {
@@ -63,6 +65,20 @@ TEST_F(RunKeeperTest, FlushWritesTheSamplesThatWait) {
   for (int i = 0; i < 3; ++i) keeper.record(pose(i));
   keeper.flush();
   EXPECT_EQ(samples->read(run)->size(), 3U);
+}
+
+TEST_F(RunKeeperTest, KeepsABoundedNumberOfPosesWhileTheDiskTakesNone) {
+  RunKeeper keeper{*store.runs, *samples, {}, [](LogLevel, const std::string& text) { ADD_FAILURE() << text; }};
+  keeper.connect(cores, nullptr);
+  const RunId run = running_core()->run_id();
+  const auto file = sqlite::open(store.folder.store());
+  auto busy = std::make_unique<sqlite::WriteTransaction>(*file);
+  for (int i = 0; i < 1000; ++i) keeper.record(pose(i));
+  busy.reset();
+  keeper.flush();
+  const std::size_t most = RunKeeper::kMostWaiting + RunKeeper::kWritten;
+  EXPECT_LE(samples->read(run)->size(), most);
+  EXPECT_GE(samples->read(run)->size(), RunKeeper::kMostWaiting);
 }
 
 TEST_F(RunKeeperTest, AnImportBringsTheStoreWithinItsLimits) {
