@@ -26,10 +26,17 @@ std::string fitting(const OnDisplay& on, const display::Content& content) {
   return "";
 }
 
+std::set<std::string> nodes_of(const OperatorScript& script) {
+  std::set<std::string> nodes;
+  for (const ScriptedAct& act : script.acts)
+    if (const auto* state = std::get_if<OnState>(&act.when.what)) nodes.insert(state->path);
+  return nodes;
+}
+
 }  // namespace
 
 Operator::Operator(OperatorScript script, display::Screens& screens, Log log)
-    : script_(std::move(script)), screens_(screens), log_(std::move(log)) {
+    : script_(std::move(script)), screens_(screens), log_(std::move(log)), named_(nodes_of(script_)) {
   for (const std::string& name : script_.displays) {
     if (displays_.contains(name)) continue;
     if (auto connection = screens_.connect(name, true)) {
@@ -55,12 +62,13 @@ void Operator::note(const std::function<bool(const When&)>& fits) {
 }
 
 void Operator::set_active(const std::string& core, const std::string& path, bool on) {
-  auto& paths = active_[core];
-  if (on == paths.contains(path)) return;
+  if (!named_.contains(path)) return;
   if (on) {
-    paths.insert(path);
+    if (!active_[core].insert(path).second) return;
   } else {
-    paths.erase(path);
+    const auto known = active_.find(core);
+    if (known == active_.end() || known->second.erase(path) == 0) return;
+    if (known->second.empty()) active_.erase(known);
     left_.insert(path);
   }
   note([&](const When& when) {
@@ -83,10 +91,23 @@ void Operator::state(const std::string& core, const List& active) {
   const services::MutexLock lock(mutex_);
   std::set<std::string> now;
   for (const Value& path : active) now.insert(path.as_string());
-  const std::set<std::string> before = active_[core];
+  const auto known = active_.find(core);
+  const std::set<std::string> before = known == active_.end() ? std::set<std::string>() : known->second;
   for (const std::string& path : before)
     if (!now.contains(path)) set_active(core, path, false);
   for (const std::string& path : now) set_active(core, path, true);
+}
+
+void Operator::removed(const std::string& core) {
+  const services::MutexLock lock(mutex_);
+  active_.erase(core);
+}
+
+std::size_t Operator::remembered() const {
+  const services::MutexLock lock(mutex_);
+  std::size_t nodes = left_.size();
+  for (const auto& [core, paths] : active_) nodes += paths.size();
+  return nodes;
 }
 
 void Operator::happened(const services::Delivery& event) {

@@ -40,7 +40,12 @@ class Operator {
   void changed(const std::string& core, const Dict& active, const List& fired) EXCLUDES(mutex_);
   /// The nodes that are active now.
   void state(const std::string& core, const List& active) EXCLUDES(mutex_);
+  /// The core was removed.
+  void removed(const std::string& core) EXCLUDES(mutex_);
   void happened(const services::Delivery& event) EXCLUDES(mutex_);
+
+  /// How many nodes of cores it remembers.
+  std::size_t remembered() const EXCLUDES(mutex_);
 
   /// Acts as of `now`. Before each step of the world.
   void step(services::Time now, CellWorld& world) EXCLUDES(mutex_);
@@ -69,15 +74,17 @@ class Operator {
   const OperatorScript script_;
   display::Screens& screens_;
   const Log log_;
+  const std::set<std::string> named_;  // nodes
   std::map<std::string, display::Screens::ConnectionId> displays_;
 
-  services::Mutex mutex_;
+  mutable services::Mutex mutex_;
   bool begins_ GUARDED_BY(mutex_) = false, running_ GUARDED_BY(mutex_) = false;
   services::Time start_ GUARDED_BY(mutex_) = 0;
   std::vector<Waiting> waiting_
       GUARDED_BY(mutex_);  // those that act always, then the one of the sequence, if one is left
-  std::map<std::string, std::set<std::string>> active_ GUARDED_BY(mutex_);  // by core
-  std::set<std::string> left_ GUARDED_BY(mutex_);                           // nodes that were active once
+  // Of the nodes that the script names: those that are active, by core, and those that were once.
+  std::map<std::string, std::set<std::string>> active_ GUARDED_BY(mutex_);
+  std::set<std::string> left_ GUARDED_BY(mutex_);
   services::Time looked_ GUARDED_BY(mutex_) = 0;
   struct Heard {
     services::Time since;

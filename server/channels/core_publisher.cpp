@@ -25,6 +25,7 @@ void CorePublisher::core_changed(const std::string& id, Value core) {
 
 void CorePublisher::core_removed(const std::string& id) {
   log_.drop_status(id);
+  if (operator_) operator_->removed(id);
   changed_(id, Value());
   Value delta = Dict{{"removed", id}};
   hub_.publish_delta(std::string(kCoresChannel), std::move(delta.freeze()));
