@@ -1,8 +1,9 @@
-"""Clients that flood the stream, and processes of services that flood the cores: the server's memory stays bounded, and
-others are served meanwhile.
+"""Clients that flood the stream or read nothing, and processes of services that flood the cores: the server's memory stays
+bounded, others are served meanwhile, and SIGTERM ends the server while the flood goes on.
 
-RACE_FLOOD says for how many seconds each flood lasts (5).
+Each flood has a server of its own; they last RACE_FLOOD seconds each (20), beside each other.
 """
+import itertools
 import json
 import os
 import re
@@ -10,14 +11,18 @@ import socket
 import threading
 import time
 import unittest
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import models
 from client import Server, Stream
 from component_process import LONG_HEARTBEAT, ComponentClient, service, wait_available
 
-SECONDS = float(os.environ.get("RACE_FLOOD", "5"))
+SECONDS = float(os.environ.get("RACE_FLOOD", "20"))
 CEILING = 150e6  # [bytes] that the server may grow by
+CEILING_OF_MESSAGES = 250e6  # with what messages of the stream may take (server/stream/hub.h: kMaxBytes)
+END = 2  # [s] from SIGTERM to the end
 
 
 def resident(server):
@@ -27,48 +32,77 @@ def resident(server):
 
 
 class Flood(threading.Thread):
-    """A client that says what messages() gives, one after the other, and never reads."""
+    """A client that says its messages again and again, as fast as it can, and never reads."""
 
-    def __init__(self, stream, messages):
-        super().__init__()
-        self.stream = stream
-        self.stream.socket.settimeout(0.2)
-        self.messages = messages
-        self.said = 0
+    def __init__(self, connection, messages):
+        super().__init__(daemon=True)
+        self.socket = connection.socket
+        self.socket.settimeout(0.2)
+        self.over = threading.Event()
         self.refused = False
+        self.said = 0
+        # As bytes, made once: the server has to be busier than this client.
+        for message in messages:
+            connection.protocol.send_text(message.encode())
+        self.data = memoryview(b"".join(connection.protocol.data_to_send()))
+        self.share = len(messages) / len(self.data)
 
     def run(self):
-        end = time.monotonic() + SECONDS
-        # Many messages in one write: the server has to be busier than this client.
-        for message in self.messages:
-            if time.monotonic() > end:
-                return
-            self.stream.protocol.send_text(message.encode())
-            self.said += 1
-            if self.said % 200 == 0 and not self.write(b"".join(self.stream.protocol.data_to_send()), end):
-                return
-
-    def write(self, data, end):
-        """False: the time is over, or the server has closed the connection."""
-        while data and time.monotonic() < end:
+        at = 0
+        while not self.over.is_set():
             try:
-                data = data[self.stream.socket.send(data):]
+                sent = self.socket.send(self.data[at:at + 2**18])
             except TimeoutError:  # it has to wait: so it should be
-                pass
+                continue
             except OSError:
                 self.refused = True
-                return False
-        return not data
+                return
+            at = (at + sent) % len(self.data)
+            self.said += sent * self.share
+
+    def end(self):
+        self.over.set()
+        self.join()
+        self.socket.close()
+
+
+class Crowd(threading.Thread):
+    """Clients that ask for the states of cores again and again and read nothing; who is refused comes again."""
+
+    def __init__(self, server, cores, clients):
+        super().__init__(daemon=True)
+        self.server, self.clients = server, clients
+        self.messages = itertools.cycle([subscribe(f"core/{core}/state") for core in cores])
+        self.over = threading.Event()
+        self.refused = False
+        self.said = 0
+
+    def run(self):
+        streams = [None] * self.clients
+        for i, message in zip(itertools.cycle(range(self.clients)), self.messages):
+            if self.over.is_set():
+                break
+            try:
+                if streams[i] is None:
+                    streams[i] = Stream(self.server.port)
+                    streams[i].socket.settimeout(0.2)
+                streams[i].send(message)
+                self.said += 1
+            except OSError:
+                if streams[i] is not None:
+                    streams[i].close()
+                streams[i] = None
+        for stream in filter(None, streams):
+            stream.close()
+
+    def end(self):
+        self.over.set()
+        self.join()
 
 
 def is_open(connection):
     """Whether the other side has not closed it; nothing is read."""
     return connection.getsockopt(socket.IPPROTO_TCP, socket.TCP_INFO, 1)[0] == 1  # TCP_ESTABLISHED
-
-
-def forever(*messages):
-    while True:
-        yield from messages
 
 
 def subscribe(channel):
@@ -79,121 +113,198 @@ def unsubscribe(channel):
     return f'{{"type": "unsubscribe", "channel": "{channel}"}}'
 
 
-def watch(server, floods):
-    """Until they have ended: the most memory that the server had [bytes], the longest answer of its health [s]."""
+@dataclass
+class Result:
+    said: int = 0
+    refused: bool = False  # all floods were
+    grown: float = 0  # [bytes] at most
+    slowest: float = 0  # [s] answer of the health
+    ended: float = 0  # [s] from SIGTERM on, with the flood going on
+    core: dict = field(default_factory=dict)  # in the end
+
+    def __str__(self):
+        core = f", {self.core['status']} at {self.core['step']}, {self.core['waiting']} wait" if self.core else ""
+        return (f"{self.said:.0f} messages, +{self.grown / 1e6:.0f} MB, health within {1000 * self.slowest:.0f} ms, "
+                f"ends in {self.ended:.1f} s{core}")
+
+
+def measure(server, floods, core=None):
+    """What happens during the floods; ends the server."""
+    result, before = Result(), resident(server)
+    end = time.monotonic() + SECONDS
     for flood in floods:
         flood.start()
-    most, slowest = resident(server), 0
-    while any(flood.is_alive() for flood in floods):
+    while time.monotonic() < end and any(flood.is_alive() for flood in floods):
         asked = time.monotonic()
         server.get("/health", "health")
-        slowest = max(slowest, time.monotonic() - asked)
-        most = max(most, resident(server))
+        result.slowest = max(result.slowest, time.monotonic() - asked)
+        result.grown = max(result.grown, resident(server) - before)
         time.sleep(0.1)
+    if core:
+        result.core = server.get(f"/cores/{core}", "core")
+    result.refused = all(flood.refused for flood in floods)
+    asked = time.monotonic()
+    server.stop()
+    result.ended = time.monotonic() - asked
     for flood in floods:
-        flood.join()
-        flood.stream.close()
-    return most, slowest
+        flood.end()
+    result.said = sum(flood.said for flood in floods)
+    return result
 
 
-class ProcessFlood(unittest.TestCase):
-    """A process of a service says events as fast as it can, to a core that takes each in a macro step of its own."""
+def by_clients(messages, clients=2):
+    """Of clients of the stream: messages(core, i) are those of client i. Others are served meanwhile."""
+    server = Server()
+    try:
+        core = server.core(models.storing("large"), {"value": ["x" * 1000] * 300}, start=False)
+        floods = [Flood(Stream(server.port), messages(core, i)) for i in range(clients)]
+        served = threading.Timer(SECONDS / 2, lambda: others.append(state_of(server, core)))
+        others = []
+        served.start()
+        result = measure(server, floods)
+        served.join()
+        assert others == ["snapshot"], others
+        return result
+    finally:
+        server.process.kill()
 
-    COUNTING = models.document("count", {
-        "state": "Root", "variables": [{"name": "n", "initial": 0}],
-        "actions": [{"when": "svc.display.button", "do": "var.n = var.n + 1"}]}, services={"display": "display"})
 
-    def connect(self, server):
-        client = ComponentClient(server.port)
+def state_of(server, core):
+    """What comes first of a core's state."""
+    with server.stream() as stream:
+        stream.subscribe(f"core/{core}/state")
+        return stream.message()["kind"]
+
+
+def by_a_crowd():
+    """Of clients that read nothing of large states, which change all the time: no two have the same messages."""
+    pulse = models.document("pulse", {
+        "state": "Root", "parameters": [{"name": "value"}], "first": "A",
+        "children": [{"state": name, "ports": [{"name": "next", "after": "0.05", "to": other}]}
+                     for name, other in ("AB", "BA")]})
+    server = Server()
+    try:
+        cores = [server.core(pulse, {"value": ["x" * 1000] * 900}) for _ in range(9)]
+        return measure(server, [Crowd(server, cores, 100)])
+    finally:
+        server.process.kill()
+
+
+# Takes each event in a macro step of its own.
+COUNTING = models.document("count", {
+    "state": "Root", "variables": [{"name": "n", "initial": 0}],
+    "actions": [{"when": "svc.display.button", "do": "var.n = var.n + 1"}]}, services={"display": "display"})
+
+
+def by_a_process(*heartbeat, paused=False):
+    """Of a process of a service that says events to a core."""
+    server = Server("--remote", "display", *heartbeat)
+    try:
+        process = ComponentClient(server.port)
         rsm = service(server, "display")["rsm"]
-        client.send_checked({"type": "hello", "protocol": 1, "components": [{"key": "display", "type": "display", "rsm": rsm}]})
-        client.next("welcome")
+        process.send_checked({"type": "hello", "protocol": 1, "components": [{"key": "display", "type": "display", "rsm": rsm}]})
+        process.next("welcome")
         wait_available(server, "display")
-        return client
-
-    def flood(self, paused):
-        server = Server("--remote", "display", *LONG_HEARTBEAT)
-        self.addCleanup(server.process.kill)
-        client = self.connect(server)
-        core = server.core(self.COUNTING)
+        core = server.core(COUNTING)
         if paused:
             server.post(f"/cores/{core}/pause")
-        before = resident(server)
         event = json.dumps({"type": "event", "key": "display", "name": "button",
                             "data": {"button": "x" * 200, "display": "main"}})
-        process = Flood(client, forever(event))
-        most, slowest = watch(server, [process])
-        info = server.get(f"/cores/{core}", "core")
-        begun = time.monotonic()
-        server.stop()
-        ended = time.monotonic() - begun
-        print(f"{self.id().rpartition('.')[2]}: {process.said} events, +{(most - before) / 1e6:.0f} MB, health within "
-              f"{1000 * slowest:.0f} ms, {info['status']} at {info['step']}, {info['waiting']} wait, ends in {ended:.1f} s", flush=True)
-        self.assertGreater(process.said, 10_000, "that is no flood")
-        self.assertLess(most - before, CEILING)
-        self.assertLess(ended, 5)
-        return info
-
-    def test_a_core_that_runs_keeps_up_or_is_interrupted(self):
-        info = self.flood(paused=False)
-        self.assertGreater(info["step"], 1000)
-        if info["status"] == "interrupted":
-            self.assertEqual(info["interruption"]["reason"], "overload")
-
-    def test_a_core_that_is_paused_is_interrupted(self):
-        info = self.flood(paused=True)
-        self.assertEqual((info["status"], info["interruption"]["reason"]), ("interrupted", "overload"))
-        self.assertLessEqual(info["waiting"], 10_000)
+        return measure(server, [Flood(process, [event] * 1000)], core)
+    finally:
+        server.process.kill()
 
 
-class FloodTest(unittest.TestCase):
-    def flood(self, messages, clients=2):
-        """How many messages were said while the server stayed within its bounds."""
-        with Server() as server:
-            large = models.storing("large")
-            core = server.core(large, {"value": ["x" * 1000] * 300}, start=False)
-            before = resident(server)
-            floods = [Flood(Stream(server.port), messages(core, i)) for i in range(clients)]
-            most, slowest = watch(server, floods)
-            said = sum(flood.said for flood in floods)
-            print(f"{self.id().rpartition('.')[2]}: {said} messages, +{(most - before) / 1e6:.0f} MB, "
-                  f"health within {1000 * slowest:.0f} ms", flush=True)
-            self.assertLess(most - before, CEILING)
-            self.assertGreater(said, 1000, "that is no flood")
-            with server.stream() as stream:  # it serves others as before
-                stream.subscribe(f"core/{core}/state")
-                self.assertEqual(stream.message()["kind"], "snapshot")
+def by_silence():
+    """How long a client stays connected that has asked for much and reads nothing [s]."""
+    with Server() as server:
+        core = server.core(models.storing("large"), {"value": ["x" * 1000] * 900}, start=False)
+        with server.stream() as silent:
+            for _ in range(40):  # until the buffers of its socket are full
+                silent.subscribe(f"core/{core}/state")
+                time.sleep(0.05)
+            asked = time.monotonic()
+            while time.monotonic() - asked < 20 and is_open(silent.socket):
+                time.sleep(0.2)
+            return time.monotonic() - asked
+
+
+FLOODS = {
+    "one_channel_again_and_again": lambda: by_clients(lambda core, i: [subscribe(f"core/{core}/state")] * 1000),
+    "a_channel_joined_and_left": lambda: by_clients(
+        lambda core, i: [say(f"core/{core}/{channel}") for channel in ("state", "derivation")
+                         for say in (subscribe, unsubscribe)] * 500),
+    "other_names_of_one_channel": lambda: by_clients(
+        lambda core, i: [subscribe(f"core/{'0' * n}{core}/state") for n in range(5000)]),
+    "channels_that_are_not_there": lambda: by_clients(
+        lambda core, i: [subscribe(f"document/nothing{i}x{n}") for n in range(20_000)]),
+    "messages_that_are_none": lambda: by_clients(lambda core, i: ['{"type": "nothing"}'] * 1000),
+    "a_crowd_that_reads_nothing": by_a_crowd,
+    "events_to_a_core_that_runs": lambda: by_a_process(*LONG_HEARTBEAT),
+    "events_to_a_core_that_is_paused": lambda: by_a_process(*LONG_HEARTBEAT, paused=True),
+    "events_without_a_sign_of_life": lambda: by_a_process("--heartbeat", "1"),
+    "silence": by_silence,
+}
+
+
+class FloodsTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        pool = ThreadPoolExecutor(len(FLOODS))
+
+        def begin(number, flood):
+            time.sleep(0.5 * number)  # so that they end one after the other: the end is timed
+            return flood()
+
+        cls.results = {name: pool.submit(begin, number, flood) for number, (name, flood) in enumerate(FLOODS.items())}
+        pool.shutdown(wait=False)
+
+    def result(self, name, ceiling=CEILING, least=1000):
+        """Of a flood of at least so many messages; the server kept its bounds."""
+        result = self.results[name].result()
+        print(f"{name}: {result}", flush=True)
+        self.assertGreater(result.said, least, "that is no flood")
+        self.assertLess(result.grown, ceiling)
+        self.assertLess(result.ended, END)
+        return result
 
     def test_one_channel_again_and_again(self):
-        self.flood(lambda core, i: forever(subscribe(f"core/{core}/state")))
+        self.result("one_channel_again_and_again")
 
     def test_a_channel_joined_and_left(self):
-        self.flood(lambda core, i: forever(subscribe(f"core/{core}/state"), unsubscribe(f"core/{core}/state"),
-                                           subscribe(f"core/{core}/derivation"), unsubscribe(f"core/{core}/derivation")))
+        self.result("a_channel_joined_and_left")
 
     def test_other_names_of_one_channel(self):
-        self.flood(lambda core, i: (subscribe(f"core/{'0' * (n % 5000)}{core}/state") for n in range(10**9)))
+        self.result("other_names_of_one_channel")
 
     def test_channels_that_are_not_there(self):
-        self.flood(lambda core, i: (subscribe(f"document/nothing{i}x{n}") for n in range(10**9)))
-
-    def test_who_does_not_read_is_cut(self):
-        with Server() as server:
-            core = server.core(models.storing("large"), {"value": ["x" * 1000] * 900}, start=False)
-            with server.stream() as silent:
-                for _ in range(40):  # until the buffers of its socket are full
-                    silent.subscribe(f"core/{core}/state")
-                    time.sleep(0.05)
-                asked = time.monotonic()
-                while time.monotonic() - asked < 20 and is_open(silent.socket):
-                    time.sleep(0.2)
-                took = time.monotonic() - asked
-                print(f"cut after {took:.0f} s", flush=True)
-                self.assertLess(took, 20)
-                self.assertGreater(took, 5, "a client may be slow for some seconds")
+        self.result("channels_that_are_not_there")
 
     def test_messages_that_are_none(self):
-        self.flood(lambda core, i: forever('{"type": "nothing"}'))
+        self.result("messages_that_are_none")
+
+    def test_a_crowd_that_reads_nothing(self):
+        self.result("a_crowd_that_reads_nothing", CEILING_OF_MESSAGES)
+
+    def test_a_core_that_runs_keeps_up_or_is_interrupted(self):
+        core = self.result("events_to_a_core_that_runs", least=10_000).core
+        self.assertGreater(core["step"], 1000)
+        if core["status"] == "interrupted":
+            self.assertEqual(core["interruption"]["reason"], "overload")
+
+    def test_a_core_that_is_paused_is_interrupted(self):
+        core = self.result("events_to_a_core_that_is_paused", least=10_000).core
+        self.assertEqual((core["status"], core["interruption"]["reason"]), ("interrupted", "overload"))
+        self.assertLessEqual(core["waiting"], 10_000)
+
+    def test_a_process_that_gives_no_sign_of_life_is_lost(self):
+        self.assertTrue(self.result("events_without_a_sign_of_life").refused)
+
+    def test_who_does_not_read_is_cut(self):
+        took = self.results["silence"].result()
+        print(f"cut after {took:.0f} s", flush=True)
+        self.assertLess(took, 20)
+        self.assertGreater(took, 5, "a client may be slow for some seconds")
 
 
 if __name__ == "__main__":

@@ -77,6 +77,23 @@ TEST(Hand, LetsThePartFallWhenItLetsGo) {
   EXPECT_TRUE(cell.person.touches().empty());
 }
 
+TEST(Hand, ThereIsABoundedNumberOfThemOfPointsToGoToAndOfPushes) {
+  Cell cell;
+  Person& person = cell.person;
+  for (std::size_t i = 0; i < Person::kHands; ++i) ASSERT_TRUE(person.grab(std::to_string(i), {.body = "cube"}));
+  EXPECT_EQ(path(person.grab("one more", {.body = "cube"})), "hand");
+  EXPECT_TRUE(person.grab("0", {.body = "cube"})) << "it is there";
+  Drag drag{std::vector<Vec3>(Drag::kPoints, Vec3{0.5, 0.3, 0.1})};
+  EXPECT_TRUE(person.drag("0", drag));
+  drag.path.push_back(drag.path.front());
+  EXPECT_EQ(code(person.drag("0", drag)), ErrorCode::out_of_range);
+  const Push push{"cube", {0.1, 0, 0}, {}, 0.1, 0};
+  for (std::size_t i = 0; i < Person::kPushes; ++i) ASSERT_TRUE(person.push(push));
+  EXPECT_EQ(code(person.push(push)), ErrorCode::conflict);
+  cell.run(0.2);
+  EXPECT_TRUE(person.push(push)) << "the others are over";
+}
+
 TEST(Hand, OfSomebodyWhoIsGoneLetsGo) {
   Cell cell;
   ASSERT_TRUE(cell.person.grab("right", {.body = "cube"}));
