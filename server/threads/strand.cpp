@@ -25,6 +25,13 @@ void Pool::end() {
   threads_.clear();
 }
 
+void Pool::drop() {
+  std::deque<Work> dropped, dropped_later;  // after the lock: it may own what posts
+  const services::MutexLock lock(mutex_);
+  dropped.swap(work_);
+  dropped_later.swap(later_);
+}
+
 bool Pool::post(Work work, Turn turn) {
   {
     const services::MutexLock lock(mutex_);

@@ -39,6 +39,8 @@ class Pool {
   bool post(Work work, Turn turn = Turn::now) EXCLUDES(mutex_);
   /// Finishes all posted work, and the work that it posts: work must not post itself for ever. Not on its threads.
   void end() EXCLUDES(mutex_);
+  /// Drops the work that waits; what is being done goes on. Not on its threads.
+  void drop() EXCLUDES(mutex_);
 
  private:
   void run();

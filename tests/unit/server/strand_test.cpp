@@ -94,6 +94,27 @@ TEST(Strand, KeepsItsOrderWhateverWaitsForLater) {
   EXPECT_EQ(order, "12");
 }
 
+TEST(Pool, DropsWhatWaitsAndDoesWhatComesLater) {
+  std::atomic<bool> begun{false}, release{false};
+  std::atomic<int> done{0};
+  const auto held = std::make_shared<int>();
+  {
+    Pool pool(1);
+    pool.post([&] {
+      begun = true;
+      while (!release) std::this_thread::yield();
+      ++done;
+    });
+    while (!begun) std::this_thread::yield();
+    pool.post([&, held] { done += 10; });
+    pool.drop();
+    EXPECT_EQ(held.use_count(), 1);
+    pool.post([&] { done += 100; });
+    release = true;
+  }
+  EXPECT_EQ(done, 101);
+}
+
 /// What is reported while it lives.
 struct Reported {
   Reported() {
