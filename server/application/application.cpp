@@ -144,7 +144,11 @@ Application::~Application() {
 }
 
 Backend Application::make_backend() {
-  return {[this](Request request) { return handle(std::move(request), resources()); }, *hub_, *displays_, *edits_,
+  return {[this](Request request) { return handle(std::move(request), resources()); },
+          [this] { return *get_health({}, *cell_); },
+          *hub_,
+          *displays_,
+          *edits_,
           cell_->remotes()};
 }
 

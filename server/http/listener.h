@@ -1,5 +1,5 @@
-// HttpServer: the sockets of `race serve`: HTTP and the stream on one loopback port. All of Beast is in listener.cpp
-// and sessions.cpp; what is done with a request is in request_filter.h, static_files.h, stream/ and behind `Backend`.
+// HttpServer: the sockets of `race serve`: HTTP and the stream on one loopback port. What is done with a request is in
+// request_filter.h, static_files.h, stream/ and behind `Backend`.
 //
 // Threads: run() is the one that owns the sockets; handlers run on a pool of their own and may wait there.
 #pragma once
@@ -11,6 +11,7 @@
 #include <string>
 
 #include "core/value/expected.h"
+#include "server/http/connections.h"
 #include "server/http/message.h"
 #include "server/stream/displays.h"
 #include "server/stream/hub.h"
@@ -23,6 +24,7 @@ namespace race::server {
 /// wait; what it throws ends the request: 503 without memory, else 500).
 struct Backend {
   std::function<Reply(Request)> handle;  // requests to /api/
+  std::function<Reply()> health;         // GET /api/v1/health, on the sockets' thread: it waits for nothing
   Hub& hub;
   Displays& displays;
   EditRequests& edits;
@@ -31,12 +33,15 @@ struct Backend {
 
 class HttpServer {
  public:
-  /// Timeouts and the number of connections; a connection beyond them is closed. All greater than 0.
+  /// Timeouts, and what clients may take. All greater than 0.
   struct Limits {
     // For the first byte of a connection; then for its header; then for the body.
     std::chrono::milliseconds read_timeout{30'000};
-    std::chrono::milliseconds idle_timeout{120'000};  // from an answer to the first byte of the next request
-    int connections = 512;                            // at once
+    std::chrono::milliseconds idle_timeout{120'000};    // from an answer to the first byte of the next request
+    std::chrono::milliseconds write_timeout{10'000};    // for the client to take a MiB of an answer, or its rest
+    std::chrono::milliseconds reserved_timeout{1'000};  // for the header of a reserved connection; then for its body
+    Connections::Limits connections = {};
+    std::size_t held_bytes = std::size_t{64} << 20U;  // of bodies, answers and unknown processes (byte_budget.h)
   };
 
   /// Listens on 127.0.0.1:`port` (0: any free one) and serves the files of `web`, if it is not empty, beside the
@@ -49,7 +54,8 @@ class HttpServer {
   ~HttpServer();
 
   std::uint16_t port() const;
-  /// Serves until SIGINT, SIGTERM or stop().
+  /// Serves until SIGINT, SIGTERM or stop(). Then nothing begins any more, WebSockets get a close frame, and what is
+  /// being answered or said may end for half a second; requests that no handler has begun are dropped.
   void run();
   /// On any thread.
   void stop();

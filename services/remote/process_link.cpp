@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "services/failures.h"
+
 namespace race::remote {
 namespace {
 
@@ -38,8 +40,10 @@ struct ProcessLink::Process {
     Unhandled& operator=(const Unhandled&) = delete;
     ~Unhandled() {
       --process_->unhandled;
-      const services::MutexLock lock(process_->mutex);
-      if (process_->on_handled) process_->on_handled();
+      services::run_reporting("what a process has said", [this] {
+        const services::MutexLock lock(process_->mutex);
+        if (process_->on_handled) process_->on_handled();
+      });
     }
 
    private:
@@ -109,8 +113,6 @@ void ProcessLink::on_handled(std::function<void()> handled) {
 }
 
 Expected<void> ProcessLink::accept_hello(const EncodedMessage& message) {
-  constexpr std::size_t kHelloBytes = 4 * 1024 * 1024;
-  if (message.bytes.size() > kHelloBytes) return unexpected(ErrorCode::too_large, "is too long", "hello");
   ASSIGN_OR_RETURN(Message hello, decode(message, Reader::server));
   if (hello.kind != Kind::hello) return unexpected(ErrorCode::type, "the first message is `hello`", "type");
   if (hello.number != kProtocol)
@@ -137,11 +139,10 @@ Expected<void> ProcessLink::accept_hello(const EncodedMessage& message) {
 }
 
 void ProcessLink::check_heartbeat() {
-  if (disconnected_) return;
+  if (disconnected_ || !accepted_) return;
   if (process_->out->overflowed()) return disconnect(kTooSlow);
   unanswered_ = process_->pong_received.exchange(false) ? 0 : unanswered_ + 1;
-  if (unanswered_ > kPingsPerHeartbeat) return disconnect(accepted_ ? "it answers no more" : "it says no hello");
-  if (!accepted_) return;
+  if (unanswered_ > kPingsPerHeartbeat) return disconnect("it answers no more");
   remotes_.post(process_->group, [process = process_, &remotes = remotes_, number = ++pings_] {
     Message ping;
     ping.kind = Kind::ping;

@@ -1,7 +1,8 @@
 // ProcessLink: the server's end of the connection of one process: what the process says, and how long it has been
 // silent. Held by its socket.
 //
-// Threads: the sockets'. What the process says reaches the host on the thread of its group, in order.
+// Threads: the sockets', but for the hello (received()). What the process says reaches the host on the thread of its
+// group, in order.
 #pragma once
 
 #include <cstdint>
@@ -17,6 +18,7 @@ namespace race::remote {
 class ProcessLink {
  public:
   static constexpr int kPingsPerHeartbeat = 4;
+  static constexpr std::size_t kHelloBytes = 4 * 1024 * 1024;  // of the first message, at most
 
   explicit ProcessLink(Remotes& remotes);
   ~ProcessLink();
@@ -25,14 +27,17 @@ class ProcessLink {
 
   /// What waits to be sent; the connection is to end once that is drained.
   SendQueue& out();
-  /// A message came. An invalid one is answered `refused`, and the process is disconnected.
+  /// A message came. An invalid one is answered `refused`, and the process is disconnected. The first is the hello: it
+  /// is checked before this returns, on whatever thread, while nobody else uses the link.
   void received(EncodedMessage message);
+  /// Whether the hello was.
+  bool accepted() const { return accepted_; }
   /// Whether what has come is not handled yet: what the process says meanwhile is to stay in its socket.
   bool is_behind() const;
   /// `handled` is called, on any thread, whenever something was handled; not any more when this returns with another.
   void on_handled(std::function<void()> handled);
-  /// To be called kPingsPerHeartbeat times in the time of the heartbeat: sends a ping; disconnects a process that has
-  /// answered none of the last kPingsPerHeartbeat, or does not read what it is told.
+  /// To be called kPingsPerHeartbeat times in the time of the heartbeat, once the hello is accepted: sends a ping;
+  /// disconnects a process that has answered none of the last kPingsPerHeartbeat, or does not read what it is told.
   void check_heartbeat();
   /// The connection has ended, because of `why`.
   void disconnect(const std::string& why);

@@ -43,6 +43,8 @@ struct SocketClient::Socket {
     stream.auto_fragment(false);
     websocket::response_type answer;
     const auto [refused] = co_await stream.async_handshake(answer, name, kTarget, kAsTuple);
+    if (answer.result() == beast::http::status::service_unavailable)
+      co_return unexpected(ErrorCode::unavailable, "has no room for another connection");
     if (refused == websocket::error::upgrade_declined)
       co_return unexpected(ErrorCode::conflict,
                            "answers " + std::to_string(answer.result_int()) + " where components are let in");

@@ -149,6 +149,25 @@ class RequestFilter(unittest.TestCase):
                 while answer:
                     answer = raw.recv(65536)
 
+    def test_close_codes_that_are_none_are_protocol_errors(self):
+        mask, protocol_error = bytes(4), b"\x88\x02\x03\xea"  # 1002
+
+        def answer(code):
+            """What the server says to a close frame with this code, until it closes the connection."""
+            with self.server.stream() as stream:
+                stream.socket.sendall(b"\x88\x82" + mask + code.to_bytes(2, "big"))
+                said = b""
+                while data := stream.socket.recv(65536):
+                    said += data
+                return said
+
+        for code in (0, 999, 1004, 1005, 1006, 1015, 2999, 5000, 5001, 65535):
+            with self.subTest(code=code):
+                self.assertEqual(answer(code), protocol_error)
+        for code in (1000, 1001, 3000, 4999):
+            with self.subTest(code=code):
+                self.assertEqual(answer(code), b"\x88\x02" + code.to_bytes(2, "big"))
+
     def test_deep_values_of_a_task_do_no_harm(self):
         deep = models.document("deep", {
             "state": "Root", "results": [{"name": "x", "initial": []}],

@@ -22,7 +22,7 @@ std::string url_of(std::uint16_t port) { return "http://127.0.0.1:" + std::to_st
 // Our own server, which answers with what it was asked.
 struct ClientTest : testing::Test {
   ClientTest() {
-    server = HttpServer::listen(0, "", {answer, hub, displays, edits, remotes}).value();
+    server = HttpServer::listen(0, "", {answer, [] { return Reply(); }, hub, displays, edits, remotes}).value();
     thread = std::thread([this] { server->run(); });
   }
   ~ClientTest() override {

@@ -2,10 +2,13 @@
 #include "server/http/listener.h"
 
 #include <arpa/inet.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <netinet/tcp.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <new>
 #include <stdexcept>
 #include <thread>
@@ -42,8 +45,10 @@ class Connection {
     return ::send(socket_, text.data(), text.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(text.size());
   }
   // The status of a request that is answered; 0: the connection has ended.
-  int get(const std::string& path) {
-    if (!send("GET " + path + " HTTP/1.1\r\n" + host_ + "\r\n")) return 0;
+  int get(const std::string& path) { return ask("GET " + path + " HTTP/1.1\r\n" + host_ + "\r\n"); }
+  int post(const std::string& path) { return ask("POST " + path + " HTTP/1.1\r\n" + host_ + "\r\n"); }
+  int ask(const std::string& request) { return send(request) ? status() : 0; }
+  int status() {
     std::string answer;
     while (answer.find("\r\n\r\n") == std::string::npos || !is_whole(answer))
       if (!receive(answer)) return 0;
@@ -54,6 +59,36 @@ class Connection {
     std::string answer;
     errno = 0;
     return !receive(answer) && answer.empty() && errno != EAGAIN;
+  }
+  // How many bytes of an answer's body come, of `bytes`, in that many pauses as make up `time`.
+  std::size_t take(std::size_t bytes, std::chrono::milliseconds time) {
+    constexpr std::size_t kPieces = 32;
+    std::string answer;
+    for (std::size_t piece = 1; piece <= kPieces; ++piece) {
+      while (answer.size() < piece * bytes / kPieces && receive(answer)) continue;
+      std::this_thread::sleep_for(time / kPieces);
+    }
+    while (!is_whole(answer) && receive(answer)) continue;
+    return answer.size() - answer.find("\r\n\r\n") - 4;
+  }
+  // Waits until the server has closed it, whether or not all has been read.
+  void await_end() {
+    tcp_info info{};
+    socklen_t size = sizeof(info);
+    do {
+      std::this_thread::sleep_for(5ms);
+      ASSERT_EQ(::getsockopt(socket_, IPPROTO_TCP, TCP_INFO, &info, &size), 0);
+    } while (info.tcpi_state == TCP_ESTABLISHED);
+  }
+  // Waits until there is something to read.
+  void await_byte() {
+    char byte = 0;
+    EXPECT_EQ(::recv(socket_, &byte, 1, MSG_PEEK), 1);
+  }
+  std::string read(std::size_t bytes) {
+    std::string text;
+    while (text.size() < bytes && receive(text)) continue;
+    return text;
   }
   // Whether it is still open: nothing to read, not even its end.
   bool is_open() {
@@ -69,10 +104,11 @@ class Connection {
     return got > 0;
   }
   static bool is_whole(const std::string& answer) {
+    if (answer.starts_with("HTTP/1.1 101")) return true;
     constexpr std::string_view kLength = "Content-Length: ";
     const auto length = answer.find(kLength);
     return length != std::string::npos &&
-           answer.size() >= answer.find("\r\n\r\n") + 4 + std::stoul(answer.substr(length + kLength.size()));
+           answer.size() >= answer.find("\r\n\r\n") + 4 + std::stoul(answer.substr(length + kLength.size(), 12));
   }
 
   int socket_;
@@ -80,13 +116,30 @@ class Connection {
   std::string host_;
 };
 
+// Every edit is a mistake of ours.
+struct FailingEdits final : EditRequests {
+  void request_edit(const std::shared_ptr<Subscriber>& sender, const Value&) override {
+    client = sender;
+    throw std::runtime_error("no");
+  }
+  std::weak_ptr<Subscriber> client;
+};
+
+// A text message of a client, masked with zeros.
+std::string frame(const std::string& text) {
+  return std::string("\x81") + static_cast<char>(0x80 | text.size()) + std::string(4, '\0') + text;
+}
+
 struct ListenerTest : testing::Test {
   ~ListenerTest() override {
+    release = true;
     if (server) server->stop();
     if (thread.joinable()) thread.join();
   }
-  void serve(const HttpServer::Limits& limits) {
-    server = HttpServer::listen(0, "", {answer, hub, displays, edits, remotes}, limits).value();
+  void serve(const HttpServer::Limits& limits, std::function<Reply(Request)> handle = answer) {
+    server =
+        HttpServer::listen(0, "", {std::move(handle), [] { return Reply(); }, hub, displays, edits, remotes}, limits)
+            .value();
     thread = std::thread([this] { server->run(); });
   }
   std::unique_ptr<Connection> connection(const std::string& text = "") {
@@ -98,13 +151,53 @@ struct ListenerTest : testing::Test {
   static Reply answer(const Request& request) {
     if (request.path == "/api/v1/memory") throw std::bad_alloc();
     if (request.path == "/api/v1/mistake") throw std::runtime_error("no");
-    return request.path == "/api/v1/health" ? Reply() : refusal(404, "not_found", "there is no such route");
+    if (request.path == "/api/v1/large") return text(std::size_t{64} << 20U);
+    if (request.path == "/api/v1/small") return text(1000);
+    if (request.path == "/api/v1/cores/1/stop") return Reply();
+    if (request.path == "/api/v1/cores") return Reply();
+    return refusal(404, "not_found", "there is no such route");
+  }
+  std::string upgrade() const {
+    return "GET /api/v1/stream HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(server->port()) +
+           "\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
+           "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n";
+  }
+  static Reply text(std::size_t bytes) {
+    Reply reply;
+    reply.text = std::string(bytes, 'x');
+    reply.type = "text/plain";
+    return reply;
+  }
+  // A header of a request with a body of so many bytes.
+  std::string header(std::size_t bytes) const {
+    return "POST /api/v1/cores HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(server->port()) +
+           "\r\nContent-Type: application/json\r\nContent-Length: " + std::to_string(bytes) + "\r\n\r\n";
+  }
+  // Connections whose requests are being answered, until `release`.
+  std::vector<std::unique_ptr<Connection>> busy(int count) {
+    std::vector<std::unique_ptr<Connection>> made;
+    for (int i = 0; i < count; ++i)
+      made.push_back(
+          connection("GET /api/v1/wait HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(server->port()) + "\r\n\r\n"));
+    while (begun < std::min(count, 4)) std::this_thread::yield();  // by all handlers
+    return made;
+  }
+  // As answer(); /api/v1/wait waits.
+  std::function<Reply(Request)> answer_when_released() {
+    return [this](const Request& request) {
+      if (request.path != "/api/v1/wait") return answer(request);
+      ++begun;
+      while (!release) std::this_thread::sleep_for(1ms);
+      return Reply();
+    };
   }
 
+  std::atomic<int> begun{0};
+  std::atomic<bool> release{false};
   Pool pool{1};
-  Hub hub{pool, 1, [](const std::string&) { return std::nullopt; }};
+  Hub hub{pool, 1, [](const std::string&) { return Source(); }};
   display::Screens screens;
-  NoEdits edits;
+  FailingEdits edits;
   Displays displays{screens, hub};
   services::WorldClock clock;
   NoObserver observer;
@@ -144,19 +237,121 @@ TEST_F(ListenerTest, ClosesAConnectionThatIsIdleForTooLong) {
   EXPECT_TRUE(half->is_open());
 }
 
-TEST_F(ListenerTest, ClosesOneConnectionTooManyUntilAnotherHasEnded) {
-  serve({60s, 60s, 2});
+constexpr Connections::Limits kFew = {.all = 3, .of_address = 3, .websockets = 1, .reserved = 1};
+
+TEST_F(ListenerTest, AnIdleConnectionMakesWayForANewOne) {
+  serve({.connections = kFew});
+  std::vector<std::unique_ptr<Connection>> idle;
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(idle.emplace_back(connection())->get("/api/v1/small"), 200);
+  EXPECT_EQ(idle[0]->get("/api/v1/small"), 200);
+  EXPECT_EQ(connection()->get("/api/v1/small"), 200);
+  EXPECT_TRUE(idle[1]->is_closed());
+  EXPECT_TRUE(idle[0]->is_open());
+  EXPECT_TRUE(idle[2]->is_open());
+}
+
+TEST_F(ListenerTest, HealthAndStopAreAnsweredWhenAllConnectionsAreBusy) {
+  serve({.connections = kFew}, answer_when_released());
+  const auto others = busy(3);
+  EXPECT_EQ(connection()->get("/api/v1/small"), 503);
+  EXPECT_EQ(connection()->post("/api/v1/cores"), 503);
+  auto reserved = connection();
+  EXPECT_EQ(reserved->get("/api/v1/health"), 200);
+  EXPECT_TRUE(reserved->is_closed()) << "one request";
+  EXPECT_EQ(connection()->post("/api/v1/cores/1/stop"), 200);
+  release = true;
+  for (const auto& each : others) EXPECT_EQ(each->status(), 200);
+}
+
+TEST_F(ListenerTest, AReservedConnectionThatSaysNothingMakesWayOrEnds) {
+  serve({.reserved_timeout = 300ms, .connections = kFew}, answer_when_released());
+  const auto others = busy(3);
+  auto first = connection("GET /api"), second = connection("GET /api");
+  EXPECT_TRUE(first->is_closed()) << "made way";
+  EXPECT_TRUE(second->is_closed()) << "in time";
+}
+
+TEST_F(ListenerTest, AWebSocketTooManyIsRefused) {
+  serve({.connections = kFew});
   auto first = connection(), second = connection();
-  EXPECT_EQ(first->get("/api/v1/health"), 200);
-  EXPECT_EQ(second->get("/api/v1/health"), 200);
-  EXPECT_TRUE(connection()->is_closed());
+  EXPECT_EQ(first->ask(upgrade()), 101);
+  EXPECT_EQ(second->ask(upgrade()), 503);
   first.reset();
-  // The server hears of the end on its own time.
-  const auto end = std::chrono::steady_clock::now() + 20s;
   int status = 0;
-  while (status == 0 && std::chrono::steady_clock::now() < end) status = connection()->get("/api/v1/health");
+  while (status != 101) status = connection()->ask(upgrade());  // the server hears of the end on its own time
+}
+
+TEST_F(ListenerTest, HealthWaitsForNoHandler) {
+  serve({}, answer_when_released());
+  const auto waiting = busy(8);
+  EXPECT_EQ(connection()->get("/api/v1/health"), 200);
+  release = true;
+  for (const auto& each : waiting) EXPECT_EQ(each->status(), 200);
+}
+
+TEST_F(ListenerTest, BodiesTakeSharesOfABudgetBeforeTheyAreRead) {
+  serve({.held_bytes = 1'000'000});
+  auto first = connection(header(600'000) + "{"), second = connection();
+  EXPECT_EQ(connection()->get("/api/v1/health"), 200);  // after the first
+  EXPECT_EQ(second->ask(header(600'000)), 503);
+  EXPECT_EQ(connection()->ask(header(2) + "{}"), 200) << "small ones pass";
+  first.reset();
+  int status = 503;
+  while (status == 503) status = connection()->ask(header(600'000) + std::string(600'000, ' '));
   EXPECT_EQ(status, 200);
-  EXPECT_EQ(second->get("/api/v1/health"), 200);
+}
+
+TEST_F(ListenerTest, WhoDoesNotTakeItsAnswerIsCutAndOthersAreRefusedUntilThen) {
+  serve({.write_timeout = 500ms});
+  const std::string request = "GET /api/v1/large HTTP/1.1\r\n" + connection()->host() + "\r\n";
+  auto slow = connection(request);
+  slow->await_byte();
+  EXPECT_EQ(connection()->ask(request), 503);
+  EXPECT_EQ(connection()->get("/api/v1/small"), 200) << "small ones pass";
+  slow->await_end();
+  EXPECT_EQ(connection()->get("/api/v1/large"), 200);
+}
+
+TEST_F(ListenerTest, WhoTakesItsAnswerSlowlyGetsTheWhole) {
+  serve({.write_timeout = 300ms});
+  auto slow = connection("GET /api/v1/large HTTP/1.1\r\n" + connection()->host() + "\r\n");
+  EXPECT_EQ(slow->take(std::size_t{64} << 20U, 600ms), std::size_t{64} << 20U);
+}
+
+TEST_F(ListenerTest, WebSocketsGetACloseFrameWhenTheServerEnds) {
+  serve({});
+  auto client = connection(), idle = connection();
+  EXPECT_EQ(client->ask(upgrade()), 101);
+  EXPECT_EQ(idle->get("/api/v1/small"), 200);
+  server->stop();
+  EXPECT_EQ(client->read(4), std::string("\x88\x02\x03\xe9", 4)) << "1001, going away";
+  EXPECT_TRUE(idle->is_closed());
+}
+
+TEST_F(ListenerTest, AnExceptionEndsAWebSocketAndTheHubHearsOfIt) {
+  std::vector<std::string> reported;  // one at a time
+  services::set_failure_handler([&](const std::string& text) { reported.push_back(text); });
+  serve({});
+  auto client = connection();
+  EXPECT_EQ(client->ask(upgrade()), 101);
+  EXPECT_TRUE(client->send(frame(R"({"type": "subscribe", "channel": "log"})") + frame(R"({"type": "edit"})")));
+  EXPECT_TRUE(client->is_closed());
+  services::set_failure_handler({});
+  EXPECT_EQ(reported, (std::vector<std::string>{"a client of the stream failed: no"}));
+  while (!edits.client.expired()) std::this_thread::yield();  // the hub holds it no more
+}
+
+TEST_F(ListenerTest, RequestsThatNoHandlerHasBegunAreDroppedWhenTheServerEnds) {
+  serve({}, answer_when_released());
+  const auto waiting = busy(20);
+  EXPECT_EQ(connection()->get("/api/v1/health"), 200);  // after them
+  server->stop();
+  thread.join();
+  std::thread end([this] { server.reset(); });
+  std::this_thread::sleep_for(50ms);  // for it to drop them
+  release = true;
+  end.join();
+  EXPECT_EQ(begun, 4);
 }
 
 TEST_F(ListenerTest, AnExceptionEndsItsRequestAlone) {
@@ -172,9 +367,10 @@ TEST_F(ListenerTest, AnExceptionEndsItsRequestAlone) {
                                                 "GET /api/v1/mistake failed: no"}));
 }
 
-TEST(Limits, AreHalfAMinuteToArriveAndTwoBetweenRequests) {
+TEST(Limits, AreHalfAMinuteToArriveTwoBetweenRequestsAndTenSecondsForAMiB) {
   EXPECT_EQ(HttpServer::Limits().read_timeout, 30s);
   EXPECT_EQ(HttpServer::Limits().idle_timeout, 120s);
+  EXPECT_EQ(HttpServer::Limits().write_timeout, 10s);
 }
 
 }  // namespace

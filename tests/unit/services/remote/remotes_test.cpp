@@ -306,12 +306,6 @@ TEST_F(RemotesTest, WhoAnswersPingsStays) {
   EXPECT_TRUE(available());
 }
 
-TEST_F(RemotesTest, WhoSaysNoHelloIsSentAway) {
-  ProcessLink link(remotes);
-  for (int check = 0; check <= ProcessLink::kPingsPerHeartbeat; ++check) link.check_heartbeat();
-  EXPECT_TRUE(link.out().drained());
-}
-
 TEST_F(RemotesTest, AProcessThatFitsNowhereIsRefused) {
   const auto refusal = [&](const Value& components, std::int64_t protocol = kProtocol) {
     Process process(remotes);

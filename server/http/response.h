@@ -1,0 +1,38 @@
+// Responses: replies as they go over the wire, and how they leave.
+#pragma once
+
+#include <chrono>
+#include <optional>
+
+#include "server/http/beast.h"
+#include "server/http/message.h"
+
+namespace race::server {
+
+using Response = http::response<http::string_body>;
+
+struct ResponseOptions {
+  bool keep_alive = false;
+  bool head = false;  // without the body
+};
+
+/// The response; if there is no memory for it, one that says so. Threads: any.
+Response make_response(Reply reply, ResponseOptions options);
+
+/// A request ends with a refusal that is not its own fault: the client may ask again, soon.
+Reply overload(const std::string& message);
+Reply no_memory();
+
+/// The answer to a request that could not be read; nothing: the connection is gone.
+std::optional<Reply> read_error(error_code error);
+
+/// Sends it; a client has `timeout` for each MiB (kResponsePiece). Whether another request may follow: it has left, and
+/// keeps the connection alive.
+awaitable<bool> send(beast::tcp_stream& stream, Response response, std::chrono::milliseconds timeout);
+inline constexpr std::size_t kResponsePiece = 1024 * 1024;
+
+/// Takes what the client still sends, for a short time: closing would reset the connection before it has read the
+/// response.
+awaitable<void> drain(beast::tcp_stream& stream);
+
+}  // namespace race::server

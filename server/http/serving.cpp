@@ -1,0 +1,217 @@
+#include "server/http/serving.h"
+
+#include <new>
+#include <optional>
+
+#include "server/http/on_pool.h"
+#include "server/http/refusal.h"
+#include "server/http/response.h"
+#include "server/http/sessions.h"
+#include "server/http/static_files.h"
+#include "server/wire/path_pattern.h"
+#include "services/failures.h"
+#include "services/remote/process_link.h"
+
+namespace race::server {
+namespace {
+
+using Phase = Connections::Phase;
+
+constexpr std::string_view kStream = "/api/v1/stream";
+constexpr std::string_view kComponents = "/api/v1/components";
+constexpr std::string_view kHealth = "/api/v1/health";
+
+using Parser = http::request_parser<http::string_body>;
+
+// Beast's request as ours. Error: the target.
+Expected<Request> to_request(const http::request<http::string_body>& from) {
+  Request request;
+  request.method = std::string(from.method_string());
+  for (const auto& field : from) {
+    std::string name(field.name_string());
+    for (char& c : name) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
+    request.headers.emplace_back(std::move(name), std::string(field.value()));
+  }
+  ASSIGN_OR_RETURN(auto target, parse_target(std::string_view(from.target())));
+  request.path = std::move(target.first);
+  request.query = std::move(target.second);
+  return request;
+}
+
+Reply find_answer(Request request, Context& context) {
+  if (request.path.starts_with("/api/")) return context.backend.handle(std::move(request));
+  if (request.method == "GET")
+    if (auto file = static_file(context.web, request)) return std::move(*file);
+  return refusal(404, "not_found", "there is no such page");
+}
+
+// An exception ends its request alone.
+Reply answer(Request request, Context& context) {
+  const std::string name = request.method + ' ' + request.path;
+  try {
+    return find_answer(std::move(request), context);
+  } catch (const std::bad_alloc&) {
+    services::report_failure(name.c_str());
+    return no_memory();
+  } catch (...) {
+    services::report_failure(name.c_str());
+    return refusal(500, "internal", "the server failed to answer; see its log");
+  }
+}
+
+bool is_health(const Request& request) {
+  return request.method == "GET" && request.path == kHealth && request.query.empty() && request.body.empty();
+}
+
+// What a reserved connection may ask for.
+bool is_urgent(const Request& request) {
+  if (request.method == "GET") return request.path == kHealth;
+  return request.method == "POST" && (request.path == "/api/v1/stop" || match("/api/v1/cores/{id}/stop", request.path));
+}
+
+// The response to a request that has arrived. Handlers make its text, too: it may be large.
+awaitable<Response> respond(Request request, ResponseOptions options, Context& context) {
+  if (is_health(request)) co_return make_response(context.backend.health(), options);
+  std::function<Response()> work = [request = std::move(request), options, &context] {
+    return make_response(answer(request, context), options);
+  };
+  co_return co_await on_pool(context.handlers, std::move(work));
+}
+
+// Sends what may be much. Whether another request may follow.
+awaitable<bool> send_answer(Client& client, Response response, Context& context) {
+  const auto share = context.budget.take(response.body().size());
+  if (!share) response = make_response(overload("clients hold too much that is not taken yet"), ResponseOptions());
+  const bool more = co_await send(client.stream, std::move(response), context.limits.write_timeout);
+  if (more) co_return true;
+  client.place->begin(Phase::idle);
+  co_await drain(client.stream);
+  co_return false;
+}
+
+awaitable<bool> refuse(Client& client, Reply reply, ResponseOptions options, Context& context) {
+  Response response = make_response(std::move(reply), options);
+  co_return co_await send_answer(client, std::move(response), context);
+}
+
+// (A name within a co_await expression is all that g++ 12 can do.)
+Reply bad_target(const Error& error) { return refusal(400, std::vector<Error>{error}); }
+Reply no_upgrade() {
+  Reply reply = refusal(426, "upgrade", "a WebSocket is served here");
+  reply.headers.emplace_back("Upgrade", "websocket");
+  return reply;
+}
+
+// Reads the header of the next request; its first byte may take `begin`. Nothing: there is none, and a refusal is sent.
+awaitable<std::optional<Request>> read_header(Client& client, Parser& parser, std::chrono::milliseconds begin,
+                                              Context& context) {
+  const bool reserved = client.place->is_reserved();
+  const auto timeout = reserved ? context.limits.reserved_timeout : context.limits.read_timeout;
+  client.place->begin(Phase::idle);
+  client.stream.expires_after(reserved ? timeout : begin);
+  if (client.buffer.size() == 0) {
+    const auto space = client.buffer.prepare(RequestFilter::kHeaderBytes);
+    const auto [error, bytes] = co_await client.stream.async_read_some(space, kAsTuple);
+    if (error) co_return std::nullopt;
+    client.buffer.commit(bytes);
+  }
+  client.place->begin(Phase::reading);
+  if (!reserved) client.stream.expires_after(timeout);
+  const auto [error, bytes] = co_await http::async_read_header(client.stream, client.buffer, parser, kAsTuple);
+  client.place->begin(Phase::answering);
+  if (error) {
+    if (auto reply = read_error(error)) co_await refuse(client, std::move(*reply), ResponseOptions(), context);
+    co_return std::nullopt;
+  }
+  auto request = to_request(parser.get());
+  if (request) co_return std::move(*request);
+  Reply reply = bad_target(request.error());
+  co_await refuse(client, std::move(reply), ResponseOptions(), context);
+  co_return std::nullopt;
+}
+
+// Why a request that the filter lets through is refused from its header all the same; else `share` is what its body
+// takes.
+std::optional<Reply> refuse_busy(const Client& client, const Request& request, std::uint64_t body,
+                                 ByteBudget::Share& share, Context& context) {
+  if (client.place->is_reserved() && (!is_urgent(request) || body > ByteBudget::kFreeBytes))
+    return overload("there are too many connections; only health and stop are answered");
+  auto taken = context.budget.take(static_cast<std::size_t>(body));
+  if (!taken) return overload("clients send too much at once");
+  share = std::move(*taken);
+  return std::nullopt;
+}
+
+// What is refused of a request for a WebSocket; nothing: it may begin.
+std::optional<Reply> refuse_websocket(Client& client) {
+  if (!client.place->begin_websocket()) return overload("there are too many WebSockets");
+  client.place->on_end([] {});  // the session's, soon
+  return std::nullopt;
+}
+
+awaitable<bool> serve_websocket(Client& client, const std::string& path, Upgrade request, Context& context) {
+  const bool is_stream = path == kStream;
+  auto unknown = is_stream ? ByteBudget::Share() : context.budget.take(remote::ProcessLink::kHelloBytes);
+  auto refused = unknown ? refuse_websocket(client) : overload("there are too many processes that nobody knows yet");
+  if (refused) co_return co_await refuse(client, std::move(*refused), ResponseOptions(), context);
+  Backend& backend = context.backend;
+  if (is_stream) {
+    const StreamTargets targets{backend.hub, backend.displays, backend.edits};
+    co_await serve_stream(std::move(client.stream), std::move(request), targets, *client.place);
+  } else {
+    const ComponentTargets targets{backend.remotes, backend.hub, context.handlers};
+    co_await serve_components(std::move(client.stream), std::move(request), targets, *client.place,
+                              std::move(*unknown));
+  }
+  co_return false;
+}
+
+// Serves one request of a connection; its first byte may take `begin`. Returns whether another may follow.
+awaitable<bool> serve_one(Client& client, Context& context, std::chrono::milliseconds begin) {
+  Parser parser;
+  parser.header_limit(RequestFilter::kHeaderBytes);
+  parser.body_limit(RequestFilter::kRunFileBytes);  // of most routes it is less: the filter refuses by Content-Length
+  auto request = co_await read_header(client, parser, begin, context);
+  if (!request) co_return false;
+  const bool upgrade = websocket::is_upgrade(parser.get());
+  ResponseOptions options{false, request->method == "HEAD"};
+  if (options.head) request->method = "GET";
+  ByteBudget::Share body;
+  auto refused = context.filter.refuse(*request, upgrade);
+  if (!refused) refused = refuse_busy(client, *request, parser.content_length().value_or(0), body, context);
+  if (refused) co_return co_await refuse(client, std::move(*refused), options, context);
+  const bool reserved = client.place->is_reserved();
+  client.stream.expires_after(reserved ? context.limits.reserved_timeout : context.limits.read_timeout);
+  if (const auto [error, bytes] = co_await http::async_read(client.stream, client.buffer, parser, kAsTuple); error) {
+    if (auto reply = read_error(error)) co_await refuse(client, std::move(*reply), ResponseOptions(), context);
+    co_return false;
+  }
+  if (request->path == kStream || request->path == kComponents) {
+    const std::string path = request->path;
+    if (upgrade && request->method == "GET")
+      co_return co_await serve_websocket(client, path, parser.release(), context);
+    Reply reply = no_upgrade();
+    co_return co_await refuse(client, std::move(reply), ResponseOptions(), context);
+  }
+  options.keep_alive = parser.keep_alive() && !reserved && !context.ending;
+  request->body = std::move(parser.get().body());
+  client.stream.expires_never();
+  Response response = co_await respond(std::move(*request), options, context);
+  body = {};
+  co_return co_await send_answer(client, std::move(response), context);
+}
+
+}  // namespace
+
+awaitable<void> serve(std::unique_ptr<Client> client, Context& context) {
+  try {
+    bool more = co_await serve_one(*client, context, context.limits.read_timeout);
+    while (more && !context.ending) more = co_await serve_one(*client, context, context.limits.idle_timeout);
+  } catch (...) {
+    services::report_failure("a connection");
+  }
+  client.reset();
+  if (context.ending && context.connections.empty()) context.io.stop();
+}
+
+}  // namespace race::server

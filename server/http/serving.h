@@ -1,0 +1,43 @@
+// Serving: one HTTP connection, request after request, until it ends or becomes a WebSocket.
+//
+// Threads: the sockets'.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "server/http/beast.h"
+#include "server/http/byte_budget.h"
+#include "server/http/connections.h"
+#include "server/http/listener.h"
+#include "server/http/request_filter.h"
+#include "server/threads/strand.h"
+
+namespace race::server {
+
+/// What all connections share.
+struct Context {
+  RequestFilter filter;
+  std::string web;
+  Backend backend;
+  Pool& handlers;
+  Connections& connections;
+  ByteBudget& budget;
+  HttpServer::Limits limits;
+  asio::io_context& io;
+  bool ending = false;
+};
+
+/// A connection, until its coroutine ends.
+struct Client {
+  explicit Client(asio::ip::tcp::socket socket) : stream(std::move(socket)) {}
+  beast::tcp_stream stream;
+  beast::flat_buffer buffer{RequestFilter::kHeaderBytes + 64 * 1024};
+  std::unique_ptr<Connections::Place> place;
+};
+
+/// Serves the client until it leaves; the last that leaves while the server ends stops the sockets.
+awaitable<void> serve(std::unique_ptr<Client> client, Context& context);
+
+}  // namespace race::server

@@ -1,0 +1,56 @@
+// Session: one WebSocket, whatever is said on it.
+//
+// Threads: the sockets'.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <utility>
+
+#include "server/http/beast.h"
+#include "server/http/connections.h"
+#include "server/http/wake_up.h"
+
+namespace race::server {
+
+/// A request whose header asks for a WebSocket.
+using Upgrade = http::request<http::string_body>;
+
+/// A WebSocket, and what wakes the coroutine that writes to it. Held by its coroutines, and by who sends to it.
+class Session : public std::enable_shared_from_this<Session> {
+ public:
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+  virtual ~Session() = default;
+
+ protected:
+  explicit Session(beast::tcp_stream stream)
+      : socket_(std::move(stream)), executor_(socket_.get_executor()), waker_(executor_), deadline_(executor_) {}
+
+  /// Whether it is open then; a message has at most `limit` bytes, and is one frame. `place` ends it from then on.
+  awaitable<bool> accept(const Upgrade& request, std::size_t limit, Connections::Place& place);
+  /// Runs a coroutine of this beside the others; what it throws is reported and ends the connection.
+  void spawn(std::function<awaitable<void>()> coroutine);
+  /// Until somebody cancels waker_.
+  awaitable<void> sleep();
+  /// Sends one message. False: it cannot be sent, or is not taken in time; the connection ends.
+  awaitable<bool> send(asio::const_buffer message);
+  void close() { beast::get_lowest_layer(socket_).close(); }
+  /// Closes; what has not been taken is dropped.
+  void reset();
+
+  websocket::stream<beast::tcp_stream> socket_;
+  asio::any_io_executor executor_;
+  asio::steady_timer waker_, deadline_;
+  bool over_ = false;
+
+ private:
+  void end();
+  void check_close_code();
+
+  bool sending_ = false, ending_ = false;
+};
+
+}  // namespace race::server

@@ -1,0 +1,105 @@
+#include <chrono>
+
+#include "server/http/request_filter.h"
+#include "server/http/sessions.h"
+#include "services/failures.h"
+
+namespace race::server {
+namespace {
+
+// One client of the stream. Held by its two coroutines, and by the hub until it leaves.
+class StreamSession final : public Session, public Subscriber {
+ public:
+  StreamSession(beast::tcp_stream stream, const StreamTargets& targets)
+      : Session(std::move(stream)),
+        targets_(targets),
+        hub_(targets.hub),
+        displays_(targets.displays),
+        wake_up_(executor_) {}
+
+  Outbox& outbox() override { return outbox_; }
+  void wake() override {
+    wake_up_.post([self = self()] {
+      if (self->outbox_.is_cut()) self->reset();
+      self->waker_.cancel();
+    });
+  }
+
+  awaitable<void> run(Upgrade request, Connections::Place& place) {
+    socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
+    if (!co_await accept(request, RequestFilter::kMessageBytes, place)) co_return;
+    try {
+      spawn([self = self()] { return self->write(); });
+      co_await read();
+    } catch (...) {
+      services::report_failure("a client of the stream");
+    }
+    leave();
+  }
+
+ private:
+  std::shared_ptr<StreamSession> self() { return std::static_pointer_cast<StreamSession>(shared_from_this()); }
+
+  awaitable<void> read() {
+    beast::flat_buffer buffer(RequestFilter::kMessageBytes + 1024);
+    for (;;) {
+      const auto [error, bytes] = co_await socket_.async_read(buffer, kAsTuple);
+      if (error) co_return;
+      if (!socket_.got_text()) co_return;
+      const auto data = buffer.cdata();
+      handle_stream_request({static_cast<const char*>(data.data()), data.size()}, self(), targets_);
+      buffer.consume(buffer.size());
+      co_await hub_turn();
+    }
+  }
+
+  // However the client leaves, but when the sockets themselves end: the hub then drops its subscribers.
+  void leave() {
+    over_ = true;
+    services::run_reporting("a display that leaves", [this] { displays_.disconnect(*this); });
+    services::run_reporting("a client that leaves", [this] { hub_.disconnect(self()); });
+    waker_.cancel();
+    close();
+  }
+
+  // Until the hub has done what this client has asked for: what it says meanwhile stays in its socket.
+  awaitable<void> hub_turn() {
+    auto initiate = [this](auto handler) {
+      auto shared = std::make_shared<decltype(handler)>(std::move(handler));
+      hub_.after(
+          [executor = executor_, shared = std::move(shared)] { asio::post(executor, [shared] { (*shared)(); }); });
+    };
+    co_await asio::async_initiate<const asio::use_awaitable_t<>, void()>(initiate, asio::use_awaitable);
+  }
+
+  awaitable<void> write() {
+    while (!over_) {
+      while (auto text = outbox_.pop()) {
+        const asio::const_buffer message = asio::buffer(**text);
+        const bool sent = co_await send(message);
+        if (!sent || over_) co_return close();
+      }
+      for (const std::string& channel : outbox_.take_stale_channels()) {
+        if (channel == Outbox::kPrivateQueue) co_return close();
+        hub_.resend_snapshot(self(), channel);
+      }
+      co_await sleep();
+    }
+  }
+
+  const StreamTargets targets_;
+  Hub& hub_;
+  Displays& displays_;
+  const WakeUp wake_up_;
+  Outbox outbox_;
+};
+
+}  // namespace
+
+awaitable<void> serve_stream(beast::tcp_stream stream, Upgrade request, StreamTargets targets,
+                             Connections::Place& place) {
+  auto session = std::make_shared<StreamSession>(std::move(stream), targets);
+  co_await session->run(std::move(request), place);
+}
+
+}  // namespace race::server

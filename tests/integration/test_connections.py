@@ -1,0 +1,219 @@
+"""Clients that hold what others need: connections, bodies that do not come, processes that nobody knows. Health is answered and
+cores stop meanwhile, memory stays bounded, and the server ends at once when it is told to.
+"""
+import contextlib
+import json
+import select
+import signal
+import socket
+import statistics
+import threading
+import time
+import unittest
+
+import models
+from client import TIMEOUT, Server, Stream, check
+from component_process import LONG_HEARTBEAT, ComponentClient
+from test_floods import is_open, resident
+from websockets.frames import OP_CLOSE
+
+MIB = 1 << 20
+CEILING = 150e6  # [bytes] that the server may grow by
+BUDGET = 64 * MIB  # of bodies, answers and first messages (server/http/listener.h)
+HELLO = 4 * MIB
+
+
+def held(server, text, count):
+    """So many connections, each of which has said the text."""
+    connections = []
+    for _ in range(count):
+        connection = socket.create_connection(("127.0.0.1", server.port), timeout=TIMEOUT)
+        with contextlib.suppress(OSError):  # the server may have closed it
+            connection.sendall(text)
+        connections.append(connection)
+    return connections
+
+
+def answered(connection):
+    """The status of the answer that comes first; 0: the server has closed the connection."""
+    try:
+        answer = connection.recv(65536)
+    except ConnectionError:
+        return 0
+    return int(answer.split()[1]) if answer else 0
+
+
+class Case(unittest.TestCase):
+    """Each test has a server of its own."""
+    OPTIONS = ()
+
+    def setUp(self):
+        self.server = Server(*self.OPTIONS)
+        self.host = f"Host: 127.0.0.1:{self.server.port}\r\n"
+        self.connections = []
+
+    def tearDown(self):
+        for connection in self.connections:
+            connection.close()
+        self.server.stop()  # which may have ended
+
+    def hold(self, text, count):
+        self.connections += held(self.server, text.encode(), count)
+        return self.connections[-count:]
+
+
+class Places(Case):
+    def test_idle_connections_make_way(self):
+        core = self.server.core(models.ticking("endless", last=10**9))
+        idle = self.hold(f"GET /api/v1/health HTTP/1.1\r\n{self.host}\r\n", 700)
+        self.assertEqual({answered(each) for each in idle[-300:]}, {200})
+        self.server.get("/health", "health")
+        self.server.get("/documents", "documents")
+        self.server.post(f"/cores/{core}/stop", None, "core")
+        self.assertGreater(sum(is_open(each) for each in idle), 300)
+        self.assertFalse(any(is_open(each) for each in idle[:100]))
+
+    def test_health_and_stop_are_answered_whoever_holds_the_connections(self):
+        core = self.server.core(models.ticking("endless", last=10**9))
+        self.hold(f"GET /api/v1/health HTTP/1.1\r\n{self.host}X-Half: ", 700)
+        for _ in range(20):
+            self.server.get("/health", "health")
+        status, problem = self.server.request("GET", "/api/v1/documents")
+        self.assertEqual((status, problem["errors"][0]["code"]), (503, "overload"))
+        self.assertEqual(self.server.post(f"/cores/{core}/stop", None, "core")["status"], "aborted")
+
+    def test_health_waits_for_nobody(self):
+        large = {"rcm": 1, "root": {"state": "Root", "doc": "x" * 10**6}}
+        for number in range(60):
+            self.server.put(f"/documents/large{number}", {**large, "name": f"large{number}"}, "document_entry")
+        end = threading.Event()
+
+        def ask():
+            while not end.is_set():
+                for number in range(60):
+                    with contextlib.suppress(OSError):
+                        self.server.send_raw(f"GET /api/v1/documents/large{number} HTTP/1.1\r\n{self.host}Connection: close\r\n\r\n".encode())
+
+        clients = [threading.Thread(target=ask) for _ in range(8)]
+        for client in clients:
+            client.start()
+        took = []
+        for _ in range(100):
+            begun = time.monotonic()
+            answer = self.server.send_raw(f"GET /api/v1/health HTTP/1.1\r\n{self.host}Connection: close\r\n\r\n".encode())
+            took.append(time.monotonic() - begun)
+            self.assertTrue(answer.startswith(b"HTTP/1.1 200"))
+        end.set()
+        for client in clients:
+            client.join()
+        usual = statistics.quantiles(took, n=20)[-1]
+        print(f"health: p95 {1000 * usual:.1f} ms, longest {1000 * max(took):.0f} ms", flush=True)
+        self.assertLess(usual, 0.1)
+
+
+class Memory(Case):
+    OPTIONS = ("--remote", "database", *LONG_HEARTBEAT)
+
+    def feed(self, connections, size):
+        """Sends each connection up to `size` bytes, as much as the server takes; the most memory it had meanwhile [bytes]."""
+        data, left = b" " * 65536, dict.fromkeys(connections, size)
+        most, end = 0, time.monotonic() + 10
+        for connection in connections:
+            connection.setblocking(False)
+        while left and time.monotonic() < end:
+            _, writable, _ = select.select([], list(left), [], 0.5)
+            if not writable:
+                break
+            for connection in writable:
+                try:
+                    left[connection] -= connection.send(data[:left[connection]])
+                except BlockingIOError:
+                    continue
+                except OSError:
+                    left[connection] = 0
+                if not left[connection]:
+                    del left[connection]
+            most = max(most, resident(self.server))
+        return max(most, resident(self.server))
+
+    def test_bodies_that_do_not_come_share_a_budget(self):
+        before = resident(self.server)
+        header = f"PUT /api/v1/documents/x HTTP/1.1\r\n{self.host}Content-Type: application/json\r\nContent-Length: {4 * MIB}\r\n\r\n"
+        connections = self.hold(header, 400)
+        most = self.feed(connections, 4 * MIB - 1000)
+        print(f"400 bodies: +{(most - before) / 1e6:.0f} MB", flush=True)
+        self.assertLess(most - before, CEILING)
+        time.sleep(0.5)
+        waiting = [each for each in connections if is_open(each)]
+        self.assertLessEqual(len(waiting), BUDGET // (4 * MIB))
+        self.assertGreater(len(waiting), 0)
+        status, problem = self.server.request("PUT", "/api/v1/documents/y", " " * MIB)
+        self.assertEqual((status, problem["errors"][0]["code"]), (503, "overload"))
+        self.server.core(models.ticking("small"))
+        for each in waiting:
+            each.close()
+        self.server.wait_for(lambda: self.server.request("PUT", "/api/v1/documents/y", " " * MIB)[0] == 400)
+
+    def test_processes_that_nobody_knows_share_it_too_and_have_five_seconds(self):
+        before, begun = resident(self.server), time.monotonic()
+        strangers = [ComponentClient(self.server.port) for _ in range(60)]
+        self.connections += [each.socket for each in strangers]
+        known = [each for each in strangers if each.status == 101]
+        self.assertEqual(len(known), BUDGET // HELLO)
+        self.assertEqual({each.status for each in strangers}, {101, 503})
+        # The header of a frame of 4 MiB, masked with zeros, and most of it.
+        for each in known:
+            each.socket.sendall(b"\x81\xff" + (HELLO - 1).to_bytes(8, "big") + bytes(4))
+        most = self.feed([each.socket for each in known], HELLO - 1000)
+        print(f"{len(known)} strangers: +{(most - before) / 1e6:.0f} MB", flush=True)
+        self.assertLess(most - before, CEILING)
+        self.server.wait_for(lambda: not any(is_open(each.socket) for each in known))
+        self.assertGreater(time.monotonic() - begun, 4)
+        self.assertLess(time.monotonic() - begun, 12)
+        with ComponentClient(self.server.port) as later:
+            self.assertEqual(later.status, 101)
+
+    def test_a_hello_has_at_most_four_mib(self):
+        with ComponentClient(self.server.port) as stranger:
+            with self.assertRaises(ConnectionError):
+                stranger.send(json.dumps({"type": "hello", "protocol": 1, "components": ["x" * HELLO]}))
+                stranger.receive()
+        with ComponentClient(self.server.port) as stranger:
+            stranger.send(json.dumps({"type": "hello", "protocol": 1, "components": ["x" * (HELLO - 1000)]}))
+            self.assertEqual(check("component_message", stranger.receive())["type"], "refused")
+
+
+class End(Case):
+    OPTIONS = ("--remote", "database", *LONG_HEARTBEAT)
+
+    def end(self):
+        """SIGTERM; how long it takes [s]."""
+        begun = time.monotonic()
+        self.server.process.send_signal(signal.SIGTERM)
+        self.assertEqual(self.server.process.wait(TIMEOUT), 0)
+        return time.monotonic() - begun
+
+    def test_websockets_get_a_close_frame(self):
+        clients = [Stream(self.server.port), ComponentClient(self.server.port)]
+        self.hold(f"GET /api/v1/health HTTP/1.1\r\n{self.host}\r\n", 50)
+        clients[0].subscribe("log")
+        clients[0].message()
+        took = self.end()
+        for client in clients:
+            frame = client.event()
+            self.assertEqual((frame.opcode, frame.data[:2]), (OP_CLOSE, (1001).to_bytes(2, "big")))
+            client.close()
+        print(f"ends in {took:.2f} s", flush=True)
+        self.assertLess(took, 2)
+
+    def test_it_waits_for_no_request_that_has_not_begun(self):
+        large = {"rcm": 1, "name": "large", "root": {"state": "Root", "doc": "x" * (3 * MIB)}}
+        self.server.put("/documents/large", large, "document_entry")
+        self.hold(f"GET /api/v1/documents/large/native HTTP/1.1\r\n{self.host}\r\n", 400)
+        took = self.end()
+        print(f"400 clients wait: ends in {took:.2f} s", flush=True)
+        self.assertLess(took, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
