@@ -21,7 +21,7 @@ from component_process import LONG_HEARTBEAT, ComponentClient, service, wait_ava
 
 SECONDS = float(os.environ.get("RACE_FLOOD", "20"))
 CEILING = 150e6  # [bytes] that the server may grow by
-CEILING_OF_MESSAGES = 250e6  # with what messages of the stream may take (server/stream/hub.h: kMaxBytes)
+CEILING_OF_MESSAGES = 300e6  # with what messages of the stream may take (server/stream/hub.h: kMaxBytes)
 END = 2  # [s] from SIGTERM to the end
 
 
