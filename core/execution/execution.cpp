@@ -61,6 +61,12 @@ const Progress& Execution::step(Recording recording, std::uint32_t limit) {
 }
 
 Expected<const Progress*> Execution::replay(const JournalEntry& entry, Recording recording, std::uint32_t limit) {
+  auto progress = replay_entry(entry, recording, limit);
+  if (run_.is_told_to_stop()) return unexpected(ErrorCode::unavailable, "nobody waits for the replay any more");
+  return progress;
+}
+
+Expected<const Progress*> Execution::replay_entry(const JournalEntry& entry, Recording recording, std::uint32_t limit) {
   if (is_over()) return unexpected(ErrorCode::conflict, "the run is over before this entry");
   if (std::holds_alternative<AbortEntry>(entry)) return &abort();
   // core/SEMANTICS.md section 10: the first entry is `start`, or `abort` if the run was aborted before it began.

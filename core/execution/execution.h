@@ -5,6 +5,7 @@
 // A pure value that belongs to one thread at a time: a copy goes on from the same point, on the same thread.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <string>
@@ -80,8 +81,8 @@ class Execution {
   const Progress& start(Recording recording, std::uint32_t limit = kNoLimit);
   /// With the first waiting input; with none if none counts (a step of a script; it has no entry).
   const Progress& step(Recording recording, std::uint32_t limit = kNoLimit);
-  /// With the input of an entry, as a replay does; the inputs that wait stay. Error `conflict`: the run does not
-  /// take it here.
+  /// With the input of an entry, as a replay does; the inputs that wait stay. Errors: `conflict`: the run does not take
+  /// it here; `unavailable`: it was stopped.
   Expected<const Progress*> replay(const JournalEntry& entry, Recording recording, std::uint32_t limit = kNoLimit);
   /// Delivers an edit (core/SEMANTICS.md section 9), whose entry is `entry`, and after which the model is `model`
   /// (executed_model.h). What waits and what `model` does not name is dropped, and so are breakpoints of what it does
@@ -97,6 +98,9 @@ class Execution {
   /// What came of the parts of the open macro step that are untold. Requires that some are.
   const Progress& tell_part();
   bool has_untold() const { return open_ && progress_.untold; }
+  /// From now on who sets `stop`, which may be null, ends a macro step after its micro step, or within a function of
+  /// it: what it has come to is no state of the run. `stop` outlives what is done.
+  void stop_with(const std::atomic<bool>* stop) { run_.stop_with(stop); }
   /// Ends the run between macro steps (core/SEMANTICS.md section 10): no exit function runs, what is safe is called.
   const Progress& abort();
   /// A macro step has begun and is not over.
@@ -134,6 +138,7 @@ class Execution {
   const Progress& begin_with(semantics::Run&& run, std::optional<JournalEntry> entry, Recording recording,
                              std::uint32_t limit);
   void carry_goals(const semantics::Run& before);
+  Expected<const Progress*> replay_entry(const JournalEntry& entry, Recording recording, std::uint32_t limit);
   Expected<const Progress*> replay_edit(const EditEntry& entry, Recording recording, std::uint32_t limit);
   template <semantics::Recorder R>
   void do_micro_steps(R& recorder, std::uint32_t limit);

@@ -30,8 +30,9 @@ Expected<Execution> Replay::nearest(std::uint64_t position) {
   return Execution::create(header_);
 }
 
-Expected<Execution> Replay::after(std::uint64_t position) {
+Expected<Execution> Replay::after(std::uint64_t position, const std::atomic<bool>* stop) {
   ASSIGN_OR_RETURN(Execution execution, nearest(position));
+  execution.stop_with(stop);
   while (execution.run().position() < position) {
     const std::uint64_t from = execution.run().position() + 1, to = std::min(position, from + kEntriesAtOnce - 1);
     ASSIGN_OR_RETURN(const std::vector<JournalEntry> entries, source_->entries(from, to));
@@ -46,14 +47,15 @@ Expected<Execution> Replay::after(std::uint64_t position) {
 void Replay::keep(const Execution& execution) {
   const std::size_t position = execution.run().position();
   if (position == 0 || position % interval_ != 0) return;
-  checkpoints_.try_emplace(position, execution);
+  checkpoints_.try_emplace(position, execution).first->second.stop_with(nullptr);
   if (checkpoints_.size() <= most_) return;
   interval_ *= 2;
   std::erase_if(checkpoints_, [this](const auto& each) { return each.first % interval_ != 0; });
 }
 
-Expected<List> Replay::steps(std::uint64_t from, std::uint64_t to, std::uint64_t last, int micro) {
-  ASSIGN_OR_RETURN(Execution execution, after(from - 1));
+Expected<List> Replay::steps(std::uint64_t from, std::uint64_t to, std::uint64_t last, int micro,
+                             const std::atomic<bool>* stop) {
+  ASSIGN_OR_RETURN(Execution execution, after(from - 1, stop));
   ASSIGN_OR_RETURN(const std::vector<JournalEntry> entries, source_->entries(from, to));
   List steps;
   for (std::uint64_t step = from; step <= to; ++step) {
@@ -68,8 +70,8 @@ Expected<List> Replay::steps(std::uint64_t from, std::uint64_t to, std::uint64_t
   return steps;
 }
 
-Expected<Execution> Replay::before(std::uint64_t step, int micro) {
-  ASSIGN_OR_RETURN(Execution execution, after(step - 1));
+Expected<Execution> Replay::before(std::uint64_t step, int micro, const std::atomic<bool>* stop) {
+  ASSIGN_OR_RETURN(Execution execution, after(step - 1, stop));
   ASSIGN_OR_RETURN(const std::vector<JournalEntry> entries, source_->entries(step, step));
   if (auto done = execution.replay(entries.front(), kNothing, static_cast<std::uint32_t>(micro)); !done)
     return tl::unexpected(std::move(done).error());

@@ -4,6 +4,7 @@
 // Threads: one at a time; shares nothing with the run itself but frozen values.
 #pragma once
 
+#include <atomic>
 #include <map>
 #include <memory>
 
@@ -22,19 +23,22 @@ class Replay {
          std::size_t checkpoints = kCheckpoints)
       : header_(std::move(header)), source_(std::move(source)), interval_(interval), most_(checkpoints) {}
 
-  // The journal may have grown since the last call; what was there is as it was. Errors of all: those of the source;
-  // `conflict`: the journal is of another run.
+  // The journal may have grown since the last call; what was there is as it was. Somebody may set `stop`, which may be
+  // null, when nobody waits any more: all end soon then, within a function or between micro steps. Errors of all: those
+  // of the source; `conflict`: the journal is of another run; `unavailable`: it was stopped.
 
   /// Macro steps `from` to `to`, both counted from 1, as schemas/trace_step.json. Of macro step `last`
   /// only the first `micro` micro steps are shown, if it is not complete (`micro` >= 0). Requires 1 <= from <= to.
-  Expected<List> steps(std::uint64_t from, std::uint64_t to, std::uint64_t last, int micro);
+  Expected<List> steps(std::uint64_t from, std::uint64_t to, std::uint64_t last, int micro,
+                       const std::atomic<bool>* stop = nullptr);
 
   /// The execution as it was before micro step `micro`, from 0, of macro step `step`, which has begun; as it was at the
   /// end of the macro step if it has fewer. Requires 1 <= step <= number of entries, micro >= 0.
-  Expected<Execution> before(std::uint64_t step, int micro);
+  Expected<Execution> before(std::uint64_t step, int micro, const std::atomic<bool>* stop = nullptr);
 
-  /// The execution after the first `position` macro steps (0: before the run began). No input waits.
-  Expected<Execution> after(std::uint64_t position);
+  /// The execution after the first `position` macro steps (0: before the run began). No input waits. `stop` stops what
+  /// it does next, too.
+  Expected<Execution> after(std::uint64_t position, const std::atomic<bool>* stop = nullptr);
 
  private:
   Expected<Execution> nearest(std::uint64_t position);

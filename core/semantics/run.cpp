@@ -147,6 +147,13 @@ void Run::fail_at_root(language::FaultKind kind, std::string message) {
   fail({kind, program()[Program::root].path, std::move(message), {}});
 }
 
+void Run::stop_with(const std::atomic<bool>* stop) {
+  body_->budgets.evaluation.stop = stop;
+  body_->interpreter.set_limits(body_->budgets.evaluation);
+}
+
+bool Run::is_told_to_stop() const { return body_->budgets.evaluation.is_told_to_stop(); }
+
 void Run::abort() {
   if (body_->status != Status::running) return;
   ++body_->position;

@@ -6,6 +6,7 @@
 // point. It belongs to one thread at a time.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <string>
@@ -107,6 +108,11 @@ class Run {
   /// A call of each operation marked `safe` of the services that the run has called, in order of their first call; with
   /// the numbers that the run's next calls would have.
   std::vector<OutgoingCall> safe_calls() const;
+
+  /// As Limits::stop of the interpreter, from now on. null: nobody stops it.
+  void stop_with(const std::atomic<bool>* stop);
+  /// What the run has come to since is to be thrown away.
+  bool is_told_to_stop() const;
 
   Status status() const;
   /// The port by which the root was left. Empty unless ended.

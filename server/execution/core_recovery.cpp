@@ -162,11 +162,9 @@ Expected<void> Core::readable() const {
 // before is forgotten. One that `ends` and whose last macro step takes too long ends in that, without an entry.
 Expected<Core::Rebuilt> Core::rebuild(std::chrono::milliseconds longest, bool ends) const {
   ASSIGN_OR_RETURN(RunRecord stored, resources_.runs.get(run_id()));
-  execution::JournalHeader stoppable = header_;
-  stoppable.budgets.evaluation.stop = give_up_.get();
-  execution::Replay replay(stoppable, resources_.runs.source(run_id()));
+  execution::Replay replay(header_, resources_.runs.source(run_id()));
   const auto watch = resources_.watchdog.watch(give_up_, longest);
-  auto replayed = replay.after(stored.steps);
+  auto replayed = replay.after(stored.steps, give_up_.get());
   if (give_up_->exchange(false)) {
     if (!ends) return unexpected(ErrorCode::unavailable, "the run takes too long to be rebuilt from its journal");
     ASSIGN_OR_RETURN(Execution aborted, Execution::create(header_));

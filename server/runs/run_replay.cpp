@@ -13,20 +13,13 @@ namespace {
 
 Value integer(std::uint64_t n) { return static_cast<std::int64_t>(n); }
 
-/// The header of a replay that can be stopped.
-Expected<execution::JournalHeader> stoppable_header(Runs& runs, RunId id, const std::atomic<bool>* stop) {
-  ASSIGN_OR_RETURN(execution::JournalHeader header, runs.header(id));
-  header.budgets.evaluation.stop = stop;
-  return header;
-}
-
 /// A run that stands before macro step `from`.
 Expected<execution::JournalWalk> walk_from(Runs& runs, const RunRecord& run, std::uint64_t from,
                                            const std::atomic<bool>* stop) {
-  ASSIGN_OR_RETURN(const execution::JournalHeader header, stoppable_header(runs, run.id, stop));
+  ASSIGN_OR_RETURN(execution::JournalHeader header, runs.header(run.id));
   const auto source = runs.source(run.id);
-  execution::Replay replay(header, source);
-  ASSIGN_OR_RETURN(execution::Execution execution, replay.after(from - 1));
+  execution::Replay replay(std::move(header), source);
+  ASSIGN_OR_RETURN(execution::Execution execution, replay.after(from - 1, stop));
   return execution::JournalWalk(std::move(execution), source, run.steps);
 }
 
@@ -45,9 +38,9 @@ Expected<Value> run_derivations(Runs& runs, RunId id, std::uint64_t from, std::u
   set_status(run, json);
   List steps;
   if (run.steps > 0) {
-    ASSIGN_OR_RETURN(const execution::JournalHeader header, stoppable_header(runs, id, stop));
-    execution::Replay replay(header, runs.source(id));
-    ASSIGN_OR_RETURN(steps, replay.steps(from, to, run.steps, -1));
+    ASSIGN_OR_RETURN(execution::JournalHeader header, runs.header(id));
+    execution::Replay replay(std::move(header), runs.source(id));
+    ASSIGN_OR_RETURN(steps, replay.steps(from, to, run.steps, -1, stop));
   }
   json.set("steps", std::move(steps));
   return Value(std::move(json));

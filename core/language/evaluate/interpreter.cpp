@@ -7,6 +7,7 @@ namespace race::language {
 
 Interpreter::Interpreter() : Interpreter(Limits()) {}
 Interpreter::Interpreter(Limits limits) : state_(std::make_unique<State>(limits)) {}
+void Interpreter::set_limits(Limits limits) { state_ = std::make_unique<State>(limits); }
 Interpreter::~Interpreter() = default;
 
 Truth Interpreter::condition(const Code& code, Environment& environment) {

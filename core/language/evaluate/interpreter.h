@@ -28,6 +28,8 @@ class Interpreter {
   Interpreter();
   explicit Interpreter(Limits limits);
   ~Interpreter();
+  /// Between evaluations.
+  void set_limits(Limits limits);
   Interpreter(const Interpreter&) = delete;
   Interpreter& operator=(const Interpreter&) = delete;
 

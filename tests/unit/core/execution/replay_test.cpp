@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <iostream>
 
 #include "core/execution/why.h"
@@ -80,6 +81,47 @@ TEST(Replay, DerivesAnyStepsAndOfAnOpenOneTheFirstMicroSteps) {
     EXPECT_EQ(*open.find("complete"), Value(false));
   }
   EXPECT_GT(partial, journals / 20);
+}
+
+/// Says stop when its entries are read for the `reads`-th time.
+struct StoppingJournal final : JournalSource {
+  StoppingJournal(const Journal& journal, int reads) : memory(journal.entries), left(reads) {}
+  Expected<std::vector<JournalEntry>> entries(std::uint64_t from, std::uint64_t to) override {
+    if (--left == 0) stop = true;
+    return memory.entries(from, to);
+  }
+  Expected<Value> checkpoint(std::uint64_t position) override { return memory.checkpoint(position); }
+  MemoryJournal memory;
+  int left;
+  std::atomic<bool> stop{false};
+};
+
+TEST(Replay, ThatIsStoppedGivesNothingAndKeepsNothingHalfDone) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    RandomReplay at(seed);
+    if (at.journal.entries.size() < 2) continue;
+    const auto source = std::make_shared<StoppingJournal>(at.journal, 2);
+    Replay replay(at.journal.header, source, 4, 3);
+    const std::size_t last = at.journal.entries.size(), step = at.step();
+    EXPECT_EQ(replay.steps(last, last, last, -1, &source->stop).error().code, ErrorCode::unavailable);
+    EXPECT_EQ(replay.before(step, 1, &source->stop).error().code, ErrorCode::unavailable);
+    EXPECT_EQ(replay.after(last, &source->stop).error().code, ErrorCode::unavailable);
+    EXPECT_TRUE(same(replay.before(step, 1)->run().state(), within(at.journal, step, 1).run().state()));
+    EXPECT_TRUE(same(replay.after(last)->run().state(), within(at.journal, last, 1 << 20).run().state()));
+  }
+}
+
+TEST(Replay, IsStoppedBetweenTheMicroStepsOfAMacroStep) {
+  const auto document =
+      rcm::read_document_text(R"({"rcm": 1, "root": {"state": "R", "first": "A", "children": [)"
+                              R"({"state": "A", "ports": [{"name": "next", "when": "True", "to": "B"}]},)"
+                              R"({"state": "B", "ports": [{"name": "next", "when": "True", "to": "A"}]}]}})");
+  const Journal journal = journal_of(document.value(), {});
+  Execution execution = Execution::create(journal.header).value();
+  const std::atomic<bool> stop{true};
+  execution.stop_with(&stop);
+  EXPECT_EQ(execution.replay(StartEntry{}, {}).error().code, ErrorCode::unavailable);
+  EXPECT_LE(execution.micro(), 1U);
 }
 
 TEST(Replay, RefusesAJournalOfAnotherRun) {
