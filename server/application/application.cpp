@@ -100,7 +100,7 @@ void Application::name_damaged_documents() {
 
 Expected<void> Application::create_cores(const Setup& setup) {
   pool_ = std::make_unique<Pool>(2);
-  cores_ = std::make_unique<Cores>(*pool_, cell_->host(), *core_publisher_, *runs_, *writer_, replays_);
+  cores_ = std::make_unique<Cores>(*pool_, cell_->host(), *core_publisher_, *runs_, *writer_, replays_, deadlines_);
   live_edits_ = std::make_unique<LiveEdits>(*documents_, *cores_);
   document_watchers_.add(*live_edits_);
   keeper_ = std::make_unique<RunKeeper>(*runs_, *samples_, setup.retention,
@@ -134,6 +134,10 @@ Checked<void> Application::add_operator(const OperatorScript& script) {
 
 Application::~Application() {
   services::set_failure_handler({});
+  restores_.end();  // one that is under way waits for the cores
+  // What is asked is answered by nobody from here on, and what it would use may go.
+  deadlines_.close();
+  replays_.end();
   edits_.reset();
   if (live_edits_) live_edits_->close();
   if (cores_) cores_->close();
@@ -144,7 +148,7 @@ Application::~Application() {
 }
 
 Backend Application::make_backend() {
-  return {[this](Request request) { return handle(std::move(request), resources()); },
+  return {[this](Request request, const Answer& answer) { handle(std::move(request), resources(), answer); },
           [this] { return *get_health({}, *cell_); },
           *hub_,
           *displays_,
@@ -159,8 +163,8 @@ void Application::log(const std::string& source, const std::string& text, LogLev
 ChannelSources Application::channel_sources() { return {*hub_, *cores_, *cell_, *displays_, *flows_, *log_, *edits_}; }
 
 Resources Application::resources() {
-  return {*documents_, *editing_,    *boot_list_, *backups_, *runs_, *samples_,
-          *cores_,     *live_edits_, replays_,    *cell_,    *log_,  answers_};
+  return {*documents_,  *editing_, *boot_list_, *backups_, *runs_, *samples_, *cores_,
+          *live_edits_, replays_,  deadlines_,  restores_, *cell_, *log_,     answers_};
 }
 
 }  // namespace race::server

@@ -32,6 +32,7 @@
 #include "server/stream/displays.h"
 #include "server/stream/flow_channels.h"
 #include "server/stream/hub.h"
+#include "server/threads/deadlines.h"
 #include "server/threads/strand.h"
 #include "server/threads/worker.h"
 #include "services/display/screens.h"
@@ -56,7 +57,7 @@ class Application {
 
   /// What the sockets serve; the application outlives it.
   Backend make_backend();
-  /// Handlers that wait for a replay are answered, and no replay begins any more: the sockets end.
+  /// The replay that is done ends soon, and none begins any more: the sockets end.
   void stop_replays() { replays_.stop(); }
 
  private:
@@ -88,7 +89,10 @@ class Application {
   std::unique_ptr<JournalWriter> writer_;
   std::unique_ptr<BootList> boot_list_;
   std::unique_ptr<Pool> pool_;  // of the cores
-  Worker replays_;
+  Deadlines deadlines_;
+  Worker replays_{deadlines_};
+  Pool restores_{1};           // of backups, which wait for cores and edits
+  IdempotentAnswers answers_;  // outlives the cores: some of what was asked of them may be dropped with them
   std::unique_ptr<Cell> cell_;
   std::unique_ptr<FlowChannels> flows_;
   std::unique_ptr<Cores> cores_;
@@ -98,7 +102,6 @@ class Application {
   DocumentWatchers document_watchers_;
   std::unique_ptr<Editing> editing_;
   std::unique_ptr<EditQueue> edits_;
-  IdempotentAnswers answers_;
   std::unique_ptr<Operator> operator_;  // destroyed first, when the cell that calls it has stopped
 };
 

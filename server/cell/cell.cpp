@@ -114,12 +114,13 @@ void Cell::step() {
   if (local_world_) local_world_->publish_pose(clock_.now());
 }
 
-Expected<Value> Cell::execute(const std::optional<PersonCommand>& command) {
-  return pending_commands_.wait([&](CellWorld::Wanted wanted, CellWorld::Done done) {
-    queue_.post([this, command, wanted = std::move(wanted), done = std::move(done)] {
-      world_->execute(command, wanted, done);
+void Cell::execute(const std::optional<PersonCommand>& command, Deadlines& deadlines, Done<Value> done) {
+  const auto start = [&](CellWorld::Wanted wanted, CellWorld::Done executed) {
+    queue_.post([this, command, wanted = std::move(wanted), executed = std::move(executed)] {
+      world_->execute(command, wanted, executed);
     });
-  });
+  };
+  pending_commands_.start(start, deadlines, std::move(done));
 }
 
 void Cell::start_real_time() {

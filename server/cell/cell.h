@@ -61,9 +61,9 @@ class Cell {
   CellWorld* world() { return world_.get(); }
   /// The world, if it is in this process.
   const LocalWorld* local_world() const { return local_world_; }
-  /// CellWorld::execute(), on any thread but the group's: waits for it (pending_commands.h). Only with a world, and
+  /// CellWorld::execute(), from any thread; the result goes to `done` (pending_commands.h). Only with a world, and
   /// after start_real_time(). Errors: `unavailable`, those of the command.
-  Expected<Value> execute(const std::optional<PersonCommand>& command);
+  void execute(const std::optional<PersonCommand>& command, Deadlines& deadlines, Done<Value> done);
   /// Called at the beginning of each step(), on the group's thread. To be set before the first step.
   void before_step(std::function<void()> work) { before_step_ = std::move(work); }
 

@@ -1,46 +1,50 @@
 #include "server/cell/pending_commands.h"
 
-#include <atomic>
-#include <future>
-#include <memory>
+#include <utility>
 
 namespace race::server {
-namespace {
 
-// Shared by the waiting thread and the command, which may run after the wait has timed out.
-struct PendingCommand {
-  std::atomic<bool> decided{false};  // the command has begun, or has timed out
-  std::promise<Expected<Value>> answer;
-
+// Shared by who asked and the cell, where it may come to its turn when the time is over.
+struct PendingCommands::Command {
+  Command(Done<Value> done, std::shared_ptr<std::atomic<int>> all)
+      : pending(std::move(all)), answer([this, done = std::move(done)](Expected<Value> person) {
+          --*pending;
+          answered = true;
+          done(std::move(person));
+        }) {}
+  Command(const Command&) = delete;
+  ~Command() {
+    if (!answered) --*pending;  // dropped: the cell ends
+  }
   /// Whether this is the first to decide.
-  bool take() { return !decided.exchange(true); }
+  bool decide() { return !decided.exchange(true); }
+
+  const std::shared_ptr<std::atomic<int>> pending;
+  std::atomic<bool> decided{false};  // it has begun, or has timed out
+  std::atomic<bool> answered{false};
+  Once<Value> answer;
 };
 
-}  // namespace
-
-Expected<Value> PendingCommands::wait(const std::function<void(CellWorld::Wanted, CellWorld::Done)>& start) {
-  {
-    const services::MutexLock lock(mutex_);
-    if (!free_.wait_for(mutex_, timeouts_.admission, [this]() REQUIRES(mutex_) { return pending_ < kMaxPending; }))
-      return unexpected(ErrorCode::unavailable, "other commands wait for the cell already; this one is not done");
-    ++pending_;
+void PendingCommands::start(const std::function<void(CellWorld::Wanted, CellWorld::Done)>& start, Deadlines& deadlines,
+                            Done<Value> done) {
+  if (++*pending_ > kMaxPending) {
+    --*pending_;
+    return done(unexpected(ErrorCode::unavailable, "other commands wait for the cell already; this one is not done"));
   }
-  const auto command = std::make_shared<PendingCommand>();
-  auto answer = command->answer.get_future();
-  start([command] { return command->take(); },
-        [command](Expected<Value> person) { command->answer.set_value(std::move(person)); });
-  constexpr auto kReady = std::future_status::ready;
-  bool answered = answer.wait_for(timeouts_.completion) == kReady;
-  const bool given_up = !answered && command->take();
-  if (!answered && !given_up) answered = answer.wait_for(timeouts_.grace) == kReady;
-  {
-    const services::MutexLock lock(mutex_);
-    --pending_;
-  }
-  free_.notify_one();
-  if (answered) return answer.get();
-  return unexpected(ErrorCode::unavailable, given_up ? "the cell does not answer; this is not done"
-                                                     : "the cell has begun this and does not answer; it may be done");
+  const auto command = std::make_shared<Command>(std::move(done), pending_);
+  deadlines.after(timeouts_.completion, [weak = std::weak_ptr(command), grace = timeouts_.grace, &deadlines] {
+    const auto late = weak.lock();
+    if (!late) return;
+    if (late->decide())
+      return late->answer(unexpected(ErrorCode::unavailable, "the cell does not answer; this is not done"));
+    deadlines.after(grace, [weak] {
+      if (const auto begun = weak.lock())
+        begun->answer(
+            unexpected(ErrorCode::unavailable, "the cell has begun this and does not answer; it may be done"));
+    });
+  });
+  start([command] { return command->decide(); },
+        [command](Expected<Value> person) { command->answer(std::move(person)); });
 }
 
 }  // namespace race::server

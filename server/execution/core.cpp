@@ -1,7 +1,6 @@
 #include "server/execution/core.h"
 
 #include <algorithm>
-#include <tuple>
 
 #include "server/execution/core_internal.h"
 
@@ -33,31 +32,34 @@ Expected<std::vector<Goal>> find_goals(const semantics::Program& program,
 }  // namespace
 
 Expected<std::shared_ptr<Core>> Core::create(RunRecord run, execution::JournalHeader header,
-                                             const CoreResources& resources) {
+                                             const CoreResources& resources, bool live) {
   const auto give_up = std::make_shared<std::atomic<bool>>(false);
   execution::JournalHeader stoppable = header;
   stoppable.budgets.evaluation.stop = give_up.get();
   ASSIGN_OR_RETURN(Execution execution, Execution::create(stoppable));
   // Held by the registry, and by work on its way through the strand.
-  std::shared_ptr<Core> core(new Core(std::move(run), std::move(header), std::move(execution), give_up, resources));
+  std::shared_ptr<Core> core(
+      new Core(std::move(run), std::move(header), std::move(execution), give_up, resources, live));
   core->open_journal();
   return core;
 }
 
 Core::Core(RunRecord run, execution::JournalHeader header, Execution execution, Watchdog::Flag give_up,
-           const CoreResources& resources)
+           const CoreResources& resources, bool live)
     : id_(std::to_string(run.id)),
       run_id_(run.id),
       header_(std::move(header)),
       resources_(resources),
       strand_(resources.pool),
       model_(execution.model()),
+      live_(live),
       record_(std::move(run)),
       give_up_(std::move(give_up)),
       execution_(std::move(execution)),
       replay_(std::make_shared<execution::Replay>(header_, resources.runs.source(run_id_))) {
   revision_ = record_.revision;
   info_ = info_json();
+  reached_ = reached_now();
 }
 
 void Core::announce() {
@@ -84,9 +86,8 @@ void Core::deliver(const services::Delivery& delivery) {
 }
 
 // The first macro step begins at once, so that the answer says that it has.
-Expected<Value> Core::start() {
-  if (auto ready = ensure_rebuilt(); !ready) return tl::unexpected(std::move(ready).error());
-  return on_strand<Value>([this]() -> Expected<Value> {
+void Core::start(Done<Value> done) {
+  when_rebuilt<Value>(std::move(done), [this]() -> Expected<Value> {
     if (started_) return conflict("core " + id_ + " was started before");
     if (closed_) return conflict("core " + id_ + " has another model now");
     started_ = true;
@@ -96,8 +97,8 @@ Expected<Value> Core::start() {
   });
 }
 
-Expected<Core::Preparation> Core::retire() {
-  return on_strand<Preparation>([this]() -> Expected<Preparation> {
+void Core::retire(Done<Preparation> done) {
+  on_strand<Preparation>(std::move(done), [this]() -> Expected<Preparation> {
     if (started_) return conflict("core " + id_ + " was started before");
     if (closed_) return conflict("core " + id_ + " is going away");
     closed_ = true;
@@ -105,19 +106,21 @@ Expected<Core::Preparation> Core::retire() {
   });
 }
 
-// What is shown of it has all of this from the first moment: `live_` stands before what publishes it.
+// Not on the strand: nobody knows this core yet. What is shown of it has all of this from the first moment.
 void Core::replace(const Core& other, Preparation preparation) {
-  live_ = other.live_.load();
-  std::erase_if(preparation.breakpoints,
-                [this](const execution::GoalName& name) { return !find_goal(*header_.program, name).has_value(); });
-  std::ignore = set_breakpoints(std::move(preparation.breakpoints));
-  if (preparation.paused) std::ignore = pause();
+  breakpoint_names_ = std::move(preparation.breakpoints);
+  find_breakpoints();
+  paused_ = preparation.paused;
+  {
+    const services::MutexLock lock(mutex_);
+    info_ = info_json();
+  }
   if (other.state_watched_) watch_state();
   if (other.derivation_watched_) watch_derivation(true);
 }
 
-Expected<Value> Core::pause() {
-  return on_strand<Value>([this]() -> Expected<Value> {
+void Core::pause(Done<Value> done) {
+  on_strand<Value>(std::move(done), [this]() -> Expected<Value> {
     if (auto sound = readable(); !sound) return tl::unexpected(std::move(sound).error());
     if (is_over()) return conflict("core " + id_ + " is over");
     if (!execution_.has_goal() && !paused_) finish_macro_step();
@@ -126,9 +129,8 @@ Expected<Value> Core::pause() {
   });
 }
 
-Expected<Value> Core::resume() {
-  if (auto ready = ensure_rebuilt(); !ready) return tl::unexpected(std::move(ready).error());
-  return on_strand<Value>([this]() -> Expected<Value> {
+void Core::resume(Done<Value> done) {
+  when_rebuilt<Value>(std::move(done), [this]() -> Expected<Value> {
     if (started_ || interruption_)
       if (auto ready = ready_to_go_on(); !ready) return tl::unexpected(std::move(ready).error());
     paused_ = false;
@@ -139,18 +141,16 @@ Expected<Value> Core::resume() {
   });
 }
 
-Expected<Value> Core::stop() {
-  if (auto ready = ensure_rebuilt(); !ready) return tl::unexpected(std::move(ready).error());
-  return on_strand<Value>([this]() -> Expected<Value> {
+void Core::stop(Done<Value> done) {
+  when_rebuilt<Value>(std::move(done), [this]() -> Expected<Value> {
     if (!started_) return conflict("core " + id_ + " was not started");
     if (auto ended = end_run_now(); !ended) return tl::unexpected(std::move(ended).error());
     return info_json();
   });
 }
 
-Expected<bool> Core::dismiss() {
-  if (auto ready = ensure_rebuilt(); !ready) return tl::unexpected(std::move(ready).error());
-  return on_strand<bool>([this]() -> Expected<bool> {
+void Core::dismiss(Done<bool> done) {
+  when_rebuilt<bool>(std::move(done), [this]() -> Expected<bool> {
     closed_ = closed_ || !started_;
     if (!started_ || (is_over() && !interruption_)) return started_;
     if (auto ended = end_run_now(); !ended && ended.error().code != ErrorCode::conflict)
@@ -173,9 +173,8 @@ Expected<void> Core::end_run_now() {
   return {};
 }
 
-Expected<Value> Core::step(execution::GoalName name) {
-  if (auto ready = ensure_rebuilt(); !ready) return tl::unexpected(std::move(ready).error());
-  return on_strand<Value>([this, name = std::move(name)]() -> Expected<Value> {
+void Core::step(execution::GoalName name, Done<Value> done) {
+  when_rebuilt<Value>(std::move(done), [this, name = std::move(name)]() -> Expected<Value> {
     if (is_over() && !interruption_) return conflict("core " + id_ + " is over");
     if (!started_ || !(paused_ || awaits_input())) return conflict("core " + id_ + " is not paused");
     ASSIGN_OR_RETURN(const Goal goal, find_goal(program(), name));
@@ -188,8 +187,8 @@ Expected<Value> Core::step(execution::GoalName name) {
   });
 }
 
-Expected<Value> Core::set_breakpoints(std::vector<execution::GoalName> names) {
-  return on_strand<Value>([this, names = std::move(names)]() -> Expected<Value> {
+void Core::set_breakpoints(std::vector<execution::GoalName> names, Done<Value> done) {
+  on_strand<Value>(std::move(done), [this, names = std::move(names)]() -> Expected<Value> {
     if (auto sound = readable(); !sound) return tl::unexpected(std::move(sound).error());
     if (is_over()) return conflict("core " + id_ + " is over");
     if (names.size() > kMostBreakpoints)

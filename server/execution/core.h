@@ -6,8 +6,9 @@
 // When the journal fails, or the run was under way when an earlier server ended, the run is *interrupted*: it is as the
 // journal says, its open calls are answered `unavailable`, and it goes on when somebody says so.
 //
-// Threads: all public functions on any but the core's strand; those that say "waits" wait for it, a few seconds at
-// most, and answer `unavailable` if it has not come round by then.
+// Threads: all public functions on any. What takes its turn on the strand gives its value to a Done, on the strand or
+// another thread, and `unavailable` if its turn has not come after some seconds. Of each there is a function that waits
+// for the value, not to be called on the strand.
 #pragma once
 
 #include <atomic>
@@ -24,6 +25,9 @@
 #include "server/execution/live_edit.h"
 #include "server/store/journal_writer.h"
 #include "server/store/runs.h"
+#include "server/threads/deadlines.h"
+#include "server/threads/done.h"
+#include "server/threads/stop.h"
 #include "server/threads/strand.h"
 #include "server/threads/watchdog.h"
 #include "server/threads/worker.h"
@@ -57,6 +61,7 @@ struct CoreResources {
   Runs& runs;
   JournalWriter& writer;
   Worker& replays;
+  Deadlines& deadlines;
   Watchdog& watchdog;
   /// A macro step may compute for so long; then the run is interrupted.
   std::chrono::milliseconds longest_step{10'000};
@@ -67,7 +72,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   /// Of a stored run that has not begun; `header` is its header, whose arguments and native model are frozen. Errors:
   /// those of Execution::create.
   static Expected<std::shared_ptr<Core>> create(RunRecord run, execution::JournalHeader header,
-                                                const CoreResources& resources);
+                                                const CoreResources& resources, bool live = false);
   /// Of a stored run that was under way when the server ended: interrupted, unless its journal says that it is over.
   /// Waits until it is rebuilt. Errors: those of Execution::create and of the store; `conflict`: the journal is of
   /// another run.
@@ -96,63 +101,109 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   static constexpr std::size_t kMostInputUnits = 4U << 20U;  // of their data (Value::size_units), but for the last
   static constexpr std::size_t kMostKeptUnits = 16U << 20U;  // of what a run keeps of them, but for the last
 
-  // Commands: wait, and give the core as it is then, once what they caused is durable. Errors: `conflict`: it is not in
-  // the state for it; `storage`: the disk fails, and the run is interrupted.
-  Expected<Value> start();
-  Expected<Value> pause();
+  // Commands: give the core as it is then, once what they caused is durable. Errors: `conflict`: it is not in the state
+  // for it; `storage`: the disk fails, and the run is interrupted; `unavailable`: it has not begun the command in time,
+  // and never will.
+  void start(Done<Value> done);
+  void pause(Done<Value> done);
   /// Of an interrupted run: it goes on from its last macro step.
-  Expected<Value> resume();
+  void resume(Done<Value> done);
   /// Ends the run between macro steps.
-  Expected<Value> stop();
+  void stop(Done<Value> done);
   /// Ends the run for good, or keeps one that has not begun from beginning: whether it has begun. Errors: as stop().
-  Expected<bool> dismiss();
+  void dismiss(Done<bool> done);
   /// What a person has said about a run that has not begun.
   struct Preparation {
     bool paused = false;
     std::vector<execution::GoalName> breakpoints;
   };
   /// No command begins this run any more: another model is loaded in its place. `conflict`: it has begun.
-  Expected<Preparation> retire();
+  void retire(Done<Preparation> done);
   /// It was not: the run may begin.
   void reinstate();
   /// A paused core goes as far as `goal`. One that waits for an input to get there counts as paused, and may be told
   /// another goal. Error: as execution::find_goal.
-  Expected<Value> step(execution::GoalName goal);
+  void step(execution::GoalName goal, Done<Value> done);
   /// The core is paused wherever it reaches one of `goals`; they replace those of before. After an edit an id is that
   /// of the same element, also under another name, a path is of what is there then, and what names nothing is dropped.
   /// Errors: `too_large`, and that of execution::find_goal, at `breakpoints/N`.
   static constexpr std::size_t kMostBreakpoints = 100;  // every delta has them
-  Expected<Value> set_breakpoints(std::vector<execution::GoalName> goals);
+  void set_breakpoints(std::vector<execution::GoalName> goals, Done<Value> done);
 
   /// Sets a value or takes a port of a run that has begun, in a macro step of its own; a paused one stays paused.
   /// `conflict`: it is not running, or paused in a macro step; those of semantics::Run::forced.
-  Expected<Value> force(semantics::Force force);
+  void force(semantics::Force force, Done<Value> done);
 
   // Edits: a live core follows the revisions of its document without violations, between macro steps, or as soon as it
   // can. Not to be started by default: a new port or action may move the robot.
   bool is_live() const { return live_; }
-  /// Waits. `conflict`: it is over; `storage`: it is interrupted, and cannot be read yet.
-  Expected<Value> set_live(bool live);
+  /// `conflict`: it is over; `storage`: it is interrupted, and cannot be read yet.
+  void set_live(bool live, Done<Value> done);
   /// Gets to another revision; in place of what waits. Does not wait.
   void follow(LiveEdit edit);
   /// It cannot get to this revision, and stays as it is. Does not wait.
   void refuse_edit(std::int64_t revision, const std::vector<Error>& errors);
 
-  // Questions: wait. They are answered with what is durable.
+  // Questions. They are answered with what is durable.
   /// schemas/core_state.json
-  Expected<Value> state();
+  void state(Done<Value> done);
   /// schemas/native.json of what it executes.
-  Expected<Value> native();
+  void native(Done<Value> done);
   /// schemas/why.json; `not_found`: no such port.
-  Expected<Value> why(const std::string& port);
-  /// The same as things were before micro step `micro` (from 0) of macro step `step` (from 1), recomputed on the
-  /// thread of replays. `out_of_range`: no such macro step.
-  Expected<Value> why_before(const std::string& port, std::size_t step, int micro);
+  void why(const std::string& port, Done<Value> done);
+
+  // Questions about the past: not to the strand, so a core that is busy answers them, too. They are about what was told
+  // last. Error `storage`: the run cannot be read.
   /// How many entries its journal has.
-  Expected<std::uint64_t> position();
-  /// schemas/derivations.json, recomputed on the thread of replays. `out_of_range`: no such macro steps; 0 = the last
-  /// one.
-  Expected<Value> derivations(std::size_t from, std::size_t to);
+  Expected<std::uint64_t> position() const EXCLUDES(mutex_);
+  /// why() as things were before micro step `micro` (from 0) of macro step `step` (from 1), recomputed on the thread of
+  /// replays until nobody waits any more. `out_of_range`: no such macro step; `unavailable`: it takes long, and goes on
+  /// from where it was when it is asked again.
+  void why_before(const std::string& port, std::size_t step, int micro, SharedStop gone, Done<Value> done);
+  /// schemas/derivations.json, recomputed likewise. `out_of_range`: no such macro steps; 0 = the last one.
+  void derivations(std::size_t from, std::size_t to, SharedStop gone, Done<Value> done);
+
+  // The same for who waits.
+  Expected<Value> start() {
+    return wait_for<Value>([&](Done<Value> done) { start(std::move(done)); });
+  }
+  Expected<Value> pause() {
+    return wait_for<Value>([&](Done<Value> done) { pause(std::move(done)); });
+  }
+  Expected<Value> resume() {
+    return wait_for<Value>([&](Done<Value> done) { resume(std::move(done)); });
+  }
+  Expected<Value> stop() {
+    return wait_for<Value>([&](Done<Value> done) { stop(std::move(done)); });
+  }
+  Expected<Preparation> retire() {
+    return wait_for<Preparation>([&](Done<Preparation> done) { retire(std::move(done)); });
+  }
+  Expected<Value> step(execution::GoalName goal) {
+    return wait_for<Value>([&](Done<Value> done) { step(std::move(goal), std::move(done)); });
+  }
+  Expected<Value> set_breakpoints(std::vector<execution::GoalName> goals) {
+    return wait_for<Value>([&](Done<Value> done) { set_breakpoints(std::move(goals), std::move(done)); });
+  }
+  Expected<Value> force(semantics::Force force) {
+    return wait_for<Value>([&](Done<Value> done) { this->force(std::move(force), std::move(done)); });
+  }
+  Expected<Value> set_live(bool live) {
+    return wait_for<Value>([&](Done<Value> done) { set_live(live, std::move(done)); });
+  }
+  Expected<Value> state() {
+    return wait_for<Value>([&](Done<Value> done) { state(std::move(done)); });
+  }
+  Expected<Value> native() {
+    return wait_for<Value>([&](Done<Value> done) { native(std::move(done)); });
+  }
+  Expected<Value> why(const std::string& port) {
+    return wait_for<Value>([&](Done<Value> done) { why(port, std::move(done)); });
+  }
+  Expected<Value> derivations(std::size_t from, std::size_t to) {
+    return wait_for<Value>(
+        [&](Done<Value> done) { derivations(from, to, std::make_shared<Stop>(false), std::move(done)); });
+  }
 
   /// No more steps are begun: the server ends.
   void close() { closed_ = true; }
@@ -160,13 +211,13 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   // Watching. A snapshot is published first; from then on, what changes.
   void watch_state();
   void watch_derivation(bool on);
-  /// This core comes in the place of `other`, a retired one: it is watched as that was, and prepared so; breakpoints
-  /// that the new model does not have are dropped. Waits.
+  /// This core, which nobody knows yet, comes in the place of `other`, a retired one: it is watched as that was, and
+  /// prepared so; breakpoints that the new model does not have are dropped.
   void replace(const Core& other, Preparation preparation);
 
  private:
   Core(RunRecord run, execution::JournalHeader header, execution::Execution execution, Watchdog::Flag give_up,
-       const CoreResources& resources);
+       const CoreResources& resources, bool live);
 
   // RunSink.
   void durable(std::uint64_t ticket) override;
@@ -175,15 +226,19 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
 
   /// Where a run is: `micro` steps of the macro step `step`, -1 if it is complete.
   struct Reached {
-    std::uint64_t step = 0;
-    int micro = -1;
-    Dict status;  // status, outcome, fault as of core.json
+    std::uint64_t step;
+    int micro;
+    Value status;  // status, outcome, fault as of core.json; frozen
   };
   template <typename T, typename F>
-  Expected<T> on_strand(F function);
+  void on_strand(Done<T> done, F function);
+  template <typename T, typename F>
+  void when_rebuilt(Done<T> done, F function);
   template <typename F>
-  Expected<Value> replayed(F function);
-  Expected<Reached> reached();
+  void replayed(SharedStop gone, Done<Value> done, F function);
+  Expected<Reached> reached() const EXCLUDES(mutex_);
+  void set_reached(Expected<Reached> reached) EXCLUDES(mutex_);
+  Reached reached_now() const;
 
   // All below: on the strand.
   const semantics::Run& run() const { return execution_.run(); }
@@ -253,9 +308,11 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   void take_rebuilt(std::uint64_t interruption, Expected<Rebuilt> rebuilt);
   void take(Rebuilt rebuilt);
   void open_journal();
-  // On any other thread: they wait for the disk.
+  // On any other thread: it waits for the disk.
   Expected<Rebuilt> rebuild(std::chrono::milliseconds longest, bool ends) const;
-  Expected<void> ensure_rebuilt();
+  // On any: what could not be read back before is, if the disk works now. Errors: `storage`, `corrupt`.
+  void ensure_rebuilt(Done<void> done);
+  void rebuild_for(std::uint64_t interruption, Done<void> done);
 
   static constexpr std::uint32_t kTurn = 256;  // micro steps in one turn of the strand,
   static constexpr std::uint32_t kPart = 16;   // after so many at most the time is looked at
@@ -282,6 +339,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   Inbox inbox_ GUARDED_BY(mutex_);
   Value info_ GUARDED_BY(mutex_);
   execution::ExecutedModel model_ GUARDED_BY(mutex_);
+  Expected<Reached> reached_ GUARDED_BY(mutex_);  // as told last
   std::atomic<bool> state_watched_{false}, derivation_watched_{false}, closed_{false}, live_{false};
   std::atomic<bool> state_asked_{false}, derivation_asked_{false};  // and what is asked for has not come
 

@@ -37,15 +37,15 @@ void Core::set_model(execution::ExecutedModel model) {
   model_ = std::move(model);
 }
 
-Expected<Value> Core::native() {
-  return on_strand<Value>([this]() -> Expected<Value> {
+void Core::native(Done<Value> done) {
+  on_strand<Value>(std::move(done), [this]() -> Expected<Value> {
     if (auto sound = readable(); !sound) return tl::unexpected(std::move(sound).error());
     return execution_.model().native;
   });
 }
 
-Expected<Value> Core::set_live(bool live) {
-  return on_strand<Value>([this, live]() -> Expected<Value> {
+void Core::set_live(bool live, Done<Value> done) {
+  on_strand<Value>(std::move(done), [this, live]() -> Expected<Value> {
     if (auto sound = readable(); !sound) return tl::unexpected(std::move(sound).error());
     if (is_over()) return unexpected(ErrorCode::conflict, "core " + id_ + " is over");
     live_ = live;
@@ -171,10 +171,9 @@ void Core::find_breakpoints() {
 }
 
 // A person's command: it takes effect at once, also in a core that is paused, which stays so.
-Expected<Value> Core::force(semantics::Force force) {
-  if (auto ready = ensure_rebuilt(); !ready) return tl::unexpected(std::move(ready).error());
+void Core::force(semantics::Force force, Done<Value> done) {
   force.value.freeze();
-  return on_strand<Value>([this, force = std::move(force)]() -> Expected<Value> {
+  when_rebuilt<Value>(std::move(done), [this, force = std::move(force)]() -> Expected<Value> {
     if (auto sound = readable(); !sound) return tl::unexpected(std::move(sound).error());
     if (interruption_) return unexpected(ErrorCode::conflict, "core " + id_ + " is interrupted");
     if (!started_ || is_over()) return unexpected(ErrorCode::conflict, "core " + id_ + " is not running");

@@ -3,7 +3,6 @@
 
 #include <atomic>
 #include <chrono>
-#include <future>
 #include <memory>
 #include <utility>
 
@@ -11,47 +10,60 @@
 
 namespace race::server {
 
-// Posts `function` and waits for its value until all that caused it is durable, or never will be. When the core does
-// not answer in time, the function is not executed any more: who asked is told that nothing has happened, and it is
-// so.
-template <typename T, typename F>
-Expected<T> Core::on_strand(F function) {
+// A question on its way to the strand: it is executed in time, or never.
+template <typename T>
+struct Question {
+  explicit Question(Done<T> done) : answer(std::move(done)) {}
+  Once<T> answer;
+  std::atomic<bool> decided{false};  // it has begun, or is given up
+  bool decide() { return !decided.exchange(true); }
+};
+
+// Answers who asked if the strand does not come to it, and then it is not executed any more: who asked is told that
+// nothing has happened, and it is so. What has begun happens, and is answered as soon as the disk or its watch has
+// answered; not even that comes while its own macro step goes on.
+template <typename T>
+void give_up_late(Deadlines& deadlines, const std::shared_ptr<Question<T>>& question, const std::string& core) {
   constexpr std::chrono::seconds kTimeout{5};
-  enum class Progress : std::uint8_t { posted, taken, abandoned };
-  struct Question {
-    std::promise<Expected<T>> promise;
-    std::atomic<Progress> progress{Progress::posted};
-    bool move_to(Progress next) {
-      Progress posted = Progress::posted;
-      return progress.compare_exchange_strong(posted, next);
-    }
-  };
-  auto question = std::make_shared<Question>();
-  auto answer = question->promise.get_future();
-  strand_.post([self = shared_from_this(), function = std::move(function), question] {
-    if (!question->move_to(Progress::taken)) return;
+  deadlines.after(kTimeout, [weak = std::weak_ptr(question), core, &deadlines] {
+    const auto late = weak.lock();
+    if (!late) return;
+    if (late->decide()) return late->answer(unexpected(ErrorCode::unavailable, "core " + core + " is busy"));
+    deadlines.after(2 * DiskWatch::kTimeout, [weak, core] {
+      if (const auto begun = weak.lock())
+        begun->answer(unexpected(ErrorCode::unavailable, "core " + core + " has begun this, and is busy"));
+    });
+  });
+}
+
+// Posts `function` and gives `done` its value when all that caused it is durable, or never will be.
+template <typename T, typename F>
+void Core::on_strand(Done<T> done, F function) {
+  auto question = std::make_shared<Question<T>>(std::move(done));
+  give_up_late(resources_.deadlines, question, id_);
+  strand_.post([self = shared_from_this(), function = std::move(function), question = std::move(question)] {
+    if (!question->decide()) return;
     try {
-      auto answer = Expected<T>(function());
+      auto value = Expected<T>(function());
       self->tell_untold();
-      self->held_.add([question, value = std::move(answer)](const Error* failure) {
-        question->promise.set_value(failure ? Expected<T>(tl::unexpect, *failure) : value);
+      self->held_.add([question, value = std::move(value)](const Error* failure) {
+        question->answer(failure ? Expected<T>(tl::unexpect, *failure) : value);
       });
     } catch (const std::exception& failure) {
-      question->promise.set_exception(std::current_exception());
       self->interrupt_after(failure);
+      question->answer(unexpected(ErrorCode::unavailable, std::string("this failed: ") + failure.what()));
     }
   });
-  if (answer.wait_for(kTimeout) != std::future_status::ready) {
-    if (question->move_to(Progress::abandoned)) return unexpected(ErrorCode::unavailable, "core " + id_ + " is busy");
-    // It happens, and is answered as soon as the disk or its watch has answered.
-    if (answer.wait_for(2 * DiskWatch::kTimeout) != std::future_status::ready)
-      return unexpected(ErrorCode::unavailable, "core " + id_ + " has begun this, and is busy");
-  }
-  try {
-    return answer.get();
-  } catch (const std::future_error&) {  // the pool has ended
-    return unexpected(ErrorCode::unavailable, "the server ends");
-  }
+}
+
+// The same, once a run that is interrupted is as its journal says.
+template <typename T, typename F>
+void Core::when_rebuilt(Done<T> done, F function) {
+  ensure_rebuilt(
+      [self = shared_from_this(), done = std::move(done), function = std::move(function)](const Expected<void>& ready) {
+        if (!ready) return done(tl::unexpected(ready.error()));
+        self->on_strand<T>(done, function);
+      });
 }
 
 }  // namespace race::server

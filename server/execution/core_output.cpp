@@ -27,10 +27,11 @@ List breakpoints_json(const std::vector<execution::GoalName>& breakpoints) {
 // What came of a part of a macro step: the one place where anything leaves a core.
 void Core::emit(const Progress& progress) {
   record(progress);
-  held_.add([this, calls = progress.calls, over = is_over(), printed = progress.printed,
+  held_.add([this, reached = reached_now(), calls = progress.calls, over = is_over(), printed = progress.printed,
              delta = execution_.is_watched() && !progress.edited ? delta_of(progress) : Value(),
              steps = progress.derivation ? steps_of(progress) : Value()](const Error* failure) {
     if (failure) return;
+    set_reached(reached);
     for (const std::string& text : printed) resources_.watcher.printed(id_, text);
     make_calls(resources_.host, id_, calls, over);
     if (!delta.is_null()) resources_.watcher.state_changed(id_, delta);

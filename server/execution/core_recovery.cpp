@@ -118,21 +118,37 @@ void Core::take_rebuilt(std::uint64_t interruption, Expected<Rebuilt> rebuilt) {
   publish_info();
 }
 
-/// What could not be read back before is, if the disk works now. Errors: `storage`, `corrupt`.
-Expected<void> Core::ensure_rebuilt() {
-  if (info().find("status")->as_string() != "interrupted") return {};
-  ASSIGN_OR_RETURN(const std::optional<std::uint64_t> interruption,
-                   on_strand<std::optional<std::uint64_t>>([this]() -> Expected<std::optional<std::uint64_t>> {
-                     return is_to_rebuild() ? std::optional(interruption_->number) : std::nullopt;
-                   }));
-  if (!interruption) return {};
-  auto rebuilt = std::make_shared<Expected<Rebuilt>>(rebuild(kLongestRebuild, false));
-  if (!*rebuilt) return tl::unexpected(rebuilt->error());
-  ASSIGN_OR_RETURN(std::ignore, on_strand<bool>([this, interruption, rebuilt]() -> Expected<bool> {
-                     take_rebuilt(*interruption, std::move(*rebuilt));
-                     return true;
-                   }));
-  return {};
+void Core::ensure_rebuilt(Done<void> done) {
+  if (info().find("status")->as_string() != "interrupted") return done({});
+  using Number = std::optional<std::uint64_t>;
+  Done<Number> found = [self = shared_from_this(), done = std::move(done)](const Expected<Number>& interruption) {
+    if (!interruption) return done(tl::unexpected(interruption.error()));
+    if (!*interruption) return done({});
+    self->rebuild_for(**interruption, done);
+  };
+  on_strand<Number>(std::move(found), [this]() -> Expected<Number> {
+    return is_to_rebuild() ? Number(interruption_->number) : std::nullopt;
+  });
+}
+
+// The disk may keep the thread of recovery for long: who asked is answered all the same, and nothing more happens.
+void Core::rebuild_for(std::uint64_t interruption, Done<void> done) {
+  auto once = std::make_shared<Once<void>>(std::move(done));
+  resources_.deadlines.after(2 * DiskWatch::kTimeout, [weak = std::weak_ptr(once)] {
+    if (const auto late = weak.lock())
+      (*late)(unexpected(ErrorCode::unavailable, "the run takes long to be read back; ask again"));
+  });
+  resources_.writer.recover([self = shared_from_this(), interruption, once = std::move(once)] {
+    auto rebuilt = std::make_shared<Expected<Rebuilt>>(self->rebuild(kLongestRebuild, false));
+    if (!*rebuilt) return (*once)(tl::unexpected(rebuilt->error()));
+    Done<bool> taken = [once](const Expected<bool>& is_taken) {
+      (*once)(is_taken ? Expected<void>() : tl::unexpected(is_taken.error()));
+    };
+    self->on_strand<bool>(std::move(taken), [raw = self.get(), interruption, rebuilt]() -> Expected<bool> {
+      raw->take_rebuilt(interruption, std::move(*rebuilt));
+      return true;
+    });
+  });
 }
 
 // As it was known last: what was computed since is in no journal.
@@ -142,6 +158,7 @@ void Core::publish_interruption() {
   info.set("interruption", Dict{{"reason", interruption_->reason}, {"message", interruption_->message}});
   info.set("paused", true);
   Value frozen = std::move(info);
+  if (auto sound = readable(); !sound) set_reached(tl::unexpected(std::move(sound).error()));
   set_info(std::move(frozen.freeze()));
 }
 
@@ -185,6 +202,7 @@ void Core::take(Rebuilt rebuilt) {
   revision_ = std::max(record_.revision, execution_.model().revision);
   model_since_ = execution_.is_edited() ? run().position() : 0;
   set_model(execution_.model());
+  set_reached(reached_now());
   find_breakpoints();
   open_journal();
   started_ = record_.steps > 0;

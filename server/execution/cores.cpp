@@ -22,21 +22,21 @@ std::vector<Error> wrong_types(const rcm::Document& document, const std::vector<
   return errors;
 }
 
-// 0 of what is no id. A number has one form: with zeros before it, it would name a core once more.
-std::uint64_t number_of(const std::string& id) {
-  if (id.starts_with('0')) return 0;
-  std::uint64_t number = 0;
-  const auto [end, error] = std::from_chars(id.data(), id.data() + id.size(), number);
-  return error == std::errc() && end == id.data() + id.size() ? number : 0;
-}
-
-tl::unexpected<std::vector<Error>> one(Error error) { return tl::unexpected(std::vector<Error>{std::move(error)}); }
+tl::unexpected<std::vector<Error>> one(Error error) { return refused<std::vector<Error>>(std::move(error)); }
 
 tl::unexpected<Error> no_core(const std::string& id) {
   return unexpected(ErrorCode::not_found, "there is no core of this id", id);
 }
 
 }  // namespace
+
+// A number has one form: with zeros before it, it would name a core once more.
+RunId Cores::number_of(const std::string& id) {
+  if (id.starts_with('0')) return 0;
+  RunId number = 0;
+  const auto [end, error] = std::from_chars(id.data(), id.data() + id.size(), number);
+  return error == std::errc() && end == id.data() + id.size() ? number : 0;
+}
 
 Checked<Value> native_json(const rcm::Document& document) {
   auto native = rcm::translate(document);
@@ -85,11 +85,11 @@ Checked<LiveEdit> Cores::edit_for(const Core& core, const StoredDocument& stored
   return edit;
 }
 
-Checked<std::shared_ptr<Core>> Cores::create(const StoredDocument& stored, Dict arguments) {
+Checked<std::shared_ptr<Core>> Cores::create(const StoredDocument& stored, Dict arguments, bool live) {
   auto header = header_of(stored, std::move(arguments));
   if (!header) return tl::unexpected(std::move(header).error());
   if (auto reserved = reserve_place(); !reserved) return one(std::move(reserved).error());
-  auto core = create_run(stored, std::move(*header));
+  auto core = create_run(stored, std::move(*header), live);
   if (core) add(*core);
   const services::MutexLock lock(mutex_);
   --coming_;
@@ -106,38 +106,11 @@ Expected<void> Cores::reserve_place() {
   return {};
 }
 
-bool Cores::is_restoring() const {
-  const services::MutexLock lock(mutex_);
-  return restoring_;
-}
-
-Expected<std::shared_ptr<Core>> Cores::create_run(const StoredDocument& stored, execution::JournalHeader header) {
+Expected<std::shared_ptr<Core>> Cores::create_run(const StoredDocument& stored, execution::JournalHeader header,
+                                                  bool live) {
   ASSIGN_OR_RETURN(RunRecord run,
                    resources_.runs.create({stored.name, stored.revision, header, resources_.host.models()}, now_ms()));
-  return Core::create(std::move(run), std::move(header), resources_);
-}
-
-// The new core has the number of the old one, which begins no more.
-Checked<std::shared_ptr<Core>> Cores::load(const std::string& id, const StoredDocument& stored, Dict arguments) {
-  const auto old = find(id);
-  if (!old) return one(old.error());
-  auto header = header_of(stored, std::move(arguments));
-  if (!header) return tl::unexpected(std::move(header).error());
-  const services::MutexLock one_at_a_time(loading_);
-  if (is_restoring()) return one({ErrorCode::conflict, "a backup is being restored"});
-  auto preparation = (*old)->retire();
-  if (!preparation) return one(std::move(preparation).error());
-  auto run =
-      resources_.runs.replace((*old)->run_id(), {stored.name, stored.revision, *header, resources_.host.models()});
-  if (!run) {
-    (*old)->reinstate();
-    return one(std::move(run).error());
-  }
-  auto core = Core::create(std::move(*run), std::move(*header), resources_);
-  if (!core) return one(std::move(core).error());
-  (*core)->replace(**old, std::move(*preparation));
-  add(*core);
-  return *core;
+  return Core::create(std::move(run), std::move(header), resources_, live);
 }
 
 Expected<void> Cores::recover() {
@@ -179,50 +152,9 @@ std::vector<std::shared_ptr<Core>> Cores::all() const {
   return all;
 }
 
-Expected<std::shared_ptr<Core>> Cores::remove(const std::string& id) {
-  const services::MutexLock one_at_a_time(loading_);
-  ASSIGN_OR_RETURN(auto core, find(id));
-  const auto had_begun = core->dismiss();
-  // One whose journal is damaged cannot go on in any case; the run stays in the store.
-  if (!had_begun && had_begun.error().code != ErrorCode::corrupt) return tl::unexpected(had_begun.error());
-  if (had_begun && !*had_begun)
-    if (auto removed = resources_.runs.remove(core->run_id()); !removed && removed.error().code != ErrorCode::not_found)
-      return tl::unexpected(removed.error());
-  core->close();
-  {
-    const services::MutexLock lock(mutex_);
-    cores_.erase(core->run_id());
-  }
-  resources_.watcher.core_removed(core->id());
-  return core;
-}
-
 bool is_over(const Value& core) {
   const std::string status = core.find("status")->as_string();
   return status == "ended" || status == "faulted" || status == "aborted";
-}
-
-// A core that has not begun is retired, so that no start gets through.
-Expected<void> Cores::close_for_restore() {
-  const services::MutexLock one_at_a_time(loading_);
-  {
-    const services::MutexLock lock(mutex_);
-    if (restoring_ || coming_ > 0) return unexpected(ErrorCode::conflict, "a core is being created, ask again");
-    restoring_ = true;
-  }
-  for (const auto& core : all()) {
-    if (core->retire()) continue;
-    if (is_over(core->info())) continue;
-    reopen();
-    return unexpected(ErrorCode::conflict, "the run of core " + core->id() + " is not over");
-  }
-  return {};
-}
-
-void Cores::reopen() {
-  for (const auto& core : all()) core->reinstate();
-  const services::MutexLock lock(mutex_);
-  restoring_ = false;
 }
 
 void Cores::deliver(const services::Delivery& delivery) {

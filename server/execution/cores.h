@@ -1,10 +1,13 @@
 // Cores: all cores of the server, by id, which is the number of the run; brings them what services say.
 //
-// Threads: any.
+// Threads: any. What a core has to take part in gives its result to a Done and goes on on a thread of its own; of each
+// there is a function that waits for it.
 #pragma once
 
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,17 +23,19 @@ class Cores {
   static constexpr std::size_t kMost = 128;
 
   /// All outlive this.
-  Cores(Pool& pool, services::Host& host, CoreWatcher& watcher, Runs& runs, JournalWriter& writer, Worker& replays)
-      : resources_{pool, host, watcher, runs, writer, replays, watchdog_} {}
+  Cores(Pool& pool, services::Host& host, CoreWatcher& watcher, Runs& runs, JournalWriter& writer, Worker& replays,
+        Deadlines& deadlines)
+      : resources_{pool, host, watcher, runs, writer, replays, deadlines, watchdog_} {}
 
-  /// A core of a document in a revision that waits to be started; its run is stored. Errors: violations of the program
-  /// (with `type` for a service of another type than the document expects), an argument that does not fit, `conflict`:
-  /// there are kMost cores already; `storage`.
-  Checked<std::shared_ptr<Core>> create(const StoredDocument& stored, Dict arguments);
-  /// Another model, or the same with other arguments, in a core that has not begun. Errors: as create(); `conflict`: it
-  /// has; `not_found`.
-  Checked<std::shared_ptr<Core>> load(const std::string& id, const StoredDocument& stored, Dict arguments)
-      EXCLUDES(loading_);
+  /// A core of a document in a revision that waits to be started; its run is stored. Does not wait for any core.
+  /// `live`: it follows its document. Errors: violations of the program (with `type` for a service of another type than
+  /// the document expects), an argument that does not fit, `conflict`: there are kMost cores already; `storage`.
+  Checked<std::shared_ptr<Core>> create(const StoredDocument& stored, Dict arguments, bool live = false);
+  /// Another model, or the same with other arguments, in a core that has not begun. Nothing in `live`: it follows its
+  /// document if it did before. Errors: as create(); `conflict`: it has, or it is being loaded or removed; `not_found`.
+  void load(const std::string& id, const StoredDocument& stored, Dict arguments, std::optional<bool> live,
+            Done<std::shared_ptr<Core>, std::vector<Error>> done) EXCLUDES(mutex_);
+  Checked<std::shared_ptr<Core>> load(const std::string& id, const StoredDocument& stored, Dict arguments);
   /// The edit that brings a core that has begun to a revision of its document. Errors: as create(), and those of
   /// execution::edit_between.
   Checked<LiveEdit> edit_for(const Core& core, const StoredDocument& stored) const;
@@ -42,14 +47,15 @@ class Cores {
   Expected<std::shared_ptr<Core>> find(const std::string& id) const;
   /// In order of creation.
   std::vector<std::shared_ptr<Core>> all() const;
-  /// Ends a core's run, removes the core and reports the removal; waits for the core. A run that never began is removed
-  /// from the store, too. Errors, after which the core is there: `not_found`, `unavailable` (it is busy), `storage`
-  /// (its end cannot be stored).
-  Expected<std::shared_ptr<Core>> remove(const std::string& id) EXCLUDES(loading_);
+  /// Ends a core's run, removes the core and reports the removal. A run that never began is removed from the store,
+  /// too. Errors, after which the core is there: `not_found`, `conflict` (it is being loaded or removed), `unavailable`
+  /// (it is busy), `storage` (its end cannot be stored).
+  void remove(const std::string& id, Done<std::shared_ptr<Core>> done) EXCLUDES(mutex_);
+  Expected<std::shared_ptr<Core>> remove(const std::string& id);
 
-  /// From now on no run begins and no core is created, until reopen(); the store may become another. `conflict`: a run
-  /// is not over, or a core is being created.
-  Expected<void> close_for_restore() EXCLUDES(loading_, mutex_);
+  /// From now on no run begins and no core is created, until reopen(); the store may become another. Waits for the
+  /// cores. `conflict`: a run is not over, or a core is being created, loaded or removed.
+  Expected<void> close_for_restore() EXCLUDES(mutex_);
   void reopen() EXCLUDES(mutex_);
 
   /// An event goes to every core that names it, a response to the core whose call it answers.
@@ -58,19 +64,33 @@ class Cores {
   void close();
 
  private:
+  /// 0 of what is no id.
+  static RunId number_of(const std::string& id);
   Checked<execution::JournalHeader> header_of(const StoredDocument& stored, Dict arguments) const;
   Expected<void> reserve_place() EXCLUDES(mutex_);
-  bool is_restoring() const EXCLUDES(mutex_);
-  Expected<std::shared_ptr<Core>> create_run(const StoredDocument& stored, execution::JournalHeader header);
+  Expected<std::shared_ptr<Core>> create_run(const StoredDocument& stored, execution::JournalHeader header, bool live);
   void add(const std::shared_ptr<Core>& core) EXCLUDES(mutex_);
+
+  // A core that is loaded or removed: one at a time does that.
+  struct Changing {
+    services::Mutex mutex;
+    std::set<RunId> ids GUARDED_BY(mutex);
+  };
+  class Change;
+  struct Load;
+  Expected<std::shared_ptr<Change>> begin_change(RunId id, bool is_load) EXCLUDES(mutex_);
+  Checked<std::shared_ptr<Core>> finish_load(Load& load, Core::Preparation preparation) EXCLUDES(mutex_);
+  Expected<std::shared_ptr<Core>> finish_removal(const std::shared_ptr<Core>& core, const Expected<bool>& had_begun)
+      EXCLUDES(mutex_);
 
   Watchdog watchdog_;
   const CoreResources resources_;
-  services::Mutex loading_;
+  const std::shared_ptr<Changing> changing_ = std::make_shared<Changing>();  // held by changes
   mutable services::Mutex mutex_;
   std::map<RunId, std::shared_ptr<Core>> cores_ GUARDED_BY(mutex_);
   std::size_t coming_ GUARDED_BY(mutex_) = 0;  // being created
   bool restoring_ GUARDED_BY(mutex_) = false;
+  Pool changes_{1};  // where loads and removals go on
 };
 
 /// Whether the run of a core (schemas/core.json) is over.

@@ -4,6 +4,7 @@
 #include "server/handlers/handlers.h"
 #include "server/handlers/idempotency.h"
 #include "server/store/backup.h"
+#include "server/threads/strand.h"
 #include "server/wire/calendar.h"
 
 namespace race::server {
@@ -38,13 +39,14 @@ Handled delete_backup(const Request& request, Backups& backups) {
   return answer_with(backups.remove(request.parameters.at("name")));
 }
 
-// Cores that are over or have not begun go: the store of that time knows others.
-Handled restore_backup(const Request& request, Backups& backups, Cores& cores, Editing& editing,
-                       IdempotentAnswers& answers) {
+namespace {
+
+// Cores that are over or have not begun go: the store of that time knows others. Waits for them, and for edits.
+Handled restore(const std::string& name, Backups& backups, Cores& cores, Editing& editing, IdempotentAnswers& answers) {
   const auto paused = editing.pause();
   if (!paused) return failed(paused.error());
   if (auto closed = cores.close_for_restore(); !closed) return failed(std::move(closed).error());
-  const auto restored = backups.restore(request.parameters.at("name"), [&cores]() -> Expected<void> {
+  const auto restored = backups.restore(name, [&cores]() -> Expected<void> {
     for (const auto& core : cores.all())
       if (auto removed = cores.remove(core->id()); !removed) return tl::unexpected(std::move(removed).error());
     return {};
@@ -52,6 +54,15 @@ Handled restore_backup(const Request& request, Backups& backups, Cores& cores, E
   cores.reopen();
   answers.clear();
   return answer_with(restored);
+}
+
+}  // namespace
+
+void restore_backup(const Request& request, Respond respond, Backups& backups, Cores& cores, Editing& editing,
+                    IdempotentAnswers& answers, Pool& restores) {
+  restores.post([&, name = request.parameters.at("name"), respond = std::move(respond)] {
+    respond(restore(name, backups, cores, editing, answers));
+  });
 }
 
 }  // namespace race::server

@@ -43,4 +43,8 @@ Handled answer(Expected<Value> value) {
   return ok(std::move(*value));
 }
 
+Done<Value> answer_to(Respond respond) {
+  return [respond = std::move(respond)](Expected<Value> value) { respond(answer(std::move(value))); };
+}
+
 }  // namespace race::server

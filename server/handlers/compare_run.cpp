@@ -5,16 +5,16 @@
 
 namespace race::server {
 
-Handled compare_run(const Request& request, Runs& runs, Worker& replays) {
+void compare_run(const Request& request, Respond respond, Runs& runs, Worker& replays) {
   const auto with = request.query.find("with");
-  if (with == request.query.end()) return failed({ErrorCode::missing, "with which run? ?with=2", "with"});
+  if (with == request.query.end()) return respond(failed({ErrorCode::missing, "with which run? ?with=2", "with"}));
   const auto from = query_number(request, "from");
-  if (!from) return failed(from.error());
-  return answer_replay(replays,
-                       [&runs, first = run_number(request.parameters.at("run")), second = run_number(with->second),
-                        from = static_cast<std::uint64_t>(from->value_or(1))](const Worker::Stop& stop) {
-                         return compare_runs(runs, first, second, from, kMostCompared, &stop);
-                       });
+  if (!from) return respond(failed(from.error()));
+  answer_replay(request, std::move(respond), replays,
+                [&runs, first = run_number(request.parameters.at("run")), second = run_number(with->second),
+                 from = static_cast<std::uint64_t>(from->value_or(1))](const Stop& stop) {
+                  return compare_runs(runs, first, second, from, kMostCompared, &stop);
+                });
 }
 
 }  // namespace race::server

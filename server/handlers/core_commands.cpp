@@ -6,16 +6,22 @@ namespace race::server {
 
 namespace {
 
-Handled command(const Request& request, Cores& cores, Expected<Value> (Core::*what)()) {
+void command(const Request& request, Respond respond, Cores& cores, void (Core::*what)(Done<Value>)) {
   const auto core = core_of(request, cores);
-  if (!core) return tl::unexpected(core.error());
-  return answer(((**core).*what)());
+  if (!core) return respond(tl::unexpected(core.error()));
+  ((**core).*what)(answer_to(std::move(respond)));
 }
 
 }  // namespace
 
-Handled pause_core(const Request& request, Cores& cores) { return command(request, cores, &Core::pause); }
-Handled resume_core(const Request& request, Cores& cores) { return command(request, cores, &Core::resume); }
-Handled stop_core(const Request& request, Cores& cores) { return command(request, cores, &Core::stop); }
+void pause_core(const Request& request, Respond respond, Cores& cores) {
+  command(request, std::move(respond), cores, &Core::pause);
+}
+void resume_core(const Request& request, Respond respond, Cores& cores) {
+  command(request, std::move(respond), cores, &Core::resume);
+}
+void stop_core(const Request& request, Respond respond, Cores& cores) {
+  command(request, std::move(respond), cores, &Core::stop);
+}
 
 }  // namespace race::server

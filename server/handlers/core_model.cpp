@@ -21,11 +21,4 @@ Checked<CoreModel> read_core_model(const Request& request, Documents& documents)
   return CoreModel{std::move(*document), std::move(arguments).value_or(Dict()), live};
 }
 
-Expected<Value> follow_document(Core& core, const CoreModel& model, LiveEdits& edits) {
-  if (!model.live) return core.info();
-  auto info = core.set_live(*model.live);
-  if (info && *model.live) edits.changed(model.document.name);
-  return info;
-}
-
 }  // namespace race::server

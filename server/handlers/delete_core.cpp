@@ -4,10 +4,11 @@
 
 namespace race::server {
 
-Handled delete_core(const Request& request, Cores& cores) {
-  const auto core = cores.remove(request.parameters.at("id"));
-  if (!core) return failed(core.error());
-  return ok((*core)->info());
+void delete_core(const Request& request, Respond respond, Cores& cores) {
+  cores.remove(request.parameters.at("id"),
+               [respond = std::move(respond)](const Expected<std::shared_ptr<Core>>& removed) {
+                 respond(removed ? Handled(ok((*removed)->info())) : failed(removed.error()));
+               });
 }
 
 }  // namespace race::server

@@ -6,17 +6,17 @@
 
 namespace race::server {
 
-Handled force_core(const Request& request, Cores& cores) {
+void force_core(const Request& request, Respond respond, Cores& cores) {
   const auto core = core_of(request, cores);
-  if (!core) return tl::unexpected(core.error());
+  if (!core) return respond(tl::unexpected(core.error()));
   auto body = parse_json(request.body);
-  if (!body) return failed(std::move(body).error());
+  if (!body) return respond(failed(std::move(body).error()));
   std::vector<Error> errors;
   Fields fields(*body, "", "the request", errors, Fields::Paths::field);
   semantics::Force force = execution::read_force(fields);
   fields.close();
-  if (!errors.empty()) return tl::unexpected(std::move(errors));
-  return answer((*core)->force(std::move(force)));
+  if (!errors.empty()) return respond(tl::unexpected(std::move(errors)));
+  (*core)->force(std::move(force), answer_to(std::move(respond)));
 }
 
 }  // namespace race::server

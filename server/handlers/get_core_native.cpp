@@ -4,10 +4,10 @@
 
 namespace race::server {
 
-Handled get_core_native(const Request& request, Cores& cores) {
+void get_core_native(const Request& request, Respond respond, Cores& cores) {
   const auto core = core_of(request, cores);
-  if (!core) return tl::unexpected(core.error());
-  return answer((*core)->native());
+  if (!core) return respond(tl::unexpected(core.error()));
+  (*core)->native(answer_to(std::move(respond)));
 }
 
 }  // namespace race::server

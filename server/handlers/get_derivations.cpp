@@ -5,14 +5,14 @@
 
 namespace race::server {
 
-Handled get_derivations(const Request& request, Cores& cores) {
+void get_derivations(const Request& request, Respond respond, Cores& cores) {
   const auto core = core_of(request, cores);
-  if (!core) return tl::unexpected(core.error());
+  if (!core) return respond(tl::unexpected(core.error()));
   const auto from = query_number(request, "from"), to = query_number(request, "to");
-  if (!from) return failed(from.error());
-  if (!to) return failed(to.error());
-  return answer(
-      (*core)->derivations(static_cast<std::size_t>(from->value_or(0)), static_cast<std::size_t>(to->value_or(0))));
+  if (!from) return respond(failed(from.error()));
+  if (!to) return respond(failed(to.error()));
+  (*core)->derivations(static_cast<std::size_t>(from->value_or(0)), static_cast<std::size_t>(to->value_or(0)),
+                       request.gone, answer_to(std::move(respond)));
 }
 
 }  // namespace race::server

@@ -7,19 +7,20 @@
 
 namespace race::server {
 
-Handled get_why(const Request& request, Cores& cores) {
+void get_why(const Request& request, Respond respond, Cores& cores) {
   const auto core = core_of(request, cores);
-  if (!core) return tl::unexpected(core.error());
+  if (!core) return respond(tl::unexpected(core.error()));
   const std::string port = query_text(request, "port");
-  if (port.empty()) return failed({ErrorCode::missing, "which port? ?port=Root/A.success", "port"});
+  if (port.empty()) return respond(failed({ErrorCode::missing, "which port? ?port=Root/A.success", "port"}));
   constexpr std::int64_t kMost = std::numeric_limits<int>::max();
   const auto step = query_number(request, "step", {1, kMost}), micro = query_number(request, "micro", {0, kMost});
-  if (!step) return failed(step.error());
-  if (!micro) return failed(micro.error());
-  if (!*step && !*micro) return answer((*core)->why(port));
+  if (!step) return respond(failed(step.error()));
+  if (!micro) return respond(failed(micro.error()));
+  if (!*step && !*micro) return (*core)->why(port, answer_to(std::move(respond)));
   if (!*step || !*micro)
-    return failed({ErrorCode::missing, "`step` and `micro` go together", *step ? "micro" : "step"});
-  return answer((*core)->why_before(port, static_cast<std::size_t>(**step), static_cast<int>(**micro)));
+    return respond(failed({ErrorCode::missing, "`step` and `micro` go together", *step ? "micro" : "step"}));
+  (*core)->why_before(port, static_cast<std::size_t>(**step), static_cast<int>(**micro), request.gone,
+                      answer_to(std::move(respond)));
 }
 
 }  // namespace race::server

@@ -1,15 +1,18 @@
 // One handler for each route of api/openapi.yaml, in a file of its name: takes a parsed request and the resources that
-// it uses, returns a value. Sockets, limits and rights wrap them in one place.
+// it uses, returns a value. Those that need a core, the cell or a replay respond when it has come: no thread of theirs
+// waits for it. Sockets, limits and rights wrap them in one place.
 //
-// Threads: any thread of the handlers' pool; a handler may wait for a core.
+// Threads: any thread of the handlers' pool. A handler that responds later takes with it what it needs of the request.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
 #include "core/value/expected.h"
 #include "core/value/fields.h"
 #include "server/http/message.h"
+#include "server/threads/done.h"
 
 namespace race::server {
 
@@ -19,15 +22,19 @@ class Cell;
 class CellWorld;
 class Core;
 class Cores;
+class Deadlines;
 class Documents;
 class Editing;
 class IdempotentAnswers;
 class LiveEdits;
+class Pool;
 class Runs;
 class Samples;
 class Worker;
 
 using Handled = Checked<Reply>;
+/// Gets what a handler has to say, once; on any thread.
+using Respond = std::function<void(Handled)>;
 
 Handled get_health(const Request& request, Cell& cell);
 Handled get_rules(const Request& request);
@@ -45,42 +52,42 @@ Handled list_backups(const Request& request, Backups& backups);
 Handled get_backup(const Request& request, Backups& backups);
 Handled create_backup(const Request& request, Backups& backups);
 Handled delete_backup(const Request& request, Backups& backups);
-Handled restore_backup(const Request& request, Backups& backups, Cores& cores, Editing& editing,
-                       IdempotentAnswers& answers);
+void restore_backup(const Request& request, Respond respond, Backups& backups, Cores& cores, Editing& editing,
+                    IdempotentAnswers& answers, Pool& restores);
 Handled list_services(const Request& request, Cell& cell);
 Handled list_cores(const Request& request, Cores& cores);
 Handled create_core(const Request& request, Documents& documents, Cores& cores, LiveEdits& edits);
 Handled get_core(const Request& request, Cores& cores);
-Handled delete_core(const Request& request, Cores& cores);
-Handled load_core(const Request& request, Documents& documents, Cores& cores, LiveEdits& edits);
-Handled start_core(const Request& request, Documents& documents, Cores& cores);
-Handled pause_core(const Request& request, Cores& cores);
-Handled resume_core(const Request& request, Cores& cores);
-Handled stop_core(const Request& request, Cores& cores);
-Handled step_core(const Request& request, Cores& cores);
-Handled set_breakpoints(const Request& request, Cores& cores);
-Handled set_core_live(const Request& request, Cores& cores, LiveEdits& edits);
-Handled force_core(const Request& request, Cores& cores);
-Handled get_core_native(const Request& request, Cores& cores);
-Handled get_core_state(const Request& request, Cores& cores);
-Handled get_derivations(const Request& request, Cores& cores);
+void delete_core(const Request& request, Respond respond, Cores& cores);
+void load_core(const Request& request, Respond respond, Documents& documents, Cores& cores, LiveEdits& edits);
+void start_core(const Request& request, Respond respond, Documents& documents, Cores& cores);
+void pause_core(const Request& request, Respond respond, Cores& cores);
+void resume_core(const Request& request, Respond respond, Cores& cores);
+void stop_core(const Request& request, Respond respond, Cores& cores);
+void step_core(const Request& request, Respond respond, Cores& cores);
+void set_breakpoints(const Request& request, Respond respond, Cores& cores);
+void set_core_live(const Request& request, Respond respond, Cores& cores, LiveEdits& edits);
+void force_core(const Request& request, Respond respond, Cores& cores);
+void get_core_native(const Request& request, Respond respond, Cores& cores);
+void get_core_state(const Request& request, Respond respond, Cores& cores);
+void get_derivations(const Request& request, Respond respond, Cores& cores);
 Handled get_core_script(const Request& request, Cores& cores, Runs& runs);
 Handled get_core_journal(const Request& request, Cores& cores, Runs& runs);
-Handled get_why(const Request& request, Cores& cores);
+void get_why(const Request& request, Respond respond, Cores& cores);
 Handled list_runs(const Request& request, Runs& runs);
-Handled import_run(const Request& request, Runs& runs, Samples& samples, Worker& replays);
+void import_run(const Request& request, Respond respond, Runs& runs, Samples& samples, Worker& replays);
 Handled get_run(const Request& request, Runs& runs);
 Handled delete_run(const Request& request, Runs& runs, Cores& cores);
 Handled get_run_native(const Request& request, Runs& runs);
-Handled get_run_derivations(const Request& request, Runs& runs, Worker& replays);
+void get_run_derivations(const Request& request, Respond respond, Runs& runs, Worker& replays);
 Handled get_run_journal(const Request& request, Runs& runs);
 Handled get_run_script(const Request& request, Runs& runs);
 Handled get_run_samples(const Request& request, Runs& runs, Samples& samples);
 Handled get_run_export(const Request& request, Runs& runs, Samples& samples, Documents& documents);
-Handled compare_run(const Request& request, Runs& runs, Worker& replays);
+void compare_run(const Request& request, Respond respond, Runs& runs, Worker& replays);
 Handled get_cell(const Request& request, Cell& cell);
-Handled get_person(const Request& request, Cell& cell);
-Handled execute_person_command(const Request& request, Cell& cell);
+void get_person(const Request& request, Respond respond, Cell& cell, Deadlines& deadlines);
+void execute_person_command(const Request& request, Respond respond, Cell& cell, Deadlines& deadlines);
 Handled get_cell_file(const Request& request, Cell& cell);
 Handled get_boot(const Request& request, BootList& boot);
 Handled put_boot(const Request& request, Documents& documents, BootList& boot);
@@ -101,5 +108,7 @@ Checked<std::shared_ptr<Core>> core_of(const Request& request, const Cores& core
 Checked<CellWorld*> world_of(Cell& cell);
 /// The answer of a core or the cell, or its error.
 Handled answer(Expected<Value> value);
+/// Responds with the answer of a core or the cell once it has come.
+Done<Value> answer_to(Respond respond);
 
 }  // namespace race::server

@@ -1,5 +1,6 @@
 #include "server/handlers/idempotency.h"
 
+#include <memory>
 #include <utility>
 
 #include "core/rcm/ids.h"
@@ -35,31 +36,35 @@ std::size_t bytes_of(const Reply& reply) {
 // The request of a key that is being answered: without an answer to keep, the key is free again.
 class IdempotentAnswers::UnderWay {
  public:
-  UnderWay(IdempotentAnswers& answers, const std::string& key) : answers_(answers), key_(key) {}
+  UnderWay(IdempotentAnswers& answers, std::string key) : answers_(answers), key_(std::move(key)) {}
   UnderWay(const UnderWay&) = delete;
   ~UnderWay() {
-    if (!kept_) answers_.forget(key_);
+    if (!ended_) answers_.forget(key_);
   }
-  void keep(const Reply& reply) {
-    answers_.keep(key_, reply);
-    kept_ = true;
+  /// Before the reply is sent: the client may ask again then.
+  void end(const Reply& reply) {
+    if (reply.status < 300)
+      answers_.keep(key_, reply);
+    else
+      answers_.forget(key_);
+    ended_ = true;
   }
 
  private:
   IdempotentAnswers& answers_;
-  const std::string& key_;
-  bool kept_ = false;
+  const std::string key_;
+  bool ended_ = false;
 };
 
-Reply IdempotentAnswers::answer(const Request& request, const std::function<Reply()>& make) {
-  if (request.count(kHeader) == 0) return make();
+void IdempotentAnswers::answer(const Request& request, const std::function<void(TakeReply)>& make, TakeReply reply) {
+  if (request.count(kHeader) == 0) return make(std::move(reply));
   const auto key = read_key(request);
-  if (!key) return refusal(std::vector<Error>{key.error()});
-  if (auto known = find_or_begin(*key, digest_of(request))) return std::move(*known);
-  UnderWay under_way(*this, *key);
-  Reply reply = make();
-  if (reply.status < 300) under_way.keep(reply);
-  return reply;
+  if (!key) return reply(refusal(std::vector<Error>{key.error()}));
+  if (auto known = find_or_begin(*key, digest_of(request))) return reply(std::move(*known));
+  make([under_way = std::make_shared<UnderWay>(*this, *key), reply = std::move(reply)](Reply made) {
+    under_way->end(made);
+    reply(std::move(made));
+  });
 }
 
 std::optional<Reply> IdempotentAnswers::find_or_begin(const std::string& key, const sqlite::Digest& request) {

@@ -18,6 +18,9 @@
 
 namespace race::server {
 
+/// Gets the reply to a request, once.
+using TakeReply = std::function<void(Reply)>;
+
 class IdempotentAnswers {
  public:
   struct Limits {
@@ -27,11 +30,11 @@ class IdempotentAnswers {
   explicit IdempotentAnswers(Limits limits) : limits_(limits) {}
   IdempotentAnswers() : IdempotentAnswers(Limits{}) {}
 
-  /// What `make` answers, or has answered when the request came with this key before: then with the header
-  /// Idempotency-Replayed. Refusals are not kept, so that the request may be sent again. Without a key, `make` alone.
-  /// 400 `out_of_range`: the key is not 1 to 64 of A-Z a-z 0-9 _ -, in quotation marks or not; 409 `conflict`: its
-  /// first request is under way; 422 `conflict`: its first request was another one.
-  Reply answer(const Request& request, const std::function<Reply()>& make) EXCLUDES(mutex_);
+  /// Replies what `make` replies, now or later, or has answered when the request came with this key before: then with
+  /// the header Idempotency-Replayed. Refusals are not kept, so that the request may be sent again. Without a key,
+  /// `make` alone. 400 `out_of_range`: the key is not 1 to 64 of A-Z a-z 0-9 _ -, in quotation marks or not; 409
+  /// `conflict`: its first request is under way; 422 `conflict`: its first request was another one.
+  void answer(const Request& request, const std::function<void(TakeReply)>& make, TakeReply reply) EXCLUDES(mutex_);
 
   /// Forgets all answers: what they say was created may be gone.
   void clear() EXCLUDES(mutex_);

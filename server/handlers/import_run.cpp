@@ -17,7 +17,7 @@ struct SoundFile {
   std::map<std::uint64_t, std::string> checkpoints;
 };
 
-Checked<SoundFile> read(const std::string& text, const Worker::Stop& stop) {
+Checked<SoundFile> read(const std::string& text, const Stop& stop) {
   SoundFile sound;
   auto file = read_run_file_text(text, &sound.checkpoints, &stop);
   if (!file) return tl::unexpected(std::move(file).error());
@@ -25,14 +25,8 @@ Checked<SoundFile> read(const std::string& text, const Worker::Stop& stop) {
   return sound;
 }
 
-}  // namespace
-
-Handled import_run(const Request& request, Runs& runs, Samples& samples, Worker& replays) {
-  auto read_in_time =
-      replays.ask([text = request.body](const Worker::Stop& stop) { return read(text, stop); }, kReplayTimeout);
-  if (!read_in_time) return failed(std::move(read_in_time).error());
-  if (!*read_in_time) return tl::unexpected(std::move(*read_in_time).error());
-  const auto& [file, checkpoints] = **read_in_time;
+Handled store(const SoundFile& sound, Runs& runs, Samples& samples) {
+  const auto& [file, checkpoints] = sound;
   const Runs::NewRun run{file.record.document, file.record.revision, file.journal.header, file.services};
   const auto record = runs.import(file.record, run, file.journal.entries, checkpoints);
   if (!record) return failed(record.error());
@@ -41,6 +35,16 @@ Handled import_run(const Request& request, Runs& runs, Samples& samples, Worker&
     return failed(std::move(stored).error());
   }
   return created(run_json(*record), "/api/v1/runs/" + std::to_string(record->id));
+}
+
+}  // namespace
+
+void import_run(const Request& request, Respond respond, Runs& runs, Samples& samples, Worker& replays) {
+  replays.ask<SoundFile, std::vector<Error>>(
+      [text = request.body](const Stop& stop) { return read(text, stop); }, kReplayLimit, request.gone,
+      [respond = std::move(respond), &runs, &samples](const Checked<SoundFile>& sound) {
+        respond(sound ? store(*sound, runs, samples) : Handled(tl::unexpected(sound.error())));
+      });
 }
 
 }  // namespace race::server

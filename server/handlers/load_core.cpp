@@ -5,12 +5,16 @@
 
 namespace race::server {
 
-Handled load_core(const Request& request, Documents& documents, Cores& cores, LiveEdits& edits) {
+void load_core(const Request& request, Respond respond, Documents& documents, Cores& cores, LiveEdits& edits) {
   auto model = read_core_model(request, documents);
-  if (!model) return tl::unexpected(std::move(model).error());
-  const auto core = cores.load(request.parameters.at("id"), model->document, std::move(model->arguments));
-  if (!core) return tl::unexpected(core.error());
-  return answer(follow_document(**core, *model, edits));
+  if (!model) return respond(tl::unexpected(std::move(model).error()));
+  cores.load(request.parameters.at("id"), model->document, std::move(model->arguments), model->live,
+             [respond = std::move(respond), &edits,
+              document = model->document.name](const Checked<std::shared_ptr<Core>>& core) {
+               if (!core) return respond(tl::unexpected(core.error()));
+               if ((*core)->is_live()) edits.changed(document);  // there may be a later revision
+               respond(ok((*core)->info()));
+             });
 }
 
 }  // namespace race::server

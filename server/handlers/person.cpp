@@ -8,21 +8,23 @@ namespace race::server {
 
 namespace {
 
-Handled execute(Cell& cell, const std::optional<PersonCommand>& command) {
-  if (const auto world = world_of(cell); !world) return tl::unexpected(world.error());
-  return answer(cell.execute(command));
+void execute(Respond respond, Cell& cell, Deadlines& deadlines, const std::optional<PersonCommand>& command) {
+  if (const auto world = world_of(cell); !world) return respond(tl::unexpected(world.error()));
+  cell.execute(command, deadlines, answer_to(std::move(respond)));
 }
 
 }  // namespace
 
-Handled get_person(const Request&, Cell& cell) { return execute(cell, std::nullopt); }
+void get_person(const Request&, Respond respond, Cell& cell, Deadlines& deadlines) {
+  execute(std::move(respond), cell, deadlines, std::nullopt);
+}
 
-Handled execute_person_command(const Request& request, Cell& cell) {
+void execute_person_command(const Request& request, Respond respond, Cell& cell, Deadlines& deadlines) {
   const auto body = parse_json(request.body);
-  if (!body) return failed(body.error());
+  if (!body) return respond(failed(body.error()));
   auto command = read_person_command(*body, kClientKeep);
-  if (!command) return tl::unexpected(std::move(command).error());
-  return execute(cell, std::move(*command));
+  if (!command) return respond(tl::unexpected(std::move(command).error()));
+  execute(std::move(respond), cell, deadlines, std::move(*command));
 }
 
 }  // namespace race::server

@@ -18,8 +18,15 @@ struct Caller;
 // Takes the resources that are the handler's parameters, by their types.
 template <typename... Needed, Handled (*handler)(const Request&, Needed&...)>
 struct Caller<handler> {
-  static Handled call(const Request& request, const Resources& resources) {
-    return handler(request, std::get<Needed&>(resources)...);
+  static void call(const Request& request, Respond respond, const Resources& resources) {
+    respond(handler(request, std::get<Needed&>(resources)...));
+  }
+};
+// One that responds later.
+template <typename... Needed, void (*handler)(const Request&, Respond, Needed&...)>
+struct Caller<handler> {
+  static void call(const Request& request, Respond respond, const Resources& resources) {
+    handler(request, std::move(respond), std::get<Needed&>(resources)...);
   }
 };
 
@@ -109,31 +116,39 @@ Checked<void> check_empty(const std::string& text) {
 }
 
 // What is stored and cannot be read; a damaged text is found when somebody asks for it.
-void log_damage(const Request& request, const std::vector<Error>& errors, const Resources& resources) {
+void log_damage(const std::string& path, const std::vector<Error>& errors, const Resources& resources) {
   if (errors.front().code != ErrorCode::corrupt) return;
   std::get<EventLog&>(resources).append(std::get<Cell&>(resources).clock().now(), "server",
-                                        request.method + " " + request.path + ": " + to_string(errors.front()),
-                                        LogLevel::error);
+                                        "GET " + path + ": " + to_string(errors.front()), LogLevel::error);
 }
 
-Reply answer(const Route& route, const Request& request, const Resources& resources) {
-  if (const auto unknown = unknown_parameters(route, request); !unknown.empty()) return refusal(400, unknown);
+// Replies with what the handler responds.
+void call_handler(const Route& route, const Request& request, const Resources& resources, TakeReply reply) {
+  const bool is_get = request.method == "GET";
+  route.handle(
+      request,
+      [reply = std::move(reply), resources, path = is_get ? request.path : ""](Handled handled) {
+        if (handled) return reply(std::move(*handled));
+        if (!path.empty()) log_damage(path, handled.error(), resources);
+        reply(refusal(handled.error()));
+      },
+      resources);
+}
+
+void call_route(const Route& route, const Request& request, const Resources& resources, const Answer& answer) {
+  if (const auto unknown = unknown_parameters(route, request); !unknown.empty()) return answer(refusal(400, unknown));
   if (!route.has_body)
-    if (const auto empty = check_empty(request.body); !empty) return refusal(empty.error());
-  const auto make = [&] {
-    auto reply = route.handle(request, resources);
-    if (reply) return std::move(*reply);
-    if (request.method == "GET") log_damage(request, reply.error(), resources);
-    return refusal(reply.error());
-  };
-  return route.creates ? std::get<IdempotentAnswers&>(resources).answer(request, make) : make();
+    if (const auto empty = check_empty(request.body); !empty) return answer(refusal(empty.error()));
+  if (!route.creates) return call_handler(route, request, resources, answer);
+  const auto make = [&](TakeReply reply) { call_handler(route, request, resources, std::move(reply)); };
+  std::get<IdempotentAnswers&>(resources).answer(request, make, answer);
 }
 
 }  // namespace
 
 std::span<const Route> routes() { return kRoutes; }
 
-Reply handle(Request request, const Resources& resources) {
+void handle(Request request, const Resources& resources, const Answer& answer) {
   std::string allowed;
   for (const Route& route : kRoutes) {
     auto parameters = match(route.pattern, request.path);
@@ -143,12 +158,12 @@ Reply handle(Request request, const Resources& resources) {
       continue;
     }
     request.parameters = std::move(*parameters);
-    return answer(route, request, resources);
+    return call_route(route, request, resources, answer);
   }
-  if (allowed.empty()) return refusal(404, "not_found", "there is no such route");
+  if (allowed.empty()) return answer(refusal(404, "not_found", "there is no such route"));
   Reply reply = refusal(405, "method", "this route has " + allowed);
   reply.headers.emplace_back("Allow", allowed);
-  return reply;
+  answer(std::move(reply));
 }
 
 }  // namespace race::server

@@ -26,10 +26,9 @@ Handled answer_text(Expected<std::string> text) {
   return reply;
 }
 
-Handled answer_replay(Worker& replays, std::function<Expected<Value>(const Worker::Stop&)> replay) {
-  auto value = replays.ask(std::move(replay), kReplayTimeout);
-  if (!value) return failed(std::move(value).error());
-  return answer(std::move(*value));
+void answer_replay(const Request& request, Respond respond, Worker& replays,
+                   std::function<Expected<Value>(const Stop&)> replay) {
+  replays.ask<Value>(std::move(replay), kReplayLimit, request.gone, answer_to(std::move(respond)));
 }
 
 }  // namespace race::server

@@ -25,9 +25,11 @@ Expected<execution::Journal> journal_of(Core& core, Runs& runs);
 Handled answer_text(Expected<std::string> text);
 
 /// Within which a replay must be done.
-inline constexpr std::chrono::seconds kReplayTimeout{20};
-/// What `replay` gives on the thread of replays, where it may go on for a moment when the answer is given: it must own
-/// what it uses. Errors also: those of Worker::ask.
-Handled answer_replay(Worker& replays, std::function<Expected<Value>(const Worker::Stop&)> replay);
+const Worker::Limit kReplayLimit{std::chrono::seconds(20),
+                                 {ErrorCode::too_large, "the replay takes longer than 20 seconds"}};
+/// Responds with what `replay` gives on the thread of replays, until the client has gone. It may go on for a moment
+/// when that is so: it must own what it uses. Errors also: those of Worker::ask, `too_large` if it takes long.
+void answer_replay(const Request& request, Respond respond, Worker& replays,
+                   std::function<Expected<Value>(const Stop&)> replay);
 
 }  // namespace race::server

@@ -27,12 +27,12 @@ Checked<std::vector<execution::GoalName>> read_breakpoints(const std::string& te
 
 }  // namespace
 
-Handled set_breakpoints(const Request& request, Cores& cores) {
+void set_breakpoints(const Request& request, Respond respond, Cores& cores) {
   const auto core = core_of(request, cores);
-  if (!core) return tl::unexpected(core.error());
+  if (!core) return respond(tl::unexpected(core.error()));
   auto goals = read_breakpoints(request.body);
-  if (!goals) return tl::unexpected(std::move(goals).error());
-  return answer((*core)->set_breakpoints(std::move(*goals)));
+  if (!goals) return respond(tl::unexpected(std::move(goals).error()));
+  (*core)->set_breakpoints(std::move(*goals), answer_to(std::move(respond)));
 }
 
 }  // namespace race::server

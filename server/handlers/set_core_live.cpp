@@ -20,14 +20,15 @@ Checked<bool> read_live(const std::string& text) {
 
 }  // namespace
 
-Handled set_core_live(const Request& request, Cores& cores, LiveEdits& edits) {
+void set_core_live(const Request& request, Respond respond, Cores& cores, LiveEdits& edits) {
   const auto core = core_of(request, cores);
-  if (!core) return tl::unexpected(core.error());
+  if (!core) return respond(tl::unexpected(core.error()));
   const auto live = read_live(request.body);
-  if (!live) return tl::unexpected(live.error());
-  auto changed = (*core)->set_live(*live);
-  if (changed && *live) edits.changed(changed->find("document")->as_string());
-  return answer(std::move(changed));
+  if (!live) return respond(tl::unexpected(live.error()));
+  (*core)->set_live(*live, [respond = std::move(respond), &edits, live = *live](Expected<Value> changed) {
+    if (changed && live) edits.changed(changed->find("document")->as_string());
+    respond(answer(std::move(changed)));
+  });
 }
 
 }  // namespace race::server

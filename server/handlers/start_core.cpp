@@ -36,18 +36,19 @@ Checked<StoredDocument> document_of(const Core& core, Documents& documents) {
 
 }  // namespace
 
-Handled start_core(const Request& request, Documents& documents, Cores& cores) {
-  auto core = core_of(request, cores);
-  if (!core) return tl::unexpected(core.error());
+void start_core(const Request& request, Respond respond, Documents& documents, Cores& cores) {
+  const auto core = core_of(request, cores);
+  if (!core) return respond(tl::unexpected(core.error()));
   auto arguments = read_body(request.body);
-  if (!arguments) return tl::unexpected(std::move(arguments).error());
-  if (*arguments) {
-    const auto document = document_of(**core, documents);
-    if (!document) return tl::unexpected(document.error());
-    core = cores.load((*core)->id(), *document, std::move(**arguments));
-    if (!core) return tl::unexpected(core.error());
-  }
-  return answer((*core)->start());
+  if (!arguments) return respond(tl::unexpected(std::move(arguments).error()));
+  if (!*arguments) return (*core)->start(answer_to(std::move(respond)));
+  const auto document = document_of(**core, documents);
+  if (!document) return respond(tl::unexpected(document.error()));
+  cores.load((*core)->id(), *document, std::move(**arguments), std::nullopt,
+             [respond = std::move(respond)](const Checked<std::shared_ptr<Core>>& loaded) {
+               if (!loaded) return respond(tl::unexpected(loaded.error()));
+               (*loaded)->start(answer_to(respond));
+             });
 }
 
 }  // namespace race::server

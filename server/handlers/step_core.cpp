@@ -29,12 +29,12 @@ Checked<execution::GoalName> read_goal(const std::string& text) {
 
 }  // namespace
 
-Handled step_core(const Request& request, Cores& cores) {
+void step_core(const Request& request, Respond respond, Cores& cores) {
   const auto core = core_of(request, cores);
-  if (!core) return tl::unexpected(core.error());
+  if (!core) return respond(tl::unexpected(core.error()));
   auto goal = read_goal(request.body);
-  if (!goal) return tl::unexpected(std::move(goal).error());
-  return answer((*core)->step(std::move(*goal)));
+  if (!goal) return respond(tl::unexpected(std::move(goal).error()));
+  (*core)->step(std::move(*goal), answer_to(std::move(respond)));
 }
 
 }  // namespace race::server

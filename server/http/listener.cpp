@@ -53,10 +53,19 @@ struct HttpServer::Sockets {
         budget(limits.held_bytes),
         acceptor(io),
         handlers(std::make_unique<Pool>(4)),
-        context{RequestFilter(0), std::move(its_web), std::move(backend), *handlers, connections, budget, limits, io} {}
+        context{RequestFilter(0),
+                std::move(its_web),
+                std::move(backend),
+                *handlers,
+                std::make_shared<ReplyPath>(io),
+                connections,
+                budget,
+                limits,
+                io} {}
   // Handlers end, and the hub drops its subscribers, while the sockets are still there. Whose request no handler has
-  // begun gets no answer.
+  // begun gets no answer; what is answered later is not sent.
   ~Sockets() {
+    context.replies->close();
     handlers->drop();
     handlers.reset();
     context.backend.hub.shut_down();

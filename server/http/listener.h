@@ -1,7 +1,7 @@
 // HttpServer: the sockets of `race serve`: HTTP and the stream on one loopback port. What is done with a request is in
 // request_filter.h, static_files.h, stream/ and behind `Backend`.
 //
-// Threads: run() is the one that owns the sockets; handlers run on a pool of their own and may wait there.
+// Threads: run() is the one that owns the sockets; handlers run on a pool of their own, and answer there or later.
 #pragma once
 
 #include <chrono>
@@ -11,6 +11,7 @@
 #include <string>
 
 #include "core/value/expected.h"
+#include "server/http/answer.h"
 #include "server/http/connections.h"
 #include "server/http/message.h"
 #include "server/stream/displays.h"
@@ -20,11 +21,12 @@
 
 namespace race::server {
 
-/// What the sockets hand requests and connections to; outlives them. Threads: `handle` on any of the handlers' (it may
-/// wait; what it throws ends the request: 503 without memory, else 500).
+/// What the sockets hand requests and connections to; outlives them. Threads: `handle` on any of the handlers'; what it
+/// throws ends the request (503 without memory, else 500). It may answer later, on any thread, also when there are no
+/// sockets any more.
 struct Backend {
-  std::function<Reply(Request)> handle;  // requests to /api/
-  std::function<Reply()> health;         // GET /api/v1/health, on the sockets' thread: it waits for nothing
+  std::function<void(Request, const Answer&)> handle;  // requests to /api/
+  std::function<Reply()> health;                       // GET /api/v1/health, on the sockets' thread: it waits for nothing
   Hub& hub;
   Displays& displays;
   EditRequests& edits;

@@ -1,6 +1,7 @@
 // Request and Reply: what the routes see of HTTP. The listener makes one from the other; sockets stay there.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -8,6 +9,7 @@
 
 #include "core/value/expected.h"
 #include "core/value/value.h"
+#include "server/threads/stop.h"
 #include "server/wire/path_pattern.h"
 
 namespace race::server {
@@ -20,6 +22,8 @@ struct Request {
   std::vector<std::pair<std::string, std::string>> headers;
   std::string body;
   Parameters parameters;  // of the route, such as `id`
+  /// Whether the client has closed the connection before it is answered, or its half of it: for what takes long.
+  SharedStop gone = std::make_shared<Stop>(false);
 
   /// The header, empty if it is absent.
   std::string_view header(std::string_view name) const;

@@ -1,13 +1,12 @@
 #include "server/http/serving.h"
 
-#include <new>
 #include <optional>
 
+#include "server/http/answering.h"
 #include "server/http/on_pool.h"
 #include "server/http/refusal.h"
 #include "server/http/response.h"
 #include "server/http/sessions.h"
-#include "server/http/static_files.h"
 #include "server/wire/path_pattern.h"
 #include "services/failures.h"
 #include "services/remote/process_link.h"
@@ -38,27 +37,6 @@ Expected<Request> to_request(const http::request<http::string_body>& from) {
   return request;
 }
 
-Reply find_answer(Request request, Context& context) {
-  if (request.path.starts_with("/api/")) return context.backend.handle(std::move(request));
-  if (request.method == "GET")
-    if (auto file = static_file(context.web, request)) return std::move(*file);
-  return refusal(404, "not_found", "there is no such page");
-}
-
-// An exception ends its request alone.
-Reply answer(Request request, Context& context) {
-  const std::string name = request.method + ' ' + request.path;
-  try {
-    return find_answer(std::move(request), context);
-  } catch (const std::bad_alloc&) {
-    services::report_failure(name.c_str());
-    return no_memory();
-  } catch (...) {
-    services::report_failure(name.c_str());
-    return refusal(500, "internal", "the server failed to answer; see its log");
-  }
-}
-
 bool is_health(const Request& request) {
   return request.method == "GET" && request.path == kHealth && request.query.empty() && request.body.empty();
 }
@@ -69,11 +47,12 @@ bool is_urgent(const Request& request) {
   return request.method == "POST" && (request.path == "/api/v1/stop" || match("/api/v1/cores/{id}/stop", request.path));
 }
 
-// The response to a request that has arrived. Handlers make its text, too: it may be large.
-awaitable<Response> respond(Request request, ResponseOptions options, Context& context) {
+// The response to a request that has arrived. Its text is made on the threads of the handlers: it may be large.
+awaitable<Response> respond(Request request, ResponseOptions options, Client& client, Context& context) {
   if (is_health(request)) co_return make_response(context.backend.health(), options);
-  std::function<Response()> work = [request = std::move(request), options, &context] {
-    return make_response(answer(request, context), options);
+  Reply reply = co_await reply_to(std::move(request), client.stream, context);
+  std::function<Response()> work = [reply = std::move(reply), options]() mutable {
+    return make_response(std::move(reply), options);
   };
   co_return co_await on_pool(context.handlers, std::move(work));
 }
@@ -196,7 +175,7 @@ awaitable<bool> serve_one(Client& client, Context& context, std::chrono::millise
   options.keep_alive = parser.keep_alive() && !reserved && !context.ending;
   request->body = std::move(parser.get().body());
   client.stream.expires_never();
-  Response response = co_await respond(std::move(*request), options, context);
+  Response response = co_await respond(std::move(*request), options, client, context);
   body = {};
   co_return co_await send_answer(client, std::move(response), context);
 }

@@ -11,6 +11,7 @@
 #include "server/http/byte_budget.h"
 #include "server/http/connections.h"
 #include "server/http/listener.h"
+#include "server/http/reply_path.h"
 #include "server/http/request_filter.h"
 #include "server/threads/strand.h"
 
@@ -22,6 +23,7 @@ struct Context {
   std::string web;
   Backend backend;
   Pool& handlers;
+  std::shared_ptr<ReplyPath> replies;  // also of answers that come when there are no sockets any more
   Connections& connections;
   ByteBudget& budget;
   HttpServer::Limits limits;

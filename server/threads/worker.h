@@ -1,19 +1,21 @@
 // Worker: a thread of its own for work that may take long, such as replays, so that it delays nothing else. Its queue
-// is bounded, who asks waits for a bounded time, and work that nobody waits for any more is told to stop.
+// is bounded, each piece of work has a bounded time, and work that nobody waits for any more is told to stop. Who asks
+// is answered later, and waits on no thread.
 //
 // Threads: any but its own.
 #pragma once
 
 #include <atomic>
 #include <chrono>
-#include <future>
+#include <functional>
 #include <memory>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-#include "core/value/expected.h"
+#include "server/threads/deadlines.h"
+#include "server/threads/done.h"
+#include "server/threads/stop.h"
 #include "server/threads/strand.h"
 #include "services/mutex.h"
 
@@ -21,61 +23,67 @@ namespace race::server {
 
 class Worker {
  public:
-  using Stop = std::atomic<bool>;
-  /// Pieces of work that wait or are done. Fewer than there are threads of handlers: one of them stays free.
-  static constexpr std::size_t kMost = 3;
+  /// Pieces of work that wait or are done. Each may hold the file of a run (16 MiB).
+  static constexpr std::size_t kMost = 8;
   static constexpr std::chrono::seconds kTurn{5};  // until a piece begins
 
-  /// Waits for the work that is being done.
-  ~Worker() { stop(); }
+  /// The deadlines outlive it.
+  explicit Worker(Deadlines& deadlines) : deadlines_(deadlines) {}
+  ~Worker() { end(); }
 
-  /// Does `function(stop)` when what was asked before is done, and gives its value. Waits at most kTurn until it
-  /// begins, then at most `limit`. If that is not enough, or the worker is stopped, `stop` becomes true and the
-  /// function should return soon; it may go on until then, so it must own what it uses. Errors: `unavailable`: there
-  /// are kMost pieces of work, its turn does not come, or the worker is stopped; `too_large`: it takes longer than
-  /// `limit`.
-  template <typename F>
-  auto ask(F function, std::chrono::milliseconds limit) -> Expected<std::invoke_result_t<F, const Stop&>>;
+  /// How long a piece may take, and the error if it takes longer.
+  struct Limit {
+    std::chrono::milliseconds time;
+    Error late;
+  };
+  /// Does `function(*stop)` when what was asked before is done, and gives its value to `done`, on the worker's thread.
+  /// Whoever sets `stop` says that nobody waits: the function should return soon, and is not called if it has not
+  /// begun. If it does not begin within kTurn or takes longer than its limit, `done` gets an error, on the thread of
+  /// the deadlines, and `stop` becomes true; the function may go on until then, so it must own what it uses. Errors:
+  /// `unavailable`: there are kMost pieces of work, its turn does not come, nobody waits for it, it threw, or the
+  /// worker is stopped; `limit.late`.
+  template <typename T, typename E = Error>
+  void ask(std::type_identity_t<std::function<tl::expected<T, E>(const Stop&)>> function, Limit limit, SharedStop stop,
+           std::type_identity_t<Done<T, E>> done);
 
   /// What is asked is told to stop, and nothing begins any more.
   void stop() EXCLUDES(mutex_);
+  /// stop(), and waits for the work that is being done.
+  void end();
 
  private:
-  /// False: there is no room for it.
-  bool post(const std::shared_ptr<Stop>& stop, Work work) EXCLUDES(mutex_);
+  struct Piece {
+    SharedStop stop;
+    Limit limit;
+    Work work;                                 // gives its value to who asked
+    std::function<void(const Error&)> refuse;  // who asked, if nothing was given
+    std::atomic<bool> decided{false};          // it has begun, or has waited too long
+    bool decide() { return !decided.exchange(true); }
+  };
+  void post(std::shared_ptr<Piece> piece) EXCLUDES(mutex_);
+  bool add(const std::shared_ptr<Piece>& piece) EXCLUDES(mutex_);
+  void execute(const std::shared_ptr<Piece>& piece) EXCLUDES(mutex_);
 
+  Deadlines& deadlines_;
   services::Mutex mutex_;
-  std::vector<std::shared_ptr<Stop>> pieces_ GUARDED_BY(mutex_);  // that wait or are done
+  std::vector<std::shared_ptr<Piece>> pieces_ GUARDED_BY(mutex_);  // that wait or are done
   bool stopped_ GUARDED_BY(mutex_) = false;
   Pool pool_{1};
 };
 
-template <typename F>
-auto Worker::ask(F function, std::chrono::milliseconds limit) -> Expected<std::invoke_result_t<F, const Stop&>> {
-  using Value = std::invoke_result_t<F, const Stop&>;
-  const auto stop = std::make_shared<Stop>(false);
-  auto begun = std::make_shared<std::promise<void>>();
-  auto task = std::make_shared<std::packaged_task<Value(const Stop&)>>(std::move(function));
-  const auto turn = begun->get_future();
-  auto value = task->get_future();
-  const auto is_ready = [](const auto& future, std::chrono::milliseconds most) {
-    return future.wait_for(most) == std::future_status::ready;
+template <typename T, typename E>
+void Worker::ask(std::type_identity_t<std::function<tl::expected<T, E>(const Stop&)>> function, Limit limit,
+                 SharedStop stop, std::type_identity_t<Done<T, E>> done) {
+  auto once = std::make_shared<Once<T, E>>(std::move(done));
+  auto piece = std::make_shared<Piece>();
+  piece->limit = std::move(limit);
+  piece->refuse = [once](const Error& error) { (*once)(refused<E>(error)); };
+  piece->work = [once, stop, function = std::move(function)] {
+    auto value = function(*stop);
+    if (!*stop) (*once)(std::move(value));
   };
-  if (!post(stop, [stop, begun = std::move(begun), task = std::move(task)] {
-        begun->set_value();
-        (*task)(*stop);
-      }))
-    return unexpected(ErrorCode::unavailable, "there is no room for more replays now; ask again");
-  if (!is_ready(turn, kTurn)) {
-    *stop = true;
-    return unexpected(ErrorCode::unavailable, "other replays take long; ask again");
-  }
-  if (!is_ready(value, limit)) {
-    *stop = true;
-    return unexpected(ErrorCode::too_large, "the replay takes longer than " + std::to_string(limit.count()) + " ms");
-  }
-  if (*stop) return unexpected(ErrorCode::unavailable, "the server ends");
-  return value.get();
+  piece->stop = std::move(stop);
+  post(std::move(piece));
 }
 
 }  // namespace race::server

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <stdexcept>
+#include <vector>
 
 #include "server/http/refusal.h"
 
@@ -22,8 +24,15 @@ class Idempotency : public testing::Test {
  protected:
   /// The number of the answer, which is counted; a refusal's status.
   std::int64_t ask(const Request& asked) {
-    const Reply reply = answers_.answer(asked, [this] { return make(); });
+    const Reply reply = answer(asked, [this] { return make(); });
     return reply.status < 300 ? reply.body.as_integer() : reply.status;
+  }
+  /// The reply to a request that `make` answers at once.
+  Reply answer(const Request& asked, const std::function<Reply()>& make) {
+    Reply given;
+    answers_.answer(
+        asked, [&](const TakeReply& reply) { reply(make()); }, [&](Reply reply) { given = std::move(reply); });
+    return given;
   }
   Reply make() {
     Reply reply;
@@ -41,7 +50,7 @@ TEST_F(Idempotency, AnswersTheSameRequestOnce) {
   EXPECT_EQ(ask(request("a")), 1);
   EXPECT_EQ(ask(request("\"a\"")), 1) << "with or without quotation marks";
   EXPECT_EQ(ask(request("b")), 2);
-  const Reply again = answers_.answer(request("b"), [this] { return make(); });
+  const Reply again = answer(request("b"), [this] { return make(); });
   EXPECT_EQ(again.status, 201);
   EXPECT_EQ(again.headers.back(), std::pair(std::string("Idempotency-Replayed"), std::string("true")));
 }
@@ -66,7 +75,7 @@ TEST_F(Idempotency, RefusesAnotherRequestOfTheSameKey) {
 }
 
 TEST_F(Idempotency, RefusesTheSameRequestWhileItIsUnderWay) {
-  const Reply first = answers_.answer(request("a"), [this] {
+  const Reply first = answer(request("a"), [this] {
     EXPECT_EQ(ask(request("a")), 409);
     return make();
   });
@@ -74,11 +83,30 @@ TEST_F(Idempotency, RefusesTheSameRequestWhileItIsUnderWay) {
   EXPECT_EQ(ask(request("a")), 1);
 }
 
+TEST_F(Idempotency, KeepsAnAnswerThatComesLaterAndForgetsOneThatNeverComes) {
+  TakeReply later;
+  std::vector<int> replies;
+  const auto ask_later = [&](const char* key) {
+    answers_.answer(
+        request(key), [&](TakeReply reply) { later = std::move(reply); },
+        [&](const Reply& reply) { replies.push_back(reply.status); });
+  };
+  ask_later("a");
+  EXPECT_EQ(ask(request("a")), 409);
+  later(make());
+  EXPECT_EQ(replies, std::vector{201});
+  EXPECT_EQ(ask(request("a")), 1);
+  ask_later("b");
+  later = nullptr;
+  EXPECT_EQ(replies.size(), 1U);
+  EXPECT_EQ(ask(request("b")), 2);
+}
+
 TEST_F(Idempotency, KeepsNoRefusal) {
   const auto refuse = [] { return refusal(507, "storage", "the disk is full"); };
-  EXPECT_EQ(answers_.answer(request("a"), refuse).status, 507);
+  EXPECT_EQ(answer(request("a"), refuse).status, 507);
   EXPECT_EQ(ask(request("a")), 1);
-  EXPECT_THROW(answers_.answer(request("b"), []() -> Reply { throw std::runtime_error("a bug"); }), std::runtime_error);
+  EXPECT_THROW(answer(request("b"), []() -> Reply { throw std::runtime_error("a bug"); }), std::runtime_error);
   EXPECT_EQ(ask(request("b")), 2);
 }
 
@@ -102,9 +130,9 @@ TEST_F(Idempotency, KeepsSoManyBytes) {
     reply.body = std::string(bytes - 2, 'x');  // and quotation marks
     return reply;
   };
-  EXPECT_EQ(answers_.answer(request("b"), [&] { return large(99); }).status, 200);
+  EXPECT_EQ(answer(request("b"), [&] { return large(99); }).status, 200);
   EXPECT_EQ(ask(request("a")), 1) << "100 bytes in all";
-  EXPECT_EQ(answers_.answer(request("c"), [&] { return large(101); }).status, 200);
+  EXPECT_EQ(answer(request("c"), [&] { return large(101); }).status, 200);
   EXPECT_EQ(ask(request("c")), 2) << "too large to be kept";
   EXPECT_EQ(ask(request("a")), 3);
 }

@@ -3,7 +3,6 @@
 
 #include <gmock/gmock.h>
 
-#include <atomic>
 #include <thread>
 #include <vector>
 
@@ -13,15 +12,25 @@ namespace {
 using namespace std::chrono_literals;
 using testing::HasSubstr;
 
-// Places and answers that never come are given up at once, all else is waited for.
-constexpr PendingCommands::Timeouts kNone{0ms, 0ms, 0ms}, kLong{0ms, 60s, 60s};
+// Answers that never come are given up at once, all else is waited for.
+constexpr PendingCommands::Timeouts kNone{0ms, 0ms}, kLong{60s, 60s};
 
-std::string why(const Expected<Value>& answer) { return answer ? "done" : to_string(answer.error()); }
+struct PendingCommandsTest : testing::Test {
+  using Start = std::function<void(CellWorld::Wanted, CellWorld::Done)>;
+  Expected<Value> execute(PendingCommands& commands, const Start& start) {
+    return wait_for<Value>([&](Done<Value> done) { commands.start(start, deadlines, std::move(done)); });
+  }
+  std::string why(PendingCommands& commands, const Start& start) {
+    const auto answer = execute(commands, start);
+    return answer ? "done" : to_string(answer.error());
+  }
+  Deadlines deadlines;
+};
 
-TEST(PendingCommands, AResultReachesItsCaller) {
+TEST_F(PendingCommandsTest, AResultReachesItsCaller) {
   PendingCommands commands(kLong);
   std::thread cell;
-  const auto answer = commands.wait([&](const auto& wanted, const auto& done) {
+  const auto answer = execute(commands, [&](const auto& wanted, const auto& done) {
     cell = std::thread([wanted, done] {
       if (wanted()) done(Value(7));
     });
@@ -30,44 +39,44 @@ TEST(PendingCommands, AResultReachesItsCaller) {
   EXPECT_EQ(answer.value(), Value(7));
 }
 
-TEST(PendingCommands, ATimedOutCommandNeverExecutes) {
+TEST_F(PendingCommandsTest, ATimedOutCommandNeverExecutes) {
   PendingCommands commands(kNone);
   CellWorld::Wanted late;
-  const auto answer = commands.wait([&](const auto& wanted, const auto&) { late = wanted; });
-  EXPECT_THAT(why(answer), HasSubstr("unavailable: the cell does not answer; this is not done"));
+  EXPECT_THAT(why(commands, [&](const auto& wanted, const auto&) { late = wanted; }),
+              HasSubstr("unavailable: the cell does not answer; this is not done"));
   EXPECT_FALSE(late());
 }
 
-TEST(PendingCommands, ACommandThatHasBegunMayExecute) {
-  PendingCommands commands(kNone);
+TEST_F(PendingCommandsTest, ACommandThatHasBegunMayExecute) {
+  PendingCommands commands({50ms, 0ms});
   CellWorld::Done late;
-  const auto answer = commands.wait([&](const auto& wanted, const auto& done) {
-    EXPECT_TRUE(wanted());
-    late = done;
-  });
-  EXPECT_THAT(why(answer), HasSubstr("it may be done"));
+  EXPECT_THAT(why(commands,
+                  [&](const auto& wanted, const auto& done) {
+                    EXPECT_TRUE(wanted());
+                    late = done;
+                  }),
+              HasSubstr("it may be done"));
   late(Value(7));  // nobody waits any more
 }
 
-TEST(PendingCommands, RefusesMoreThanTheMaximum) {
+TEST_F(PendingCommandsTest, RefusesMoreThanTheMaximum) {
   PendingCommands commands(kLong);
   std::vector<CellWorld::Done> begun(PendingCommands::kMaxPending);
-  std::vector<std::thread> waiting;
-  std::atomic<int> started = 0;
+  int answered = 0;
   for (CellWorld::Done& each : begun)
-    waiting.emplace_back([&] {
-      (void)commands.wait([&](const auto&, const auto& done) {
-        each = done;
-        ++started;
-        started.notify_all();
-      });
-    });
-  for (int count = started; count < PendingCommands::kMaxPending; count = started) started.wait(count);
+    commands.start([&](const auto&, const auto& done) { each = done; }, deadlines,
+                   [&](const Expected<Value>&) { ++answered; });
   const auto one = [&](const auto&, const auto& done) { done(Value(1)); };
-  EXPECT_THAT(why(commands.wait(one)), HasSubstr("unavailable: other commands wait"));
+  EXPECT_THAT(why(commands, one), HasSubstr("unavailable: other commands wait"));
   for (const CellWorld::Done& done : begun) done(Value());
-  for (std::thread& each : waiting) each.join();
-  EXPECT_TRUE(commands.wait(one));
+  EXPECT_EQ(answered, PendingCommands::kMaxPending);
+  EXPECT_EQ(why(commands, one), "done");
+}
+
+TEST_F(PendingCommandsTest, ACommandThatTheCellDropsIsPendingNoMore) {
+  PendingCommands commands(kLong);
+  for (int i = 0; i < 2 * PendingCommands::kMaxPending; ++i)
+    EXPECT_THAT(why(commands, [](const auto&, const auto&) {}), HasSubstr("the server ends"));
 }
 
 }  // namespace

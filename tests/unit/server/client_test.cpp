@@ -22,18 +22,18 @@ std::string url_of(std::uint16_t port) { return "http://127.0.0.1:" + std::to_st
 // Our own server, which answers with what it was asked.
 struct ClientTest : testing::Test {
   ClientTest() {
-    server = HttpServer::listen(0, "", {answer, [] { return Reply(); }, hub, displays, edits, remotes}).value();
+    server = HttpServer::listen(0, "", {handle, [] { return Reply(); }, hub, displays, edits, remotes}).value();
     thread = std::thread([this] { server->run(); });
   }
   ~ClientTest() override {
     server->stop();
     thread.join();
   }
-  static Reply answer(const Request& request) {
-    if (request.path == "/api/refused") return refusal(std::vector<Error>{{ErrorCode::conflict, "no", "x"}});
+  static void handle(const Request& request, const Answer& answer) {
+    if (request.path == "/api/refused") return answer(refusal(std::vector<Error>{{ErrorCode::conflict, "no", "x"}}));
     Reply reply;
     reply.body = Dict{{"method", request.method}, {"path", request.path}, {"body", request.body}};
-    return reply;
+    answer(std::move(reply));
   }
   HttpClient client() const { return HttpClient::create(url_of(server->port())).value(); }
 

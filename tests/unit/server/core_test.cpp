@@ -69,7 +69,7 @@ struct CoreTest : testing::Test, CoreWatcher {
     header.native.freeze();
     RunRecord run = store.runs->create({"long", 1, header, {}}, 0).value();
     core = Core::create(std::move(run), std::move(header),
-                        {*pool, host, *this, *store.runs, *store.writer, replays, watchdog})
+                        {*pool, host, *this, *store.runs, *store.writer, replays, deadlines, watchdog})
                .value();
   }
   // Not by the destructor: threads call this watcher until then.
@@ -143,7 +143,8 @@ struct CoreTest : testing::Test, CoreWatcher {
   NoObserver observer;
   services::Host host{clock, observer};
   TemporaryStore store;
-  Worker replays;
+  Deadlines deadlines;
+  Worker replays{deadlines};
   Watchdog watchdog;
   std::unique_ptr<Pool> pool = std::make_unique<Pool>(1);
   std::deque<View> views;
@@ -236,6 +237,38 @@ TEST_F(CoreTest, APauseOfARunWaitsForTheEndOfTheMacroStep) {
   EXPECT_EQ(held.find("micro")->as_integer(), 0);
   EXPECT_EQ(held.find("step")->as_integer(), 1);
   expect_that_all_have_the_state();
+}
+
+TEST_F(CoreTest, AQuestionAboutThePastDoesNotWaitForTheCore) {
+  std::promise<void> busy, go_on;
+  on_print = [&](const std::string& text) {
+    if (text != "150") return;
+    busy.set_value();
+    go_on.get_future().wait();
+  };
+  ASSERT_TRUE(core->start());
+  busy.get_future().wait();
+  EXPECT_EQ(core->position().value(), 1U) << "as far as it was told";
+  EXPECT_EQ(core->derivations(1, 1).value().find("steps")->as_list().size(), 1U);
+  EXPECT_EQ(core->derivations(2, 2).error().code, ErrorCode::out_of_range);
+  go_on.set_value();
+}
+
+TEST_F(CoreTest, ACommandThatItDoesNotBeginInTimeIsRefusedAndNeverExecuted) {
+  std::promise<void> busy, go_on;
+  on_print = [&](const std::string& text) {
+    if (text != "150") return;
+    busy.set_value();
+    go_on.get_future().wait();
+  };
+  ASSERT_TRUE(core->start());
+  busy.get_future().wait();
+  std::promise<Expected<Value>> paused;
+  core->pause([&](Expected<Value> value) { paused.set_value(std::move(value)); });
+  EXPECT_EQ(paused.get_future().get().error().code, ErrorCode::unavailable);
+  go_on.set_value();
+  wait_for_the_end_of_the_macro_step();
+  EXPECT_FALSE(core->info().find("paused")->as_bool());
 }
 
 TEST_F(CoreTest, AStepThatWaitsForAnInputIsPausedAndCanBeReplaced) {

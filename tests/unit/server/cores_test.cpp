@@ -30,18 +30,24 @@ struct CoresTest : testing::Test, CoreWatcher {
   void state_changed(const std::string&, Value) override {}
   void derivation_snapshot(const std::string&, Value) override {}
   void derived(const std::string&, Value) override {}
-  void printed(const std::string& id, const std::string& text) override { said.push_back(id + ": " + text); }
+  void printed(const std::string& id, const std::string& text) override {
+    if (text != "busy") return said.push_back(id + ": " + text);
+    busy.set_value();
+    go_on.get_future().wait();
+  }
 
   std::atomic<bool> heard{false};
   std::promise<bool> found;
+  std::promise<void> busy, go_on;  // a core that prints "busy" is, until it goes on
   std::vector<std::string> removed, said;
   services::WorldClock clock;
   NoObserver observer;
   services::Host host{clock, observer};
-  std::unique_ptr<Pool> pool = std::make_unique<Pool>(1);
+  std::unique_ptr<Pool> pool = std::make_unique<Pool>(2);
   TemporaryStore store;
-  Worker replays;
-  Cores cores{*pool, host, *this, *store.runs, *store.writer, replays};
+  Deadlines deadlines;
+  Worker replays{deadlines};
+  Cores cores{*pool, host, *this, *store.runs, *store.writer, replays, deadlines};
 };
 
 TEST_F(CoresTest, WhoHearsOfACoreCanFindIt) {
@@ -109,21 +115,48 @@ TEST_F(CoresTest, ALongReplayDelaysNoCore) {
              other = cores.create({"r", 1, document}, {}).value();
   ASSERT_TRUE(replayed->start());
   std::promise<void> begun, over;
-  auto busy = std::async(std::launch::async, [&] {
-    const auto wait = [&](const Worker::Stop&) {
-      begun.set_value();
-      over.get_future().wait();
-      return true;
-    };
-    return replays.ask(wait, std::chrono::seconds(60)).has_value();
-  });
+  std::promise<Expected<bool>> long_replay;
+  replays.ask<bool>(
+      [&](const Stop&) {
+        begun.set_value();
+        over.get_future().wait();
+        return true;
+      },
+      {std::chrono::seconds(60), {ErrorCode::too_large, ""}}, std::make_shared<Stop>(false),
+      [&](Expected<bool> done) { long_replay.set_value(std::move(done)); });
   begun.get_future().wait();
   auto derived = std::async(std::launch::async, [&] { return replayed->derivations(1, 1).has_value(); });
   EXPECT_TRUE(other->start());
   EXPECT_EQ(derived.wait_for(std::chrono::milliseconds(100)), std::future_status::timeout) << "not on the worker";
   over.set_value();
-  EXPECT_TRUE(busy.get());
+  EXPECT_TRUE(long_replay.get_future().get());
   EXPECT_TRUE(derived.get());
+}
+
+TEST_F(CoresTest, ABusyCoreKeepsNoOtherFromBeingLoadedOrRemoved) {
+  const auto task =
+      rcm::read_document_text(R"json({"rcm": 1, "root": {"state": "R", "entry": "print('busy')"}})json").value();
+  const auto quiet = rcm::read_document_text(R"({"rcm": 1, "root": {"state": "R"}})").value();
+  const std::string at_work = cores.create({"r", 1, task}, {}).value()->id();
+  const std::string first = cores.create({"r", 1, quiet}, {}).value()->id(),
+                    second = cores.create({"r", 1, quiet}, {}).value()->id();
+  cores.find(at_work).value()->start([](const Expected<Value>&) {});
+  busy.get_future().wait();
+  std::promise<Expected<std::shared_ptr<Core>>> gone;
+  cores.remove(at_work, [&](Expected<std::shared_ptr<Core>> core) { gone.set_value(std::move(core)); });
+  EXPECT_EQ(cores.remove(at_work).error().code, ErrorCode::conflict) << "it is being removed";
+  EXPECT_TRUE(cores.load(first, {"s", 2, quiet}, {}));
+  EXPECT_TRUE(cores.remove(second));
+  go_on.set_value();
+  EXPECT_TRUE(gone.get_future().get());
+  EXPECT_FALSE(cores.find(at_work));
+}
+
+TEST_F(CoresTest, ACoreThatFollowsItsDocumentDoesFromTheFirstMoment) {
+  const auto document = rcm::read_document_text(R"({"rcm": 1, "root": {"state": "R"}})").value();
+  const auto core = cores.create({"r", 1, document}, {}, true).value();
+  EXPECT_TRUE(core->is_live());
+  EXPECT_TRUE(core->info().find("live")->as_bool());
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ struct HostedCores : testing::Test, CoreWatcher {
     runs = Runs::open(folder.store()).value();
     writer = JournalWriter::open(folder.store(), disk_timeout).value();
     pool = std::make_unique<Pool>(2);
-    cores = std::make_unique<Cores>(*pool, host, *this, *runs, *writer, replays);
+    cores = std::make_unique<Cores>(*pool, host, *this, *runs, *writer, replays, deadlines);
     ASSERT_TRUE(cores->recover());
   }
   void end_server() {
@@ -58,7 +58,8 @@ struct HostedCores : testing::Test, CoreWatcher {
   std::shared_ptr<Core> small_core() {
     const execution::JournalHeader header = execution::small_journal().header;
     RunRecord run = runs->create({"small", 1, header, {}}, 0).value();
-    return Core::create(std::move(run), header, {*pool, host, *this, *runs, *writer, replays, watchdog}).value();
+    return Core::create(std::move(run), header, {*pool, host, *this, *runs, *writer, replays, deadlines, watchdog})
+        .value();
   }
   static void answer(Core& core, std::uint64_t call, const Value& data) {
     services::Delivery delivery;
@@ -109,7 +110,8 @@ struct HostedCores : testing::Test, CoreWatcher {
   std::unique_ptr<Runs> runs;
   std::unique_ptr<JournalWriter> writer;
   std::unique_ptr<Pool> pool;
-  Worker replays;
+  Deadlines deadlines;
+  Worker replays{deadlines};
   Watchdog watchdog;
   std::unique_ptr<Cores> cores;
 };

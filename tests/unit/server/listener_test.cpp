@@ -10,6 +10,7 @@
 
 #include <atomic>
 #include <new>
+#include <set>
 #include <stdexcept>
 #include <thread>
 
@@ -137,6 +138,11 @@ struct ListenerTest : testing::Test {
     if (thread.joinable()) thread.join();
   }
   void serve(const HttpServer::Limits& limits, std::function<Reply(Request)> handle = answer) {
+    serve_later(limits, [handle = std::move(handle)](Request request, const Answer& give) {
+      give(handle(std::move(request)));
+    });
+  }
+  void serve_later(const HttpServer::Limits& limits, std::function<void(Request, const Answer&)> handle) {
     server =
         HttpServer::listen(0, "", {std::move(handle), [] { return Reply(); }, hub, displays, edits, remotes}, limits)
             .value();
@@ -192,8 +198,29 @@ struct ListenerTest : testing::Test {
     };
   }
 
+  // Keeps the answers to requests.
+  void serve_never() {
+    serve_later({60s, 60s}, [this](const Request& request, const Answer& answer) {
+      const services::MutexLock lock(mutex);
+      later.push_back(answer);
+      gone = request.gone;
+    });
+  }
+  std::size_t kept() EXCLUDES(mutex) {
+    const services::MutexLock lock(mutex);
+    return later.size();
+  }
+  std::unique_ptr<Connection> waiting_connection() {
+    auto made = connection();
+    EXPECT_TRUE(made->send("GET /api/v1/later HTTP/1.1\r\n" + made->host() + "\r\n"));
+    return made;
+  }
+
   std::atomic<int> begun{0};
   std::atomic<bool> release{false};
+  services::Mutex mutex;
+  std::vector<Answer> later GUARDED_BY(mutex);  // to requests that are answered later
+  SharedStop gone GUARDED_BY(mutex);            // of the last of them
   Pool pool{1};
   Hub hub{pool, 1, [](const std::string&) { return Source(); }};
   display::Screens screens;
@@ -365,6 +392,43 @@ TEST_F(ListenerTest, AnExceptionEndsItsRequestAlone) {
   services::set_failure_handler({});
   EXPECT_EQ(reported, (std::vector<std::string>{"GET /api/v1/memory failed: no memory is left",
                                                 "GET /api/v1/mistake failed: no"}));
+}
+
+TEST_F(ListenerTest, AnAnswerThatComesLaterKeepsNoThread) {
+  serve_never();
+  std::vector<std::unique_ptr<Connection>> waiting;
+  for (int i = 0; i < 20; ++i) waiting.push_back(waiting_connection());
+  while (kept() < waiting.size()) std::this_thread::yield();
+  EXPECT_EQ(connection()->get("/api/v1/health"), 200);
+  const services::MutexLock lock(mutex);
+  later.front()(refusal(409, "conflict", "no"));
+  later.clear();
+  std::multiset<int> statuses;
+  for (const auto& each : waiting) statuses.insert(each->status());
+  EXPECT_EQ(statuses.count(409), 1U);
+  EXPECT_EQ(statuses.count(503), waiting.size() - 1) << "what is dropped is answered, too";
+}
+
+TEST_F(ListenerTest, AClientThatClosesWhileItWaitsIsGone) {
+  serve_never();
+  auto client = waiting_connection();
+  while (kept() < 1) std::this_thread::yield();
+  const services::MutexLock lock(mutex);
+  EXPECT_FALSE(*gone);
+  client.reset();
+  while (!*gone) std::this_thread::yield();
+}
+
+TEST_F(ListenerTest, EndsWhileAnswersAreAwaited) {
+  serve_never();
+  auto client = waiting_connection();
+  while (kept() < 1) std::this_thread::yield();
+  server->stop();
+  thread.join();
+  server.reset();
+  EXPECT_TRUE(client->is_closed());
+  const services::MutexLock lock(mutex);
+  later.front()(Reply());  // reaches nobody
 }
 
 TEST(Limits, AreHalfAMinuteToArriveTwoBetweenRequestsAndTenSecondsForAMiB) {

@@ -32,7 +32,8 @@ struct LongSteps : HostedCores {
                                               {{"t", rsm::read_service_text(kService, "t").value()}})
                             .header;
     RunRecord run = runs->create({"spin", 1, header, {}}, 0).value();
-    return Core::create(std::move(run), header, {*pool, host, *this, *runs, *writer, replays, watchdog, longest_step})
+    return Core::create(std::move(run), header,
+                        {*pool, host, *this, *runs, *writer, replays, deadlines, watchdog, longest_step})
         .value();
   }
   // In a long macro step, a moment after it has begun.

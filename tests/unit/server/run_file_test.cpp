@@ -193,10 +193,16 @@ TEST(RunFiles, AreStoppedWhenTheirRunTakesTooLong) {
                                   R"("first": "A", "children": [)" + state("A", "B") + ", " + state("B", "A") + "]"}) {
     SCOPED_TRACE(root.substr(0, 100));
     const std::string text = write_run_file(unchecked_file_of(hostile(root))).value();
-    Worker worker;
-    const auto read = [&](const Worker::Stop& stop) { return read_run_file_text(text, nullptr, &stop).has_value(); };
-    EXPECT_EQ(worker.ask(read, std::chrono::milliseconds(50)).error().code, ErrorCode::too_large);
-    EXPECT_TRUE(worker.ask([](const Worker::Stop&) { return true; }, std::chrono::seconds(1))) << "it is still busy";
+    Deadlines deadlines;
+    Worker worker(deadlines);
+    const auto ask = [&](std::chrono::milliseconds limit, const std::function<bool(const Stop&)>& read) {
+      return wait_for<bool>([&](Done<bool> done) {
+        worker.ask<bool>(read, {limit, {ErrorCode::too_large, ""}}, std::make_shared<Stop>(false), std::move(done));
+      });
+    };
+    const auto read = [&](const Stop& stop) { return read_run_file_text(text, nullptr, &stop).has_value(); };
+    EXPECT_EQ(ask(std::chrono::milliseconds(50), read).error().code, ErrorCode::too_large);
+    EXPECT_TRUE(ask(std::chrono::seconds(1), [](const Stop&) { return true; })) << "it is still busy";
   }
 }
 

@@ -54,8 +54,9 @@ struct RunKeeperTest : testing::Test, CoreWatcher {
   std::unique_ptr<Pool> pool = std::make_unique<Pool>(1);
   TemporaryStore store;
   std::unique_ptr<Samples> samples = Samples::open(store.folder.store()).value();
-  Worker replays;
-  Cores cores{*pool, host, *this, *store.runs, *store.writer, replays};
+  Deadlines deadlines;
+  Worker replays{deadlines};
+  Cores cores{*pool, host, *this, *store.runs, *store.writer, replays, deadlines};
 };
 
 TEST_F(RunKeeperTest, FlushWritesTheSamplesThatWait) {

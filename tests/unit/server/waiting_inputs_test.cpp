@@ -23,7 +23,8 @@ struct WaitingInputsOfCores : HostedCores {
                                               {{"t", rsm::read_service_text(kService, "t").value()}})
                             .header;
     RunRecord run = runs->create({"count", 1, header, {}}, 0).value();
-    return Core::create(std::move(run), header, {*pool, host, *this, *runs, *writer, replays, watchdog}).value();
+    return Core::create(std::move(run), header, {*pool, host, *this, *runs, *writer, replays, deadlines, watchdog})
+        .value();
   }
   static void happen(Core& core, const std::string& event, std::size_t times, const Value& data = 1) {
     services::Delivery delivery;

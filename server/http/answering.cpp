@@ -1,0 +1,83 @@
+#include "server/http/answering.h"
+
+#include <chrono>
+#include <memory>
+#include <new>
+#include <string>
+#include <utility>
+
+#include "server/http/refusal.h"
+#include "server/http/response.h"
+#include "server/http/static_files.h"
+#include "services/failures.h"
+
+namespace race::server {
+namespace {
+
+using asio::ip::tcp;
+
+void find_answer(Request request, const Answer& answer, Context& context) {
+  if (request.path.starts_with("/api/")) return context.backend.handle(std::move(request), answer);
+  if (request.method == "GET")
+    if (auto file = static_file(context.web, request)) return answer(std::move(*file));
+  answer(refusal(404, "not_found", "there is no such page"));
+}
+
+// An exception ends its request alone.
+void handle(Request request, const Answer& answer, Context& context) {
+  const std::string name = request.method + ' ' + request.path;
+  try {
+    find_answer(std::move(request), answer, context);
+  } catch (const std::bad_alloc&) {
+    services::report_failure(name.c_str());
+    answer(no_memory());
+  } catch (...) {
+    services::report_failure(name.c_str());
+    answer(refusal(500, "internal", "the server failed to answer; see its log"));
+  }
+}
+
+// A reply that is waited for, on the thread of the sockets. Held by the coroutine that waits: it may end before.
+struct AwaitedReply {
+  explicit AwaitedReply(const asio::any_io_executor& executor)
+      : arrived(executor, std::chrono::steady_clock::time_point::max()) {}
+  asio::steady_timer arrived;  // until the reply cancels it
+  Reply reply;
+};
+
+// Says that a client has gone when it closes its half of the connection. One that sends its next request already is not
+// watched any more.
+void watch_client(tcp::socket& socket, const std::shared_ptr<AwaitedReply>& awaited, const SharedStop& gone) {
+  socket.async_wait(tcp::socket::wait_read, [&socket, weak = std::weak_ptr(awaited), gone](error_code error) {
+    if (error || weak.expired()) return;
+    if (socket.available(error) == 0) *gone = true;
+  });
+}
+
+void post_to_handlers(Request request, const std::shared_ptr<AwaitedReply>& awaited, Context& context) {
+  const Answer answer([path = context.replies, weak = std::weak_ptr(awaited)](Reply reply) {
+    path->post([weak, reply = std::move(reply)]() mutable {
+      const auto waiting = weak.lock();
+      if (!waiting) return;
+      waiting->reply = std::move(reply);
+      waiting->arrived.cancel();
+    });
+  });
+  context.handlers.post(
+      [request = std::move(request), answer, &context]() mutable { handle(std::move(request), answer, context); });
+}
+
+}  // namespace
+
+awaitable<Reply> reply_to(Request request, beast::tcp_stream& stream, Context& context) {
+  const asio::any_io_executor executor = co_await asio::this_coro::executor;
+  const auto awaited = std::make_shared<AwaitedReply>(executor);
+  watch_client(stream.socket(), awaited, request.gone);
+  post_to_handlers(std::move(request), awaited, context);
+  co_await awaited->arrived.async_wait(kAsTuple);
+  error_code ignored;
+  stream.socket().cancel(ignored);
+  co_return std::move(awaited->reply);
+}
+
+}  // namespace race::server

@@ -1,0 +1,47 @@
+#include "server/threads/deadlines.h"
+
+#include <utility>
+
+#include "services/failures.h"
+
+namespace race::server {
+
+void Deadlines::after(std::chrono::milliseconds time, Work work) {
+  {
+    const services::MutexLock lock(mutex_);
+    if (closed_) return;
+    work_.emplace(Clock::now() + time, std::move(work));
+  }
+  changed_.notify_one();
+}
+
+void Deadlines::close() {
+  decltype(work_) dropped;  // after the lock: it may own what asks for more
+  {
+    const services::MutexLock lock(mutex_);
+    closed_ = true;
+    dropped.swap(work_);
+  }
+  changed_.notify_one();
+  if (thread_.joinable()) thread_.join();
+}
+
+void Deadlines::run() {
+  while (auto work = next()) services::run_reporting("a deadline", *work);
+}
+
+std::optional<Work> Deadlines::next() {
+  const services::MutexLock lock(mutex_);
+  while (!closed_) {
+    if (work_.empty()) {
+      changed_.wait(mutex_, [this]() REQUIRES(mutex_) { return closed_ || !work_.empty(); });
+      continue;
+    }
+    const Clock::time_point due = work_.begin()->first, now = Clock::now();
+    if (due <= now) return std::move(work_.extract(work_.begin()).mapped());
+    changed_.wait_for(mutex_, due - now, [&]() REQUIRES(mutex_) { return closed_ || work_.begin()->first < due; });
+  }
+  return std::nullopt;
+}
+
+}  // namespace race::server

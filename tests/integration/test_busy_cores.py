@@ -1,0 +1,128 @@
+"""A core that is busy, and a replay that takes long, delay those who ask for them, and nobody else."""
+import socket
+import threading
+import time
+import unittest
+
+import models
+from client import TIMEOUT, Server
+
+SOON = 1  # [s] what is not delayed takes a few milliseconds
+CLIENTS = 8
+
+
+def working(name, to, when="True"):
+    """A state that is left at once, but for a condition that takes milliseconds."""
+    return {"state": name, "ports": [{"name": "next", "when": f"len([i for i in range(60000)]) > 0 and {when}", "to": to}]}
+
+
+def diverging(name="diverging"):
+    """One macro step of 10 000 micro steps that take long."""
+    return models.document(name, {"state": "Root", "first": "A", "children": [working("A", "B"), working("B", "A")]})
+
+
+def laps(name="laps", states=400, last=10):
+    """With each tick of the timer, through all states in one macro step; ends after `last` ticks."""
+    middle = [working(f"S{i}", f"S{i + 1}") for i in range(states)]
+    return models.document(name, {
+        "state": "Root", "results": [{"name": "n", "initial": 0}],
+        "actions": [{"when": "svc.timer.tick", "do": "res.n = res.n + 1"}],
+        "children": [*middle, {"state": f"S{states}", "ports": [{"name": "next", "when": "svc.timer.tick", "to": "S0"}]}],
+        "first": "S0", "ports": [{"name": "done", "when": f"res.n >= {last}"}]})
+
+
+class Asking(threading.Thread):
+    """A client that asks for something; `answer` is (status, body), `seconds` how long it took."""
+
+    def __init__(self, server, method, path):
+        super().__init__()
+        self.server, self.method, self.path = server, method, path
+        self.start()
+
+    def run(self):
+        begin = time.monotonic()
+        self.answer = self.server.request(self.method, "/api/v1" + self.path)
+        self.seconds = time.monotonic() - begin
+
+
+class BusyCores(unittest.TestCase):
+    def setUp(self):
+        self.server = Server()
+        self.addCleanup(self.server.kill)
+        self.idle = self.server.core(models.ticking("idle", last=10**9), start=False)
+
+    def timed(self, method, path, body=None, status=200):
+        begin = time.monotonic()
+        self.server.expect(method, path, body, None, status)
+        return time.monotonic() - begin
+
+    def busy_core(self):
+        """A core in a long macro step, which somebody wants to pause."""
+        core = self.server.core(diverging())
+        self.clients = [Asking(self.server, "POST", f"/cores/{core}/pause")]
+        time.sleep(0.2)
+        return core
+
+    def test_clients_of_a_busy_core_delay_nobody_else(self):
+        busy = self.busy_core()
+        self.clients += [Asking(self.server, "GET", f"/cores/{busy}/state") for _ in range(CLIENTS)]
+        time.sleep(0.2)
+        for _ in range(5):
+            self.assertLess(self.timed("GET", "/health"), SOON)
+            self.assertLess(self.timed("GET", "/cores"), SOON)
+            self.assertLess(self.timed("GET", f"/cores/{self.idle}/state"), SOON)
+        self.assertLess(self.timed("POST", f"/cores/{self.idle}/start"), SOON)
+        self.assertLess(self.timed("GET", f"/cores/{busy}/journal"), SOON, "what was told last")
+        for client in self.clients:
+            client.join()
+            self.assertIn(client.answer[0], (200, 409, 503))
+
+    def test_others_are_loaded_and_deleted_while_one_is_busy(self):
+        other = self.server.core(models.ticking("idle", last=10**9), start=False)
+        busy = self.busy_core()
+        self.clients.append(Asking(self.server, "DELETE", f"/cores/{busy}"))
+        time.sleep(0.2)
+        self.assertLess(self.timed("POST", f"/cores/{self.idle}/load", {"document": "idle"}), SOON)
+        self.assertLess(self.timed("DELETE", f"/cores/{other}"), SOON)
+        for client in self.clients:
+            client.join()
+
+
+class LongReplays(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.server = Server()
+        cls.long = cls.server.core(laps())
+        cls.short = cls.server.core(models.ticking("short", last=1))
+        cls.steps = cls.server.ended(cls.long, 6 * TIMEOUT)["step"]
+        cls.server.ended(cls.short)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.server.kill()
+
+    def ask_for_the_long_one(self):
+        """A connection that has asked and does not read."""
+        connection = socket.create_connection(("127.0.0.1", self.server.port), timeout=TIMEOUT)
+        path = f"/api/v1/cores/{self.long}/derivations?from=1&to={self.steps}"
+        connection.sendall(f"GET {path} HTTP/1.1\r\nHost: 127.0.0.1:{self.server.port}\r\n\r\n".encode())
+        time.sleep(0.3)
+        return connection
+
+    def test_a_replay_ends_when_its_client_has_gone(self):
+        for _ in range(3):
+            self.ask_for_the_long_one().close()
+        begin = time.monotonic()
+        self.server.get(f"/cores/{self.short}/derivations", "derivations")
+        self.assertLess(time.monotonic() - begin, SOON)
+
+    def test_z_the_server_ends_while_somebody_waits_for_a_replay(self):
+        with self.ask_for_the_long_one():
+            begin = time.monotonic()
+            self.server.process.terminate()
+            self.assertEqual(self.server.process.wait(TIMEOUT), 0)
+            self.assertLess(time.monotonic() - begin, 2 * SOON)
+
+
+if __name__ == "__main__":
+    unittest.main()
