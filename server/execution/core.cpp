@@ -218,7 +218,7 @@ void Core::advance() {
   if (!started_ || paused_ || closed_ || is_over()) return;
   const auto end = Clock::now() + kTurnTime;
   for (std::uint32_t left = kTurn; left > 0 && Clock::now() < end;) {
-    if (held_.size() >= kMostHeld) return;
+    if (held_.is_full()) return;
     if (!execution_.is_open() && !take_inbox()) return;
     if (!execution_.is_open() && deliver_edit(std::min(left, kPart))) {
       if (paused_ || is_over()) return;

@@ -321,7 +321,6 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   static constexpr std::chrono::milliseconds kWaitForStep{200};
   static constexpr std::chrono::milliseconds kLongestRebuild{20'000};
   static constexpr std::uint32_t kMostUntold = 256;  // micro steps with their derivation
-  static constexpr std::size_t kMostHeld = 256;      // outputs that wait for the disk; then no macro step begins
   static constexpr std::chrono::seconds kReplayTimeout{5};
 
   const std::string id_;

@@ -22,21 +22,42 @@ List breakpoints_json(const std::vector<execution::GoalName>& breakpoints) {
   return list;
 }
 
+std::size_t units_of(const execution::JournalEntry& entry) {
+  if (const auto* event = std::get_if<execution::EventEntry>(&entry)) return event->data.size_units();
+  if (const auto* response = std::get_if<execution::ResponseEntry>(&entry)) return response->data.size_units();
+  return 0;
+}
+
+// Of its entry, and of what it says beside its delta and its derivation.
+std::size_t units_of(const Progress& progress) {
+  std::size_t units = progress.entry && progress.first == 0 ? units_of(*progress.entry) : 0;
+  for (const std::string& text : progress.printed) units += text.size();
+  for (const semantics::OutgoingCall& call : progress.calls) {
+    for (const Value& argument : call.args) units += argument.size_units();
+    for (const auto& [name, argument] : call.kwargs) units += argument.size_units();
+  }
+  return units;
+}
+
 }  // namespace
 
 // What came of a part of a macro step: the one place where anything leaves a core.
 void Core::emit(const Progress& progress) {
   record(progress);
-  held_.add([this, reached = reached_now(), calls = progress.calls, over = is_over(), printed = progress.printed,
-             delta = execution_.is_watched() && !progress.edited ? delta_of(progress) : Value(),
-             steps = progress.derivation ? steps_of(progress) : Value()](const Error* failure) {
-    if (failure) return;
-    set_reached(reached);
-    for (const std::string& text : printed) resources_.watcher.printed(id_, text);
-    make_calls(resources_.host, id_, calls, over);
-    if (!delta.is_null()) resources_.watcher.state_changed(id_, delta);
-    if (!steps.is_null()) resources_.watcher.derived(id_, steps);
-  });
+  const Value delta = execution_.is_watched() && !progress.edited ? delta_of(progress) : Value();
+  const Value steps = progress.derivation ? steps_of(progress) : Value();
+  const std::size_t units = units_of(progress) + delta.size_units() + steps.size_units();
+  held_.add(
+      [this, reached = reached_now(), calls = progress.calls, over = is_over(), printed = progress.printed, delta,
+       steps](const Error* failure) {
+        if (failure) return;
+        set_reached(reached);
+        for (const std::string& text : printed) resources_.watcher.printed(id_, text);
+        make_calls(resources_.host, id_, calls, over);
+        if (!delta.is_null()) resources_.watcher.state_changed(id_, delta);
+        if (!steps.is_null()) resources_.watcher.derived(id_, steps);
+      },
+      units);
   if (progress.edited && execution_.is_watched()) publish_snapshot(&CoreWatcher::state_replaced);
   if (paused_ || is_over()) publish_info();
 }

@@ -31,7 +31,7 @@ void Core::open_journal() {
 
 void Core::durable(std::uint64_t ticket) {
   post_work([this, ticket] {
-    const bool was_ahead = held_.size() >= kMostHeld;
+    const bool was_ahead = held_.is_full();
     held_.release(ticket);
     if (was_ahead) schedule();
   });

@@ -1,5 +1,6 @@
 // HeldOutputs: what a core wants to say, in order, held until what caused it is durable (core/SEMANTICS.md section 10).
-// Every record that a core hands to the journal has a ticket; an output waits for the last ticket of its time.
+// Every record that a core hands to the journal has a ticket; an output waits for the last ticket of its time. What is
+// held is bounded by the core: it does not go on while it is full.
 //
 // Threads: the core's strand.
 #pragma once
@@ -16,15 +17,20 @@ namespace race::server {
 
 class HeldOutputs {
  public:
+  static constexpr std::size_t kMost = 256;
+  static constexpr std::size_t kMostUnits = 8U << 20U;
+
   /// Says it (null), or learns that it never may be said: the journal has failed.
   using Output = std::function<void(const Error* failure)>;
 
   /// The next record of the journal has this ticket, from 1.
   std::uint64_t next_ticket() { return ++issued_; }
-  /// What comes of all records so far. Said at once if they are durable.
-  void add(Output output) {
+  /// What comes of all records so far, and takes so many units (Value::size_units) of memory. Said at once if they are
+  /// durable.
+  void add(Output output, std::size_t units = 0) {
     if (durable_ == issued_ && held_.empty()) return output(nullptr);
-    held_.push_back({issued_, std::move(output)});
+    held_.push_back({issued_, std::move(output), units});
+    units_ += units;
   }
   /// The records up to `ticket` are durable: what came of them is said.
   void release(std::uint64_t ticket) {
@@ -37,19 +43,24 @@ class HeldOutputs {
     while (!held_.empty()) take_first()(&error);
   }
   std::size_t size() const { return held_.size(); }
+  /// No further macro step should begin, and none go on.
+  bool is_full() const { return held_.size() >= kMost || units_ >= kMostUnits; }
 
  private:
   struct Held {
     std::uint64_t ticket;
     Output output;
+    std::size_t units;
   };
   Output take_first() {
     Output output = std::move(held_.front().output);
+    units_ -= held_.front().units;
     held_.pop_front();
     return output;
   }
 
   std::deque<Held> held_;
+  std::size_t units_ = 0;  // of held_
   std::uint64_t issued_ = 0, durable_ = 0;
 };
 

@@ -26,7 +26,7 @@ namespace race::server {
 /// sockets any more.
 struct Backend {
   std::function<void(Request, const Answer&)> handle;  // requests to /api/
-  std::function<Reply()> health;                       // GET /api/v1/health, on the sockets' thread: it waits for nothing
+  std::function<Reply()> health;  // GET /api/v1/health, on the sockets' thread: it waits for nothing
   Hub& hub;
   Displays& displays;
   EditRequests& edits;

@@ -42,8 +42,8 @@ void end_run(RunRecord& run, const RunEnd& end) {
 /// store wait while it lasts.
 class Batch {
  public:
-  /// `run` as it was written last.
-  explicit Batch(RunRecord& run) : run_(run) {}
+  /// `run` as it was written last; its journal has at most `most_bytes` before.
+  Batch(RunRecord& run, std::uint64_t most_bytes) : run_(run), is_full_(run.bytes >= most_bytes) {}
 
   /// A run that is written to is under way, unless this is its end.
   void add(const JournalRecord& record) {
@@ -53,10 +53,14 @@ class Batch {
     if (record.entry) entries_.push_back(append_entry(run_, *record.entry));
     if (record.checkpoint) add_checkpoint(to_json(*record.checkpoint));
     if (record.end) end_run(run_, *record.end);
+    ends_ |= record.end.has_value();
   }
 
-  /// Error `not_found`: the run is not in the store; nothing is written.
+  /// Errors: `not_found`: the run is not in the store; `too_large`: its journal is full, and this is not its end.
+  /// Nothing is written then.
   Expected<void> write(Statements& statements) const {
+    if (is_full_ && !ends_ && !entries_.empty())
+      return unexpected(ErrorCode::too_large, "the journal of the run is full; stop the run, and start another");
     if (resumes_) {  // SQLite writes nothing for a row that stays as it is
       RunRecord interrupted = run_;
       interrupted.status = "interrupted";
@@ -80,8 +84,9 @@ class Batch {
   }
 
   RunRecord& run_;
+  const bool is_full_;
   std::uint64_t ticket_ = 0;
-  bool resumes_ = false;
+  bool resumes_ = false, ends_ = false;
   std::vector<EntryRow> entries_;
   std::vector<CheckpointRow> checkpoints_;
 };
@@ -92,15 +97,18 @@ std::uint64_t RunJournal::interval_at(std::uint64_t position) {
   return kInterval * std::bit_ceil(std::max<std::uint64_t>(1, (position - 1) / (kInterval * kCheckpoints) + 1));
 }
 
-Expected<std::unique_ptr<JournalWriter>> JournalWriter::open(const std::string& path,
-                                                             std::chrono::milliseconds timeout) try {
-  return std::unique_ptr<JournalWriter>(new JournalWriter(sqlite::open(path), timeout));
+Expected<std::unique_ptr<JournalWriter>> JournalWriter::open(const std::string& path, std::chrono::milliseconds timeout,
+                                                             std::uint64_t most_bytes) try {
+  return std::unique_ptr<JournalWriter>(new JournalWriter(sqlite::open(path), timeout, most_bytes));
 } catch (const SQLite::Exception& exception) {
   return tl::unexpected(sqlite::error_of(exception, "cannot open the journal"));
 }
 
-JournalWriter::JournalWriter(std::unique_ptr<SQLite::Database> file, std::chrono::milliseconds timeout)
-    : file_(std::move(file)), statements_(*file_), watch_(timeout), thread_([this] { run(); }) {}
+JournalWriter::JournalWriter(std::unique_ptr<SQLite::Database> file, std::chrono::milliseconds timeout,
+                             std::uint64_t most_bytes)
+    : file_(std::move(file)), statements_(*file_), watch_(timeout), most_bytes_(most_bytes), thread_([this] {
+        run();
+      }) {}
 
 JournalWriter::~JournalWriter() { close(); }
 
@@ -161,7 +169,7 @@ void JournalWriter::write() {
   for (const Item& item : items_) {
     RunJournal& journal = *item.journal;
     ++records[&journal];
-    if (!journal.failed_) batches.try_emplace(&journal, journal.record_).first->second.add(item.record);
+    if (!journal.failed_) batches.try_emplace(&journal, journal.record_, most_bytes_).first->second.add(item.record);
   }
   std::map<RunJournal*, Expected<void>> written;
   if (!batches.empty()) try {

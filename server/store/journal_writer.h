@@ -49,6 +49,8 @@ class RunJournal {
   static constexpr std::uint64_t kCheckpoints = 64;
   /// One that is larger is not kept: it saves time, no more.
   static constexpr std::size_t kCheckpointBytes = std::size_t{8} << 20U;
+  /// Of its entries and checkpoints: weeks of a task that is always busy. A run whose journal is full can end, no more.
+  static constexpr std::uint64_t kMostBytes = std::uint64_t{16} << 30U;
   /// Of a run that has come to `position`; a power of two times kInterval.
   static std::uint64_t interval_at(std::uint64_t position);
 
@@ -66,9 +68,10 @@ class RunJournal {
 class JournalWriter {
  public:
   /// Writes to the store at `path` (DataFolder::store). A run whose records the disk has not taken after `timeout` is
-  /// told so. Errors: those of sqlite::error_of.
+  /// told so; one whose journal has `most_bytes` fails with `too_large`. Errors: those of sqlite::error_of.
   static Expected<std::unique_ptr<JournalWriter>> open(const std::string& path,
-                                                       std::chrono::milliseconds timeout = DiskWatch::kTimeout);
+                                                       std::chrono::milliseconds timeout = DiskWatch::kTimeout,
+                                                       std::uint64_t most_bytes = RunJournal::kMostBytes);
   ~JournalWriter();
 
   /// The next record of a journal. How many may wait is limited by those who append: a core stops when it is ahead.
@@ -89,7 +92,7 @@ class JournalWriter {
     std::shared_ptr<RunJournal> journal;
     JournalRecord record;
   };
-  JournalWriter(std::unique_ptr<SQLite::Database> file, std::chrono::milliseconds timeout);
+  JournalWriter(std::unique_ptr<SQLite::Database> file, std::chrono::milliseconds timeout, std::uint64_t most_bytes);
   void run();
   bool next() EXCLUDES(mutex_);
   void write();
@@ -105,6 +108,7 @@ class JournalWriter {
   const std::unique_ptr<SQLite::Database> file_;
   Statements statements_;
   DiskWatch watch_;
+  const std::uint64_t most_bytes_;  // of a journal
   std::atomic<std::uint64_t> commits_{0}, entries_{0};
   std::thread thread_;
 };

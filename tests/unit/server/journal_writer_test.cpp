@@ -153,6 +153,28 @@ TEST(JournalWriter, WritesNothingOfARunThatIsNotInTheStoreAndTheOthersWhole) {
   EXPECT_EQ(file->execAndGet("SELECT count(*) FROM entry").getInt(), 5) << "all of the other run";
 }
 
+TEST(JournalWriter, AFullJournalTakesTheEndOfItsRunAlone) {
+  TemporaryStore store;
+  const auto writer = JournalWriter::open(store.folder.store(), DiskWatch::kTimeout, 1000).value();
+  Writing full(*store.runs, *writer), other(*store.runs, *writer);
+  int entries = 0;
+  do {
+    full.append_some(1);
+    ++entries;
+  } while (full.settled());
+  EXPECT_EQ(full.sink->code, ErrorCode::too_large);
+  RunRecord run = store.runs->get(full.run.id).value();
+  EXPECT_EQ(run.steps, static_cast<std::uint64_t>(entries)) << "the start, and all ticks but the last";
+  EXPECT_GE(run.bytes, 1000U);
+  other.append_some(1);
+  EXPECT_TRUE(other.settled());
+  const auto sink = std::make_shared<RecordingSink>();
+  writer->append(std::make_shared<RunJournal>(run, sink),
+                 {.ticket = 1, .entry = execution::AbortEntry{}, .end = RunEnd{"aborted", "", {}, {}, 1}});
+  while (sink->last == 0 && sink->failures == 0) std::this_thread::sleep_for(std::chrono::microseconds(100));
+  EXPECT_EQ(store.runs->get(run.id).value().status, "aborted");
+}
+
 TEST(JournalWriter, AnExceptionFailsTheJournalsThatAreWrittenAndNoOthers) {
   TemporaryStore store;
   Writing first(*store.runs, *store.writer), second(*store.runs, *store.writer);
