@@ -83,17 +83,6 @@ Reply overload(const std::string& message) {
 
 Reply no_memory() { return refusal(503, "out_of_memory", "the server has no memory left for this"); }
 
-std::optional<Reply> read_error(error_code error) {
-  if (error == http::error::header_limit || error == http::error::buffer_overflow)
-    return refusal(431, "too_large", "a header has at most " + std::to_string(RequestFilter::kHeaderBytes) + " bytes");
-  if (error == http::error::body_limit)
-    return refusal(413, "too_large", "a body has at most " + std::to_string(RequestFilter::kRunFileBytes) + " bytes");
-  if (error.category() == make_error_code(http::error::bad_method).category() && error != http::error::end_of_stream &&
-      error != http::error::partial_message)
-    return refusal(400, "http", error.message());
-  return std::nullopt;
-}
-
 awaitable<bool> send(beast::tcp_stream& stream, Response response, std::chrono::milliseconds timeout) {
   const bool keep_alive = response.keep_alive();
   error_code ignored;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <chrono>
-#include <optional>
 
 #include "server/http/beast.h"
 #include "server/http/message.h"
@@ -22,9 +21,6 @@ Response make_response(Reply reply, ResponseOptions options);
 /// A request ends with a refusal that is not its own fault: the client may ask again, soon.
 Reply overload(const std::string& message);
 Reply no_memory();
-
-/// The answer to a request that could not be read; nothing: the connection is gone.
-std::optional<Reply> read_error(error_code error);
 
 /// Sends it; a client has `timeout` for each MiB (kResponsePiece). Whether another request may follow: it has left, and
 /// keeps the connection alive.

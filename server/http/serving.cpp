@@ -4,6 +4,7 @@
 
 #include "server/http/answering.h"
 #include "server/http/on_pool.h"
+#include "server/http/parsed_request.h"
 #include "server/http/refusal.h"
 #include "server/http/response.h"
 #include "server/http/sessions.h"
@@ -19,23 +20,6 @@ using Phase = Connections::Phase;
 constexpr std::string_view kStream = "/api/v1/stream";
 constexpr std::string_view kComponents = "/api/v1/components";
 constexpr std::string_view kHealth = "/api/v1/health";
-
-using Parser = http::request_parser<http::string_body>;
-
-// Beast's request as ours. Error: the target.
-Expected<Request> to_request(const http::request<http::string_body>& from) {
-  Request request;
-  request.method = std::string(from.method_string());
-  for (const auto& field : from) {
-    std::string name(field.name_string());
-    for (char& c : name) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
-    request.headers.emplace_back(std::move(name), std::string(field.value()));
-  }
-  ASSIGN_OR_RETURN(auto target, parse_target(std::string_view(from.target())));
-  request.path = std::move(target.first);
-  request.query = std::move(target.second);
-  return request;
-}
 
 bool is_health(const Request& request) {
   return request.method == "GET" && request.path == kHealth && request.query.empty() && request.body.empty();
@@ -82,7 +66,7 @@ Reply no_upgrade() {
 }
 
 // Reads the header of the next request; its first byte may take `begin`. Nothing: there is none, and a refusal is sent.
-awaitable<std::optional<Request>> read_header(Client& client, Parser& parser, std::chrono::milliseconds begin,
+awaitable<std::optional<Request>> read_header(Client& client, RequestParser& parser, std::chrono::milliseconds begin,
                                               Context& context) {
   const bool reserved = client.place->is_reserved();
   const auto timeout = reserved ? context.limits.reserved_timeout : context.limits.read_timeout;
@@ -147,9 +131,8 @@ awaitable<bool> serve_websocket(Client& client, const std::string& path, Upgrade
 
 // Serves one request of a connection; its first byte may take `begin`. Returns whether another may follow.
 awaitable<bool> serve_one(Client& client, Context& context, std::chrono::milliseconds begin) {
-  Parser parser;
-  parser.header_limit(RequestFilter::kHeaderBytes);
-  parser.body_limit(RequestFilter::kRunFileBytes);  // of most routes it is less: the filter refuses by Content-Length
+  RequestParser parser;
+  set_limits(parser);
   auto request = co_await read_header(client, parser, begin, context);
   if (!request) co_return false;
   const bool upgrade = websocket::is_upgrade(parser.get());
