@@ -1,5 +1,6 @@
 // GET /api/v1/runs/{run}/samples: where everything in the cell was while the run was running.
 #include "server/handlers/runs.h"
+#include "server/runs/run_json.h"
 #include "server/store/samples.h"
 
 namespace race::server {

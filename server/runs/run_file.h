@@ -27,8 +27,10 @@ inline constexpr int kRunFileVersion = 1;
 inline constexpr JsonLimits kRunFileLimits{
     .depth = execution::kJournalLimits.depth + 2, .bytes = 16U << 20U, .keep_out_of_range = true};
 
-/// The text of a file of a run or a part of it, as kRunFileLimits allows. Error `too_large`, which says where to read
-/// the run instead.
+/// That something is larger than the file of a run may be, and where to read the run instead.
+tl::unexpected<Error> beyond_file_limits();
+
+/// The text of a file of a run or a part of it, as kRunFileLimits allows. Error `too_large`, as beyond_file_limits().
 Expected<std::string> bounded_text(const Value& json);
 /// The whole journal of a stored run. No more is read than a file has room for. Errors: those of Runs; `too_large`, as
 /// bounded_text.

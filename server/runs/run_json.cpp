@@ -24,4 +24,11 @@ void set_status(const RunRecord& run, Dict& json) {
   if (run.status == "faulted") json.set("fault", run.fault);
 }
 
+List samples_json(const std::vector<Sample>& samples) {
+  List list;
+  for (const Sample& sample : samples)
+    list.emplace_back(Dict{{"step", static_cast<std::int64_t>(sample.step)}, {"pose", sample.pose}});
+  return list;
+}
+
 }  // namespace race::server

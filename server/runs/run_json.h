@@ -1,4 +1,4 @@
-// A stored run as clients see it.
+// A stored run and its samples as clients see them.
 //
 // Pure functions.
 #pragma once
@@ -7,6 +7,7 @@
 
 #include "core/value/value.h"
 #include "server/store/runs.h"
+#include "server/store/samples.h"
 
 namespace race::server {
 
@@ -15,5 +16,8 @@ Value run_json(const RunRecord& run);
 
 /// Sets `status`, and `outcome` or `fault`, as schemas/derivations.json has them.
 void set_status(const RunRecord& run, Dict& json);
+
+/// The items of schemas/samples.json.
+List samples_json(const std::vector<Sample>& samples);
 
 }  // namespace race::server

@@ -50,10 +50,6 @@ tl::unexpected<Error> damaged(const std::string& what, std::string path) {
   return unexpected(ErrorCode::corrupt, what + " is damaged", std::move(path));
 }
 
-bool RunRecord::is_over() const { return server::is_over(status); }
-
-bool is_over(std::string_view status) { return status == "ended" || status == "faulted" || status == "aborted"; }
-
 sqlite::Digest digest_of(const RunRecord& run) {
   const auto text = [](auto n) { return std::to_string(n); };
   return sqlite::sha256_of({text(run.id), run.document, text(run.revision), sqlite::bytes(run.header),

@@ -25,9 +25,6 @@ std::string path_of(RunId id);
 /// `what` at `path` is damaged: error `corrupt`.
 tl::unexpected<Error> damaged(const std::string& what, std::string path);
 
-/// Of a status.
-bool is_over(std::string_view status);
-
 /// Of all fields of a run's row.
 sqlite::Digest digest_of(const RunRecord& run);
 

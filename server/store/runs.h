@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -25,6 +26,11 @@
 namespace race::server {
 
 using RunId = std::uint64_t;
+
+/// Whether a run of this status is over.
+constexpr bool is_over(std::string_view status) {
+  return status == "ended" || status == "faulted" || status == "aborted";
+}
 
 /// A run as it is listed.
 struct RunRecord {
@@ -43,7 +49,7 @@ struct RunRecord {
   bool imported = false;                      // it was executed by another server
   std::uint64_t bytes = 0;                    // of its entries and checkpoints
 
-  bool is_over() const;
+  bool is_over() const { return server::is_over(status); }
 };
 
 /// A run of which the row is damaged or lost; its journal may be whole.

@@ -124,11 +124,4 @@ Expected<std::vector<Sample>> Samples::read(RunId run) try {
   return tl::unexpected(sqlite::error_of(exception, "cannot read samples"));
 }
 
-List samples_json(const std::vector<Sample>& samples) {
-  List list;
-  for (const Sample& sample : samples)
-    list.emplace_back(Dict{{"step", static_cast<std::int64_t>(sample.step)}, {"pose", sample.pose}});
-  return list;
-}
-
 }  // namespace race::server

@@ -40,7 +40,4 @@ class Samples {
   const std::unique_ptr<SQLite::Database> file_ PT_GUARDED_BY(mutex_);
 };
 
-/// The items of schemas/samples.json.
-List samples_json(const std::vector<Sample>& samples);
-
 }  // namespace race::server
