@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "services/world/urdf_limits.h"
+#include "services/world/urdf_tree.h"
 
 namespace race::world {
 namespace {
@@ -98,7 +99,6 @@ Expected<void> add_link(const urdf::Link& source, int parent, std::size_t depth,
   const std::string path = model.name + "/" + source.name;
   if (depth > kUrdfChain)
     return unexpected(ErrorCode::too_deep, "a chain has at most " + std::to_string(kUrdfChain) + " links", path);
-  if (model.link(source.name) >= 0) return unexpected(ErrorCode::duplicate, "two joints lead to the link", path);
   Link link;
   link.name = source.name;
   link.parent = parent;
@@ -141,6 +141,7 @@ std::vector<int> RobotModel::moved_by(Joint::Kind kind) const {
 
 Expected<RobotModel> read_urdf(const std::string& text) {
   if (auto good = check_urdf_text(text); !good) return tl::unexpected(std::move(good).error());
+  if (auto tree = check_urdf_tree(text); !tree) return tl::unexpected(std::move(tree).error());
   const urdf::ModelInterfaceSharedPtr source = urdf::parseURDF(text);
   if (!source || !source->getRoot()) return unexpected(ErrorCode::syntax, "not a URDF document");
   RobotModel model;

@@ -17,6 +17,15 @@ std::string urdf(const std::string& link, const std::string& limit, const std::s
          "</joint></robot>";
 }
 
+// Links a, b, c and d with fixed joints between these.
+std::string chain(const std::vector<std::pair<std::string, std::string>>& joints) {
+  std::string text = R"(<robot name="r"><link name="a"/><link name="b"/><link name="c"/><link name="d"/>)";
+  for (const auto& [parent, child] : joints)
+    text += "<joint name=\"" + parent + child + R"(" type="fixed"><parent link=")" + parent + R"("/><child link=")" +
+            child + "\"/></joint>";
+  return text + "</robot>";
+}
+
 TEST(RobotModel, ReadsLinksJointsAndInertias) {
   const auto model = read_urdf(urdf(kLink2, kLimit));
   ASSERT_TRUE(model) << to_string(model.error());
@@ -74,6 +83,9 @@ TEST(RobotModel, NamesWhatItRefuses) {
       {R"(<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="fixed"><parent link="a"/><child link="b"/>
         </joint><joint name="k" type="fixed"><parent link="a"/><child link="b"/></joint></robot>)",
        ErrorCode::duplicate},
+      {chain({{"a", "b"}, {"c", "c"}}), ErrorCode::conflict},
+      {chain({{"a", "b"}, {"c", "d"}, {"d", "c"}}), ErrorCode::conflict},
+      {chain({{"a", "b"}, {"b", "a"}}), ErrorCode::conflict},
   };
   for (const Broken& broken : cases) {
     const auto model = read_urdf(broken.text);
