@@ -1,8 +1,10 @@
 // Journals: any text is refused with a reason, or read as it stands; then the run is done again, until it does not take
-// an entry, and its checkpoint is the same execution.
+// an entry, and its checkpoint is the same execution: one that goes on from the middle does the same steps.
 #include "core/execution/journal.h"
 
 #include <algorithm>
+#include <optional>
+#include <string>
 
 #include "core/execution/checkpoint.h"
 #include "core/execution/journal_walk.h"
@@ -26,16 +28,27 @@ void hold_checkpoint(const JournalHeader& header, const Execution& execution) {
   FUZZ_EXPECT(checkpoint_json(*again) == json);
 }
 
+void hold_step(Execution& restored, const JournalEntry& entry, Recording recording, const std::string& step) {
+  const auto progress = restored.replay(entry, recording);
+  FUZZ_EXPECT(progress);
+  FUZZ_EXPECT(to_json(trace_step(restored.run().program(), **progress)) == step);
+}
+
 void replay(const Journal& journal) {
   const JournalHeader header = fuzz::bounded(journal.header);
   const std::size_t last = std::min(journal.entries.size(), kEntries);
   auto walk = JournalWalk::create(header, std::make_shared<MemoryJournal>(journal.entries), last);
   if (!walk) return;
-  for (bool recorded = true; !walk->at_end(); recorded = !recorded) {
-    const auto progress = walk->next({.entry = true, .derivation = recorded});
+  std::optional<Execution> restored;
+  for (std::size_t done = 0; !walk->at_end(); ++done) {
+    const Recording recording{.entry = true, .derivation = done % 2 == 0};
+    const auto progress = walk->next(recording);
     if (!progress) return;
-    const Value step = trace_step(walk->execution().run().program(), **progress);
-    FUZZ_EXPECT(parse_json(to_json(step), kJournalLimits).has_value());
+    const std::string step = to_json(trace_step(walk->execution().run().program(), **progress));
+    FUZZ_EXPECT(parse_json(step, kJournalLimits).has_value());
+    if (restored) hold_step(*restored, journal.entries[done], recording, step);
+    if (done == last / 2 && !walk->execution().is_over())
+      restored = read_checkpoint(header, checkpoint_json(walk->execution())).value();
   }
   if (!walk->execution().is_over()) hold_checkpoint(header, walk->execution());
 }
