@@ -50,17 +50,20 @@ class StepEnvironment final : public language::Environment {
     printed.push_back(std::move(text));
   }
 
-  /// Adds what a function that completed has done to `use`: its `work` and its calls.
-  void take_use(std::uint64_t work) {
+  /// Adds what a function that completed has done to `use`: its `work` and its calls. False: a budget is exceeded.
+  bool take_use(std::uint64_t work) {
     use.work += work;
     if (!calls.empty()) [[unlikely]]
       count_calls();
+    return use.work <= budgets.work && use.calls <= budgets.calls && use.output_units <= budgets.output_units;
   }
-  bool is_over_budget() const {
-    return use.work > budgets.work || use.calls > budgets.calls || use.output_units > budgets.output_units;
-  }
-  /// Requires that it is over one.
+  /// What says which. Requires that one is.
   std::string exceeded_budget() const;
+  /// OPTIMIZATION: most functions call nothing.
+  void clear_calls() {
+    if (!calls.empty()) [[unlikely]]
+      calls.clear();
+  }
 
   const Budgets& budgets;
   MacroStepUse use;                  // of this macro step

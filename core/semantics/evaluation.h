@@ -98,7 +98,7 @@ bool Func(Step<R>& step, StateId s, const Code& f, FunctionOf of, ActionId a = k
     if (f_i.kind == Statement::Kind::service_data) FuncSD(step, s);
     if (f_i.kind == Statement::Kind::service_call) FuncSC(step, s, step.environment.calls[f_i.call]);
   }
-  step.environment.calls.clear();
+  step.environment.clear_calls();
   return true;
 }
 

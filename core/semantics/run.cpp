@@ -71,7 +71,7 @@ bool Run::micro_step(R& recorder, const Order& order) {
   assert(order.fits(*b.program) && (R::kVisitsAll || order.is_declared()));
   if (b.status != Status::running) return false;
   if (b.budgets.evaluation.is_told_to_stop()) [[unlikely]] {
-    fail_at_root(language::FaultKind::budget, "told to stop");
+    fail_as_told();
     return false;
   }
   const bool reevaluates_all = R::kReevaluatesAll || (R::kVisitsAll && !order.is_declared());
@@ -90,20 +90,18 @@ bool Run::micro_step(R& recorder, const Order& order) {
       count_data(b.state, b.work.log.values, b.work.changed);
   } catch (const FaultSignal& signal) {
     recorder.discard(mark);
-    b.environment.calls.clear();
+    b.environment.clear_calls();
     fail({signal.fault.kind, b.program->node_path(signal.at), signal.fault.message, signal.fault.where});
     return false;
   }
   if (++b.micro_steps > b.budgets.micro_steps) {
     recorder.discard(mark);
-    fail_at_root(language::FaultKind::divergence,
-                 "more than " + std::to_string(b.budgets.micro_steps) + " micro steps in one macro step");
+    fail_by_divergence();
     return false;
   }
   if (b.state.data_units > b.budgets.data_units) [[unlikely]] {
     recorder.discard(mark);
-    fail_at_root(language::FaultKind::budget,
-                 "the values of the run have more than " + std::to_string(b.budgets.data_units) + " units");
+    fail_over_data_budget();
     return false;
   }
   recorder.complete_micro_step(mark);
@@ -153,6 +151,18 @@ void Run::stop_with(const std::atomic<bool>* stop) {
 }
 
 bool Run::is_told_to_stop() const { return body_->budgets.evaluation.is_told_to_stop(); }
+
+void Run::fail_as_told() { fail_at_root(language::FaultKind::budget, "told to stop"); }
+
+void Run::fail_by_divergence() {
+  fail_at_root(language::FaultKind::divergence,
+               "more than " + std::to_string(body_->budgets.micro_steps) + " micro steps in one macro step");
+}
+
+void Run::fail_over_data_budget() {
+  fail_at_root(language::FaultKind::budget,
+               "the values of the run have more than " + std::to_string(body_->budgets.data_units) + " units");
+}
 
 void Run::abort() {
   if (body_->status != Status::running) return;

@@ -163,6 +163,9 @@ class Run {
   void end();
   void fail(RunFault fault);
   void fail_at_root(language::FaultKind kind, std::string message);
+  [[gnu::noinline, gnu::cold]] void fail_as_told();
+  [[gnu::noinline, gnu::cold]] void fail_by_divergence();
+  [[gnu::noinline, gnu::cold]] void fail_over_data_budget();
   std::unique_ptr<Body> body_;
 };
 

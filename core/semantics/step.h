@@ -80,8 +80,7 @@ class Step : public StepContext {
     environment.enter(s, false);
     auto value = interpreter_.expression(expression, environment);
     if (!value) raise_fault(owner);
-    environment.take_use(interpreter_.work());
-    if (environment.is_over_budget()) [[unlikely]]
+    if (!environment.take_use(interpreter_.work())) [[unlikely]]
       raise_over_budget(owner);
     return std::move(*value);
   }
@@ -111,21 +110,20 @@ class Step : public StepContext {
 template <Recorder R>
 bool Step<R>::execute(const Code& function, StateId s) {
   environment.enter(s, true);
-  environment.calls.clear();
+  environment.clear_calls();
   environment.evaluation.clear();
   const std::size_t before = work.log.values.size(), printed_before = environment.printed.size();
   const std::uint64_t output_before = environment.use.output_units;
   const auto outcome = interpreter_.function(function, environment);
   if (outcome == language::Interpreter::Outcome::fault) raise_fault(s);
   if (outcome == language::Interpreter::Outcome::done) {
-    environment.take_use(interpreter_.work());
-    if (environment.is_over_budget()) [[unlikely]]
+    if (!environment.take_use(interpreter_.work())) [[unlikely]]
       raise_over_budget(s);
     return true;
   }
   for (ValueLog& log = work.log.values; log.size() > before; log.pop_back())
     run.values[log.back().first] = std::move(log.back().second);
-  environment.calls.clear();
+  environment.clear_calls();
   environment.printed.resize(printed_before);
   environment.use.output_units = output_before;
   return false;

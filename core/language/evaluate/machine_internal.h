@@ -55,7 +55,7 @@ class Machine {
   void begin(const Program& program, Environment& environment, bool strict);
   bool is_told_to_stop() const;
   bool take_unit();
-  void fail_over_budget(NodeId id);
+  [[gnu::noinline, gnu::cold]] void fail_over_budget(NodeId id);
   bool over_budget();  // after an evaluation: whether it exceeded its budget, or stopped
   const Value& operand(NodeId id, Value& out);
   const Value& evaluate(NodeId id, Value& out);
