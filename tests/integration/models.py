@@ -98,3 +98,13 @@ def calling(service, operation, name="calling", computed=False):
                            "actions": [{"when": f"{answer}.error", "do": f"res.code = {answer}.error.code"}],
                            "ports": [{"name": "result", "when": f"{answer}.result"},
                                      {"name": "error", "when": "available(res.code)"}]})
+
+
+def working(name, to, when="True"):
+    """A state that is left at once, but for a condition that takes milliseconds."""
+    return {"state": name, "ports": [{"name": "next", "when": f"len([i for i in range(60000)]) > 0 and {when}", "to": to}]}
+
+
+def diverging(name="diverging"):
+    """One macro step of 10 000 micro steps that take long."""
+    return document(name, {"state": "Root", "first": "A", "children": [working("A", "B"), working("B", "A")]})

@@ -11,19 +11,9 @@ SOON = 1  # [s] what is not delayed takes a few milliseconds
 CLIENTS = 8
 
 
-def working(name, to, when="True"):
-    """A state that is left at once, but for a condition that takes milliseconds."""
-    return {"state": name, "ports": [{"name": "next", "when": f"len([i for i in range(60000)]) > 0 and {when}", "to": to}]}
-
-
-def diverging(name="diverging"):
-    """One macro step of 10 000 micro steps that take long."""
-    return models.document(name, {"state": "Root", "first": "A", "children": [working("A", "B"), working("B", "A")]})
-
-
 def laps(name="laps", states=400, last=10):
     """With each tick of the timer, through all states in one macro step; ends after `last` ticks."""
-    middle = [working(f"S{i}", f"S{i + 1}") for i in range(states)]
+    middle = [models.working(f"S{i}", f"S{i + 1}") for i in range(states)]
     return models.document(name, {
         "state": "Root", "results": [{"name": "n", "initial": 0}],
         "actions": [{"when": "svc.timer.tick", "do": "res.n = res.n + 1"}],
@@ -58,7 +48,7 @@ class BusyCores(unittest.TestCase):
 
     def busy_core(self):
         """A core in a long macro step, which somebody wants to pause."""
-        core = self.server.core(diverging())
+        core = self.server.core(models.diverging())
         self.clients = [Asking(self.server, "POST", f"/cores/{core}/pause")]
         time.sleep(0.2)
         return core

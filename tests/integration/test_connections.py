@@ -14,7 +14,7 @@ import unittest
 import models
 from client import TIMEOUT, Server, Stream, check
 from component_process import LONG_HEARTBEAT, ComponentClient
-from test_floods import is_open, resident
+from floods import is_open, resident
 from websockets.frames import OP_CLOSE
 
 MIB = 1 << 20

@@ -4,66 +4,22 @@ bounded, others are served meanwhile, and SIGTERM ends the server while the floo
 Each flood has a server of its own; they last RACE_FLOOD seconds each (20), beside each other.
 """
 import itertools
-import json
 import os
-import re
-import socket
 import threading
 import time
 import unittest
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
-from pathlib import Path
 
 import models
 from client import Server, Stream
-from component_process import LONG_HEARTBEAT, ComponentClient, service, wait_available
+from component_process import LONG_HEARTBEAT
+from floods import COUNTING, Flood, display_process, is_open, resident, subscribe, unsubscribe
 
 SECONDS = float(os.environ.get("RACE_FLOOD", "20"))
 CEILING = 150e6  # [bytes] that the server may grow by
 CEILING_OF_MESSAGES = 300e6  # with what messages of the stream may take (server/stream/hub.h: kMaxBytes)
 END = 2  # [s] from SIGTERM to the end
-
-
-def resident(server):
-    """[bytes]"""
-    status = Path(f"/proc/{server.process.pid}/status").read_text()
-    return 1024 * int(re.search(r"VmRSS:\s*(\d+)", status).group(1))
-
-
-class Flood(threading.Thread):
-    """A client that says its messages again and again, as fast as it can, and never reads."""
-
-    def __init__(self, connection, messages):
-        super().__init__(daemon=True)
-        self.socket = connection.socket
-        self.socket.settimeout(0.2)
-        self.over = threading.Event()
-        self.refused = False
-        self.said = 0
-        # As bytes, made once: the server has to be busier than this client.
-        for message in messages:
-            connection.protocol.send_text(message.encode())
-        self.data = memoryview(b"".join(connection.protocol.data_to_send()))
-        self.share = len(messages) / len(self.data)
-
-    def run(self):
-        at = 0
-        while not self.over.is_set():
-            try:
-                sent = self.socket.send(self.data[at:at + 2**18])
-            except TimeoutError:  # it has to wait: so it should be
-                continue
-            except OSError:
-                self.refused = True
-                return
-            at = (at + sent) % len(self.data)
-            self.said += sent * self.share
-
-    def end(self):
-        self.over.set()
-        self.join()
-        self.socket.close()
 
 
 class Crowd(threading.Thread):
@@ -98,19 +54,6 @@ class Crowd(threading.Thread):
     def end(self):
         self.over.set()
         self.join()
-
-
-def is_open(connection):
-    """Whether the other side has not closed it; nothing is read."""
-    return connection.getsockopt(socket.IPPROTO_TCP, socket.TCP_INFO, 1)[0] == 1  # TCP_ESTABLISHED
-
-
-def subscribe(channel):
-    return f'{{"type": "subscribe", "channel": "{channel}"}}'
-
-
-def unsubscribe(channel):
-    return f'{{"type": "unsubscribe", "channel": "{channel}"}}'
 
 
 @dataclass
@@ -190,27 +133,15 @@ def by_a_crowd():
         server.process.kill()
 
 
-# Takes each event in a macro step of its own.
-COUNTING = models.document("count", {
-    "state": "Root", "variables": [{"name": "n", "initial": 0}],
-    "actions": [{"when": "svc.display.button", "do": "var.n = var.n + 1"}]}, services={"display": "display"})
-
-
 def by_a_process(*heartbeat, paused=False):
     """Of a process of a service that says events to a core."""
     server = Server("--remote", "display", *heartbeat)
     try:
-        process = ComponentClient(server.port)
-        rsm = service(server, "display")["rsm"]
-        process.send_checked({"type": "hello", "protocol": 1, "components": [{"key": "display", "type": "display", "rsm": rsm}]})
-        process.next("welcome")
-        wait_available(server, "display")
+        flood = Flood(*display_process(server))
         core = server.core(COUNTING)
         if paused:
             server.post(f"/cores/{core}/pause")
-        event = json.dumps({"type": "event", "key": "display", "name": "button",
-                            "data": {"button": "x" * 200, "display": "main"}})
-        return measure(server, [Flood(process, [event] * 1000)], core)
+        return measure(server, [flood], core)
     finally:
         server.process.kill()
 
