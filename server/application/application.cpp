@@ -9,6 +9,9 @@
 namespace race::server {
 namespace {
 
+constexpr unsigned kCoreThreads = 4;      // of cores that have little to do, and of commands to all
+constexpr unsigned kBusyCoreThreads = 2;  // of those that are always busy
+
 tl::unexpected<std::vector<Error>> one(Error error) { return tl::unexpected(std::vector<Error>{std::move(error)}); }
 
 /// Names the file where the error names nothing in it.
@@ -99,7 +102,7 @@ void Application::name_damaged_documents() {
 }
 
 Expected<void> Application::create_cores(const Setup& setup) {
-  pool_ = std::make_unique<Pool>(2);
+  pool_ = std::make_unique<Pool>(kCoreThreads, kBusyCoreThreads);
   cores_ = std::make_unique<Cores>(*pool_, cell_->host(), *core_publisher_, *runs_, *writer_, replays_, deadlines_);
   live_edits_ = std::make_unique<LiveEdits>(*documents_, *cores_);
   document_watchers_.add(*live_edits_);

@@ -1,6 +1,7 @@
 #include "server/execution/core.h"
 
 #include <algorithm>
+#include <ctime>
 
 #include "server/execution/core_internal.h"
 
@@ -15,6 +16,13 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 tl::unexpected<Error> conflict(std::string why) { return unexpected(ErrorCode::conflict, std::move(why)); }
+
+/// That this thread has computed.
+std::chrono::nanoseconds thread_time() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
 
 /// Of the program, or what is wrong with one of them.
 Expected<std::vector<Goal>> find_goals(const semantics::Program& program,
@@ -82,7 +90,7 @@ void Core::deliver(const services::Delivery& delivery) {
     inbox_.deliveries.push_back(delivery);
     if (inbox_.deliveries.size() > 1) return;  // who put the first one has woken it
   }
-  strand_.post([self = shared_from_this()] { self->advance(); });
+  post_turn([this] { advance(); });
 }
 
 // The first macro step begins at once, so that the answer says that it has.
@@ -204,11 +212,26 @@ void Core::set_breakpoints(std::vector<execution::GoalName> names, Done<Value> d
 
 void Core::schedule() {
   if (std::exchange(scheduled_, true)) return;
-  const auto rest = [this] {
+  strand_.post_later(measured([this] {
     scheduled_ = false;
     advance();
-  };
-  strand_.post_later(interrupting(rest));
+  }));
+}
+
+// With the rest of turns if it is busy: so those that have little to do wait for no function that takes long.
+void Core::post_turn(Work work) {
+  Work turn = measured(std::move(work));
+  if (Clock::now() < busy_until_.load()) return strand_.post_later(std::move(turn));
+  strand_.post(std::move(turn));
+}
+
+// Work that may throw. What counts is the time of the processor: a machine under load makes no core a busy one.
+Work Core::measured(Work work) {
+  return interrupting([this, work = std::move(work)] {
+    const auto begin = thread_time();
+    work();
+    if (thread_time() - begin > kLongWork) busy_until_ = Clock::now() + kBusyTime;
+  });
 }
 
 // One turn: as many micro steps as are its due, then the others on this pool. Too far ahead of the disk, it is left

@@ -297,8 +297,9 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   void interrupt_after(const std::exception& failure);
   /// What it has handed over to the journal is stored; then the run is what that says.
   void interrupt_and_rebuild(const Error& error, const char* reason);
-  /// Posts work that may throw.
-  void post_work(Work work);
+  /// Posts work that may throw, in the turn that the core has now.
+  void post_turn(Work work);
+  Work measured(Work work);
   Work interrupting(Work work);
   void publish_interruption();
   void end_rebuilt_run();
@@ -317,6 +318,9 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   static constexpr std::uint32_t kTurn = 256;  // micro steps in one turn of the strand,
   static constexpr std::uint32_t kPart = 16;   // after so many at most the time is looked at
   static constexpr std::chrono::milliseconds kTurnTime{2};
+  /// A core that has computed for so long in one go is busy, and waits with the busy ones for a while.
+  static constexpr std::chrono::milliseconds kLongWork{1};
+  static constexpr std::chrono::seconds kBusyTime{1};
   /// A person who pauses or stops a core waits so long for the end of its macro step.
   static constexpr std::chrono::milliseconds kWaitForStep{200};
   static constexpr std::chrono::milliseconds kLongestRebuild{20'000};
@@ -340,6 +344,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   execution::ExecutedModel model_ GUARDED_BY(mutex_);
   Expected<Reached> reached_ GUARDED_BY(mutex_);  // as told last
   std::atomic<bool> state_watched_{false}, derivation_watched_{false}, closed_{false}, live_{false};
+  std::atomic<std::chrono::steady_clock::time_point> busy_until_{};
   std::atomic<bool> state_asked_{false}, derivation_asked_{false};  // and what is asked for has not come
 
   RunRecord record_;  // as it was stored when the core was made, or rebuilt; its number and document stay

@@ -30,7 +30,7 @@ void Core::open_journal() {
 }
 
 void Core::durable(std::uint64_t ticket) {
-  post_work([this, ticket] {
+  post_turn([this, ticket] {
     const bool was_ahead = held_.is_full();
     held_.release(ticket);
     if (was_ahead) schedule();
@@ -79,8 +79,6 @@ void Core::interrupt_and_rebuild(const Error& error, const char* reason) {
   interruption_->stalled = true;  // until what it has handed over is stored
   resources_.writer.append(journal_, {.failure = error});
 }
-
-void Core::post_work(Work work) { strand_.post(interrupting(std::move(work))); }
 
 Work Core::interrupting(Work work) {
   return [self = shared_from_this(), work = std::move(work)] {

@@ -1,18 +1,26 @@
 #include "server/threads/strand.h"
 
+#include <sys/resource.h>
+
 #include <utility>
 
 #include "services/failures.h"
 
 namespace race::server {
 
-Pool::Pool(unsigned threads) : running_(threads) {
+Pool::Pool(unsigned threads, unsigned later_threads)
+    : has_later_threads_(later_threads > 0), running_(threads + later_threads) {
   try {
-    for (unsigned i = 0; i < threads; ++i) threads_.emplace_back([this] { run(); });
+    start(threads, has_later_threads_ ? Duty::now : Duty::any);
+    start(later_threads, Duty::later);
   } catch (...) {  // no thread can be had
     end();
     throw;
   }
+}
+
+void Pool::start(unsigned threads, Duty duty) {
+  for (unsigned i = 0; i < threads; ++i) threads_.emplace_back([this, duty] { run(duty); });
 }
 
 void Pool::end() {
@@ -21,6 +29,7 @@ void Pool::end() {
     stop_ = true;
   }
   posted_.notify_all();
+  posted_later_.notify_all();
   for (std::thread& thread : threads_) thread.join();
   threads_.clear();
 }
@@ -38,45 +47,67 @@ bool Pool::post(Work work, Turn turn) {
     if (running_ == 0) return false;
     (turn == Turn::now ? work_ : later_).push_back(std::move(work));
   }
-  posted_.notify_one();
+  (turn == Turn::later && has_later_threads_ ? posted_later_ : posted_).notify_one();
   return true;
 }
 
-void Pool::run() {
-  while (auto work = next()) services::run_reporting("work of a thread", *work);
+// Of a thread (Linux): the rest of turns yields the processor to all that is waited for.
+void Pool::run(Duty duty) {
+  constexpr int kLaterNice = 10;
+  if (duty == Duty::later) setpriority(PRIO_PROCESS, 0, kLaterNice);
+  while (auto work = next(duty)) services::run_reporting("work of a thread", *work);
 }
 
-std::optional<Work> Pool::next() {
+std::optional<Work> Pool::next(Duty duty) {
   const services::MutexLock lock(mutex_);
-  posted_.wait(mutex_, [this]() REQUIRES(mutex_) { return stop_ || !work_.empty() || !later_.empty(); });
-  if (work_.empty() && later_.empty()) {
+  std::deque<Work>* queue = nullptr;
+  const auto is_there = [&]() REQUIRES(mutex_) { return (queue = next_queue(duty)) != nullptr || stop_; };
+  (duty == Duty::later ? posted_later_ : posted_).wait(mutex_, is_there);
+  if (!queue) {
     --running_;
     return std::nullopt;
   }
-  std::deque<Work>& queue = next_queue();
-  Work work = std::move(queue.front());
-  queue.pop_front();
+  Work work = std::move(queue->front());
+  queue->pop_front();
   return work;
 }
 
-// Requires that work waits.
-std::deque<Work>& Pool::next_queue() {
-  const bool later = work_.empty() || (!later_.empty() && since_later_ >= kLaterAfter);
-  since_later_ = later || later_.empty() ? 0 : since_later_ + 1;
-  return later ? later_ : work_;
+// Nothing: no work waits for a thread of this duty.
+std::deque<Work>* Pool::next_queue(Duty duty) {
+  const bool any = duty == Duty::any || stop_;
+  const bool takes_now = (any || duty == Duty::now) && !work_.empty();
+  const bool takes_later = (any || duty == Duty::later) && !later_.empty();
+  if (!takes_now && !takes_later) return nullptr;
+  const bool later = !takes_now || (takes_later && since_later_ >= kLaterAfter);
+  if (any) since_later_ = later || later_.empty() ? 0 : since_later_ + 1;
+  return later ? &later_ : &work_;
+}
+
+bool Strand::Queue::post_turn(const std::shared_ptr<Queue>& queue, Pool::Turn turn) {
+  const bool posted = queue->pool.post([queue, number = queue->turn_number] { run_one(queue, number); }, turn);
+  queue->waits_for_later = turn == Pool::Turn::later;
+  return posted;
 }
 
 void Strand::Queue::post(const std::shared_ptr<Queue>& queue, Work work, Pool::Turn turn) {
   Piece dropped;  // after the lock: it may own what posts
   const services::MutexLock lock(queue->mutex);
+  const bool hurries = turn == Pool::Turn::now && queue->waits_for_later;
+  if (queue->scheduled && !hurries) {
+    queue->work.push_back({std::move(work), turn});
+    queue->now += turn == Pool::Turn::now ? 1 : 0;
+    return;
+  }
   queue->work.push_back({std::move(work), turn});
-  if (queue->scheduled) return;
   try {
-    queue->scheduled = queue->pool.post([queue] { run_one(queue); }, turn);
+    ++queue->turn_number;
+    queue->scheduled = post_turn(queue, turn);
   } catch (...) {  // it is not posted: who posts next gets the strand going
     queue->work.pop_back();
+    queue->scheduled = queue->waits_for_later = false;
     throw;
   }
+  queue->now += turn == Pool::Turn::now ? 1 : 0;
   if (queue->scheduled) return;
   dropped = std::move(queue->work.back());
   queue->work.pop_back();
@@ -88,17 +119,19 @@ void Strand::finish() {
 }
 
 // One piece of work, then the others' turn: no strand keeps a thread of the pool, unless there is no memory for a turn.
-void Strand::Queue::run_one(const std::shared_ptr<Queue>& queue) {
+void Strand::Queue::run_one(const std::shared_ptr<Queue>& queue, std::uint64_t turn_number) {
   for (bool given_up = false; !given_up;) {
     Work work;
     {
       const services::MutexLock lock(queue->mutex);
+      if (queue->turn_number != turn_number) return;
+      queue->waits_for_later = false;
+      queue->now -= queue->work.front().turn == Pool::Turn::now ? 1 : 0;
       work = std::move(queue->work.front().work);
       queue->work.pop_front();
     }
     services::run_reporting("work of a strand", work);
     work = nullptr;
-    Pool::Turn turn = Pool::Turn::now;
     {
       const services::MutexLock lock(queue->mutex);
       if (queue->work.empty()) {
@@ -106,10 +139,11 @@ void Strand::Queue::run_one(const std::shared_ptr<Queue>& queue) {
         queue->done.notify_all();
         return;
       }
-      turn = queue->work.front().turn;
     }
-    given_up =
-        services::run_reporting("the turn of a strand", [&] { queue->pool.post([queue] { run_one(queue); }, turn); });
+    given_up = services::run_reporting("the turn of a strand", [&] {
+      const services::MutexLock lock(queue->mutex);
+      post_turn(queue, queue->now > 0 ? Pool::Turn::now : Pool::Turn::later);
+    });
   }
 }
 

@@ -5,7 +5,8 @@
 //
 // Fair turns: who has more to do than one turn allows posts the rest for later (post_later). That waits until all that
 // was posted otherwise has had its turn, but for one in kLaterAfter, so that it does not wait for ever. So strands that
-// are always busy share what the others leave.
+// are always busy share what the others leave. A pool may have threads of its own for that: then the others are there
+// for all else, however long a piece of the rest takes.
 //
 // Threads: post() and ask() on any.
 #pragma once
@@ -29,7 +30,7 @@ using Work = std::function<void()>;
 class Pool {
  public:
   /// Throws std::system_error if they cannot be had.
-  explicit Pool(unsigned threads);
+  explicit Pool(unsigned threads, unsigned later_threads = 0);
   ~Pool() { end(); }
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
@@ -43,13 +44,16 @@ class Pool {
   void drop() EXCLUDES(mutex_);
 
  private:
-  void run();
+  enum class Duty : std::uint8_t { any, now, later };  // what work a thread does; any when the pool ends
+  void start(unsigned threads, Duty duty);
+  void run(Duty duty);
   /// Waits for work; nothing: the thread ends.
-  std::optional<Work> next() EXCLUDES(mutex_);
-  std::deque<Work>& next_queue() REQUIRES(mutex_);
+  std::optional<Work> next(Duty duty) EXCLUDES(mutex_);
+  std::deque<Work>* next_queue(Duty duty) REQUIRES(mutex_);
 
+  const bool has_later_threads_;
   services::Mutex mutex_;
-  services::ConditionVariable posted_;
+  services::ConditionVariable posted_, posted_later_;  // the latter for later_threads
   std::deque<Work> work_ GUARDED_BY(mutex_), later_ GUARDED_BY(mutex_);
   unsigned since_later_ GUARDED_BY(mutex_) = 0;  // pieces of other work that went before what waits in later_
   unsigned running_ GUARDED_BY(mutex_) = 0;      // threads
@@ -62,7 +66,8 @@ class Strand {
   /// The pool outlives the strand's work.
   explicit Strand(Pool& pool) : queue_(std::make_shared<Queue>(pool)) {}
   void post(Work work) { Queue::post(queue_, std::move(work), Pool::Turn::now); }
-  /// The rest of a turn of this strand: after what others have posted, and after what was posted here.
+  /// The rest of a turn of this strand: after what others have posted, and after what was posted here. What is posted
+  /// here meanwhile, and does not wait, hurries it.
   void post_later(Work work) { Queue::post(queue_, std::move(work), Pool::Turn::later); }
   /// Waits until all posted work is done. Not to be called on the strand itself.
   void finish();
@@ -88,7 +93,9 @@ class Strand {
   struct Queue {
     explicit Queue(Pool& its_pool) : pool(its_pool) {}
     static void post(const std::shared_ptr<Queue>& queue, Work work, Pool::Turn turn);
-    static void run_one(const std::shared_ptr<Queue>& queue);
+    static void run_one(const std::shared_ptr<Queue>& queue, std::uint64_t turn_number);
+    /// Posts its next turn; false: the pool has ended.
+    static bool post_turn(const std::shared_ptr<Queue>& queue, Pool::Turn turn) REQUIRES(queue->mutex);
     Pool& pool;
     services::Mutex mutex;
     services::ConditionVariable done;
@@ -98,6 +105,9 @@ class Strand {
     };
     std::deque<Piece> work GUARDED_BY(mutex);
     bool scheduled GUARDED_BY(mutex) = false;
+    bool waits_for_later GUARDED_BY(mutex) = false;       // its turn does
+    std::size_t now GUARDED_BY(mutex) = 0;                // pieces that do not wait
+    std::uint64_t turn_number GUARDED_BY(mutex) = 0;      // an earlier turn that still waits is none any more
   };
   std::shared_ptr<Queue> queue_;
 };

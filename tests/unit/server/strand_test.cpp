@@ -64,6 +64,29 @@ TEST(Pool, DoesWhatIsPostedForLaterNowAndThenHoweverMuchElseThereIs) {
   EXPECT_EQ(order, ".......l........l.........");
 }
 
+TEST(Pool, HasThreadsThatTheRestOfTurnsDoesNotTake) {
+  Pool pool(1, 1);
+  std::promise<void> release, done;
+  pool.post([&] { release.get_future().wait(); }, Pool::Turn::later);
+  pool.post([&] { done.set_value(); });
+  EXPECT_EQ(done.get_future().wait_for(std::chrono::seconds(5)), std::future_status::ready);
+  release.set_value();
+  pool.end();
+}
+
+TEST(Strand, ThatIsAskedDoesNotWaitForTheRestOfTurnsOfOthers) {
+  Pool pool(1, 1);
+  Strand busy(pool), asked(pool);
+  std::promise<void> release;
+  std::string order;  // of `asked`
+  busy.post_later([&] { release.get_future().wait(); });
+  asked.post_later([&] { order += 'l'; });
+  EXPECT_EQ(asked.ask([&] { return order += 'n'; }), "ln");
+  release.set_value();
+  busy.finish();
+  pool.end();
+}
+
 TEST(Strand, ThatHasLittleToDoGoesBeforeTheRestOfTurns) {
   Pool pool(1);
   Strand busy(pool), other(pool), good(pool);
