@@ -103,15 +103,22 @@ Expected<void> Cell::add_database(const CellSetup& setup) {
 Cell::~Cell() { stop(); }
 
 void Cell::step() {
-  queue_.run();
+  work_in_step();
   if (before_step_) before_step_();
   if (local_world_) local_world_->step();
   clock_.set(static_cast<double>(++steps_) * kStep);
   host_.advance(waits_);
-  queue_.run();
+  work_in_step();
   host_.step(queue_);
   remotes_->step();
   if (local_world_) local_world_->publish_pose(clock_.now());
+}
+
+// In real time, no more than the step has room for: who calls much has to wait, and time goes on for all others.
+void Cell::work_in_step() {
+  constexpr std::chrono::microseconds kWork{300};
+  if (is_real_time_) return queue_.run_for(kWork);
+  queue_.run();
 }
 
 void Cell::execute(const std::optional<PersonCommand>& command, Deadlines& deadlines, Done<Value> done) {
@@ -124,6 +131,7 @@ void Cell::execute(const std::optional<PersonCommand>& command, Deadlines& deadl
 }
 
 void Cell::start_real_time() {
+  is_real_time_ = true;
   thread_ = std::thread([this] {
     using namespace std::chrono_literals;
     auto next = std::chrono::steady_clock::now();

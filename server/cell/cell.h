@@ -80,6 +80,7 @@ class Cell {
  private:
   explicit Cell(services::HostObserver& observer) : host_(clock_, observer) {}
   void take_step();
+  void work_in_step();
   Expected<void> add_remotes(const CellSetup& setup);
   Expected<void> add_world(const std::string& scene_path, std::uint64_t seed);
   Expected<void> add_vision(const CellSetup& setup);
@@ -94,6 +95,7 @@ class Cell {
   services::Host host_;
   std::unique_ptr<remote::Remotes> remotes_;
   std::int64_t steps_ = 0;
+  bool is_real_time_ = false;
   bool waits_ = false;    // for answers that are due
   bool failing_ = false;  // the last step was, of take_step()
   std::function<void()> before_step_;

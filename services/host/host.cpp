@@ -1,6 +1,7 @@
 #include "services/host/host.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "services/arguments.h"
@@ -15,6 +16,11 @@ std::size_t freeze(List& args, Dict& kwargs) {
   kwargs.freeze();
   for (const auto& [key, value] : kwargs) units += key.size_units() + value.size_units();
   return units;
+}
+
+// Of the calls of a core. What nobody calls comes after all that was called before: it may have to stop that.
+WorkQueue::Lane lane_of(const std::string& core) {
+  return core.empty() ? WorkQueue::kNoLane : std::hash<std::string>{}(core) | 1U;
 }
 
 }  // namespace
@@ -71,29 +77,32 @@ CallId Host::call(Caller caller, const std::string& service, std::string operati
   }
   log(*entry, entry->ledger->call(pending, args, kwargs));
   notify_status(*entry);
-  post(*entry, [call = Call{pending.id, std::move(operation), std::move(args), std::move(kwargs)}](
-                   Component& component) { component.call(call); });
+  auto work = [call = Call{pending.id, std::move(operation), std::move(args), std::move(kwargs)}](
+                  Component& component) { component.call(call); };
+  post(*entry, std::move(work), lane_of(pending.caller.core));
   return pending.id;
 }
 
 void Host::abandon(const Caller& caller) {
   const MutexLock lock(mutex_);
   for (const auto& entry : entries_)
-    if (const CallId call = entry->ledger ? entry->ledger->abandon(caller) : 0) tell_abandoned(*entry, call);
+    if (const CallId call = entry->ledger ? entry->ledger->abandon(caller) : 0)
+      tell_abandoned(*entry, call, caller.core);
 }
 
 void Host::abandon_all(const std::string& core) {
   const MutexLock lock(mutex_);
   for (const auto& entry : entries_)
     if (entry->ledger)
-      for (const CallId call : entry->ledger->abandon_all(core)) tell_abandoned(*entry, call);
+      for (const CallId call : entry->ledger->abandon_all(core)) tell_abandoned(*entry, call, core);
 }
 
 // It may answer what was called before it comes to this.
-void Host::tell_abandoned(ServiceEntry& entry, CallId call) {
-  post(entry, [this, number = entry.number, call](Component& component) {
+void Host::tell_abandoned(ServiceEntry& entry, CallId call, const std::string& core) {
+  auto work = [this, number = entry.number, call](Component& component) {
     if (is_pending(number, call)) component.abandoned(call);
-  });
+  };
+  post(entry, std::move(work), lane_of(core));
 }
 
 bool Host::is_pending(std::size_t number, CallId call) const {

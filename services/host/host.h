@@ -129,7 +129,7 @@ class Host {
   void log(const ServiceEntry& entry, const CallLedger::Violations& violations) REQUIRES(mutex_);
   void notify_status(const ServiceEntry& entry) REQUIRES(mutex_);
   void report_changes() REQUIRES(mutex_);
-  void tell_abandoned(ServiceEntry& entry, CallId call) REQUIRES(mutex_);
+  void tell_abandoned(ServiceEntry& entry, CallId call, const std::string& core) REQUIRES(mutex_);
   bool is_pending(std::size_t number, CallId call) const EXCLUDES(mutex_);
   void answer(ServiceEntry& entry, CallId call, const Response& response) REQUIRES(mutex_);
   void deliver_response(const ServiceEntry& entry, const PendingCall& call, const Response& response) REQUIRES(mutex_);
@@ -139,7 +139,7 @@ class Host {
   // What becomes of components.
   void make_available(ServiceEntry& entry) REQUIRES(mutex_);
   void disconnect(ServiceEntry& entry, const std::string& why) REQUIRES(mutex_);
-  void post(ServiceEntry& entry, Work work) REQUIRES(mutex_);
+  void post(ServiceEntry& entry, Work work, WorkQueue::Lane lane = WorkQueue::kNoLane) REQUIRES(mutex_);
   void run(std::size_t number, std::optional<std::uint64_t> disconnections, const Work& work) EXCLUDES(mutex_);
   std::vector<std::size_t> services_of(const WorkQueue& queue) const EXCLUDES(mutex_);
   std::vector<Component*> components() const EXCLUDES(mutex_);

@@ -60,10 +60,11 @@ void Host::stop() {
 
 // ---- How components are called.
 
-void Host::post(ServiceEntry& entry, Work work) {
-  entry.queue.post([this, number = entry.number, disconnections = entry.disconnections, work = std::move(work)] {
+void Host::post(ServiceEntry& entry, Work work, WorkQueue::Lane lane) {
+  auto run_it = [this, number = entry.number, disconnections = entry.disconnections, work = std::move(work)] {
     run(number, disconnections, work);
-  });
+  };
+  entry.queue.post(std::move(run_it), lane);
 }
 
 // A component that throws is disconnected. Work that was posted before a disconnection does not reach what reconnects.

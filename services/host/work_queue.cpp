@@ -1,38 +1,71 @@
 #include "services/host/work_queue.h"
 
+#include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "services/failures.h"
 
 namespace race::services {
 
-void WorkQueue::post(Work work) {
+void WorkQueue::post(Work work, Lane lane) {
   {
     const MutexLock lock(mutex_);
-    work_.push_back(std::move(work));
+    work_.push_back({std::move(work), lane});
   }
   posted_.notify_one();
 }
 
 bool WorkQueue::run() {
-  std::vector<Work> work;
+  std::deque<Piece> pieces;
   {
     const MutexLock lock(mutex_);
-    work.swap(work_);
+    for (auto& [lane, work] : std::exchange(lanes_, {}))
+      for (Work& each : work) pieces.push_back({std::move(each), lane});
+    std::move(work_.begin(), work_.end(), std::back_inserter(pieces));
+    work_.clear();
   }
-  for (auto each = work.begin(); each != work.end(); ++each) try {
-      (*each)();
+  for (auto each = pieces.begin(); each != pieces.end(); ++each) try {
+      each->work();
     } catch (...) {
       const MutexLock lock(mutex_);
-      work_.insert(work_.begin(), std::move_iterator(each + 1), std::move_iterator(work.end()));
+      work_.insert(work_.begin(), std::move_iterator(each + 1), std::move_iterator(pieces.end()));
       throw;
     }
-  return !work.empty();
+  return !pieces.empty();
+}
+
+void WorkQueue::run_for(std::chrono::microseconds time) {
+  const auto end = std::chrono::steady_clock::now() + time;
+  while (std::chrono::steady_clock::now() < end) {
+    const Work work = take_next();
+    if (!work) return;
+    work();
+  }
+}
+
+WorkQueue::Work WorkQueue::take_next() {
+  const MutexLock lock(mutex_);
+  for (; !work_.empty() && work_.front().lane != kNoLane; work_.pop_front())
+    lanes_[work_.front().lane].push_back(std::move(work_.front().work));
+  if (lanes_.empty()) {
+    if (work_.empty()) return nullptr;
+    Work work = std::move(work_.front().work);
+    work_.pop_front();
+    return work;
+  }
+  auto lane = lanes_.upper_bound(last_lane_);
+  if (lane == lanes_.end()) lane = lanes_.begin();
+  last_lane_ = lane->first;
+  Work work = std::move(lane->second.front());
+  lane->second.pop_front();
+  if (lane->second.empty()) lanes_.erase(lane);
+  return work;
 }
 
 void WorkQueue::wait() {
   const MutexLock lock(mutex_);
-  posted_.wait(mutex_, [this]() REQUIRES(mutex_) { return !work_.empty(); });
+  posted_.wait(mutex_, [this]() REQUIRES(mutex_) { return !work_.empty() || !lanes_.empty(); });
 }
 
 WorkThread::WorkThread() {

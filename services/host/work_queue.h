@@ -2,7 +2,11 @@
 // a loop that has other things to do (the cell's, a headless run's); WorkThread is a group with a thread of its own.
 #pragma once
 
+#include <chrono>
+#include <cstdint>
+#include <deque>
 #include <functional>
+#include <map>
 #include <thread>
 #include <vector>
 
@@ -10,24 +14,39 @@
 
 namespace race::services {
 
-/// Threads: post() on any; run() on the group's alone.
+/// Threads: post() on any; run() and run_for() on the group's alone.
 class WorkQueue {
  public:
   using Work = std::function<void()>;
   virtual ~WorkQueue() = default;
-  void post(Work work) EXCLUDES(mutex_);
+  /// Whose work it is: that of one lane stays in order. Without one, it comes after all that was posted before it.
+  using Lane = std::uint64_t;
+  static constexpr Lane kNoLane = 0;
+  void post(Work work, Lane lane = kNoLane) EXCLUDES(mutex_);
   /// Runs what had been posted when it was called, in order; whether there was anything. Throws what work throws; what
   /// was posted after that stays.
   bool run() EXCLUDES(mutex_);
+  /// Runs what is posted until `time` is over: a piece of each lane in turn, so that who posts much delays nobody else.
+  /// Throws likewise.
+  void run_for(std::chrono::microseconds time) EXCLUDES(mutex_);
 
  protected:
   /// Waits until there is work.
   void wait() EXCLUDES(mutex_);
 
  private:
+  struct Piece {
+    Work work;
+    Lane lane;
+  };
+  /// Nothing: there is none.
+  Work take_next() EXCLUDES(mutex_);
+
   Mutex mutex_;
   ConditionVariable posted_;
-  std::vector<Work> work_ GUARDED_BY(mutex_);
+  std::deque<Piece> work_ GUARDED_BY(mutex_);
+  std::map<Lane, std::deque<Work>> lanes_ GUARDED_BY(mutex_);  // before all of work_; none is empty
+  Lane last_lane_ GUARDED_BY(mutex_) = kNoLane;                // that had its turn
 };
 
 /// A group with its own thread: runs what is posted until it is destroyed; work posted before that is still done. Work

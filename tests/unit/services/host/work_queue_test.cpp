@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <stdexcept>
+#include <string>
+#include <thread>
 
 #include "services/failures.h"
 
@@ -22,6 +25,39 @@ TEST(WorkQueue, RunsInOrderWhatWasPostedBefore) {
   EXPECT_TRUE(queue.run());
   EXPECT_EQ(text, "abc");
   EXPECT_FALSE(queue.run());
+}
+
+TEST(WorkQueue, RunsAPieceOfEachLaneInTurn) {
+  WorkQueue queue;
+  std::string text;
+  for (const char c : {'a', 'b', 'c'}) queue.post([&text, c] { text += c; }, 1);
+  for (const char c : {'A', 'B'}) queue.post([&text, c] { text += c; }, 2);
+  queue.run_for(std::chrono::seconds(5));
+  EXPECT_EQ(text, "aAbBc");
+}
+
+TEST(WorkQueue, RunsWhatHasNoLaneAfterAllThatWasPostedBefore) {
+  WorkQueue queue;
+  std::string text;
+  for (const char c : {'a', 'b'}) queue.post([&text, c] { text += c; }, 1);
+  queue.post([&] { text += '.'; });
+  queue.post([&] { text += 'A'; }, 2);
+  queue.run_for(std::chrono::seconds(5));
+  EXPECT_EQ(text, "ab.A");
+}
+
+TEST(WorkQueue, LeavesWhatItsTimeIsTooShortFor) {
+  WorkQueue queue;
+  std::string text;
+  queue.post([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    text += "a";
+  }, 1);
+  for (const char c : {'b', 'c'}) queue.post([&text, c] { text += c; }, 1);
+  queue.run_for(std::chrono::milliseconds(1));
+  EXPECT_EQ(text, "a");
+  EXPECT_TRUE(queue.run());
+  EXPECT_EQ(text, "abc");
 }
 
 TEST(WorkQueue, KeepsWhatIsBehindWorkThatThrows) {
