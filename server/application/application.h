@@ -33,6 +33,7 @@
 #include "server/stream/flow_channels.h"
 #include "server/stream/hub.h"
 #include "server/threads/deadlines.h"
+#include "server/threads/memory_return.h"
 #include "server/threads/strand.h"
 #include "server/threads/worker.h"
 #include "services/display/screens.h"
@@ -89,6 +90,7 @@ class Application {
   std::unique_ptr<JournalWriter> writer_;
   std::unique_ptr<BootList> boot_list_;
   std::unique_ptr<Pool> pool_;  // of the cores
+  MemoryReturn memory_return_;
   Deadlines deadlines_;
   Worker replays_{deadlines_};
   Pool restores_{1};           // of backups, which wait for cores and edits

@@ -1,0 +1,36 @@
+// MemoryReturn: gives the system back what the allocator keeps free, now and then. After a load, most of what was used is
+// free, but in pieces within arenas that are never empty, which the allocator does not return by itself.
+//
+// Threads: one of its own.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <thread>
+
+#include "services/mutex.h"
+
+namespace race::server {
+
+class MemoryReturn {
+ public:
+  static constexpr std::chrono::seconds kPeriod{3};
+  static constexpr std::size_t kFree = 32U << 20U;  // bytes that may stay
+
+  /// Throws std::system_error if no thread can be had.
+  explicit MemoryReturn(std::chrono::milliseconds period = kPeriod) : period_(period), thread_([this] { run(); }) {}
+  ~MemoryReturn();
+  MemoryReturn(const MemoryReturn&) = delete;
+  MemoryReturn& operator=(const MemoryReturn&) = delete;
+
+ private:
+  void run();
+
+  const std::chrono::milliseconds period_;
+  services::Mutex mutex_;
+  services::ConditionVariable closing_;
+  bool closed_ GUARDED_BY(mutex_) = false;
+  std::thread thread_;
+};
+
+}  // namespace race::server
