@@ -103,15 +103,17 @@ class HostileCores:
             self.running += 1
         elif status == "interrupted":
             self.begun += 1
-            self.say("POST", f"/cores/{core}/resume", accepted=(409, 503))
+            self.say("POST", f"/cores/{core}/resume", accepted=(409, 413, 503, 507))  # as the run is, or was just before
         else:
             self.replace(core)
 
     def stop(self, core):
-        """409: it has just ended by itself. What else does not stop it counts as a stop that takes for ever."""
-        status, _, seconds = ask(self.server, "POST", f"/cores/{core}/stop")
+        """409: it has just ended by itself. Who is told that the run was interrupted just then asks again, on the same clock."""
+        begun, status = time.monotonic(), 0
+        while status not in (200, 409) and time.monotonic() < begun + TIMEOUT:
+            status, _, _ = ask(self.server, "POST", f"/cores/{core}/stop")
         if status != 409:
-            self.stops.append(seconds if status == 200 else math.inf)
+            self.stops.append(time.monotonic() - begun if status == 200 else math.inf)
 
     def keep_busy(self, over):
         """Until the end; now and then one is stopped, in the end all are, and removed."""
