@@ -107,8 +107,10 @@ void Strand::Queue::post(const std::shared_ptr<Queue>& queue, Work work, Pool::T
     queue->scheduled = queue->waits_for_later = false;
     throw;
   }
-  queue->now += turn == Pool::Turn::now ? 1 : 0;
-  if (queue->scheduled) return;
+  if (queue->scheduled) {
+    queue->now += turn == Pool::Turn::now ? 1 : 0;
+    return;
+  }
   dropped = std::move(queue->work.back());
   queue->work.pop_back();
 }
