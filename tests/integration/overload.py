@@ -142,7 +142,7 @@ def hostile_cores(server, over):
     kinds = hostile_tasks.KINDS
     counts = [len(range(i, HOSTILE_CORES, len(kinds))) for i in range(len(kinds))]
     with ThreadPoolExecutor(len(kinds)) as pool:
-        cores = [HostileCores(server, kind, count) for kind, count in zip(kinds, counts)]
+        cores = [HostileCores(server, kind, count) for kind, count in zip(kinds, counts, strict=True)]
         return {each.name: each.told() for each in pool.map(lambda each: each.keep_busy(over), cores)}
 
 
@@ -244,5 +244,5 @@ def gaps_of(core):
             while not over.is_set():
                 assert stream.receive()["kind"] in ("snapshot", "delta")
                 times.append(time.monotonic())
-        return [later - earlier for earlier, later in zip(times, times[1:])]
+        return [later - earlier for earlier, later in itertools.pairwise(times)]
     return gaps
