@@ -147,6 +147,7 @@ Application::~Application() {
   if (cell_) cell_->stop();
   if (writer_) writer_->close();  // before the strands that it tells
   if (pool_) pool_->end();
+  if (cores_) cores_->end_changes();  // after the strands that post there
   if (stream_pool_) stream_pool_->end();
 }
 

@@ -121,11 +121,14 @@ void Cell::work_in_step() {
   queue_.run();
 }
 
+// Commands wait for no calls of cores.
 void Cell::execute(const std::optional<PersonCommand>& command, Deadlines& deadlines, Done<Value> done) {
+  constexpr services::WorkQueue::Lane kPersonLane = 2;  // those of cores are odd
   const auto start = [&](CellWorld::Wanted wanted, CellWorld::Done executed) {
-    queue_.post([this, command, wanted = std::move(wanted), executed = std::move(executed)] {
+    auto work = [this, command, wanted = std::move(wanted), executed = std::move(executed)] {
       world_->execute(command, wanted, executed);
-    });
+    };
+    queue_.post(std::move(work), kPersonLane);
   };
   pending_commands_.start(start, deadlines, std::move(done));
 }
@@ -157,7 +160,7 @@ void Cell::take_step() {
 void Cell::stop() {
   if (stop_.exchange(true)) return;
   if (thread_.joinable()) thread_.join();
-  database_queue_.reset();
+  if (database_queue_) database_queue_->end();
   if (remotes_) remotes_->stop();
   host_.stop();
 }

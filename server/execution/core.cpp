@@ -149,10 +149,27 @@ void Core::resume(Done<Value> done) {
   });
 }
 
+// A run that had too much to do may be interrupted before its end is stored: it ends when it is read back, and nobody
+// waits for that.
 void Core::stop(Done<Value> done) {
-  when_rebuilt<Value>(std::move(done), [this]() -> Expected<Value> {
+  Done<Value> stopped = [self = shared_from_this(), done](const Expected<Value>& answer) {
+    if (answer || !self->is_overloaded_) return done(answer);
+    self->end_when_rebuilt(done);
+  };
+  if (is_overloaded_) return end_when_rebuilt(std::move(done));
+  when_rebuilt<Value>(std::move(stopped), [this]() -> Expected<Value> {
     if (!started_) return conflict("core " + id_ + " was not started");
     if (auto ended = end_run_now(); !ended) return tl::unexpected(std::move(ended).error());
+    return info_json();
+  });
+}
+
+void Core::end_when_rebuilt(Done<Value> done) {
+  on_strand<Value>(std::move(done), [this]() -> Expected<Value> {
+    if (is_overloaded_)
+      interruption_->ends = true;
+    else if (auto ended = end_run_now(); !ended)
+      return tl::unexpected(std::move(ended).error());
     return info_json();
   });
 }
@@ -281,7 +298,7 @@ bool Core::take_inbox() {
   if (has_dropped && !interruption_ && !is_over()) {
     interrupt_and_rebuild(
         {ErrorCode::too_large, "more inputs wait, or more of their data is kept, than the server has room for", {}},
-        "overload");
+        kOverload);
     return false;
   }
   if (paused_ && held_.size() == 0 && !inbox.deliveries.empty()) publish_info();  // how many wait

@@ -263,6 +263,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   void hold();
   Expected<void> ready_to_go_on();
   Expected<void> end_run_now();
+  void end_when_rebuilt(Done<Value> done);
 
   // core_output.cpp: what leaves.
   void emit(const execution::Progress& progress);
@@ -345,6 +346,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   Expected<Reached> reached_ GUARDED_BY(mutex_);  // as told last
   std::atomic<bool> state_watched_{false}, derivation_watched_{false}, closed_{false}, live_{false};
   std::atomic<std::chrono::steady_clock::time_point> busy_until_{};
+  std::atomic<bool> is_overloaded_{false};                          // interrupted for that, and not read back yet
   std::atomic<bool> state_asked_{false}, derivation_asked_{false};  // and what is asked for has not come
 
   RunRecord record_;  // as it was stored when the core was made, or rebuilt; its number and document stay
@@ -373,14 +375,15 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
 
   // Interrupted: since when it is as the journal says, until somebody lets it go on.
   struct Interruption {
-    std::uint64_t number;  // what is read back for an earlier one comes too late
-    const char* reason;    // schemas/core.json
+    std::uint64_t number;     // what is read back for an earlier one comes too late
+    std::string_view reason;  // schemas/core.json
     std::string message;
     bool was_paused = false;  // before it
     bool stalled = false;     // the disk has not answered: what the journal says is not known yet
     bool rebuilt = false;     // the execution is as the journal says
     bool ends = false;        // the run is aborted when it is rebuilt
   };
+  static constexpr const char* kOverload = "overload";
   std::optional<Interruption> interruption_;
   std::uint64_t interruptions_ = 0;
 

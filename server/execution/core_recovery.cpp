@@ -30,11 +30,11 @@ void Core::open_journal() {
 }
 
 void Core::durable(std::uint64_t ticket) {
-  post_turn([this, ticket] {
+  strand_.post(interrupting([this, ticket] {
     const bool was_ahead = held_.is_full();
     held_.release(ticket);
     if (was_ahead) schedule();
-  });
+  }));
 }
 
 // The run stands still until failed().
@@ -58,12 +58,13 @@ void Core::failed(const Error& error) {
 // (rebuild()).
 void Core::interrupt(const Error& error, const char* reason) {
   for (const semantics::OutgoingCall& call : run().safe_calls())
-    resources_.host.call({"", 0}, call.service, call.name, {}, {});
+    resources_.host.call({"", 0}, call.service, call.name, {}, {}, id_);
   resources_.host.abandon_all(id_);
   interruption_ = {.number = ++interruptions_,
                    .reason = reason,
                    .message = error.message,
                    .was_paused = std::exchange(paused_, true)};
+  is_overloaded_ = interruption_->reason == kOverload;
   execution_.set_goal(std::nullopt);
   publish_interruption();
   held_.fail(error);
@@ -103,6 +104,7 @@ void Core::rebuild_later() {
 
 void Core::take_rebuilt(std::uint64_t interruption, Expected<Rebuilt> rebuilt) {
   if (!is_to_rebuild() || interruption_->number != interruption) return;
+  is_overloaded_ = false;
   if (!rebuilt) {
     interruption_->message += "; " + rebuilt.error().message;
     return publish_interruption();

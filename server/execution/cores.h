@@ -62,6 +62,8 @@ class Cores {
   void deliver(const services::Delivery& delivery);
   /// No core goes on: the server ends.
   void close();
+  /// Finishes loads and removals that are under way.
+  void end_changes() { changes_.end(); }
 
  private:
   /// 0 of what is no id.

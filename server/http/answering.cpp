@@ -54,7 +54,7 @@ void watch_client(tcp::socket& socket, const std::shared_ptr<AwaitedReply>& awai
   });
 }
 
-void post_to_handlers(Request request, const std::shared_ptr<AwaitedReply>& awaited, Context& context) {
+void post_to(Pool& handlers, Request request, const std::shared_ptr<AwaitedReply>& awaited, Context& context) {
   const Answer answer([path = context.replies, weak = std::weak_ptr(awaited)](Reply reply) {
     path->post([weak, reply = std::move(reply)]() mutable {
       const auto waiting = weak.lock();
@@ -63,17 +63,17 @@ void post_to_handlers(Request request, const std::shared_ptr<AwaitedReply>& awai
       waiting->arrived.cancel();
     });
   });
-  context.handlers.post(
+  handlers.post(
       [request = std::move(request), answer, &context]() mutable { handle(std::move(request), answer, context); });
 }
 
 }  // namespace
 
-awaitable<Reply> reply_to(Request request, beast::tcp_stream& stream, Context& context) {
+awaitable<Reply> reply_to(Request request, beast::tcp_stream& stream, Pool& handlers, Context& context) {
   const asio::any_io_executor executor = co_await asio::this_coro::executor;
   const auto awaited = std::make_shared<AwaitedReply>(executor);
   watch_client(stream.socket(), awaited, request.gone);
-  post_to_handlers(std::move(request), awaited, context);
+  post_to(handlers, std::move(request), awaited, context);
   co_await awaited->arrived.async_wait(kAsTuple);
   error_code ignored;
   stream.socket().cancel(ignored);

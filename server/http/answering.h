@@ -9,8 +9,8 @@
 
 namespace race::server {
 
-/// Has the request answered, on whatever thread, and goes on here with the reply. `Request::gone` is set when the
-/// client closes the connection, or its half of it, before.
-awaitable<Reply> reply_to(Request request, beast::tcp_stream& stream, Context& context);
+/// Has the request answered by `handlers`, there or later, and goes on here with the reply. `Request::gone` is set when
+/// the client closes the connection, or its half of it, before.
+awaitable<Reply> reply_to(Request request, beast::tcp_stream& stream, Pool& handlers, Context& context);
 
 }  // namespace race::server

@@ -53,10 +53,12 @@ struct HttpServer::Sockets {
         budget(limits.held_bytes),
         acceptor(io),
         handlers(std::make_unique<Pool>(4)),
+        urgent(std::make_unique<Pool>(1)),
         context{RequestFilter(0),
                 std::move(its_web),
                 std::move(backend),
                 *handlers,
+                *urgent,
                 std::make_shared<ReplyPath>(io),
                 connections,
                 budget,
@@ -68,6 +70,8 @@ struct HttpServer::Sockets {
     context.replies->close();
     handlers->drop();
     handlers.reset();
+    urgent->drop();
+    urgent.reset();
     context.backend.hub.shut_down();
   }
   // Nothing begins any more. Who still answers or says something may end.
@@ -88,7 +92,7 @@ struct HttpServer::Sockets {
   asio::steady_timer end_timer{io};
   tcp::acceptor acceptor;
   std::uint16_t port = 0;
-  std::unique_ptr<Pool> handlers;
+  std::unique_ptr<Pool> handlers, urgent;
   Context context;
 };
 

@@ -28,13 +28,17 @@ bool is_health(const Request& request) {
 // What a reserved connection may ask for.
 bool is_urgent(const Request& request) {
   if (request.method == "GET") return request.path == kHealth;
-  return request.method == "POST" && (request.path == "/api/v1/stop" || match("/api/v1/cores/{id}/stop", request.path));
+  return request.method == "POST" && match("/api/v1/cores/{id}/stop", request.path);
 }
 
-// The response to a request that has arrived. Its text is made on the threads of the handlers: it may be large.
+// The response to a request that has arrived. Its text is made on the threads of the handlers: it may be large. What is
+// urgent waits for no other request.
 awaitable<Response> respond(Request request, ResponseOptions options, Client& client, Context& context) {
   if (is_health(request)) co_return make_response(context.backend.health(), options);
-  Reply reply = co_await reply_to(std::move(request), client.stream, context);
+  const bool urgent = is_urgent(request);
+  Reply reply =
+      co_await reply_to(std::move(request), client.stream, urgent ? context.urgent : context.handlers, context);
+  if (urgent) co_return make_response(std::move(reply), options);
   std::function<Response()> work = [reply = std::move(reply), options]() mutable {
     return make_response(std::move(reply), options);
   };

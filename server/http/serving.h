@@ -23,6 +23,7 @@ struct Context {
   std::string web;
   Backend backend;
   Pool& handlers;
+  Pool& urgent;                        // handlers of what reserved connections may ask for
   std::shared_ptr<ReplyPath> replies;  // also of answers that come when there are no sockets any more
   Connections& connections;
   ByteBudget& budget;

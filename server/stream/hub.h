@@ -126,11 +126,11 @@ class Hub {
     }
   };
 
-  using Publish = void (Hub::*)(const std::string& name, Channel& channel, const Value& data);
+  using Publish = void (Hub::*)(const std::string& name, Channel& channel, const Publication& what);
   void publish(Publish publish, Publications::Kind kind, const std::string& name, Value data);
-  void add_snapshot(const std::string& name, Channel& channel, const Value& data);
-  void add_delta(const std::string& name, Channel& channel, const Value& data);
-  void replace(const std::string& name, Channel& channel, const Value& data);
+  void add_snapshot(const std::string& name, Channel& channel, const Publication& what);
+  void add_delta(const std::string& name, Channel& channel, const Publication& what);
+  void replace(const std::string& name, Channel& channel, const Publication& what);
   void overflow(const std::string& name, const Publications::Overflow& overflow);
 
   Channel* find(const std::string& name);
@@ -145,6 +145,7 @@ class Hub {
   bool catch_up(const std::string& name, Channel& channel, Subscriber& subscriber, std::int64_t since);
   static void send(Subscriber& subscriber, const std::string& channel, Text text, bool sampled);
   Text serialise(const std::string& channel, std::int64_t sequence, const char* kind, const Value& data);
+  Text serialise(const std::string& channel, std::int64_t sequence, const char* kind, const Publication& what);
   void limit_memory(const std::shared_ptr<Subscriber>& told);
   void drop_kept();
 

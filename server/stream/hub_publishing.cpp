@@ -2,19 +2,30 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/value/json.h"
 #include "server/stream/hub.h"
 
 namespace race::server {
 
 // A channel that nobody has asked for yet keeps nothing.
 void Hub::publish(Publish publish, Publications::Kind kind, const std::string& name, Value data) {
-  Work work = [this, publish, name, data] {
+  if (!publications_.has_room(name, kind)) return publications_.post(name, kind, {std::move(data), nullptr}, 0, {});
+  const std::size_t units = data.size_units();
+  const Publication what = Publication::of(std::move(data));
+  publications_.post(name, kind, what, units, [this, publish, name, what] {
     const auto known = channels_.find(name);
     if (known == channels_.end() || shut_down_) return;
-    (this->*publish)(name, known->second, data);
+    (this->*publish)(name, known->second, what);
     limit_memory(nullptr);
-  };
-  publications_.post(name, kind, std::move(data), std::move(work));
+  });
+}
+
+Text Hub::serialise(const std::string& channel, std::int64_t sequence, const char* kind, const Publication& what) {
+  if (!what.json) return serialise(channel, sequence, kind, what.data);
+  std::string text = to_json(Dict{{"channel", channel}, {"sequence", sequence}, {"kind", kind}});
+  text.pop_back();  // the brace
+  text.reserve(text.size() + what.json->size() + 16);
+  return messages_.make(std::move(text.append(",\"data\":").append(*what.json).append("}")));
 }
 
 void Hub::publish_snapshot(const std::string& name, Value data) {
@@ -30,9 +41,9 @@ void Hub::publish_replacement(const std::string& name, Value data) {
 }
 
 // A snapshot has the number of the last delta that it contains.
-void Hub::add_snapshot(const std::string& name, Channel& channel, const Value& data) {
+void Hub::add_snapshot(const std::string& name, Channel& channel, const Publication& what) {
   if (channel.is_idle()) return;
-  Message snapshot{channel.sequence, serialise(name, channel.sequence, "snapshot", data)};
+  Message snapshot{channel.sequence, serialise(name, channel.sequence, "snapshot", what)};
   for (const auto& subscriber : channel.waiting) {
     send(*subscriber, name, snapshot.text, channel.source.sampled);
     channel.subscribers.insert(subscriber);
@@ -41,8 +52,8 @@ void Hub::add_snapshot(const std::string& name, Channel& channel, const Value& d
   channel.snapshot = std::move(snapshot);
 }
 
-void Hub::add_delta(const std::string& name, Channel& channel, const Value& data) {
-  const Message message{++channel.sequence, serialise(name, channel.sequence, "delta", data)};
+void Hub::add_delta(const std::string& name, Channel& channel, const Publication& what) {
+  const Message message{++channel.sequence, serialise(name, channel.sequence, "delta", what)};
   for (const auto& subscriber : channel.subscribers) send(*subscriber, name, message.text, channel.source.sampled);
   channel.bytes += message.text->size();
   channel.deltas.push_back(message);
@@ -53,13 +64,13 @@ void Hub::add_delta(const std::string& name, Channel& channel, const Value& data
     channel.deltas.pop_front();
   }
   // Every message of a sampled channel is the whole.
-  if (channel.source.sampled && !channel.waiting.empty()) add_snapshot(name, channel, data);
+  if (channel.source.sampled && !channel.waiting.empty()) add_snapshot(name, channel, what);
 }
 
-void Hub::replace(const std::string& name, Channel& channel, const Value& data) {
+void Hub::replace(const std::string& name, Channel& channel, const Publication& what) {
   begin_anew(channel);
   channel.waiting.merge(channel.subscribers);
-  add_snapshot(name, channel, data);
+  add_snapshot(name, channel, what);
 }
 
 // Its subscribers lack something: they wait for the snapshot that contains it.
@@ -67,7 +78,7 @@ void Hub::overflow(const std::string& name, const Publications::Overflow& overfl
   const auto known = channels_.find(name);
   if (known == channels_.end()) return;
   if (!known->second.source.sampled) return restart(known->second, overflow.asks);
-  if (!overflow.newest.is_null()) add_delta(name, known->second, overflow.newest);
+  if (!overflow.newest.empty()) add_delta(name, known->second, overflow.newest);
 }
 
 void Hub::restart(std::string prefix) {

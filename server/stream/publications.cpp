@@ -2,21 +2,33 @@
 
 #include <utility>
 
+#include "core/value/json.h"
+
 namespace race::server {
 
+Publication Publication::of(Value data) {
+  if (data.size_units() < kLargeUnits) return {std::move(data), nullptr};
+  return {Value(), std::make_shared<const std::string>(to_json(data))};
+}
+
+bool Publications::has_room(const std::string& channel, Kind kind) const {
+  const services::MutexLock lock(mutex_);
+  const auto known = channels_.find(channel);
+  return takes(known == channels_.end() ? Waiting() : known->second, kind);
+}
+
 // Posted under the lock: in the order of what is decided here.
-void Publications::post(const std::string& channel, Kind kind, Value data, Work work) {
+void Publications::post(const std::string& channel, Kind kind, Publication what, std::size_t units, Work work) {
   const services::MutexLock lock(mutex_);
   Waiting& waiting = channels_[channel];
-  const bool fitted = fits(waiting);
-  if (fitted || (kind != Kind::delta && !waiting.has_snapshot)) {
-    const std::size_t units = data.size_units();
-    strand_.post([this, channel, kind, units, fitted, data = std::move(data), work = std::move(work)] {
+  if (work && takes(waiting, kind)) {
+    const bool fitted = fits(waiting);
+    strand_.post([this, channel, kind, units, fitted, what = std::move(what), work = std::move(work)] {
       begin(channel, units, fitted);
       try {
         work();
       } catch (...) {
-        if (kind != Kind::snapshot) begin_anew_(channel, {data, true});
+        if (kind != Kind::snapshot) begin_anew_(channel, {what, true});
         throw;
       }
     });
@@ -33,7 +45,11 @@ void Publications::post(const std::string& channel, Kind kind, Value data, Work 
     ++waiting.overflows;
     waiting.ends_anew = true;
   }
-  waiting.newest = std::move(data);
+  waiting.newest = std::move(what);
+}
+
+bool Publications::takes(const Waiting& waiting, Kind kind) const {
+  return fits(waiting) || (kind != Kind::delta && !waiting.has_snapshot);
 }
 
 bool Publications::fits(const Waiting& waiting) const {
@@ -61,7 +77,7 @@ void Publications::overflow(const std::string& channel) {
     overflow = {waiting.newest, all && !waiting.has_snapshot};
     if (all) {
       waiting.ends_anew = false;
-      waiting.newest = Value();
+      waiting.newest = {};
     }
     forget_empty(known);
   }

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 
 #include "core/value/value.h"
@@ -15,6 +16,15 @@
 #include "services/mutex.h"
 
 namespace race::server {
+
+/// A value (frozen), or its JSON: what is large is serialised by who publishes it, and holds up nothing on the strand.
+struct Publication {
+  static constexpr std::size_t kLargeUnits = 4096;
+  static Publication of(Value data);
+  Value data;
+  std::shared_ptr<const std::string> json;  // then there is no `data`
+  bool empty() const { return !json && data.is_null(); }
+};
 
 class Publications {
  public:
@@ -26,8 +36,8 @@ class Publications {
 
   enum class Kind { delta, snapshot, replacement };
   struct Overflow {
-    Value newest;  // what was dropped last, or was to be published when it failed
-    bool asks;     // for a snapshot; else one follows
+    Publication newest;  // what was dropped last, or was to be published when it failed
+    bool asks;           // for a snapshot; else one follows
   };
   /// Called on the strand: subscribers of the channel lack what was published.
   using BeginAnew = std::function<void(const std::string& channel, const Overflow& overflow)>;
@@ -35,11 +45,14 @@ class Publications {
   /// The strand outlives this and finishes before it ends.
   Publications(Strand& strand, BeginAnew begin_anew) : strand_(strand), begin_anew_(std::move(begin_anew)) {}
 
-  /// Posts `work`, which publishes `data` (frozen); or drops it, and posts that the channel begins anew. One snapshot
+  /// Whether post() would do so now.
+  bool has_room(const std::string& channel, Kind kind) const EXCLUDES(mutex_);
+  /// Posts `work`, which publishes `what`, of so many units; or drops it, as it does without work, and posts that the
+  /// channel begins anew. One snapshot
   /// waits all the same, so that subscribers see something however fast deltas come; if deltas are dropped after it,
   /// the channel begins anew after it, too. A further snapshot is dropped: what waits leads to it. A channel also
   /// begins anew if `work` throws and is no snapshot: asking for that again might go on for ever.
-  void post(const std::string& channel, Kind kind, Value data, Work work) EXCLUDES(mutex_);
+  void post(const std::string& channel, Kind kind, Publication what, std::size_t units, Work work) EXCLUDES(mutex_);
   /// Units of all that waits.
   std::size_t units() const EXCLUDES(mutex_);
 
@@ -49,11 +62,12 @@ class Publications {
     bool has_snapshot = false;  // one that waits though it did not fit
     std::size_t overflows = 0;  // how often the channel will begin anew; until then nothing fits
     bool ends_anew = false;     // that is the last that waits
-    Value newest;               // that was dropped
+    Publication newest;         // that was dropped
   };
   using Channels = std::map<std::string, Waiting>;
 
   bool fits(const Waiting& waiting) const REQUIRES(mutex_);
+  bool takes(const Waiting& waiting, Kind kind) const REQUIRES(mutex_);
   void begin(const std::string& channel, std::size_t units, bool fitted) EXCLUDES(mutex_);
   void overflow(const std::string& channel) EXCLUDES(mutex_);
   void forget_empty(Channels::iterator channel) REQUIRES(mutex_);

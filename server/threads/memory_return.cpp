@@ -2,6 +2,8 @@
 
 #include <malloc.h>
 
+#include <algorithm>
+
 namespace race::server {
 
 MemoryReturn::~MemoryReturn() {
@@ -15,8 +17,12 @@ MemoryReturn::~MemoryReturn() {
 
 void MemoryReturn::run() {
   const services::MutexLock lock(mutex_);
-  while (!closing_.wait_for(mutex_, period_, [this]() REQUIRES(mutex_) { return closed_; }))
-    if (mallinfo2().fordblks > kFree) malloc_trim(0);
+  std::size_t left = 0;  // free after the last time, in pieces that are too small
+  while (!closing_.wait_for(mutex_, period_, [this]() REQUIRES(mutex_) { return closed_; })) {
+    const std::size_t free = mallinfo2().fordblks;
+    if (free > left + kFree) malloc_trim(0);
+    left = free > left + kFree ? mallinfo2().fordblks : std::min(left, free);
+  }
 }
 
 }  // namespace race::server

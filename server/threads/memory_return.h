@@ -1,5 +1,5 @@
-// MemoryReturn: gives the system back what the allocator keeps free, now and then. After a load, most of what was used is
-// free, but in pieces within arenas that are never empty, which the allocator does not return by itself.
+// MemoryReturn: gives the system back what the allocator keeps free, now and then. After a load, most of what was used
+// is free, but in pieces within arenas that are never empty, which the allocator does not return by itself.
 //
 // Threads: one of its own.
 #pragma once

@@ -90,34 +90,37 @@ bool Strand::Queue::post_turn(const std::shared_ptr<Queue>& queue, Pool::Turn tu
 }
 
 void Strand::Queue::post(const std::shared_ptr<Queue>& queue, Work work, Pool::Turn turn) {
-  Piece dropped;  // after the lock: it may own what posts
+  Work dropped;  // after the lock: it may own what posts
   const services::MutexLock lock(queue->mutex);
   const bool hurries = turn == Pool::Turn::now && queue->waits_for_later;
-  if (queue->scheduled && !hurries) {
-    queue->work.push_back({std::move(work), turn});
-    queue->now += turn == Pool::Turn::now ? 1 : 0;
-    return;
-  }
-  queue->work.push_back({std::move(work), turn});
+  std::deque<Work>& pieces = turn == Pool::Turn::now ? queue->now : queue->later;
+  pieces.push_back(std::move(work));
+  if (queue->scheduled && !hurries) return;
   try {
     ++queue->turn_number;
     queue->scheduled = post_turn(queue, turn);
-  } catch (...) {  // it is not posted: who posts next gets the strand going
-    queue->work.pop_back();
-    queue->scheduled = queue->waits_for_later = false;
+  } catch (...) {  // it is not posted: a turn that waits is still one, else who posts next gets the strand going
+    --queue->turn_number;
+    pieces.pop_back();
     throw;
   }
-  if (queue->scheduled) {
-    queue->now += turn == Pool::Turn::now ? 1 : 0;
-    return;
-  }
-  dropped = std::move(queue->work.back());
-  queue->work.pop_back();
+  if (queue->scheduled) return;
+  dropped = std::move(pieces.back());
+  pieces.pop_back();
 }
 
 void Strand::finish() {
   const services::MutexLock lock(queue_->mutex);
   queue_->done.wait(queue_->mutex, [this]() REQUIRES(queue_->mutex) { return !queue_->scheduled; });
+}
+
+Work Strand::Queue::take_next() {
+  const bool takes_later = now.empty() || (!later.empty() && since_later >= Pool::kLaterAfter);
+  since_later = takes_later || later.empty() ? 0 : since_later + 1;
+  std::deque<Work>& pieces = takes_later ? later : now;
+  Work work = std::move(pieces.front());
+  pieces.pop_front();
+  return work;
 }
 
 // One piece of work, then the others' turn: no strand keeps a thread of the pool, unless there is no memory for a turn.
@@ -128,15 +131,13 @@ void Strand::Queue::run_one(const std::shared_ptr<Queue>& queue, std::uint64_t t
       const services::MutexLock lock(queue->mutex);
       if (queue->turn_number != turn_number) return;
       queue->waits_for_later = false;
-      queue->now -= queue->work.front().turn == Pool::Turn::now ? 1 : 0;
-      work = std::move(queue->work.front().work);
-      queue->work.pop_front();
+      work = queue->take_next();
     }
     services::run_reporting("work of a strand", work);
     work = nullptr;
     {
       const services::MutexLock lock(queue->mutex);
-      if (queue->work.empty()) {
+      if (queue->now.empty() && queue->later.empty()) {
         queue->scheduled = false;
         queue->done.notify_all();
         return;
@@ -144,7 +145,7 @@ void Strand::Queue::run_one(const std::shared_ptr<Queue>& queue, std::uint64_t t
     }
     given_up = services::run_reporting("the turn of a strand", [&] {
       const services::MutexLock lock(queue->mutex);
-      post_turn(queue, queue->now > 0 ? Pool::Turn::now : Pool::Turn::later);
+      post_turn(queue, queue->now.empty() ? Pool::Turn::later : Pool::Turn::now);
     });
   }
 }

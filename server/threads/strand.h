@@ -66,8 +66,8 @@ class Strand {
   /// The pool outlives the strand's work.
   explicit Strand(Pool& pool) : queue_(std::make_shared<Queue>(pool)) {}
   void post(Work work) { Queue::post(queue_, std::move(work), Pool::Turn::now); }
-  /// The rest of a turn of this strand: after what others have posted, and after what was posted here. What is posted
-  /// here meanwhile, and does not wait, hurries it.
+  /// The rest of a turn of this strand: after what others have posted, and after what is posted here by post(), but for
+  /// one in kLaterAfter.
   void post_later(Work work) { Queue::post(queue_, std::move(work), Pool::Turn::later); }
   /// Waits until all posted work is done. Not to be called on the strand itself.
   void finish();
@@ -94,20 +94,18 @@ class Strand {
     explicit Queue(Pool& its_pool) : pool(its_pool) {}
     static void post(const std::shared_ptr<Queue>& queue, Work work, Pool::Turn turn);
     static void run_one(const std::shared_ptr<Queue>& queue, std::uint64_t turn_number);
+    /// Requires that there is work.
+    Work take_next() REQUIRES(mutex);
     /// Posts its next turn; false: the pool has ended.
     static bool post_turn(const std::shared_ptr<Queue>& queue, Pool::Turn turn) REQUIRES(queue->mutex);
     Pool& pool;
     services::Mutex mutex;
     services::ConditionVariable done;
-    struct Piece {
-      Work work;
-      Pool::Turn turn;
-    };
-    std::deque<Piece> work GUARDED_BY(mutex);
+    std::deque<Work> now GUARDED_BY(mutex), later GUARDED_BY(mutex);
+    unsigned since_later GUARDED_BY(mutex) = 0;  // pieces of now that went before what waits in later
     bool scheduled GUARDED_BY(mutex) = false;
-    bool waits_for_later GUARDED_BY(mutex) = false;       // its turn does
-    std::size_t now GUARDED_BY(mutex) = 0;                // pieces that do not wait
-    std::uint64_t turn_number GUARDED_BY(mutex) = 0;      // an earlier turn that still waits is none any more
+    bool waits_for_later GUARDED_BY(mutex) = false;   // its turn does
+    std::uint64_t turn_number GUARDED_BY(mutex) = 0;  // an earlier turn that still waits is none any more
   };
   std::shared_ptr<Queue> queue_;
 };

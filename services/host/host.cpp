@@ -18,7 +18,7 @@ std::size_t freeze(List& args, Dict& kwargs) {
   return units;
 }
 
-// Of the calls of a core. What nobody calls comes after all that was called before: it may have to stop that.
+// Of the calls of a core: an odd number. What nobody calls comes after all that was called before.
 WorkQueue::Lane lane_of(const std::string& core) {
   return core.empty() ? WorkQueue::kNoLane : std::hash<std::string>{}(core) | 1U;
 }
@@ -66,7 +66,8 @@ ServiceHost& Host::declare(std::string key, std::string type, WorkQueue& queue) 
 
 Host::Response Host::Response::unavailable() { return {Dict{{"code", Value(name(ErrorCode::unavailable))}}, true}; }
 
-CallId Host::call(Caller caller, const std::string& service, std::string operation, List args, Dict kwargs) {
+CallId Host::call(Caller caller, const std::string& service, std::string operation, List args, Dict kwargs,
+                  const std::string& after) {
   const std::size_t units = freeze(args, kwargs);
   const MutexLock lock(mutex_);
   const PendingCall pending{next_call_++, operation, clock_.now(), std::move(caller), units};
@@ -79,7 +80,7 @@ CallId Host::call(Caller caller, const std::string& service, std::string operati
   notify_status(*entry);
   auto work = [call = Call{pending.id, std::move(operation), std::move(args), std::move(kwargs)}](
                   Component& component) { component.call(call); };
-  post(*entry, std::move(work), lane_of(pending.caller.core));
+  post(*entry, std::move(work), lane_of(pending.caller.core.empty() ? after : pending.caller.core));
   return pending.id;
 }
 

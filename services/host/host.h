@@ -67,9 +67,10 @@ class Host {
 
   /// Calls an operation. Its response reaches the observer once, now or later, with `caller`; an unknown or
   /// disconnected service, an unknown operation or a service for which too many wait answers {"code": "unavailable"}.
-  /// `args` and `kwargs` are frozen here.
-  CallId call(Caller caller, const std::string& service, std::string operation, List args, Dict kwargs)
-      EXCLUDES(mutex_);
+  /// `args` and `kwargs` are frozen here. It comes after the calls that the core of its caller has made before or, of a
+  /// caller without one, those of `after`; without either, after all.
+  CallId call(Caller caller, const std::string& service, std::string operation, List args, Dict kwargs,
+              const std::string& after = {}) EXCLUDES(mutex_);
 
   /// Nobody can receive the response to the call that `caller` made, or to any call of `core` whose response is still
   /// to come: the component is told, once (Component::abandoned). Nothing else happens, and nothing at all to a call

@@ -11,6 +11,7 @@ namespace race::services {
 void WorkQueue::post(Work work, Lane lane) {
   {
     const MutexLock lock(mutex_);
+    if (closed_) return;
     work_.push_back({std::move(work), lane});
   }
   posted_.notify_one();
@@ -77,9 +78,20 @@ WorkThread::WorkThread() {
   });
 }
 
-WorkThread::~WorkThread() {
+void WorkQueue::close() {
+  decltype(work_) dropped;  // after the lock: it may own what posts
+  decltype(lanes_) dropped_lanes;
+  const MutexLock lock(mutex_);
+  closed_ = true;
+  dropped.swap(work_);
+  dropped_lanes.swap(lanes_);
+}
+
+void WorkThread::end() {
+  if (!thread_.joinable()) return;
   post([this] { stop_ = true; });
   thread_.join();
+  close();
 }
 
 }  // namespace race::services

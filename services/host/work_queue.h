@@ -33,6 +33,8 @@ class WorkQueue {
  protected:
   /// Waits until there is work.
   void wait() EXCLUDES(mutex_);
+  /// What is posted, now or later, is dropped.
+  void close() EXCLUDES(mutex_);
 
  private:
   struct Piece {
@@ -47,14 +49,18 @@ class WorkQueue {
   std::deque<Piece> work_ GUARDED_BY(mutex_);
   std::map<Lane, std::deque<Work>> lanes_ GUARDED_BY(mutex_);  // before all of work_; none is empty
   Lane last_lane_ GUARDED_BY(mutex_) = kNoLane;                // that had its turn
+  bool closed_ GUARDED_BY(mutex_) = false;
 };
 
-/// A group with its own thread: runs what is posted until it is destroyed; work posted before that is still done. Work
-/// that throws is over, and reported (services/failures.h).
+/// A group with its own thread: runs what is posted until it ends; work posted before that is still done. Work that
+/// throws is over, and reported (services/failures.h).
 class WorkThread final : public WorkQueue {
  public:
   WorkThread();
-  ~WorkThread() override;
+  ~WorkThread() override { end(); }
+  /// Not on its thread. What is posted later is dropped: who still has work for a group need not know that it has
+  /// ended.
+  void end();
 
  private:
   bool stop_ = false;  // of the thread

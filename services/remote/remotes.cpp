@@ -42,11 +42,12 @@ void Remotes::step() {
 }
 
 void Remotes::stop() {
-  std::vector<std::unique_ptr<services::WorkThread>> ending;
+  std::vector<services::WorkThread*> ending;  // without the lock: their work may take it
   {
     const services::MutexLock lock(mutex_);
-    ending.swap(groups_);
+    for (const auto& group : groups_) ending.push_back(group.get());
   }
+  for (services::WorkThread* group : ending) group->end();
 }
 
 // The places of what a process brings, claimed or not.

@@ -75,8 +75,8 @@ class Remotes {
   std::vector<RemoteWorld*> worlds_;               // of each group, or none; fixed after the start
   std::map<std::string, std::uint64_t> versions_;  // of host functions in the last step()
   services::Mutex mutex_;
-  std::vector<std::unique_ptr<services::WorkThread>> groups_ GUARDED_BY(mutex_);  // empty after stop()
-  std::set<std::string> claimed_ GUARDED_BY(mutex_);                              // keys, by processes
+  std::vector<std::unique_ptr<services::WorkThread>> groups_ GUARDED_BY(mutex_);
+  std::set<std::string> claimed_ GUARDED_BY(mutex_);  // keys, by processes
   std::set<const RemoteWorld*> claimed_worlds_ GUARDED_BY(mutex_);
 };
 

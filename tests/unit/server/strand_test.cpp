@@ -81,10 +81,23 @@ TEST(Strand, ThatIsAskedDoesNotWaitForTheRestOfTurnsOfOthers) {
   std::string order;  // of `asked`
   busy.post_later([&] { release.get_future().wait(); });
   asked.post_later([&] { order += 'l'; });
-  EXPECT_EQ(asked.ask([&] { return order += 'n'; }), "ln");
+  EXPECT_EQ(asked.ask([&] { return order += 'n'; }), "n");
   release.set_value();
   busy.finish();
   pool.end();
+}
+
+TEST(Strand, DoesTheRestOfItsTurnNowAndThenHoweverMuchElseThereIs) {
+  Pool pool(1);
+  Strand strand(pool);
+  std::string order;
+  std::promise<void> posted;
+  pool.post([&] { posted.get_future().wait(); });
+  strand.post_later([&] { order += 'l'; });
+  for (unsigned i = 0; i < 2 * Pool::kLaterAfter; ++i) strand.post([&] { order += '.'; });
+  posted.set_value();
+  strand.finish();
+  EXPECT_EQ(order, "........l........");
 }
 
 TEST(Strand, ThatHasLittleToDoGoesBeforeTheRestOfTurns) {
@@ -104,7 +117,7 @@ TEST(Strand, ThatHasLittleToDoGoesBeforeTheRestOfTurns) {
   EXPECT_EQ(order, "gboc");
 }
 
-TEST(Strand, KeepsItsOrderWhateverWaitsForLater) {
+TEST(Strand, DoesTheRestOfItsTurnLast) {
   Pool pool(1);
   Strand strand(pool);
   std::string order;
@@ -114,7 +127,7 @@ TEST(Strand, KeepsItsOrderWhateverWaitsForLater) {
   strand.post([&] { order += '2'; });
   posted.set_value();
   strand.finish();
-  EXPECT_EQ(order, "12");
+  EXPECT_EQ(order, "21");
 }
 
 TEST(Pool, DropsWhatWaitsAndDoesWhatComesLater) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -49,10 +50,12 @@ TEST(WorkQueue, RunsWhatHasNoLaneAfterAllThatWasPostedBefore) {
 TEST(WorkQueue, LeavesWhatItsTimeIsTooShortFor) {
   WorkQueue queue;
   std::string text;
-  queue.post([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    text += "a";
-  }, 1);
+  queue.post(
+      [&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        text += "a";
+      },
+      1);
   for (const char c : {'b', 'c'}) queue.post([&text, c] { text += c; }, 1);
   queue.run_for(std::chrono::milliseconds(1));
   EXPECT_EQ(text, "a");
@@ -85,6 +88,17 @@ TEST(WorkThread, GoesOnAfterWorkThatThrows) {
   set_failure_handler({});
   EXPECT_EQ(failures, 10);
   EXPECT_EQ(done, 10);
+}
+
+TEST(WorkThread, DropsWhatIsPostedAfterItsEnd) {
+  WorkThread thread;
+  int done = 0;
+  const auto held = std::make_shared<int>();
+  thread.post([&] { ++done; });
+  thread.end();
+  thread.post([&, held] { ++done; });
+  EXPECT_EQ(done, 1);
+  EXPECT_EQ(held.use_count(), 1);
 }
 
 TEST(WorkThread, HasDoneEverythingWhenItIsGone) {
