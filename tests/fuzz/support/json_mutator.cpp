@@ -1,7 +1,6 @@
 #include "tests/fuzz/support/json_mutator.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <random>
 #include <string>
@@ -108,7 +107,7 @@ std::string changed_json(std::string_view text, std::size_t most, Mutation& muta
 }
 
 std::size_t store(const std::string& text, std::uint8_t* data) {
-  std::memcpy(data, text.data(), text.size());
+  std::ranges::copy(text, data);
   return text.size();
 }
 

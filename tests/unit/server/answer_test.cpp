@@ -20,8 +20,8 @@ TEST(Answer, TakesTheFirstReply) {
   std::vector<int> replies;
   {
     const Answer answer([&](const Reply& reply) { replies.push_back(reply.status); });
-    const Answer copy = answer;
-    copy(with_status(201));
+    const auto reply_with = [copy = answer](int status) { copy(with_status(status)); };
+    reply_with(201);
     answer(with_status(404));
   }
   EXPECT_EQ(replies, std::vector{201});
