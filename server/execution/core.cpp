@@ -129,6 +129,7 @@ void Core::replace(const Core& other, Preparation preparation) {
 
 void Core::pause(Done<Value> done) {
   on_strand<Value>(std::move(done), [this]() -> Expected<Value> {
+    do_turn_before();
     if (auto sound = readable(); !sound) return tl::unexpected(std::move(sound).error());
     if (is_over()) return conflict("core " + id_ + " is over");
     if (!execution_.has_goal() && !paused_) finish_macro_step();
@@ -200,6 +201,7 @@ Expected<void> Core::end_run_now() {
 
 void Core::step(execution::GoalName name, Done<Value> done) {
   when_rebuilt<Value>(std::move(done), [this, name = std::move(name)]() -> Expected<Value> {
+    do_turn_before();
     if (is_over() && !interruption_) return conflict("core " + id_ + " is over");
     if (!started_ || !(paused_ || awaits_input())) return conflict("core " + id_ + " is not paused");
     ASSIGN_OR_RETURN(const Goal goal, find_goal(program(), name));
@@ -233,6 +235,11 @@ void Core::schedule() {
     scheduled_ = false;
     advance();
   }));
+}
+
+// The turn that waits, before who pauses or steps: what had come before is done.
+void Core::do_turn_before() {
+  if (started_ && !paused_ && !interruption_) advance();
 }
 
 // With the rest of turns if it is busy: so those that have little to do wait for no function that takes long.

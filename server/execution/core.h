@@ -300,6 +300,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   void interrupt_and_rebuild(const Error& error, const char* reason);
   /// Posts work that may throw, in the turn that the core has now.
   void post_turn(Work work);
+  void do_turn_before();
   Work measured(Work work);
   Work interrupting(Work work);
   void publish_interruption();

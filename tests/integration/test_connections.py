@@ -92,7 +92,8 @@ class Places(Case):
             while not end.is_set():
                 for number in range(60):
                     with contextlib.suppress(OSError):
-                        self.server.send_raw(f"GET /api/v1/documents/large{number} HTTP/1.1\r\n{self.host}Connection: close\r\n\r\n".encode())
+                        request = f"GET /api/v1/documents/large{number} HTTP/1.1\r\n{self.host}Connection: close\r\n\r\n"
+                        self.server.send_raw(request.encode())
 
         clients = [threading.Thread(target=ask) for _ in range(8)]
         for client in clients:
