@@ -1,6 +1,6 @@
 // Connections: who is connected, and who makes way when there is no place left. Connections on which nothing is under
 // way end first; beside all places some are reserved for connections of one short request (what they may ask for:
-// listener.cpp), so that the server can be watched and its cores stopped whoever holds the others.
+// serving.cpp), so that the server can be watched and its cores stopped whoever holds the others.
 //
 // Threads: one. Knows no sockets.
 #pragma once

@@ -61,6 +61,17 @@ struct View {
 };
 
 struct CoreTest : testing::Test, CoreWatcher {
+  /// Starts the core, which stands still within its step from its print of 150 on, until `go_on`.
+  void start_and_block(std::promise<void>& go_on) {
+    auto busy = std::make_shared<std::promise<void>>();
+    on_print = [busy, &go_on](const std::string& text) {
+      if (text != "150") return;
+      busy->set_value();
+      go_on.get_future().wait();
+    };
+    ASSERT_TRUE(core->start());
+    busy->get_future().wait();
+  }
   CoreTest() {
     const rcm::Document document = rcm::read_document_text(long_step()).value();
     const rcm::NativeModel native = rcm::translate(document).value();
@@ -240,14 +251,8 @@ TEST_F(CoreTest, APauseOfARunWaitsForTheEndOfTheMacroStep) {
 }
 
 TEST_F(CoreTest, AQuestionAboutThePastDoesNotWaitForTheCore) {
-  std::promise<void> busy, go_on;
-  on_print = [&](const std::string& text) {
-    if (text != "150") return;
-    busy.set_value();
-    go_on.get_future().wait();
-  };
-  ASSERT_TRUE(core->start());
-  busy.get_future().wait();
+  std::promise<void> go_on;
+  start_and_block(go_on);
   EXPECT_EQ(core->position().value(), 1U) << "as far as it was told";
   EXPECT_EQ(core->derivations(1, 1).value().find("steps")->as_list().size(), 1U);
   EXPECT_EQ(core->derivations(2, 2).error().code, ErrorCode::out_of_range);
@@ -255,14 +260,8 @@ TEST_F(CoreTest, AQuestionAboutThePastDoesNotWaitForTheCore) {
 }
 
 TEST_F(CoreTest, ACommandThatItDoesNotBeginInTimeIsRefusedAndNeverExecuted) {
-  std::promise<void> busy, go_on;
-  on_print = [&](const std::string& text) {
-    if (text != "150") return;
-    busy.set_value();
-    go_on.get_future().wait();
-  };
-  ASSERT_TRUE(core->start());
-  busy.get_future().wait();
+  std::promise<void> go_on;
+  start_and_block(go_on);
   std::promise<Expected<Value>> paused;
   core->pause([&](Expected<Value> value) { paused.set_value(std::move(value)); });
   EXPECT_EQ(paused.get_future().get().error().code, ErrorCode::unavailable);
