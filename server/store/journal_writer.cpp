@@ -5,12 +5,11 @@
 #include <SQLiteCpp/Statement.h>
 
 #include <algorithm>
-#include <bit>
+#include <functional>
 #include <map>
 #include <utility>
 #include <vector>
 
-#include "core/value/json.h"
 #include "server/store/run_checkpoints.h"
 #include "server/store/run_entries.h"
 #include "server/store/run_row.h"
@@ -30,72 +29,48 @@ void thin_checkpoints(Statements& statements, const RunRecord& run) {
   thin->exec();
 }
 
-void end_run(RunRecord& run, const RunEnd& end) {
-  run.status = end.status;
-  run.outcome = end.outcome;
-  run.fault = end.fault;
-  run.results = end.results;
-  run.ended_ms = end.ended_ms;
-}
-
-/// What is written of a run at once. Texts and hashes are computed before the transaction begins: all who write the
-/// store wait while it lasts.
+/// What is written of a run at once; the records outlive it.
 class Batch {
  public:
-  /// `run` as it was written last; its journal has at most `most_bytes` before.
-  Batch(RunRecord& run, std::uint64_t most_bytes) : run_(run), is_full_(run.bytes >= most_bytes) {}
-
-  /// A run that is written to is under way, unless this is its end.
-  void add(const JournalRecord& record) {
-    ticket_ = record.ticket;
-    resumes_ |= !record.entry && !record.end;
-    run_.status = "running";
-    if (record.entry) entries_.push_back(append_entry(run_, *record.entry));
-    if (record.checkpoint) add_checkpoint(to_json(*record.checkpoint));
-    if (record.end) end_run(run_, *record.end);
-    ends_ |= record.end.has_value();
-  }
+  void add(const PreparedRecord& record) { records_.push_back(&record); }
 
   /// Errors: `not_found`: the run is not in the store; `too_large`: its journal is full, and this is not its end.
   /// Nothing is written then.
   Expected<void> write(Statements& statements) const {
-    if (is_full_ && !ends_ && !entries_.empty())
+    const RunRecord& run = records_.back()->run;
+    if (records_.front()->is_full && !run.is_over() && entries() > 0)
       return unexpected(ErrorCode::too_large, "the journal of the run is full; stop the run, and start another");
-    if (resumes_) {  // SQLite writes nothing for a row that stays as it is
-      RunRecord interrupted = run_;
+    if (any(&PreparedRecord::resumes)) {  // SQLite writes nothing for a row that stays as it is
+      RunRecord interrupted = run;
       interrupted.status = "interrupted";
       if (auto there = update_row(statements, interrupted); !there) return there;
     }
-    if (auto there = update_row(statements, run_); !there) return there;
-    for (const EntryRow& entry : entries_) write_entry(statements, run_.id, entry);
-    for (const CheckpointRow& checkpoint : checkpoints_) write_checkpoint(statements, run_.id, checkpoint);
-    if (!checkpoints_.empty()) thin_checkpoints(statements, run_);
+    if (auto there = update_row(statements, run); !there) return there;
+    for (const PreparedRecord* each : records_) {
+      if (each->entry) write_entry(statements, run.id, *each->entry);
+      if (each->checkpoint) write_checkpoint(statements, run.id, *each->checkpoint);
+    }
+    if (any(&PreparedRecord::checkpoint)) thin_checkpoints(statements, run);
     return {};
   }
 
-  std::uint64_t ticket() const { return ticket_; }
-  std::size_t entries() const { return entries_.size(); }
-
- private:
-  void add_checkpoint(std::string text) {
-    if (text.size() > RunJournal::kCheckpointBytes) return;
-    run_.bytes += text.size();
-    checkpoints_.push_back(checkpoint_row(run_.id, run_.steps, std::move(text)));
+  std::uint64_t ticket() const { return records_.back()->ticket; }
+  std::size_t entries() const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(records_, [](const auto* each) { return each->entry.has_value(); }));
   }
 
-  RunRecord& run_;
-  const bool is_full_;
-  std::uint64_t ticket_ = 0;
-  bool resumes_ = false, ends_ = false;
-  std::vector<EntryRow> entries_;
-  std::vector<CheckpointRow> checkpoints_;
+ private:
+  template <typename What>
+  bool any(What what) const {
+    return std::ranges::any_of(
+        records_, [what](const PreparedRecord* each) { return static_cast<bool>(std::invoke(what, *each)); });
+  }
+
+  std::vector<const PreparedRecord*> records_;  // at least one
 };
 
 }  // namespace
-
-std::uint64_t RunJournal::interval_at(std::uint64_t position) {
-  return kInterval * std::bit_ceil(std::max<std::uint64_t>(1, (position - 1) / (kInterval * kCheckpoints) + 1));
-}
 
 Expected<std::unique_ptr<JournalWriter>> JournalWriter::open(const std::string& path, std::chrono::milliseconds timeout,
                                                              std::uint64_t most_bytes) try {
@@ -127,12 +102,13 @@ void JournalWriter::recover(Work work) {
   if (!closed_) recovery_->post(std::move(work));
 }
 
-void JournalWriter::append(std::shared_ptr<RunJournal> journal, JournalRecord record) {
+void JournalWriter::append(std::shared_ptr<RunJournal> journal, const JournalRecord& record) {
+  PreparedRecord prepared = journal->prepare(record, most_bytes_);
   {
     const services::MutexLock lock(mutex_);
     if (closed_) return;
     watch_.waits(journal.get(), journal->sink_);
-    waiting_.push_back({std::move(journal), std::move(record)});
+    waiting_.push_back({std::move(journal), std::move(prepared)});
     if (waiting_.size() > 1) return;  // who put the first one has woken it
   }
   appended_.notify_one();
@@ -169,7 +145,7 @@ void JournalWriter::write() {
   for (const Item& item : items_) {
     RunJournal& journal = *item.journal;
     ++records[&journal];
-    if (!journal.failed_) batches.try_emplace(&journal, journal.record_, most_bytes_).first->second.add(item.record);
+    if (!journal.failed_ && !item.record.failure) batches[&journal].add(item.record);
   }
   std::map<RunJournal*, Expected<void>> written;
   if (!batches.empty()) try {

@@ -1,7 +1,7 @@
 // JournalWriter: makes entries of all journals durable on one thread: what waits when it begins the next round shares
 // one transaction, so cores that are busy at once share a flush of the disk.
 //
-// Threads: append(), recover() and close() on any.
+// Threads: append(), of one journal on one at a time, recover() and close() on any.
 #pragma once
 
 #include <atomic>
@@ -9,61 +9,17 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
-#include <optional>
 #include <string>
 #include <thread>
 
-#include "core/execution/journal.h"
 #include "core/value/expected.h"
 #include "server/store/disk_watch.h"
-#include "server/store/runs.h"
+#include "server/store/run_journal.h"
 #include "server/store/statements.h"
 #include "server/threads/strand.h"
 #include "services/mutex.h"
 
 namespace race::server {
-
-/// What a run has come to, as RunRecord has it.
-struct RunEnd {
-  std::string status, outcome;
-  Value fault, results;
-  std::int64_t ended_ms = 0;
-};
-
-/// What is stored at once: the entry of a macro step, the checkpoint after it, the end of the run; each may be absent.
-struct JournalRecord {
-  std::uint64_t ticket = 0;  // increases
-  std::optional<execution::JournalEntry> entry = {};
-  std::optional<Value> checkpoint = {};  // schemas/checkpoint.json, frozen
-  std::optional<RunEnd> end = {};
-  /// Why the run does not go on: when all before is stored, its journal fails with this.
-  std::optional<Error> failure = {};
-};
-
-/// The journal of one run as it grows. After a failure, nothing more is written to it: a new one goes on from what is
-/// stored.
-class RunJournal {
- public:
-  /// A checkpoint is due at multiples of this many entries, of more in a long run: it has kCheckpoints at most.
-  static constexpr std::uint64_t kInterval = 1024;
-  static constexpr std::uint64_t kCheckpoints = 64;
-  /// One that is larger is not kept: it saves time, no more.
-  static constexpr std::size_t kCheckpointBytes = std::size_t{8} << 20U;
-  /// Of its entries and checkpoints: weeks of a task that is always busy. A run whose journal is full can end, no more.
-  static constexpr std::uint64_t kMostBytes = std::uint64_t{16} << 30U;
-  /// Of a run that has come to `position`; a power of two times kInterval.
-  static std::uint64_t interval_at(std::uint64_t position);
-
-  /// Continues the journal of `run` after its `steps` entries.
-  RunJournal(RunRecord run, std::weak_ptr<RunSink> sink) : sink_(std::move(sink)), record_(std::move(run)) {}
-
- private:
-  friend class JournalWriter;
-  // All of the writer's thread.
-  const std::weak_ptr<RunSink> sink_;
-  RunRecord record_;  // as written last
-  bool failed_ = false;
-};
 
 class JournalWriter {
  public:
@@ -74,8 +30,9 @@ class JournalWriter {
                                                        std::uint64_t most_bytes = RunJournal::kMostBytes);
   ~JournalWriter();
 
-  /// The next record of a journal. How many may wait is limited by those who append: a core stops when it is ahead.
-  void append(std::shared_ptr<RunJournal> journal, JournalRecord record) EXCLUDES(mutex_);
+  /// The next record of a journal; its texts and hashes are made here. How many may wait is limited by those who
+  /// append: a core stops when it is ahead.
+  void append(std::shared_ptr<RunJournal> journal, const JournalRecord& record) EXCLUDES(mutex_);
   /// Does `work` on a thread of its own: what reads a journal back that has failed. The disk may keep it for long.
   void recover(Work work) EXCLUDES(mutex_);
   /// Writes what waits, and ends; what is appended later, or is to be recovered, is dropped.
@@ -90,7 +47,7 @@ class JournalWriter {
  private:
   struct Item {
     std::shared_ptr<RunJournal> journal;
-    JournalRecord record;
+    PreparedRecord record;
   };
   JournalWriter(std::unique_ptr<SQLite::Database> file, std::chrono::milliseconds timeout, std::uint64_t most_bytes);
   void run();

@@ -18,7 +18,7 @@ std::size_t freeze(List& args, Dict& kwargs) {
   return units;
 }
 
-// Of the calls of a core: an odd number. What nobody calls comes after all that was called before.
+// Of the calls of a core: an odd number. Packets, and what is due, wait for no calls.
 WorkQueue::Lane lane_of(const std::string& core) {
   return core.empty() ? WorkQueue::kNoLane : std::hash<std::string>{}(core) | 1U;
 }

@@ -68,7 +68,7 @@ class Host {
   /// Calls an operation. Its response reaches the observer once, now or later, with `caller`; an unknown or
   /// disconnected service, an unknown operation or a service for which too many wait answers {"code": "unavailable"}.
   /// `args` and `kwargs` are frozen here. It comes after the calls that the core of its caller has made before or, of a
-  /// caller without one, those of `after`; without either, after all.
+  /// caller without one, those of `after`; without either, before all that wait.
   CallId call(Caller caller, const std::string& service, std::string operation, List args, Dict kwargs,
               const std::string& after = {}) EXCLUDES(mutex_);
 

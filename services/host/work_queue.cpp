@@ -47,17 +47,14 @@ void WorkQueue::run_for(std::chrono::microseconds time) {
 
 WorkQueue::Work WorkQueue::take_next() {
   const MutexLock lock(mutex_);
-  for (; !work_.empty() && work_.front().lane != kNoLane; work_.pop_front())
-    lanes_[work_.front().lane].push_back(std::move(work_.front().work));
-  if (lanes_.empty()) {
-    if (work_.empty()) return nullptr;
-    Work work = std::move(work_.front().work);
-    work_.pop_front();
-    return work;
+  for (; !work_.empty(); work_.pop_front()) lanes_[work_.front().lane].push_back(std::move(work_.front().work));
+  if (lanes_.empty()) return nullptr;
+  auto lane = lanes_.find(kNoLane);
+  if (lane == lanes_.end()) {
+    lane = lanes_.upper_bound(last_lane_);
+    if (lane == lanes_.end()) lane = lanes_.begin();
+    last_lane_ = lane->first;
   }
-  auto lane = lanes_.upper_bound(last_lane_);
-  if (lane == lanes_.end()) lane = lanes_.begin();
-  last_lane_ = lane->first;
   Work work = std::move(lane->second.front());
   lane->second.pop_front();
   if (lane->second.empty()) lanes_.erase(lane);

@@ -19,15 +19,15 @@ class WorkQueue {
  public:
   using Work = std::function<void()>;
   virtual ~WorkQueue() = default;
-  /// Whose work it is: that of one lane stays in order. Without one, it comes after all that was posted before it.
+  /// Whose work it is: that of one lane stays in order. What has none stays in order too, and waits for no lane.
   using Lane = std::uint64_t;
   static constexpr Lane kNoLane = 0;
   void post(Work work, Lane lane = kNoLane) EXCLUDES(mutex_);
   /// Runs what had been posted when it was called, in order; whether there was anything. Throws what work throws; what
   /// was posted after that stays.
   bool run() EXCLUDES(mutex_);
-  /// Runs what is posted until `time` is over: a piece of each lane in turn, so that who posts much delays nobody else.
-  /// Throws likewise.
+  /// Runs what is posted until `time` is over: what has no lane first, then a piece of each lane in turn, so that who
+  /// posts much delays nobody else. Throws likewise.
   void run_for(std::chrono::microseconds time) EXCLUDES(mutex_);
 
  protected:
@@ -47,7 +47,7 @@ class WorkQueue {
   Mutex mutex_;
   ConditionVariable posted_;
   std::deque<Piece> work_ GUARDED_BY(mutex_);
-  std::map<Lane, std::deque<Work>> lanes_ GUARDED_BY(mutex_);  // before all of work_; none is empty
+  std::map<Lane, std::deque<Work>> lanes_ GUARDED_BY(mutex_);  // posted before all of work_; none is empty
   Lane last_lane_ GUARDED_BY(mutex_) = kNoLane;                // that had its turn
   bool closed_ GUARDED_BY(mutex_) = false;
 };

@@ -1,0 +1,47 @@
+#include "server/store/run_journal.h"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "core/value/json.h"
+
+namespace race::server {
+namespace {
+
+void end_run(RunRecord& run, const RunEnd& end) {
+  run.status = end.status;
+  run.outcome = end.outcome;
+  run.fault = end.fault;
+  run.results = end.results;
+  run.ended_ms = end.ended_ms;
+}
+
+}  // namespace
+
+std::uint64_t RunJournal::interval_at(std::uint64_t position) {
+  return kInterval * std::bit_ceil(std::max<std::uint64_t>(1, (position - 1) / (kInterval * kCheckpoints) + 1));
+}
+
+// A run that is written to is under way, unless this is its end.
+PreparedRecord RunJournal::prepare(const JournalRecord& record, std::uint64_t most_bytes) {
+  PreparedRecord prepared;
+  prepared.ticket = record.ticket;
+  prepared.is_full = record_.bytes >= most_bytes;
+  prepared.failure = record.failure;
+  if (record.failure) return prepared;
+  record_.status = "running";
+  if (record.entry) prepared.entry = append_entry(record_, *record.entry);
+  if (record.checkpoint) {
+    std::string text = to_json(*record.checkpoint);
+    if (text.size() <= kCheckpointBytes) {
+      record_.bytes += text.size();
+      prepared.checkpoint = checkpoint_row(record_.id, record_.steps, std::move(text));
+    }
+  }
+  if (record.end) end_run(record_, *record.end);
+  prepared.run = record_;
+  return prepared;
+}
+
+}  // namespace race::server
