@@ -31,7 +31,13 @@ void PendingCommands::start(const std::function<void(CellWorld::Wanted, CellWorl
     --*pending_;
     return done(unexpected(ErrorCode::unavailable, "other commands wait for the cell already; this one is not done"));
   }
-  const auto command = std::make_shared<Command>(std::move(done), pending_);
+  std::shared_ptr<Command> command;
+  try {
+    command = std::make_shared<Command>(std::move(done), pending_);
+  } catch (...) {
+    --*pending_;
+    throw;
+  }
   deadlines.after(timeouts_.completion, [weak = std::weak_ptr(command), grace = timeouts_.grace, &deadlines] {
     const auto late = weak.lock();
     if (!late) return;

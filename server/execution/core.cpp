@@ -77,9 +77,15 @@ void Core::deliver(const services::Delivery& delivery) {
     }
     inbox_.units += delivery.units;
     inbox_.deliveries.push_back(delivery);
-    if (inbox_.deliveries.size() > 1) return;  // who put the first one has woken it
+    if (std::exchange(inbox_.woken, true)) return;
   }
-  post_turn([this] { advance(); });
+  try {
+    post_turn([this] { advance(); });
+  } catch (...) {  // no memory: who delivers next wakes it
+    const services::MutexLock lock(mutex_);
+    inbox_.woken = false;
+    throw;
+  }
 }
 
 // The first macro step begins at once, so that the answer says that it has.

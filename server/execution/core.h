@@ -340,6 +340,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
     std::vector<services::Delivery> deliveries;
     std::size_t units = 0;     // of their data
     bool has_dropped = false;  // what came beyond the bounds
+    bool woken = false;        // its core will look
   };
   Inbox inbox_ GUARDED_BY(mutex_);
   Value info_ GUARDED_BY(mutex_);

@@ -112,8 +112,11 @@ Expected<std::shared_ptr<Core>> Cores::finish_removal(const std::shared_ptr<Core
                                                       const Expected<bool>& had_begun) {
   if (!had_begun && had_begun.error().code != ErrorCode::corrupt) return tl::unexpected(had_begun.error());
   if (had_begun && !*had_begun)
-    if (auto removed = resources_.runs.remove(core->run_id()); !removed && removed.error().code != ErrorCode::not_found)
+    if (auto removed = resources_.runs.remove(core->run_id());
+        !removed && removed.error().code != ErrorCode::not_found) {
+      core->reinstate();
       return tl::unexpected(removed.error());
+    }
   core->close();
   {
     const services::MutexLock lock(mutex_);

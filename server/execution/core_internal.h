@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <memory>
+#include <type_traits>
 #include <utility>
 
 #include "server/execution/core.h"
@@ -36,7 +37,14 @@ void give_up_late(Deadlines& deadlines, const std::shared_ptr<Question<T>>& ques
   });
 }
 
-// Posts `function` and gives `done` its value when all that caused it is durable, or never will be.
+template <typename T>
+std::size_t units_of(const Expected<T>& answer) {
+  if constexpr (std::is_same_v<T, Value>) return answer ? answer->size_units() : 0;
+  return 0;
+}
+
+// Posts `function` and gives `done` its value when all that caused it is durable, or never will be. What services have
+// said before is among the inputs of the run by then.
 template <typename T, typename F>
 void Core::on_strand(Done<T> done, F function) {
   auto question = std::make_shared<Question<T>>(std::move(done));
@@ -44,11 +52,15 @@ void Core::on_strand(Done<T> done, F function) {
   strand_.post([self = shared_from_this(), function = std::move(function), question = std::move(question)] {
     if (!question->decide()) return;
     try {
+      self->take_inbox();
       auto value = Expected<T>(function());
       self->tell_untold();
-      self->held_.add([question, value = std::move(value)](const Error* failure) {
-        question->answer(failure ? Expected<T>(tl::unexpect, *failure) : value);
-      });
+      const std::size_t units = units_of(value);
+      self->held_.add(
+          [question, value = std::move(value)](const Error* failure) {
+            question->answer(failure ? Expected<T>(tl::unexpect, *failure) : value);
+          },
+          units);
     } catch (const std::exception& failure) {
       self->interrupt_after(failure);
       question->answer(unexpected(ErrorCode::unavailable, std::string("this failed: ") + failure.what()));

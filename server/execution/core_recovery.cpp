@@ -57,14 +57,14 @@ void Core::failed(const Error& error) {
 // nobody's call: no answer to these reaches a run, and none to its open calls, which are `unavailable` to it
 // (rebuild()).
 void Core::interrupt(const Error& error, const char* reason) {
-  for (const semantics::OutgoingCall& call : run().safe_calls())
-    resources_.host.call({"", 0}, call.service, call.name, {}, {}, id_);
-  resources_.host.abandon_all(id_);
   interruption_ = {.number = ++interruptions_,
                    .reason = reason,
                    .message = error.message,
                    .was_paused = std::exchange(paused_, true)};
   is_overloaded_ = interruption_->reason == kOverload;
+  for (const semantics::OutgoingCall& call : run().safe_calls())
+    resources_.host.call({"", 0}, call.service, call.name, {}, {}, id_);
+  resources_.host.abandon_all(id_);
   execution_.set_goal(std::nullopt);
   publish_interruption();
   held_.fail(error);
@@ -180,15 +180,18 @@ Expected<void> Core::readable() const {
 Expected<Core::Rebuilt> Core::rebuild(std::chrono::milliseconds longest, bool ends) const {
   ASSIGN_OR_RETURN(RunRecord stored, resources_.runs.get(run_id()));
   execution::Replay replay(header_, resources_.runs.source(run_id()));
-  const auto watch = resources_.watchdog.watch(give_up_, longest);
-  auto replayed = replay.after(stored.steps, give_up_.get());
-  if (give_up_->exchange(false)) {
+  const auto too_long = std::make_shared<std::atomic<bool>>(false);
+  const auto watch = resources_.watchdog.watch(too_long, longest);
+  auto replayed = replay.after(stored.steps, too_long.get());
+  if (*too_long) {
     if (!ends) return unexpected(ErrorCode::unavailable, "the run takes too long to be rebuilt from its journal");
     ASSIGN_OR_RETURN(Execution aborted, Execution::create(header_));
+    aborted.stop_with(give_up_.get());
     aborted.abort();
     return Rebuilt{std::move(stored), std::move(aborted)};
   }
   ASSIGN_OR_RETURN(Execution rebuilt, std::move(replayed));
+  rebuilt.stop_with(give_up_.get());
   rebuilt.post_lost();
   // A disk that takes nothing leaves it as `running`: when the server has ended, that means the same.
   if (stored.steps > 0 && !rebuilt.is_over()) std::ignore = resources_.runs.set_status(run_id(), "interrupted");

@@ -42,7 +42,7 @@ struct AwaitedReply {
   explicit AwaitedReply(const asio::any_io_executor& executor)
       : arrived(executor, std::chrono::steady_clock::time_point::max()) {}
   asio::steady_timer arrived;  // until the reply cancels it
-  Reply reply;
+  Answered answered;
 };
 
 // Says that a client has gone when it closes its half of the connection. One that sends its next request already is not
@@ -56,10 +56,11 @@ void watch_client(tcp::socket& socket, const std::shared_ptr<AwaitedReply>& awai
 
 void post_to(Pool& handlers, Request request, const std::shared_ptr<AwaitedReply>& awaited, Context& context) {
   const Answer answer([path = context.replies, weak = std::weak_ptr(awaited)](Reply reply) {
-    path->post([weak, reply = std::move(reply)]() mutable {
+    const std::size_t units = reply.text.size() + reply.body.size_units();
+    path->post([weak, units, reply = std::move(reply)]() mutable {
       const auto waiting = weak.lock();
       if (!waiting) return;
-      waiting->reply = std::move(reply);
+      waiting->answered = {std::move(reply), units};
       waiting->arrived.cancel();
     });
   });
@@ -69,7 +70,7 @@ void post_to(Pool& handlers, Request request, const std::shared_ptr<AwaitedReply
 
 }  // namespace
 
-awaitable<Reply> reply_to(Request request, beast::tcp_stream& stream, Pool& handlers, Context& context) {
+awaitable<Answered> reply_to(Request request, beast::tcp_stream& stream, Pool& handlers, Context& context) {
   const asio::any_io_executor executor = co_await asio::this_coro::executor;
   const auto awaited = std::make_shared<AwaitedReply>(executor);
   watch_client(stream.socket(), awaited, request.gone);
@@ -77,7 +78,7 @@ awaitable<Reply> reply_to(Request request, beast::tcp_stream& stream, Pool& hand
   co_await awaited->arrived.async_wait(kAsTuple);
   error_code ignored;
   stream.socket().cancel(ignored);
-  co_return std::move(awaited->reply);
+  co_return std::move(awaited->answered);
 }
 
 }  // namespace race::server

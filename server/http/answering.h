@@ -3,14 +3,22 @@
 // Threads: the sockets'.
 #pragma once
 
+#include <cstddef>
+
 #include "server/http/beast.h"
 #include "server/http/message.h"
 #include "server/http/serving.h"
 
 namespace race::server {
 
+/// A reply, and the memory that it takes (Value::size_units): counted where it was made, as that takes its time.
+struct Answered {
+  Reply reply;
+  std::size_t units = 0;
+};
+
 /// Has the request answered by `handlers`, there or later, and goes on here with the reply. `Request::gone` is set when
 /// the client closes the connection, or its half of it, before.
-awaitable<Reply> reply_to(Request request, beast::tcp_stream& stream, Pool& handlers, Context& context);
+awaitable<Answered> reply_to(Request request, beast::tcp_stream& stream, Pool& handlers, Context& context);
 
 }  // namespace race::server

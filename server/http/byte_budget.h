@@ -1,6 +1,6 @@
 // ByteBudget: memory that clients may make the server hold: bodies that have not come yet, first messages of processes
 // that nobody knows yet, answers that are not taken yet. Each takes its share, or is refused: bodies and first
-// messages before their memory is used, answers once their text is made.
+// messages before their memory is used, answers before their text is made, and then the text.
 //
 // Threads: one.
 #pragma once

@@ -34,11 +34,11 @@ void RunKeeper::record(const Value& pose) {
   if (time < due_ && due_ <= time + kInterval) return;  // the second: a world that came back begins anew
   due_ = time + kInterval;
   if (poses_ >= kMostWaiting) return;
-  ++poses_;
   strand_.post([this, pose] {
     --poses_;
     take(pose);
   });
+  ++poses_;  // it may be taken already
 }
 
 void RunKeeper::take(const Value& pose) {

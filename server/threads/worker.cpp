@@ -23,7 +23,8 @@ bool Worker::add(const std::shared_ptr<Piece>& piece) {
   if (stopped_ || pieces_.size() >= kMost) return false;
   pieces_.reserve(kMost);
   pool_.post([this, piece] {
-    if (piece->decide()) execute(piece);
+    if (piece->decide()) services::run_reporting("a replay", [&] { execute(piece); });
+    piece->refuse({ErrorCode::unavailable, "the replay was stopped"});  // or is answered
     const services::MutexLock done(mutex_);
     std::erase(pieces_, piece);
   });
@@ -40,7 +41,6 @@ void Worker::execute(const std::shared_ptr<Piece>& piece) {
   });
   if (!*piece->stop && !services::run_reporting("a replay", piece->work))
     piece->refuse({ErrorCode::unavailable, "the replay failed; see the server's log"});
-  piece->refuse({ErrorCode::unavailable, "the replay was stopped"});  // or is answered
 }
 
 void Worker::stop() {
