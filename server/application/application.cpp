@@ -66,7 +66,7 @@ Checked<void> Application::open_store(const Setup& setup) {
 }
 
 void Application::create_stream(const Setup& setup) {
-  stream_pool_ = std::make_unique<Pool>(1);
+  stream_pool_ = std::make_unique<Pool>(1, 0, "stream");
   hub_ = std::make_unique<Hub>(*stream_pool_, setup.first_sequence,
                                [this](const std::string& name) { return find_channel(name, channel_sources()); });
   log_ = std::make_unique<EventLog>(*hub_, setup.lines);
@@ -102,7 +102,7 @@ void Application::name_damaged_documents() {
 }
 
 Expected<void> Application::create_cores(const Setup& setup) {
-  pool_ = std::make_unique<Pool>(kCoreThreads, kBusyCoreThreads);
+  pool_ = std::make_unique<Pool>(kCoreThreads, kBusyCoreThreads, "cores");
   cores_ = std::make_unique<Cores>(*pool_, cell_->host(), *core_publisher_, *runs_, *writer_, replays_, deadlines_);
   live_edits_ = std::make_unique<LiveEdits>(*documents_, *cores_);
   document_watchers_.add(*live_edits_);

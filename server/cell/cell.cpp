@@ -14,11 +14,14 @@
 #include "services/gripper/gripper.h"
 #include "services/recognition/object_recognition.h"
 #include "services/robot/robot.h"
+#include "services/thread_name.h"
 #include "services/timer/timer.h"
 
 namespace race::server {
 
 namespace fs = std::filesystem;
+
+constexpr double kDatabaseShare = 0.5;  // of a processor
 
 Expected<std::unique_ptr<Cell>> Cell::create(const CellSetup& setup, services::HostObserver& observer) {
   std::unique_ptr<Cell> cell(new Cell(observer));
@@ -94,7 +97,7 @@ Expected<void> Cell::add_vision(const CellSetup& setup) {
 
 Expected<void> Cell::add_database(const CellSetup& setup) {
   ASSIGN_OR_RETURN(auto store, open_store(setup.folder, setup.database));
-  if (setup.own_threads) database_queue_ = std::make_unique<services::WorkThread>();
+  if (setup.own_threads) database_queue_ = std::make_unique<services::WorkThread>("database", kDatabaseShare);
   auto& host = host_.declare("db", "database", database_queue_ ? *database_queue_ : queue_);
   host_.attach("db", std::make_unique<database::Database>(std::move(store), host));
   return {};
@@ -136,6 +139,7 @@ void Cell::execute(const std::optional<PersonCommand>& command, Deadlines& deadl
 void Cell::start_real_time() {
   is_real_time_ = true;
   thread_ = std::thread([this] {
+    services::name_thread("cell");
     using namespace std::chrono_literals;
     auto next = std::chrono::steady_clock::now();
     while (!stop_) {

@@ -52,7 +52,7 @@ class EditQueue final : public EditRequests {
   std::size_t edits_ GUARDED_BY(mutex_) = 0;                      // that wait
   std::set<std::string, std::less<>> wanted_ GUARDED_BY(mutex_);  // documents
   bool stopped_ GUARDED_BY(mutex_) = false;
-  Pool pool_{1};
+  Pool pool_{1, 0, "edits"};
 };
 
 }  // namespace race::server

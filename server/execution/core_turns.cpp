@@ -2,10 +2,10 @@
 // theirs.
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <utility>
 
 #include "server/execution/core.h"
+#include "services/thread_time.h"
 
 namespace race::server {
 
@@ -14,13 +14,6 @@ using execution::Progress;
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// That this thread has computed.
-std::chrono::nanoseconds thread_time() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
-}
 
 }  // namespace
 
@@ -47,9 +40,9 @@ void Core::post_turn(Work work) {
 // Work that may throw. What counts is the time of the processor: a machine under load makes no core a busy one.
 Work Core::measured(Work work) {
   return interrupting([this, work = std::move(work)] {
-    const auto begin = thread_time();
+    const auto begin = services::thread_time();
     work();
-    if (thread_time() - begin > kLongWork) busy_until_ = Clock::now() + kBusyTime;
+    if (services::thread_time() - begin > kLongWork) busy_until_ = Clock::now() + kBusyTime;
   });
 }
 

@@ -39,7 +39,7 @@ class LiveEdits final : public DocumentWatcher {
   services::Mutex mutex_;
   std::set<std::string> changed_ GUARDED_BY(mutex_);
   bool busy_ GUARDED_BY(mutex_) = false, closed_ GUARDED_BY(mutex_) = false;
-  Pool pool_{1};
+  Pool pool_{1, 0, "live edits"};
 };
 
 }  // namespace race::server

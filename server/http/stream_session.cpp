@@ -1,3 +1,4 @@
+#include <atomic>
 #include <chrono>
 
 #include "server/http/request_filter.h"
@@ -19,6 +20,7 @@ class StreamSession final : public Session, public Subscriber {
 
   Outbox& outbox() override { return outbox_; }
   void wake() override {
+    if (is_sending_ && !outbox_.is_cut()) return;  // it looks again before it sleeps
     wake_up_.post([self = self()] {
       if (self->outbox_.is_cut()) self->reset();
       self->waker_.cancel();
@@ -74,6 +76,7 @@ class StreamSession final : public Session, public Subscriber {
 
   awaitable<void> write() {
     while (!over_) {
+      is_sending_ = true;
       while (auto text = outbox_.pop()) {
         const asio::const_buffer message = asio::buffer(**text);
         const bool sent = co_await send(message);
@@ -83,7 +86,8 @@ class StreamSession final : public Session, public Subscriber {
         if (channel == Outbox::kPrivateQueue) co_return close();
         hub_.resend_snapshot(self(), channel);
       }
-      co_await sleep();
+      is_sending_ = false;
+      if (outbox_.is_empty()) co_await sleep();
     }
   }
 
@@ -92,6 +96,7 @@ class StreamSession final : public Session, public Subscriber {
   Displays& displays_;
   const WakeUp wake_up_;
   Outbox outbox_;
+  std::atomic<bool> is_sending_{false};  // what others push meanwhile needs no wake(): a slow client takes it later
 };
 
 }  // namespace

@@ -67,7 +67,7 @@ class RunKeeper {
   std::atomic<bool> limits_due_{false};               // they will be applied
   double due_ = 0;                                    // [s] of world time: of the thread of record()
   std::map<RunId, std::vector<Sample>> waiting_;      // of the thread of the pool
-  Pool pool_{1};
+  Pool pool_{1, 0, "runs"};
   Strand strand_{pool_};
 };
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "services/failures.h"
+#include "services/thread_name.h"
 
 namespace race::server {
 
@@ -41,6 +42,7 @@ bool DiskWatch::answered(const void* journal, std::size_t records) {
 }
 
 void DiskWatch::run() {
+  services::name_thread("disk watch");
   const services::MutexLock lock(mutex_);
   while (!closed_) {
     closing_.wait_for(mutex_, timeout_ / 8, [this]() REQUIRES(mutex_) { return closed_; });

@@ -16,6 +16,7 @@
 #include "services/failures.h"
 #include "services/sqlite/file.h"
 #include "services/sqlite/write_transaction.h"
+#include "services/thread_name.h"
 
 namespace race::server {
 
@@ -115,6 +116,7 @@ void JournalWriter::append(std::shared_ptr<RunJournal> journal, const JournalRec
 }
 
 void JournalWriter::run() {
+  services::name_thread("journal");
   while (next()) {
     if (!services::run_reporting("the journal", [this] { write(); })) fail();
     items_.clear();

@@ -60,7 +60,7 @@ class JournalWriter {
   services::ConditionVariable appended_;
   std::deque<Item> waiting_ GUARDED_BY(mutex_);
   bool closed_ GUARDED_BY(mutex_) = false;
-  std::unique_ptr<Pool> recovery_ = std::make_unique<Pool>(1);
+  std::unique_ptr<Pool> recovery_ = std::make_unique<Pool>(1, 0, "recovery");
   std::deque<Item> items_;  // that are written now: of the writer's thread, as the next
   const std::unique_ptr<SQLite::Database> file_;
   Statements statements_;

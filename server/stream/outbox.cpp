@@ -66,6 +66,11 @@ bool Outbox::is_cut() const {
   return is_cut_;
 }
 
+bool Outbox::is_empty() const {
+  const services::MutexLock lock(mutex_);
+  return items_.empty() && std::ranges::all_of(needs_snapshot_, [](const auto& each) { return each.second; });
+}
+
 std::size_t Outbox::size() const {
   const services::MutexLock lock(mutex_);
   return items_.size();

@@ -38,6 +38,8 @@ class Outbox {
   /// Drops all messages, and those to come: the connection has to end at once (take_stale_channels() says so, too).
   void cut() EXCLUDES(mutex_);
   bool is_cut() const EXCLUDES(mutex_);
+  /// No message is queued, and no channel needs a snapshot that was not taken (take_stale_channels()).
+  bool is_empty() const EXCLUDES(mutex_);
   /// Number of queued messages.
   std::size_t size() const EXCLUDES(mutex_);
   /// Bytes of queued messages and of the one that was taken last, which is on its way to the client.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "services/failures.h"
+#include "services/thread_name.h"
 
 namespace race::server {
 
@@ -27,6 +28,7 @@ void Deadlines::close() {
 }
 
 void Deadlines::run() {
+  services::name_thread("deadlines");
   while (auto work = next()) services::run_reporting("a deadline", *work);
 }
 

@@ -1,5 +1,6 @@
 // MemoryReturn: gives the system back what the allocator keeps free, now and then. After a load, most of what was used
-// is free, but in pieces within arenas that are never empty, which the allocator does not return by itself.
+// is free, but in pieces within arenas that are never empty, which the allocator does not return by itself. Not during
+// one: whoever needs memory waits meanwhile, for some ten milliseconds.
 //
 // Threads: one of its own.
 #pragma once
@@ -16,6 +17,7 @@ class MemoryReturn {
  public:
   static constexpr std::chrono::seconds kPeriod{3};
   static constexpr std::size_t kFree = 32U << 20U;  // bytes that may stay
+  static constexpr int kMostWaited = 20;            // periods, for the end of a load
 
   /// Throws std::system_error if no thread can be had.
   explicit MemoryReturn(std::chrono::milliseconds period = kPeriod) : period_(period), thread_([this] { run(); }) {}

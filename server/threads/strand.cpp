@@ -5,11 +5,12 @@
 #include <utility>
 
 #include "services/failures.h"
+#include "services/thread_name.h"
 
 namespace race::server {
 
-Pool::Pool(unsigned threads, unsigned later_threads)
-    : has_later_threads_(later_threads > 0), running_(threads + later_threads) {
+Pool::Pool(unsigned threads, unsigned later_threads, const char* name)
+    : name_(name), has_later_threads_(later_threads > 0), running_(threads + later_threads) {
   try {
     start(threads, has_later_threads_ ? Duty::now : Duty::any);
     start(later_threads, Duty::later);
@@ -54,6 +55,7 @@ bool Pool::post(Work work, Turn turn) {
 // Of a thread (Linux): the rest of turns yields the processor to all that is waited for.
 void Pool::run(Duty duty) {
   constexpr int kLaterNice = 10;
+  services::name_thread(name_);
   if (duty == Duty::later) setpriority(PRIO_PROCESS, 0, kLaterNice);
   while (auto work = next(duty)) services::run_reporting("work of a thread", *work);
 }

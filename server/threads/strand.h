@@ -29,8 +29,8 @@ using Work = std::function<void()>;
 
 class Pool {
  public:
-  /// Throws std::system_error if they cannot be had.
-  explicit Pool(unsigned threads, unsigned later_threads = 0);
+  /// `name`: services/thread_name.h. Throws std::system_error if they cannot be had.
+  explicit Pool(unsigned threads, unsigned later_threads = 0, const char* name = "pool");
   ~Pool() { end(); }
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
@@ -51,6 +51,7 @@ class Pool {
   std::optional<Work> next(Duty duty) EXCLUDES(mutex_);
   std::deque<Work>* next_queue(Duty duty) REQUIRES(mutex_);
 
+  const char* const name_;
   const bool has_later_threads_;
   services::Mutex mutex_;
   services::ConditionVariable posted_, posted_later_;  // the latter for later_threads

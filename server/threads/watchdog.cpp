@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "services/thread_name.h"
+
 namespace race::server {
 
 Watchdog::~Watchdog() {
@@ -25,6 +27,7 @@ void Watchdog::release(Entries::iterator entry) {
 }
 
 void Watchdog::run() {
+  services::name_thread("watchdog");
   const services::MutexLock lock(mutex_);
   while (!closing_.wait_for(mutex_, kPeriod, [this]() REQUIRES(mutex_) { return closed_; })) {
     const Clock::time_point now = Clock::now();

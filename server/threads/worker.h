@@ -68,7 +68,7 @@ class Worker {
   services::Mutex mutex_;
   std::vector<std::shared_ptr<Piece>> pieces_ GUARDED_BY(mutex_);  // that wait or are done
   bool stopped_ GUARDED_BY(mutex_) = false;
-  Pool pool_{1};
+  Pool pool_{1, 0, "replays"};
 };
 
 template <typename T, typename E>

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "services/failures.h"
+#include "services/thread_name.h"
+#include "services/thread_time.h"
 
 namespace race::services {
 
@@ -18,6 +20,8 @@ void WorkQueue::post(Work work, Lane lane) {
 }
 
 bool WorkQueue::run() {
+  constexpr unsigned kAtOnce = 8;
+  unsigned done = 0;
   std::deque<Piece> pieces;
   {
     const MutexLock lock(mutex_);
@@ -28,6 +32,7 @@ bool WorkQueue::run() {
   }
   for (auto each = pieces.begin(); each != pieces.end(); ++each) try {
       each->work();
+      if (++done % kAtOnce == 0) std::this_thread::yield();  // here, and not while it has a lock that others wait for
     } catch (...) {
       const MutexLock lock(mutex_);
       work_.insert(work_.begin(), std::move_iterator(each + 1), std::move_iterator(pieces.end()));
@@ -66,13 +71,26 @@ void WorkQueue::wait() {
   posted_.wait(mutex_, [this]() REQUIRES(mutex_) { return !work_.empty() || !lanes_.empty(); });
 }
 
-WorkThread::WorkThread() {
-  thread_ = std::thread([this] {
+WorkThread::WorkThread(const char* name, double share) : share_(share) {
+  thread_ = std::thread([this, name] {
+    name_thread(name);
     while (!stop_) {
       wait();
       run_reporting("work of a service", [this] { run(); });
+      if (share_ < 1) rest();
     }
   });
+}
+
+// Looks every few milliseconds of computing whether that was more than its share of the time.
+void WorkThread::rest() {
+  constexpr std::chrono::milliseconds kTurn{2};
+  const auto used = thread_time() - computed_;
+  if (used < kTurn) return;
+  const auto due = std::chrono::duration_cast<std::chrono::nanoseconds>(used / share_);
+  std::this_thread::sleep_until(began_ + std::min<std::chrono::nanoseconds>(due, std::chrono::milliseconds(50)));
+  computed_ = thread_time();
+  began_ = std::chrono::steady_clock::now();
 }
 
 void WorkQueue::close() {

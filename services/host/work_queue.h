@@ -56,14 +56,21 @@ class WorkQueue {
 /// throws is over, and reported (services/failures.h).
 class WorkThread final : public WorkQueue {
  public:
-  WorkThread();
+  /// `name`: services/thread_name.h. `share` of a processor that it may use: who gives it more to do has to wait. Of
+  /// what others say, so that their floods take neither the processors nor the locks from who has little to do.
+  explicit WorkThread(const char* name = "services", double share = 1);
   ~WorkThread() override { end(); }
   /// Not on its thread. What is posted later is dropped: who still has work for a group need not know that it has
   /// ended.
   void end();
 
  private:
-  bool stop_ = false;  // of the thread
+  void rest();
+
+  const double share_;
+  std::chrono::nanoseconds computed_{0};         // of the thread, as the next: since
+  std::chrono::steady_clock::time_point began_;  // it began or has rested
+  bool stop_ = false;
   std::thread thread_;
 };
 

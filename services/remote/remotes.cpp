@@ -9,6 +9,8 @@
 namespace race::remote {
 namespace {
 
+constexpr double kShare = 0.2;  // of a processor, for what the processes of a group say
+
 tl::unexpected<Error> taken(std::string what) {
   return unexpected(ErrorCode::conflict, "has a process already", std::move(what));
 }
@@ -23,7 +25,7 @@ Remotes::~Remotes() { stop(); }
 void Remotes::add(const std::vector<RemoteService>& services, RemoteWorld* world) {
   const services::MutexLock lock(mutex_);
   worlds_.push_back(world);
-  groups_.push_back(std::make_unique<services::WorkThread>());
+  groups_.push_back(std::make_unique<services::WorkThread>("processes", kShare));
   for (const RemoteService& service : services) {
     services::ServiceHost& host = host_.declare(service.key, service.type, *groups_.back());
     auto component = std::make_unique<RemoteComponent>(service.key, *service.model, host, service.host_functions);

@@ -103,7 +103,7 @@ def watch_memory(server, seconds):
 
 def measure_under_load(server, core, figures):
     before, used, begun = resident(server), processor_time(server), time.monotonic()
-    loads = [Load(load, server) for load in LOADS]
+    loads = [Load(load, server, nice) for load, nice in LOADS.items()]
     measuring = [Load(overload.gaps_of(core), server), Load(overload.health, server)]
     figures.growth = watch_memory(server, SECONDS) - before
     figures.processors = (processor_time(server) - used) / (time.monotonic() - begun)
@@ -124,7 +124,7 @@ def wait_for_memory(server, before, figures):
 
 def measure_end(server):
     """SIGTERM under load; how long it takes [s]."""
-    loads = [Load(load, server) for load in LOADS]
+    loads = [Load(load, server, nice) for load, nice in LOADS.items()]
     time.sleep(AGAIN)
     begun = time.monotonic()
     server.process.send_signal(signal.SIGTERM)

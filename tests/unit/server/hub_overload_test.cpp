@@ -1,13 +1,13 @@
 // The hub at its bounds: what is published faster than it tells, and clients that do not read.
 #include <gmock/gmock.h>
 
-#include <fstream>
 #include <future>
 #include <new>
 #include <thread>
 
 #include "server/stream/hub.h"
 #include "tests/unit/server/boxed_subscriber.h"
+#include "tests/unit/server/resident_bytes.h"
 
 namespace race::server {
 namespace {
@@ -16,13 +16,6 @@ using testing::ElementsAre;
 
 constexpr std::size_t kMega = 1024 * 1024;
 constexpr std::int64_t kFirst = 1000;
-
-std::size_t resident_bytes() {
-  std::ifstream status("/proc/self/statm");
-  std::size_t all = 0, resident = 0;
-  status >> all >> resident;
-  return resident * 4096;
-}
 
 /// Takes its messages at once, and reads those of at most 1 MiB.
 struct Reader final : BoxedSubscriber {

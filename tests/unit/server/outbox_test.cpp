@@ -49,6 +49,18 @@ TEST(Outbox, AStateChannelThatOverflowsIsDroppedAndNeedsASnapshot) {
   EXPECT_THAT(all(outbox), ElementsAre("snapshot"));
 }
 
+TEST(Outbox, IsEmptyOnceItsChannelsThatNeedASnapshotAreTaken) {
+  Outbox outbox;
+  EXPECT_TRUE(outbox.is_empty());
+  for (std::size_t i = 0; i <= Outbox::kMessages; ++i) outbox.push("a", text("x"), false);
+  EXPECT_THAT(all(outbox), IsEmpty());
+  EXPECT_FALSE(outbox.is_empty());
+  EXPECT_THAT(outbox.take_stale_channels(), ElementsAre("a"));
+  EXPECT_TRUE(outbox.is_empty());
+  outbox.push("b", text("x"), false);
+  EXPECT_FALSE(outbox.is_empty());
+}
+
 TEST(Outbox, BytesCountToo) {
   Outbox outbox;
   const Text large = text(std::string(Outbox::kBytes / 3, 'x'));

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "services/failures.h"
+#include "services/thread_time.h"
 
 namespace race::services {
 namespace {
@@ -99,6 +100,22 @@ TEST(WorkThread, DropsWhatIsPostedAfterItsEnd) {
   thread.post([&, held] { ++done; });
   EXPECT_EQ(done, 1);
   EXPECT_EQ(held.use_count(), 1);
+}
+
+TEST(WorkThread, UsesNoMoreThanItsShareOfAProcessor) {
+  constexpr std::chrono::milliseconds kPiece{1};
+  const auto begun = std::chrono::steady_clock::now();
+  {
+    WorkThread thread("test", 0.2);
+    for (int i = 0; i < 20; ++i) {
+      thread.post([kPiece] {
+        const auto end = thread_time() + kPiece;
+        while (thread_time() < end) continue;
+      });
+      std::this_thread::sleep_for(2 * kPiece);  // pieces by themselves
+    }
+  }
+  EXPECT_GE(std::chrono::steady_clock::now() - begun, 4 * 20 * kPiece) << "five times, but for the last turn";
 }
 
 TEST(WorkThread, HasDoneEverythingWhenItIsGone) {
