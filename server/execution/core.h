@@ -205,8 +205,11 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
         [&](Done<Value> done) { derivations(from, to, std::make_shared<Stop>(false), std::move(done)); });
   }
 
-  /// No more steps are begun: the server ends.
-  void close() { closed_ = true; }
+  /// No more steps are begun, and nothing is read back: the server ends.
+  void close() {
+    closed_ = true;
+    *end_rebuild_ = true;
+  }
 
   // Watching. A snapshot is published first; from then on, what changes.
   void watch_state();
@@ -357,7 +360,8 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   std::size_t waiting_units_ = 0;   // of the inputs that wait in the execution, or more
   std::size_t received_units_ = 0;  // that the run keeps of inputs, or more
   const Watchdog::Flag give_up_;    // what is computed takes too long: the execution stops, in a fault of nobody's
-  std::uint32_t part_ = 1;          // micro steps until the time is looked at: few while they are slow
+  const Watchdog::Flag end_rebuild_ = std::make_shared<std::atomic<bool>>(false);  // the same, of what is read back
+  std::uint32_t part_ = 1;                 // micro steps until the time is looked at: few while they are slow
   std::chrono::nanoseconds step_time_{0};  // that the open macro step has computed
   execution::Execution execution_;
   std::vector<execution::GoalName> breakpoint_names_;

@@ -73,7 +73,7 @@ void Core::record(const Progress& progress) {
   if (!record.entry && !record.checkpoint && !record.end) return;
   if (record.checkpoint) record.checkpoint->freeze();
   record.ticket = held_.next_ticket();
-  resources_.writer.append(journal_, std::move(record));
+  resources_.writer.append(journal_, record);
 }
 
 RunEnd Core::run_end() const {

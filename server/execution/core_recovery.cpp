@@ -180,10 +180,11 @@ Expected<void> Core::readable() const {
 Expected<Core::Rebuilt> Core::rebuild(std::chrono::milliseconds longest, bool ends) const {
   ASSIGN_OR_RETURN(RunRecord stored, resources_.runs.get(run_id()));
   execution::Replay replay(header_, resources_.runs.source(run_id()));
-  const auto too_long = std::make_shared<std::atomic<bool>>(false);
-  const auto watch = resources_.watchdog.watch(too_long, longest);
-  auto replayed = replay.after(stored.steps, too_long.get());
-  if (*too_long) {
+  *end_rebuild_ = false;
+  if (closed_) return unexpected(ErrorCode::unavailable, "the server ends");
+  const auto watch = resources_.watchdog.watch(end_rebuild_, longest);
+  auto replayed = replay.after(stored.steps, end_rebuild_.get());
+  if (*end_rebuild_) {
     if (!ends) return unexpected(ErrorCode::unavailable, "the run takes too long to be rebuilt from its journal");
     ASSIGN_OR_RETURN(Execution aborted, Execution::create(header_));
     aborted.stop_with(give_up_.get());

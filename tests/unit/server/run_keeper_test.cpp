@@ -1,6 +1,8 @@
 // RunKeeper: samples of runs that go on, and the limits of the store.
 #include "server/runs/run_keeper.h"
 
+#include <SQLiteCpp/Database.h>
+
 #include <chrono>
 #include <thread>
 

@@ -544,7 +544,10 @@ TEST_F(RemotesTest, NothingThatAProcessSaysHurtsTheServer) {
       message.value = Dict{{"code", names[below(names.size())]}};
       message.bytes.resize(below(50));
       EncodedMessage encoded = encode(message).value();
-      if (below(20) == 0) encoded.bytes[below(encoded.bytes.size())] ^= static_cast<char>(1U << below(8));
+      if (below(20) == 0) {
+        char& byte = encoded.bytes[below(encoded.bytes.size())];
+        byte = static_cast<char>(static_cast<unsigned char>(byte) ^ (1U << below(8)));
+      }
       process.link.received(std::move(encoded));
     }
     process.link.disconnect("enough");
