@@ -21,8 +21,6 @@ namespace race::server {
 
 namespace fs = std::filesystem;
 
-constexpr double kDatabaseShare = 0.5;  // of a processor
-
 Expected<std::unique_ptr<Cell>> Cell::create(const CellSetup& setup, services::HostObserver& observer) {
   std::unique_ptr<Cell> cell(new Cell(observer));
   cell->waits_ = !setup.own_threads;
@@ -97,7 +95,7 @@ Expected<void> Cell::add_vision(const CellSetup& setup) {
 
 Expected<void> Cell::add_database(const CellSetup& setup) {
   ASSIGN_OR_RETURN(auto store, open_store(setup.folder, setup.database));
-  if (setup.own_threads) database_queue_ = std::make_unique<services::WorkThread>("database", kDatabaseShare);
+  if (setup.own_threads) database_queue_ = std::make_unique<services::WorkThread>("database");
   auto& host = host_.declare("db", "database", database_queue_ ? *database_queue_ : queue_);
   host_.attach("db", std::make_unique<database::Database>(std::move(store), host));
   return {};

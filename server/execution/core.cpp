@@ -174,6 +174,10 @@ void Core::dismiss(Done<bool> done) {
   when_rebuilt<bool>(std::move(done), [this]() -> Expected<bool> {
     closed_ = closed_ || !started_;
     if (!started_ || (is_over() && !interruption_)) return started_;
+    if (is_overloaded_) {
+      interruption_->ends = true;
+      return true;
+    }
     if (auto ended = end_run_now(); !ended && ended.error().code != ErrorCode::conflict)
       return tl::unexpected(std::move(ended).error());
     return true;

@@ -205,9 +205,12 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
         [&](Done<Value> done) { derivations(from, to, std::make_shared<Stop>(false), std::move(done)); });
   }
 
-  /// No more steps are begun, and nothing is read back: the server ends.
-  void close() {
-    closed_ = true;
+  /// No more steps are begun: it is removed.
+  void close() { closed_ = true; }
+  /// Nor is anything read back: the server ends.
+  void end() {
+    close();
+    server_ends_ = true;
     *end_rebuild_ = true;
   }
 
@@ -349,7 +352,8 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   Value info_ GUARDED_BY(mutex_);
   execution::ExecutedModel model_ GUARDED_BY(mutex_);
   Expected<Reached> reached_ GUARDED_BY(mutex_);  // as told last
-  std::atomic<bool> state_watched_{false}, derivation_watched_{false}, closed_{false}, live_{false};
+  std::atomic<bool> state_watched_{false}, derivation_watched_{false}, closed_{false}, live_{false},
+      server_ends_{false};
   std::atomic<std::chrono::steady_clock::time_point> busy_until_{};
   std::atomic<bool> is_overloaded_{false};                          // interrupted for that, and not read back yet
   std::atomic<bool> state_asked_{false}, derivation_asked_{false};  // and what is asked for has not come

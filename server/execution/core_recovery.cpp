@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "server/execution/core_internal.h"
+#include "services/failures.h"
 
 namespace race::server {
 
@@ -62,11 +63,13 @@ void Core::interrupt(const Error& error, const char* reason) {
                    .message = error.message,
                    .was_paused = std::exchange(paused_, true)};
   is_overloaded_ = interruption_->reason == kOverload;
-  for (const semantics::OutgoingCall& call : run().safe_calls())
-    resources_.host.call({"", 0}, call.service, call.name, {}, {}, id_);
-  resources_.host.abandon_all(id_);
+  services::run_reporting("the safe calls of a run", [this] {
+    for (const semantics::OutgoingCall& call : run().safe_calls())
+      resources_.host.call({"", 0}, call.service, call.name, {}, {}, id_);
+    resources_.host.abandon_all(id_);
+  });
   execution_.set_goal(std::nullopt);
-  publish_interruption();
+  services::run_reporting("an interruption", [this] { publish_interruption(); });
   held_.fail(error);
 }
 
@@ -181,7 +184,7 @@ Expected<Core::Rebuilt> Core::rebuild(std::chrono::milliseconds longest, bool en
   ASSIGN_OR_RETURN(RunRecord stored, resources_.runs.get(run_id()));
   execution::Replay replay(header_, resources_.runs.source(run_id()));
   *end_rebuild_ = false;
-  if (closed_) return unexpected(ErrorCode::unavailable, "the server ends");
+  if (server_ends_) return unexpected(ErrorCode::unavailable, "the server ends");
   const auto watch = resources_.watchdog.watch(end_rebuild_, longest);
   auto replayed = replay.after(stored.steps, end_rebuild_.get());
   if (*end_rebuild_) {
@@ -202,6 +205,7 @@ Expected<Core::Rebuilt> Core::rebuild(std::chrono::milliseconds longest, bool en
 // One that had not begun waits to be started.
 void Core::take(Rebuilt rebuilt) {
   execution_ = std::move(rebuilt.execution);
+  *give_up_ = false;
   record_ = std::move(rebuilt.record);
   revision_ = std::max(record_.revision, execution_.model().revision);
   model_since_ = execution_.is_edited() ? run().position() : 0;

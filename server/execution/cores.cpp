@@ -170,7 +170,7 @@ void Cores::deliver(const services::Delivery& delivery) {
 }
 
 void Cores::close() {
-  for (const auto& core : all()) core->close();
+  for (const auto& core : all()) core->end();
 }
 
 }  // namespace race::server

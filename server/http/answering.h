@@ -11,7 +11,7 @@
 
 namespace race::server {
 
-/// A reply, and the memory that it takes (Value::size_units): counted where it was made, as that takes its time.
+/// A reply, and its size (bytes of the text, or Value::size_units): counted where it was made, as that takes its time.
 struct Answered {
   Reply reply;
   std::size_t units = 0;

@@ -39,7 +39,7 @@ awaitable<Response> respond(Request request, ResponseOptions options, Client& cl
   auto [reply, units] =
       co_await reply_to(std::move(request), client.stream, urgent ? context.urgent : context.handlers, context);
   if (urgent) co_return make_response(std::move(reply), options);
-  const auto share = context.budget.take(units);  // until its text has one
+  const auto share = context.budget.take(options.head ? 0 : units);  // until its text has one
   if (!share) co_return make_response(overload("clients hold too much that is not taken yet"), ResponseOptions());
   std::function<Response()> work = [reply = std::move(reply), options]() mutable {
     return make_response(std::move(reply), options);
@@ -150,9 +150,10 @@ awaitable<bool> serve_one(Client& client, Context& context, std::chrono::millise
   if (refused) co_return co_await refuse(client, std::move(*refused), options, context);
   const bool reserved = client.place->is_reserved();
   client.stream.expires_after(reserved ? context.limits.reserved_timeout : context.limits.read_timeout);
-  if (reserved) client.place->begin(Phase::reading);  // one whose body does not come makes way
+  const bool makes_way = reserved && !parser.is_done();  // until its body has come
+  if (makes_way) client.place->begin(Phase::reading);
   const auto [error, bytes] = co_await http::async_read(client.stream, client.buffer, parser, kAsTuple);
-  client.place->begin(Phase::answering);
+  if (makes_way) client.place->begin(Phase::answering);
   if (error) {
     if (auto reply = read_error(error)) co_await refuse(client, std::move(*reply), ResponseOptions(), context);
     co_return false;

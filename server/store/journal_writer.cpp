@@ -109,7 +109,8 @@ void JournalWriter::append(std::shared_ptr<RunJournal> journal, const JournalRec
     const services::MutexLock lock(mutex_);
     if (closed_) return;
     watch_.waits(journal.get(), journal->sink_);
-    waiting_.push_back({std::move(journal), std::move(prepared)});
+    std::shared_ptr<RunSink> sink = record.failure ? journal->sink_.lock() : nullptr;
+    waiting_.push_back({std::move(journal), std::move(prepared), std::move(sink)});
     if (waiting_.size() > 1) return;  // who put the first one has woken it
   }
   appended_.notify_one();

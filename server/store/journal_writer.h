@@ -48,6 +48,7 @@ class JournalWriter {
   struct Item {
     std::shared_ptr<RunJournal> journal;
     PreparedRecord record;
+    std::shared_ptr<RunSink> sink;  // of a failure: it hears of that, also if nobody else knows it any more
   };
   JournalWriter(std::unique_ptr<SQLite::Database> file, std::chrono::milliseconds timeout, std::uint64_t most_bytes);
   void run();

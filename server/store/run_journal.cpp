@@ -30,17 +30,19 @@ PreparedRecord RunJournal::prepare(const JournalRecord& record, std::uint64_t mo
   prepared.is_full = record_.bytes >= most_bytes;
   prepared.failure = record.failure;
   if (record.failure) return prepared;
-  record_.status = "running";
-  if (record.entry) prepared.entry = append_entry(record_, *record.entry);
+  RunRecord next = record_;
+  next.status = "running";
+  if (record.entry) prepared.entry = append_entry(next, *record.entry);
   if (record.checkpoint) {
     std::string text = to_json(*record.checkpoint);
     if (text.size() <= kCheckpointBytes) {
-      record_.bytes += text.size();
-      prepared.checkpoint = checkpoint_row(record_.id, record_.steps, std::move(text));
+      next.bytes += text.size();
+      prepared.checkpoint = checkpoint_row(next.id, next.steps, std::move(text));
     }
   }
-  if (record.end) end_run(record_, *record.end);
-  prepared.run = record_;
+  if (record.end) end_run(next, *record.end);
+  prepared.run = next;
+  std::swap(record_, next);
   return prepared;
 }
 

@@ -64,7 +64,7 @@ class RunJournal {
   /// Continues the journal of `run` after its `steps` entries.
   RunJournal(RunRecord run, std::weak_ptr<RunSink> sink) : sink_(std::move(sink)), record_(std::move(run)) {}
 
-  /// The next record, of a journal that has at most `most_bytes`. If it throws, only a failure may follow.
+  /// The next record, of a journal that has at most `most_bytes`. If it throws, the record is lost, and nothing else.
   PreparedRecord prepare(const JournalRecord& record, std::uint64_t most_bytes);
 
  private:

@@ -39,7 +39,10 @@ void MemoryReturn::run() {
     const bool is_calm = process_time() - std::exchange(used, process_time()) < period_ / 2;
     const std::size_t free = mallinfo2().fordblks;
     left = std::min(left, free);
-    if (free <= left + kFree) continue;
+    if (free <= left + kFree) {
+      waited = 0;
+      continue;
+    }
     if (!is_calm && ++waited < kMostWaited) continue;
     malloc_trim(0);
     left = mallinfo2().fordblks;

@@ -24,7 +24,9 @@ bool Worker::add(const std::shared_ptr<Piece>& piece) {
   pieces_.reserve(kMost);
   pool_.post([this, piece] {
     if (piece->decide()) services::run_reporting("a replay", [&] { execute(piece); });
-    piece->refuse({ErrorCode::unavailable, "the replay was stopped"});  // or is answered
+    services::run_reporting("a replay", [&] {
+      piece->refuse({ErrorCode::unavailable, "the replay was stopped"});  // or is answered
+    });
     const services::MutexLock done(mutex_);
     std::erase(pieces_, piece);
   });

@@ -20,8 +20,6 @@ void WorkQueue::post(Work work, Lane lane) {
 }
 
 bool WorkQueue::run() {
-  constexpr unsigned kAtOnce = 8;
-  unsigned done = 0;
   std::deque<Piece> pieces;
   {
     const MutexLock lock(mutex_);
@@ -32,7 +30,6 @@ bool WorkQueue::run() {
   }
   for (auto each = pieces.begin(); each != pieces.end(); ++each) try {
       each->work();
-      if (++done % kAtOnce == 0) std::this_thread::yield();  // here, and not while it has a lock that others wait for
     } catch (...) {
       const MutexLock lock(mutex_);
       work_.insert(work_.begin(), std::move_iterator(each + 1), std::move_iterator(pieces.end()));
@@ -84,11 +81,11 @@ WorkThread::WorkThread(const char* name, double share) : share_(share) {
 
 // Looks every few milliseconds of computing whether that was more than its share of the time.
 void WorkThread::rest() {
-  constexpr std::chrono::milliseconds kTurn{2};
+  constexpr std::chrono::milliseconds kTurn{2}, kMost{50};
   const auto used = thread_time() - computed_;
   if (used < kTurn) return;
   const auto due = std::chrono::duration_cast<std::chrono::nanoseconds>(used / share_);
-  std::this_thread::sleep_until(began_ + std::min<std::chrono::nanoseconds>(due, std::chrono::milliseconds(50)));
+  std::this_thread::sleep_until(std::min(began_ + due, std::chrono::steady_clock::now() + kMost));
   computed_ = thread_time();
   began_ = std::chrono::steady_clock::now();
 }

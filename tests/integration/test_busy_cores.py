@@ -76,6 +76,8 @@ class BusyCores(unittest.TestCase):
         self.assertLess(self.timed("DELETE", f"/cores/{other}"), SOON)
         for client in self.clients:
             client.join()
+        self.assertEqual(self.clients[-1].answer[0], 200)
+        self.server.wait_for(lambda: self.server.get(f"/runs/{busy}", "run")["status"] == "aborted")  # its run is stored as that
 
 
 class LongReplays(unittest.TestCase):

@@ -63,7 +63,7 @@ class ProcessFailureTest(unittest.TestCase):
             stream.subscribe(f"core/{self.core}/state")
             active, end = set(), time.monotonic() + 3 * TIMEOUT
             while state not in active:
-                message = stream.message()
+                message = stream.receive()  # not checked: states may last for less than a second
                 if message["kind"] == "snapshot":
                     active = set(message["data"]["state"]["active"])
                 for node, now in message["data"].get("active", {}).items() if message["kind"] == "delta" else ():
