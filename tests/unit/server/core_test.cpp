@@ -120,23 +120,11 @@ struct CoreTest : testing::Test, CoreWatcher {
   }
   // The core after a pause that was asked for in the first turns of the macro step that `begin` lets begin.
   Value paused_within(const std::function<void()>& begin) {
-    std::promise<void> within, pausing;
     std::promise<Expected<Value>> paused;
-    std::thread other([&] {
-      within.get_future().wait();
-      pausing.set_value();
-      paused.set_value(core->pause());
-    });
     // Its first turn is over when the core is said to run, and the next has been posted.
     on_status = [this] { core->watch_state(); };
-    on_view_within = [&] {
-      within.set_value();
-      pausing.get_future().wait();
-      // The other thread posts its pause before the next turn, however late it gets its own.
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    };
+    on_view_within = [&] { core->pause([&](Expected<Value> value) { paused.set_value(std::move(value)); }); };
     begin();
-    other.join();
     return paused.get_future().get().value();
   }
   void wait_for_the_end_of_the_macro_step() {
