@@ -162,10 +162,7 @@ void Core::stop(Done<Value> done) {
 
 void Core::end_when_rebuilt(Done<Value> done) {
   on_strand<Value>(std::move(done), [this]() -> Expected<Value> {
-    if (is_overloaded_)
-      interruption_->ends = true;
-    else if (auto ended = end_run_now(); !ended)
-      return tl::unexpected(std::move(ended).error());
+    if (auto ended = end_run_now(); !ended) return tl::unexpected(std::move(ended).error());
     return info_json();
   });
 }
@@ -174,17 +171,18 @@ void Core::dismiss(Done<bool> done) {
   when_rebuilt<bool>(std::move(done), [this]() -> Expected<bool> {
     closed_ = closed_ || !started_;
     if (!started_ || (is_over() && !interruption_)) return started_;
-    if (is_overloaded_) {
-      interruption_->ends = true;
-      return true;
-    }
     if (auto ended = end_run_now(); !ended && ended.error().code != ErrorCode::conflict)
       return tl::unexpected(std::move(ended).error());
     return true;
   });
 }
 
+// One that is given up now, or was for too much to do, ends when it is read back.
 Expected<void> Core::end_run_now() {
+  if (is_overloaded_) {
+    interruption_->ends = true;
+    return {};
+  }
   if (auto ready = ready_to_go_on(); !ready) return ready;
   execution_.set_goal(std::nullopt);
   execution_.set_breakpoints({});

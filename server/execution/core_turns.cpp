@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "server/execution/core.h"
-#include "services/thread_time.h"
+#include "services/computed_time.h"
 
 namespace race::server {
 

@@ -44,7 +44,7 @@ struct PreparedRecord {
   bool is_full = false;  // before it
   std::optional<Error> failure;
 
-  /// Nobody has to know more than that the run goes on.
+  /// It says no more than that the run goes on.
   bool resumes() const { return !entry && !run.is_over(); }
 };
 

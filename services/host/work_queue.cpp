@@ -4,9 +4,9 @@
 #include <iterator>
 #include <utility>
 
+#include "services/computed_time.h"
 #include "services/failures.h"
 #include "services/thread_name.h"
-#include "services/thread_time.h"
 
 namespace race::services {
 

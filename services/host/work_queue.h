@@ -56,8 +56,9 @@ class WorkQueue {
 /// throws is over, and reported (services/failures.h).
 class WorkThread final : public WorkQueue {
  public:
-  /// `name`: services/thread_name.h. `share` of a processor that it may use: who gives it more to do has to wait. Of
-  /// what others say, so that their floods take neither the processors nor the locks from who has little to do.
+  /// `name`: services/thread_name.h. `share` of a processor that it may use, looked at after each batch of work: who
+  /// gives it more to do has to wait. Of what others say, so that their floods take neither the processors nor the
+  /// locks from who has little to do.
   explicit WorkThread(const char* name = "services", double share = 1);
   ~WorkThread() override { end(); }
   /// Not on its thread. What is posted later is dropped: who still has work for a group need not know that it has

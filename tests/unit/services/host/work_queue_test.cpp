@@ -8,8 +8,8 @@
 #include <string>
 #include <thread>
 
+#include "services/computed_time.h"
 #include "services/failures.h"
-#include "services/thread_time.h"
 
 namespace race::services {
 namespace {
