@@ -100,11 +100,11 @@ def calling(service, operation, name="calling", computed=False):
                                      {"name": "error", "when": "available(res.code)"}]})
 
 
-def working(name, to, when="True"):
-    """A state that is left at once, but for a condition that takes milliseconds."""
-    return {"state": name, "ports": [{"name": "next", "when": f"len([i for i in range(60000)]) > 0 and {when}", "to": to}]}
+def working(name, to, numbers=60000):
+    """A state that is left at once, but for a condition that makes a list of so many: 60 000 take milliseconds."""
+    return {"state": name, "ports": [{"name": "next", "when": f"len([i for i in range({numbers})]) > 0", "to": to}]}
 
 
-def diverging(name="diverging"):
-    """One macro step of 10 000 micro steps that take long."""
-    return document(name, {"state": "Root", "first": "A", "children": [working("A", "B"), working("B", "A")]})
+def diverging(name="diverging", numbers=60000):
+    """One macro step of 10 000 micro steps, each with a list of so many numbers."""
+    return document(name, {"state": "Root", "first": "A", "children": [working("A", "B", numbers), working("B", "A", numbers)]})

@@ -10,12 +10,14 @@ import json
 import multiprocessing
 import os
 import socket
+import statistics
 import time
 import traceback
 import warnings
 from concurrent.futures import ThreadPoolExecutor
 
 import hostile_tasks
+import models
 from client import TIMEOUT, Stream
 from floods import Flood, display_process, is_open, subscribe
 
@@ -23,6 +25,7 @@ HOSTILE_CORES = 20
 SLOW_READERS = 200
 IDLE_CONNECTIONS = 50
 LOOKS_PER_STOP = 10  # at all cores of a kind
+MOST_GAP = 2  # times the gap of a good core alone
 
 
 class Load:
@@ -141,13 +144,21 @@ class HostileCores:
         return {"begun": self.begun, "busy": self.running / max(1, self.seen), "stops": self.stops}
 
 
+def cores_of(task, count):
+    """The load of so many cores of a kind; it has to tell what HostileCores.told() says."""
+    def cores(server, over):
+        return HostileCores(server, task, count).keep_busy(over).told()
+    return cores
+
+
 def hostile_cores(server, over):
     """What there is to tell of each kind (HostileCores.told()), by name."""
     kinds = hostile_tasks.KINDS
     counts = [len(range(i, HOSTILE_CORES, len(kinds))) for i in range(len(kinds))]
     with ThreadPoolExecutor(len(kinds)) as pool:
-        cores = [HostileCores(server, kind, count) for kind, count in zip(kinds, counts, strict=True)]
-        return {each.name: each.told() for each in pool.map(lambda each: each.keep_busy(over), cores)}
+        loads = [cores_of(kind, count) for kind, count in zip(kinds, counts, strict=True)]
+        told = pool.map(lambda load: load(server, over), loads)
+        return {kind.__name__: each for kind, each in zip(kinds, told, strict=True)}
 
 
 class SlowReader:
@@ -229,6 +240,17 @@ def idle_connections(server, over):
 LOADS = {hostile_cores: 0, slow_readers: 10, flooding_process: 10, idle_connections: 10}  # how nice each is: the first measures, too
 
 
+def good():
+    """Waits for 20 ms, again and again."""
+    waiting = lambda me, other: {"state": me, "entry": "svc.timer.wait(0.02)",
+                                 "ports": [{"name": "next", "when": "svc.timer.wait.result", "to": other}]}
+    return models.document("good", {"state": "Root", "first": "A", "children": [waiting("A", "B"), waiting("B", "A")]})
+
+
+def p99(values):
+    return statistics.quantiles(values, n=100)[98]
+
+
 def health(server, over):
     """How long each answer takes [s]."""
     took = []
@@ -250,3 +272,10 @@ def gaps_of(core):
                 times.append(time.monotonic())
         return [later - earlier for earlier, later in itertools.pairwise(times)]
     return gaps
+
+
+def measured_gaps(server, core, seconds):
+    """gaps_of(core) in this time."""
+    gaps = Load(gaps_of(core), server)
+    time.sleep(seconds)
+    return gaps.end()

@@ -14,41 +14,27 @@ Everything that measures is a process of its own, and so is each load (overload.
 """
 import os
 import signal
-import statistics
 import subprocess
 import time
 import unittest
 from dataclasses import dataclass, field
 
-import models
 import overload
 from cell import DEMO
 from client import TIMEOUT, Server
 from component_process import LONG_HEARTBEAT
 from floods import resident
-from overload import LOADS, Load
+from overload import LOADS, MOST_GAP, Load, p99
 
 SECONDS = float(os.environ.get("RACE_OVERLOAD", "60"))
 ALONE = 10  # [s] of the good core
 AGAIN = 5  # [s] of the load before SIGTERM
-MOST_GAP = 2  # times the gap alone
 MOST_HEALTH = 0.1  # [s]
 MOST_GROWTH = 400e6  # [bytes]
 BACK = 100e6  # [bytes] above the beginning that count as being back: what channels and the allocator keep
 MOST_BACK = 10  # [s]
 MOST_STOP = 0.5  # [s]
 MOST_END = 2  # [s]
-
-
-def good():
-    """Waits for 20 ms, again and again."""
-    waiting = lambda me, other: {"state": me, "entry": "svc.timer.wait(0.02)",
-                                 "ports": [{"name": "next", "when": "svc.timer.wait.result", "to": other}]}
-    return models.document("good", {"state": "Root", "first": "A", "children": [waiting("A", "B"), waiting("B", "A")]})
-
-
-def p99(values):
-    return statistics.quantiles(values, n=100)[98]
 
 
 def processor_time(server):
@@ -84,12 +70,6 @@ class Figures:
                 f"(+{self.kept / 1e6:.0f} MB after {self.back:.1f} s), {len(self.stops)} stops within {ms(slowest)} ({kind}), end in "
                 f"{self.end:.2f} s; load: {self.processors:.1f} processors, runs {runs}, {self.cuts} readers cut, "
                 f"{self.events:.0f} events, {self.closed} idle closed")
-
-
-def measured_alone(server, core):
-    gaps = Load(overload.gaps_of(core), server)
-    time.sleep(ALONE)
-    return gaps.end()
 
 
 def watch_memory(server, seconds):
@@ -142,8 +122,8 @@ class Overload(unittest.TestCase):
         cls.figures = Figures()
         server = Server("--demo", str(DEMO), "--remote", "display", *LONG_HEARTBEAT, stderr=subprocess.DEVNULL)
         try:
-            core = server.core(good())
-            cls.figures.alone = measured_alone(server, core)
+            core = server.core(overload.good())
+            cls.figures.alone = overload.measured_gaps(server, core, ALONE)
             measure_under_load(server, core, cls.figures)
             cls.figures.end = measure_end(server)
         finally:
