@@ -200,11 +200,12 @@ struct ListenerTest : testing::Test {
 
   // Keeps the answers to requests.
   void serve_never() {
-    serve_later({60s, 60s}, [this](const Request& request, const Answer& answer) {
-      const services::MutexLock lock(mutex);
-      later.push_back(answer);
-      gone = request.gone;
-    });
+    serve_later({60s, 60s}, [this](const Request& request, const Answer& answer) { keep(request, answer); });
+  }
+  void keep(const Request& request, const Answer& answer) EXCLUDES(mutex) {
+    const services::MutexLock lock(mutex);
+    later.push_back(answer);
+    gone = request.gone;
   }
   std::size_t kept() EXCLUDES(mutex) {
     const services::MutexLock lock(mutex);
@@ -337,6 +338,29 @@ TEST_F(ListenerTest, WhoDoesNotTakeItsAnswerIsCutAndOthersAreRefusedUntilThen) {
   EXPECT_EQ(connection()->get("/api/v1/small"), 200) << "small ones pass";
   slow->await_end();
   EXPECT_EQ(connection()->get("/api/v1/large"), 200);
+}
+
+// All handlers are at work: it would be one of them that made the text.
+TEST_F(ListenerTest, AnAnswerForWhichNoBytesAreLeftIsRefusedBeforeItsTextIsMade) {
+  serve_later({.held_bytes = 1'000'000}, [this](const Request& request, const Answer& answer) {
+    if (request.path == "/api/v1/later") return keep(request, answer);
+    answer(answer_when_released()(request));
+  });
+  auto refused = waiting_connection();
+  while (kept() < 1) std::this_thread::yield();
+  auto small = waiting_connection();
+  while (kept() < 2) std::this_thread::yield();
+  auto body = connection(header(900'000) + "{");
+  while (connection()->ask(header(200'000) + std::string(200'000, ' ')) == 200) continue;  // until that has its share
+  const auto others = busy(4);
+  const services::MutexLock lock(mutex);
+  Reply large;
+  large.body = std::string(200'000, 'x');
+  later[0](large);
+  EXPECT_EQ(refused->status(), 503);
+  later[1](Reply());
+  release = true;
+  EXPECT_EQ(small->status(), 200);
 }
 
 TEST_F(ListenerTest, WhoTakesItsAnswerSlowlyGetsTheWhole) {
