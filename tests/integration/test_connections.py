@@ -21,6 +21,7 @@ MIB = 1 << 20
 CEILING = 150e6  # [bytes] that the server may grow by
 BUDGET = 64 * MIB  # of bodies, answers and first messages (server/http/listener.h)
 HELLO = 4 * MIB
+MOST_OF_ADDRESS, RESERVED = 448, 16  # connections (server/http/connections.h)
 
 
 def held(server, text, count):
@@ -81,6 +82,18 @@ class Places(Case):
         status, problem = self.server.request("GET", "/api/v1/documents")
         self.assertEqual((status, problem["errors"][0]["code"]), (503, "overload"))
         self.assertEqual(self.server.post(f"/cores/{core}/stop", None, "core")["status"], "aborted")
+
+    def test_reserved_connections_whose_body_does_not_come_make_way(self):
+        self.hold(f"GET /api/v1/health HTTP/1.1\r\n{self.host}X-Half: ", MOST_OF_ADDRESS)
+        body = "Content-Type: application/json\r\nContent-Length: 2\r\n\r\n{"
+        begun = time.monotonic()
+        reserved = self.hold(f"POST /api/v1/cores/1/stop HTTP/1.1\r\n{self.host}{body}", RESERVED)
+        time.sleep(0.1)  # for the server to read their headers
+        self.server.get("/health", "health")
+        took = time.monotonic() - begun
+        print(f"health in place of a reserved connection: after {took:.2f} s", flush=True)
+        self.assertEqual([is_open(each) for each in reserved[:2]], [False, True], "the oldest made way")
+        self.assertLess(took, 1, "after that they end by themselves")
 
     def test_health_waits_for_nobody(self):
         large = {"rcm": 1, "root": {"state": "Root", "doc": "x" * 10**6}}

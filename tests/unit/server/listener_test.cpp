@@ -299,6 +299,16 @@ TEST_F(ListenerTest, AReservedConnectionThatSaysNothingMakesWayOrEnds) {
   EXPECT_TRUE(second->is_closed()) << "in time";
 }
 
+TEST_F(ListenerTest, AReservedConnectionWhoseBodyDoesNotComeMakesWay) {
+  serve({.reserved_timeout = 60s, .connections = kFew}, answer_when_released());
+  const auto others = busy(3);
+  auto first = connection("POST /api/v1/cores/1/stop HTTP/1.1\r\n" + others[0]->host() +
+                          "Content-Type: application/json\r\nContent-Length: 2\r\n\r\n{");
+  std::this_thread::sleep_for(100ms);  // for the server to read its header
+  EXPECT_EQ(connection()->get("/api/v1/health"), 200);
+  EXPECT_TRUE(first->is_closed());
+}
+
 TEST_F(ListenerTest, AWebSocketTooManyIsRefused) {
   serve({.connections = kFew});
   auto first = connection(), second = connection();
