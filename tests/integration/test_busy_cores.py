@@ -116,5 +116,23 @@ class LongReplays(unittest.TestCase):
             self.assertLess(time.monotonic() - begin, 2 * SOON)
 
 
+class LongRebuilds(unittest.TestCase):
+    def test_the_server_ends_while_a_run_is_read_back(self):
+        server = Server()
+        self.addCleanup(server.stop)
+        core = server.core(models.diverging(numbers=150000))
+        server.get(f"/cores/{core}/state", "core_state")  # what is told of a macro step is in the journal: it is done again
+        interrupted = server.wait(core, lambda now: now["status"] == "interrupted", 3 * TIMEOUT)
+        self.assertEqual(interrupted["interruption"]["reason"], "deadline")
+        time.sleep(0.3)
+        server.get(f"/cores/{core}/state", status=507)  # it is not read back yet
+        begin = time.monotonic()
+        server.process.terminate()
+        self.assertEqual(server.process.wait(2 * TIMEOUT), 0)
+        took = time.monotonic() - begin
+        print(f"a run is read back: ends in {took:.2f} s", flush=True)
+        self.assertLess(took, 2 * SOON)
+
+
 if __name__ == "__main__":
     unittest.main()
