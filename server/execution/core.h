@@ -325,9 +325,8 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
 
   static constexpr std::uint32_t kTurn = 256;  // micro steps in one turn of the strand,
   static constexpr std::uint32_t kPart = 16;   // after so many at most the time is looked at
+  /// Of the processor. A core that has computed for longer in one go is busy, and waits with the busy ones for a while.
   static constexpr std::chrono::milliseconds kTurnTime{2};
-  /// A core that has computed for so long in one go is busy, and waits with the busy ones for a while.
-  static constexpr std::chrono::milliseconds kLongWork{1};
   static constexpr std::chrono::seconds kBusyTime{1};
   /// A person who pauses or stops a core waits so long for the end of its macro step.
   static constexpr std::chrono::milliseconds kWaitForStep{200};

@@ -42,17 +42,17 @@ Work Core::measured(Work work) {
   return interrupting([this, work = std::move(work)] {
     const auto begin = services::thread_time();
     work();
-    if (services::thread_time() - begin > kLongWork) busy_until_ = Clock::now() + kBusyTime;
+    if (services::thread_time() - begin > kTurnTime) busy_until_ = Clock::now() + kBusyTime;
   });
 }
 
 // One turn: as many micro steps as are its due, then the others on this pool. Too far ahead of the disk, it is left
-// until that has caught up (durable()).
+// until that has caught up (durable()). A thread that had to wait for its processor has not used up the turn.
 void Core::advance() {
   if (!take_inbox()) return;
   if (!started_ || paused_ || closed_ || is_over()) return;
-  const auto end = Clock::now() + kTurnTime;
-  for (std::uint32_t left = kTurn; left > 0 && Clock::now() < end;) {
+  const auto end = services::thread_time() + kTurnTime;
+  for (std::uint32_t left = kTurn; left > 0 && services::thread_time() < end;) {
     if (held_.is_full()) return;
     if (!execution_.is_open() && !take_inbox()) return;
     if (!execution_.is_open() && deliver_edit(std::min(left, kPart))) {
@@ -122,6 +122,7 @@ bool Core::keeps_within_bounds() {
 std::uint32_t Core::do_part(std::uint32_t limit) {
   const std::uint32_t before = execution_.micro();
   const auto begin = Clock::now();
+  const auto computed = services::thread_time();
   if (!execution_.is_open()) step_time_ = {};
   const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(resources_.longest_step - step_time_);
   const Progress* progress = nullptr;
@@ -129,9 +130,8 @@ std::uint32_t Core::do_part(std::uint32_t limit) {
     const auto watch = resources_.watchdog.watch(give_up_, left);
     progress = &next_part(std::min(limit, part_));
   }
-  const auto taken = Clock::now() - begin;
-  part_ = taken > kTurnTime / 4 ? 1 : std::min(2 * part_, kPart);
-  step_time_ += taken;
+  part_ = services::thread_time() - computed > kTurnTime / 4 ? 1 : std::min(2 * part_, kPart);
+  step_time_ += Clock::now() - begin;
   if (gave_up()) return limit;
   const std::uint32_t used = std::max(progress->micro - before, 1U);
   take(*progress);
