@@ -115,11 +115,15 @@ void Cell::step() {
   if (local_world_) local_world_->publish_pose(clock_.now());
 }
 
-// In real time, no more than the step has room for: who calls much has to wait, and time goes on for all others.
+// In real time, no more than the step has room for, and little when it is late: who calls much has to wait, and time
+// goes on for all others.
 void Cell::work_in_step() {
-  constexpr std::chrono::microseconds kWork{300};
-  if (is_real_time_) return queue_.run_for(kWork);
-  queue_.run();
+  if (!is_real_time_) return static_cast<void>(queue_.run());
+  using std::chrono::microseconds;
+  constexpr microseconds kWork{300}, kLateWork{50}, kOther{100};
+  const auto end = due_ + kPeriod - kOther;
+  const auto left = std::chrono::duration_cast<microseconds>(end - std::chrono::steady_clock::now());
+  queue_.run_for(std::clamp(left, kLateWork, kWork));
 }
 
 // Commands wait for no calls of cores.
@@ -138,12 +142,11 @@ void Cell::start_real_time() {
   is_real_time_ = true;
   thread_ = std::thread([this] {
     services::name_thread("cell");
-    using namespace std::chrono_literals;
-    auto next = std::chrono::steady_clock::now();
+    due_ = std::chrono::steady_clock::now();
     while (!stop_) {
-      next += 1ms;
-      std::this_thread::sleep_until(next);
-      if (const auto now = std::chrono::steady_clock::now(); now - next > 100ms) next = now;
+      due_ += kPeriod;
+      std::this_thread::sleep_until(due_);
+      if (const auto now = std::chrono::steady_clock::now(); now - due_ > kMostLate) due_ = now;
       take_step();
     }
   });

@@ -78,6 +78,9 @@ class Cell {
   void stop();
 
  private:
+  static constexpr std::chrono::milliseconds kPeriod{1};  // of steps
+  static constexpr std::chrono::milliseconds kMostLate{100};
+
   explicit Cell(services::HostObserver& observer) : host_(clock_, observer) {}
   void take_step();
   void work_in_step();
@@ -96,8 +99,9 @@ class Cell {
   std::unique_ptr<remote::Remotes> remotes_;
   std::int64_t steps_ = 0;
   bool is_real_time_ = false;
-  bool waits_ = false;    // for answers that are due
-  bool failing_ = false;  // the last step was, of take_step()
+  std::chrono::steady_clock::time_point due_;  // in real time: when the step was to begin
+  bool waits_ = false;                         // for answers that are due
+  bool failing_ = false;                       // the last step was, of take_step()
   std::function<void()> before_step_;
   std::atomic<bool> stop_{false};
   std::thread thread_;
