@@ -17,35 +17,53 @@ bool Publications::has_room(const std::string& channel, Kind kind) const {
   return takes(known == channels_.end() ? Waiting() : known->second, kind);
 }
 
-// Posted under the lock: in the order of what is decided here.
 void Publications::post(const std::string& channel, Kind kind, Publication what, std::size_t units, Work work) {
+  if (!add(channel, kind, std::move(what), units, std::move(work))) return;
+  std::size_t turns = 1 + missing_turns_.exchange(0);
+  try {
+    for (; turns > 0; --turns) strand_.post([this] { do_next(); });
+  } catch (...) {
+    missing_turns_ += turns;
+    throw;
+  }
+}
+
+// Whether there is a piece more.
+bool Publications::add(const std::string& channel, Kind kind, Publication what, std::size_t units, Work work) {
   const services::MutexLock lock(mutex_);
-  Waiting& waiting = channels_[channel];
+  const auto known = channels_.try_emplace(channel).first;
+  Waiting& waiting = known->second;
   if (work && takes(waiting, kind)) {
     const bool fitted = fits(waiting);
-    strand_.post([this, channel, kind, units, fitted, what = std::move(what), work = std::move(work)] {
-      begin(channel, units, fitted);
-      try {
-        work();
-      } catch (...) {
-        if (kind != Kind::snapshot) begin_anew_(channel, {what, true});
-        throw;
-      }
-    });
+    add(known, {std::move(work), kind, std::move(what), units, fitted});
     ++waiting.count;
     waiting.units += units;
     units_ += units;
     if (!fitted) waiting.has_snapshot = true;
     waiting.ends_anew = false;
-    return;
+    return true;
   }
-  if (kind == Kind::snapshot) return;  // what waits leads to the same state
-  if (!waiting.ends_anew) {
-    strand_.post([this, channel] { overflow(channel); });
-    ++waiting.overflows;
-    waiting.ends_anew = true;
+  if (kind == Kind::snapshot) {  // what waits leads to the same state
+    if (waiting.pieces.empty()) channels_.erase(known);
+    return false;
   }
-  waiting.newest = std::move(what);
+  std::swap(waiting.newest, what);
+  if (waiting.ends_anew) return false;
+  add(known, {});
+  ++waiting.overflows;
+  waiting.ends_anew = true;
+  return true;
+}
+
+void Publications::add(Channels::iterator channel, Piece piece) {
+  std::deque<Piece>& pieces = channel->second.pieces;
+  if (pieces.empty()) turns_.push_back(channel);
+  try {
+    pieces.push_back(std::move(piece));
+  } catch (...) {
+    if (pieces.empty()) turns_.pop_back();
+    throw;
+  }
 }
 
 bool Publications::takes(const Waiting& waiting, Kind kind) const {
@@ -56,36 +74,51 @@ bool Publications::fits(const Waiting& waiting) const {
   return waiting.overflows == 0 && waiting.count < kMost && waiting.units < kMostUnits && units_ < kAllUnits;
 }
 
-void Publications::begin(const std::string& channel, std::size_t units, bool fitted) {
-  const services::MutexLock lock(mutex_);
-  const auto known = channels_.find(channel);
-  Waiting& waiting = known->second;
-  --waiting.count;
-  waiting.units -= units;
-  units_ -= units;
-  if (!fitted) waiting.has_snapshot = false;
-  forget_empty(known);
-}
-
-void Publications::overflow(const std::string& channel) {
+void Publications::do_next() {
+  std::string name;
+  Piece piece;
   Overflow overflow;
   {
     const services::MutexLock lock(mutex_);
-    const auto known = channels_.find(channel);
-    Waiting& waiting = known->second;
-    const bool all = --waiting.overflows == 0;
-    overflow = {waiting.newest, all && !waiting.has_snapshot};
-    if (all) {
-      waiting.ends_anew = false;
-      waiting.newest = {};
-    }
-    forget_empty(known);
+    const auto channel = turns_.front();
+    turns_.pop_front();
+    Waiting& waiting = channel->second;
+    name = channel->first;
+    piece = std::move(waiting.pieces.front());
+    waiting.pieces.pop_front();
+    if (piece.work)
+      begin(waiting, piece);
+    else
+      overflow = take_overflow(waiting);
+    if (waiting.pieces.empty())
+      channels_.erase(channel);
+    else
+      turns_.push_back(channel);
   }
-  begin_anew_(channel, overflow);
+  if (!piece.work) return begin_anew_(name, overflow);
+  try {
+    piece.work();
+  } catch (...) {
+    if (piece.kind != Kind::snapshot) begin_anew_(name, {piece.what, true});
+    throw;
+  }
 }
 
-void Publications::forget_empty(Channels::iterator channel) {
-  if (channel->second.count == 0 && channel->second.overflows == 0) channels_.erase(channel);
+void Publications::begin(Waiting& waiting, const Piece& piece) {
+  --waiting.count;
+  waiting.units -= piece.units;
+  units_ -= piece.units;
+  if (!piece.fitted) waiting.has_snapshot = false;
+}
+
+Publications::Overflow Publications::take_overflow(Waiting& waiting) {
+  const bool all = --waiting.overflows == 0;
+  Overflow overflow{waiting.newest, all && !waiting.has_snapshot};
+  if (all) {
+    waiting.ends_anew = false;
+    waiting.newest = {};
+  }
+  return overflow;
 }
 
 std::size_t Publications::units() const {

@@ -1,11 +1,14 @@
-// Publications: what is published on channels and waits for the hub's strand. Beyond a bound a channel overflows: what
-// is published on it is dropped until the hub begins it anew, with a snapshot in the place of all that was dropped. So
-// who publishes never waits, and a hub that is slower than they are does not grow.
+// Publications: what is published on channels and waits for the hub's strand, one of each channel in turn: a channel on
+// which much is published delays no other. Beyond a bound a channel overflows: what is published on it is dropped until
+// the hub begins it anew, with a snapshot in the place of all that was dropped. So who publishes never waits, and a hub
+// that is slower than they are does not grow.
 //
 // Threads: any.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -57,26 +60,40 @@ class Publications {
   std::size_t units() const EXCLUDES(mutex_);
 
  private:
+  /// What is done on the strand for a channel; without work: it begins anew.
+  struct Piece {
+    Work work;
+    Kind kind = Kind::delta;
+    Publication what;
+    std::size_t units = 0;
+    bool fitted = false;
+  };
   struct Waiting {
-    std::size_t count = 0, units = 0;
-    bool has_snapshot = false;  // one that waits though it did not fit
-    std::size_t overflows = 0;  // how often the channel will begin anew; until then nothing fits
-    bool ends_anew = false;     // that is the last that waits
-    Publication newest;         // that was dropped
+    std::deque<Piece> pieces;
+    std::size_t count = 0, units = 0;  // of those with work
+    bool has_snapshot = false;         // one that waits though it did not fit
+    std::size_t overflows = 0;         // how often the channel will begin anew; until then nothing fits
+    bool ends_anew = false;            // that is the last that waits
+    Publication newest;                // that was dropped
   };
   using Channels = std::map<std::string, Waiting>;
 
+  bool add(const std::string& channel, Kind kind, Publication what, std::size_t units, Work work) EXCLUDES(mutex_);
   bool fits(const Waiting& waiting) const REQUIRES(mutex_);
   bool takes(const Waiting& waiting, Kind kind) const REQUIRES(mutex_);
-  void begin(const std::string& channel, std::size_t units, bool fitted) EXCLUDES(mutex_);
-  void overflow(const std::string& channel) EXCLUDES(mutex_);
-  void forget_empty(Channels::iterator channel) REQUIRES(mutex_);
+  void add(Channels::iterator channel, Piece piece) REQUIRES(mutex_);
+  /// A piece of the channel whose turn it is.
+  void do_next() EXCLUDES(mutex_);
+  void begin(Waiting& waiting, const Piece& piece) REQUIRES(mutex_);
+  Overflow take_overflow(Waiting& waiting) REQUIRES(mutex_);
 
   Strand& strand_;
   const BeginAnew begin_anew_;
   mutable services::Mutex mutex_;
-  Channels channels_ GUARDED_BY(mutex_);
+  Channels channels_ GUARDED_BY(mutex_);                     // that have pieces
+  std::deque<Channels::iterator> turns_ GUARDED_BY(mutex_);  // of those, each once
   std::size_t units_ GUARDED_BY(mutex_) = 0;
+  std::atomic<std::size_t> missing_turns_{0};  // of the strand, for which there was no memory
 };
 
 }  // namespace race::server

@@ -126,6 +126,21 @@ TEST_F(HubOverload, OfASampledChannelTheNewestIsTold) {
   EXPECT_EQ(client->read.size(), Publications::kMost + 1);
 }
 
+TEST_F(HubOverload, ChannelsAreToldInTurn) {
+  for (const char* name : {"much", "little"}) hub.subscribe(client, name, {});
+  settle();
+  client->read.clear();
+  block();
+  for (int i = 0; i < 200; ++i) hub.publish_delta("much", next_state());
+  const std::int64_t last = state + 1;
+  hub.publish_delta("little", next_state());
+  release();
+  settle();
+  ASSERT_EQ(client->read.size(), 201U);
+  EXPECT_EQ(client->read[1].state, last) << "after one of the others";
+  EXPECT_EQ(client->read.back().state, last - 1);
+}
+
 TEST_F(HubOverload, ChannelsHaveABoundTogether) {
   block();
   for (int i = 0; i < 100; ++i)
