@@ -57,8 +57,9 @@ ServiceHost& Host::declare(std::string key, std::string type, WorkQueue& queue) 
   const MutexLock lock(mutex_);
   auto entry = std::make_unique<ServiceEntry>(entries_.size(), std::move(key), std::move(type), queue);
   entry->host = std::make_unique<Endpoint>(*this, entry->number);
-  by_key_.emplace(entry->status.key, entry.get());
   entries_.push_back(std::move(entry));
+  const MutexLock keys_lock(keys_mutex_);
+  by_key_.emplace(entries_.back()->status.key, entries_.back().get());
   return *entries_.back()->host;
 }
 
@@ -69,64 +70,103 @@ Host::Response Host::Response::unavailable() { return {Dict{{"code", Value(name(
 CallId Host::call(Caller caller, const std::string& service, std::string operation, List args, Dict kwargs,
                   const std::string& after) {
   const std::size_t units = freeze(args, kwargs);
-  const MutexLock lock(mutex_);
-  const PendingCall pending{next_call_++, operation, clock_.now(), std::move(caller), units};
+  const CallId id = next_call_++;
+  const WorkQueue::Lane lane = lane_of(caller.core.empty() ? after : caller.core);
+  PendingCall pending{id, operation, clock_.now(), std::move(caller), units};
   ServiceEntry* entry = find(service);
-  if (!can_be_called(pending, service, entry)) {
+  if (!entry || !entry->arriving.add(units)) {
+    const MutexLock lock(mutex_);
+    if (entry)
+      refuse_more(pending, *entry);
+    else
+      refuse(pending, service, "there is no such service");
     answer_unavailable(pending, service);
-    return pending.id;
+    return id;
   }
-  log(*entry, entry->ledger->call(pending, args, kwargs));
-  notify_status(*entry);
-  auto work = [call = Call{pending.id, std::move(operation), std::move(args), std::move(kwargs)}](
-                  Component& component) { component.call(call); };
-  post(*entry, std::move(work), lane_of(pending.caller.core.empty() ? after : pending.caller.core));
-  return pending.id;
+  entry->queue.post(
+      [this, entry, disconnections = entry->disconnections.load(), pending = std::move(pending),
+       call = Call{id, std::move(operation), std::move(args), std::move(kwargs)}] {
+        entry->arriving.remove(pending.units);
+        arrive(*entry, disconnections, pending, call);
+      },
+      lane);
+  return id;
 }
 
-void Host::abandon(const Caller& caller) {
+void Host::arrive(ServiceEntry& entry, std::uint64_t disconnections, const PendingCall& pending, const Call& call) {
+  if (accept(entry, disconnections, pending, call))
+    run(entry.number, disconnections, [&call](Component& component) { component.call(call); });
+}
+
+// What is not accepted is answered. So is what was on its way when the component was disconnected.
+bool Host::accept(ServiceEntry& entry, std::uint64_t disconnections, const PendingCall& pending, const Call& call) {
   const MutexLock lock(mutex_);
-  for (const auto& entry : entries_)
-    if (const CallId call = entry->ledger ? entry->ledger->abandon(caller) : 0)
-      tell_abandoned(*entry, call, caller.core);
+  if (entry.disconnections != disconnections || !can_be_called(pending, entry)) {
+    answer_unavailable(pending, entry.status.key);
+    return false;
+  }
+  log(entry, entry.ledger->call(pending, call.args, call.kwargs));
+  notify_status(entry);
+  return true;
+}
+
+void Host::abandon(const Caller& caller, const std::string& service) {
+  const Abandoned abandoned = [caller](CallLedger& ledger) {
+    const CallId call = ledger.abandon(caller);
+    return call == 0 ? std::vector<CallId>() : std::vector{call};
+  };
+  if (ServiceEntry* entry = find(service)) return abandon(*entry, caller.core, abandoned);
+  abandon_everywhere(caller.core, abandoned);
 }
 
 void Host::abandon_all(const std::string& core) {
-  const MutexLock lock(mutex_);
-  for (const auto& entry : entries_)
-    if (entry->ledger)
-      for (const CallId call : entry->ledger->abandon_all(core)) tell_abandoned(*entry, call, core);
+  abandon_everywhere(core, [core](CallLedger& ledger) { return ledger.abandon_all(core); });
 }
 
-// It may answer what was called before it comes to this.
-void Host::tell_abandoned(ServiceEntry& entry, CallId call, const std::string& core) {
-  auto work = [this, number = entry.number, call](Component& component) {
-    if (is_pending(number, call)) component.abandoned(call);
+void Host::abandon_everywhere(const std::string& core, const Abandoned& abandoned) {
+  const MutexLock lock(mutex_);
+  for (const auto& entry : entries_)
+    if (entry->ledger) abandon(*entry, core, abandoned);
+}
+
+// It may answer one before it comes to the next.
+void Host::abandon(ServiceEntry& entry, const std::string& core, Abandoned abandoned) {
+  auto work = [this, &entry, abandoned = std::move(abandoned)](Component& component) {
+    std::vector<CallId> calls;
+    {
+      const MutexLock lock(mutex_);
+      calls = abandoned(*entry.ledger);
+    }
+    for (const CallId call : calls)
+      if (is_pending(entry, call)) component.abandoned(call);
   };
   post(entry, std::move(work), lane_of(core));
 }
 
-bool Host::is_pending(std::size_t number, CallId call) const {
+bool Host::is_pending(const ServiceEntry& entry, CallId call) const {
   const MutexLock lock(mutex_);
-  return entries_[number]->ledger->is_pending(call);
+  return entry.ledger->is_pending(call);
 }
 
-// Says why not, in the log; that too many wait, once until half of them are answered.
-bool Host::can_be_called(const PendingCall& call, const std::string& key, ServiceEntry* entry) {
-  const auto refuse = [&](const std::string& why) {
-    observer_.logged(call.time, key, "cannot answer `" + call.operation + "` of core " + call.caller.core + ": " + why);
-    return false;
-  };
-  if (!entry) return refuse("there is no such service");
-  if (!entry->status.available) return refuse("lost");
-  if (!find_operation(entry->model, call.operation)) return refuse("no such operation");
-  const std::size_t pending = entry->ledger->pending().size();
-  if (!entry->ledger->is_full()) {
-    entry->refusal_logged = entry->refusal_logged && pending > CallLedger::kMostPending / 2;
-    return true;
-  }
-  if (std::exchange(entry->refusal_logged, true)) return false;
-  return refuse(std::to_string(pending) + " calls wait already, and more are refused");
+// Says why not, in the log.
+bool Host::can_be_called(const PendingCall& call, ServiceEntry& entry) {
+  const std::string& key = entry.status.key;
+  if (!entry.status.available) return refuse(call, key, "lost"), false;
+  if (!find_operation(entry.model, call.operation)) return refuse(call, key, "no such operation"), false;
+  if (entry.ledger->is_full()) return refuse_more(call, entry), false;
+  const std::size_t waiting = entry.ledger->pending().size() + entry.arriving.count();
+  if (waiting <= CallLedger::kMostPending / 2) entry.refusal_logged = false;
+  return true;
+}
+
+// Said once, until half of those that wait have gone.
+void Host::refuse_more(const PendingCall& call, ServiceEntry& entry) {
+  if (std::exchange(entry.refusal_logged, true)) return;
+  refuse(call, entry.status.key, "as many calls wait already as may, and more are refused");
+}
+
+void Host::refuse(const PendingCall& call, const std::string& key, const std::string& why) {
+  observer_.logged(call.time, key, "cannot answer `" + call.operation + "` of core " + call.caller.core + ": " + why);
 }
 
 void Host::answer_unavailable(const PendingCall& call, const std::string& key) {
@@ -223,6 +263,7 @@ void Host::report_changes() {
 // ---- What can be seen from outside.
 
 ServiceEntry* Host::find(std::string_view key) const {
+  const MutexLock lock(keys_mutex_);
   const auto found = by_key_.find(key);
   return found == by_key_.end() ? nullptr : found->second;
 }

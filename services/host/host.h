@@ -1,12 +1,14 @@
 // Host: hosts components and connects them to the cores. It gives calls their ids and hands them to the queue of their
-// service, holds what each service announces against its RSM (call_ledger.h), and answers calls that no component will
-// answer (`unavailable`, R7). What services say leaves it as Deliveries through the observer: events to all cores, a
-// response to the caller alone. Packets of data flows go from service to service, past the cores (flows.h); answers
-// that are due hold world time up (reservations.h).
+// service; where that is run they arrive, and it holds them and what each service announces against its RSM
+// (call_ledger.h), and answers calls that no component will answer (`unavailable`, R7). What services say leaves it as
+// Deliveries through the observer: events to all cores, a response to the caller alone. Packets of data flows go from
+// service to service, past the cores (flows.h); answers that are due hold world time up (reservations.h).
 //
 // What a call, an announcement or a packet costs does not depend on how many calls wait: what can be seen of a service
 // is put together in advance(), and told at most once in kStatusPeriod. A service has a bounded number of calls that
-// wait (CallLedger::kMostPending); more are answered `unavailable` at once.
+// wait (CallLedger::kMostPending), and as many that are on their way; more are answered `unavailable`.
+//
+// Who calls takes no lock that a component or an observer needs: cores that make thousands of calls hold up nobody.
 //
 // Threads: call(), watch() and the queries on any. A component is called on the thread of its queue. The observer and
 // the watchers of flows are called under the host's lock, in the order in which things happened: they must be quick and
@@ -15,6 +17,7 @@
 // host.cpp has calls and announcements, lifecycle.cpp what becomes of components, data_flows.cpp packets.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <map>
 #include <memory>
@@ -67,15 +70,16 @@ class Host {
 
   /// Calls an operation. Its response reaches the observer once, now or later, with `caller`; an unknown or
   /// disconnected service, an unknown operation or a service for which too many wait answers {"code": "unavailable"}.
-  /// `args` and `kwargs` are frozen here. It comes after the calls that the core of its caller has made before or, of a
-  /// caller without one, those of `after`; without either, before all that wait.
+  /// It arrives, and can be seen, when the queue of the service is run. `args` and `kwargs` are frozen here. It comes
+  /// after the calls that the core of its caller has made before or, of a caller without one, those of `after`; without
+  /// either, before all that wait.
   CallId call(Caller caller, const std::string& service, std::string operation, List args, Dict kwargs,
-              const std::string& after = {}) EXCLUDES(mutex_);
+              const std::string& after = {}) EXCLUDES(mutex_, keys_mutex_);
 
-  /// Nobody can receive the response to the call that `caller` made, or to any call of `core` whose response is still
-  /// to come: the component is told, once (Component::abandoned). Nothing else happens, and nothing at all to a call
-  /// that has had its response.
-  void abandon(const Caller& caller) EXCLUDES(mutex_);
+  /// Nobody can receive the response to the call that `caller` made of `service` (if it is known), or to any call of
+  /// `core` whose response is still to come: the component is told, once (Component::abandoned). Nothing else happens,
+  /// and nothing at all to a call that has had its response. It comes after what that core has called before.
+  void abandon(const Caller& caller, const std::string& service = {}) EXCLUDES(mutex_, keys_mutex_);
   void abandon_all(const std::string& core) EXCLUDES(mutex_);
 
   /// Time has passed: the answers that are due now go to their queues. With `wait`, those that are due and not there
@@ -126,21 +130,29 @@ class Host {
   void log(std::size_t number, const std::string& text) EXCLUDES(mutex_);
 
   // Calls and what is said of them.
-  ServiceEntry* find(std::string_view key) const REQUIRES(mutex_);
+  ServiceEntry* find(std::string_view key) const EXCLUDES(keys_mutex_);
   void log(const ServiceEntry& entry, const CallLedger::Violations& violations) REQUIRES(mutex_);
   void notify_status(const ServiceEntry& entry) REQUIRES(mutex_);
   void report_changes() REQUIRES(mutex_);
-  void tell_abandoned(ServiceEntry& entry, CallId call, const std::string& core) REQUIRES(mutex_);
-  bool is_pending(std::size_t number, CallId call) const EXCLUDES(mutex_);
+  void arrive(ServiceEntry& entry, std::uint64_t disconnections, const PendingCall& pending, const Call& call)
+      EXCLUDES(mutex_);
+  bool accept(ServiceEntry& entry, std::uint64_t disconnections, const PendingCall& pending, const Call& call)
+      EXCLUDES(mutex_);
+  using Abandoned = std::function<std::vector<CallId>(CallLedger&)>;
+  void abandon(ServiceEntry& entry, const std::string& core, Abandoned abandoned);
+  bool is_pending(const ServiceEntry& entry, CallId call) const EXCLUDES(mutex_);
+  void abandon_everywhere(const std::string& core, const Abandoned& abandoned) EXCLUDES(mutex_);
   void answer(ServiceEntry& entry, CallId call, const Response& response) REQUIRES(mutex_);
   void deliver_response(const ServiceEntry& entry, const PendingCall& call, const Response& response) REQUIRES(mutex_);
-  bool can_be_called(const PendingCall& call, const std::string& key, ServiceEntry* entry) REQUIRES(mutex_);
+  bool can_be_called(const PendingCall& call, ServiceEntry& entry) REQUIRES(mutex_);
+  void refuse(const PendingCall& call, const std::string& key, const std::string& why) REQUIRES(mutex_);
+  void refuse_more(const PendingCall& call, ServiceEntry& entry) REQUIRES(mutex_);
   void answer_unavailable(const PendingCall& call, const std::string& key) REQUIRES(mutex_);
 
   // What becomes of components.
   void make_available(ServiceEntry& entry) REQUIRES(mutex_);
   void disconnect(ServiceEntry& entry, const std::string& why) REQUIRES(mutex_);
-  void post(ServiceEntry& entry, Work work, WorkQueue::Lane lane = WorkQueue::kNoLane) REQUIRES(mutex_);
+  void post(ServiceEntry& entry, Work work, WorkQueue::Lane lane = WorkQueue::kNoLane);
   void run(std::size_t number, std::optional<std::uint64_t> disconnections, const Work& work) EXCLUDES(mutex_);
   std::vector<std::size_t> services_of(const WorkQueue& queue) const EXCLUDES(mutex_);
   std::vector<Component*> components() const EXCLUDES(mutex_);
@@ -158,9 +170,10 @@ class Host {
   Flows flows_ GUARDED_BY(mutex_);
   Reservations reservations_;  // outlives the components: their threads fulfil
   std::vector<std::unique_ptr<ServiceEntry>> entries_ GUARDED_BY(mutex_);  // in order of declaration
-  std::map<std::string, ServiceEntry*, std::less<>> by_key_ GUARDED_BY(mutex_);
+  mutable Mutex keys_mutex_;                                               // may be taken under mutex_
+  std::map<std::string, ServiceEntry*, std::less<>> by_key_ GUARDED_BY(keys_mutex_);
   std::set<std::size_t> changed_ GUARDED_BY(mutex_);  // numbers of services: the observer is to be told
-  CallId next_call_ GUARDED_BY(mutex_) = 1;
+  std::atomic<CallId> next_call_{1};
   std::uint64_t next_delivery_ GUARDED_BY(mutex_) = 1;
 };
 

@@ -61,7 +61,7 @@ void Host::stop() {
 // ---- How components are called.
 
 void Host::post(ServiceEntry& entry, Work work, WorkQueue::Lane lane) {
-  auto run_it = [this, number = entry.number, disconnections = entry.disconnections, work = std::move(work)] {
+  auto run_it = [this, number = entry.number, disconnections = entry.disconnections.load(), work = std::move(work)] {
     run(number, disconnections, work);
   };
   entry.queue.post(std::move(run_it), lane);

@@ -1,9 +1,11 @@
 // ServiceEntry: what a host knows of one service: its component, where that runs, its calls, and what can be seen of it
 // from outside.
 //
-// Threads: one at a time, under the host's lock; the component itself is called on the thread of its queue.
+// Threads: one at a time, under the host's lock, but where it says `any`; the component itself is called on the thread
+// of its queue.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -14,6 +16,7 @@
 
 #include "core/rsm/model.h"
 #include "services/component.h"
+#include "services/host/arriving_calls.h"
 #include "services/host/call_ledger.h"
 #include "services/host/flows.h"
 #include "services/host/work_queue.h"
@@ -51,7 +54,8 @@ struct ServiceEntry {
   rsm::Service model;
   std::unique_ptr<CallLedger> ledger;
   ServiceStatus status;
-  std::uint64_t disconnections = 0;                        // work that was posted before one is dropped
+  std::atomic<std::uint64_t> disconnections{0};  // work that was posted before one is dropped; read by any thread
+  ArrivingCalls arriving;                        // of any thread
   Time reported = -std::numeric_limits<Time>::infinity();  // when the observer was last told of its status
   bool refusal_logged = false;                             // that so many calls wait that more are refused
   std::unique_ptr<Component> component;

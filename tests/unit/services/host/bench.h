@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -47,12 +48,16 @@ class Bench final : public HostObserver {
 
   void delivered(const Delivery& delivery) override { deliveries.push_back(delivery); }
   void changed(const ServiceStatus& status) override;
-  void logged(Time, const std::string&, const std::string& text) override { log.push_back(text); }
+  void logged(Time, const std::string&, const std::string& text) override {
+    log.push_back(text);
+    if (const auto say = on_log) say();
+  }
 
   WorldClock clock;
   WorkQueue queue;
   std::vector<Delivery> deliveries;
   std::vector<std::string> log;
+  std::function<void()> on_log;
   std::uint64_t calls = 0;
   std::vector<std::string> changes;  // of services: "key: STATE by TRANSITION, N pending"
   int milliseconds = 0;

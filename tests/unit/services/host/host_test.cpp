@@ -1,5 +1,8 @@
 #include <gmock/gmock.h>
 
+#include <chrono>
+#include <future>
+
 #include "core/rsm/document.h"
 #include "tests/unit/services/host/bench.h"
 
@@ -252,14 +255,37 @@ TEST_F(HostTest, AServiceForWhichTooManyCallsWaitAnswersUnavailableAndSaysSoOnce
   call_often(kMost + 3);
   EXPECT_EQ(lamp.calls.size(), kMost);
   EXPECT_EQ(bench.responses(), std::vector<std::string>(3, "lamp.blink !> unavailable"));
-  EXPECT_THAT(bench.log, ElementsAre(HasSubstr("10000 calls wait already")));
+  EXPECT_THAT(bench.log, ElementsAre(HasSubstr("as many calls wait already as may")));
   lamp.host.reject(lamp.calls[0].id);
   call_often(2);
   EXPECT_EQ(lamp.calls.size(), kMost + 1) << "one has had its answer";
   EXPECT_EQ(bench.log.size(), 1U) << "it is full as before";
   for (std::size_t i = 1; i <= kMost / 2; ++i) lamp.host.reject(lamp.calls[i].id);
-  call_often(kMost / 2 + 1);
+  call_often(1);
+  call_often(kMost / 2);
   EXPECT_EQ(bench.log.size(), 2U) << "it is full again";
+}
+
+TEST_F(HostTest, WhoCallsWaitsForNoObserver) {
+  bool called = false;
+  bench.on_log = [&] {
+    auto call = std::async(std::launch::async, [&] { bench.host.call({"2", 1}, "lamp", "blink", {}, {}); });
+    called = call.wait_for(std::chrono::seconds(5)) == std::future_status::ready;
+    bench.on_log = nullptr;
+  };
+  lamp.host.log("an observer is busy with this");
+  EXPECT_TRUE(called);
+  bench.queue.run();
+  EXPECT_EQ(lamp.calls.size(), 1U);
+}
+
+TEST_F(HostTest, WhatIsOnItsWayWhenItsServiceIsLostIsAnsweredAndDoesNotReachItLater) {
+  bench.host.call({"1", 1}, "lamp", "on", {}, {});
+  bench.host.disconnect("lamp");
+  bench.host.reconnect("lamp");
+  bench.queue.run();
+  EXPECT_THAT(bench.responses(), ElementsAre("lamp.on !> unavailable"));
+  EXPECT_THAT(lamp.calls, IsEmpty());
 }
 
 TEST_F(HostTest, ServicesAreFullEachForItself) {

@@ -157,6 +157,7 @@ TEST_F(RemotesTest, AServiceIsUnavailableUntilItsProcessComes) {
   EXPECT_FALSE(available());
   EXPECT_EQ(host.models().at("lamp").operations.size(), 3U) << "programs are checked against it all the same";
   call("on");
+  EXPECT_TRUE(until({}, [&] { return !seen.all().empty(); }));
   EXPECT_THAT(seen.all(), ElementsAre("1 on !> unavailable"));
   Process process(remotes);
   greet(process);
