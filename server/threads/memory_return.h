@@ -16,8 +16,8 @@ namespace race::server {
 class MemoryReturn {
  public:
   static constexpr std::chrono::seconds kPeriod{3};
-  static constexpr std::size_t kFree = 32U << 20U;  // bytes that may stay
-  static constexpr int kMostWaited = 20;            // periods, for the end of a load
+  static constexpr std::size_t kFree = 2U << 20U;  // bytes that may stay: some percent of what a small cell takes
+  static constexpr int kMostWaited = 20;           // periods, for the end of a load
 
   /// Throws std::system_error if no thread can be had.
   explicit MemoryReturn(std::chrono::milliseconds period = kPeriod) : period_(period), thread_([this] { run(); }) {}
