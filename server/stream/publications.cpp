@@ -14,7 +14,8 @@ Publication Publication::of(Value data) {
 bool Publications::has_room(const std::string& channel, Kind kind) const {
   const services::MutexLock lock(mutex_);
   const auto known = channels_.find(channel);
-  return takes(known == channels_.end() ? Waiting() : known->second, kind);
+  static const Waiting kNone;
+  return takes(known == channels_.end() ? kNone : known->second, kind);
 }
 
 void Publications::post(const std::string& channel, Kind kind, Publication what, std::size_t units, Work work) {
