@@ -103,7 +103,22 @@ void JournalWriter::recover(Work work) {
   if (!closed_) recovery_->post(std::move(work));
 }
 
-void JournalWriter::append(std::shared_ptr<RunJournal> journal, const JournalRecord& record) {
+bool JournalWriter::has_time_for(const Value& checkpoint) {
+  using Clock = std::chrono::steady_clock;
+  const auto time_of = [](std::size_t units) {
+    const std::chrono::duration<double> seconds(static_cast<double>(units) / kCheckpointUnits);
+    return std::chrono::duration_cast<Clock::duration>(seconds);
+  };
+  const auto now = Clock::now();
+  const services::MutexLock lock(mutex_);
+  if (checkpoints_until_ > now) return false;
+  checkpoints_until_ = std::max(checkpoints_until_, now - time_of(kMostCheckpointUnits));
+  checkpoints_until_ += time_of(checkpoint.size_units());
+  return true;
+}
+
+void JournalWriter::append(std::shared_ptr<RunJournal> journal, JournalRecord record) {
+  if (record.checkpoint && !has_time_for(*record.checkpoint)) record.checkpoint.reset();
   PreparedRecord prepared = journal->prepare(record, most_bytes_);
   {
     const services::MutexLock lock(mutex_);

@@ -31,8 +31,11 @@ class JournalWriter {
   ~JournalWriter();
 
   /// The next record of a journal; its texts and hashes are made here. How many may wait is limited by those who
-  /// append: a core stops when it is ahead.
-  void append(std::shared_ptr<RunJournal> journal, const JournalRecord& record) EXCLUDES(mutex_);
+  /// append: a core stops when it is ahead. A checkpoint for which there is no time is left out.
+  void append(std::shared_ptr<RunJournal> journal, JournalRecord record) EXCLUDES(mutex_);
+  /// Of all checkpoints, in units of their values: while a large one is written, the entries of all runs wait.
+  static constexpr std::size_t kCheckpointUnits = 512U << 10U;    // a second
+  static constexpr std::size_t kMostCheckpointUnits = 8U << 20U;  // after a while without
   /// Does `work` on a thread of its own: what reads a journal back that has failed. The disk may keep it for long.
   void recover(Work work) EXCLUDES(mutex_);
   /// Writes what waits, and ends; what is appended later, or is to be recovered, is dropped.
@@ -53,6 +56,7 @@ class JournalWriter {
   JournalWriter(std::unique_ptr<SQLite::Database> file, std::chrono::milliseconds timeout, std::uint64_t most_bytes);
   void run();
   bool next() EXCLUDES(mutex_);
+  bool has_time_for(const Value& checkpoint) EXCLUDES(mutex_);
   void write();
   void fail();
   static void report(RunJournal& journal, std::uint64_t ticket, const Expected<void>& written);
@@ -60,6 +64,7 @@ class JournalWriter {
   services::Mutex mutex_;
   services::ConditionVariable appended_;
   std::deque<Item> waiting_ GUARDED_BY(mutex_);
+  std::chrono::steady_clock::time_point checkpoints_until_ GUARDED_BY(mutex_);  // their share of the time is used up
   bool closed_ GUARDED_BY(mutex_) = false;
   std::unique_ptr<Pool> recovery_ = std::make_unique<Pool>(1, 0, "recovery");
   std::deque<Item> items_;  // that are written now: of the writer's thread, as the next

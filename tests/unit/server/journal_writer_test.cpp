@@ -206,6 +206,22 @@ TEST(JournalWriter, KeepsAFewCheckpointsOfALongRun) {
     ASSERT_LE(position / RunJournal::interval_at(position), RunJournal::kCheckpoints) << position;
 }
 
+TEST(JournalWriter, LeavesOutCheckpointsForWhichThereIsNoTime) {
+  TemporaryStore store;
+  Writing writing(*store.runs, *store.writer);
+  writing.append_some(0);
+  constexpr std::size_t kSize = JournalWriter::kMostCheckpointUnits / 8;
+  const Value checkpoint = Value(Dict{{"large", std::string(kSize, 'x')}}).freeze();
+  for (int i = 0; i < 30; ++i)
+    store.writer->append(writing.journal,
+                         {.ticket = ++writing.ticket, .entry = EventEntry{"t", "tick", i}, .checkpoint = checkpoint});
+  EXPECT_TRUE(writing.settled());
+  const RunRecord run = store.runs->get(writing.run.id).value();
+  EXPECT_EQ(run.steps, 31U);
+  EXPECT_GE(run.bytes, JournalWriter::kMostCheckpointUnits);
+  EXPECT_LT(run.bytes, 2 * JournalWriter::kMostCheckpointUnits);
+}
+
 // At every operation of the disk: what was said to be durable is there after a loss of power.
 TEST(JournalWriter, WhatItSaysIsDurableSurvivesALossOfPower) {
   sqlite::FaultyVfs disk;
