@@ -137,13 +137,14 @@ Checked<void> Application::add_operator(const OperatorScript& script) {
 
 Application::~Application() {
   services::set_failure_handler({});
+  if (cores_) cores_->close();
   restores_.end();  // one that is under way waits for the cores
   // What is asked is answered by nobody from here on, and what it would use may go.
   deadlines_.close();
   replays_.end();
   edits_.reset();
   if (live_edits_) live_edits_->close();
-  if (cores_) cores_->close();
+  if (cores_) cores_->close();  // also those that a restore has brought
   if (cell_) cell_->stop();
   if (writer_) writer_->close();  // before the strands that it tells
   if (pool_) pool_->end();

@@ -60,4 +60,8 @@ void CorePublisher::printed(const std::string& id, const std::string& text) {
   log_.append(clock_->now(), "core/" + id, text, LogLevel::debug);
 }
 
+void CorePublisher::run_lost(const std::string& id, const std::string& why) {
+  log_.append(clock_->now(), "core/" + id, why, LogLevel::error);
+}
+
 }  // namespace race::server

@@ -38,6 +38,7 @@ class CorePublisher final : public CoreWatcher {
   void derivation_snapshot(const std::string& id, Value next) override;
   void derived(const std::string& id, Value steps) override;
   void printed(const std::string& id, const std::string& text) override;
+  void run_lost(const std::string& id, const std::string& why) override;
 
  private:
   Hub& hub_;

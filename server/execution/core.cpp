@@ -149,10 +149,10 @@ void Core::resume(Done<Value> done) {
 // waits for that.
 void Core::stop(Done<Value> done) {
   Done<Value> stopped = [self = shared_from_this(), done](const Expected<Value>& answer) {
-    if (answer || !self->is_overloaded_) return done(answer);
+    if (answer || !self->ends_later_) return done(answer);
     self->end_when_rebuilt(done);
   };
-  if (is_overloaded_) return end_when_rebuilt(std::move(done));
+  if (ends_later_) return end_when_rebuilt(std::move(done));
   when_rebuilt<Value>(std::move(stopped), [this]() -> Expected<Value> {
     if (!started_) return conflict("core " + id_ + " was not started");
     if (auto ended = end_run_now(); !ended) return tl::unexpected(std::move(ended).error());
@@ -168,6 +168,11 @@ void Core::end_when_rebuilt(Done<Value> done) {
 }
 
 void Core::dismiss(Done<bool> done) {
+  if (ends_later_)
+    return on_strand<bool>(std::move(done), [this]() -> Expected<bool> {
+      if (auto ended = end_run_now(); !ended) return tl::unexpected(std::move(ended).error());
+      return true;
+    });
   when_rebuilt<bool>(std::move(done), [this]() -> Expected<bool> {
     closed_ = closed_ || !started_;
     if (!started_ || (is_over() && !interruption_)) return started_;
@@ -177,10 +182,11 @@ void Core::dismiss(Done<bool> done) {
   });
 }
 
-// One that is given up now, or was for too much to do, ends when it is read back.
+// One that is given up now, has received too much, or takes long to be read back, ends when it is.
 Expected<void> Core::end_run_now() {
-  if (is_overloaded_) {
+  if (ends_later_) {
     interruption_->ends = true;
+    if (is_to_rebuild() && !interruption_->rebuilding) rebuild_later();
     return {};
   }
   if (auto ready = ready_to_go_on(); !ready) return ready;
@@ -189,7 +195,7 @@ Expected<void> Core::end_run_now() {
   paused_ = false;  // it may have stopped within the macro step
   if (!finish_macro_step()) give_up_macro_step("stopped", "it was stopped in a long macro step");
   if (interruption_) {
-    interruption_->ends = true;
+    interruption_->ends = ends_later_ = true;
     return {};
   }
   if (!is_over()) emit(execution_.abort());

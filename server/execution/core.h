@@ -25,6 +25,7 @@
 #include "server/execution/live_edit.h"
 #include "server/store/journal_writer.h"
 #include "server/store/runs.h"
+#include "server/threads/computing_share.h"
 #include "server/threads/deadlines.h"
 #include "server/threads/done.h"
 #include "server/threads/stop.h"
@@ -51,6 +52,8 @@ class CoreWatcher {
   virtual void derivation_snapshot(const std::string& id, Value next) = 0;
   virtual void derived(const std::string& id, Value steps) = 0;
   virtual void printed(const std::string& id, const std::string& text) = 0;
+  /// A stored run that is damaged or becomes no core: why.
+  virtual void run_lost(const std::string& id, const std::string& why) = 0;
 };
 
 /// What cores use; all of it outlives them.
@@ -74,8 +77,8 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   static Expected<std::shared_ptr<Core>> create(RunRecord run, execution::JournalHeader header,
                                                 const CoreResources& resources, bool live = false);
   /// Of a stored run that was under way when the server ended: interrupted, unless its journal says that it is over.
-  /// Waits until it is rebuilt. Errors: those of Execution::create and of the store; `conflict`: the journal is of
-  /// another run.
+  /// Waits until it is rebuilt; what takes long goes on without. Errors: those of Execution::create and of the store;
+  /// `conflict`: the journal is of another run.
   static Expected<std::shared_ptr<Core>> recover(RunRecord run, execution::JournalHeader header,
                                                  const CoreResources& resources);
 
@@ -273,6 +276,9 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
 
   // core_output.cpp: what leaves.
   void emit(const execution::Progress& progress);
+  std::pair<std::size_t, std::size_t> hold_many(const execution::Progress& progress);
+  void say_due();
+  void go_on_saying();
   void record(const execution::Progress& progress);
   RunEnd run_end() const;
   Value delta_of(const execution::Progress& progress) const;
@@ -306,12 +312,15 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   void interrupt_and_rebuild(const Error& error, const char* reason);
   /// Posts work that may throw, in the turn that the core has now.
   void post_turn(Work work);
+  /// It computes much: its work waits with the rest of turns.
+  bool is_busy() const { return computing_.is_over(std::chrono::steady_clock::now()); }
   void do_turn_before();
   Work measured(Work work);
   Work interrupting(Work work);
   void publish_interruption();
   void end_rebuilt_run();
   Expected<void> readable() const;
+  /// It is interrupted, and not as its journal says yet.
   bool is_to_rebuild() const { return interruption_ && !interruption_->stalled && !interruption_->rebuilt; }
   void rebuild_later();
   void take_rebuilt(std::uint64_t interruption, Expected<Rebuilt> rebuilt);
@@ -325,13 +334,16 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
 
   static constexpr std::uint32_t kTurn = 256;  // micro steps in one turn of the strand,
   static constexpr std::uint32_t kPart = 16;   // after so many at most the time is looked at
-  /// Of the processor. A core that has computed for longer in one go is busy, and waits with the busy ones for a while.
+  // Of the processor, as the next.
   static constexpr std::chrono::milliseconds kTurnTime{2};
-  static constexpr std::chrono::seconds kBusyTime{1};
+  /// So long it says what is durable, then the others have their turn.
+  static constexpr std::chrono::microseconds kSayTime{300};
+  static constexpr std::size_t kPiece = 32;  // prints, or calls, that are said at once
   /// A person who pauses or stops a core waits so long for the end of its macro step.
   static constexpr std::chrono::milliseconds kWaitForStep{200};
   static constexpr std::chrono::milliseconds kLongestRebuild{20'000};
-  static constexpr std::uint32_t kMostUntold = 256;  // micro steps with their derivation
+  static constexpr std::chrono::milliseconds kRebuildAtStart{1'000};  // the server does not begin before
+  static constexpr std::uint32_t kMostUntold = 256;                   // micro steps with their derivation
   static constexpr std::chrono::seconds kReplayTimeout{5};
 
   const std::string id_;
@@ -353,8 +365,9 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   Expected<Reached> reached_ GUARDED_BY(mutex_);  // as told last
   std::atomic<bool> state_watched_{false}, derivation_watched_{false}, closed_{false}, live_{false},
       server_ends_{false};
-  std::atomic<std::chrono::steady_clock::time_point> busy_until_{};
-  std::atomic<bool> is_overloaded_{false};                          // interrupted for that, and not read back yet
+  ComputingShare computing_;
+  std::atomic<bool> ends_later_{false};                             // who stops it does not wait until it is read back
+  bool saying_ = false;                                             // and will go on to say what is durable
   std::atomic<bool> state_asked_{false}, derivation_asked_{false};  // and what is asked for has not come
 
   RunRecord record_;  // as it was stored when the core was made, or rebuilt; its number and document stay
@@ -390,6 +403,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
     bool was_paused = false;  // before it
     bool stalled = false;     // the disk has not answered: what the journal says is not known yet
     bool rebuilt = false;     // the execution is as the journal says
+    bool rebuilding = false;  // it will be, or it will be said why not
     bool ends = false;        // the run is aborted when it is rebuilt
   };
   static constexpr const char* kOverload = "overload";

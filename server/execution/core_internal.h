@@ -51,6 +51,7 @@ void Core::on_strand(Done<T> done, F function) {
   give_up_late(resources_.deadlines, question, id_);
   strand_.post([self = shared_from_this(), function = std::move(function), question = std::move(question)] {
     if (!question->decide()) return;
+    const Measurement measurement(self->computing_);
     try {
       self->take_inbox();
       auto value = Expected<T>(function());
@@ -60,7 +61,8 @@ void Core::on_strand(Done<T> done, F function) {
           [question, value = std::move(value)](const Error* failure) {
             question->answer(failure ? Expected<T>(tl::unexpect, *failure) : value);
           },
-          units);
+          units, true);
+      self->say_due();
     } catch (const std::exception& failure) {
       self->interrupt_after(failure);
       question->answer(unexpected(ErrorCode::unavailable, std::string("this failed: ") + failure.what()));

@@ -1,4 +1,5 @@
 // What leaves a core: entries to the journal at once, everything else when they are durable.
+#include <algorithm>
 #include <bit>
 
 #include "core/execution/checkpoint.h"
@@ -6,6 +7,7 @@
 #include "server/execution/core.h"
 #include "server/execution/outgoing_calls.h"
 #include "server/wire/calendar.h"
+#include "services/computed_time.h"
 
 namespace race::server {
 
@@ -28,15 +30,25 @@ std::size_t units_of(const execution::JournalEntry& entry) {
   return 0;
 }
 
-// Of its entry, and of what it says beside its delta and its derivation.
-std::size_t units_of(const Progress& progress) {
-  std::size_t units = progress.entry && progress.first == 0 ? units_of(*progress.entry) : 0;
-  for (const std::string& text : progress.printed) units += text.size();
-  for (const semantics::OutgoingCall& call : progress.calls) {
+std::size_t units_of(const std::vector<std::string>& texts) {
+  std::size_t units = 0;
+  for (const std::string& text : texts) units += text.size();
+  return units;
+}
+
+std::size_t units_of(const std::vector<semantics::OutgoingCall>& calls) {
+  std::size_t units = 0;
+  for (const semantics::OutgoingCall& call : calls) {
     for (const Value& argument : call.args) units += argument.size_units();
     for (const auto& [name, argument] : call.kwargs) units += argument.size_units();
   }
   return units;
+}
+
+template <typename T>
+std::vector<T> part(const std::vector<T>& all, std::size_t first, std::size_t most = ~std::size_t{0}) {
+  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
+  return {begin, begin + static_cast<std::ptrdiff_t>(std::min(most, all.size() - first))};
 }
 
 }  // namespace
@@ -46,9 +58,13 @@ void Core::emit(const Progress& progress) {
   record(progress);
   const Value delta = execution_.is_watched() && !progress.edited ? delta_of(progress) : Value();
   const Value steps = progress.derivation ? steps_of(progress) : Value();
-  const std::size_t units = units_of(progress) + delta.size_units() + steps.size_units();
+  const auto [first_print, first_call] = hold_many(progress);
+  auto printed = part(progress.printed, first_print);
+  auto calls = part(progress.calls, first_call);
+  std::size_t units = units_of(printed) + units_of(calls) + delta.size_units() + steps.size_units();
+  if (progress.entry && progress.first == 0) units += units_of(*progress.entry);
   held_.add(
-      [this, reached = reached_now(), calls = progress.calls, over = is_over(), printed = progress.printed, delta,
+      [this, reached = reached_now(), calls = std::move(calls), over = is_over(), printed = std::move(printed), delta,
        steps](const Error* failure) {
         if (failure) return;
         set_reached(reached);
@@ -60,6 +76,54 @@ void Core::emit(const Progress& progress) {
       units);
   if (progress.edited && execution_.is_watched()) publish_snapshot(&CoreWatcher::state_replaced);
   if (paused_ || is_over()) publish_info();
+}
+
+// What is more than one piece of what a macro step prints and calls, and is said before the rest of it. Returns how
+// many prints and calls that are.
+std::pair<std::size_t, std::size_t> Core::hold_many(const Progress& progress) {
+  std::size_t print = 0, call = 0;
+  const bool calls_much = progress.calls.size() > kPiece;
+  for (; progress.printed.size() - print > (calls_much ? 0 : kPiece); print += kPiece) {
+    auto texts = part(progress.printed, print, kPiece);
+    const std::size_t units = units_of(texts);
+    held_.add(
+        [this, texts = std::move(texts)](const Error* failure) {
+          if (failure) return;
+          for (const std::string& text : texts) resources_.watcher.printed(id_, text);
+        },
+        units);
+  }
+  for (; progress.calls.size() - call > kPiece; call += kPiece) {
+    auto calls = part(progress.calls, call, kPiece);
+    const std::size_t units = units_of(calls);
+    held_.add(
+        [this, calls = std::move(calls)](const Error* failure) {
+          if (!failure) make_calls(resources_.host, id_, calls, false);
+        },
+        units);
+  }
+  return {std::min(print, progress.printed.size()), call};
+}
+
+// Some of what is durable, then the others have their turn.
+void Core::say_due() {
+  const bool was_ahead = held_.is_full();
+  const auto end = services::thread_time() + kSayTime;
+  while (held_.is_due() && services::thread_time() < end) held_.say_next();
+  if (held_.is_due()) go_on_saying();
+  if (was_ahead && !held_.is_full()) schedule();
+}
+
+// With the rest of turns if the core is busy, unless somebody waits for an answer.
+void Core::go_on_saying() {
+  const bool hurries = held_.has_answers() || !is_busy();
+  if (std::exchange(saying_, true) && !hurries) return;
+  Work go_on = measured([this] {
+    saying_ = false;
+    say_due();
+  });
+  if (hurries) return strand_.post(std::move(go_on));
+  strand_.post_later(std::move(go_on));
 }
 
 // The entry with the first part of its macro step; after the last part, the checkpoint that is due and the run's end.

@@ -14,13 +14,18 @@ Expected<std::shared_ptr<Core>> Core::recover(RunRecord run, execution::JournalH
   ASSIGN_OR_RETURN(auto core, create(std::move(run), std::move(header), resources));
   core->paused_ = true;
   core->interruption_ = {.number = 0, .reason = "restart", .message = "the server ended while the run was under way"};
-  ASSIGN_OR_RETURN(Rebuilt rebuilt, core->rebuild(kLongestRebuild, false));
-  core->take(std::move(rebuilt));
+  auto rebuilt = core->rebuild(kRebuildAtStart, false);
+  if (rebuilt)
+    core->take(std::move(*rebuilt));
+  else if (rebuilt.error().code != ErrorCode::unavailable)
+    return tl::unexpected(std::move(rebuilt).error());
+  core->ends_later_ = !rebuilt;
   {
     const services::MutexLock lock(core->mutex_);
     core->info_ = core->info_json();
   }
   if (core->is_over()) core->strand_.post([core] { core->end_rebuilt_run(); });
+  if (!rebuilt) core->rebuild_later();
   return core;
 }
 
@@ -31,10 +36,9 @@ void Core::open_journal() {
 }
 
 void Core::durable(std::uint64_t ticket) {
-  strand_.post(interrupting([this, ticket] {
-    const bool was_ahead = held_.is_full();
+  strand_.post(measured([this, ticket] {
     held_.release(ticket);
-    if (was_ahead) schedule();
+    if (!saying_ || held_.has_answers()) say_due();
   }));
 }
 
@@ -62,7 +66,7 @@ void Core::interrupt(const Error& error, const char* reason) {
                    .reason = reason,
                    .message = error.message,
                    .was_paused = std::exchange(paused_, true)};
-  is_overloaded_ = interruption_->reason == kOverload;
+  ends_later_ = interruption_->reason == kOverload;
   services::run_reporting("the safe calls of a run", [this] {
     for (const semantics::OutgoingCall& call : run().safe_calls())
       resources_.host.call({"", 0}, call.service, call.name, {}, {}, id_);
@@ -97,6 +101,7 @@ Work Core::interrupting(Work work) {
 
 // Not on the strand: the threads of the cores never wait for the disk, so that the safe calls of all are made at once.
 void Core::rebuild_later() {
+  interruption_->rebuilding = true;
   resources_.writer.recover([self = shared_from_this(), number = interruption_->number, ends = interruption_->ends] {
     const auto longest = ends ? kWaitForStep : kLongestRebuild;
     self->strand_.post([self, number, rebuilt = std::make_shared<Expected<Rebuilt>>(self->rebuild(longest, ends))] {
@@ -107,11 +112,14 @@ void Core::rebuild_later() {
 
 void Core::take_rebuilt(std::uint64_t interruption, Expected<Rebuilt> rebuilt) {
   if (!is_to_rebuild() || interruption_->number != interruption) return;
-  is_overloaded_ = false;
+  interruption_->rebuilding = false;
   if (!rebuilt) {
+    ends_later_ = rebuilt.error().code == ErrorCode::unavailable;
+    if (ends_later_ && interruption_->ends && !server_ends_) return rebuild_later();
     interruption_->message += "; " + rebuilt.error().message;
     return publish_interruption();
   }
+  ends_later_ = false;
   const bool was_paused = interruption_->was_paused, ends = interruption_->ends;
   take(std::move(*rebuilt));
   if (!started_) paused_ = was_paused;

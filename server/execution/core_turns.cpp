@@ -33,16 +33,15 @@ void Core::do_turn_before() {
 // With the rest of turns if it is busy: so those that have little to do wait for no function that takes long.
 void Core::post_turn(Work work) {
   Work turn = measured(std::move(work));
-  if (Clock::now() < busy_until_.load()) return strand_.post_later(std::move(turn));
+  if (is_busy()) return strand_.post_later(std::move(turn));
   strand_.post(std::move(turn));
 }
 
-// Work that may throw. What counts is the time of the processor: a machine under load makes no core a busy one.
+// Work that may throw.
 Work Core::measured(Work work) {
   return interrupting([this, work = std::move(work)] {
-    const auto begin = services::thread_time();
+    const Measurement measurement(computing_);
     work();
-    if (services::thread_time() - begin > kTurnTime) busy_until_ = Clock::now() + kBusyTime;
   });
 }
 

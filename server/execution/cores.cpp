@@ -116,9 +116,10 @@ Expected<std::shared_ptr<Core>> Cores::create_run(const StoredDocument& stored, 
 Expected<void> Cores::recover() {
   ASSIGN_OR_RETURN(const RunList open, resources_.runs.open_runs());
   for (const DamagedRun& run : open.damaged)
-    resources_.watcher.printed(std::to_string(run.id),
-                               (run.is_over ? "is damaged: " : "cannot be rebuilt: ") + to_string(run.error));
+    resources_.watcher.run_lost(std::to_string(run.id),
+                                (run.is_over ? "is damaged: " : "cannot be rebuilt: ") + to_string(run.error));
   for (const RunRecord& run : open.runs) {
+    if (ends_) return {};
     auto header = resources_.runs.header(run.id);
     auto core = !header          ? Expected<std::shared_ptr<Core>>(tl::unexpect, header.error())
                 : run.steps == 0 ? Core::create(run, std::move(*header), resources_)
@@ -126,7 +127,7 @@ Expected<void> Cores::recover() {
     if (core)
       add(*core);
     else
-      resources_.watcher.printed(std::to_string(run.id), "cannot be rebuilt: " + to_string(core.error()));
+      resources_.watcher.run_lost(std::to_string(run.id), "cannot be rebuilt: " + to_string(core.error()));
   }
   return {};
 }
@@ -170,6 +171,7 @@ void Cores::deliver(const services::Delivery& delivery) {
 }
 
 void Cores::close() {
+  ends_ = true;
   for (const auto& core : all()) core->end();
 }
 

@@ -4,6 +4,7 @@
 // there is a function that waits for it.
 #pragma once
 
+#include <atomic>
 #include <map>
 #include <memory>
 #include <optional>
@@ -60,7 +61,7 @@ class Cores {
 
   /// An event goes to every core that names it, a response to the core whose call it answers.
   void deliver(const services::Delivery& delivery);
-  /// No core goes on: the server ends.
+  /// No core goes on, and no run becomes one: the server ends.
   void close();
   /// Finishes loads and removals that are under way.
   void end_changes() { changes_.end(); }
@@ -92,6 +93,7 @@ class Cores {
   std::map<RunId, std::shared_ptr<Core>> cores_ GUARDED_BY(mutex_);
   std::size_t coming_ GUARDED_BY(mutex_) = 0;  // being created
   bool restoring_ GUARDED_BY(mutex_) = false;
+  std::atomic<bool> ends_{false};
   Pool changes_{1};  // where loads and removals go on
 };
 

@@ -27,21 +27,24 @@ class HeldOutputs {
   std::uint64_t next_ticket() { return ++issued_; }
   /// What comes of all records so far, and takes so many units (Value::size_units) of memory. Said at once if they are
   /// durable.
-  void add(Output output, std::size_t units = 0) {
+  void add(Output output, std::size_t units = 0, bool is_answer = false) {
     if (durable_ == issued_ && held_.empty()) return output(nullptr);
-    held_.push_back({issued_, std::move(output), units});
+    held_.push_back({issued_, std::move(output), units, is_answer});
     units_ += units;
+    answers_ += is_answer ? 1 : 0;
   }
-  /// The records up to `ticket` are durable: what came of them is said.
-  void release(std::uint64_t ticket) {
-    durable_ = ticket;
-    while (!held_.empty() && held_.front().ticket <= ticket) take_first()(nullptr);
-  }
+  /// The records up to `ticket` are durable: what came of them may be said.
+  void release(std::uint64_t ticket) { durable_ = ticket; }
+  bool is_due() const { return !held_.empty() && held_.front().ticket <= durable_; }
+  /// Says the next that is due.
+  void say_next() { take_first()(nullptr); }
   /// What is held will never be said. Who asked is told why.
   void fail(const Error& error) {
     durable_ = issued_;
     while (!held_.empty()) take_first()(&error);
   }
+  /// Somebody waits.
+  bool has_answers() const { return answers_ > 0; }
   std::size_t size() const { return held_.size(); }
   /// No further macro step should begin, and none go on.
   bool is_full() const { return held_.size() >= kMost || units_ >= kMostUnits; }
@@ -51,16 +54,18 @@ class HeldOutputs {
     std::uint64_t ticket;
     Output output;
     std::size_t units;
+    bool is_answer;
   };
   Output take_first() {
     Output output = std::move(held_.front().output);
     units_ -= held_.front().units;
+    answers_ -= held_.front().is_answer ? 1 : 0;
     held_.pop_front();
     return output;
   }
 
   std::deque<Held> held_;
-  std::size_t units_ = 0;  // of held_
+  std::size_t units_ = 0, answers_ = 0;  // of held_
   std::uint64_t issued_ = 0, durable_ = 0;
 };
 

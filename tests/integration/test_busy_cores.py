@@ -1,5 +1,7 @@
 """A core that is busy, and a replay that takes long, delay those who ask for them, and nobody else."""
+import shutil
 import socket
+import tempfile
 import threading
 import time
 import unittest
@@ -132,6 +134,26 @@ class LongRebuilds(unittest.TestCase):
         took = time.monotonic() - begin
         print(f"a run is read back: ends in {took:.2f} s", flush=True)
         self.assertLess(took, 2 * SOON)
+
+    def test_a_run_that_takes_long_to_be_read_back_keeps_no_server_from_its_start_and_can_be_ended(self):
+        data = tempfile.mkdtemp(prefix="race-test-")
+        self.addCleanup(shutil.rmtree, data)
+        before = Server(data=data)
+        core = before.core(models.diverging(numbers=150000))
+        before.get(f"/cores/{core}/state", "core_state")
+        before.kill()
+        begin = time.monotonic()
+        with Server(data=data) as server:
+            started = time.monotonic() - begin
+            self.assertLess(started, 5)
+            self.assertEqual(server.get(f"/cores/{core}", "core")["status"], "interrupted")
+            for _ in range(2):
+                begin = time.monotonic()
+                server.post(f"/cores/{core}/stop", None, "core")
+                self.assertLess(time.monotonic() - begin, SOON)
+            server.wait(core, lambda now: now["status"] == "aborted", 3 * TIMEOUT)
+            print(f"a run that takes long to be read back: the server starts in {started:.2f} s, the run has ended after "
+                  f"{time.monotonic() - begin:.1f} s", flush=True)
 
 
 if __name__ == "__main__":

@@ -108,6 +108,7 @@ struct CoreTest : testing::Test, CoreWatcher {
   }
   void derivation_snapshot(const std::string&, Value) override {}
   void derived(const std::string&, Value) override {}
+  void run_lost(const std::string&, const std::string&) override {}
   void printed(const std::string&, const std::string& text) override {
     if (on_print) on_print(text);
   }

@@ -30,6 +30,7 @@ struct CoresTest : testing::Test, CoreWatcher {
   void state_changed(const std::string&, Value) override {}
   void derivation_snapshot(const std::string&, Value) override {}
   void derived(const std::string&, Value) override {}
+  void run_lost(const std::string& id, const std::string& why) override { said.push_back(id + ": " + why); }
   void printed(const std::string& id, const std::string& text) override {
     if (text != "busy") return said.push_back(id + ": " + text);
     busy.set_value();

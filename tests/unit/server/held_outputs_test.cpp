@@ -12,6 +12,11 @@ struct HeldOutputsTest : testing::Test {
   HeldOutputs::Output output(char name) {
     return [this, name](const Error* failure) { said += failure ? '!' : name; };
   }
+  /// All that is durable up to this record.
+  void release(std::uint64_t ticket) {
+    held.release(ticket);
+    while (held.is_due()) held.say_next();
+  }
   HeldOutputs held;
   std::string said;
 };
@@ -24,10 +29,27 @@ TEST_F(HeldOutputsTest, ComeInOrderWhenTheirRecordsAreDurable) {
   const auto second = held.next_ticket();
   held.add(output('c'));
   EXPECT_EQ(said, "a");
-  held.release(second - 1);
+  release(second - 1);
   EXPECT_EQ(said, "ab");
   held.fail({ErrorCode::storage, "no"});
   EXPECT_EQ(said, "ab!");
+}
+
+TEST_F(HeldOutputsTest, AreSaidOneByOneAndKnowWhetherSomebodyWaits) {
+  const auto ticket = held.next_ticket();
+  held.add(output('a'));
+  held.add(output('b'), 0, true);
+  held.release(ticket);
+  EXPECT_EQ(said, "");
+  EXPECT_TRUE(held.has_answers());
+  held.say_next();
+  held.add(output('c'));
+  EXPECT_EQ(said, "a") << "in order";
+  held.say_next();
+  EXPECT_FALSE(held.has_answers());
+  held.say_next();
+  EXPECT_EQ(said, "abc");
+  EXPECT_FALSE(held.is_due());
 }
 
 TEST_F(HeldOutputsTest, AreFullByNumber) {
@@ -37,7 +59,7 @@ TEST_F(HeldOutputsTest, AreFullByNumber) {
     held.add(output('a'));
   }
   EXPECT_TRUE(held.is_full());
-  held.release(ticket);
+  release(ticket);
   EXPECT_FALSE(held.is_full());
 }
 
@@ -47,7 +69,7 @@ TEST_F(HeldOutputsTest, AreFullByUnits) {
   EXPECT_FALSE(held.is_full());
   held.add(output('b'), 1);
   EXPECT_TRUE(held.is_full());
-  held.release(ticket);
+  release(ticket);
   EXPECT_FALSE(held.is_full());
   EXPECT_EQ(said, "ab");
 }

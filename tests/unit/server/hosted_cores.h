@@ -89,6 +89,7 @@ struct HostedCores : testing::Test, CoreWatcher {
   }
   void derivation_snapshot(const std::string&, Value) override {}
   void derived(const std::string&, Value) override {}
+  void run_lost(const std::string&, const std::string&) override {}
   void printed(const std::string&, const std::string& text) override {
     const services::MutexLock lock(mutex);
     told.push_back(text);

@@ -29,6 +29,7 @@ struct RunKeeperTest : testing::Test, CoreWatcher {
   void derivation_snapshot(const std::string&, Value) override {}
   void derived(const std::string&, Value) override {}
   void printed(const std::string&, const std::string&) override {}
+  void run_lost(const std::string&, const std::string&) override {}
 
   /// A core that is running and waits.
   std::shared_ptr<Core> running_core() {
