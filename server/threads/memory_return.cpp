@@ -10,6 +10,11 @@
 
 namespace race::server {
 
+MemoryReturn::MemoryReturn(std::chrono::milliseconds period) : period_(period) {
+  mallopt(M_ARENA_MAX, kArenas);
+  thread_ = std::thread([this] { run(); });
+}
+
 MemoryReturn::~MemoryReturn() {
   {
     const services::MutexLock lock(mutex_);

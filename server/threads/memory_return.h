@@ -1,6 +1,7 @@
 // MemoryReturn: gives the system back what the allocator keeps free, now and then. After a load, most of what was used
 // is free, but in pieces within arenas that are never empty, which the allocator does not return by itself. Not during
-// one: whoever needs memory waits meanwhile, for some ten milliseconds.
+// one: whoever needs memory waits meanwhile, for some ten milliseconds. And it lets the allocator have few arenas, from
+// the threads on that begin later: what is free in one is of no use to another.
 //
 // Threads: one of its own.
 #pragma once
@@ -19,8 +20,10 @@ class MemoryReturn {
   static constexpr std::size_t kFree = 2U << 20U;  // bytes that may stay: some percent of what a small cell takes
   static constexpr int kMostWaited = 20;           // periods, for the end of a load
 
+  static constexpr int kArenas = 8;
+
   /// Throws std::system_error if no thread can be had.
-  explicit MemoryReturn(std::chrono::milliseconds period = kPeriod) : period_(period), thread_([this] { run(); }) {}
+  explicit MemoryReturn(std::chrono::milliseconds period = kPeriod);
   ~MemoryReturn();
   MemoryReturn(const MemoryReturn&) = delete;
   MemoryReturn& operator=(const MemoryReturn&) = delete;
