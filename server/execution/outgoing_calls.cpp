@@ -5,8 +5,7 @@ namespace race::server {
 void make_calls(services::Host& host, const std::string& core, const std::vector<semantics::OutgoingCall>& calls,
                 bool is_over) {
   for (const semantics::OutgoingCall& call : calls) {
-    if (call.supersedes != 0) host.abandon({core, call.supersedes}, call.service);
-    host.call({core, call.number}, call.service, call.name, call.args, call.kwargs);
+    host.call({core, call.number}, call.service, call.name, call.args, call.kwargs, {}, call.supersedes);
   }
   if (is_over) host.abandon_all(core);
 }

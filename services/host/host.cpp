@@ -1,7 +1,9 @@
 #include "services/host/host.h"
 
 #include <algorithm>
+#include <exception>
 #include <functional>
+#include <tuple>
 #include <utility>
 
 #include "services/arguments.h"
@@ -68,7 +70,7 @@ ServiceHost& Host::declare(std::string key, std::string type, WorkQueue& queue) 
 Host::Response Host::Response::unavailable() { return {Dict{{"code", Value(name(ErrorCode::unavailable))}}, true}; }
 
 CallId Host::call(Caller caller, const std::string& service, std::string operation, List args, Dict kwargs,
-                  const std::string& after) {
+                  const std::string& after, std::uint64_t supersedes) {
   const std::size_t units = freeze(args, kwargs);
   const CallId id = next_call_++;
   const WorkQueue::Lane lane = lane_of(caller.core.empty() ? after : caller.core);
@@ -83,13 +85,18 @@ CallId Host::call(Caller caller, const std::string& service, std::string operati
     answer_unavailable(pending, service);
     return id;
   }
-  entry->queue.post(
-      [this, entry, disconnections = entry->disconnections.load(), pending = std::move(pending),
-       call = Call{id, std::move(operation), std::move(args), std::move(kwargs)}] {
-        entry->arriving.remove(pending.units);
-        arrive(*entry, disconnections, pending, call);
-      },
-      lane);
+  auto arrival = [this, entry, disconnections = entry->disconnections.load(), pending = std::move(pending),
+                  call = Call{id, std::move(operation), std::move(args), std::move(kwargs)}, supersedes] {
+    entry->arriving.remove(pending.units);
+    if (supersedes != 0) run(entry->number, disconnections, abandoning(*entry, {pending.caller.core, supersedes}));
+    arrive(*entry, disconnections, pending, call);
+  };
+  try {
+    entry->queue.post(std::move(arrival), lane);
+  } catch (...) {
+    entry->arriving.remove(units);
+    throw;
+  }
   return id;
 }
 
@@ -98,49 +105,49 @@ void Host::arrive(ServiceEntry& entry, std::uint64_t disconnections, const Pendi
     run(entry.number, disconnections, [&call](Component& component) { component.call(call); });
 }
 
-// What is not accepted is answered. So is what was on its way when the component was disconnected.
+// What is not accepted is answered. So is what was on its way when the component was disconnected, and that for which
+// there is no memory.
 bool Host::accept(ServiceEntry& entry, std::uint64_t disconnections, const PendingCall& pending, const Call& call) {
   const MutexLock lock(mutex_);
-  if (entry.disconnections != disconnections || !can_be_called(pending, entry)) {
-    answer_unavailable(pending, entry.status.key);
-    return false;
+  try {
+    if (entry.disconnections == disconnections && can_be_called(pending, entry)) {
+      log(entry, entry.ledger->call(pending, call.args, call.kwargs));
+      notify_status(entry);
+      return true;
+    }
+  } catch (const std::exception&) {
+    std::ignore = entry.ledger->take(pending.id);
   }
-  log(entry, entry.ledger->call(pending, call.args, call.kwargs));
-  notify_status(entry);
-  return true;
+  answer_unavailable(pending, entry.status.key);
+  return false;
 }
 
-void Host::abandon(const Caller& caller, const std::string& service) {
-  const Abandoned abandoned = [caller](CallLedger& ledger) {
-    const CallId call = ledger.abandon(caller);
-    return call == 0 ? std::vector<CallId>() : std::vector{call};
-  };
-  if (ServiceEntry* entry = find(service)) return abandon(*entry, caller.core, abandoned);
-  abandon_everywhere(caller.core, abandoned);
+void Host::abandon(const Caller& caller) {
+  const MutexLock lock(mutex_);
+  for (const auto& entry : entries_)
+    if (entry->ledger) post(*entry, abandoning(*entry, caller), lane_of(caller.core));
 }
 
 void Host::abandon_all(const std::string& core) {
-  abandon_everywhere(core, [core](CallLedger& ledger) { return ledger.abandon_all(core); });
-}
-
-void Host::abandon_everywhere(const std::string& core, const Abandoned& abandoned) {
   const MutexLock lock(mutex_);
   for (const auto& entry : entries_)
-    if (entry->ledger) abandon(*entry, core, abandoned);
+    if (entry->ledger) post(*entry, abandoning(*entry, {core, 0}), lane_of(core));
 }
 
-// It may answer one before it comes to the next.
-void Host::abandon(ServiceEntry& entry, const std::string& core, Abandoned abandoned) {
-  auto work = [this, &entry, abandoned = std::move(abandoned)](Component& component) {
+// The component is told of a call, or of all of the core. It may answer one before it comes to the next.
+Host::Work Host::abandoning(ServiceEntry& entry, Caller caller) {
+  return [this, &entry, caller = std::move(caller)](Component& component) {
     std::vector<CallId> calls;
     {
       const MutexLock lock(mutex_);
-      calls = abandoned(*entry.ledger);
+      if (caller.call == 0)
+        calls = entry.ledger->abandon_all(caller.core);
+      else if (const CallId call = entry.ledger->abandon(caller))
+        calls = {call};
     }
     for (const CallId call : calls)
       if (is_pending(entry, call)) component.abandoned(call);
   };
-  post(entry, std::move(work), lane_of(core));
 }
 
 bool Host::is_pending(const ServiceEntry& entry, CallId call) const {

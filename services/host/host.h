@@ -73,13 +73,15 @@ class Host {
   /// It arrives, and can be seen, when the queue of the service is run. `args` and `kwargs` are frozen here. It comes
   /// after the calls that the core of its caller has made before or, of a caller without one, those of `after`; without
   /// either, before all that wait.
+  /// `supersedes`: the number of the earlier call of the same core and operation to whose place it comes: that is
+  /// abandoned first; 0: none.
   CallId call(Caller caller, const std::string& service, std::string operation, List args, Dict kwargs,
-              const std::string& after = {}) EXCLUDES(mutex_, keys_mutex_);
+              const std::string& after = {}, std::uint64_t supersedes = 0) EXCLUDES(mutex_, keys_mutex_);
 
-  /// Nobody can receive the response to the call that `caller` made of `service` (if it is known), or to any call of
-  /// `core` whose response is still to come: the component is told, once (Component::abandoned). Nothing else happens,
-  /// and nothing at all to a call that has had its response. It comes after what that core has called before.
-  void abandon(const Caller& caller, const std::string& service = {}) EXCLUDES(mutex_, keys_mutex_);
+  /// Nobody can receive the response to the call that `caller` made, or to any call of `core` whose response is still
+  /// to come: the component is told, once (Component::abandoned). Nothing else happens, and nothing at all to a call
+  /// that has had its response. It comes after what that core has called before.
+  void abandon(const Caller& caller) EXCLUDES(mutex_);
   void abandon_all(const std::string& core) EXCLUDES(mutex_);
 
   /// Time has passed: the answers that are due now go to their queues. With `wait`, those that are due and not there
@@ -138,10 +140,8 @@ class Host {
       EXCLUDES(mutex_);
   bool accept(ServiceEntry& entry, std::uint64_t disconnections, const PendingCall& pending, const Call& call)
       EXCLUDES(mutex_);
-  using Abandoned = std::function<std::vector<CallId>(CallLedger&)>;
-  void abandon(ServiceEntry& entry, const std::string& core, Abandoned abandoned);
+  Work abandoning(ServiceEntry& entry, Caller caller);
   bool is_pending(const ServiceEntry& entry, CallId call) const EXCLUDES(mutex_);
-  void abandon_everywhere(const std::string& core, const Abandoned& abandoned) EXCLUDES(mutex_);
   void answer(ServiceEntry& entry, CallId call, const Response& response) REQUIRES(mutex_);
   void deliver_response(const ServiceEntry& entry, const PendingCall& call, const Response& response) REQUIRES(mutex_);
   bool can_be_called(const PendingCall& call, ServiceEntry& entry) REQUIRES(mutex_);

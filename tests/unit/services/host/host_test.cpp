@@ -268,8 +268,9 @@ TEST_F(HostTest, AServiceForWhichTooManyCallsWaitAnswersUnavailableAndSaysSoOnce
 
 TEST_F(HostTest, WhoCallsWaitsForNoObserver) {
   bool called = false;
+  std::future<CallId> call;  // whose end waits for the observer, if it does
   bench.on_log = [&] {
-    auto call = std::async(std::launch::async, [&] { bench.host.call({"2", 1}, "lamp", "blink", {}, {}); });
+    call = std::async(std::launch::async, [&] { return bench.host.call({"2", 1}, "lamp", "blink", {}, {}); });
     called = call.wait_for(std::chrono::seconds(5)) == std::future_status::ready;
     bench.on_log = nullptr;
   };
