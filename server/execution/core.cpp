@@ -168,11 +168,6 @@ void Core::end_when_rebuilt(Done<Value> done) {
 }
 
 void Core::dismiss(Done<bool> done) {
-  if (ends_later_)
-    return on_strand<bool>(std::move(done), [this]() -> Expected<bool> {
-      if (auto ended = end_run_now(); !ended) return tl::unexpected(std::move(ended).error());
-      return true;
-    });
   when_rebuilt<bool>(std::move(done), [this]() -> Expected<bool> {
     closed_ = closed_ || !started_;
     if (!started_ || (is_over() && !interruption_)) return started_;

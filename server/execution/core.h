@@ -406,7 +406,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
     bool rebuilding = false;  // it will be, or it will be said why not
     bool ends = false;        // the run is aborted when it is rebuilt
   };
-  static constexpr const char* kOverload = "overload";
+  static constexpr const char *kOverload = "overload", *kDeadline = "deadline";
   std::optional<Interruption> interruption_;
   std::uint64_t interruptions_ = 0;
 

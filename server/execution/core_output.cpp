@@ -82,8 +82,8 @@ void Core::emit(const Progress& progress) {
 // many prints and calls that are.
 std::pair<std::size_t, std::size_t> Core::hold_many(const Progress& progress) {
   std::size_t print = 0, call = 0;
-  const bool calls_much = progress.calls.size() > kPiece;
-  for (; progress.printed.size() - print > (calls_much ? 0 : kPiece); print += kPiece) {
+  const std::size_t rest = progress.calls.size() > kPiece ? 0 : kPiece;  // of the prints, that are said with the rest
+  for (; progress.printed.size() > print + rest; print += kPiece) {
     auto texts = part(progress.printed, print, kPiece);
     const std::size_t units = units_of(texts);
     held_.add(
@@ -93,7 +93,7 @@ std::pair<std::size_t, std::size_t> Core::hold_many(const Progress& progress) {
         },
         units);
   }
-  for (; progress.calls.size() - call > kPiece; call += kPiece) {
+  for (; progress.calls.size() > call + kPiece; call += kPiece) {
     auto calls = part(progress.calls, call, kPiece);
     const std::size_t units = units_of(calls);
     held_.add(
@@ -122,8 +122,13 @@ void Core::go_on_saying() {
     saying_ = false;
     say_due();
   });
-  if (hurries) return strand_.post(std::move(go_on));
-  strand_.post_later(std::move(go_on));
+  try {
+    if (hurries) return strand_.post(std::move(go_on));
+    strand_.post_later(std::move(go_on));
+  } catch (...) {  // no memory: what becomes durable next goes on
+    saying_ = false;
+    throw;
+  }
 }
 
 // The entry with the first part of its macro step; after the last part, the checkpoint that is due and the run's end.

@@ -20,6 +20,7 @@ Expected<std::shared_ptr<Core>> Core::recover(RunRecord run, execution::JournalH
   else if (rebuilt.error().code != ErrorCode::unavailable)
     return tl::unexpected(std::move(rebuilt).error());
   core->ends_later_ = !rebuilt;
+  core->started_ = core->started_ || !rebuilt;
   {
     const services::MutexLock lock(core->mutex_);
     core->info_ = core->info_json();
@@ -62,11 +63,13 @@ void Core::failed(const Error& error) {
 // nobody's call: no answer to these reaches a run, and none to its open calls, which are `unavailable` to it
 // (rebuild()).
 void Core::interrupt(const Error& error, const char* reason) {
+  const bool ends = interruption_ && interruption_->ends;
   interruption_ = {.number = ++interruptions_,
                    .reason = reason,
                    .message = error.message,
-                   .was_paused = std::exchange(paused_, true)};
-  ends_later_ = interruption_->reason == kOverload;
+                   .was_paused = std::exchange(paused_, true),
+                   .ends = ends};
+  ends_later_ = ends || interruption_->reason == kOverload || interruption_->reason == kDeadline;
   services::run_reporting("the safe calls of a run", [this] {
     for (const semantics::OutgoingCall& call : run().safe_calls())
       resources_.host.call({"", 0}, call.service, call.name, {}, {}, id_);
@@ -150,6 +153,7 @@ void Core::rebuild_for(std::uint64_t interruption, Done<void> done) {
       (*late)(unexpected(ErrorCode::unavailable, "the run takes long to be read back; ask again"));
   });
   resources_.writer.recover([self = shared_from_this(), interruption, once = std::move(once)] {
+    if (once->was_called()) return;
     auto rebuilt = std::make_shared<Expected<Rebuilt>>(self->rebuild(kLongestRebuild, false));
     if (!*rebuilt) return (*once)(tl::unexpected(rebuilt->error()));
     Done<bool> taken = [once](const Expected<bool>& is_taken) {

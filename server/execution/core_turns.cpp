@@ -160,7 +160,7 @@ bool Core::finish_macro_step() {
 // Whether what was computed took too long. It is no fault of the run: the execution is rebuilt.
 bool Core::gave_up() {
   if (!*give_up_) return false;
-  give_up_macro_step("deadline",
+  give_up_macro_step(kDeadline,
                      "a macro step has taken more than " + std::to_string(resources_.longest_step.count()) + " ms");
   return true;
 }

@@ -110,10 +110,11 @@ bool JournalWriter::has_time_for(const Value& checkpoint) {
     return std::chrono::duration_cast<Clock::duration>(seconds);
   };
   const auto now = Clock::now();
+  const auto cost = time_of(checkpoint.size_units());
   const services::MutexLock lock(mutex_);
   if (checkpoints_until_ > now) return false;
   checkpoints_until_ = std::max(checkpoints_until_, now - time_of(kMostCheckpointUnits));
-  checkpoints_until_ += time_of(checkpoint.size_units());
+  checkpoints_until_ += cost;
   return true;
 }
 

@@ -81,20 +81,19 @@ void Publications::do_next() {
   Overflow overflow;
   {
     const services::MutexLock lock(mutex_);
+    if (turns_.empty()) return;
     const auto channel = turns_.front();
-    turns_.pop_front();
-    Waiting& waiting = channel->second;
     name = channel->first;
+    Waiting& waiting = channel->second;
+    if (waiting.pieces.size() > 1) turns_.push_back(channel);
+    turns_.pop_front();
     piece = std::move(waiting.pieces.front());
     waiting.pieces.pop_front();
     if (piece.work)
       begin(waiting, piece);
     else
       overflow = take_overflow(waiting);
-    if (waiting.pieces.empty())
-      channels_.erase(channel);
-    else
-      turns_.push_back(channel);
+    if (waiting.pieces.empty()) channels_.erase(channel);
   }
   if (!piece.work) return begin_anew_(name, overflow);
   try {

@@ -37,6 +37,7 @@ class Once {
     if (called_.exchange(true)) return;
     services::run_reporting("an answer", [&] { std::exchange(done_, nullptr)(std::move(value)); });
   }
+  bool was_called() const { return called_; }
 
  private:
   std::atomic<bool> called_{false};

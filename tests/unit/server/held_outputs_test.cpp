@@ -52,6 +52,16 @@ TEST_F(HeldOutputsTest, AreSaidOneByOneAndKnowWhetherSomebodyWaits) {
   EXPECT_FALSE(held.is_due());
 }
 
+TEST_F(HeldOutputsTest, WaitForNothingThatWasDurableWhenTheJournalFailed) {
+  const auto first = held.next_ticket();
+  held.next_ticket();
+  held.add(output('a'));
+  held.fail({ErrorCode::storage, "no"});
+  release(first);  // it was on its way
+  held.add(output('b'));
+  EXPECT_EQ(said, "!b");
+}
+
 TEST_F(HeldOutputsTest, AreFullByNumber) {
   const auto ticket = held.next_ticket();
   for (std::size_t i = 0; i < HeldOutputs::kMost; ++i) {
