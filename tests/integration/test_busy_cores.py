@@ -86,32 +86,32 @@ class LongReplays(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.server = Server()
-        cls.long = cls.server.core(laps())
+        cls.long = [cls.server.core(laps()) for _ in range(3)]
         cls.short = cls.server.core(models.ticking("short", last=1))
-        cls.steps = cls.server.ended(cls.long, 6 * TIMEOUT)["step"]
+        cls.steps = [cls.server.ended(core, 6 * TIMEOUT)["step"] for core in cls.long]
         cls.server.ended(cls.short)
 
     @classmethod
     def tearDownClass(cls):
         cls.server.kill()
 
-    def ask_for_the_long_one(self):
+    def ask_for_a_long_one(self, i):
         """A connection that has asked and does not read."""
         connection = socket.create_connection(("127.0.0.1", self.server.port), timeout=TIMEOUT)
-        path = f"/api/v1/cores/{self.long}/derivations?from=1&to={self.steps}"
+        path = f"/api/v1/cores/{self.long[i]}/derivations?from=1&to={self.steps[i]}"
         connection.sendall(f"GET {path} HTTP/1.1\r\nHost: 127.0.0.1:{self.server.port}\r\n\r\n".encode())
         time.sleep(0.3)
         return connection
 
     def test_a_replay_ends_when_its_client_has_gone(self):
-        for _ in range(3):
-            self.ask_for_the_long_one().close()
+        for i in range(len(self.long)):
+            self.ask_for_a_long_one(i).close()
         begin = time.monotonic()
         self.server.get(f"/cores/{self.short}/derivations", "derivations")
         self.assertLess(time.monotonic() - begin, SOON)
 
     def test_z_the_server_ends_while_somebody_waits_for_a_replay(self):
-        with self.ask_for_the_long_one():
+        with self.ask_for_a_long_one(0):
             begin = time.monotonic()
             self.server.process.terminate()
             self.assertEqual(self.server.process.wait(TIMEOUT), 0)

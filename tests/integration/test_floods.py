@@ -95,11 +95,19 @@ def measure(server, floods, core=None):
     return result
 
 
+def pulse():
+    """Has a large state, its argument, and changes all the time."""
+    return models.document("pulse", {
+        "state": "Root", "parameters": [{"name": "value"}], "first": "A",
+        "children": [{"state": name, "ports": [{"name": "next", "after": "0.05", "to": other}]}
+                     for name, other in ("AB", "BA")]})
+
+
 def by_clients(messages, clients=2):
     """Of clients of the stream: messages(core, i) are those of client i. Others are served meanwhile."""
     server = Server()
     try:
-        core = server.core(models.storing("large"), {"value": ["x" * 1000] * 300}, start=False)
+        core = server.core(pulse(), {"value": ["x" * 1000] * 300})
         floods = [Flood(Stream(server.port), messages(core, i)) for i in range(clients)]
         served = threading.Timer(SECONDS / 2, lambda: others.append(state_of(server, core)))
         others = []
@@ -121,13 +129,9 @@ def state_of(server, core):
 
 def by_a_crowd():
     """Of clients that read nothing of large states, which change all the time: no two have the same messages."""
-    pulse = models.document("pulse", {
-        "state": "Root", "parameters": [{"name": "value"}], "first": "A",
-        "children": [{"state": name, "ports": [{"name": "next", "after": "0.05", "to": other}]}
-                     for name, other in ("AB", "BA")]})
     server = Server()
     try:
-        cores = [server.core(pulse, {"value": ["x" * 1000] * 900}) for _ in range(9)]
+        cores = [server.core(pulse(), {"value": ["x" * 1000] * 900}) for _ in range(9)]
         return measure(server, [Crowd(server, cores, 100)])
     finally:
         server.process.kill()
