@@ -176,6 +176,7 @@ void Hub::shut_down() {
 
 void Hub::close(std::string name, std::vector<Error> errors) {
   strand_.post([this, name = std::move(name), errors = std::move(errors)] {
+    publications_.forget(name);
     const auto known = channels_.find(name);
     if (known == channels_.end()) return;
     const Text text = serialise(name, known->second.sequence + 1, "error", errors_json(errors));

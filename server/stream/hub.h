@@ -70,7 +70,8 @@ class Hub {
 
   void publish_snapshot(const std::string& channel, Value data);
   void publish_delta(const std::string& channel, Value data);
-  /// Does `work`, which must not block, when all that was asked for before is done: so that who asks for much waits.
+  /// Does `work`, which must not block, when all that was asked for before is done, and as much told as was published
+  /// before: so that who asks for much waits.
   void after(Work work) { strand_.post(std::move(work)); }
   /// Ends the channel: its subscribers get these errors, then nothing. Who subscribes later asks its source again.
   void close(std::string channel, std::vector<Error> errors);

@@ -84,7 +84,10 @@ void Hub::overflow(const std::string& name, const Publications::Overflow& overfl
 void Hub::restart(std::string prefix) {
   strand_.post([this, prefix = std::move(prefix)] {
     for (auto& [name, channel] : channels_)
-      if (name.starts_with(prefix)) restart(channel, true);
+      if (name.starts_with(prefix)) {
+        publications_.forget(name);
+        restart(channel, true);
+      }
   });
 }
 

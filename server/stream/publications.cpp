@@ -121,6 +121,18 @@ Publications::Overflow Publications::take_overflow(Waiting& waiting) {
   return overflow;
 }
 
+// A turn that is left over is none.
+void Publications::forget(const std::string& channel) {
+  Waiting dropped;  // after the lock
+  const services::MutexLock lock(mutex_);
+  const auto known = channels_.find(channel);
+  if (known == channels_.end()) return;
+  std::erase(turns_, known);
+  std::swap(dropped, known->second);
+  units_ -= dropped.units;
+  channels_.erase(known);
+}
+
 std::size_t Publications::units() const {
   const services::MutexLock lock(mutex_);
   return units_;

@@ -56,6 +56,8 @@ class Publications {
   /// the channel begins anew after it, too. A further snapshot is dropped: what waits leads to it. A channel also
   /// begins anew if `work` throws and is no snapshot: asking for that again might go on for ever.
   void post(const std::string& channel, Kind kind, Publication what, std::size_t units, Work work) EXCLUDES(mutex_);
+  /// On the strand: what waits on the channel is not told.
+  void forget(const std::string& channel) EXCLUDES(mutex_);
   /// Units of all that waits.
   std::size_t units() const EXCLUDES(mutex_);
 

@@ -1,6 +1,7 @@
 // The hub at its bounds: what is published faster than it tells, and clients that do not read.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <future>
 #include <new>
 #include <thread>
@@ -139,6 +140,23 @@ TEST_F(HubOverload, ChannelsAreToldInTurn) {
   ASSERT_EQ(client->read.size(), 201U);
   EXPECT_EQ(client->read[1].state, last) << "after one of the others";
   EXPECT_EQ(client->read.back().state, last - 1);
+}
+
+TEST_F(HubOverload, WhatWaitsIsNotToldWhenItsChannelIsAboutSomethingElse) {
+  for (const char* name : {"n", "other"}) hub.subscribe(client, name, {});
+  settle();
+  client->read.clear();
+  block();
+  for (int i = 0; i < 10; ++i) hub.publish_delta("n", next_state());
+  hub.publish_snapshot("n", Value(-7));
+  hub.restart("n");
+  for (int i = 0; i < 20; ++i) hub.publish_delta("other", next_state());
+  release();
+  settle();
+  for (const Message& each : client->read) EXPECT_NE(each.state, -7);
+  EXPECT_TRUE(std::ranges::any_of(client->read,
+                                  [&](const Message& each) { return each.kind == "snapshot" && each.state == state; }));
+  EXPECT_EQ(hub.waiting_units(), 0U);
 }
 
 TEST_F(HubOverload, ChannelsHaveABoundTogether) {
