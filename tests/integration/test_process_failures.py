@@ -141,6 +141,10 @@ class ProcessFailureTest(unittest.TestCase):
         """Services that were `unavailable` for the core so far, in order."""
         return [r["service"] for r in self.responses() if r.get("error", {}).get("code") == "unavailable"]
 
+    def wait_missed(self, service, before=0):
+        """Waits until the core has been told that the service is `unavailable`, after so many that it was told before."""
+        wait_until(lambda: service in self.unavailable_services()[before:])
+
     def break_in_call(self, how, group, call):
         """Sends a signal to the process while this call is pending; the call must be answered `unavailable`."""
         self.break_processes(how, group)
@@ -151,7 +155,7 @@ class ProcessFailureTest(unittest.TestCase):
         before = len(self.unavailable_services())
         self.break_processes(how, *groups, during=during)
         self.until_active(asks)
-        self.assertIn(missed, self.unavailable_services()[before:], (groups, during))
+        self.wait_missed(missed, before)
         self.restore(*groups)
 
     def assert_success(self, skipped=()):
@@ -201,7 +205,7 @@ class FailuresAfterCollision(ProcessFailureTest):
         self.break_processes(KILL, "cell", during=COLLISION)
         self.answer(HIT)
         self.until_active(f"{WORK}/Trouble")
-        self.assertIn("gripper", self.unavailable_services())  # the first service that is asked about the part
+        self.wait_missed("gripper")  # the first service that is asked about the part
         (self.folder / "scene.json").write_text(json.dumps(cell.scene(self.parts)))  # the new world has no post
         self.restore("cell")
         self.answer(STUCK)
@@ -233,7 +237,7 @@ class MissingAtStart(ProcessFailureTest):
         self.break_processes(KILL, "database")
         self.start_task("Calibration")
         self.until_active(f"{CALIBRATION}/Trouble")
-        self.assertIn("db", self.unavailable_services())
+        self.wait_missed("db")
         self.restore("database")
         self.answer(UNCALIBRATED)
         self.assert_success()
@@ -243,7 +247,7 @@ class MissingAtStart(ProcessFailureTest):
         self.break_processes(KILL, "display")
         self.start_task("Calibration")
         self.until_active(f"{CALIBRATION}/Trouble")
-        self.assertIn("display", self.unavailable_services())
+        self.wait_missed("display")
         self.restore("display")
         stored = self.server.core(models.storing(), {"key": "o_t_c", "value": cell.O_T_C})  # another task stores it meanwhile
         self.assertEqual(self.server.ended(stored)["outcome"], "success")
@@ -333,7 +337,7 @@ class FailuresDuringCalibration(ProcessFailureTest):
         self.break_processes(KILL, "recognition", during=f"{COLLECT}/AwaitRest")
         self.drag_arm(FROM[4])  # noticed at the next place
         self.until_active(INTERRUPTED)
-        self.assertIn("obj_rec", self.unavailable_services()[before:])
+        self.wait_missed("obj_rec", before)
         self.restore("recognition")
         question = self.wait_question("4 of 10 places are there")
         self.processes["recognition"].signal(HANG)  # not noticed yet
@@ -348,6 +352,7 @@ class FailuresDuringCalibration(ProcessFailureTest):
         self.processes["display"].signal(HANG)
         self.drag_arm(FROM[5])
         self.assertNotIn("6 of 10", self.play_sound("beep")["message"]["text"])  # the task needs no display here
+        self.wait_missed("display", before)
         self.assertEqual(self.unavailable_services()[before:], ["display"])
         self.restore("display")
 
