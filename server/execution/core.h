@@ -367,12 +367,12 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
       server_ends_{false};
   ComputingShare computing_;
   std::atomic<bool> ends_later_{false};                             // who stops it does not wait until it is read back
-  bool saying_ = false;                                             // and will go on to say what is durable
   std::atomic<bool> state_asked_{false}, derivation_asked_{false};  // and what is asked for has not come
 
   RunRecord record_;  // as it was stored when the core was made, or rebuilt; its number and document stay
   std::shared_ptr<RunJournal> journal_;
   HeldOutputs held_;
+  bool saying_ = false;             // work is posted that says more of what is durable
   std::size_t waiting_units_ = 0;   // of the inputs that wait in the execution, or more
   std::size_t received_units_ = 0;  // that the run keeps of inputs, or more
   const Watchdog::Flag give_up_;    // what is computed takes too long: the execution stops, in a fault of nobody's

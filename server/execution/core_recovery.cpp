@@ -38,7 +38,7 @@ void Core::open_journal() {
 
 void Core::durable(std::uint64_t ticket) {
   strand_.post(measured([this, ticket] {
-    held_.release(ticket);
+    held_.set_durable(ticket);
     if (!saying_ || held_.has_answers()) say_due();
   }));
 }

@@ -35,7 +35,7 @@ class HeldOutputs {
     answers_ += is_answer ? 1 : 0;
   }
   /// The records up to `ticket` are durable: what came of them may be said.
-  void release(std::uint64_t ticket) { durable_ = std::max(durable_, ticket); }
+  void set_durable(std::uint64_t ticket) { durable_ = std::max(durable_, ticket); }
   bool is_due() const { return !held_.empty() && held_.front().ticket <= durable_; }
   /// Says the next that is due.
   void say_next() { take_first()(nullptr); }

@@ -37,11 +37,9 @@ bool Publications::add(const std::string& channel, Kind kind, Publication what, 
   if (work && takes(waiting, kind)) {
     const bool fitted = fits(waiting);
     add(known, {std::move(work), kind, std::move(what), units, fitted});
-    ++waiting.count;
     waiting.units += units;
     units_ += units;
     if (!fitted) waiting.has_snapshot = true;
-    waiting.ends_anew = false;
     return true;
   }
   if (kind == Kind::snapshot) {  // what waits leads to the same state
@@ -49,10 +47,9 @@ bool Publications::add(const std::string& channel, Kind kind, Publication what, 
     return false;
   }
   std::swap(waiting.newest, what);
-  if (waiting.ends_anew) return false;
+  if (waiting.ends_anew()) return false;
   add(known, {});
   ++waiting.overflows;
-  waiting.ends_anew = true;
   return true;
 }
 
@@ -72,7 +69,7 @@ bool Publications::takes(const Waiting& waiting, Kind kind) const {
 }
 
 bool Publications::fits(const Waiting& waiting) const {
-  return waiting.overflows == 0 && waiting.count < kMost && waiting.units < kMostUnits && units_ < kAllUnits;
+  return waiting.overflows == 0 && waiting.pieces.size() < kMost && waiting.units < kMostUnits && units_ < kAllUnits;
 }
 
 void Publications::do_next() {
@@ -105,7 +102,6 @@ void Publications::do_next() {
 }
 
 void Publications::begin(Waiting& waiting, const Piece& piece) {
-  --waiting.count;
   waiting.units -= piece.units;
   units_ -= piece.units;
   if (!piece.fitted) waiting.has_snapshot = false;
@@ -114,10 +110,7 @@ void Publications::begin(Waiting& waiting, const Piece& piece) {
 Publications::Overflow Publications::take_overflow(Waiting& waiting) {
   const bool all = --waiting.overflows == 0;
   Overflow overflow{waiting.newest, all && !waiting.has_snapshot};
-  if (all) {
-    waiting.ends_anew = false;
-    waiting.newest = {};
-  }
+  if (all) waiting.newest = {};
   return overflow;
 }
 

@@ -72,11 +72,11 @@ class Publications {
   };
   struct Waiting {
     std::deque<Piece> pieces;
-    std::size_t count = 0, units = 0;  // of those with work
-    bool has_snapshot = false;         // one that waits though it did not fit
-    std::size_t overflows = 0;         // how often the channel will begin anew; until then nothing fits
-    bool ends_anew = false;            // that is the last that waits
-    Publication newest;                // that was dropped
+    std::size_t units = 0;      // of those with work
+    bool has_snapshot = false;  // one that waits though it did not fit
+    std::size_t overflows = 0;  // how often the channel will begin anew; until then nothing fits
+    Publication newest;         // that was dropped
+    bool ends_anew() const { return !pieces.empty() && !pieces.back().work; }
   };
   using Channels = std::map<std::string, Waiting>;
 

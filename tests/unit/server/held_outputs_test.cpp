@@ -14,7 +14,7 @@ struct HeldOutputsTest : testing::Test {
   }
   /// All that is durable up to this record.
   void release(std::uint64_t ticket) {
-    held.release(ticket);
+    held.set_durable(ticket);
     while (held.is_due()) held.say_next();
   }
   HeldOutputs held;
@@ -39,7 +39,7 @@ TEST_F(HeldOutputsTest, AreSaidOneByOneAndKnowWhetherSomebodyWaits) {
   const auto ticket = held.next_ticket();
   held.add(output('a'));
   held.add(output('b'), 0, true);
-  held.release(ticket);
+  held.set_durable(ticket);
   EXPECT_EQ(said, "");
   EXPECT_TRUE(held.has_answers());
   held.say_next();

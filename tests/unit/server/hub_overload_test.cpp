@@ -73,6 +73,13 @@ struct HubOverload : testing::Test {
   void block() {
     pool.post([held = blocked.get_future().share()] { held.wait(); });
   }
+  /// The client gets what is published on these channels from now on, after release().
+  void watch_and_block(const std::vector<std::string>& channels) {
+    for (const std::string& channel : channels) hub.subscribe(client, channel, {});
+    settle();
+    client->read.clear();
+    block();
+  }
   void release() {
     if (!std::exchange(released, true)) blocked.set_value();
   }
@@ -128,10 +135,7 @@ TEST_F(HubOverload, OfASampledChannelTheNewestIsTold) {
 }
 
 TEST_F(HubOverload, ChannelsAreToldInTurn) {
-  for (const char* name : {"much", "little"}) hub.subscribe(client, name, {});
-  settle();
-  client->read.clear();
-  block();
+  watch_and_block({"much", "little"});
   for (int i = 0; i < 200; ++i) hub.publish_delta("much", next_state());
   const std::int64_t last = state + 1;
   hub.publish_delta("little", next_state());
@@ -143,10 +147,7 @@ TEST_F(HubOverload, ChannelsAreToldInTurn) {
 }
 
 TEST_F(HubOverload, WhatWaitsIsNotToldWhenItsChannelIsAboutSomethingElse) {
-  for (const char* name : {"n", "other"}) hub.subscribe(client, name, {});
-  settle();
-  client->read.clear();
-  block();
+  watch_and_block({"n", "other"});
   for (int i = 0; i < 10; ++i) hub.publish_delta("n", next_state());
   hub.publish_snapshot("n", Value(-7));
   hub.restart("n");
