@@ -1,16 +1,23 @@
 #include "server/application/application.h"
 
+#include <algorithm>
+#include <thread>
+
 #include "server/application/boot.h"
 #include "server/cell/screen_services.h"
 #include "server/wire/calendar.h"
 #include "server/wire/channel_names.h"
 #include "services/failures.h"
+#include "services/time_slice.h"
 
 namespace race::server {
 namespace {
 
-constexpr unsigned kCoreThreads = 4;      // of cores that have little to do, and of commands to all
-constexpr unsigned kBusyCoreThreads = 2;  // of those that are always busy
+constexpr unsigned kCoreThreads = 4;  // of cores that have little to do, and of commands to all
+constexpr unsigned kMostBusyThreads = 8;
+
+// Of cores that are always busy: they leave a processor to all else.
+unsigned busy_core_threads() { return std::clamp(std::thread::hardware_concurrency(), 2U, kMostBusyThreads + 1) - 1; }
 
 tl::unexpected<std::vector<Error>> one(Error error) { return tl::unexpected(std::vector<Error>{std::move(error)}); }
 
@@ -67,6 +74,7 @@ Checked<void> Application::open_store(const Setup& setup) {
 
 void Application::create_stream(const Setup& setup) {
   stream_pool_ = std::make_unique<Pool>(1, 0, "stream");
+  stream_pool_->post(services::shorten_time_slice);
   hub_ = std::make_unique<Hub>(*stream_pool_, setup.first_sequence,
                                [this](const std::string& name) { return find_channel(name, channel_sources()); });
   log_ = std::make_unique<EventLog>(*hub_, setup.lines);
@@ -102,7 +110,7 @@ void Application::name_damaged_documents() {
 }
 
 Expected<void> Application::create_cores(const Setup& setup) {
-  pool_ = std::make_unique<Pool>(kCoreThreads, kBusyCoreThreads, "cores");
+  pool_ = std::make_unique<Pool>(kCoreThreads, busy_core_threads(), "cores");
   cores_ = std::make_unique<Cores>(*pool_, cell_->host(), *core_publisher_, *runs_, *writer_, replays_, deadlines_);
   live_edits_ = std::make_unique<LiveEdits>(*documents_, *cores_);
   document_watchers_.add(*live_edits_);

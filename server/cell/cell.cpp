@@ -15,6 +15,7 @@
 #include "services/recognition/object_recognition.h"
 #include "services/robot/robot.h"
 #include "services/thread_name.h"
+#include "services/time_slice.h"
 #include "services/timer/timer.h"
 
 namespace race::server {
@@ -142,6 +143,7 @@ void Cell::start_real_time() {
   is_real_time_ = true;
   thread_ = std::thread([this] {
     services::name_thread("cell");
+    services::shorten_time_slice();
     due_ = std::chrono::steady_clock::now();
     while (!stop_) {
       due_ += kPeriod;

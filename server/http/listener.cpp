@@ -5,6 +5,7 @@
 
 #include "server/http/serving.h"
 #include "services/failures.h"
+#include "services/time_slice.h"
 
 namespace race::server {
 namespace {
@@ -119,6 +120,8 @@ Expected<std::unique_ptr<HttpServer>> HttpServer::listen(std::uint16_t port, std
 std::uint16_t HttpServer::port() const { return sockets_->port; }
 
 void HttpServer::run() {
+  services::shorten_time_slice();
+  sockets_->context.urgent.post(services::shorten_time_slice);
   sockets_->signals.async_wait([this](error_code, int) { sockets_->end(); });
   asio::co_spawn(sockets_->io, accept(sockets_->acceptor, sockets_->context), asio::detached);
   // What throws there has ended a handler; the others go on.

@@ -17,6 +17,7 @@
 #include "services/sqlite/file.h"
 #include "services/sqlite/write_transaction.h"
 #include "services/thread_name.h"
+#include "services/time_slice.h"
 
 namespace race::server {
 
@@ -134,6 +135,7 @@ void JournalWriter::append(std::shared_ptr<RunJournal> journal, JournalRecord re
 
 void JournalWriter::run() {
   services::name_thread("journal");
+  services::shorten_time_slice();
   while (next()) {
     if (!services::run_reporting("the journal", [this] { write(); })) fail();
     items_.clear();

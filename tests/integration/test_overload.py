@@ -4,7 +4,8 @@ At once, for RACE_OVERLOAD seconds (60): 20 cores that use up their budgets agai
 stream that subscribe to what is said most and hardly read, a process of a service that sends events as fast as it can, and 50
 idle connections. Meanwhile
 
-- the gaps between the state deltas of a good core, which waits for 20 ms each time, have a p99 of at most twice that alone;
+- the gaps between the state deltas of a good core, which waits for 20 ms each time, have a p99 of at most twice that alone; in
+  less than a minute, where the p99 is a few gaps, of three times;
 - the p99 of answers of /health is at most 100 ms;
 - the resident memory is at most 400 MB above that of the beginning, and back within 10 s after the load;
 - a stop of any core is answered within 500 ms;
@@ -28,6 +29,7 @@ from overload import LOADS, MOST_GAP, Load, p99
 
 SECONDS = float(os.environ.get("RACE_OVERLOAD", "60"))
 ALONE = 10  # [s] of the good core
+MOST_GAP_OF_FEW = 3
 AGAIN = 5  # [s] of the load before SIGTERM
 MOST_HEALTH = 0.1  # [s]
 MOST_GROWTH = 400e6  # [bytes]
@@ -137,7 +139,8 @@ class Overload(unittest.TestCase):
         self.assertGreater(self.figures.cuts, 0)
 
     def test_a_good_core_goes_on(self):
-        self.assertLessEqual(p99(self.figures.gaps), MOST_GAP * p99(self.figures.alone))
+        most = MOST_GAP if SECONDS >= 60 else MOST_GAP_OF_FEW
+        self.assertLessEqual(p99(self.figures.gaps), most * p99(self.figures.alone))
 
     def test_health_is_answered(self):
         self.assertLessEqual(p99(self.figures.health), MOST_HEALTH)
