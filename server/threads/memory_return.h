@@ -20,7 +20,7 @@ class MemoryReturn {
   static constexpr std::size_t kFree = 2U << 20U;  // bytes that may stay: some percent of what a small cell takes
   static constexpr int kMostSince = 10;            // periods: what is used changes its place all the time
   static constexpr int kMostWaited = 20;           // periods, for the end of a load
-  static constexpr int kArenas = 8;
+  static constexpr int kArenas = 4;
 
   /// Throws std::system_error if no thread can be had.
   explicit MemoryReturn(std::chrono::milliseconds period = kPeriod);
