@@ -96,7 +96,10 @@ Expected<void> Cell::add_vision(const CellSetup& setup) {
 
 Expected<void> Cell::add_database(const CellSetup& setup) {
   ASSIGN_OR_RETURN(auto store, open_store(setup.folder, setup.database));
-  if (setup.own_threads) database_queue_ = std::make_unique<services::WorkThread>("database");
+  if (setup.own_threads) {
+    database_queue_ = std::make_unique<services::WorkThread>("database");
+    database_queue_->post(services::shorten_time_slice);
+  }
   auto& host = host_.declare("db", "database", database_queue_ ? *database_queue_ : queue_);
   host_.attach("db", std::make_unique<database::Database>(std::move(store), host));
   return {};

@@ -7,7 +7,6 @@
 #include "services/computed_time.h"
 #include "services/failures.h"
 #include "services/thread_name.h"
-#include "services/time_slice.h"
 
 namespace race::services {
 
@@ -72,7 +71,6 @@ void WorkQueue::wait() {
 WorkThread::WorkThread(const char* name, double share) : share_(share) {
   thread_ = std::thread([this, name] {
     name_thread(name);
-    shorten_time_slice();
     while (!stop_) {
       wait();
       run_reporting("work of a service", [this] { run(); });

@@ -5,6 +5,7 @@
 
 #include "core/rsm/document.h"
 #include "core/value/fields.h"
+#include "services/time_slice.h"
 
 namespace race::remote {
 namespace {
@@ -26,6 +27,7 @@ void Remotes::add(const std::vector<RemoteService>& services, RemoteWorld* world
   const services::MutexLock lock(mutex_);
   worlds_.push_back(world);
   groups_.push_back(std::make_unique<services::WorkThread>("processes", kShare));
+  groups_.back()->post(services::shorten_time_slice);
   for (const RemoteService& service : services) {
     services::ServiceHost& host = host_.declare(service.key, service.type, *groups_.back());
     auto component = std::make_unique<RemoteComponent>(service.key, *service.model, host, service.host_functions);

@@ -29,8 +29,8 @@ from overload import LOADS, MOST_GAP, Load, p99
 
 SECONDS = float(os.environ.get("RACE_OVERLOAD", "60"))
 ALONE = 10  # [s] of the good core
-MOST_GAP_OF_FEW = 3
 AGAIN = 5  # [s] of the load before SIGTERM
+MOST_GAP_OF_FEW = 3  # as MOST_GAP, in less than a minute
 MOST_HEALTH = 0.1  # [s]
 MOST_GROWTH = 400e6  # [bytes]
 BACK = 100e6  # [bytes] above the beginning that count as being back: what channels and the allocator keep
