@@ -85,6 +85,8 @@ std::optional<Rejection> Conflicts::of(const Operation& operation) const {
   if (const auto* remove = std::get_if<Remove>(&operation)) {
     if (const auto* entry = change_below(remove->id))
       return because(entry, quote(remove->id) + ", or what is in it, was changed", "id");
+    if (const auto* entry = replacement_of(remove->id))
+      return because(entry, quote(remove->id) + " was replaced", "id");
   } else if (const auto* move = std::get_if<Move>(&operation)) {
     if (const auto* entry = move_of(move->id)) return because(entry, quote(move->id) + " was moved", "id");
     if (const auto* entry = replacement_of(move->id)) return because(entry, quote(move->id) + " was replaced", "id");

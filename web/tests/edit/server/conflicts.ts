@@ -83,7 +83,7 @@ export class Conflicts {
   /** Why `operation`, about to be applied, would not do what its author meant. */
   of(operation: Operation): Rejection | undefined {
     const found = (entry: LogEntry | undefined, path: string) => (entry === undefined ? undefined : because(entry, path));
-    if (operation.op === "remove") return found(this.changeBelow(operation.id), "id");
+    if (operation.op === "remove") return found(this.changeBelow(operation.id) ?? this.replacementOf(operation.id), "id");
     if (operation.op === "move") return found(this.moveOf(operation.id), "id") ?? found(this.replacementOf(operation.id), "id");
     if (operation.op === "set" && this.request.of !== "change") return found(this.setOf(operation), "field") ?? found(this.replacementOf(operation.id), "id");
     return undefined;
