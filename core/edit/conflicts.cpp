@@ -28,6 +28,14 @@ Rejection because(const LogEntry* entry, std::string what, std::string field) {
 
 }  // namespace
 
+Conflicts::Conflicts(const Log& log, const Tree& tree, Of of, Revision base, std::string_view author)
+    : log_(log),
+      tree_(tree),
+      of_(of),
+      base_(base),
+      author_(author),
+      taken_back_(of == Of::change ? nullptr : &log[base - log.front().accepted.revision]) {}
+
 bool Conflicts::counts(const LogEntry& entry) const {
   // An author's own edits are taken back in reverse order, unless one could not be; what they have redone since an undo
   // was there when they did what they redo now.
@@ -82,6 +90,16 @@ const LogEntry* Conflicts::replacement_of(std::string_view id) const {
 }
 
 std::optional<Rejection> Conflicts::of(const Operation& operation) const {
+  // What was in another element under this id has its way back when that one has.
+  if (const Place* place = place_of(operation); place && of_ != Of::change) {
+    if (const auto* entry = replacement_of(place->parent))
+      return because(entry, quote(place->parent) + " was replaced", "parent");
+    if (std::holds_alternative<Insert>(operation)) {
+      for (const std::string& id : taken_back_->removed) {
+        if (const auto* entry = replacement_of(id)) return because(entry, quote(id) + " was replaced", "node");
+      }
+    }
+  }
   if (const auto* remove = std::get_if<Remove>(&operation)) {
     if (const auto* entry = change_below(remove->id))
       return because(entry, quote(remove->id) + ", or what is in it, was changed", "id");

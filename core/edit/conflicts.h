@@ -24,8 +24,7 @@ class Conflicts {
   /// A change was made by somebody who has seen `base` and their own edits; an undo takes back the edit `base`, a redo
   /// the undo `base`.
   enum class Of { change, undo, redo };
-  Conflicts(const Log& log, const Tree& tree, Of of, Revision base, std::string_view author)
-      : log_(log), tree_(tree), of_(of), base_(base), author_(author) {}
+  Conflicts(const Log& log, const Tree& tree, Of of, Revision base, std::string_view author);
 
   /// Why `operation`, about to be applied, would not do what its author meant. `conflict`, and the path is the field.
   std::optional<Rejection> of(const Operation& operation) const;
@@ -49,6 +48,7 @@ class Conflicts {
   Of of_;
   Revision base_;
   std::string_view author_;
+  const LogEntry* taken_back_;  // by an undo or redo
 };
 
 }  // namespace race::edit

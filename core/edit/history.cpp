@@ -77,6 +77,7 @@ tl::expected<Operation, Rejection> History::execute(const Request& request, cons
   if (const auto* remove = std::get_if<Remove>(&concrete); remove && element) {
     const Ids ids = tree_.subtree(remove->id);
     entry.removed.insert(entry.removed.end(), ids.begin(), ids.end());
+    positions_.store(ids, departure);
   }
   auto inverse = edit::apply(tree_, concrete);
   if (!inverse) return tl::unexpected(request.conflicts.explain(std::move(inverse).error(), operation));
@@ -85,6 +86,7 @@ tl::expected<Operation, Rejection> History::execute(const Request& request, cons
     const Ids ids = tree_.subtree(inserted);
     entry.inserted.insert(entry.inserted.end(), ids.begin(), ids.end());
     positions_.enter(*entered, inserted);
+    if (entered->is_return) positions_.restore(returning);
   } else if (entered) {
     positions_.enter(*entered, id);
   }

@@ -15,10 +15,16 @@ void Positions::rollback() {
   saved_.clear();
 }
 
-void Positions::sync(const Tree& tree, const std::string& parent, ListName list) {
-  const Key key{parent, list};
+void Positions::save(const Key& key) {
+  if (saved_.contains(key)) return;
   const auto found = lists_.find(key);
-  if (!saved_.contains(key)) saved_.emplace(key, found == lists_.end() ? std::nullopt : std::optional(found->second));
+  saved_.emplace(key, found == lists_.end() ? std::nullopt : std::optional(found->second));
+}
+
+void Positions::sync(const Tree& tree, const std::string& parent, ListName list) {
+  const Key key{0, parent, list};
+  const auto found = lists_.find(key);
+  save(key);
   const Ids& present = tree.list(parent, list);
   if (found != lists_.end()) {
     auto expected = present.begin();
@@ -28,20 +34,20 @@ void Positions::sync(const Tree& tree, const std::string& parent, ListName list)
     }
     if (same && expected == present.end()) return;
   }
-  // A list that nobody has touched, or that of an element which was inserted anew under the id of another one.
+  // A list that nobody has touched.
   Entries entries;
   for (const std::string& id : present) entries.push_back({id, 0});
   lists_[key] = std::move(entries);
 }
 
 Departure Positions::leave(const std::string& parent, ListName list, std::string_view id) {
-  Entries& entries = lists_.at({parent, list});
+  Entries& entries = lists_.at({0, parent, list});
   const auto entry = std::ranges::find_if(entries, [&](const Entry& s) { return s.left == 0 && s.id == id; });
   return entry->left = ++last_;
 }
 
 Positions::Spot Positions::spot_at(const Key& key, const Entries& entries, std::size_t entry, bool is_return) {
-  Spot out{{key.first, key.second, std::nullopt}, entry, is_return};
+  Spot out{{key.parent, key.list, std::nullopt}, entry, is_return};
   for (std::size_t i = entry; i > 0 && !out.place.after; --i) {
     if (entries[i - 1].left == 0) out.place.after = entries[i - 1].id;
   }
@@ -49,7 +55,7 @@ Positions::Spot Positions::spot_at(const Key& key, const Entries& entries, std::
 }
 
 std::optional<Positions::Spot> Positions::spot(const Place& place, Departure since, Departure until) const {
-  const Key key{place.parent, place.list};
+  const Key key{0, place.parent, place.list};
   const Entries& entries = lists_.at(key);
   if (!place.after) return Spot{place, 0, false};
   std::optional<std::size_t> best;
@@ -64,7 +70,7 @@ std::optional<Positions::Spot> Positions::spot(const Place& place, Departure sin
 }
 
 std::optional<Positions::Spot> Positions::spot(const std::string& parent, ListName list, Departure departure) const {
-  const Key key{parent, list};
+  const Key key{0, parent, list};
   const Entries& entries = lists_.at(key);
   const auto entry = std::ranges::find(entries, departure, &Entry::left);
   if (departure == 0 || entry == entries.end()) return std::nullopt;
@@ -72,12 +78,36 @@ std::optional<Positions::Spot> Positions::spot(const std::string& parent, ListNa
 }
 
 void Positions::enter(const Spot& spot, std::string_view id) {
-  Entries& entries = lists_.at({spot.place.parent, spot.place.list});
+  Entries& entries = lists_.at({0, spot.place.parent, spot.place.list});
   if (spot.is_return) {
     entries[spot.entry] = {std::string(id), 0};
   } else {
     entries.insert(entries.begin() + static_cast<std::ptrdiff_t>(spot.entry), {std::string(id), 0});
   }
+}
+
+Positions::Lists::iterator Positions::rename(Lists::iterator list, Departure removed) {
+  const auto next = std::next(list);
+  auto node = lists_.extract(list);
+  Key key{removed, node.key().parent, node.key().list};
+  saved_.try_emplace(node.key(), node.mapped());
+  save(key);
+  node.key() = std::move(key);
+  lists_.insert(std::move(node));
+  return next;
+}
+
+void Positions::store(const Ids& elements, Departure departure) {
+  for (const std::string& id : elements) {
+    for (auto list = lists_.lower_bound({0, id, {}});
+         list != lists_.end() && list->first.removed == 0 && list->first.parent == id;)
+      list = rename(list, departure);
+  }
+}
+
+void Positions::restore(Departure departure) {
+  for (auto list = lists_.lower_bound({departure, {}, {}}); list != lists_.end() && list->first.removed == departure;)
+    list = rename(list, 0);
 }
 
 void Positions::prune(Departure departure) {

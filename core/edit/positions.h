@@ -2,6 +2,9 @@
 // element that has gone meanwhile still finds where it stood, and an element that returns (undo) stands where it was,
 // whatever happened around it: places are never reordered.
 //
+// The lists of an element that was removed go with it, and come back with it: what is inserted under its id meanwhile
+// has lists of its own.
+//
 // A value. Each departure has a number, in order; departures that nobody needs any more are pruned.
 #pragma once
 
@@ -54,6 +57,12 @@ class Positions {
   /// An element enters a place that nothing has changed since.
   void enter(const Spot& spot, std::string_view id);
 
+  /// The lists of `elements`, which were removed by `departure`, go with them.
+  void store(const Ids& elements, Departure departure);
+
+  /// The lists that have gone with `departure` are back, as what was removed by it is.
+  void restore(Departure departure);
+
   /// Forgets all departures up to `departure`.
   void prune(Departure departure);
 
@@ -63,11 +72,20 @@ class Positions {
     Departure left = 0;  // 0: the element is there
   };
   using Entries = std::vector<Entry>;
-  using Key = std::pair<std::string, ListName>;
+  struct Key {
+    Departure removed = 0;  // by which the parent was removed; 0: it is there
+    std::string parent;
+    ListName list{};
+    auto operator<=>(const Key&) const = default;
+  };
+  using Lists = std::map<Key, Entries>;
 
   static Spot spot_at(const Key& key, const Entries& entries, std::size_t entry, bool is_return);
 
-  std::map<Key, Entries> lists_;
+  void save(const Key& key);
+  Lists::iterator rename(Lists::iterator list, Departure removed);
+
+  Lists lists_;
   std::map<Key, std::optional<Entries>> saved_;  // what lists were at begin()
   Departure last_ = 0;
 };

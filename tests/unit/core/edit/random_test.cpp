@@ -1,9 +1,10 @@
-// Several authors edit one random model, late, with undo and redo: every replica that applies what was accepted has the
-// same document, and undo of everything gives the first one.
+// Several authors edit one random model, late, with undo and redo, and restore what it was: every replica that applies
+// what was accepted has the same document, and undo of everything gives the first one.
 #include <gtest/gtest.h>
 
 #include <iostream>
 
+#include "core/edit/difference.h"
 #include "core/edit/history.h"
 #include "tests/unit/core/edit/documents.h"
 #include "tests/unit/core/edit/random_edits.h"
@@ -24,6 +25,7 @@ class EditingSimulation {
  public:
   EditingSimulation(std::uint64_t seed, std::size_t authors)
       : random_(seed, "r"), history_(Tree::read(random_document(seed)).value(), 0, {.edits = 100'000}) {
+    revisions_.push_back(history_.tree());
     first_ = text_of(history_.tree());
     for (std::size_t i = 0; i < authors; ++i) {
       const std::string name = "author" + std::to_string(i);
@@ -35,6 +37,7 @@ class EditingSimulation {
     Author& author = authors_[random_.pick(authors_.size())];
     if (random_.chance(0.4)) follow(author, author.revision + random_.pick(8));
     History::Result result = step(author);
+    if (result) revisions_.push_back(history_.tree());
     ++(result ? accepted_ : rejected_);
     if (!result && result.error().revision > 0) ++conflicts_;
   }
@@ -85,7 +88,15 @@ class EditingSimulation {
   History::Result step(Author& author) {
     if (random_.chance(0.15)) return history_.undo(author.name);
     if (random_.chance(0.1)) return history_.redo(author.name);
+    if (random_.chance(0.1)) return restore(author);
     return history_.apply(author.name, author.revision, author.edits.edit(author.replica));
+  }
+
+  /// Makes one of the last revisions again: what was removed since comes back under the ids that it had.
+  History::Result restore(const Author& author) {
+    const Revision last = history_.revision();
+    const Tree& then = revisions_[last - std::min(last, 1 + random_.pick(12))];
+    return history_.apply(author.name, last, difference(history_.tree(), then).value());
   }
 
   void follow(Author& author, Revision revision) {
@@ -99,6 +110,7 @@ class EditingSimulation {
   RandomEdits random_;
   History history_;
   std::string first_;
+  std::vector<Tree> revisions_;  // the document after each edit, from the first one on
   std::vector<Author> authors_;
   std::size_t accepted_ = 0, rejected_ = 0, conflicts_ = 0, stuck_ = 0;
 };

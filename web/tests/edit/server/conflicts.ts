@@ -1,5 +1,5 @@
 // Whether an operation keeps its meaning although others have edited the document meanwhile (core/edit/conflicts.h).
-import type { EditInsert, EditSet } from "../../../generated/messages";
+import type { EditInsert, EditMove, EditSet } from "../../../generated/messages";
 import type { Operation } from "../../../shared/edit/apply";
 import { isBelow, type Tree } from "../../../shared/edit/tree";
 import { entryOf, isObject } from "../../../shared/json";
@@ -80,9 +80,23 @@ export class Conflicts {
     return this.latest((entry) => entry.inserted.includes(id));
   }
 
+  /** Of what an undo or redo puts back: the state in which it was, or some of it, was made anew. */
+  private replaced(operation: EditInsert | EditMove): Rejection | undefined {
+    const { of, base } = this.request;
+    if (of === "change") return undefined;
+    const parent = this.replacementOf(operation.parent);
+    if (parent !== undefined) return because(parent, "parent");
+    const removed = this.log.find(({ revision }) => revision === base)?.removed ?? [];
+    const ids = operation.op === "insert" ? [...removed].sort() : [];
+    const entry = ids.map((id) => this.replacementOf(id)).find((each) => each !== undefined);
+    return entry && because(entry, "node");
+  }
+
   /** Why `operation`, about to be applied, would not do what its author meant. */
   of(operation: Operation): Rejection | undefined {
     const found = (entry: LogEntry | undefined, path: string) => (entry === undefined ? undefined : because(entry, path));
+    const replaced = operation.op === "insert" || operation.op === "move" ? this.replaced(operation) : undefined;
+    if (replaced !== undefined) return replaced;
     if (operation.op === "remove") return found(this.changeBelow(operation.id) ?? this.replacementOf(operation.id), "id");
     if (operation.op === "move") return found(this.moveOf(operation.id), "id") ?? found(this.replacementOf(operation.id), "id");
     if (operation.op === "set" && this.request.of !== "change") return found(this.setOf(operation), "field") ?? found(this.replacementOf(operation.id), "id");

@@ -154,15 +154,18 @@ export class History {
     const concrete = spot === undefined ? operation : placed(operation, spot.place);
     const result = apply(tree, { operations: [concrete] });
     if (result instanceof Refusal) return conflicts.explain({ code: result.code, path: result.path.replace("operations/0/", "") }, operation);
+    const removed = concrete.op === "remove" ? subtree(tree, concrete.id) : [];
     const entering = concrete.op === "insert" ? insertedId(concrete) : concrete.op === "move" ? concrete.id : "";
+    const left = moved.positions.store(removed, moved.departure);
+    const entered = spot === undefined ? left : left.enter(spot, entering);
     return {
       tree: result.tree,
-      positions: spot === undefined ? moved.positions : moved.positions.enter(spot, entering),
+      positions: spot?.isReturn === true ? entered.restore(returning) : entered,
       operations: [...done.operations, concrete],
       inverses: [...done.inverses, ...result.inverse.operations],
       departures: [...done.departures, moved.departure],
       inserted: concrete.op === "insert" ? [...done.inserted, ...subtree(result.tree, entering)] : done.inserted,
-      removed: concrete.op === "remove" ? [...done.removed, ...subtree(tree, concrete.id)] : done.removed,
+      removed: [...done.removed, ...removed],
     };
   }
 

@@ -27,17 +27,21 @@ interface Slot {
 
 const keyOf = (parent: string, list: ListName): string => `${parent}/${list}`;
 
+type Lists = ReadonlyMap<string, readonly Slot[]>;
+
 /** A value: each change gives another one. */
 export class Positions {
   private constructor(
-    private readonly lists: ReadonlyMap<string, readonly Slot[]>,
+    private readonly lists: Lists,
+    /** Those of elements that a departure has removed. */
+    private readonly stored: ReadonlyMap<Departure, Lists>,
     readonly last: Departure,
   ) {}
 
-  static readonly none = new Positions(new Map(), 0);
+  static readonly none = new Positions(new Map(), new Map(), 0);
 
   private with(parent: string, list: ListName, slots: readonly Slot[], last = this.last): Positions {
-    return new Positions(new Map(this.lists).set(keyOf(parent, list), slots), last);
+    return new Positions(new Map(this.lists).set(keyOf(parent, list), slots), this.stored, last);
   }
 
   private slots(parent: string, list: ListName): readonly Slot[] {
@@ -84,5 +88,19 @@ export class Positions {
   enter({ place: { parent, list }, slot, isReturn }: Spot, id: string): Positions {
     const slots = this.slots(parent, list);
     return this.with(parent, list, [...slots.slice(0, slot), { id, left: 0 }, ...slots.slice(isReturn ? slot + 1 : slot)]);
+  }
+
+  /** The lists of `elements`, which were removed by `departure`, go with them. */
+  store(elements: readonly string[], departure: Departure): Positions {
+    const ids = new Set(elements);
+    const isOfThem = ([key]: readonly [string, unknown]) => ids.has(key.slice(0, key.lastIndexOf("/")));
+    const lists = [...this.lists];
+    const stored = new Map(this.stored).set(departure, new Map(lists.filter(isOfThem)));
+    return new Positions(new Map(lists.filter((list) => !isOfThem(list))), stored, this.last);
+  }
+
+  /** They are back, as what was removed by `departure` is. */
+  restore(departure: Departure): Positions {
+    return new Positions(new Map([...this.lists, ...(this.stored.get(departure) ?? [])]), this.stored, this.last);
   }
 }
