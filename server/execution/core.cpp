@@ -180,7 +180,7 @@ void Core::dismiss(Done<bool> done) {
 // One that is given up now, has received too much, or takes long to be read back, ends when it is.
 Expected<void> Core::end_run_now() {
   if (ends_later_) {
-    interruption_->ends = true;
+    if (!is_stopped_.exchange(true)) *end_rebuild_ = true;  // nobody needs what is read back
     if (is_to_rebuild() && !interruption_->rebuilding) rebuild_later();
     return {};
   }
@@ -190,7 +190,7 @@ Expected<void> Core::end_run_now() {
   paused_ = false;  // it may have stopped within the macro step
   if (!finish_macro_step()) give_up_macro_step("stopped", "it was stopped in a long macro step");
   if (interruption_) {
-    interruption_->ends = ends_later_ = true;
+    is_stopped_ = ends_later_ = true;
     return {};
   }
   if (!is_over()) emit(execution_.abort());

@@ -327,7 +327,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   void take(Rebuilt rebuilt);
   void open_journal();
   // On any other thread: it waits for the disk.
-  Expected<Rebuilt> rebuild(std::chrono::milliseconds longest, bool ends) const;
+  Expected<Rebuilt> rebuild(std::chrono::milliseconds longest) const;
   // On any: what could not be read back before is, if the disk works now. Errors: `storage`, `corrupt`.
   void ensure_rebuilt(Done<void> done);
   void rebuild_for(std::uint64_t interruption, Done<void> done);
@@ -367,6 +367,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
       server_ends_{false};
   ComputingShare computing_;
   std::atomic<bool> ends_later_{false};                             // who stops it does not wait until it is read back
+  std::atomic<bool> is_stopped_{false};                             // and it ends then
   std::atomic<bool> state_asked_{false}, derivation_asked_{false};  // and what is asked for has not come
 
   RunRecord record_;  // as it was stored when the core was made, or rebuilt; its number and document stay
@@ -404,7 +405,6 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
     bool stalled = false;     // the disk has not answered: what the journal says is not known yet
     bool rebuilt = false;     // the execution is as the journal says
     bool rebuilding = false;  // it will be, or it will be said why not
-    bool ends = false;        // the run is aborted when it is rebuilt
   };
   static constexpr const char *kOverload = "overload", *kDeadline = "deadline";
   std::optional<Interruption> interruption_;

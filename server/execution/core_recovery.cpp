@@ -14,7 +14,7 @@ Expected<std::shared_ptr<Core>> Core::recover(RunRecord run, execution::JournalH
   ASSIGN_OR_RETURN(auto core, create(std::move(run), std::move(header), resources));
   core->paused_ = true;
   core->interruption_ = {.number = 0, .reason = "restart", .message = "the server ended while the run was under way"};
-  auto rebuilt = core->rebuild(kRebuildAtStart, false);
+  auto rebuilt = core->rebuild(kRebuildAtStart);
   if (rebuilt)
     core->take(std::move(*rebuilt));
   else if (rebuilt.error().code != ErrorCode::unavailable)
@@ -63,13 +63,11 @@ void Core::failed(const Error& error) {
 // nobody's call: no answer to these reaches a run, and none to its open calls, which are `unavailable` to it
 // (rebuild()).
 void Core::interrupt(const Error& error, const char* reason) {
-  const bool ends = interruption_ && interruption_->ends;
   interruption_ = {.number = ++interruptions_,
                    .reason = reason,
                    .message = error.message,
-                   .was_paused = std::exchange(paused_, true),
-                   .ends = ends};
-  ends_later_ = ends || interruption_->reason == kOverload || interruption_->reason == kDeadline;
+                   .was_paused = std::exchange(paused_, true)};
+  ends_later_ = is_stopped_ || interruption_->reason == kOverload || interruption_->reason == kDeadline;
   services::run_reporting("the safe calls of a run", [this] {
     for (const semantics::OutgoingCall& call : run().safe_calls())
       resources_.host.call({"", 0}, call.service, call.name, {}, {}, id_);
@@ -105,9 +103,8 @@ Work Core::interrupting(Work work) {
 // Not on the strand: the threads of the cores never wait for the disk, so that the safe calls of all are made at once.
 void Core::rebuild_later() {
   interruption_->rebuilding = true;
-  resources_.writer.recover([self = shared_from_this(), number = interruption_->number, ends = interruption_->ends] {
-    const auto longest = ends ? kWaitForStep : kLongestRebuild;
-    self->strand_.post([self, number, rebuilt = std::make_shared<Expected<Rebuilt>>(self->rebuild(longest, ends))] {
+  resources_.writer.recover([self = shared_from_this(), number = interruption_->number] {
+    self->strand_.post([self, number, rebuilt = std::make_shared<Expected<Rebuilt>>(self->rebuild(kLongestRebuild))] {
       self->take_rebuilt(number, std::move(*rebuilt));
     });
   });
@@ -118,15 +115,15 @@ void Core::take_rebuilt(std::uint64_t interruption, Expected<Rebuilt> rebuilt) {
   interruption_->rebuilding = false;
   if (!rebuilt) {
     ends_later_ = rebuilt.error().code == ErrorCode::unavailable;
-    if (ends_later_ && interruption_->ends && !server_ends_) return rebuild_later();
+    if (ends_later_ && is_stopped_ && !server_ends_) return rebuild_later();
     interruption_->message += "; " + rebuilt.error().message;
     return publish_interruption();
   }
   ends_later_ = false;
-  const bool was_paused = interruption_->was_paused, ends = interruption_->ends;
+  const bool was_paused = interruption_->was_paused, is_stopped = is_stopped_.exchange(false);
   take(std::move(*rebuilt));
   if (!started_) paused_ = was_paused;
-  if (!ends) return publish_info();
+  if (!is_stopped) return publish_info();
   started_ = true;  // also a run whose first macro step was given up: `abort` is its first entry then
   std::ignore = end_run_now();
   publish_info();
@@ -154,7 +151,7 @@ void Core::rebuild_for(std::uint64_t interruption, Done<void> done) {
   });
   resources_.writer.recover([self = shared_from_this(), interruption, once = std::move(once)] {
     if (once->was_called()) return;
-    auto rebuilt = std::make_shared<Expected<Rebuilt>>(self->rebuild(kLongestRebuild, false));
+    auto rebuilt = std::make_shared<Expected<Rebuilt>>(self->rebuild(kLongestRebuild));
     if (!*rebuilt) return (*once)(tl::unexpected(rebuilt->error()));
     Done<bool> taken = [once](const Expected<bool>& is_taken) {
       (*once)(is_taken ? Expected<void>() : tl::unexpected(is_taken.error()));
@@ -191,16 +188,17 @@ Expected<void> Core::readable() const {
 }
 
 // The run as its journal says. Its open calls are answered `unavailable` (R7) and never sent again; what had arrived
-// before is forgotten. One that `ends` and whose last macro step takes too long ends in that, without an entry.
-Expected<Core::Rebuilt> Core::rebuild(std::chrono::milliseconds longest, bool ends) const {
+// before is forgotten. One that is stopped, and whose last macro step takes too long, ends in that, without an entry.
+Expected<Core::Rebuilt> Core::rebuild(std::chrono::milliseconds longest) const {
   ASSIGN_OR_RETURN(RunRecord stored, resources_.runs.get(run_id()));
   execution::Replay replay(header_, resources_.runs.source(run_id()));
   *end_rebuild_ = false;
   if (server_ends_) return unexpected(ErrorCode::unavailable, "the server ends");
-  const auto watch = resources_.watchdog.watch(end_rebuild_, longest);
+  const bool is_stopped = is_stopped_;  // from here on, who stops it ends this, and it is rebuilt once more
+  const auto watch = resources_.watchdog.watch(end_rebuild_, is_stopped ? std::min(longest, kWaitForStep) : longest);
   auto replayed = replay.after(stored.steps, end_rebuild_.get());
   if (*end_rebuild_) {
-    if (!ends) return unexpected(ErrorCode::unavailable, "the run takes too long to be rebuilt from its journal");
+    if (!is_stopped) return unexpected(ErrorCode::unavailable, "the run takes too long to be rebuilt from its journal");
     ASSIGN_OR_RETURN(Execution aborted, Execution::create(header_));
     aborted.stop_with(give_up_.get());
     aborted.abort();
