@@ -51,7 +51,7 @@ class StepEnvironment final : public language::Environment {
   }
 
   /// Adds what a function that completed has done to `use`: its `work` and its calls. False: a budget is exceeded.
-  bool take_use(std::uint64_t work) {
+  [[gnu::always_inline]] bool take_use(std::uint64_t work) {
     use.work += work;
     if (!calls.empty()) [[unlikely]]
       count_calls();

@@ -30,7 +30,7 @@ class ArgumentScope {
 
 class Machine {
  public:
-  explicit Machine(Interpreter::Limits limits) : limits_(limits) {
+  explicit Machine(Interpreter::Limits limits) : limits_(limits), stop_(limits.stop ? *limits.stop : kNever) {
     context_.value_units = limits.value_units;
     context_.steps = limits.steps;
   }
@@ -131,7 +131,10 @@ class Machine {
   static const Value kTrue;
   static const Value kFalse;
 
+  static inline const std::atomic<bool> kNever{false};
+
   Interpreter::Limits limits_;
+  const std::atomic<bool>& stop_;
   Context context_;
   const Program* program_ = nullptr;
   const Node* nodes_ = nullptr;
@@ -143,7 +146,7 @@ class Machine {
   std::vector<Value> stack_;  // arguments of calls that are being made
 };
 
-inline bool Machine::is_told_to_stop() const { return limits_.is_told_to_stop(); }
+inline bool Machine::is_told_to_stop() const { return stop_.load(std::memory_order_relaxed); }
 
 // False: the budget has no unit left, or the evaluation is told to stop.
 inline bool Machine::take_unit() { return --context_.left >= 0 && !is_told_to_stop(); }
