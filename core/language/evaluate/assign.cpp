@@ -76,7 +76,7 @@ Machine::Flow Machine::augment(const Node& n, NodeId id) {
     return Flow::next;
   }
   const Value change = by;
-  Value value = local ? std::move(locals_[n.a]) : old;
+  Value value = old;
   if (!augmented(op, value, change, 0)) return locate_fault(id), Flow::halt;
   if (!local) return store(n.a, value, id) ? Flow::next : Flow::halt;
   locals_[n.a] = std::move(value);
