@@ -76,7 +76,12 @@ Machine::Flow Machine::augment(const Node& n, NodeId id) {
     return Flow::next;
   }
   const Value change = by;
-  Value value = old;
+  Value value;
+  if (local) {
+    value = std::move(locals_[n.a]);  // it is held once: what it changes is not copied
+  } else {
+    value = old;
+  }
   if (!augmented(op, value, change, 0)) return locate_fault(id), Flow::halt;
   if (!local) return store(n.a, value, id) ? Flow::next : Flow::halt;
   locals_[n.a] = std::move(value);

@@ -70,6 +70,12 @@ TEST(Work, OfAChangeIsThatOfACopyWhereSomethingElseHoldsTheList) {
   EXPECT_LT(twice, shared + 10) << "it is copied once";
 }
 
+TEST(Work, OfALocalThatNothingElseHoldsIsThatOfWhatIsAdded) {
+  Runner r;
+  EXPECT_LT(work_of(r, "a = list(range(10000))\nfor i in range(1000): a += [i]"), 100'000U);
+  EXPECT_GT(work_of(r, "a = list(range(10000))\nb = a\na += [1]"), 10'000U);
+}
+
 TEST(Work, OfConditionsIsChargedToo) {
   Runner r(Interpreter::Limits{.steps = 100});
   r.state.set(State::par_a, Value(List(10'000, Value(1))));
