@@ -44,6 +44,14 @@ Expected<Execution> Replay::after(std::uint64_t position, const std::atomic<bool
   return execution;
 }
 
+Expected<Execution> Replay::next(Execution before, const std::atomic<bool>* stop) {
+  before.stop_with(stop);
+  const std::uint64_t position = before.run().position() + 1;
+  ASSIGN_OR_RETURN(const std::vector<JournalEntry> entries, source_->entries(position, position));
+  if (auto step = before.replay(entries.front(), kNothing); !step) return tl::unexpected(std::move(step).error());
+  return before;
+}
+
 void Replay::keep(const Execution& execution) {
   const std::size_t position = execution.run().position();
   if (position == 0 || position % interval_ != 0) return;

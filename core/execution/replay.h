@@ -40,6 +40,9 @@ class Replay {
   /// it does next, too.
   Expected<Execution> after(std::uint64_t position, const std::atomic<bool>* stop = nullptr);
 
+  /// `before`, an execution of this run, after one more macro step, of which there is the entry. As after().
+  Expected<Execution> next(Execution before, const std::atomic<bool>* stop = nullptr);
+
  private:
   Expected<Execution> nearest(std::uint64_t position);
   void keep(const Execution& execution);

@@ -180,7 +180,7 @@ void Core::dismiss(Done<bool> done) {
 // One that is given up now, has received too much, or takes long to be read back, ends when it is.
 Expected<void> Core::end_run_now() {
   if (ends_later_) {
-    if (!is_stopped_.exchange(true)) *end_rebuild_ = true;  // nobody needs what is read back
+    if (!is_stopped_.exchange(true)) *end_last_step_ = true;  // nobody waits for what that comes to
     if (is_to_rebuild() && !interruption_->rebuilding) rebuild_later();
     return {};
   }

@@ -214,7 +214,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   void end() {
     close();
     server_ends_ = true;
-    *end_rebuild_ = true;
+    *end_rebuild_ = *end_last_step_ = true;
   }
 
   // Watching. A snapshot is published first; from then on, what changes.
@@ -304,7 +304,9 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   struct Rebuilt {
     RunRecord record;
     execution::Execution execution;
+    std::vector<semantics::OutgoingCall> safe_calls;  // of one that ends in its last macro step: nobody has made them
   };
+  void make_safe_calls(const std::vector<semantics::OutgoingCall>& calls) const;
   void interrupt(const Error& error, const char* reason = "storage");
   /// What throws may leave a step half done: the run is what its journal says.
   void interrupt_after(const std::exception& failure);
@@ -328,6 +330,10 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   void open_journal();
   // On any other thread: it waits for the disk.
   Expected<Rebuilt> rebuild(std::chrono::milliseconds longest) const;
+  Expected<Rebuilt> rebuild_last_step(execution::Replay& replay, RunRecord stored, execution::Execution before,
+                                      std::chrono::milliseconds longest) const;
+  Rebuilt rebuilt_from(RunRecord stored, execution::Execution rebuilt) const;
+  static Error in_time(Error error);
   // On any: what could not be read back before is, if the disk works now. Errors: `storage`, `corrupt`.
   void ensure_rebuilt(Done<void> done);
   void rebuild_for(std::uint64_t interruption, Done<void> done);
@@ -377,7 +383,8 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   std::size_t waiting_units_ = 0;   // of the inputs that wait in the execution, or more
   std::size_t received_units_ = 0;  // that the run keeps of inputs, or more
   const Watchdog::Flag give_up_;    // what is computed takes too long: the execution stops, in a fault of nobody's
-  const Watchdog::Flag end_rebuild_ = std::make_shared<std::atomic<bool>>(false);  // the same, of what is read back
+  const Watchdog::Flag end_rebuild_ = std::make_shared<std::atomic<bool>>(false);    // the same, of what is read back
+  const Watchdog::Flag end_last_step_ = std::make_shared<std::atomic<bool>>(false);  // and of the last step of that
   std::uint32_t part_ = 1;                 // micro steps until the time is looked at: few while they are slow
   std::chrono::nanoseconds step_time_{0};  // that the open macro step has computed
   execution::Execution execution_;

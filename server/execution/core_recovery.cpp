@@ -68,14 +68,19 @@ void Core::interrupt(const Error& error, const char* reason) {
                    .message = error.message,
                    .was_paused = std::exchange(paused_, true)};
   ends_later_ = is_stopped_ || interruption_->reason == kOverload || interruption_->reason == kDeadline;
-  services::run_reporting("the safe calls of a run", [this] {
-    for (const semantics::OutgoingCall& call : run().safe_calls())
-      resources_.host.call({"", 0}, call.service, call.name, {}, {}, id_);
-    resources_.host.abandon_all(id_);
-  });
+  make_safe_calls(run().safe_calls());
+  services::run_reporting("the calls of a run", [this] { resources_.host.abandon_all(id_); });
   execution_.set_goal(std::nullopt);
   services::run_reporting("an interruption", [this] { publish_interruption(); });
   held_.fail(error);
+}
+
+// Nobody's calls: no answer to them reaches a run.
+void Core::make_safe_calls(const std::vector<semantics::OutgoingCall>& calls) const {
+  services::run_reporting("the safe calls of a run", [&] {
+    for (const semantics::OutgoingCall& call : calls)
+      resources_.host.call({"", 0}, call.service, call.name, {}, {}, id_);
+  });
 }
 
 void Core::interrupt_after(const std::exception& failure) {
@@ -121,6 +126,7 @@ void Core::take_rebuilt(std::uint64_t interruption, Expected<Rebuilt> rebuilt) {
   }
   ends_later_ = false;
   const bool was_paused = interruption_->was_paused, is_stopped = is_stopped_.exchange(false);
+  make_safe_calls(rebuilt->safe_calls);
   take(std::move(*rebuilt));
   if (!started_) paused_ = was_paused;
   if (!is_stopped) return publish_info();
@@ -188,28 +194,49 @@ Expected<void> Core::readable() const {
 }
 
 // The run as its journal says. Its open calls are answered `unavailable` (R7) and never sent again; what had arrived
-// before is forgotten. One that is stopped, and whose last macro step takes too long, ends in that, without an entry.
+// before is forgotten.
 Expected<Core::Rebuilt> Core::rebuild(std::chrono::milliseconds longest) const {
   ASSIGN_OR_RETURN(RunRecord stored, resources_.runs.get(run_id()));
   execution::Replay replay(header_, resources_.runs.source(run_id()));
-  *end_rebuild_ = false;
+  *end_rebuild_ = *end_last_step_ = false;
   if (server_ends_) return unexpected(ErrorCode::unavailable, "the server ends");
-  const bool is_stopped = is_stopped_;  // from here on, who stops it ends this, and it is rebuilt once more
-  const auto watch = resources_.watchdog.watch(end_rebuild_, is_stopped ? std::min(longest, kWaitForStep) : longest);
-  auto replayed = replay.after(stored.steps, end_rebuild_.get());
-  if (*end_rebuild_) {
-    if (!is_stopped) return unexpected(ErrorCode::unavailable, "the run takes too long to be rebuilt from its journal");
-    ASSIGN_OR_RETURN(Execution aborted, Execution::create(header_));
-    aborted.stop_with(give_up_.get());
-    aborted.abort();
-    return Rebuilt{std::move(stored), std::move(aborted)};
-  }
-  ASSIGN_OR_RETURN(Execution rebuilt, std::move(replayed));
+  const auto begin = std::chrono::steady_clock::now();
+  const auto watch = resources_.watchdog.watch(end_rebuild_, longest);
+  auto before = replay.after(stored.steps > 0 ? stored.steps - 1 : 0, end_rebuild_.get());
+  if (!before) return tl::unexpected(in_time(std::move(before).error()));
+  if (stored.steps == 0) return rebuilt_from(std::move(stored), *std::move(before));
+  const auto used = std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - begin);
+  return rebuild_last_step(replay, std::move(stored), *std::move(before), longest - used);
+}
+
+// It may have been the reason of the interruption, so it may take long. One that is stopped meanwhile ends in it,
+// without an entry: what is known of it is what was before.
+Expected<Core::Rebuilt> Core::rebuild_last_step(execution::Replay& replay, RunRecord stored, Execution before,
+                                                std::chrono::milliseconds longest) const {
+  const bool is_stopped = is_stopped_;
+  if (is_stopped && !server_ends_) *end_last_step_ = false;  // it has its time
+  const auto watch = resources_.watchdog.watch(end_last_step_, is_stopped ? std::min(longest, kWaitForStep) : longest);
+  auto last = replay.next(before, end_last_step_.get());
+  if (last) return rebuilt_from(std::move(stored), *std::move(last));
+  if (last.error().code != ErrorCode::unavailable || !is_stopped_ || server_ends_)
+    return tl::unexpected(in_time(std::move(last).error()));
+  before.stop_with(give_up_.get());
+  std::vector<semantics::OutgoingCall> safe_calls = before.run().safe_calls();
+  before.abort();
+  return Rebuilt{std::move(stored), std::move(before), std::move(safe_calls)};
+}
+
+Core::Rebuilt Core::rebuilt_from(RunRecord stored, Execution rebuilt) const {
   rebuilt.stop_with(give_up_.get());
   rebuilt.post_lost();
   // A disk that takes nothing leaves it as `running`: when the server has ended, that means the same.
   if (stored.steps > 0 && !rebuilt.is_over()) std::ignore = resources_.runs.set_status(run_id(), "interrupted");
-  return Rebuilt{std::move(stored), std::move(rebuilt)};
+  return {std::move(stored), std::move(rebuilt), {}};
+}
+
+Error Core::in_time(Error error) {
+  if (error.code == ErrorCode::unavailable) error.message = "the run takes too long to be rebuilt from its journal";
+  return error;
 }
 
 // One that had not begun waits to be started.
