@@ -90,7 +90,8 @@ const LogEntry* Conflicts::replacement_of(std::string_view id) const {
 }
 
 std::optional<Rejection> Conflicts::of(const Operation& operation) const {
-  // What was in another element under this id has its way back when that one has.
+  // An undo puts nothing into what has come in the place of the element that it was in, under its id, and brings
+  // nothing back that others have inserted since.
   if (const Place* place = place_of(operation); place && of_ != Of::change) {
     if (const auto* entry = replacement_of(place->parent))
       return because(entry, quote(place->parent) + " was replaced", "parent");

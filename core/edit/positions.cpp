@@ -1,6 +1,7 @@
 #include "core/edit/positions.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace race::edit {
 
@@ -34,7 +35,7 @@ void Positions::sync(const Tree& tree, const std::string& parent, ListName list)
     }
     if (same && expected == present.end()) return;
   }
-  // A list that nobody has touched.
+  assert(found == lists_.end());  // a list that nobody has touched
   Entries entries;
   for (const std::string& id : present) entries.push_back({id, 0});
   lists_[key] = std::move(entries);
@@ -87,13 +88,14 @@ void Positions::enter(const Spot& spot, std::string_view id) {
 }
 
 Positions::Lists::iterator Positions::rename(Lists::iterator list, Departure removed) {
+  Key key{removed, list->first.parent, list->first.list};
+  save(list->first);
+  save(key);
   const auto next = std::next(list);
   auto node = lists_.extract(list);
-  Key key{removed, node.key().parent, node.key().list};
-  saved_.try_emplace(node.key(), node.mapped());
-  save(key);
   node.key() = std::move(key);
-  lists_.insert(std::move(node));
+  [[maybe_unused]] const bool is_free = lists_.insert(std::move(node)).inserted;
+  assert(is_free);
   return next;
 }
 

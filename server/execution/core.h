@@ -333,7 +333,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   Expected<Rebuilt> rebuild_last_step(execution::Replay& replay, RunRecord stored, execution::Execution before,
                                       std::chrono::milliseconds longest) const;
   Rebuilt rebuilt_from(RunRecord stored, execution::Execution rebuilt) const;
-  static Error in_time(Error error);
+  static Error as_timed_out(Error error);
   // On any: what could not be read back before is, if the disk works now. Errors: `storage`, `corrupt`.
   void ensure_rebuilt(Done<void> done);
   void rebuild_for(std::uint64_t interruption, Done<void> done);

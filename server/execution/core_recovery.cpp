@@ -203,7 +203,7 @@ Expected<Core::Rebuilt> Core::rebuild(std::chrono::milliseconds longest) const {
   const auto begin = std::chrono::steady_clock::now();
   const auto watch = resources_.watchdog.watch(end_rebuild_, longest);
   auto before = replay.after(stored.steps > 0 ? stored.steps - 1 : 0, end_rebuild_.get());
-  if (!before) return tl::unexpected(in_time(std::move(before).error()));
+  if (!before) return tl::unexpected(as_timed_out(std::move(before).error()));
   if (stored.steps == 0) return rebuilt_from(std::move(stored), *std::move(before));
   const auto used = std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - begin);
   return rebuild_last_step(replay, std::move(stored), *std::move(before), longest - used);
@@ -219,7 +219,7 @@ Expected<Core::Rebuilt> Core::rebuild_last_step(execution::Replay& replay, RunRe
   auto last = replay.next(before, end_last_step_.get());
   if (last) return rebuilt_from(std::move(stored), *std::move(last));
   if (last.error().code != ErrorCode::unavailable || !is_stopped_ || server_ends_)
-    return tl::unexpected(in_time(std::move(last).error()));
+    return tl::unexpected(as_timed_out(std::move(last).error()));
   before.stop_with(give_up_.get());
   std::vector<semantics::OutgoingCall> safe_calls = before.run().safe_calls();
   before.abort();
@@ -234,7 +234,7 @@ Core::Rebuilt Core::rebuilt_from(RunRecord stored, Execution rebuilt) const {
   return {std::move(stored), std::move(rebuilt), {}};
 }
 
-Error Core::in_time(Error error) {
+Error Core::as_timed_out(Error error) {
   if (error.code == ErrorCode::unavailable) error.message = "the run takes too long to be rebuilt from its journal";
   return error;
 }
