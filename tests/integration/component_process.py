@@ -46,9 +46,11 @@ class ComponentClient(WebSocketClient):
         return check("component_message", self.receive())
 
     def next(self, kind):
-        """The next message of this type; answers pings and skips news in between."""
+        """The next message of this type, if it comes soon; answers pings and skips news in between."""
+        end = time.monotonic() + TIMEOUT
         while (message := self.message())["type"] != kind:
             assert message["type"] in ("ping", "news"), message
+            assert time.monotonic() < end, f"no {kind} comes"
             if message["type"] == "ping":
                 self.send_checked({"type": "pong", "number": message["number"]})
         return message

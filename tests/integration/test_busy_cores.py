@@ -8,6 +8,7 @@ import unittest
 
 import models
 from client import TIMEOUT, Server
+from component_process import LONG_HEARTBEAT, ComponentClient, service
 
 SOON = 1  # [s] what is not delayed takes a few milliseconds
 CLIENTS = 8
@@ -21,6 +22,14 @@ def laps(name="laps", states=400, last=10):
         "actions": [{"when": "svc.timer.tick", "do": "res.n = res.n + 1"}],
         "children": [*middle, {"state": f"S{states}", "ports": [{"name": "next", "when": "svc.timer.tick", "to": "S0"}]}],
         "first": "S0", "ports": [{"name": "done", "when": f"res.n >= {last}"}]})
+
+
+def calling_then_diverging():
+    """Plays a sound; with the next tick of the timer begins a macro step that does not end."""
+    task = models.diverging(numbers=150000)
+    task["root"] |= {"entry": "svc.audio.play('beep')", "first": "Wait", "children": [
+        {"state": "Wait", "ports": [{"name": "next", "when": "svc.timer.tick", "to": "A"}]}, *task["root"]["children"]]}
+    return task
 
 
 class Asking(threading.Thread):
@@ -158,6 +167,30 @@ class LongRebuilds(unittest.TestCase):
                   f"{ended:.2f} s", flush=True)
             self.assertLess(answered, SOON)
             self.assertLess(ended, 2 * SOON, "nobody waits until it is read back")
+
+    def test_what_a_run_called_is_told_to_stop_when_it_is_ended_while_it_is_read_back(self):
+        data = tempfile.mkdtemp(prefix="race-test-")
+        self.addCleanup(shutil.rmtree, data)
+        options = ("--remote", "audio", *LONG_HEARTBEAT)
+        before = Server(*options, data=data)
+        with self.audio(before) as audio:
+            core = before.core(calling_then_diverging())
+            self.assertEqual(audio.next("call")["operation"], "play")
+            state = lambda: before.get(f"/cores/{core}/state", "core_state")["state"]["active"]
+            before.wait_for(lambda: "Root/Wait" not in state())  # the macro step that was told is in the journal
+            before.kill()
+        with Server(*options, data=data) as server, self.audio(server) as audio:
+            server.post(f"/cores/{core}/stop", None, "core")
+            self.assertEqual(audio.next("call")["operation"], "stop")
+            server.wait(core, lambda now: now["status"] == "aborted", TIMEOUT)
+
+    def audio(self, server):
+        """The test in the role of the process with the audio service."""
+        audio = ComponentClient(server.port)
+        audio.send_checked({"type": "hello", "protocol": 1, "components": [
+            {"key": "audio", "type": "audio", "rsm": service(server, "audio")["rsm"]}]})
+        audio.next("welcome")
+        return audio
 
 
 if __name__ == "__main__":
