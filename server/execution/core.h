@@ -304,7 +304,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   struct Rebuilt {
     RunRecord record;
     execution::Execution execution;
-    std::vector<semantics::OutgoingCall> safe_calls;  // of one that ends in its last macro step: nobody has made them
+    std::vector<semantics::OutgoingCall> safe_calls;  // of one aborted in its last macro step: a restart makes none
   };
   void make_safe_calls(const std::vector<semantics::OutgoingCall>& calls) const;
   void interrupt(const Error& error, const char* reason = "storage");

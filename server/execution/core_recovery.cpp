@@ -209,8 +209,8 @@ Expected<Core::Rebuilt> Core::rebuild(std::chrono::milliseconds longest) const {
   return rebuild_last_step(replay, std::move(stored), *std::move(before), longest - used);
 }
 
-// It may have been the reason of the interruption, so it may take long. One that is stopped meanwhile ends in it,
-// without an entry: what is known of it is what was before.
+// It may have been the reason of the interruption, so it may take long. One that is stopped meanwhile is aborted in it,
+// without an entry (core/SEMANTICS.md section 10): what is known of it is what was before.
 Expected<Core::Rebuilt> Core::rebuild_last_step(execution::Replay& replay, RunRecord stored, Execution before,
                                                 std::chrono::milliseconds longest) const {
   const bool is_stopped = is_stopped_;

@@ -56,6 +56,15 @@ class ComponentClient(WebSocketClient):
         return message
 
 
+def component_client(server, key):
+    """The test in the role of the process with the service `key`, whose type is named alike; the server has welcomed it."""
+    client = ComponentClient(server.port)
+    client.send_checked({"type": "hello", "protocol": 1, "components": [
+        {"key": key, "type": key, "rsm": service(server, key)["rsm"]}]})
+    client.next("welcome")
+    return client
+
+
 def service(server, key):
     """The service as GET /services lists it."""
     return next(s for s in server.get("/services", "services")["services"] if s["key"] == key)

@@ -6,7 +6,7 @@ import threading
 from pathlib import Path
 
 import models
-from component_process import ComponentClient, service, wait_available
+from component_process import component_client, wait_available
 
 
 def resident(server):
@@ -71,10 +71,7 @@ COUNTING = models.document("count", {
 
 def display_process(server):
     """The process of the server's display, which answers nothing; and 1000 events of it, as messages."""
-    process = ComponentClient(server.port)
-    rsm = service(server, "display")["rsm"]
-    process.send_checked({"type": "hello", "protocol": 1, "components": [{"key": "display", "type": "display", "rsm": rsm}]})
-    process.next("welcome")
+    process = component_client(server, "display")
     wait_available(server, "display")
     event = json.dumps({"type": "event", "key": "display", "name": "button",
                         "data": {"button": "x" * 200, "display": "main"}})

@@ -8,7 +8,7 @@ import unittest
 
 import models
 from client import TIMEOUT, Server
-from component_process import LONG_HEARTBEAT, ComponentClient, service
+from component_process import LONG_HEARTBEAT, component_client
 
 SOON = 1  # [s] what is not delayed takes a few milliseconds
 CLIENTS = 8
@@ -173,24 +173,16 @@ class LongRebuilds(unittest.TestCase):
         self.addCleanup(shutil.rmtree, data)
         options = ("--remote", "audio", *LONG_HEARTBEAT)
         before = Server(*options, data=data)
-        with self.audio(before) as audio:
+        with component_client(before, "audio") as audio:
             core = before.core(calling_then_diverging())
             self.assertEqual(audio.next("call")["operation"], "play")
             state = lambda: before.get(f"/cores/{core}/state", "core_state")["state"]["active"]
             before.wait_for(lambda: "Root/Wait" not in state())  # the macro step that was told is in the journal
             before.kill()
-        with Server(*options, data=data) as server, self.audio(server) as audio:
+        with Server(*options, data=data) as server, component_client(server, "audio") as audio:
             server.post(f"/cores/{core}/stop", None, "core")
             self.assertEqual(audio.next("call")["operation"], "stop")
             server.wait(core, lambda now: now["status"] == "aborted", TIMEOUT)
-
-    def audio(self, server):
-        """The test in the role of the process with the audio service."""
-        audio = ComponentClient(server.port)
-        audio.send_checked({"type": "hello", "protocol": 1, "components": [
-            {"key": "audio", "type": "audio", "rsm": service(server, "audio")["rsm"]}]})
-        audio.next("welcome")
-        return audio
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ import unittest
 import models
 import test_displays
 from client import PROGRAM, PROJECT, TIMEOUT, Server
-from component_process import LONG_HEARTBEAT, ComponentClient, ComponentProcess, service, wait_available
+from component_process import LONG_HEARTBEAT, ComponentClient, ComponentProcess, component_client, service, wait_available
 from traced_server import LOG_LINE
 
 DEMO = str(PROJECT / "deploy/demo")
@@ -115,10 +115,8 @@ class ComponentProtocol(unittest.TestCase):
                                               ("ask", {**question, "display": "a/b"}, "display"),
                                               ("play", {"sound": "beep"}, "play"), ("take", {"all": True}, "arguments")):
                 shown.send_checked({"type": "display", "name": "main"})
-                client = self.connect(server)
-                client.send_checked({"type": "hello", "protocol": 1, "components": [
-                    {"key": "display", "type": "display", "rsm": service(server, "display")["rsm"]}]})
-                client.next("welcome")
+                client = component_client(server, "display")
+                self.addCleanup(client.close)
                 ask(client, "ask", question)
                 reply = client.next("reply")
                 self.assertEqual((reply["number"], type(reply["value"])), (3, int), reply)

@@ -7,7 +7,7 @@ import unittest
 
 import models
 from client import Server
-from component_process import LONG_HEARTBEAT, ComponentClient, service, wait_available, wait_until
+from component_process import LONG_HEARTBEAT, component_client, service, wait_available, wait_until
 
 MOST = 10_000  # calls of a service that may wait
 CALLS = 500  # of the task at each event
@@ -23,11 +23,8 @@ class PendingCalls(unittest.TestCase):
     def setUp(self):
         self.server = Server("--remote", "display", *LONG_HEARTBEAT)
         self.addCleanup(self.server.stop)
-        self.process = ComponentClient(self.server.port)  # which hears the calls and answers none
+        self.process = component_client(self.server, "display")  # which hears the calls and answers none
         self.addCleanup(self.process.close)
-        rsm = service(self.server, "display")["rsm"]
-        self.process.send_checked({"type": "hello", "protocol": 1, "components": [{"key": "display", "type": "display", "rsm": rsm}]})
-        self.process.next("welcome")
         wait_available(self.server, "display")
         self.core = self.server.core(ASKING)
 
