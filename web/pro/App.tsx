@@ -1,11 +1,15 @@
 // The expert page: task tree to the left, canvas in the middle, properties to the right, run bar and derivation below.
 import { lazy, Suspense } from "react";
 import { watchedCore } from "../shared/session/session";
-import { commandOf } from "../shared/session/shortcuts";
+import { commandOf, type Shortcut } from "../shared/session/shortcuts";
 import { ModelCanvas } from "./canvas/ModelCanvas";
 import { useTree } from "./canvas/useDrawing";
 import { CellInset } from "./cell/CellInset";
-import { run, session, useView, view } from "./client";
+import { run as command, session, useSession, useView, view } from "./client";
+import { EditPage } from "./edit/EditPage";
+import { EditProperties } from "./edit/EditProperties";
+import { EditSide } from "./edit/EditSide";
+import { useEditedTree, useEditing } from "./edit/editing";
 import { Drawer } from "./panels/Drawer";
 import { DraftErrors } from "./panels/DraftErrors";
 import { Interruption } from "./panels/Interruption";
@@ -20,6 +24,9 @@ import { useShortcuts } from "./useShortcuts";
 
 const CellView = lazy(() => import("./cell/CellView").then(({ CellView }) => ({ default: CellView })));
 
+/** What moves a run on does so only on a page that shows it. */
+const kStarts: ReadonlySet<Shortcut> = new Set(["lead", "micro", "macro"]);
+
 function usePageKeys(): void {
   useShortcuts((shortcut) => {
     switch (shortcut) {
@@ -33,23 +40,29 @@ function usePageKeys(): void {
         view.dispatch({ type: "escape" });
         return true;
     }
-    const command = commandOf(shortcut, watchedCore(session.get()));
-    if (command === undefined) return false;
-    void run(command);
+    if (view.get().page === "edit" && kStarts.has(shortcut)) return false;
+    const wanted = commandOf(shortcut, watchedCore(session.get()));
+    if (wanted === undefined) return false;
+    void command(wanted);
     return true;
   });
 }
 
 export function App() {
   const page = useView((v) => v.page);
-  const tree = useTree();
+  const run = useTree();
+  const edited = useEditedTree();
+  const document = useEditing((now) => now.document);
+  const watched = useSession((s) => s.watched);
+  const tree = page === "edit" ? edited : run;
   usePageKeys();
   return (
     <div className="app">
       <TopBar />
-      <TaskPanel tree={tree} />
+      {page === "edit" ? <EditSide tree={tree} /> : <TaskPanel tree={tree} />}
       <main className="workspace" id="workspace">
-        {page === "task" && <ModelCanvas tree={tree} />}
+        {page === "task" && <ModelCanvas subject={`run ${watched ?? ""}`} tree={tree} nothing="No task is loaded. Choose a document above and start a run." />}
+        {page === "edit" && <EditPage tree={tree} document={document} />}
         {page === "draft" && <DraftErrors />}
         {page === "services" && <ServicesView />}
         {page === "cell" && (
@@ -59,11 +72,11 @@ export function App() {
         )}
       </main>
       <div className="right">
-        <PropertiesPanel tree={tree} />
+        {page === "edit" ? <EditProperties tree={tree} /> : <PropertiesPanel tree={tree} />}
         {page === "task" && <CellInset />}
       </div>
       <footer className="foot">
-        <WaitingEdit tree={tree} />
+        <WaitingEdit tree={run} />
         <Interruption />
         <RunBar />
         <Drawer />

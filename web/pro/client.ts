@@ -9,9 +9,10 @@ import { firstShown, lastShown, type LastShown } from "../shared/session/firstSh
 import { createModelLoader } from "../shared/session/modelLoader";
 import { applyEvent, cellUnavailable, emptySession, watchedCore, type Session, type SessionEvent } from "../shared/session/session";
 import { applyGesture, firstView, type Gesture, type View } from "../shared/session/view";
-import { addressOfRun, coreToWatch, runOfAddress } from "../shared/session/watched";
+import { addressWith, placeOfAddress } from "../shared/session/address";
+import { coreToWatch } from "../shared/session/watched";
 import type { StreamUpdate } from "../shared/messages/stream";
-import { openStream, type Stream } from "../shared/stream";
+import { openStream, type Connection, type Stream } from "../shared/stream";
 import { createStore, useSelected } from "./store";
 
 const kPastSteps = 40;
@@ -30,6 +31,20 @@ export const useView = <T>(select: (state: View) => T): T => useSelected(view, s
 export const useCore = (): Core | undefined => useSession(watchedCore);
 
 let stream: Stream | undefined;
+
+/** A part of the page with channels or requests of its own. */
+export interface StreamListener {
+  readonly update: (update: StreamUpdate) => void;
+  readonly connection: (connection: Connection) => void;
+}
+const listeners = new Set<StreamListener>();
+
+/** The page's connection, and from now on all that comes over it; the result ends that. Requires `connect`. */
+export function listenToStream(listener: StreamListener): { readonly stream: Stream; readonly end: () => void } {
+  if (stream === undefined) throw new Error("the page is not connected");
+  listeners.add(listener);
+  return { stream, end: () => listeners.delete(listener) };
+}
 const flowWatchers = new Map<string, (packet: Packet) => void>();
 
 /** Shows an error until the user dismisses it. */
@@ -63,6 +78,7 @@ export function connect(): void {
   stream = openStream(`${scheme}://${location.host}/api/v1/stream`, {
     onConnection: (connection) => {
       session.dispatch({ type: "connection", connection });
+      listeners.forEach((listener) => listener.connection(connection));
       if (connection === "open") opened();
     },
     onMalformed: problem,
@@ -74,6 +90,7 @@ export function connect(): void {
       if (update.type === "derivation_position") void loadPast(update.id, update.next);
       if (update.type === "cores" || update.type === "core") watchSomething();
       if (kBringsCore.has(update.type)) refreshModel();
+      listeners.forEach((listener) => listener.update(update));
     },
   });
   for (const channel of ["cores", "services", "log", "cell/pose"]) stream.subscribe(channel);
@@ -114,7 +131,7 @@ async function loadPast(id: string, next: number): Promise<void> {
 function watchSomething(): void {
   const { cores, watched } = session.get();
   if (watched !== undefined && cores.some((core) => core.id === watched)) return;
-  watch(coreToWatch(cores, runOfAddress(location.search))?.id);
+  watch(coreToWatch(cores, placeOfAddress(location.search).run)?.id);
 }
 
 /** From this, the next run of the same document is shown. */
@@ -123,16 +140,16 @@ let last: LastShown | undefined;
 export function watch(id: string | undefined): void {
   const before = session.get().watched;
   if (before === id) return;
-  last = lastShown(session.get(), view.get(), last);
+  if (view.get().page !== "edit") last = lastShown(session.get(), view.get(), last);
   if (before !== undefined) {
     stream?.unsubscribe(`core/${before}/state`);
     stream?.unsubscribe(`core/${before}/derivation`);
   }
   session.dispatch({ type: "watched", id });
-  view.dispatch({ type: "forget" });
+  view.dispatch({ type: "forget_run" });
   models.forget();
   if (id === undefined) return;
-  history.replaceState(null, "", addressOfRun(location.search, id));
+  history.replaceState(null, "", addressWith(location.search, { run: id }));
   stream?.subscribe(`core/${id}/state`);
   stream?.subscribe(`core/${id}/derivation`);
   loadModel(id);
@@ -142,7 +159,7 @@ const models = createModelLoader((id) => api.coreModel(id), {
   onModel: (id, key, model) => {
     const now = session.get();
     if (now.watched !== id || now.modelKey === key) return;
-    if (now.model === undefined)
+    if (now.model === undefined && view.get().page !== "edit")
       view.dispatch({ type: "show_again", shown: firstShown(buildTree(model.root), now.document, last, view.get().detail) });
     session.dispatch({ type: "model", id, key, model });
   },

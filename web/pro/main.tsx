@@ -12,11 +12,14 @@ import "./styles/derivation.css";
 import "./styles/services.css";
 import "./styles/interrupted.css";
 import "./styles/help.css";
+import "./styles/edit.css";
 import { createRoot } from "react-dom/client";
 import { App } from "./App";
 import { connect } from "./client";
+import { openFromAddress } from "./edit/editing";
 
 const root = document.getElementById("root");
 if (root === null) throw new Error("the page has no #root");
 createRoot(root).render(<App />);
 connect();
+openFromAddress();

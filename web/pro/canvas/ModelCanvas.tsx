@@ -19,10 +19,18 @@ import { ZoomControls } from "./ZoomControls";
 const nodeTypes: NodeTypes = { state: StateNode, barrier: BarrierNode };
 const edgeTypes: EdgeTypes = { line: ModelLine };
 
-export function ModelCanvas({ tree }: { readonly tree: ModelTree | undefined }) {
+interface Props {
+  /** Whose model it is: a run or a document. */
+  readonly subject: string;
+  readonly tree: ModelTree | undefined;
+  /** What is said where there is no model. */
+  readonly nothing: string;
+}
+
+export function ModelCanvas({ subject, tree, nothing }: Props) {
   const frame = useRef<HTMLDivElement>(null);
   const size = useSize(frame);
-  const { laid, progress, failed, busy } = useDrawing(tree, size);
+  const { laid, progress, failed, busy } = useDrawing(subject, tree, size);
   return (
     <section className="canvas" aria-label="Model" aria-busy={busy} ref={frame}>
       <ArrowHeads />
@@ -30,17 +38,15 @@ export function ModelCanvas({ tree }: { readonly tree: ModelTree | undefined }) 
         <ReactFlowProvider>
           <Breadcrumb tree={tree} />
           <CanvasTools tree={tree} detail={laid.detail} />
-          <Flow laid={laid} tree={tree} />
+          <Flow laid={laid} tree={laid.tree} />
           {progress !== undefined && <LayoutProgress progress={progress} laid={laid} />}
         </ReactFlowProvider>
       ) : (
-        <Empty text={tree === undefined ? kNothing : failed ? "The model could not be drawn." : "Drawing the model…"} />
+        <Empty text={tree === undefined ? nothing : failed ? "The model could not be drawn." : "Drawing the model…"} />
       )}
     </section>
   );
 }
-
-const kNothing = "No task is loaded. Choose a document above and start a run.";
 
 function Empty({ text }: { readonly text: string }) {
   return (

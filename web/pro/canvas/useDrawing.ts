@@ -13,12 +13,14 @@ import { layoutInWorkers } from "./layoutEngine";
 
 export interface Laid {
   readonly drawing: Drawing;
+  /** The model that it was made of: paths and addresses of the drawing are of it, and after an edit not of the next one. */
+  readonly tree: ModelTree;
   readonly detail: Detail;
   /** The part of the view that it shows. */
   readonly shows: Shown;
   /** The user chose the detail, so the first view must be readable. */
   readonly asked: boolean;
-  /** A new key makes the canvas fit the drawing: it changes with the model, the focus and the detail. */
+  /** A new key makes the canvas fit the drawing: it changes with the subject, the focus and the detail, not with an edit. */
   readonly key: string;
 }
 
@@ -54,6 +56,7 @@ function useFrame(canvas: Size | undefined, focus: string | undefined): Size | u
 
 /** What is to be drawn. */
 interface Request {
+  readonly subject: string;
   readonly tree: ModelTree;
   readonly path: string;
   readonly state: State;
@@ -67,18 +70,18 @@ interface Of<T> {
   readonly value: T;
 }
 
-function requestOf(tree: ModelTree | undefined, frame: Size | undefined, shown: Shown): Request | undefined {
+function requestOf(subject: string, tree: ModelTree | undefined, frame: Size | undefined, shown: Shown): Request | undefined {
   if (tree === undefined || frame === undefined) return undefined;
   const path = shown.focus ?? tree.keys().next().value;
   const state = path === undefined ? undefined : stateAt(tree, path);
-  return path === undefined || state === undefined ? undefined : { tree, path, state, frame, shown };
+  return path === undefined || state === undefined ? undefined : { subject, tree, path, state, frame, shown };
 }
 
 const valueFor = <T>(request: Request | undefined, latest: Of<T> | undefined): T | undefined => (latest?.request === request ? latest?.value : undefined);
 
-function laidOf({ tree, path, shown }: Request, detail: Detail, drawing: Drawing): Laid {
-  const root = tree.keys().next().value ?? "";
-  return { drawing, detail, shows: shown, asked: shown.detail !== "auto", key: `${root} ${path} ${shown.detail} ${detail} ${shown.collapsed.size}` };
+function laidOf({ subject, tree, state, path, shown }: Request, detail: Detail, drawing: Drawing): Laid {
+  const key = `${subject} ${state.id ?? path} ${shown.detail} ${detail} ${shown.collapsed.size}`;
+  return { drawing, tree, detail, shows: shown, asked: shown.detail !== "auto", key };
 }
 
 /** Draws with the least detail first and calls `take`; then with more, as long as it can be read. */
@@ -101,12 +104,13 @@ async function drawAll(request: Request, signal: AbortSignal, take: (laid: Laid)
   }
 }
 
-export function useDrawing(tree: ModelTree | undefined, canvas: Size | undefined): CanvasDrawing {
+/** `subject`: whose model it is; while it is the same, the drawing before an edit stays until the next one is there. */
+export function useDrawing(subject: string, tree: ModelTree | undefined, canvas: Size | undefined): CanvasDrawing {
   const focus = useView((view) => view.focus);
   const collapsed = useView((view) => view.collapsed);
   const detail = useView((view) => view.detail);
   const frame = useFrame(canvas, focus);
-  const request = useMemo(() => requestOf(tree, frame, { focus, collapsed, detail }), [tree, frame, focus, collapsed, detail]);
+  const request = useMemo(() => requestOf(subject, tree, frame, { focus, collapsed, detail }), [subject, tree, frame, focus, collapsed, detail]);
   const [laid, setLaid] = useState<Of<Laid>>();
   const [progress, setProgress] = useState<Of<Progress | undefined>>();
   const [end, setEnd] = useState<Of<"drawn" | "failed">>();
@@ -134,8 +138,7 @@ export function useDrawing(tree: ModelTree | undefined, canvas: Size | undefined
 
   const ended = valueFor(request, end);
   return {
-    // An earlier drawing of the same model stays until the next one is there.
-    laid: laid !== undefined && laid.request.tree === request?.tree ? laid.value : undefined,
+    laid: laid !== undefined && laid.request.subject === request?.subject ? laid.value : undefined,
     progress: valueFor(request, progress),
     failed: ended === "failed",
     busy: request !== undefined && ended === undefined,

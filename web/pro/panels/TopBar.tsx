@@ -6,6 +6,7 @@ import { errorsText } from "../../shared/run/errorsText";
 import { documentText, errorCount, refusalToStart } from "../../shared/session/draft";
 import { keysOf } from "../../shared/session/shortcuts";
 import type { Page } from "../../shared/session/view";
+import { openDocument, useEditing } from "../edit/editing";
 import { dismissProblem, newRun, showErrors, useCore, useSession, useView, view, watch } from "../client";
 import { Icon } from "./Icon";
 
@@ -108,6 +109,9 @@ function NewRun() {
       >
         Load
       </button>
+      <button type="button" disabled={document === undefined} onClick={() => document !== undefined && openDocument(document.name)}>
+        Edit
+      </button>
       {document !== undefined && refusal !== undefined && (
         <>
           <span id={kRefusal} className="unseen">
@@ -125,10 +129,11 @@ function NewRun() {
 function PageTabs() {
   const page = useView((v) => v.page);
   const hasCell = useSession((s) => s.cell);
+  const edited = useEditing((now) => now.document);
   const broken = useSession((s) => s.services.reduce((sum, service) => sum + service.violations.length, 0));
   return (
     <div className="tabs" role="tablist" aria-label="Pages">
-      {pages.map((entry) => (
+      {(edited === undefined ? pages : [{ page: "edit", name: "Edit" } as const, ...pages]).map((entry) => (
         <button
           key={entry.page}
           type="button"

@@ -1,6 +1,6 @@
 // One composite state as an ELK graph: its children as boxes with fixed ports, its own ports as ports of the frame.
 import { exitReferences } from "../model/exitReferences";
-import type { Node, State } from "../model/model";
+import { childPath, keyOf, portAddress, type Node, type State } from "../model/model";
 import type { Box, LineKind, Side } from "./drawing";
 import type { ElkEdge, ElkGraph, ElkShape } from "./elk";
 import { headSize, portInset, portSize, type Detail, type Size } from "./measure";
@@ -39,14 +39,14 @@ export function linesOf(state: State, path: string): readonly LineSpec[] {
     lines.push({ id: `${path}→first`, kind: "first", from: path, to: `${path}/${state.first}` });
   }
   for (const child of state.children) {
-    const source = `${path}/${child.name}`;
+    const source = childPath(path, child);
     if (child.kind === "barrier") {
       for (const to of child.to) lines.push({ id: `${source}→${to}`, kind: "fork", from: source, to: `${path}/${to}` });
       continue;
     }
     for (const port of child.ports) {
       if (port.to === undefined || !names.has(port.to)) continue;
-      const from = `${source}.${port.name}`;
+      const from = portAddress(source, port);
       lines.push({ id: `${from}→${port.to}`, kind: "transition", from, to: `${path}/${port.to}` });
     }
   }
@@ -55,7 +55,7 @@ export function linesOf(state: State, path: string): readonly LineSpec[] {
       const found = state.children.find((entry) => entry.name === child);
       if (found?.kind !== "state" || !found.ports.some((entry) => entry.name === exit)) continue;
       const from = `${path}/${child}.${exit}`;
-      lines.push({ id: `${from}→${port.name}`, kind: "exit", from, to: `${path}.${port.name}` });
+      lines.push({ id: `${from}→${keyOf(port)}`, kind: "exit", from, to: portAddress(path, port) });
     }
   }
   return lines;
@@ -72,7 +72,7 @@ function childShape(child: ChildBox, direction: Arrangement["direction"]): ElkGr
       const box = child.ports[i];
       if (box === undefined) return;
       const layoutOptions = { "elk.port.side": outlet, "elk.port.borderOffset": String(-portInset) };
-      ports.push({ id: `${child.path}.${port.name}`, ...box, layoutOptions });
+      ports.push({ id: portAddress(child.path, port), ...box, layoutOptions });
     });
   } else {
     const outletPlace =
@@ -101,7 +101,7 @@ export function compositeGraph(
   // Declaration order is the order of evaluation, so it is kept: ELK counts clockwise.
   const clockwise = (i: number) => (side === "EAST" ? i : state.ports.length - 1 - i);
   const frame: ElkShape[] = state.ports.map((port, i) => ({
-    id: `${path}.${port.name}`,
+    id: portAddress(path, port),
     ...portSize(port, detail),
     layoutOptions: { "elk.port.side": side, "elk.port.index": String(clockwise(i)), "elk.port.borderOffset": String(-portInset) },
   }));

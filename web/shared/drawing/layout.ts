@@ -1,7 +1,7 @@
 // Automatic layout of a nested model: every composite is laid out alone, from the inside out, in several arrangements; the one
 // that fills a landscape frame best is taken. No line crosses more than one border (constraint after Def. 3.8), so that suffices.
 import { portText } from "../model/describe";
-import type { Node, State } from "../model/model";
+import { childPath, portAddress, type Node, type State } from "../model/model";
 import { shift, rebase, type Block } from "./block";
 import { compositeGraph, inletOf, linesOf, type Arrangement, type ChildBox } from "./compositeGraph";
 import type { Box, DrawnLine, DrawnNode, DrawnPort, Drawing, Point, Side } from "./drawing";
@@ -77,7 +77,7 @@ function looksOf(job: Job, levels: number, known: (look: string) => boolean): Re
     if (found.has(look) || known(look)) return;
     found.add(look);
     for (const direction of directionsOf(node))
-      for (const child of node.children) visit(child, `${path}/${child.name}`, sideIn(direction), beneathIt(levels));
+      for (const child of node.children) visit(child, childPath(path, child), sideIn(direction), beneathIt(levels));
   };
   visit(job.state, job.path, "EAST", levels);
   return found;
@@ -105,8 +105,8 @@ async function layoutOnce(engine: LayoutEngine, job: Job, state: State, path: st
   const candidates = await Promise.all(
     directionsOf(state).map(async (direction) => {
       const placed = state.children.map(async (child) => {
-        const childPath = `${path}/${child.name}`;
-        return [childPath, await layoutNode(engine, job, child, childPath, sideIn(direction), depth + 1, beneathIt(levels))] as const;
+        const at = childPath(path, child);
+        return [at, await layoutNode(engine, job, child, at, sideIn(direction), depth + 1, beneathIt(levels))] as const;
       });
       const children = new Map(await Promise.all(placed));
       // An arrangement may fail in ELK; an abort is passed on.
@@ -166,16 +166,16 @@ async function arrange(
   blocks: ReadonlyMap<string, Block>,
 ): Promise<Block> {
   const boxes = state.children.map((node): ChildBox => {
-    const childPath = `${path}/${node.name}`;
-    const block = blocks.get(childPath);
-    return { node, path: childPath, size: block?.size ?? { width: 0, height: 0 }, ports: block?.ports ?? [] };
+    const at = childPath(path, node);
+    const block = blocks.get(at);
+    return { node, path: at, size: block?.size ?? { width: 0, height: 0 }, ports: block?.ports ?? [] };
   });
   request.signal?.throwIfAborted();
   const graph = compositeGraph(state, path, boxes, side, arrangement, request.detail);
   const answer = (await engine(graph)).children?.[0];
   if (answer === undefined) throw new Error(`no layout for ${path}`);
   const size = { width: answer.width ?? 0, height: answer.height ?? 0 };
-  const ports = state.ports.map((port) => frameBox(answer, `${path}.${port.name}`, side, size));
+  const ports = state.ports.map((port) => frameBox(answer, portAddress(path, port), side, size));
   const placed = (answer.children ?? []).flatMap((child) => {
     const block = blocks.get(child.id);
     return block === undefined ? [] : [shift(block, { x: child.x ?? 0, y: child.y ?? 0 })];
@@ -268,7 +268,7 @@ function drawState(
     if (box === undefined) return [];
     const condition = request.detail === "slim" ? "" : conditionText(port);
     const timed = port.after !== undefined;
-    return [{ ...box, address: `${path}.${port.name}`, name: port.name, condition, when: portText(port), timed, exits: port.to === undefined }];
+    return [{ ...box, address: portAddress(path, port), name: port.name, condition, when: portText(port), timed, exits: port.to === undefined }];
   });
   const badge = badgeText(state);
   const dispatcher = state.dispatcher === undefined ? {} : { dispatcher: state.dispatcher };

@@ -1,6 +1,6 @@
 // Cache of layouts: subtrees that look the same (states linked twice, a task that is drawn again with one state
 // more open) are laid out once. A look is the key: all that a layout depends on, without paths and ids.
-import type { Node } from "../model/model";
+import { childPath, keyOf, type Node } from "../model/model";
 import type { Block } from "./block";
 import type { Side } from "./drawing";
 import { drawnLines, type Detail } from "./measure";
@@ -45,12 +45,12 @@ export function layoutCache(most = kMost): LayoutCache {
     return found;
   };
   const shapeOf = (node: Node, path: string, request: LookRequest): number => {
-    if (node.kind === "barrier") return word([node.name, node.to]);
+    if (node.kind === "barrier") return word([node.name, keyOf(node), node.to]);
     const { collapsed, detail, aspect } = request;
     const open = node.children.length > 0 && !collapsed.has(path);
-    const children = open ? node.children.map((child) => shape(child, `${path}/${child.name}`, request)) : node.children.length > 0;
-    const ports = node.ports.map(({ name, when, after, to }) => [name, when, after, to]);
-    return word([node.name, node.first, node.link, node.oracle, node.dispatcher, node.parameters.map(({ from }) => from), ports, children, detail, drawnLines(node, detail), open ? aspect : 0]);
+    const children = open ? node.children.map((child) => shape(child, childPath(path, child), request)) : node.children.length > 0;
+    const ports = node.ports.map((port) => [port.name, keyOf(port), port.when, port.after, port.to]);
+    return word([node.name, keyOf(node), node.first, node.link, node.oracle, node.dispatcher, node.parameters.map(({ from }) => from), ports, children, detail, drawnLines(node, detail), open ? aspect : 0]);
   };
   return {
     look: (node, path, side, levels, request) => `${side} ${levels} ${shape(node, path, request)}`,

@@ -15,6 +15,22 @@ export interface Identified {
   readonly id?: string;
 }
 
+/** What paths and addresses name. */
+interface Keyed {
+  readonly name: string;
+  /** Its part of a path where that is not its name: siblings of a draft may have the same one (`Grasp#2`). */
+  readonly key?: string;
+}
+
+/** The part of a path or address that stands for a node or port; no two siblings have the same. */
+export const keyOf = ({ name, key }: Keyed): string => key ?? name;
+
+/** The path of a child of the state at `path`. */
+export const childPath = (path: string, child: Keyed): string => `${path}/${keyOf(child)}`;
+
+/** The address of a port of the state at `path`. */
+export const portAddress = (path: string, port: Keyed): string => `${path}.${keyOf(port)}`;
+
 /** Def. 3.2: `value` is a constant, `from` an expression in the parent's scope; neither: required. */
 export interface Parameter extends Identified {
   readonly name: string;
@@ -41,8 +57,7 @@ export interface Action extends Identified, Translated {
   readonly do: string;
 }
 
-interface AnyPort extends Identified {
-  readonly name: string;
+interface AnyPort extends Identified, Keyed {
   readonly to?: string;
 }
 
@@ -65,9 +80,8 @@ export type Port = ConditionPort | TimedPort;
 export type Dispatcher = "history" | "deep history" | "choice";
 
 /** Def. 3.1. */
-export interface State extends Identified {
+export interface State extends Identified, Keyed {
   readonly kind: "state";
-  readonly name: string;
   readonly doc?: string;
   readonly parameters: readonly Parameter[];
   readonly results: readonly Declaration[];
@@ -89,9 +103,8 @@ export interface State extends Identified {
 }
 
 /** Def. 3.9. */
-export interface Barrier extends Identified {
+export interface Barrier extends Identified, Keyed {
   readonly kind: "barrier";
-  readonly name: string;
   readonly to: readonly string[];
 }
 

@@ -1,5 +1,5 @@
 // Addresses of a model: every node by its path (`Root/Pick/Grasp`), every port by its address (`Root/Pick/Grasp.success`).
-import type { Barrier, Node, Port, State } from "./model";
+import { childPath, keyOf, portAddress, type Barrier, type Node, type Port, type State } from "./model";
 
 export interface TreeNode {
   readonly path: string;
@@ -15,7 +15,7 @@ export type ModelTree = ReadonlyMap<string, TreeNode>;
 export function buildTree(root: State): ModelTree {
   const found: [string, TreeNode][] = [];
   const visit = (node: Node, parent: TreeNode | undefined): TreeNode => {
-    const path = parent === undefined ? node.name : `${parent.path}/${node.name}`;
+    const path = parent === undefined ? node.name : childPath(parent.path, node);
     const children: TreeNode[] = [];
     const entry: TreeNode = { path, parent: parent?.path, depth: (parent?.depth ?? -1) + 1, node, children };
     found.push([path, entry]);
@@ -45,7 +45,7 @@ export function splitAddress(address: string): { readonly path: string; readonly
 export function portAt(tree: ModelTree, address: string): Port | undefined {
   const parts = splitAddress(address);
   if (parts === undefined) return undefined;
-  return stateAt(tree, parts.path)?.ports.find((port) => port.name === parts.port);
+  return stateAt(tree, parts.path)?.ports.find((port) => keyOf(port) === parts.port);
 }
 
 /** `Root/Pick/Grasp` -> [`Root`, `Root/Pick`, `Root/Pick/Grasp`]: the breadcrumb of a node. */
@@ -63,6 +63,6 @@ export function inboundPorts(tree: ModelTree, path: string): readonly string[] {
   const entry = tree.get(path);
   const siblings = entry?.parent === undefined ? [] : (tree.get(entry.parent)?.children ?? []);
   return siblings.flatMap(({ path: source, node }) =>
-    node.kind === "state" ? node.ports.filter((p) => p.to === entry?.node.name).map((p) => `${source}.${p.name}`) : [],
+    node.kind === "state" ? node.ports.filter((p) => p.to === entry?.node.name).map((p) => portAddress(source, p)) : [],
   );
 }

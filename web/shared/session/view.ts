@@ -2,9 +2,10 @@
 import { assertNever } from "../assertNever";
 import type { Detail } from "../drawing/measure";
 import { timedElement } from "../model/afters";
+import { carried, carriedPath, type Selection } from "../model/identity";
 import { ancestry, portAt, splitAddress, type ModelTree } from "../model/modelTree";
 
-export type Selection = { readonly kind: "node"; readonly path: string } | { readonly kind: "port"; readonly address: string };
+export type { Selection };
 
 /** What a model has at `address`: a node's path, or a port's `Root/A.success`; of what is a part of another element, that; nothing if it has none. */
 export function selectionAt(tree: ModelTree, address: string): Selection | undefined {
@@ -14,14 +15,19 @@ export function selectionAt(tree: ModelTree, address: string): Selection | undef
   return whole === undefined ? undefined : selectionAt(tree, whole);
 }
 
-/** `draft`: the errors of a document. */
-export type Page = "task" | "services" | "cell" | "draft";
+/** `draft`: the errors of a document; `edit`: the document that is edited. */
+export type Page = "task" | "services" | "cell" | "draft" | "edit";
 export type Drawer = "derivation" | "log" | "closed";
+
+/** What a view says of elements of the model that is shown. */
+export type Places = Pick<View, "selection" | "also" | "focus" | "collapsed">;
 
 export interface View {
   readonly page: Page;
   readonly drawer: Drawer;
   readonly selection: Selection | undefined;
+  /** Nodes that are selected besides `selection`, by their paths; none unless that is a node. */
+  readonly also: ReadonlySet<string>;
   /** The state whose inside fills the canvas; none: the root. */
   readonly focus: string | undefined;
   readonly collapsed: ReadonlySet<string>;
@@ -35,6 +41,8 @@ export interface View {
   readonly inset: boolean;
   /** Whether the keys and mouse actions are shown over the page. */
   readonly help: boolean;
+  /** The places of the other model: of the document that is edited while a run is shown, and the other way round. */
+  readonly aside: Places;
 }
 
 /** The part of a view on which a drawing depends. */
@@ -44,6 +52,9 @@ export type Gesture =
   | { readonly type: "page"; readonly page: Page }
   | { readonly type: "drawer"; readonly drawer: Drawer }
   | { readonly type: "select"; readonly selection: Selection | undefined }
+  /** Selects a node besides the others, or no longer. */
+  | { readonly type: "select_also"; readonly path: string }
+  | { readonly type: "select_all"; readonly paths: readonly string[] }
   | { readonly type: "jump"; readonly selection: Selection }
   | { readonly type: "enter"; readonly path: string | undefined }
   | { readonly type: "toggle"; readonly path: string }
@@ -55,19 +66,26 @@ export type Gesture =
   | { readonly type: "inset"; readonly shown: boolean }
   | { readonly type: "help"; readonly shown: boolean }
   | { readonly type: "escape" }
-  | { readonly type: "forget" };
+  /** Another model is shown on this page. */
+  | { readonly type: "forget" }
+  /** Another run is watched. */
+  | { readonly type: "forget_run" }
+  /** The shown model was edited: what the view says of the elements of `before` it says of the same ones in `after`. */
+  | { readonly type: "carry"; readonly before: ModelTree; readonly after: ModelTree };
+
+const kNone: ReadonlySet<string> = new Set();
+const kNowhere: Places = { selection: undefined, also: kNone, focus: undefined, collapsed: kNone };
 
 export const initialView: View = {
   page: "task",
   drawer: "derivation",
-  selection: undefined,
-  focus: undefined,
-  collapsed: new Set(),
+  ...kNowhere,
   detail: "auto",
   reveal: 0,
   step: undefined,
   inset: true,
   help: false,
+  aside: kNowhere,
 };
 
 /** A window lower than this has room for a task that can be read, or for what lies below it, not for both [px]. */
@@ -84,32 +102,71 @@ export function pathOf(selection: Selection): string {
   return selection.kind === "node" ? selection.path : (splitAddress(selection.address)?.path ?? selection.address);
 }
 
+/** The nodes that are selected, the first of them first; none if a port is. */
+export const selectedPaths = ({ selection, also }: View): readonly string[] => (selection?.kind === "node" ? [selection.path, ...also] : []);
+
+function selectAll(view: View, [first, ...others]: readonly string[]): View {
+  return { ...view, selection: first === undefined ? undefined : { kind: "node", path: first }, also: new Set(others) };
+}
+
+function selectAlso(view: View, path: string): View {
+  const paths = selectedPaths(view);
+  return selectAll(view, paths.includes(path) ? paths.filter((each) => each !== path) : [...paths, path]);
+}
+
+/** The view on another page; each of the two models keeps its places. */
+function toPage(view: View, page: Page): View {
+  if ((page === "edit") === (view.page === "edit")) return { ...view, page };
+  const { selection, also, focus, collapsed } = view;
+  return { ...view, ...view.aside, page, aside: { selection, also, focus, collapsed } };
+}
+
+function carry(view: Places, before: ModelTree, after: ModelTree): Places {
+  const paths = (all: Iterable<string>) => new Set([...all].map((path) => carriedPath(before, after, path)).filter((path) => path !== undefined));
+  const selection = view.selection && carried(before, after, view.selection);
+  const also = view.also.size === 0 ? view.also : paths(view.also);
+  return {
+    selection: selection ?? (also.size > 0 ? { kind: "node", path: [...also][0] ?? "" } : undefined),
+    also: selection === undefined ? new Set([...also].slice(1)) : also,
+    focus: view.focus === undefined ? undefined : carriedPath(before, after, view.focus),
+    collapsed: view.collapsed.size === 0 ? view.collapsed : paths(view.collapsed),
+  };
+}
+
 function within(path: string, focus: string | undefined): boolean {
   return focus === undefined || path === focus || path.startsWith(`${focus}/`);
 }
 
+/** The page with a drawing that a place in the model is shown on: the one that is open, else the task. */
+const modelPage = ({ page }: View): Page => (page === "edit" ? "edit" : "task");
+
 export function applyGesture(view: View, gesture: Gesture): View {
   switch (gesture.type) {
     case "page":
-      return { ...view, page: gesture.page };
+      return toPage(view, gesture.page);
     case "drawer":
       return { ...view, drawer: gesture.drawer };
     case "select":
-      return { ...view, selection: gesture.selection };
+      return { ...view, selection: gesture.selection, also: kNone };
+    case "select_also":
+      return selectAlso(view, gesture.path);
+    case "select_all":
+      return selectAll(view, gesture.paths);
     case "jump": {
       const path = pathOf(gesture.selection);
       const opened = new Set(ancestry(path).slice(0, -1));
       return {
         ...view,
-        page: "task",
+        page: modelPage(view),
         selection: gesture.selection,
+        also: kNone,
         focus: within(path, view.focus) ? view.focus : undefined,
         collapsed: new Set([...view.collapsed].filter((entry) => !opened.has(entry))),
         reveal: view.reveal + 1,
       };
     }
     case "enter":
-      return { ...view, page: "task", focus: gesture.path, collapsed: new Set([...view.collapsed].filter((p) => p !== gesture.path)) };
+      return { ...view, page: modelPage(view), focus: gesture.path, collapsed: new Set([...view.collapsed].filter((p) => p !== gesture.path)) };
     case "toggle": {
       const collapsed = new Set(view.collapsed);
       if (!collapsed.delete(gesture.path)) collapsed.add(gesture.path);
@@ -131,9 +188,15 @@ export function applyGesture(view: View, gesture: Gesture): View {
       return { ...view, help: gesture.shown };
     case "escape":
       if (view.help) return { ...view, help: false };
-      return view.page === "draft" ? { ...view, page: "task" } : { ...view, selection: undefined };
+      return view.page === "draft" ? toPage(view, "task") : { ...view, selection: undefined, also: kNone };
+    case "carry":
+      return view.page === "edit" ? { ...view, ...carry(view, gesture.before, gesture.after) } : { ...view, aside: carry(view.aside, gesture.before, gesture.after) };
     case "forget":
-      return { ...initialView, page: view.page === "draft" ? "task" : view.page, drawer: view.drawer, detail: view.detail, inset: view.inset, help: view.help };
+      return { ...view, ...kNowhere, step: undefined };
+    case "forget_run": {
+      const page = view.page === "draft" ? "task" : view.page;
+      return page === "edit" ? { ...view, aside: kNowhere, step: undefined } : { ...view, ...kNowhere, page, step: undefined };
+    }
     default:
       return assertNever(gesture);
   }

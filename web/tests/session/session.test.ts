@@ -126,10 +126,10 @@ describe("view", () => {
   it("leaves the errors of a draft by Esc, and when a run is watched", () => {
     const draft = applyGesture(initialView, { type: "page", page: "draft" });
     expect(applyGesture(draft, { type: "escape" }).page).toBe("task");
-    expect(applyGesture(draft, { type: "forget" }).page).toBe("task");
+    expect(applyGesture(draft, { type: "forget_run" }).page).toBe("task");
   });
   it("keeps the page when another run is watched, but no selection", () => {
     const view = applyGesture({ ...initialView, page: "cell" }, { type: "select", selection: { kind: "node", path: "Root" } });
-    expect(applyGesture(view, { type: "forget" })).toMatchObject({ page: "cell", selection: undefined });
+    expect(applyGesture(view, { type: "forget_run" })).toMatchObject({ page: "cell", selection: undefined });
   });
 });

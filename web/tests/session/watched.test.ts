@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Core } from "../../generated/messages";
-import { addressOfRun, coreToWatch, runOfAddress } from "../../shared/session/watched";
+import { coreToWatch } from "../../shared/session/watched";
 
 const core = (id: string, status: Core["status"]): Core => ({ id, document: "pick", revision: 1, status, paused: false, stepping: false, step: 1, micro: 0, waiting: 0, arguments: {}, breakpoints: [], live: false, model: 0 });
 const cores = [core("1", "interrupted"), core("2", "interrupted"), core("3", "running"), core("4", "ended")];
@@ -12,13 +12,5 @@ describe("coreToWatch", () => {
     expect(coreToWatch(cores.slice(2), "9")?.id).toBe("3");
     expect(coreToWatch(cores.slice(3), "9")?.id).toBe("4");
     expect(coreToWatch([], "9")).toBeUndefined();
-  });
-});
-
-describe("the address", () => {
-  it("names the run, and keeps what else it says", () => {
-    expect(runOfAddress(addressOfRun("", "7"))).toBe("7");
-    expect(addressOfRun("?lang=en&run=7", "8")).toBe("?lang=en&run=8");
-    expect(runOfAddress("")).toBeUndefined();
   });
 });

@@ -1,0 +1,98 @@
+// The document that the page edits: its session with the server, the model that is drawn of it, and its place in the address (`?edit=NAME`).
+import { useMemo } from "react";
+import { applyEditing, nothingEdited, topOf, type Editing, type EditingEvent } from "../../shared/edit/editing";
+import { editedState } from "../../shared/edit/editedModel";
+import { openEditor, type Editor } from "../../shared/edit/editor";
+import type { Change } from "../../shared/edit/session";
+import type { Tree } from "../../shared/edit/tree";
+import { buildTree, type ModelTree } from "../../shared/model/modelTree";
+import type { State } from "../../shared/model/model";
+import { addressWith, placeOfAddress } from "../../shared/session/address";
+import { listenToStream, session, view } from "../client";
+import { createStore, useSelected } from "../store";
+import { author } from "./author";
+
+export const editing = createStore<Editing, EditingEvent>(nothingEdited, applyEditing);
+
+export const useEditing = <T>(select: (editing: Editing) => T): T => useSelected(editing, select);
+
+interface Open {
+  readonly editor: Editor;
+  readonly end: () => void;
+}
+let open: Open | undefined;
+
+let lastTree: { readonly state: State; readonly tree: ModelTree } | undefined;
+
+/** The model that is shown: the same object as long as the state that is shown did not change. */
+export function editedTree(): ModelTree | undefined {
+  const now = editing.get();
+  const [tree, top] = [now.session?.view, topOf(now)];
+  if (tree === undefined || top === undefined) return undefined;
+  const state = editedState(tree, top);
+  if (lastTree?.state !== state) lastTree = { state, tree: buildTree(state) };
+  return lastTree.tree;
+}
+
+/** The same, for components. */
+export function useEditedTree(): ModelTree | undefined {
+  const edited = useEditing((now) => now.session?.view);
+  const top = useEditing(topOf);
+  return useMemo(() => (edited === undefined || top === undefined ? undefined : editedTree()), [edited, top]);
+}
+
+/** The document with the edits of this page, as edits see it. */
+export const editedDocument = (): Tree | undefined => editing.get().session?.view;
+
+/** What the view says of elements stays with them while they are renamed and moved. */
+function changeShown(change: () => void): void {
+  const before = editedTree();
+  change();
+  const after = editedTree();
+  if (before !== undefined && after !== undefined && before !== after) view.dispatch({ type: "carry", before, after });
+}
+
+/** Opens a document for editing; the page shows it. */
+export function openDocument(name: string): void {
+  if (editing.get().document !== name) {
+    closeDocument();
+    editing.dispatch({ type: "open", document: name });
+    const { stream, end } = listenToStream({ update: (update) => open?.editor.receive(update), connection: (now) => open?.editor.connection(now) });
+    const editor = openEditor(stream, session.get().connection, name, author(), {
+      onSession: (next) => changeShown(() => editing.dispatch({ type: "session", session: next })),
+      onNotice: (notice) => editing.dispatch({ type: "notice", notice }),
+    });
+    open = { editor, end };
+    view.dispatch({ type: "page", page: "edit" });
+    view.dispatch({ type: "forget" });
+  }
+  view.dispatch({ type: "page", page: "edit" });
+  history.replaceState(null, "", addressWith(location.search, { edit: name }));
+}
+
+/** Leaves the document; edits that are on their way still arrive at the server. */
+export function closeDocument(): void {
+  if (open === undefined) return;
+  open.editor.close();
+  open.end();
+  open = undefined;
+  editing.dispatch({ type: "open", document: undefined });
+  history.replaceState(null, "", addressWith(location.search, { edit: undefined }));
+}
+
+/** The document that the address names is opened; to be called once, when the page is connected. */
+export function openFromAddress(): void {
+  const { edit } = placeOfAddress(location.search);
+  if (edit !== undefined) openDocument(edit);
+}
+
+/** Edits the document. The change is seen at once, or when the server has made it; a refusal is told (`told`). */
+export function perform(change: Change): void {
+  open?.editor.edit(change);
+}
+
+/** Shows a state of the library as a whole, or the root. */
+export function showTop(id: string | undefined): void {
+  editing.dispatch({ type: "top", id });
+  view.dispatch({ type: "forget" });
+}

@@ -1,0 +1,57 @@
+// What the page knows of the document that is edited, as a value, and what an event makes of it.
+import { assertNever } from "../assertNever";
+import type { EditSession, Notice } from "./session";
+
+/** An edit that was refused, until its author has seen it. */
+export interface Told {
+  readonly number: number;
+  readonly notice: Notice;
+}
+
+export interface Editing {
+  /** The name of the document; nothing: none is open. */
+  readonly document: string | undefined;
+  /** Nothing until the server has answered. */
+  readonly session: EditSession | undefined;
+  /** Id of the state that is shown as a whole: the root, or one of the library; nothing: the root. */
+  readonly top: string | undefined;
+  readonly told: readonly Told[];
+}
+
+export type EditingEvent =
+  | { readonly type: "open"; readonly document: string | undefined }
+  | { readonly type: "session"; readonly session: EditSession }
+  | { readonly type: "top"; readonly id: string | undefined }
+  | { readonly type: "notice"; readonly notice: Notice }
+  | { readonly type: "seen"; readonly number: number };
+
+export const nothingEdited: Editing = { document: undefined, session: undefined, top: undefined, told: [] };
+
+/** Of refused edits that nobody has closed, the latest are kept. */
+const kMostTold = 20;
+
+export function applyEditing(editing: Editing, event: EditingEvent): Editing {
+  switch (event.type) {
+    case "open":
+      return { ...nothingEdited, document: event.document };
+    case "session":
+      return { ...editing, session: event.session };
+    case "top":
+      return { ...editing, top: event.id };
+    case "notice": {
+      const number = (editing.told.at(-1)?.number ?? 0) + 1;
+      return { ...editing, told: [...editing.told, { number, notice: event.notice }].slice(-kMostTold) };
+    }
+    case "seen":
+      return { ...editing, told: editing.told.filter(({ number }) => number !== event.number) };
+    default:
+      return assertNever(event);
+  }
+}
+
+/** The state that is shown as a whole; nothing before the document is here. */
+export function topOf({ session, top }: Editing): string | undefined {
+  const tree = session?.view;
+  if (tree === undefined) return undefined;
+  return top !== undefined && tree.library.includes(top) ? top : tree.root;
+}

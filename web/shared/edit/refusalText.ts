@@ -1,0 +1,22 @@
+// What the page says of an edit that was refused.
+import type { Change, Notice } from "./session";
+
+const kCompounds: Readonly<Record<string, string>> = {
+  rename: "renaming", rename_service: "renaming the service", connect: "connecting", disconnect: "disconnecting", group: "grouping", ungroup: "ungrouping",
+  duplicate: "duplicating", extract: "extracting to the library",
+};
+
+function deedOf(change: Change): string {
+  if ("undo" in change) return "Undo";
+  if ("redo" in change) return "Redo";
+  if (!("compound" in change)) return "The edit";
+  const deed = kCompounds[change.compound.kind] ?? "the edit";
+  return `${deed.charAt(0).toUpperCase()}${deed.slice(1)}`;
+}
+
+/** One sentence: what was refused, why, and through whose edit. */
+export function refusalText({ change, errors, author, revision }: Notice): string {
+  const why = errors.map(({ path, message }) => (path === "" || "operations" in change ? message : `${path}: ${message}`)).join("; ");
+  const by = author === undefined ? "" : ` (${author} was faster${revision === undefined ? "" : `, revision ${revision}`})`;
+  return `${deedOf(change)} was refused: ${why}${by}.`;
+}

@@ -1,0 +1,23 @@
+// The place of the page in its address: `?run=ID` of the run that is shown, `?edit=NAME` of the document that is edited.
+
+export interface Place {
+  readonly run?: string | undefined;
+  readonly edit?: string | undefined;
+}
+
+/** What the query of an address says; an empty entry says nothing. */
+export function placeOfAddress(search: string): Place {
+  const query = new URLSearchParams(search);
+  const entry = (key: keyof Place) => query.get(key) ?? undefined;
+  return { run: entry("run"), edit: entry("edit") };
+}
+
+/** The query with these entries; those that are undefined are taken out of it. */
+export function addressWith(search: string, place: Place): string {
+  const query = new URLSearchParams(search);
+  for (const [key, value] of Object.entries(place) as readonly [keyof Place, string | undefined][]) {
+    if (value === undefined) query.delete(key);
+    else query.set(key, value);
+  }
+  return `?${query.toString()}`;
+}
