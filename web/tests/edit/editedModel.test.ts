@@ -47,7 +47,7 @@ describe("the model of an edited document", () => {
     const [before, now] = [editedState(document, "root"), editedState(after, "root")];
     expect(now).not.toBe(before);
     expect(now.children.map((child, i) => child === before.children[i])).toEqual([true, false, true, true]);
-    expect(editedState(document, "root")).toBe(before);
+    expect(editedState(after, "root")).toBe(now);
   });
 });
 
