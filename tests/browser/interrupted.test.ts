@@ -63,12 +63,18 @@ describe("a run that its server has left", () => {
     await send("POST", "/cores", { document: "waiting" });
     await fixture.kill();
     await page.getByText("Connection lost, trying again").waitFor(kSoon);
+    const lost = await page.getByRole("alert", { name: "Server lost" }).innerText();
+    expect(lost).toContain(`Server lost at step ${run.step} of run ${run.id}: pause and stop cannot reach the robot`);
+    expect(await status(page)).toBe("Not known; last: Running");
+    expect(await enabled()).toEqual([]);
     expect(await isActive("Root/Wait")).toBe("true");
+    await fixture.screenshot("lost");
   });
 
   it("is interrupted when the server is back: the page says what happened, and what may be done", async () => {
     await fixture.restart();
     await notice(page).waitFor(kSoon);
+    expect(await page.getByRole("alert", { name: "Server lost" }).count()).toBe(0);
     const text = await notice(page).innerText();
     expect(text).toContain(`Run ${run.id} is interrupted`);
     expect(text).toContain("Open calls were answered unavailable");

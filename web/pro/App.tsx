@@ -1,6 +1,6 @@
 // The expert page: task tree to the left, canvas in the middle, properties to the right, run bar and derivation below.
 import { lazy, Suspense } from "react";
-import { watchedCore } from "../shared/session/session";
+import { commandable } from "../shared/session/session";
 import { commandOf, type Shortcut } from "../shared/session/shortcuts";
 import { ModelCanvas } from "./canvas/ModelCanvas";
 import { useTree } from "./canvas/useDrawing";
@@ -15,6 +15,7 @@ import { DraftErrors } from "./panels/DraftErrors";
 import { Interruption } from "./panels/Interruption";
 import { WaitingEdit } from "./panels/WaitingEdit";
 import { KeyHelp } from "./panels/KeyHelp";
+import { LostServer } from "./panels/LostServer";
 import { PropertiesPanel } from "./panels/PropertiesPanel";
 import { RunBar } from "./panels/RunBar";
 import { TaskPanel } from "./panels/TaskPanel";
@@ -41,7 +42,7 @@ function usePageKeys(): void {
         return true;
     }
     if (view.get().page === "edit" && kStarts.has(shortcut)) return false;
-    const wanted = commandOf(shortcut, watchedCore(session.get()));
+    const wanted = commandOf(shortcut, commandable(session.get()));
     if (wanted === undefined) return false;
     void command(wanted);
     return true;
@@ -54,10 +55,12 @@ export function App() {
   const edited = useEditedTree();
   const document = useEditing((now) => now.document);
   const watched = useSession((s) => s.watched);
+  const lost = useSession((s) => s.connection === "lost");
   const tree = page === "edit" ? edited : run;
   usePageKeys();
   return (
-    <div className="app">
+    <div className={`app${lost ? " is-lost" : ""}`}>
+      <LostServer />
       <TopBar />
       {page === "edit" ? <EditSide tree={tree} /> : <TaskPanel tree={tree} />}
       <main className="workspace" id="workspace">

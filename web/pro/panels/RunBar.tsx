@@ -3,7 +3,8 @@ import { allowed, primary, statusText, type Command } from "../../shared/run/con
 import { isInterrupted } from "../../shared/run/interruption";
 import { keysOf, type Shortcut } from "../../shared/session/shortcuts";
 import type { Drawer } from "../../shared/session/view";
-import { run, useCore, useView, view } from "../client";
+import { commandable } from "../../shared/session/session";
+import { run, useCore, useSession, useView, view } from "../client";
 import { Icon, type IconName } from "./Icon";
 
 interface ButtonSpec {
@@ -28,7 +29,8 @@ const buttons: readonly ButtonSpec[] = [
 
 export function RunBar() {
   const core = useCore();
-  const commands = allowed(core);
+  const commands = allowed(useSession(commandable));
+  const lost = useSession((s) => s.connection === "lost");
   const lead = primary(core);
   const first = firstButton[lead === "resume" || lead === "again" ? lead : "start"];
   return (
@@ -50,7 +52,7 @@ export function RunBar() {
       {core !== undefined && (
         <p className={`run-status is-${core.paused && core.status === "running" ? "paused" : core.status}`} role="status" aria-label="Run status">
           {isInterrupted(core) ? <Icon name="interrupted" /> : <i aria-hidden="true" />}
-          <strong>{statusText(core)}</strong>
+          <strong>{lost ? `Not known; last: ${statusText(core)}` : statusText(core)}</strong>
           <span>
             step {core.step}
             {core.micro > 0 ? `, micro step ${core.micro}` : ""}

@@ -2,7 +2,8 @@
 import type { State } from "../../shared/model/model";
 import { allowed, until } from "../../shared/run/controls";
 import { portText, valueText } from "../../shared/model/describe";
-import { run, useCore, useSession, view } from "../client";
+import { commandable } from "../../shared/session/session";
+import { run, useSession, view } from "../client";
 import { Code } from "./Code";
 import { ValueTable } from "./ValueTable";
 
@@ -35,7 +36,7 @@ export function StateProperties({ path, state }: { readonly path: string; readon
 }
 
 function StepTo({ path, state }: { readonly path: string; readonly state: State }) {
-  const can = allowed(useCore()).has("until");
+  const can = allowed(useSession(commandable)).has("until");
   if (!can) return null;
   return (
     <div className="step-to" role="group" aria-label="Run until">

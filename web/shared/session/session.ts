@@ -73,6 +73,9 @@ export function watchedCore(session: Session): Core | undefined {
   return session.cores.find((core) => core.id === session.watched);
 }
 
+/** The watched core, if a command can reach it. */
+export const commandable = (session: Session): Core | undefined => (session.connection === "lost" ? undefined : watchedCore(session));
+
 /** Why the scene of the cell cannot be loaded now: the server or the process of `robot` is not connected. */
 export function cellUnavailable({ connection, services }: Session): string | undefined {
   if (connection !== "open") return "the server is not there";
@@ -82,7 +85,8 @@ export function cellUnavailable({ connection, services }: Session): string | und
 export function applyEvent(session: Session, event: SessionEvent): Session {
   switch (event.type) {
     case "connection":
-      return { ...session, connection: event.connection };
+      // A server that was lost is lost until it answers.
+      return session.connection === "lost" && event.connection === "connecting" ? session : { ...session, connection: event.connection };
     case "cell":
       return { ...session, cell: event.present };
     case "documents":

@@ -1,0 +1,16 @@
+// What the page says while its server does not answer.
+import type { Core } from "../../generated/messages";
+import { isOver } from "./controls";
+
+export interface LostText {
+  readonly title: string;
+  readonly holds: string;
+}
+
+/** Of a run that may still move the robot, that STOP does not reach it. `core`: the watched one, as it was last heard of. */
+export function lostText(core: Core | undefined): LostText {
+  const shown = "What is shown is what was last heard. The page tries to connect again.";
+  if (core === undefined || core.status === "ready" || isOver(core)) return { title: "Server lost", holds: shown };
+  const micro = core.micro > 0 ? `, micro step ${core.micro}` : "";
+  return { title: `Server lost at step ${core.step}${micro} of run ${core.id}: pause and stop cannot reach the robot`, holds: `Stop the robot at the robot itself, if it must stop. ${shown}` };
+}
