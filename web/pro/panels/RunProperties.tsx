@@ -5,6 +5,7 @@ import { inputText } from "../../shared/run/inputText";
 import { selectionAt } from "../../shared/session/view";
 import { follow, useCore, useSession, view } from "../client";
 import { CodeText } from "./CodeText";
+import { EndCard } from "./EndCard";
 import { ValueTable } from "./ValueTable";
 
 export function RunProperties({ tree }: { readonly tree: ModelTree | undefined }) {
@@ -35,6 +36,7 @@ export function RunProperties({ tree }: { readonly tree: ModelTree | undefined }
           </p>
         </section>
       )}
+      <EndCard tree={tree} />
       {fault !== undefined && (
         <section className="fault" aria-label="Fault">
           <h3>Fault: {fault.kind}</h3>
