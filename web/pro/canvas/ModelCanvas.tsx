@@ -97,9 +97,9 @@ const Flow = memo(function Flow({ laid, tree }: { readonly laid: Laid; readonly 
       onMoveStart={(event) => event !== null && move()}
       onPaneClick={() => view.dispatch({ type: "select", selection: undefined })}
     >
-      <Background variant={BackgroundVariant.Dots} gap={22} size={1.2} color="#dde2de" />
+      <Background variant={BackgroundVariant.Dots} gap={22} size={1.2} color="var(--canvas-dots)" />
       <ZoomControls laid={laid} movedRef={movedRef} />
-      {laid.drawing.nodes.length > 30 && <MiniMap pannable zoomable position="bottom-right" nodeColor={(node: StateFlowNode | BarrierFlowNode) => (node.data.drawn.depth === 0 ? "#f1f4f2" : "#c9d6cf")} maskColor="#f5f6f4cc" />}
+      {laid.drawing.nodes.length > 30 && <MiniMap pannable zoomable position="bottom-right" nodeColor={(node: StateFlowNode | BarrierFlowNode) => (node.data.drawn.depth === 0 ? "var(--minimap-outer)" : "var(--minimap-node)")} maskColor="var(--minimap-mask)" />}
       <Viewport laid={laid} movedRef={movedRef} />
     </ReactFlow>
   );

@@ -26,7 +26,7 @@ export function TopBar() {
       <div className="brand">
         <svg viewBox="0 0 32 32" aria-hidden="true">
           <rect x="4" y="6" width="16" height="20" rx="5" fill="none" stroke="currentColor" strokeWidth="2.4" />
-          <rect x="15" y="12.5" width="13" height="7" rx="1" fill="#94e480" stroke="currentColor" strokeWidth="1.6" />
+          <rect x="15" y="12.5" width="13" height="7" rx="1" fill="var(--fired)" stroke="currentColor" strokeWidth="1.6" />
         </svg>
         <h1>RACE</h1>
         <span>Pro</span>
