@@ -92,6 +92,8 @@ describe("the demonstrator with an operator by script", () => {
   it("shows a collision, asks on every display, and continues after an answer", async () => {
     await phone.getByRole("heading", { name: "What is to be done?" }).waitFor(kLong);
     for (const name of ["Continue", "Skip", "Abort"]) expect(await phone.getByRole("button", { name, exact: true }).isEnabled()).toBe(true);
+    await task.getByRole("alert", { name: "Waiting for a person" }).getByText(/Waiting for a person: .*What is to be done/).waitFor({ timeout: 2000 });
+    expect(await task.getByRole("status", { name: "Run status" }).innerText()).toContain("Waiting for a person");
     await fixture.screenshot("demonstrator-question", phone);
     await fixture.screenshot("demonstrator-collision", task);
     await phone.getByRole("heading").waitFor({ state: "detached" });

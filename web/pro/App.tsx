@@ -16,6 +16,7 @@ import { Interruption } from "./panels/Interruption";
 import { WaitingEdit } from "./panels/WaitingEdit";
 import { KeyHelp } from "./panels/KeyHelp";
 import { LostServer } from "./panels/LostServer";
+import { PersonWaitBar } from "./panels/PersonWaitBar";
 import { PropertiesPanel } from "./panels/PropertiesPanel";
 import { RunBar } from "./panels/RunBar";
 import { TaskPanel } from "./panels/TaskPanel";
@@ -81,6 +82,7 @@ export function App() {
       <footer className="foot">
         <WaitingEdit tree={run} />
         <Interruption />
+        <PersonWaitBar />
         <RunBar />
         <Drawer />
       </footer>

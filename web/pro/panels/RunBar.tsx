@@ -6,6 +6,7 @@ import type { Drawer } from "../../shared/session/view";
 import { commandable } from "../../shared/session/session";
 import { run, useCore, useSession, useView, view } from "../client";
 import { Icon, type IconName } from "./Icon";
+import { usePersonWait } from "./PersonWaitBar";
 
 interface ButtonSpec {
   readonly command: Command;
@@ -31,6 +32,7 @@ export function RunBar() {
   const core = useCore();
   const commands = allowed(useSession(commandable));
   const lost = useSession((s) => s.connection === "lost");
+  const asks = usePersonWait() !== undefined;
   const lead = primary(core);
   const first = firstButton[lead === "resume" || lead === "again" ? lead : "start"];
   return (
@@ -50,9 +52,9 @@ export function RunBar() {
         </button>
       ))}
       {core !== undefined && (
-        <p className={`run-status is-${core.paused && core.status === "running" ? "paused" : core.status}`} role="status" aria-label="Run status">
+        <p className={`run-status is-${asks || (core.paused && core.status === "running") ? "paused" : core.status}`} role="status" aria-label="Run status">
           {isInterrupted(core) ? <Icon name="interrupted" /> : <i aria-hidden="true" />}
-          <strong>{lost ? `Not known; last: ${statusText(core)}` : statusText(core)}</strong>
+          <strong>{lost ? `Not known; last: ${statusText(core)}` : asks && !core.paused ? "Waiting for a person" : statusText(core)}</strong>
           <span>
             step {core.step}
             {core.micro > 0 ? `, micro step ${core.micro}` : ""}

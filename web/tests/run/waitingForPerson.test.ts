@@ -1,0 +1,36 @@
+import { describe, expect, it } from "vitest";
+import type { Call, Core, HostedService, TraceStep } from "../../generated/messages";
+import { displayAddress, waitingForPerson } from "../../shared/run/waitingForPerson";
+
+const core: Core = { id: "7", document: "pick", revision: 3, status: "running", paused: false, stepping: false, step: 12, micro: 0, waiting: 0, arguments: {}, breakpoints: [], live: false, model: 0 };
+const service = (key: string, type: string, pending: HostedService["pending"]): HostedService => ({
+  key, type, pending, state: null, available: true, pending_count: pending.length, violations: [], publishes: [], subscribes: [], rsm: { rsm: 1, name: type, operations: [], events: [] },
+});
+const step = (...calls: readonly Call[]): TraceStep => ({ step: 4, input: { kind: "start" }, micro: [], calls });
+const ask: Call = { service: "phone", operation: "ask", args: ["Is the table empty?"], kwargs: { display: "arm" }, call: 9 };
+const pending = [{ call: 30, operation: "ask", time: 2, core: "7", core_call: 9 }];
+
+describe("a run that waits for a person", () => {
+  it("says what is asked, and where", () => {
+    const wait = waitingForPerson(core, [service("robot", "robot", []), service("phone", "display", pending)], [step({ ...ask, service: "robot" }, ask)]);
+    expect(wait).toEqual({ service: "phone", operation: "ask", question: "Is the table empty?", display: "arm" });
+    expect(wait && displayAddress(wait)).toBe("/display/?name=arm");
+  });
+  it("knows the displays as an argument by place, and the question by name", () => {
+    const number: Call = { service: "phone", operation: "ask_number", args: [], kwargs: { question: "How many?" }, call: 9 };
+    const wait = waitingForPerson(core, [service("phone", "display", [{ call: 30, operation: "ask_number", time: 2, core: "7", core_call: 9 }])], [step(number)]);
+    expect(wait).toMatchObject({ question: "How many?", display: "all" });
+    const placed: Call = { ...ask, args: ["Ready?", ["OK"], "arm"], kwargs: {} };
+    expect(waitingForPerson(core, [service("phone", "display", pending)], [step(placed)])).toMatchObject({ display: "arm" });
+  });
+  it("waits also when the step that asked is not here", () => {
+    expect(waitingForPerson(core, [service("phone", "display", pending)], [])).toEqual({ service: "phone", operation: "ask", question: undefined, display: "all" });
+  });
+  it("is no run whose text is shown, of another core, or that is over", () => {
+    const of = (entry: Partial<HostedService["pending"][number]>) => [service("phone", "display", [{ call: 30, operation: "ask", time: 2, core: "7", core_call: 9, ...entry }])];
+    expect(waitingForPerson(core, of({ operation: "show_text" }), [step(ask)])).toBeUndefined();
+    expect(waitingForPerson(core, of({ core: "8" }), [step(ask)])).toBeUndefined();
+    expect(waitingForPerson({ ...core, status: "aborted" }, of({}), [step(ask)])).toBeUndefined();
+    expect(waitingForPerson(core, [service("robot", "robot", pending)], [step(ask)])).toBeUndefined();
+  });
+});
