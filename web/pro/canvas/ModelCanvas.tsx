@@ -9,6 +9,7 @@ import { useView, view } from "../client";
 import { BarrierNode, type BarrierFlowNode } from "./BarrierNode";
 import { Breadcrumb } from "./Breadcrumb";
 import { CanvasTools } from "./CanvasTools";
+import { FlowView } from "./FlowView";
 import { LayoutProgress } from "./LayoutProgress";
 import { ArrowHeads, ModelLine, type LineFlowEdge } from "./ModelLine";
 import { StateNode, type StateFlowNode } from "./StateNode";
@@ -101,6 +102,7 @@ const Flow = memo(function Flow({ laid, tree }: { readonly laid: Laid; readonly 
       <ZoomControls laid={laid} movedRef={movedRef} />
       {laid.drawing.nodes.length > 30 && <MiniMap pannable zoomable position="bottom-right" nodeColor={(node: StateFlowNode | BarrierFlowNode) => (node.data.drawn.depth === 0 ? "var(--minimap-outer)" : "var(--minimap-node)")} maskColor="var(--minimap-mask)" />}
       <Viewport laid={laid} movedRef={movedRef} />
+      <FlowView laid={laid} />
     </ReactFlow>
   );
 });

@@ -1,0 +1,26 @@
+// The canvas of React Flow as the canvas that is shown.
+import { useReactFlow, useStore, useStoreApi } from "@xyflow/react";
+import { useLayoutEffect, useMemo } from "react";
+import { canvasView, showCanvas } from "./canvasView";
+import type { Laid } from "./useDrawing";
+
+export function FlowView({ laid }: { readonly laid: Laid }) {
+  const { setViewport } = useReactFlow();
+  const store = useStoreApi();
+  const element = useStore((s) => s.domNode);
+  const view = useMemo(() => {
+    if (element === null) return undefined;
+    return canvasView({
+      laid,
+      element,
+      viewport: () => {
+        const [x, y, zoom] = store.getState().transform;
+        return { x, y, zoom };
+      },
+      show: (viewport, duration = 0) => void setViewport(viewport, { duration }),
+      listen: (listener) => store.subscribe((now, before) => now.transform !== before.transform && listener()),
+    });
+  }, [laid, element, setViewport, store]);
+  useLayoutEffect(() => view && showCanvas(view), [view]);
+  return null;
+}
