@@ -26,5 +26,6 @@ export default defineConfig(
     languageOptions: { globals: { URL: "readonly", console: "readonly", process: "readonly" } },
     rules: { "no-unused-vars": ["error", { ignoreRestSiblings: true }] },
   },
+  { files: ["web/public/**"], languageOptions: { sourceType: "script", globals: { document: "readonly", localStorage: "readonly" } } },
   { files: ["web/pro/**", "web/display/**"], extends: [hooks.configs.flat.recommended] },
 );

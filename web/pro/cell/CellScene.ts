@@ -1,15 +1,11 @@
 // The three.js scene of a cell: robots from URDF, bodies from their shapes, moved by poses. Z points up, as in the cell.
 import {
-  AmbientLight,
   Box3,
   BoxGeometry,
   BufferGeometry,
   Color,
   CylinderGeometry,
-  DirectionalLight,
-  GridHelper,
   Group,
-  HemisphereLight,
   Mesh,
   MeshStandardMaterial,
   Object3D,
@@ -24,9 +20,11 @@ import URDFLoader, { type URDFRobot } from "urdf-loader";
 import type { Hand } from "../../shared/cell/hand";
 import { looksDifferent } from "../../shared/cell/redraw";
 import type { Body, CellPose, Pose, Shape } from "../../generated/messages";
+import { tokenColour } from "../theme/tokenColour";
 import { Grabbing } from "./Grabbing";
 import { HandLines } from "./HandLines";
 import { FrameThrottle } from "./FrameThrottle";
+import { Surroundings } from "./Surroundings";
 
 export interface RobotModel {
   readonly name: string;
@@ -34,9 +32,6 @@ export interface RobotModel {
   /** URDF text. */
   readonly text: string;
 }
-
-const kBackground = 0xf0f2ef;
-const kBodyColour = "#b8c2bd";
 
 function geometryOf(shape: Shape): BufferGeometry {
   if ("box" in shape) return new BoxGeometry(...shape.box);
@@ -58,7 +53,7 @@ export class CellScene {
   private readonly renderer = new WebGLRenderer({ antialias: true });
   private readonly controls: OrbitControls;
   private readonly contents = new Group();
-  private readonly floor = new GridHelper(6, 60, 0xc3cbc6, 0xdde2de).rotateX(Math.PI / 2);
+  private readonly surroundings: Surroundings;
   private readonly bodies = new Map<string, Object3D>();
   private readonly movable = new Set<string>();
   private readonly hands: HandLines;
@@ -76,7 +71,6 @@ export class CellScene {
     private readonly host: HTMLElement,
     hand: Hand,
   ) {
-    this.scene.background = new Color(kBackground);
     this.camera.up.set(0, 0, 1);
     this.camera.position.set(2.3, -2.0, 1.6);
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
@@ -91,7 +85,9 @@ export class CellScene {
     this.controls = new OrbitControls(this.camera, this.renderer.domElement);
     this.controls.target.set(0.25, 0, 0.3);
     this.controls.addEventListener("change", () => this.throttle.request());
-    this.light();
+    this.surroundings = new Surroundings(this.scene);
+    this.scene.add(this.contents, this.hands.group);
+    this.hands.paint(tokenColour("--hand"));
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(host);
     this.controls.update();
@@ -103,7 +99,14 @@ export class CellScene {
     for (const body of bodies) this.addBody(body);
     this.robots = robots.map((model) => this.addRobot(model));
     const lowest = new Box3().setFromObject(this.contents).min.z;
-    this.floor.position.z = Number.isFinite(lowest) ? Math.min(0, lowest) - 0.002 : 0;
+    this.surroundings.placeFloor(Number.isFinite(lowest) ? Math.min(0, lowest) - 0.002 : 0);
+    this.throttle.request();
+  }
+
+  /** Takes the colours of the theme that is shown, but for bodies, which have their own. */
+  paint(): void {
+    this.surroundings.paint();
+    this.hands.paint(tokenColour("--hand"));
     this.throttle.request();
   }
 
@@ -128,6 +131,7 @@ export class CellScene {
     this.observer.disconnect();
     this.grabbing.dispose();
     this.hands.dispose();
+    this.surroundings.dispose();
     this.controls.dispose();
     this.renderer.dispose();
     this.renderer.domElement.remove();
@@ -148,7 +152,7 @@ export class CellScene {
   }
 
   private addBody(body: Body): void {
-    const mesh = new Mesh(geometryOf(body.shape), new MeshStandardMaterial({ color: new Color(body.colour ?? kBodyColour), roughness: 0.75 }));
+    const mesh = new Mesh(geometryOf(body.shape), new MeshStandardMaterial({ color: new Color(body.colour ?? tokenColour("--cell-body")), roughness: 0.75 }));
     mesh.castShadow = !body.fixed;
     mesh.receiveShadow = true;
     place(mesh, body.pose);
@@ -168,16 +172,6 @@ export class CellScene {
     });
     this.contents.add(robot);
     return robot;
-  }
-
-  private light(): void {
-    const sun = new DirectionalLight(0xffffff, 2.1);
-    sun.position.set(1.5, -2, 3.5);
-    sun.castShadow = true;
-    sun.shadow.mapSize.set(2048, 2048);
-    sun.shadow.camera.left = sun.shadow.camera.bottom = -1.8;
-    sun.shadow.camera.right = sun.shadow.camera.top = 1.8;
-    this.scene.add(sun, new AmbientLight(0xffffff, 0.55), new HemisphereLight(0xffffff, 0xd8ded9, 0.9), this.floor, this.contents, this.hands.group);
   }
 
   private resize(): void {

@@ -4,6 +4,7 @@ import { absentParts } from "../../shared/cell/touch";
 import { createHand } from "../../shared/cell/hand";
 import { createLongPress, type LongPress } from "../../shared/cell/longPress";
 import { api, cellPose } from "../client";
+import { listenToTheme } from "../theme/theme";
 import { CellScene } from "./CellScene";
 import { PartList } from "./PartList";
 import { useWorld } from "./useWorld";
@@ -44,7 +45,11 @@ export function CellView() {
     });
     const scene = new CellScene(host, hand);
     shown.current = scene;
-    return () => scene.dispose();
+    const ended = listenToTheme(() => scene.paint());
+    return () => {
+      ended();
+      scene.dispose();
+    };
   }, []);
   useEffect(() => {
     const scene = shown.current;

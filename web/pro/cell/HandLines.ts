@@ -4,19 +4,24 @@ import { apart } from "../../shared/cell/labels";
 import { forceText, lineEnd } from "../../shared/cell/touch";
 import type { Touch } from "../../generated/messages";
 
-const kColour = 0xc2410c;
 /** From the end of a line to its label [px]. */
 const kBeside = 8;
 
 export class HandLines {
   readonly group = new Group();
-  private readonly material = new LineBasicMaterial({ color: kColour, depthTest: false });
-  private readonly dotMaterial = new MeshBasicMaterial({ color: kColour, depthTest: false });
+  private readonly material = new LineBasicMaterial({ depthTest: false });
+  private readonly dotMaterial = new MeshBasicMaterial({ depthTest: false });
   private readonly dot = new SphereGeometry(0.008, 12, 8);
   private readonly drawn: { readonly line: Line; readonly dot: Mesh; readonly label: HTMLElement }[] = [];
   private touches: readonly Touch[] = [];
 
   constructor(private readonly host: HTMLElement) {}
+
+  /** The colour of lines and dots from now on. */
+  paint(colour: string): void {
+    this.material.color.set(colour);
+    this.dotMaterial.color.set(colour);
+  }
 
   show(touches: readonly Touch[]): void {
     this.touches = touches;

@@ -1,4 +1,4 @@
-// The icons of the run bar and of ports, drawn on a 16 px grid.
+// The icons of the run bar, the top bar and of ports, drawn on a 16 px grid.
 const shapes = {
   play: <path d="M4 2.5v11l9-5.5z" />,
   pause: <path d="M4 3h3v10H4zM9 3h3v10H9z" />,
@@ -8,6 +8,9 @@ const shapes = {
   again: <path d="M8 3a5 5 0 1 1-4.6 3l1.5.6A3.4 3.4 0 1 0 8 4.6V7L4.6 3.9 8 .8z" />,
   interrupted: <path fillRule="evenodd" d="M8 1l7.2 13.2H.8zM7.2 5.6v4.6h1.6V5.6zM7.2 11.3v1.6h1.6v-1.6z" />,
   clock: <path fillRule="evenodd" d="M8 .8a7.2 7.2 0 1 1 0 14.4A7.2 7.2 0 1 1 8 .8zm0 1.7a5.5 5.5 0 1 0 0 11 5.5 5.5 0 1 0 0-11zM7.2 4h1.6v3.6l2.5 1.5-.8 1.3-3.3-2z" />,
+  half: <path fillRule="evenodd" d="M8 1.2a6.8 6.8 0 1 1 0 13.6A6.8 6.8 0 1 1 8 1.2zm0 1.6v10.4a5.2 5.2 0 1 0 0-10.4z" />,
+  sun: <path d="M8 4.6a3.4 3.4 0 1 1 0 6.8 3.4 3.4 0 1 1 0-6.8zM7.2.8h1.6v2.4H7.2zM7.2 12.8h1.6v2.4H7.2zM.8 7.2h2.4v1.6H.8zM12.8 7.2h2.4v1.6h-2.4zM2.3 3.5l1.2-1.2 1.7 1.7L4 5.2zM10.8 12l1.2-1.2 1.7 1.7-1.2 1.2zM3.5 13.7l-1.2-1.2L4 10.8 5.2 12zM12 5.2L10.8 4l1.7-1.7 1.2 1.2z" />,
+  moon: <path d="M6.4 1.4A6.7 6.7 0 1 0 14.6 9.6 5.7 5.7 0 0 1 6.4 1.4z" />,
 } as const;
 
 export type IconName = keyof typeof shapes;

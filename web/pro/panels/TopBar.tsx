@@ -1,4 +1,4 @@
-// Top bar: the watched run, a new run, the tabs, the state of the connection, and the help.
+// Top bar: the watched run, a new run, the tabs, the state of the connection, the theme, and the help.
 import { useMemo, useState } from "react";
 import { statusText } from "../../shared/run/controls";
 import { interruptedElsewhere, isInterrupted } from "../../shared/run/interruption";
@@ -8,6 +8,7 @@ import { keysOf } from "../../shared/session/shortcuts";
 import type { Page } from "../../shared/session/view";
 import { openDocument, useEditing } from "../edit/editing";
 import { dismissProblem, newRun, showErrors, useCore, useSession, useView, view, watch } from "../client";
+import { ThemeButton } from "../theme/ThemeButton";
 import { Icon } from "./Icon";
 
 const pages: readonly { readonly page: Page; readonly name: string }[] = [
@@ -36,6 +37,7 @@ export function TopBar() {
       <NewRun />
       <PageTabs />
       <ConnectionLight />
+      <ThemeButton />
       <HelpButton />
       {problem !== undefined && (
         <div className="problem" role="alert">
