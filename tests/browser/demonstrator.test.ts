@@ -96,7 +96,7 @@ describe("the demonstrator with an operator by script", () => {
     expect(await task.getByRole("status", { name: "Run status" }).innerText()).toContain("Waiting for a person");
     await fixture.screenshot("demonstrator-question", phone);
     await fixture.screenshot("demonstrator-collision", task);
-    await phone.getByRole("heading").waitFor({ state: "detached" });
+    await phone.getByRole("heading", { level: 2 }).waitFor({ state: "detached" });
     await turns("Table/Work/Collision", false);
     await turns("Table/Work/Task", true);
     expect(await activations(task)).toEqual(expect.arrayContaining(["Demonstrator/Table/Work/Task", "Demonstrator/Table/Work/Collision"]));

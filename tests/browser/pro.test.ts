@@ -71,7 +71,7 @@ describe("RACE Pro", () => {
     const inference = page.getByRole("treeitem", { name: /^PTrans1 \(3\.28\) Pick/ }).first();
     await inference.waitFor();
     await inference.locator(".proof-row").first().click();
-    const card = page.getByRole("complementary", { name: "Inference" });
+    const card = page.getByRole("region", { name: "Inference" });
     await expect.poll(() => card.innerText()).toContain("3.28");
     await expect.poll(() => card.getByRole("figure").innerText()).toContain("Pick′, Δ′");
     await fixture.screenshot("derivation");
@@ -97,7 +97,7 @@ describe("RACE Pro", () => {
           if (carded.has(kind)) continue;
           carded.add(kind);
           await proof.locator(".proof-row").nth(n).dispatchEvent("click");
-          expect(await shownCard(page.getByRole("complementary", { name: "Inference" })), `${where}, node ${n}`).toEqual(expectedCard(node));
+          expect(await shownCard(page.getByRole("region", { name: "Inference" })), `${where}, node ${n}`).toEqual(expectedCard(node));
         }
       }
     }

@@ -28,7 +28,7 @@ function Status({ page }: { readonly page: DisplayPage }) {
   return (
     <header>
       <div className="line">
-        <span className="name">{page.name}</span>
+        <h1 className="name">{page.name}</h1>
         <span role="status" aria-label="Connection" className={page.connection === "open" ? "is-open" : "is-closed"}>
           {page.connection === "open" ? "Connected" : lost ? "Connection lost" : "Connecting"}
         </span>
@@ -61,7 +61,7 @@ interface QuestionProps extends Props {
 function QuestionView({ question, page, actions }: QuestionProps) {
   return (
     <section aria-label="Question" className="question">
-      <h1 className="text">{question.text}</h1>
+      <h2 className="text">{question.text}</h2>
       {"number" in question ? (
         <NumberQuestion question={question} page={page} actions={actions} />
       ) : (

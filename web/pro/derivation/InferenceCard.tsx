@@ -6,7 +6,7 @@ import { useSession, view } from "../client";
 export function InferenceCard({ node }: { readonly node: Derivation }) {
   const text = useSession((s) => s.rules.get(node.rule));
   return (
-    <aside className="inference" aria-label="Inference">
+    <section className="inference" aria-label="Inference">
       <header>
         <h3>
           {node.rule} <span className="equation">({node.equation})</span>
@@ -14,7 +14,7 @@ export function InferenceCard({ node }: { readonly node: Derivation }) {
         {text !== undefined && <small>{text.layer}</small>}
       </header>
       {text !== undefined && <p className="rule-text">{text.text}</p>}
-      <figure className="rule-figure" aria-label={`${node.rule}: ${premiseCount(node)}`}>
+      <figure className="rule-figure" tabIndex={0} aria-label={`${node.rule}: ${premiseCount(node)}`}>
         <ul className="premises">
           {node.premises.map((premise, i) => (
             <li key={i}>
@@ -39,6 +39,6 @@ export function InferenceCard({ node }: { readonly node: Derivation }) {
       <button type="button" className="link" onClick={() => view.dispatch({ type: "jump", selection: { kind: "node", path: node.at } })}>
         Show {node.at} in the model
       </button>
-    </aside>
+    </section>
   );
 }

@@ -1,0 +1,94 @@
+// axe-core finds nothing on any page, in the light and in the dark theme.
+import type { Page } from "playwright-core";
+import { findings } from "./axe";
+import { openFixture, settled, type Fixture } from "./fixture";
+
+let fixture: Fixture;
+let page: Page;
+
+beforeAll(async () => {
+  fixture = await openFixture();
+  page = fixture.page;
+  // Findings are of the page at rest, not of a colour on its way to another.
+  await page.emulateMedia({ reducedMotion: "reduce" });
+});
+afterAll(() => fixture.close());
+
+const tab = (name: string) => page.getByRole("tab", { name, exact: true }).click();
+
+/** The findings of the page in both themes, each with the theme. */
+async function inBothThemes(of = page): Promise<readonly string[]> {
+  const found: string[] = [];
+  for (const colorScheme of ["light", "dark"] as const) {
+    await of.emulateMedia({ colorScheme, reducedMotion: "reduce" });
+    found.push(...(await findings(of)).map((finding) => `${colorScheme}: ${finding}`));
+  }
+  return found;
+}
+
+describe("axe-core", () => {
+  it("finds a button without a name and pale text", async () => {
+    await page.goto(`${fixture.url}/pro/`);
+    await page.getByRole("button", { name: "Load" }).waitFor();
+    await page.evaluate(() => {
+      const button = document.createElement("button");
+      const text = document.createElement("p");
+      text.textContent = "pale";
+      text.style.cssText = "color: #aaa; background: #fff";
+      document.querySelector("header")?.append(button, text);
+    });
+    expect((await findings(page)).map((finding) => finding.split(":")[0])).toEqual(expect.arrayContaining(["button-name", "color-contrast"]));
+  });
+
+  it("finds nothing in the first view", async () => {
+    await page.goto(`${fixture.url}/pro/`);
+    await page.getByRole("button", { name: "Load" }).waitFor();
+    expect(await inBothThemes()).toEqual([]);
+  });
+
+  it("finds nothing in a run, its derivation, services and cell", async () => {
+    await page.getByRole("combobox", { name: "Document" }).selectOption("pick");
+    await page.getByRole("button", { name: "Load" }).click();
+    await page.getByRole("group", { name: "State Pick/Release" }).waitFor();
+    await settled(page);
+    expect(await inBothThemes()).toEqual([]);
+
+    await page.getByRole("button", { name: "Start" }).click();
+    await expect.poll(() => page.getByRole("status", { name: "Run status" }).innerText(), { timeout: 90_000 }).toContain("Ended");
+    await page.getByRole("list", { name: "Macro steps" }).getByRole("button").nth(1).click();
+    await page.getByRole("treeitem", { name: /^PTrans1/ }).first().locator(".proof-row").first().click();
+    expect(await inBothThemes()).toEqual([]);
+
+    await page.getByRole("group", { name: "State Pick/Release" }).click({ position: { x: 20, y: 8 } });
+    expect(await inBothThemes()).toEqual([]);
+
+    await tab("Services");
+    await page.locator(".service").first().waitFor();
+    expect(await inBothThemes()).toEqual([]);
+
+    await tab("Cell");
+    await page.getByRole("button", { name: "Parts" }).click();
+    expect(await inBothThemes()).toEqual([]);
+  });
+
+  it("finds nothing in the help and the errors of a draft", async () => {
+    await page.keyboard.press("?");
+    await page.getByRole("dialog").waitFor();
+    expect(await inBothThemes()).toEqual([]);
+    await page.keyboard.press("Escape");
+  });
+
+  it("finds nothing on a display", async () => {
+    const display = await fixture.openPage({ width: 390, height: 844 });
+    await display.goto(`${fixture.url}/display/?name=phone`);
+    await display.getByRole("main").waitFor();
+    expect(await inBothThemes(display)).toEqual([]);
+    await display.close();
+  });
+
+  it("finds nothing on the page that edits a document", async () => {
+    await page.goto(`${fixture.url}/pro/?edit=pick`);
+    await settled(page);
+    expect(await inBothThemes()).toEqual([]);
+  });
+});
