@@ -14,6 +14,7 @@ export const kRead = [
   "derivations.json",
   "display.json",
   "document_entry.json",
+  "document_removed.json",
   "documents.json",
   "errors.json",
   "problem.json",
@@ -37,7 +38,7 @@ export const kRead = [
 ];
 
 /** Messages that the pages write. */
-export const kWritten = ["core_create.json", "edit.json", "person_command.json", "step_request.json", "stream_request.json"];
+export const kWritten = ["core_create.json", "document_branch.json", "edit.json", "person_command.json", "step_request.json", "stream_request.json"];
 
 /** Names of types that are not the names of their schemas. */
 const kNames = new Map([

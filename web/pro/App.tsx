@@ -6,12 +6,14 @@ import { ModelCanvas } from "./canvas/ModelCanvas";
 import { useTree } from "./canvas/useDrawing";
 import { CellInset } from "./cell/CellInset";
 import { run as command, session, useSession, useView, view } from "./client";
+import { DocumentsPanel } from "./documents/DocumentsPanel";
+import { DropTarget } from "./documents/DropTarget";
 import { EditPage } from "./edit/EditPage";
 import { EditProperties } from "./edit/EditProperties";
 import { EditSide } from "./edit/EditSide";
+import { startEdited } from "./edit/startEdited";
 import { useEditedTree, useEditing } from "./edit/editing";
 import { Drawer } from "./panels/Drawer";
-import { DraftErrors } from "./panels/DraftErrors";
 import { Interruption } from "./panels/Interruption";
 import { WaitingEdit } from "./panels/WaitingEdit";
 import { KeyHelp } from "./panels/KeyHelp";
@@ -35,6 +37,9 @@ function usePageKeys(): void {
       case "search":
         document.getElementById("search")?.focus();
         return true;
+      case "documents":
+        view.dispatch({ type: "documents", shown: true });
+        return true;
       case "help":
         view.dispatch({ type: "help", shown: true });
         return true;
@@ -42,7 +47,8 @@ function usePageKeys(): void {
         view.dispatch({ type: "escape" });
         return true;
     }
-    if (view.get().page === "edit" && kStarts.has(shortcut)) return false;
+    if (view.get().documents && kStarts.has(shortcut)) return true;
+    if (view.get().page === "edit" && kStarts.has(shortcut)) return shortcut === "lead" && startEdited();
     const wanted = commandOf(shortcut, commandable(session.get()));
     if (wanted === undefined) return false;
     void command(wanted);
@@ -67,7 +73,6 @@ export function App() {
       <main className="workspace" id="workspace">
         {page === "task" && <ModelCanvas subject={`run ${watched ?? ""}`} tree={tree} nothing="No task is loaded. Choose a document above and start a run." />}
         {page === "edit" && <EditPage tree={tree} document={document} />}
-        {page === "draft" && <DraftErrors />}
         {page === "services" && <ServicesView />}
         {page === "cell" && (
           <Suspense fallback={<div className="canvas-empty">Loading the cell…</div>}>
@@ -87,6 +92,8 @@ export function App() {
         <Drawer />
       </footer>
       <KeyHelp />
+      <DocumentsPanel />
+      <DropTarget />
     </div>
   );
 }

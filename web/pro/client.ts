@@ -4,7 +4,6 @@ import type { CellPose, Core, Packet, StepRequest, TraceStep } from "../generate
 import { buildTree } from "../shared/model/modelTree";
 import type { Command, UntilRequest } from "../shared/run/controls";
 import { modelKey } from "../shared/run/edits";
-import { draftOf } from "../shared/session/draft";
 import { firstShown, lastShown, type LastShown } from "../shared/session/firstShown";
 import { createModelLoader } from "../shared/session/modelLoader";
 import { applyEvent, cellUnavailable, emptySession, watchedCore, type Session, type SessionEvent } from "../shared/session/session";
@@ -112,9 +111,18 @@ async function loadLists(): Promise<void> {
   try {
     session.dispatch({ type: "cell", present: (await api.health()).cell });
     session.dispatch({ type: "rules", rules: await api.rules() });
-    session.dispatch({ type: "documents", documents: await api.documents() });
   } catch (error) {
     problem(error);
+  }
+  await loadDocuments();
+}
+
+/** Loads the list of documents, which no channel tells of. */
+export async function loadDocuments(): Promise<void> {
+  try {
+    session.dispatch({ type: "documents", documents: await api.documents() });
+  } catch (error) {
+    if (session.get().connection !== "lost") problem(error);
   }
 }
 
@@ -191,17 +199,6 @@ export function watchFlow(service: string, flow: string, came: (packet: Packet) 
     flowWatchers.delete(channel);
     stream?.unsubscribe(channel);
   };
-}
-
-/** Lists the errors of a document, as they are now. */
-export async function showErrors(document: string): Promise<void> {
-  try {
-    session.dispatch({ type: "draft", draft: draftOf(await api.document(document)) });
-    view.dispatch({ type: "page", page: "draft" });
-    session.dispatch({ type: "documents", documents: await api.documents() });
-  } catch (error) {
-    problem(error);
-  }
 }
 
 /** Makes a core of a document, watches it, and starts it if asked. */

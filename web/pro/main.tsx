@@ -13,6 +13,7 @@ import "./styles/services.css";
 import "./styles/interrupted.css";
 import "./styles/help.css";
 import "./styles/edit.css";
+import "./styles/documents.css";
 import { createRoot } from "react-dom/client";
 import { App } from "./App";
 import { connect } from "./client";

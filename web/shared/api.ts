@@ -2,7 +2,9 @@
 import type {
   Core,
   CoreCreate,
+  DocumentBranch,
   DocumentEntry,
+  DocumentRemoved,
   Documents,
   DocumentSummary,
   Health,
@@ -29,6 +31,8 @@ export class RefusedError extends Error {
   constructor(
     readonly status: number,
     readonly errors: readonly ServerError[],
+    /** There are more than the listed ones. */
+    readonly more?: true,
   ) {
     super(errors.map((error) => (error.path === "" ? error.message : `${error.path}: ${error.message}`)).join("; "));
     this.name = "RefusedError";
@@ -37,18 +41,39 @@ export class RefusedError extends Error {
 
 const segment = encodeURIComponent;
 
+/** The entity tag of a revision. */
+const tagOf = (revision: number): string => `"${revision}"`;
+
 function readNative({ document, origin }: Native): RcmDocument {
   const model = readModel(document);
   return { ...model, root: withOracles(withAfters(model.root, origin), origin) };
 }
 
+/** The error of an answer that says why a request was refused. */
+function refusedError(status: number, data: unknown): RefusedError {
+  const { errors, more_errors } = check(schema.problem, data);
+  return new RefusedError(status, errors, more_errors);
+}
+
+/** How a document is stored. */
+export interface Storing {
+  /** The revision that it follows; nothing: there must be no document of its name. */
+  readonly onto?: number;
+  /** It may have errors. */
+  readonly draft?: boolean;
+  readonly author: string;
+}
+
 /** Requests below `base` (`/api/v1`); `fetcher` is the browser's fetch, or a test's. */
 export function createApi(base: string, fetcher: typeof fetch) {
-  async function request<T>(method: string, path: string, validator: Validator<T>, body?: CoreCreate | PersonCommand | StepRequest | { readonly live: boolean }): Promise<T> {
-    const init: RequestInit = body === undefined ? { method } : { method, body: JSON.stringify(body), headers: { "content-type": "application/json" } };
+  type Body = CoreCreate | DocumentBranch | PersonCommand | StepRequest | { readonly live: boolean };
+  async function request<T>(method: string, path: string, validator: Validator<T>, body?: Body): Promise<T> {
+    return send(path, body === undefined ? { method } : { method, body: JSON.stringify(body), headers: { "content-type": "application/json" } }, validator);
+  }
+  async function send<T>(path: string, init: RequestInit, validator: Validator<T>): Promise<T> {
     const answer = await fetcher(`${base}${path}`, init);
     const data: unknown = await answer.json();
-    if (!answer.ok) throw new RefusedError(answer.status, check(schema.problem, data).errors);
+    if (!answer.ok) throw refusedError(answer.status, data);
     return check(validator, data);
   }
   const get = <T>(path: string, validator: Validator<T>) => request("GET", path, validator);
@@ -66,6 +91,22 @@ export function createApi(base: string, fetcher: typeof fetch) {
       return all;
     },
     document: (name: string): Promise<DocumentEntry> => get(`/documents/${segment(name)}`, schema.documentEntry),
+    /** The same as it was sent, with the numbers as they were written (edit/exact.ts). */
+    documentText: async (name: string): Promise<string> => {
+      const answer = await fetcher(`${base}/documents/${segment(name)}`, { method: "GET" });
+      const text = await answer.text();
+      if (!answer.ok) throw refusedError(answer.status, JSON.parse(text));
+      return text;
+    },
+    /** Stores the content as it is. */
+    putDocument: (name: string, content: Blob | string, { onto, draft = false, author }: Storing): Promise<DocumentEntry> => {
+      const headers = { "content-type": "application/json", ...(onto === undefined ? { "if-none-match": "*" } : { "if-match": tagOf(onto) }) };
+      return send(`/documents/${segment(name)}?draft=${draft}&author=${segment(author)}`, { method: "PUT", body: content, headers }, schema.documentEntry);
+    },
+    branchDocument: (name: string, as: string, author: string): Promise<DocumentEntry> => request("POST", `/documents/${segment(name)}/branch`, schema.documentEntry, { as, author }),
+    /** With all its revisions, the last of which must be `revision`. */
+    deleteDocument: (name: string, revision: number): Promise<DocumentRemoved> =>
+      send(`/documents/${segment(name)}`, { method: "DELETE", headers: { "if-match": tagOf(revision) } }, schema.documentRemoved),
     createCore: (document: string, args: Core["arguments"]): Promise<Core> => request("POST", "/cores", schema.core, { document, arguments: args }),
     coreModel: async (id: string): Promise<RcmDocument> => readNative(await get(`/cores/${segment(id)}/native`, schema.native)),
     start: (id: string): Promise<Core> => command(id, "start"),

@@ -1,7 +1,9 @@
 // A barrier as a bar (Fig. 3.5), with what has arrived and what it still waits for.
 import { Handle, Position, type Node, type NodeProps } from "@xyflow/react";
 import type { DrawnNode } from "../../shared/drawing/drawing";
+import { errorsText } from "../../shared/run/errorsText";
 import { useView, view } from "../client";
+import { useErrorCount } from "../edit/errors";
 import { useLive } from "./useLive";
 
 export type BarrierFlowNode = Node<{ readonly drawn: DrawnNode; readonly inbound: readonly string[] }, "barrier">;
@@ -10,6 +12,7 @@ export function BarrierNode({ data: { drawn, inbound } }: NodeProps<BarrierFlowN
   const selected = useView((v) => v.selection?.kind === "node" && v.selection.path === drawn.path);
   const active = useLive((live) => live.active.has(drawn.path));
   const arrived = useLive((live) => live.activated[drawn.path]) ?? [];
+  const errors = useErrorCount(drawn.path);
   const missing = inbound.filter((port) => !arrived.includes(port));
   const waiting = arrived.length > 0 && missing.length > 0;
   const text = waiting ? `waits for ${missing.join(", ")}` : `${inbound.length} inbound ports`;
@@ -23,6 +26,8 @@ export function BarrierNode({ data: { drawn, inbound } }: NodeProps<BarrierFlowN
         aria-label={`Barrier ${drawn.path}, ${text}`}
         data-path={drawn.path}
         data-active={active}
+        data-error={errors > 0 ? errors : undefined}
+        aria-description={errors > 0 ? errorsText(errors) : undefined}
         onClick={() => view.dispatch({ type: "select", selection: { kind: "node", path: drawn.path } })}
       />
       {waiting && (

@@ -7,7 +7,9 @@ import { nameRoom, portNameRoom } from "../../shared/drawing/measure";
 import { waitingState } from "../../shared/model/afters";
 import { clip, valueText, type Line } from "../../shared/model/describe";
 import type { Dispatcher } from "../../shared/model/model";
+import { errorsText } from "../../shared/run/errorsText";
 import { useView, view } from "../client";
+import { useErrorCount } from "../edit/errors";
 import { Icon } from "../panels/Icon";
 import { useLive } from "./useLive";
 
@@ -17,6 +19,7 @@ export function StateNode({ data: { drawn } }: NodeProps<StateFlowNode>) {
   const selected = useView((v) => v.selection?.kind === "node" && v.selection.path === drawn.path);
   const active = useLive((live) => live.active.has(drawn.path));
   const faulted = useLive((live) => live.faultAt === drawn.path);
+  const errors = useErrorCount(drawn.path, drawn.composite && !drawn.open);
   const covered = drawn.side === "EAST" && !drawn.open && drawn.ports.length > 0;
   const classes = ["state", drawn.dispatcher !== undefined && "is-dispatcher", covered && "has-ports-east", active && "is-active", selected && "is-selected", drawn.open && "is-open", faulted && "is-faulted"];
   const select = () => view.dispatch({ type: "select", selection: { kind: "node", path: drawn.path } });
@@ -27,6 +30,8 @@ export function StateNode({ data: { drawn } }: NodeProps<StateFlowNode>) {
       aria-label={`${drawn.dispatcher === undefined ? "State" : "Dispatcher"} ${drawn.path}`}
       data-path={drawn.path}
       data-active={active}
+      data-error={errors > 0 ? errors : undefined}
+      aria-description={errors > 0 ? errorsText(errors) : undefined}
       style={withRoom({ width: drawn.width, height: drawn.height }, nameRoom(drawn))}
       onClick={select}
       onDoubleClick={() => drawn.composite && view.dispatch({ type: "enter", path: drawn.path })}
@@ -108,6 +113,7 @@ function PortBox({ port, origin }: { readonly port: DrawnPort; readonly origin: 
   const waits = useLive((live) => port.timed && live.active.has(waitingState(port.address)));
   const faulted = useLive((live) => port.timed && live.faultAt === waitingState(port.address));
   const fired = fireCount > 0;
+  const errors = useErrorCount(port.address);
   const classes = ["port", active && "is-active", selected && "is-selected", fired && "is-fired", port.exits && "is-exit", waits && "is-waiting", faulted && "is-faulted"];
   return (
     <button
@@ -117,6 +123,8 @@ function PortBox({ port, origin }: { readonly port: DrawnPort; readonly origin: 
       aria-label={`Port ${port.address}`}
       data-active={active}
       data-fired={fired}
+      data-error={errors > 0 ? errors : undefined}
+      aria-description={errors > 0 ? errorsText(errors) : undefined}
       title={portTitle(port, origin)}
       style={withRoom({ left: port.x - origin.x, top: port.y - origin.y, width: port.width, height: port.height }, portNameRoom(port))}
       onClick={(event) => {

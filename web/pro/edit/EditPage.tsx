@@ -1,8 +1,10 @@
 // The page that edits a document: its name and state, the drawing, and what was refused.
-import { countErrors, errorsText } from "../../shared/run/errorsText";
+import { useState } from "react";
+import { errorsText } from "../../shared/run/errorsText";
 import type { ModelTree } from "../../shared/model/modelTree";
 import { ModelCanvas } from "../canvas/ModelCanvas";
 import { closeDocument, perform, useEditing } from "./editing";
+import { ErrorList } from "./ErrorList";
 import { Refusals } from "./Refusals";
 import { view } from "../client";
 
@@ -13,15 +15,17 @@ interface Props {
 
 export function EditPage({ tree, document }: Props) {
   const top = useEditing((now) => now.top);
+  const [listed, list] = useState(true);
   const unreadable = useEditing((now) => now.session?.unreadable);
   const nothing = document === undefined ? "No document is open." : unreadable === undefined ? `Loading ${document}…` : `${document} cannot be edited: ${unreadable.message}`;
   return (
     <div className="edit-page">
-      {document !== undefined && <EditHead document={document} />}
+      {document !== undefined && <EditHead document={document} listed={listed} onList={() => list(!listed)} />}
       <Refusals />
       <div className="edit-canvas">
         <ModelCanvas subject={`document ${document ?? ""} ${top ?? ""}`} tree={tree} nothing={nothing} />
       </div>
+      {listed && <ErrorList />}
     </div>
   );
 }
@@ -31,7 +35,14 @@ function close(): void {
   closeDocument();
 }
 
-function EditHead({ document }: { readonly document: string }) {
+interface HeadProps {
+  readonly document: string;
+  /** Whether the errors are listed. */
+  readonly listed: boolean;
+  readonly onList: () => void;
+}
+
+function EditHead({ document, listed, onList }: HeadProps) {
   const session = useEditing((now) => now.session);
   const revision = session?.confirmed?.revision;
   const errors = session?.errors.length ?? 0;
@@ -44,7 +55,11 @@ function EditHead({ document }: { readonly document: string }) {
         {revision === undefined ? "not here yet" : `revision ${revision}`}
         {session?.connected === false ? " · connection lost, edits wait" : waiting > 0 ? ` · ${waiting} on the way` : " · saved"}
       </span>
-      {errors > 0 && <span className="edit-errors">Draft, {errorsText(countErrors(session?.errors ?? [], undefined))}</span>}
+      {errors > 0 && (
+        <button type="button" className="edit-errors" aria-expanded={listed} title={`${listed ? "Hide" : "List"} the errors; a draft cannot be started`} onClick={onList}>
+          Draft, {errorsText(errors)}
+        </button>
+      )}
       <span className="edit-tools">
         <button type="button" disabled={depths?.undo === 0} onClick={() => perform({ undo: true })}>
           Undo

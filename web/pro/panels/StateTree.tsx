@@ -1,6 +1,7 @@
 // The hierarchy as a tree: active states are lit, a click selects and shows.
 import { useMemo } from "react";
 import type { ModelTree, TreeNode } from "../../shared/model/modelTree";
+import { ErrorMark } from "../edit/ErrorMark";
 import { useSession, useView, view } from "../client";
 
 export function StateTree({ tree }: { readonly tree: ModelTree | undefined }) {
@@ -43,6 +44,7 @@ function Item({ entry }: { readonly entry: TreeNode }) {
         <button type="button" className="tree-name" onClick={() => view.dispatch({ type: "jump", selection: { kind: "node", path: entry.path } })}>
           {entry.node.name}
         </button>
+        <ErrorMark path={entry.path} closed={composite && collapsed} />
         {active && <i className="dot" title="active" />}
       </div>
       {composite && !collapsed && (

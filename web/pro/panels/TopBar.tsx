@@ -7,7 +7,7 @@ import { documentText, errorCount, refusalToStart } from "../../shared/session/d
 import { keysOf } from "../../shared/session/shortcuts";
 import type { Page } from "../../shared/session/view";
 import { openDocument, useEditing } from "../edit/editing";
-import { dismissProblem, newRun, showErrors, useCore, useSession, useView, view, watch } from "../client";
+import { dismissProblem, newRun, useCore, useSession, useView, view, watch } from "../client";
 import { ThemeButton } from "../theme/ThemeButton";
 import { Icon } from "./Icon";
 
@@ -35,6 +35,7 @@ export function TopBar() {
       <CoreChoice />
       <InterruptedElsewhere />
       <NewRun />
+      <DocumentsButton />
       <PageTabs />
       <ConnectionLight />
       <ThemeButton />
@@ -119,12 +120,26 @@ function NewRun() {
           <span id={kRefusal} className="unseen">
             {refusal}
           </span>
-          <button type="button" className="show-errors" onClick={() => void showErrors(document.name)}>
+          <button type="button" className="show-errors" onClick={() => openDocument(document.name)}>
             Show {errorsText(errorCount(document))}
           </button>
         </>
       )}
     </div>
+  );
+}
+
+function DocumentsButton() {
+  return (
+    <button
+      type="button"
+      className="documents-button"
+      title={`New, open, upload, download, duplicate, delete (${keysOf("documents")})`}
+      aria-keyshortcuts={keysOf("documents").replace("Ctrl", "Control")}
+      onClick={() => view.dispatch({ type: "documents", shown: true })}
+    >
+      Documents
+    </button>
   );
 }
 

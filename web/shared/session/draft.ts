@@ -1,23 +1,11 @@
 // Documents with errors. They are stored as drafts; no run can be made of them.
-import type { DocumentEntry, DocumentSummary, ServerError } from "../../generated/messages";
+import type { DocumentSummary, ServerError } from "../../generated/messages";
 import { errorsText } from "../run/errorsText";
-
-/** A stored document with its errors, as the page lists them. */
-export interface Draft {
-  readonly name: string;
-  readonly revision: number;
-  readonly errors: readonly ServerError[];
-  /** There are more than the listed ones. */
-  readonly more_errors?: true;
-}
 
 /** A server that stores no drafts sends no errors. */
 type Summary = Pick<DocumentSummary, "name"> & { readonly errors?: number };
-type Entry = Pick<DocumentEntry, "name" | "revision"> & { readonly errors?: readonly ServerError[]; readonly more_errors?: true };
 
 export const errorCount = ({ errors }: Summary): number => errors ?? 0;
-
-export const draftOf = ({ name, revision, errors, more_errors }: Entry): Draft => ({ name, revision, errors: errors ?? [], ...(more_errors && { more_errors }) });
 
 /** The document in a list. */
 export function documentText(summary: Summary): string {

@@ -5,7 +5,6 @@ import type { Core, DocumentSummary, HostedService, Input, LogEntry, Rule, RunSt
 import type { StreamUpdate } from "../messages/stream";
 import type { RcmDocument } from "../model/model";
 import { applyDelta } from "../run/applyDelta";
-import type { Draft } from "./draft";
 import { applyFired, noneFired, type Fired } from "../run/fired";
 import type { Connection } from "../stream";
 
@@ -14,8 +13,6 @@ export interface Session {
   /** Whether the server has a cell to show. */
   readonly cell: boolean;
   readonly documents: readonly DocumentSummary[];
-  /** The document whose errors the page lists. */
-  readonly draft: Draft | undefined;
   readonly rules: ReadonlyMap<string, Rule>;
   readonly cores: readonly Core[];
   /** The core that is watched. */
@@ -39,7 +36,6 @@ export type SessionEvent =
   | { readonly type: "connection"; readonly connection: Connection }
   | { readonly type: "cell"; readonly present: boolean }
   | { readonly type: "documents"; readonly documents: readonly DocumentSummary[] }
-  | { readonly type: "draft"; readonly draft: Draft }
   | { readonly type: "rules"; readonly rules: readonly Rule[] }
   | { readonly type: "watched"; readonly id: string | undefined }
   | { readonly type: "model"; readonly id: string; readonly key: string; readonly model: RcmDocument }
@@ -53,7 +49,6 @@ export const emptySession: Session = {
   connection: "connecting",
   cell: false,
   documents: [],
-  draft: undefined,
   rules: new Map(),
   cores: [],
   watched: undefined,
@@ -91,8 +86,6 @@ export function applyEvent(session: Session, event: SessionEvent): Session {
       return { ...session, cell: event.present };
     case "documents":
       return { ...session, documents: event.documents };
-    case "draft":
-      return { ...session, draft: event.draft };
     case "rules":
       return { ...session, rules: new Map(event.rules.map((rule) => [rule.rule, rule])) };
     case "watched":

@@ -2,7 +2,7 @@
 import { allowed, primary, type Command } from "../run/controls";
 import type { Core } from "../../generated/messages";
 
-export type Shortcut = "lead" | "pause" | "stop" | "micro" | "macro" | "search" | "zoom_in" | "zoom_out" | "fit" | "help" | "escape";
+export type Shortcut = "lead" | "pause" | "stop" | "micro" | "macro" | "search" | "documents" | "zoom_in" | "zoom_out" | "fit" | "help" | "escape";
 
 export interface ShortcutEntry {
   readonly shortcut: Shortcut;
@@ -21,6 +21,7 @@ export const shortcuts: readonly ShortcutEntry[] = [
   { shortcut: "zoom_out", keys: ["Ctrl+-"], does: "Zoom out" },
   { shortcut: "fit", keys: ["Ctrl+0", "Ctrl+Space"], does: "Show the whole drawing" },
   { shortcut: "search", keys: ["Ctrl+F"], does: "Search states, ports and code" },
+  { shortcut: "documents", keys: ["Ctrl+O"], does: "Documents: new, open, upload, download, duplicate, delete" },
   { shortcut: "help", keys: ["?"], does: "Show these keys" },
   { shortcut: "escape", keys: ["Esc"], does: "Close this panel, or select nothing" },
 ];
@@ -46,6 +47,13 @@ export const gestures: readonly { readonly where: string; readonly list: readonl
       { gesture: "Click an inference", does: "Show it as the thesis prints it" },
       { gesture: "Double click, → and ←", does: "Unfold and fold its premises" },
       { gesture: "↑ and ↓", does: "Go from row to row" },
+    ],
+  },
+  {
+    where: "Documents",
+    list: [
+      { gesture: "Drop files on the page", does: "Store them as documents" },
+      { gesture: "↑ and ↓, Enter", does: "Go through the list, and open a document" },
     ],
   },
   { where: "Search", list: [{ gesture: "Enter", does: "Go to the first result" }] },

@@ -15,8 +15,8 @@ export function selectionAt(tree: ModelTree, address: string): Selection | undef
   return whole === undefined ? undefined : selectionAt(tree, whole);
 }
 
-/** `draft`: the errors of a document; `edit`: the document that is edited. */
-export type Page = "task" | "services" | "cell" | "draft" | "edit";
+/** `edit`: the document that is edited. */
+export type Page = "task" | "services" | "cell" | "edit";
 export type Drawer = "derivation" | "log" | "closed";
 
 /** What a view says of elements of the model that is shown. */
@@ -41,6 +41,8 @@ export interface View {
   readonly inset: boolean;
   /** Whether the keys and mouse actions are shown over the page. */
   readonly help: boolean;
+  /** Whether the documents are shown over the page. */
+  readonly documents: boolean;
   /** The places of the other model: of the document that is edited while a run is shown, and the other way round. */
   readonly aside: Places;
 }
@@ -65,6 +67,7 @@ export type Gesture =
   | { readonly type: "step"; readonly step: number | undefined }
   | { readonly type: "inset"; readonly shown: boolean }
   | { readonly type: "help"; readonly shown: boolean }
+  | { readonly type: "documents"; readonly shown: boolean }
   | { readonly type: "escape" }
   /** Another model is shown on this page. */
   | { readonly type: "forget" }
@@ -85,6 +88,7 @@ export const initialView: View = {
   step: undefined,
   inset: true,
   help: false,
+  documents: false,
   aside: kNowhere,
 };
 
@@ -186,17 +190,17 @@ export function applyGesture(view: View, gesture: Gesture): View {
       return { ...view, inset: gesture.shown };
     case "help":
       return { ...view, help: gesture.shown };
+    case "documents":
+      return { ...view, documents: gesture.shown };
     case "escape":
-      if (view.help) return { ...view, help: false };
-      return view.page === "draft" ? toPage(view, "task") : { ...view, selection: undefined, also: kNone };
+      if (view.help || view.documents) return { ...view, help: false, documents: false };
+      return { ...view, selection: undefined, also: kNone };
     case "carry":
       return view.page === "edit" ? { ...view, ...carry(view, gesture.before, gesture.after) } : { ...view, aside: carry(view.aside, gesture.before, gesture.after) };
     case "forget":
       return { ...view, ...kNowhere, step: undefined };
-    case "forget_run": {
-      const page = view.page === "draft" ? "task" : view.page;
-      return page === "edit" ? { ...view, aside: kNowhere, step: undefined } : { ...view, ...kNowhere, page, step: undefined };
-    }
+    case "forget_run":
+      return view.page === "edit" ? { ...view, aside: kNowhere, step: undefined } : { ...view, ...kNowhere, step: undefined };
     default:
       return assertNever(gesture);
   }

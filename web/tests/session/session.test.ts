@@ -123,10 +123,9 @@ describe("view", () => {
     expect([helped.help, once.help, once.selection]).toEqual([true, false, selection]);
     expect(applyGesture(once, { type: "escape" }).selection).toBeUndefined();
   });
-  it("leaves the errors of a draft by Esc, and when a run is watched", () => {
-    const draft = applyGesture(initialView, { type: "page", page: "draft" });
-    expect(applyGesture(draft, { type: "escape" }).page).toBe("task");
-    expect(applyGesture(draft, { type: "forget_run" }).page).toBe("task");
+  it("shows the documents over the page, until Esc", () => {
+    const shown = applyGesture(initialView, { type: "documents", shown: true });
+    expect([shown.documents, applyGesture(shown, { type: "escape" }).documents]).toEqual([true, false]);
   });
   it("keeps the page when another run is watched, but no selection", () => {
     const view = applyGesture({ ...initialView, page: "cell" }, { type: "select", selection: { kind: "node", path: "Root" } });

@@ -1,0 +1,100 @@
+// A document in the list, with what can be done with it. What an action asks for, it asks for in the row.
+import { useState } from "react";
+import type { DocumentSummary } from "../../generated/messages";
+import { freeDocumentName } from "../../shared/documents/names";
+import { errorsText } from "../../shared/run/errorsText";
+import { errorCount, refusalToStart } from "../../shared/session/draft";
+import { CodeText } from "../panels/CodeText";
+import { download, duplicate, edit, makeRun, remove } from "./actions";
+import { NameForm } from "./NameForm";
+import { useAttempt } from "./useAttempt";
+
+interface Props {
+  readonly document: DocumentSummary;
+  readonly taken: ReadonlySet<string>;
+  /** Nothing can be done: the server is not there. */
+  readonly offline: boolean;
+}
+
+export function DocumentRow({ document, taken, offline }: Props) {
+  const { name, revision, doc } = document;
+  const [asked, ask] = useState<"name" | "delete">();
+  const { attempt, reason, busy } = useAttempt();
+  const disabled = offline || busy;
+  const errors = errorCount(document);
+  const refusal = refusalToStart(document);
+  const done = () => ask(undefined);
+  return (
+    <li className="document-row" aria-label={name}>
+      <div className="document-head">
+        <button type="button" className="document-name" disabled={offline} onClick={() => edit(name)}>
+          {name}
+        </button>
+        <small>revision {revision}</small>
+        {errors > 0 && <span className="document-errors">draft, {errorsText(errors)}</span>}
+      </div>
+      {doc !== undefined && (
+        <p className="document-doc">
+          <CodeText text={doc} />
+        </p>
+      )}
+      <div className="document-actions">
+        <button type="button" disabled={disabled || refusal !== undefined} title={refusal} onClick={() => void makeRun(name)}>
+          New run
+        </button>
+        <button type="button" disabled={disabled} aria-expanded={asked === "name"} onClick={() => ask("name")}>
+          Duplicate
+        </button>
+        <button type="button" disabled={disabled} onClick={() => void attempt(() => download(name))}>
+          Download
+        </button>
+        <button type="button" disabled={disabled} aria-expanded={asked === "delete"} onClick={() => ask("delete")}>
+          Delete
+        </button>
+      </div>
+      {asked === "name" && (
+        <NameForm label="Name of the copy" does="Duplicate" wish={freeDocumentName(name, taken)} taken={taken} disabled={disabled} focus onName={(as) => void attempt(() => duplicate(name, as)).then(done)} onCancel={done} />
+      )}
+      {asked === "delete" && <AskDelete document={document} disabled={disabled} onDelete={() => void attempt(() => remove(name, revision)).then(done)} onCancel={done} />}
+      {reason !== undefined && (
+        <p className="bad" role="alert">
+          {reason}
+        </p>
+      )}
+    </li>
+  );
+}
+
+interface AskProps {
+  readonly document: DocumentSummary;
+  readonly disabled: boolean;
+  readonly onDelete: () => void;
+  readonly onCancel: () => void;
+}
+
+function AskDelete({ document: { name, revision }, disabled, onDelete, onCancel }: AskProps) {
+  const loses = revision === 1 ? "It cannot be taken back." : `It goes with its ${revision} revisions and cannot be taken back.`;
+  return (
+    <div
+      className="ask-delete"
+      role="group"
+      aria-label={`Delete ${name}?`}
+      onKeyDown={(event) => {
+        if (event.key !== "Escape") return;
+        event.preventDefault();
+        event.stopPropagation();
+        onCancel();
+      }}
+    >
+      <span>
+        Delete {name}? {loses} Its runs stay.
+      </span>
+      <button type="button" className="danger" disabled={disabled} onClick={onDelete}>
+        Delete {name}
+      </button>
+      <button type="button" autoFocus onClick={onCancel}>
+        Keep it
+      </button>
+    </div>
+  );
+}

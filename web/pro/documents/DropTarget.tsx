@@ -1,0 +1,34 @@
+// Files that are dragged over the page, and dropped anywhere on it, are uploaded.
+import { useEffect, useState } from "react";
+import { showDocuments } from "./actions";
+import { upload } from "./uploading";
+
+const hasFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes("Files") === true;
+
+/** Says where files go while some are dragged. Whatever is below gets no event of them. */
+export function DropTarget() {
+  const [over, setOver] = useState(false);
+  useEffect(() => {
+    const take = (event: DragEvent) => {
+      if (!hasFiles(event)) return false;
+      event.preventDefault();
+      event.stopPropagation();
+      return true;
+    };
+    const drag = (event: DragEvent) => take(event) && setOver(true);
+    /** The pointer has left the window: it has not come to another element. */
+    const leave = (event: DragEvent) => take(event) && event.relatedTarget === null && setOver(false);
+    const drop = (event: DragEvent) => {
+      if (!take(event)) return;
+      setOver(false);
+      upload([...(event.dataTransfer?.files ?? [])]);
+      showDocuments(true);
+    };
+    const listeners = { dragenter: drag, dragover: drag, dragleave: leave, drop };
+    for (const [type, listener] of Object.entries(listeners)) addEventListener(type, listener as EventListener, true);
+    return () => {
+      for (const [type, listener] of Object.entries(listeners)) removeEventListener(type, listener as EventListener, true);
+    };
+  }, []);
+  return over ? <div className="drop-hint">Drop files here to store them as documents</div> : null;
+}

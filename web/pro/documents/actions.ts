@@ -1,0 +1,58 @@
+// What is done with documents as a whole. Each action loads the list anew.
+import { fieldText } from "../../shared/documents/entryText";
+import { fileOf, newDocumentText } from "../../shared/documents/names";
+import { api, loadDocuments, newRun, view } from "../client";
+import { author } from "../edit/author";
+import { closeDocument, editing, openDocument } from "../edit/editing";
+
+/** Closes the panel and shows the document in the editor. */
+export function edit(name: string): void {
+  showDocuments(false);
+  openDocument(name);
+}
+
+export function showDocuments(shown: boolean): void {
+  view.dispatch({ type: "documents", shown });
+}
+
+/** Makes a run, ready to be started, and shows it. */
+export async function makeRun(name: string): Promise<void> {
+  showDocuments(false);
+  view.dispatch({ type: "page", page: "task" });
+  await newRun(name, false);
+}
+
+/** An empty document, open in the editor. */
+export async function create(name: string): Promise<void> {
+  await api.putDocument(name, newDocumentText(name), { author: author() });
+  await loadDocuments();
+  edit(name);
+}
+
+export async function duplicate(name: string, as: string): Promise<void> {
+  await api.branchDocument(name, as, author());
+  await loadDocuments();
+}
+
+export async function remove(name: string, revision: number): Promise<void> {
+  try {
+    await api.deleteDocument(name, revision);
+    if (editing.get().document !== name) return;
+    closeDocument();
+    view.dispatch({ type: "page", page: "task" });
+  } finally {
+    await loadDocuments();
+  }
+}
+
+/** In this time the browser has read what it saves [ms]. */
+const kReading = 10_000;
+
+/** Saves the document as a file, as the server has written it. */
+export async function download(name: string): Promise<void> {
+  const text = fieldText(await api.documentText(name), "document") ?? "";
+  const address = URL.createObjectURL(new Blob([text], { type: "application/json" }));
+  const link = Object.assign(document.createElement("a"), { href: address, download: fileOf(name) });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(address), kReading);
+}
