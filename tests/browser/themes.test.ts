@@ -78,9 +78,7 @@ describe("screenshots", () => {
     await page.getByRole("combobox", { name: "Document" }).selectOption("pick");
     await page.getByRole("button", { name: "Load" }).click();
     await page.getByRole("group", { name: "State Pick/Release" }).waitFor();
-    await page.getByRole("button", { name: "Start" }).click();
-    await expect.poll(() => page.getByRole("status", { name: "Run status" }).innerText(), { timeout: 90_000 }).toContain("Ended");
-    for (const name of ["task", "derivation", "services", "cell", "edit"] as const) {
+    for (const name of ["active", "ended", "derivation", "services", "cell", "edit"] as const) {
       await turnTo(name);
       for (const size of kSizes)
         for (const colorScheme of ["light", "dark"] as const) {
@@ -93,10 +91,14 @@ describe("screenshots", () => {
   });
 });
 
-async function turnTo(name: "task" | "derivation" | "services" | "cell" | "edit"): Promise<void> {
+async function turnTo(name: "active" | "ended" | "derivation" | "services" | "cell" | "edit"): Promise<void> {
   switch (name) {
-    case "task":
-      return settled(page);
+    case "active":
+      await page.getByRole("button", { name: "Macro step" }).click();
+      return page.locator(".state.is-active").nth(1).waitFor();
+    case "ended":
+      await page.getByRole("button", { name: "Resume" }).click();
+      return expect.poll(() => page.getByRole("status", { name: "Run status" }).innerText(), { timeout: 90_000 }).toContain("Ended");
     case "derivation":
       await page.getByRole("list", { name: "Macro steps" }).getByRole("button").nth(1).click();
       return page.getByRole("treeitem", { name: /^PTrans1/ }).first().locator(".proof-row").first().click();

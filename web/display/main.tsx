@@ -1,5 +1,6 @@
 // Entry of the display page: a display of the name in the address, `?name=`.
 import "@fontsource-variable/inter";
+import "./tokens.css";
 import "./display.css";
 import { createRoot } from "react-dom/client";
 import { nameOf } from "../shared/display/page";

@@ -1,9 +1,8 @@
 import { describe, expect, test } from "vitest";
 import { literalsOfCode, literalsOfValue } from "./literals";
-import { declarations, sources, tokensSheet } from "./sources";
+import { declarations, sheetsOf, sources } from "./sources";
 
-const sheets = sources(/\.css$/);
-const code = sources(/\.(?:tsx?|html)$/);
+const kPages = ["pro", "display"] as const;
 
 describe("literal colours", () => {
   test.each(["#fff", "1px solid #c2ccc7", "rgb(255 255 255 / 90%)", "0 1px 2px hsl(20 10% 10%)", "white", "2px dashed Red"])("`%s` is found in a style sheet", (value) => {
@@ -25,26 +24,26 @@ describe("literal colours", () => {
     expect(literalsOfCode(text)).toEqual([]);
   });
 
-  test.each(sheets.filter(({ name }) => name !== tokensSheet))("$name has none", ({ text }) => {
-    expect(declarations(text).flatMap(({ selector, property, value }) => literalsOfValue(value).map((literal) => `${selector} { ${property}: ${literal} }`))).toEqual([]);
+  test.each(kPages)("are in no style sheet of %s but tokens.css, and there only as tokens", (page) => {
+    const { tokens, others } = sheetsOf(page);
+    const literals = [...others.flatMap(({ text }) => declarations(text)), ...tokens.filter(({ property }) => !property.startsWith("--"))].flatMap(
+      ({ selector, property, value }) => literalsOfValue(value).map((literal) => `${selector} { ${property}: ${literal} }`),
+    );
+    expect(literals).toEqual([]);
   });
 
-  test("the code of the page has none", () => {
-    expect(code.flatMap(({ name, text }) => literalsOfCode(text).map((literal) => `${name}: ${literal}`))).toEqual([]);
-  });
-
-  test("in tokens.css only tokens have one", () => {
-    const sheet = sheets.find(({ name }) => name === tokensSheet)?.text ?? "";
-    expect(declarations(sheet).filter(({ property, value }) => !property.startsWith("--") && literalsOfValue(value).length > 0)).toEqual([]);
+  test.each(kPages)("are not in the code of %s", (page) => {
+    expect(sources(page, /\.tsx?$/).flatMap(({ name, text }) => literalsOfCode(text).map((literal) => `${name}: ${literal}`))).toEqual([]);
   });
 });
 
-describe("tokens", () => {
-  const texts = [...sheets, ...code];
-  const used = new Set(texts.flatMap(({ text }) => [...text.matchAll(/var\((--[\w-]+)|["'](--[\w-]+)["']/g)].map(([, css, string]) => css ?? string ?? "")));
-
-  test("every name that is used is a token, or set where it is used", () => {
-    const set = new Set(texts.flatMap(({ text }) => [...text.matchAll(/(?<!\()(--[\w-]+)["']?\]?\s*[:,]/g)].map(([, name]) => name ?? "")));
+describe("custom properties", () => {
+  test.each(kPages)("that %s uses are tokens, or set by its code", (page) => {
+    const texts = sources(page, /\.(?:css|tsx?)$/).map(({ text }) => text);
+    const names = (pattern: RegExp) => new Set(texts.flatMap((text) => [...text.matchAll(pattern)].map(([, name]) => name ?? "")));
+    const used = names(/(?:var|tokenColour)\(["']?(--[\w-]+)/g);
+    const set = names(/(?<!\()(--[\w-]+)["']?\]?\s*[:,]/g);
+    expect(used.size).toBeGreaterThan(0);
     expect([...used].filter((name) => !set.has(name))).toEqual([]);
   });
 });

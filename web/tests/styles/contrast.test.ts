@@ -1,11 +1,10 @@
 import { describe, expect, test } from "vitest";
 import { contrast, over, palette, rgbaOf, type Palette, type Rgba } from "./contrast";
-import { graphicsPairs, textPairs } from "./pairs";
-import { declarations, sources, tokensSheet } from "./sources";
+import { graphicsPairs, textPairs, type Pairs } from "./pairs";
+import { declarations, sheetsOf } from "./sources";
 
-const sheets = sources(/\.css$/);
-const tokens = declarations(sheets.find(({ name }) => name === tokensSheet)?.text ?? "");
-const kThemes = ["light", "dark"] as const;
+const kPages = ["pro", "display"] as const;
+const kViews = kPages.flatMap((page) => (["light", "dark"] as const).map((theme) => ({ page, theme })));
 
 function colour(colours: Palette, token: string): Rgba {
   const found = colours.get(token);
@@ -14,7 +13,7 @@ function colour(colours: Palette, token: string): Rgba {
 }
 
 /** The pairs that have less contrast than `least`; a surface that lets through lies on the paper. */
-function tooPale(colours: Palette, pairs: Readonly<Record<string, readonly string[]>>, least: number): readonly string[] {
+function tooPale(colours: Palette, pairs: Pairs, least: number): readonly string[] {
   const paper = colour(colours, "paper");
   return Object.entries(pairs).flatMap(([surface, marks]) =>
     marks.flatMap((mark) => {
@@ -40,22 +39,23 @@ describe("contrast", () => {
     expect(tooPale(colours, { paper: ["ink"] }, 4.5)).toEqual(["--ink on --paper: 2.32"]);
   });
 
-  test.each(kThemes)("of text is at least 4.5 in the %s theme", (theme) => {
-    expect(tooPale(palette(tokens, theme), textPairs, 4.5)).toEqual([]);
+  test.each(kViews)("of text is at least 4.5 in $page, $theme", ({ page, theme }) => {
+    expect(tooPale(palette(sheetsOf(page).tokens, theme), textPairs[page], 4.5)).toEqual([]);
   });
 
-  test.each(kThemes)("of graphics is at least 3 in the %s theme", (theme) => {
-    expect(tooPale(palette(tokens, theme), graphicsPairs, 3)).toEqual([]);
+  test.each(kViews)("of graphics is at least 3 in $page, $theme", ({ page, theme }) => {
+    expect(tooPale(palette(sheetsOf(page).tokens, theme), graphicsPairs[page], 3)).toEqual([]);
   });
 
-  test("every rule that sets a text colour and a surface uses a pair of the table", () => {
+  test.each(kPages)("is known of every rule of %s that sets a text colour and a surface", (page) => {
     const token = (value: string | undefined) => /^var\(--([\w-]+)\)/.exec(value ?? "")?.[1];
-    const unknown = sheets.flatMap(({ name, text }) =>
+    const unknown = sheetsOf(page).others.flatMap(({ name, text }) =>
       [...text.matchAll(/[^{}]+\{[^{}]*\}/g)].flatMap(([rule]) => {
         const all = declarations(rule);
         const value = (...properties: readonly string[]) => token(all.find(({ property }) => properties.includes(property))?.value);
         const [mark, surface] = [value("color"), value("background", "background-color")];
-        return mark === undefined || surface === undefined || mark === "disabled" || textPairs[surface]?.includes(mark) === true ? [] : [`${name}: --${mark} on --${surface}`];
+        const known = mark === undefined || surface === undefined || mark === "disabled" || textPairs[page][surface]?.includes(mark) === true;
+        return known ? [] : [`${name}: --${mark} on --${surface}`];
       }),
     );
     expect(unknown).toEqual([]);

@@ -1,11 +1,14 @@
-// Which colours lie on which surfaces of the expert page, by their tokens.
+// Which colours lie on which surfaces of the pages, by their tokens.
+import type { PageName } from "./sources";
+
+/** The colours on each surface. */
+export type Pairs = Readonly<Record<string, readonly string[]>>;
 
 const kWords = ["ink", "soft", "faint", "accent", "active-ink", "wait-ink", "bad"] as const;
 const kRules = ["rule-down", "refinement"] as const;
 const kProgram = ["code-keyword", "code-call", "code-string", "code-number", "code-comment"] as const;
 
-/** Text on each surface: at least 4.5:1. */
-export const textPairs: Readonly<Record<string, readonly string[]>> = {
+const kProText: Pairs = {
   paper: kWords,
   panel: [...kWords, ...kRules, ...kProgram, "brand", "oracle", "hand-ink"],
   sunken: [...kWords, ...kRules],
@@ -13,6 +16,7 @@ export const textPairs: Readonly<Record<string, readonly string[]>> = {
   floating: [...kWords, "hand-ink"],
   "accent-soft": ["ink", "soft", "faint", "accent", "active-ink", ...kRules],
   "active-soft": ["ink", "soft", "faint", "accent", "active-ink"],
+  "active-inset": ["ink", "active-ink"],
   "active-hover": ["active-ink", "soft"],
   "wait-soft": ["ink", "soft", "wait-ink"],
   "wait-hover": ["wait-ink"],
@@ -27,16 +31,30 @@ export const textPairs: Readonly<Record<string, readonly string[]>> = {
   "fired-flash": ["on-fired"],
 };
 
-/** Lines, borders that carry a meaning, signs and dots on each surface: at least 3:1. */
-export const graphicsPairs: Readonly<Record<string, readonly string[]>> = {
+const kProGraphics: Pairs = {
   paper: ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent", "wait", "bad", "oracle", "breakpoint"],
   panel: ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent", "wait", "bad", "brand", "oracle", "breakpoint"],
   inset: ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent", "wait", "bad", "breakpoint"],
   sunken: ["accent", "active", "wait", "bad", "breakpoint"],
   "accent-soft": ["accent", "active", "breakpoint"],
+  "active-inset": ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent"],
   "active-soft": ["active", "accent", "solid", "line", "fired-line"],
   "wait-soft": ["wait"],
   "bad-soft": ["bad"],
   fired: ["on-fired"],
   "cell-background": ["hand"],
 };
+
+const kDisplayText: Pairs = {
+  paper: ["ink", "soft", "bad", "open"],
+  panel: ["ink", "soft"],
+  "note-soft": ["ink"],
+  "bad-soft": ["bad"],
+  choice: ["choice-ink"],
+};
+
+/** Text: at least 4.5:1. */
+export const textPairs: Readonly<Record<PageName, Pairs>> = { pro: kProText, display: kDisplayText };
+
+/** Lines, borders that carry a meaning, signs, dots and the focus: at least 3:1. */
+export const graphicsPairs: Readonly<Record<PageName, Pairs>> = { pro: kProGraphics, display: { paper: ["soft", "choice"], panel: ["soft"] } };

@@ -1,12 +1,16 @@
-// The files of the expert page as text, without comments, and the declarations of its style sheets.
+// The files of a page as text, without comments, and the declarations of its style sheets.
 import { readdirSync, readFileSync } from "node:fs";
 import { join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
 
-const page = fileURLToPath(new URL("../../pro", import.meta.url));
+export type PageName = "pro" | "display";
+
+const folderOf = (page: PageName): string => fileURLToPath(new URL(`../../${page}`, import.meta.url));
+
+const kTokens: Readonly<Record<PageName, string>> = { pro: "styles/tokens.css", display: "tokens.css" };
 
 export interface Source {
-  /** From web/pro, e.g. `styles/canvas.css`. */
+  /** In the folder of the page, e.g. `styles/canvas.css`. */
   readonly name: string;
   readonly text: string;
 }
@@ -20,11 +24,12 @@ export interface Declaration {
 /** Comments of CSS and TypeScript; `//` behind a colon belongs to an address. */
 const withoutComments = (text: string): string => text.replace(/\/\*[\s\S]*?\*\//g, "").replace(/(?<!:)\/\/.*$/gm, "");
 
-export function sources(ending: RegExp): readonly Source[] {
-  return readdirSync(page, { recursive: true, withFileTypes: true })
+export function sources(page: PageName, ending: RegExp): readonly Source[] {
+  const folder = folderOf(page);
+  return readdirSync(folder, { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile() && ending.test(entry.name))
     .map((entry) => join(entry.parentPath, entry.name))
-    .map((path) => ({ name: relative(page, path), text: withoutComments(readFileSync(path, "utf8")) }));
+    .map((path) => ({ name: relative(folder, path), text: withoutComments(readFileSync(path, "utf8")) }));
 }
 
 /** The innermost blocks of a style sheet, declaration by declaration. */
@@ -37,4 +42,14 @@ export function declarations(css: string): readonly Declaration[] {
   );
 }
 
-export const tokensSheet = "styles/tokens.css";
+export interface Sheets {
+  /** What the one sheet that may have literal colours declares. */
+  readonly tokens: readonly Declaration[];
+  readonly others: readonly Source[];
+}
+
+export function sheetsOf(page: PageName): Sheets {
+  const all = sources(page, /\.css$/);
+  const isTokens = ({ name }: Source) => name === kTokens[page];
+  return { tokens: all.filter(isTokens).flatMap(({ text }) => declarations(text)), others: all.filter((sheet) => !isTokens(sheet)) };
+}
