@@ -31,6 +31,12 @@ language::ChildSymbols barrier_symbols() {
   return out;
 }
 
+/// Of which element a text is, and which of its fields.
+struct TextOf {
+  const Meta& element;
+  std::string_view field;
+};
+
 std::string of_parameter(const Parameter& parameter) { return "parameter `" + parameter.name + "`"; }
 std::string of_action(std::size_t number, std::string_view field) {
   return "action " + std::to_string(number) + ", `" + std::string(field) + "`";
@@ -51,14 +57,22 @@ class CodeCheck {
     if (state.link || is_full(errors_)) return;
     const auto at_state = [&] { return path; };
     const Scope scope = scope_of(symbols_of(state));
-    if (state.entry) check([] { return "entry"; }, *state.entry, CodeKind::function, scope, at_state);
-    if (state.exit) check([] { return "exit"; }, *state.exit, CodeKind::function, scope, at_state);
+    const auto own = [&](std::string_view field, const std::optional<std::string>& text) {
+      if (text)
+        check(
+            {state.meta, field}, [&] { return std::string(field); }, *text, CodeKind::function, scope, at_state);
+    };
+    own("entry", state.entry);
+    own("exit", state.exit);
     for (std::size_t i = 0; i < state.actions.size(); ++i) {
       const Action& action = state.actions[i];
-      check([&] { return of_action(i, "when"); }, action.when, CodeKind::condition, scope, at_state);
-      check([&] { return of_action(i, "do"); }, action.code, CodeKind::function, scope, at_state);
+      check(
+          {action.meta, "when"}, [&] { return of_action(i, "when"); }, action.when, CodeKind::condition, scope,
+          at_state);
+      check(
+          {action.meta, "do"}, [&] { return of_action(i, "do"); }, action.code, CodeKind::function, scope, at_state);
     }
-    if (state.oracle) check_oracle(*state.oracle, scope, path);
+    if (state.oracle) check_oracle(state, scope, path);
     for (const Node& child : state.children) {
       const auto* inner = std::get_if<State>(&child);
       if (!inner) continue;
@@ -68,8 +82,12 @@ class CodeCheck {
     }
     for (const Port& port : state.ports) {
       const auto at_port = [&] { return port_path(path, port.name); };
-      if (port.when) check([] { return "`when`"; }, *port.when, CodeKind::condition, scope, at_port);
-      if (port.after) check([] { return "`after`"; }, *port.after, CodeKind::expression, scope, at_port);
+      if (port.when)
+        check(
+            {port.meta, "when"}, [] { return "`when`"; }, *port.when, CodeKind::condition, scope, at_port);
+      if (port.after)
+        check(
+            {port.meta, "after"}, [] { return "`after`"; }, *port.after, CodeKind::expression, scope, at_port);
     }
   }
 
@@ -78,13 +96,18 @@ class CodeCheck {
   void check_open_parameters(const State& state, const std::string& path) {
     for (const Parameter& parameter : state.parameters) {
       if (parameter.from)
-        check([&] { return of_parameter(parameter); }, *parameter.from, CodeKind::expression, open_,
-              [&] { return path; }, Names::open);
+        check(
+            {parameter.meta, "from"}, [&] { return of_parameter(parameter); }, *parameter.from, CodeKind::expression,
+            open_, [&] { return path; }, Names::open);
     }
   }
 
  private:
   enum class Names { checked, open, only };
+  enum class Lines {
+    of_the_text,
+    of_a_part
+  };  // what is checked: all of a text, or a part of it, whose place is not known
 
   Symbols symbols_of(const State& state) const {
     Symbols out;
@@ -130,8 +153,9 @@ class CodeCheck {
   /// library, but for the names.
   void check_parameters(const State& child, const Scope& parent, const std::string& path) {
     const auto check_from = [&](const Parameter& parameter, Names names) {
-      check([&] { return of_parameter(parameter); }, *parameter.from, CodeKind::expression, parent,
-            [&] { return path; }, names);
+      check(
+          {parameter.meta, "from"}, [&] { return of_parameter(parameter); }, *parameter.from, CodeKind::expression,
+          parent, [&] { return path; }, names);
     };
     for (const Parameter& parameter : child.parameters) {
       if (parameter.from) check_from(parameter, Names::checked);
@@ -146,26 +170,31 @@ class CodeCheck {
     }
   }
 
-  void check_oracle(const Oracle& oracle, const Scope& scope, const std::string& path) {
+  void check_oracle(const State& state, const Scope& scope, const std::string& path) {
+    const Oracle& oracle = *state.oracle;
+    const TextOf of{state.meta, "oracle"};
     const auto at = [&] { return path; };
-    if (oracle.kind == Oracle::Kind::expr) check([] { return "oracle"; }, oracle.text, CodeKind::expression, scope, at);
+    if (oracle.kind == Oracle::Kind::expr)
+      check(
+          of, [] { return "oracle"; }, oracle.text, CodeKind::expression, scope, at);
     if (oracle.kind != Oracle::Kind::external) return;
     const auto call = parse_call(oracle.text);
     if (!call) return;
     for (const auto& argument : call->arguments)
-      check([&] { return "oracle, argument `" + argument.expression + "`"; }, argument.expression, CodeKind::expression,
-            scope, at);
+      check(
+          of, [&] { return "oracle, argument `" + argument.expression + "`"; }, argument.expression,
+          CodeKind::expression, scope, at, Names::checked, Lines::of_a_part);
   }
 
   /// `which`() names this text of the element at the path `where`(), for messages.
   template <typename Which, typename Where>
-  void check(Which which, std::string_view text, CodeKind kind, const Scope& scope, Where where,
-             Names names = Names::checked) {
+  void check(TextOf of, Which which, std::string_view text, CodeKind kind, const Scope& scope, Where where,
+             Names names = Names::checked, Lines lines = Lines::of_the_text) {
     if (is_full(errors_)) return;
     if (checks_) {
-      report(which, known_errors(text, kind, scope), where, names);
+      report(of, which, known_errors(text, kind, scope), where, names, lines);
     } else {
-      report(which, language::check(text, kind, scope.symbols), where, names);
+      report(of, which, language::check(text, kind, scope.symbols), where, names, lines);
     }
   }
 
@@ -177,12 +206,14 @@ class CodeCheck {
   }
 
   template <typename Which, typename Where>
-  void report(Which which, const std::vector<Error>& found, Where where, Names names) {
+  void report(TextOf of, Which which, const std::vector<Error>& found, Where where, Names names, Lines lines) {
     for (const Error& error : found) {
       const bool unknown = error.code == ErrorCode::unknown_name;
       if (!names_ && (unknown || error.code == ErrorCode::scope)) continue;
       if ((names == Names::open && unknown) || (names == Names::only && !unknown)) continue;
-      add_error(errors_, {error.code, which() + (": " + error.message), where(), error.where});
+      const SourceRange range = lines == Lines::of_the_text ? error.where : SourceRange{};
+      add_error(errors_,
+                {error.code, which() + (": " + error.message), where(), range, of.element.id, std::string(of.field)});
     }
   }
 

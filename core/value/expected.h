@@ -75,6 +75,9 @@ struct Error {
   std::string message;
   std::string path = {};
   SourceRange where = {};
+  std::string id = {};  // `meta.id` of the element that has the code text with `where`, if it has one
+  std::string text =
+      {};  // the field of that text: entry, exit, when, do, after, from, oracle; empty: it is about no text
   bool operator==(const Error&) const = default;
 };
 

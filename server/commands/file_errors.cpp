@@ -38,6 +38,8 @@ Value file_errors_json(std::span<const FileErrors> all) {
       json.set("path", error.path);
       json.set("code", name(error.code));
       json.set("message", error.message);
+      if (!error.id.empty()) json.set("id", error.id);
+      if (!error.text.empty()) json.set("text", error.text);
       if (error.where.line > 0) {
         json.set("line", error.where.line);
         json.set("column", error.where.column);

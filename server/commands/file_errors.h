@@ -25,8 +25,9 @@ inline constexpr const char* kMoreErrors = "there are more errors, which are not
 /// Prints each error to stderr as a line.
 void print_errors(std::span<const FileErrors> all);
 
-/// {"errors": [{"file", "path", "code", "message"}]}, with `file` where there is one, and `line` and `column` where
-/// they are known; if there are more than kMaxErrors in a file, these alone, and `more_errors`, which is true.
+/// {"errors": [{"file", "path", "code", "message"}]}, with `file` where there is one, and the code text that it is
+/// about (`id`, `text`, `line`, `column`) where it is known; if there are more than kMaxErrors in a file, these alone,
+/// and `more_errors`, which is true.
 Value file_errors_json(std::span<const FileErrors> all);
 
 }  // namespace race::server

@@ -10,6 +10,8 @@ List error_list(std::span<const Error> errors) {
   List list;
   for (const Error& error : errors) {
     Dict json{{"path", error.path}, {"code", name(error.code)}, {"message", error.message}};
+    if (!error.id.empty()) json.set("id", error.id);
+    if (!error.text.empty()) json.set("text", error.text);
     if (error.where.line > 0) {
       json.set("line", error.where.line);
       json.set("column", error.where.column);

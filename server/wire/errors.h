@@ -9,8 +9,8 @@
 
 namespace race::server {
 
-/// Each as schemas/errors.json, `server_error`: {"path", "code", "message"}, with `line` and `column` where they are
-/// known.
+/// Each as schemas/errors.json, `server_error`: {"path", "code", "message"}, with the code text that it is about (`id`,
+/// `text`, `line`, `column`) where it is known.
 List error_list(std::span<const Error> errors);
 
 /// Sets `errors` to the first kMaxErrors; if there are more, sets `more_errors`, which is true.

@@ -27,6 +27,14 @@ TEST(FileErrorsJson, NamesTheFileOfEachError) {
       R"({"path":"x","code":"io","message":"no"}]})");
 }
 
+TEST(FileErrorsJson, NamesTheCodeTextOfAnError) {
+  const FileErrors all{"", {{ErrorCode::syntax, "expected an expression", "Root/A", {1, 2, 1, 3}, "w3n8k2pa", "when"}}};
+  EXPECT_EQ(to_json(file_errors_json(std::span(&all, 1))),
+            R"({"errors":[{"path":"Root/A","code":"syntax","message":"expected an expression","id":"w3n8k2pa",)"
+            R"("text":"when","line":1,"column":2}]})");
+  EXPECT_EQ(errors_json(all.errors), file_errors_json(std::span(&all, 1)));
+}
+
 TEST(FileErrorsJson, SaysThatThereAreMoreThanItLists) {
   FileErrors all{"a.json", std::vector(kMaxErrors, kError)};
   EXPECT_EQ(file_errors_json(std::span(&all, 1)).find("more_errors"), nullptr);

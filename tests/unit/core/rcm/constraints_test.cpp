@@ -325,6 +325,20 @@ TEST(Code, IsNamedInTheMessage) {
               testing::StartsWith("action 1, `do`: "));
 }
 
+TEST(Code, IsNamedByItsElementAndField) {
+  const auto document = read_document_text(R"json({"rcm": 1, "root": {"state": "P", "meta": {"id": "s"},
+    "entry": "x =", "exit": "\nx =", "first": "X", "oracle": {"kind": "external", "call": "svc.O.d(1, par.b)"},
+    "actions": [{"when": "x =", "do": "x =", "meta": {"id": "a"}}],
+    "ports": [{"name": "p", "when": "x =", "meta": {"id": "p"}}, {"name": "q", "after": "x =", "meta": {"id": "q"}}],
+    "children": [{"state": "X", "parameters": [{"name": "f", "from": "x =", "meta": {"id": "f"}}]}]}})json");
+  std::vector<std::string> texts;
+  for (const Error& error : document.error())
+    texts.push_back(error.id + " " + error.text + " " + std::to_string(error.where.line));
+  EXPECT_THAT(texts, ElementsAre("s entry 1", "s exit 2", "a when 1", "a do 1", "s oracle 0", "f from 1", "p when 1",
+                                 "q after 1"));
+  EXPECT_EQ(read_document_text(R"({"rcm": 1, "root": {"state": "P", "entry": "x ="}})").error().front().id, "");
+}
+
 TEST(Code, OfAParentSeesWhatALinkTakesOver) {
   const auto with = [](const std::string& condition) {
     return rejected(R"({"state": "P", "children": [{"state": "A", "link": "Grasp"}],
