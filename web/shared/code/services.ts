@@ -1,0 +1,47 @@
+// The services that code may name, from their RSMs: operations with their parameters and what they answer, and events.
+import type { HostedService, RsmOperation } from "../../generated/messages";
+import { entryOf, isObject } from "../json";
+import type { Tree } from "../edit/tree";
+import { valueName, type Name } from "./names";
+
+export type KnownService = Pick<HostedService, "key" | "type" | "rsm">;
+
+type RsmParameter = NonNullable<RsmOperation["parameters"]>[number];
+
+const rangeText = ({ min, max }: RsmParameter): string | undefined => (min === undefined && max === undefined ? undefined : `from ${min ?? "…"} to ${max ?? "…"}`);
+
+const argumentName = (parameter: RsmParameter): Name => {
+  const note = rangeText(parameter);
+  return { ...valueName(parameter.name, "argument", parameter), ...(note !== undefined && { note }) };
+};
+
+function operationName({ name, parameters = [], result, error, doc, safe }: RsmOperation): Name {
+  const call = parameters.map((parameter) => (parameter.value === undefined ? parameter.name : `[${parameter.name}]`)).join(", ");
+  const answers = (): readonly Name[] => [
+    valueName("result", "answer", { type: result, doc: "What the operation has answered; known when it has." }),
+    valueName("error", "answer", { type: error ?? { record: { code: "string" } }, doc: "Why the call has failed; known when it has." }),
+  ];
+  return { name, kind: "operation", call, parameters: parameters.map(argumentName), ...(safe === true && { note: "Safe: it is called when a run faults." }), ...(doc !== undefined && { doc }), ...(result !== undefined && { type: result }), members: answers };
+}
+
+function eventName({ name, data, doc, rate_hz: rate }: KnownService["rsm"]["events"][number]): Name {
+  const value = valueName(name, "event", { type: data, doc });
+  const latest = valueName("latest", "answer", { type: data, doc: "The last data that was ever received." });
+  return { ...value, ...(rate !== undefined && { note: `${rate} times a second.` }), members: () => [latest, ...(value.members?.() ?? [])] };
+}
+
+function serviceName(key: string, { type, rsm }: KnownService): Name {
+  return { name: key, kind: "service", doc: `A service of the type ${type}.`, members: () => [...rsm.operations.map(operationName), ...rsm.events.map(eventName)] };
+}
+
+/** Those that the document declares, and the others that the server has; of a service that it has not, nothing more is known. */
+export function serviceNames(tree: Tree, known: readonly KnownService[]): readonly Name[] {
+  const services = entryOf(tree.fields, "services");
+  const declared = isObject(services) ? Object.entries(services) : [];
+  const found = new Map(known.map((service) => [service.key, serviceName(service.key, service)]));
+  for (const [key, type] of declared) {
+    const service = known.find((each) => each.key === key) ?? known.find((each) => each.type === type);
+    found.set(key, service === undefined ? { name: key, kind: "service", doc: `A service of the type ${typeof type === "string" ? type : "?"}, which is not there now.`, isOpen: true } : serviceName(key, service));
+  }
+  return [...found.values()];
+}
