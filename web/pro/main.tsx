@@ -14,6 +14,7 @@ import "./styles/interrupted.css";
 import "./styles/help.css";
 import "./styles/edit.css";
 import "./styles/documents.css";
+import "./styles/placing.css";
 import { createRoot } from "react-dom/client";
 import { App } from "./App";
 import { connect } from "./client";

@@ -2,7 +2,8 @@
 import { useEffect, useEffectEvent } from "react";
 import { shortcutOf, type Shortcut } from "../shared/session/shortcuts";
 
-function isTyping(target: EventTarget | null): boolean {
+/** Whether keys are text at this place. */
+export function isTyping(target: EventTarget | null): boolean {
   return target instanceof HTMLElement && (target.isContentEditable || target.matches("input:not([type=checkbox]), textarea, select"));
 }
 

@@ -3,6 +3,7 @@ import { Background, BackgroundVariant, MiniMap, ReactFlow, ReactFlowProvider, u
 import { memo, useEffect, useEffectEvent, useMemo, useRef, type CSSProperties, type RefObject } from "react";
 import { fit, fitReadable } from "../../shared/drawing/fit";
 import { flowLines, flowNodes } from "../../shared/drawing/flow";
+import { kNoPlaces, type Places } from "../../shared/drawing/places";
 import type { ModelTree } from "../../shared/model/modelTree";
 import { pathOf } from "../../shared/session/view";
 import { useView, view } from "../client";
@@ -12,6 +13,7 @@ import { CanvasTools } from "./CanvasTools";
 import { FlowView } from "./FlowView";
 import { LayoutProgress } from "./LayoutProgress";
 import { ArrowHeads, ModelLine, type LineFlowEdge } from "./ModelLine";
+import { usePreviewed } from "./placingPreview";
 import { StateNode, type StateFlowNode } from "./StateNode";
 import { useDrawing, type Laid } from "./useDrawing";
 import { useSize } from "./useSize";
@@ -24,14 +26,17 @@ interface Props {
   /** Whose model it is: a run or a document. */
   readonly subject: string;
   readonly tree: ModelTree | undefined;
+  /** Where people have placed its states. */
+  readonly places?: Places;
   /** What is said where there is no model. */
   readonly nothing: string;
 }
 
-export function ModelCanvas({ subject, tree, nothing }: Props) {
+export function ModelCanvas({ subject, tree, places = kNoPlaces, nothing }: Props) {
   const frame = useRef<HTMLDivElement>(null);
   const size = useSize(frame);
-  const { laid, progress, failed, busy } = useDrawing(subject, tree, size);
+  const { laid: latest, progress, failed, busy } = useDrawing(subject, tree, places, size);
+  const laid = usePreviewed(latest);
   return (
     <section className="canvas" aria-label="Model" aria-busy={busy} ref={frame}>
       <ArrowHeads />

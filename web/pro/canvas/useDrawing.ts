@@ -1,10 +1,11 @@
 // The drawing of what the view shows, laid out anew when the model, the focus, what is collapsed or the detail changes.
-import { useEffect, useMemo, useState } from "react";
+import { useEffect, useMemo, useRef, useState } from "react";
 import type { Drawing } from "../../shared/drawing/drawing";
 import { readable } from "../../shared/drawing/fit";
 import { layoutModel } from "../../shared/drawing/layout";
 import { layoutCache } from "../../shared/drawing/layoutCache";
 import { details, type Detail, type Size } from "../../shared/drawing/measure";
+import type { Places } from "../../shared/drawing/places";
 import type { State } from "../../shared/model/model";
 import { buildTree, stateAt, type ModelTree } from "../../shared/model/modelTree";
 import type { Shown } from "../../shared/session/view";
@@ -58,6 +59,7 @@ function useFrame(canvas: Size | undefined, focus: string | undefined): Size | u
 interface Request {
   readonly subject: string;
   readonly tree: ModelTree;
+  readonly places: Places;
   readonly path: string;
   readonly state: State;
   readonly frame: Size;
@@ -70,11 +72,11 @@ interface Of<T> {
   readonly value: T;
 }
 
-function requestOf(subject: string, tree: ModelTree | undefined, frame: Size | undefined, shown: Shown): Request | undefined {
+function requestOf(subject: string, tree: ModelTree | undefined, places: Places, frame: Size | undefined, shown: Shown): Request | undefined {
   if (tree === undefined || frame === undefined) return undefined;
   const path = shown.focus ?? tree.keys().next().value;
   const state = path === undefined ? undefined : stateAt(tree, path);
-  return path === undefined || state === undefined ? undefined : { subject, tree, path, state, frame, shown };
+  return path === undefined || state === undefined ? undefined : { subject, tree, places, path, state, frame, shown };
 }
 
 const valueFor = <T>(request: Request | undefined, latest: Of<T> | undefined): T | undefined => (latest?.request === request ? latest?.value : undefined);
@@ -84,14 +86,22 @@ function laidOf({ subject, tree, state, path, shown }: Request, detail: Detail, 
   return { drawing, tree, detail, shows: shown, asked: shown.detail !== "auto", key };
 }
 
-/** Draws with the least detail first and calls `take`; then with more, as long as it can be read. */
-async function drawAll(request: Request, signal: AbortSignal, take: (laid: Laid) => void, onProgress: (progress: Progress) => void): Promise<void> {
-  const { path, state, frame, shown } = request;
+/** What to draw after `before`: an edit leaves the detail as it was. */
+function detailsFor({ subject, shown }: Request, before: Of<Laid> | undefined): readonly Detail[] {
+  if (shown.detail !== "auto") return [shown.detail];
+  const now = before?.request;
+  const isEdit = now?.subject === subject && now.shown.focus === shown.focus && now.shown.collapsed === shown.collapsed && now.shown.detail === shown.detail;
+  return isEdit && before !== undefined ? [before.value.detail] : details;
+}
+
+/** Draws with the first of these details and calls `take`; then with more, as long as it can be read. */
+async function drawAll(request: Request, wanted: readonly Detail[], signal: AbortSignal, take: (laid: Laid) => void, onProgress: (progress: Progress) => void): Promise<void> {
+  const { path, state, frame, shown, places } = request;
   const engine = layoutInWorkers(signal);
   const aspect = Math.min(2.4, Math.max(0.6, frame.width / frame.height));
-  const common = { state, path, collapsed: shown.collapsed, aspect, signal };
+  const common = { state, path, places, collapsed: shown.collapsed, aspect, signal };
   const isStale = () => signal.aborted;
-  const [first, ...more] = shown.detail === "auto" ? details : [shown.detail];
+  const [first, ...more] = wanted;
   if (first === undefined) return;
   let drawing = await layoutModel(engine, { ...common, detail: first, onProgress: (done, of) => !isStale() && onProgress({ done, of }) }, memory);
   if (isStale()) return;
@@ -105,13 +115,14 @@ async function drawAll(request: Request, signal: AbortSignal, take: (laid: Laid)
 }
 
 /** `subject`: whose model it is; while it is the same, the drawing before an edit stays until the next one is there. */
-export function useDrawing(subject: string, tree: ModelTree | undefined, canvas: Size | undefined): CanvasDrawing {
+export function useDrawing(subject: string, tree: ModelTree | undefined, places: Places, canvas: Size | undefined): CanvasDrawing {
   const focus = useView((view) => view.focus);
   const collapsed = useView((view) => view.collapsed);
   const detail = useView((view) => view.detail);
   const frame = useFrame(canvas, focus);
-  const request = useMemo(() => requestOf(subject, tree, frame, { focus, collapsed, detail }), [subject, tree, frame, focus, collapsed, detail]);
+  const request = useMemo(() => requestOf(subject, tree, places, frame, { focus, collapsed, detail }), [subject, tree, places, frame, focus, collapsed, detail]);
   const [laid, setLaid] = useState<Of<Laid>>();
+  const lastRef = useRef<Of<Laid>>(undefined);
   const [progress, setProgress] = useState<Of<Progress | undefined>>();
   const [end, setEnd] = useState<Of<"drawn" | "failed">>();
 
@@ -120,12 +131,18 @@ export function useDrawing(subject: string, tree: ModelTree | undefined, canvas:
     // A drawing that is no longer wanted would delay the next one.
     const another = new AbortController();
     const { signal } = another;
+    let latest: Of<Laid> | undefined;
     const take = (value: Laid) => {
-      setLaid({ request, value });
+      latest = { request, value };
+      setLaid(latest);
       setProgress(undefined);
     };
-    drawAll(request, signal, take, (value) => setProgress({ request, value })).then(
-      () => !signal.aborted && setEnd({ request, value: "drawn" }),
+    drawAll(request, detailsFor(request, lastRef.current), signal, take, (value) => setProgress({ request, value })).then(
+      () => {
+        if (signal.aborted) return;
+        lastRef.current = latest;
+        setEnd({ request, value: "drawn" });
+      },
       (error: unknown) => {
         if (signal.aborted) return;
         setProgress(undefined);

@@ -5,6 +5,8 @@ import type { ModelTree } from "../../shared/model/modelTree";
 import { ModelCanvas } from "../canvas/ModelCanvas";
 import { closeDocument, perform, useEditing } from "./editing";
 import { ErrorList } from "./ErrorList";
+import { useEditedPlaces } from "./placing/editedPlaces";
+import { Placing } from "./placing/Placing";
 import { Refusals } from "./Refusals";
 import { view } from "../client";
 
@@ -16,6 +18,7 @@ interface Props {
 export function EditPage({ tree, document }: Props) {
   const top = useEditing((now) => now.top);
   const [listed, list] = useState(true);
+  const places = useEditedPlaces();
   const unreadable = useEditing((now) => now.session?.unreadable);
   const nothing = document === undefined ? "No document is open." : unreadable === undefined ? `Loading ${document}…` : `${document} cannot be edited: ${unreadable.message}`;
   return (
@@ -23,7 +26,8 @@ export function EditPage({ tree, document }: Props) {
       {document !== undefined && <EditHead document={document} listed={listed} onList={() => list(!listed)} />}
       <Refusals />
       <div className="edit-canvas">
-        <ModelCanvas subject={`document ${document ?? ""} ${top ?? ""}`} tree={tree} nothing={nothing} />
+        <ModelCanvas subject={`document ${document ?? ""} ${top ?? ""}`} tree={tree} places={places} nothing={nothing} />
+        <Placing />
       </div>
       {listed && <ErrorList />}
     </div>

@@ -39,6 +39,8 @@ export interface DrawnNode extends Box {
   readonly lines: readonly Line[];
   readonly ports: readonly DrawnPort[];
   readonly side: Side;
+  /** Of an open composite: where the content area begins in which its children are placed, from its top left corner. */
+  readonly content?: Point;
   readonly badge?: string;
   /** Decides where its parent begins (3.3.2): drawn as a sign, not as a state. */
   readonly dispatcher?: Dispatcher;

@@ -1,5 +1,5 @@
 // The drawing as nodes and edges of the canvas library; deeper levels lie above, lines lie between their frame and its children.
-import { inboundPorts, splitAddress, type ModelTree } from "../model/modelTree";
+import { inboundPorts, ownerOf, type ModelTree } from "../model/modelTree";
 import type { DrawnLine, DrawnNode, Drawing } from "./drawing";
 import { stubs } from "./stubs";
 
@@ -15,10 +15,6 @@ export interface FlowLine {
   readonly source: string;
   readonly target: string;
   readonly zIndex: number;
-}
-
-function ownerOf(end: string): string {
-  return splitAddress(end)?.path ?? end;
 }
 
 export function flowNodes(drawing: Drawing, tree: ModelTree): readonly FlowNode[] {

@@ -1,13 +1,15 @@
 // Automatic layout of a nested model: every composite is laid out alone, from the inside out, in several arrangements; the one
 // that fills a landscape frame best is taken. No line crosses more than one border (constraint after Def. 3.8), so that suffices.
-import { portText } from "../model/describe";
 import { childPath, portAddress, type Node, type State } from "../model/model";
 import { shift, rebase, type Block } from "./block";
 import { compositeGraph, inletOf, linesOf, type Arrangement, type ChildBox } from "./compositeGraph";
-import type { Box, DrawnLine, DrawnNode, DrawnPort, Drawing, Point, Side } from "./drawing";
+import type { Box, DrawnLine, Drawing, Point, Side } from "./drawing";
+import { drawState, leaf } from "./drawnState";
 import type { ElkEdge, ElkGraph, LayoutEngine } from "./elk";
 import { layoutCache, type LayoutCache } from "./layoutCache";
-import { badgeText, barrierSize, conditionText, drawnLines, headSize, leafBoxes, portInset, type Detail, type Size } from "./measure";
+import { headSize, portInset, type Detail, type Size } from "./measure";
+import { contentOrigin, placedLevel, type PlacedChild } from "./placed";
+import { kNoPlaces, placeOfChild, type Place, type Places } from "./places";
 
 export interface LayoutRequest {
   /** The state whose inside fills the canvas, and its path. */
@@ -16,6 +18,8 @@ export interface LayoutRequest {
   /** Paths of composites drawn without their children. */
   readonly collapsed: ReadonlySet<string>;
   readonly detail: Detail;
+  /** Where a person has placed states and barriers: they stay there. */
+  readonly places?: Places;
   /** Width by height of the canvas. */
   readonly aspect: number;
   /** Aborted when the drawing is no longer wanted: its promise is rejected with the signal's reason. */
@@ -27,6 +31,7 @@ export interface LayoutRequest {
 /** The request with what is being laid out for it: a state is needed in each arrangement of all that it lies in, so without
  *  this the work would double with every level. */
 interface Job extends LayoutRequest {
+  readonly places: Places;
   readonly begun: Map<string, Promise<Block>>;
   readonly memory: LayoutCache;
   /** A composite is laid out. */
@@ -42,7 +47,7 @@ const kUpper = 2;
 
 export async function layoutModel(engine: LayoutEngine, request: LayoutRequest, memory = layoutCache()): Promise<Drawing> {
   let count = 0;
-  const job: Job = { ...request, begun: new Map(), memory, done: () => request.onProgress?.(++count, of) };
+  const job: Job = { ...request, places: request.places ?? kNoPlaces, begun: new Map(), memory, done: () => request.onProgress?.(++count, of) };
   // Independent of the cache: the same request gives the same drawing.
   const levels = looksOf(job, Infinity, () => false).size <= kThorough ? Infinity : kUpper;
   const of = looksOf(job, levels, (look) => memory.find(look) !== undefined).size;
@@ -62,8 +67,19 @@ export async function layoutModel(engine: LayoutEngine, request: LayoutRequest, 
 const isOpen = (request: LayoutRequest, node: Node, path: string): node is State =>
   node.kind === "state" && node.children.length > 0 && !request.collapsed.has(path);
 
-const directionsOf = (state: State): readonly Arrangement["direction"][] => (state.children.length > kMany ? ["RIGHT"] : ["RIGHT", "DOWN"]);
+/** The direction of a level in which somebody has placed children is that of the first of them, so that the others stay as they are. */
+function directionsOf(job: Job, state: State): readonly Arrangement["direction"][] {
+  const place = placesIn(job, state).find((each) => each !== undefined);
+  if (place !== undefined) return [place.side === "EAST" ? "RIGHT" : "DOWN"];
+  return state.children.length > kMany ? ["RIGHT"] : ["RIGHT", "DOWN"];
+}
+
 const sideIn = (direction: Arrangement["direction"]): Side => (direction === "RIGHT" ? "EAST" : "SOUTH");
+
+/** The places of the children of a state, in their order. */
+const placesIn = (job: Job, state: State): readonly (Place | undefined)[] => state.children.map((child) => placeOfChild(job.places, state, child));
+
+const sideOf = (job: Job, state: State, child: Node, direction: Arrangement["direction"]): Side => placeOfChild(job.places, state, child)?.side ?? sideIn(direction);
 
 /** Of how many levels beneath it rows are wrapped, when they are of so many from a state's own down. */
 const beneathIt = (levels: number): number => Math.max(0, levels - 1);
@@ -76,8 +92,8 @@ function looksOf(job: Job, levels: number, known: (look: string) => boolean): Re
     const look = job.memory.look(node, path, side, levels, job);
     if (found.has(look) || known(look)) return;
     found.add(look);
-    for (const direction of directionsOf(node))
-      for (const child of node.children) visit(child, childPath(path, child), sideIn(direction), beneathIt(levels));
+    for (const direction of directionsOf(job, node))
+      for (const child of node.children) visit(child, childPath(path, child), sideOf(job, node, child, direction), beneathIt(levels));
   };
   visit(job.state, job.path, "EAST", levels);
   return found;
@@ -102,13 +118,15 @@ function begin(engine: LayoutEngine, job: Job, state: State, path: string, side:
 
 async function layoutOnce(engine: LayoutEngine, job: Job, state: State, path: string, side: Side, depth: number, levels: number): Promise<Block> {
   const failures: unknown[] = [];
+  const places = placesIn(job, state);
   const candidates = await Promise.all(
-    directionsOf(state).map(async (direction) => {
-      const placed = state.children.map(async (child) => {
+    directionsOf(job, state).map(async (direction) => {
+      const laid = state.children.map(async (child) => {
         const at = childPath(path, child);
-        return [at, await layoutNode(engine, job, child, at, sideIn(direction), depth + 1, beneathIt(levels))] as const;
+        return [at, await layoutNode(engine, job, child, at, sideOf(job, state, child, direction), depth + 1, beneathIt(levels))] as const;
       });
-      const children = new Map(await Promise.all(placed));
+      const children = new Map(await Promise.all(laid));
+      if (places.every((place) => place !== undefined)) return [placed(job, state, path, side, depth, children, undefined)];
       // An arrangement may fail in ELK; an abort is passed on.
       const attempt = (arrangement: Arrangement) =>
         arrange(engine, job, state, path, side, depth, arrangement, children).catch((error: unknown) => {
@@ -117,9 +135,11 @@ async function layoutOnce(engine: LayoutEngine, job: Job, state: State, path: st
           return undefined;
         });
       const plain = await attempt({ direction, wrap: false, aspect: job.aspect });
-      if (levels === 0) return [plain];
-      if (plain !== undefined && !tooLong(plain.size, direction, job.aspect)) return [plain];
-      return [plain, ...(await Promise.all(wrapped(direction, state.children.length, job.aspect).map(attempt)))];
+      const isEnough = levels === 0 || (plain !== undefined && !tooLong(plain.size, direction, job.aspect));
+      const blocks = isEnough ? [plain] : [plain, ...(await Promise.all(wrapped(direction, state.children.length, job.aspect).map(attempt)))];
+      if (places.every((place) => place === undefined)) return blocks;
+      const [first, ...others] = blocks.filter((block) => block !== undefined);
+      return first === undefined ? [] : [placed(job, state, path, side, depth, children, best(first, others, job.aspect))];
     }),
   );
   const [first, ...others] = candidates.flat().filter((block) => block !== undefined);
@@ -176,17 +196,40 @@ async function arrange(
   if (answer === undefined) throw new Error(`no layout for ${path}`);
   const size = { width: answer.width ?? 0, height: answer.height ?? 0 };
   const ports = state.ports.map((port) => frameBox(answer, portAddress(path, port), side, size));
-  const placed = (answer.children ?? []).flatMap((child) => {
+  const inner = (answer.children ?? []).flatMap((child) => {
     const block = blocks.get(child.id);
     return block === undefined ? [] : [shift(block, { x: child.x ?? 0, y: child.y ?? 0 })];
   });
-  const own = drawState(request, state, path, side, depth, size, ports, true);
+  const own = { ...drawState(request, state, path, side, depth, size, ports, true), content: contentOrigin(state, request.detail) };
   return {
     size,
     ports,
-    nodes: [own, ...placed.flatMap((block) => block.nodes)],
-    lines: [...levelLines(request, state, path, depth, answer), ...placed.flatMap((block) => block.lines)],
+    nodes: [own, ...inner.flatMap((block) => block.nodes)],
+    lines: [...levelLines(request, state, path, depth, answer), ...inner.flatMap((block) => block.lines)],
   };
+}
+
+/** A level in which somebody has placed children; `automatic`: as it is without. */
+function placed(job: Job, state: State, path: string, side: Side, depth: number, blocks: ReadonlyMap<string, Block>, automatic: Block | undefined): Block {
+  const origin = contentOrigin(state, job.detail);
+  const inContent = ({ x, y }: Point): Point => ({ x: x - origin.x, y: y - origin.y });
+  const nodes = new Map(automatic?.nodes.filter((node) => node.depth === depth + 1).map((node) => [node.path, node]));
+  const children = state.children.flatMap((node): PlacedChild[] => {
+    const at = childPath(path, node);
+    const [block, place] = [blocks.get(at), placeOfChild(job.places, state, node)];
+    const root = block?.nodes[0];
+    if (block === undefined || root === undefined) return [];
+    return [{ node, path: at, size: block.size, ports: block.ports, side: root.side, pinned: place !== undefined, at: place ?? inContent(nodes.get(at) ?? origin) }];
+  });
+  const ways = new Map(automatic?.lines.filter((line) => line.depth === depth + 1).map((line) => [line.id, line.points.map(inContent)]));
+  const level = placedLevel(state, path, side, job.detail, children, ways);
+  const own = { ...drawState(job, state, path, side, depth, level.size, level.ports, true), content: level.content };
+  const inner = children.flatMap((child) => {
+    const [block, at] = [blocks.get(child.path), level.at.get(child.path)];
+    return block === undefined || at === undefined ? [] : [shift(block, at)];
+  });
+  const lines = level.lines.map((line): DrawnLine => ({ ...line, depth: depth + 1 }));
+  return { size: level.size, ports: level.ports, nodes: [own, ...inner.flatMap((block) => block.nodes)], lines: [...lines, ...inner.flatMap((block) => block.lines)] };
 }
 
 function frameBox(graph: ElkGraph, id: string, side: Side, size: Size): Box {
@@ -239,41 +282,4 @@ function edgePoints(edge: ElkEdge | undefined): readonly Point[] {
   const section = edge?.sections?.[0];
   if (section === undefined) return [];
   return [section.startPoint, ...(section.bendPoints ?? []), section.endPoint];
-}
-
-function leaf(request: LayoutRequest, node: Node, path: string, side: Side, depth: number): Block {
-  if (node.kind === "barrier") {
-    const size = barrierSize(side);
-    const drawn: DrawnNode = {
-      kind: "barrier", path, name: node.name, depth, x: 0, y: 0, ...size, composite: false, open: false, lines: [], ports: [], side,
-    };
-    return { size, ports: [], nodes: [drawn], lines: [] };
-  }
-  const { size, ports } = leafBoxes(node, side, request.detail);
-  return { size, ports, nodes: [drawState(request, node, path, side, depth, size, ports, false)], lines: [] };
-}
-
-function drawState(
-  request: LayoutRequest,
-  state: State,
-  path: string,
-  side: Side,
-  depth: number,
-  size: Size,
-  boxes: readonly Box[],
-  open: boolean,
-): DrawnNode {
-  const ports = state.ports.flatMap((port, i): DrawnPort[] => {
-    const box = boxes[i];
-    if (box === undefined) return [];
-    const condition = request.detail === "slim" ? "" : conditionText(port);
-    const timed = port.after !== undefined;
-    return [{ ...box, address: portAddress(path, port), name: port.name, condition, when: portText(port), timed, exits: port.to === undefined }];
-  });
-  const badge = badgeText(state);
-  const dispatcher = state.dispatcher === undefined ? {} : { dispatcher: state.dispatcher };
-  return {
-    kind: "state", path, name: state.name, depth, x: 0, y: 0, ...size, composite: state.children.length > 0, open,
-    lines: drawnLines(state, request.detail), ports, side, ...(badge === undefined ? {} : { badge }), ...dispatcher,
-  };
 }

@@ -4,6 +4,7 @@ import { childPath, keyOf, type Node } from "../model/model";
 import type { Block } from "./block";
 import type { Side } from "./drawing";
 import { drawnLines, type Detail } from "./measure";
+import { kNoPlaces, placeOfChild, type Places } from "./places";
 
 /** Capacity: blocks, and words (most are of states without children). A table that is full is cleared. */
 const kMost = { blocks: 2000, words: 20_000 };
@@ -13,6 +14,7 @@ export interface LookRequest {
   readonly collapsed: ReadonlySet<string>;
   readonly detail: Detail;
   readonly aspect: number;
+  readonly places?: Places;
 }
 
 export interface LayoutCache {
@@ -46,11 +48,12 @@ export function layoutCache(most = kMost): LayoutCache {
   };
   const shapeOf = (node: Node, path: string, request: LookRequest): number => {
     if (node.kind === "barrier") return word([node.name, keyOf(node), node.to]);
-    const { collapsed, detail, aspect } = request;
+    const { collapsed, detail, aspect, places = kNoPlaces } = request;
     const open = node.children.length > 0 && !collapsed.has(path);
     const children = open ? node.children.map((child) => shape(child, childPath(path, child), request)) : node.children.length > 0;
+    const placed = open && places.size > 0 ? node.children.map((child) => placeOfChild(places, node, child)).map((place) => place && [place.x, place.y, place.side]) : [];
     const ports = node.ports.map((port) => [port.name, keyOf(port), port.when, port.after, port.to]);
-    return word([node.name, keyOf(node), node.first, node.link, node.oracle, node.dispatcher, node.parameters.map(({ from }) => from), ports, children, detail, drawnLines(node, detail), open ? aspect : 0]);
+    return word([node.name, keyOf(node), node.first, node.link, node.oracle, node.dispatcher, node.parameters.map(({ from }) => from), ports, children, detail, drawnLines(node, detail), open ? aspect : 0, placed.some((place) => place !== undefined) ? placed : 0]);
   };
   return {
     look: (node, path, side, levels, request) => `${side} ${levels} ${shape(node, path, request)}`,

@@ -6,6 +6,8 @@ export interface SpatialIndex<T extends Box> {
   readonly within: (area: Box) => readonly T[];
   /** The items that contain the point, in the order in which they were given. */
   readonly at: (point: Point) => readonly T[];
+  /** Adds an item, behind the others. */
+  readonly add: (item: T) => void;
 }
 
 /** Side of a cell of the grid: about as large as a state. */
@@ -35,10 +37,12 @@ function* keysOf({ left, right, top, bottom }: Cells): Generator<string> {
   for (let row = top; row <= bottom; row++) for (let column = left; column <= right; column++) yield `${column} ${row}`;
 }
 
-export function spatialIndex<T extends Box>(items: readonly T[]): SpatialIndex<T> {
+export function spatialIndex<T extends Box>(given: readonly T[]): SpatialIndex<T> {
+  const items: T[] = [];
   const grid = new Map<string, number[]>();
   const large: number[] = [];
-  items.forEach((item, i) => {
+  const add = (item: T): void => {
+    const i = items.push(item) - 1;
     const cells = cellsOf(item);
     if (countOf(cells) > kMostCells) {
       large.push(i);
@@ -49,7 +53,8 @@ export function spatialIndex<T extends Box>(items: readonly T[]): SpatialIndex<T
       if (cell === undefined) grid.set(key, [i]);
       else cell.push(i);
     }
-  });
+  };
+  given.forEach(add);
   const within = (area: Box): readonly T[] => {
     const cells = cellsOf(area);
     // An area with more cells than there are items: all of them.
@@ -61,5 +66,5 @@ export function spatialIndex<T extends Box>(items: readonly T[]): SpatialIndex<T
       .flatMap((i) => items[i] ?? [])
       .filter((item) => meets(item, area));
   };
-  return { within, at: ({ x, y }) => within({ x, y, width: 0, height: 0 }) };
+  return { within, at: ({ x, y }) => within({ x, y, width: 0, height: 0 }), add };
 }

@@ -42,6 +42,9 @@ export function splitAddress(address: string): { readonly path: string; readonly
   return dot < 0 ? undefined : { path: address.slice(0, dot), port: address.slice(dot + 1) };
 }
 
+/** The path of a node, from its own path or the address of one of its ports. */
+export const ownerOf = (end: string): string => splitAddress(end)?.path ?? end;
+
 export function portAt(tree: ModelTree, address: string): Port | undefined {
   const parts = splitAddress(address);
   if (parts === undefined) return undefined;

@@ -1,0 +1,87 @@
+// Notes as sticky notes at what they are about. In a small drawing they are marks, which open with the pointer or the focus.
+import { useState, type KeyboardEvent } from "react";
+import type { Box } from "../../../shared/drawing/drawing";
+import { writeNote } from "../../../shared/edit/commands/placing";
+import { selectionsOf, type Selection } from "../../../shared/model/identity";
+import { CanvasLayer } from "../../canvas/CanvasLayer";
+import { useShownCanvas } from "../../canvas/canvasView";
+import type { Laid } from "../../canvas/useDrawing";
+import { view } from "../../client";
+import { editedDocument } from "../editing";
+import { carryOut } from "./carryOut";
+import { useNotes } from "./editedPlaces";
+import { editNote, useWritten } from "./noted";
+
+function boxOf({ drawing }: Laid, selection: Selection): Box | undefined {
+  if (selection.kind === "node") return drawing.nodes.find(({ path }) => path === selection.path);
+  return drawing.nodes.flatMap(({ ports }) => ports).find(({ address }) => address === selection.address);
+}
+
+const nameOf = (selection: Selection): string => (selection.kind === "node" ? selection.path : selection.address);
+
+export function Notes() {
+  const laid = useShownCanvas()?.laid;
+  const notes = useNotes();
+  const written = useWritten();
+  if (laid === undefined) return null;
+  const selections = selectionsOf(laid.tree);
+  const ids = written === undefined || written in notes ? Object.keys(notes) : [...Object.keys(notes), written];
+  return (
+    <CanvasLayer className="notes">
+      {ids.map((id) => {
+        const selection = selections.get(id);
+        const box = selection && boxOf(laid, selection);
+        if (selection === undefined || box === undefined) return null;
+        const at = { left: box.x + 10, top: box.y };
+        return (
+          <div key={id} className="note-place" style={at}>
+            {written === id ? <NoteField id={id} name={nameOf(selection)} text={notes[id] ?? ""} /> : <Note id={id} selection={selection} text={notes[id] ?? ""} />}
+          </div>
+        );
+      })}
+    </CanvasLayer>
+  );
+}
+
+function Note({ id, selection, text }: { readonly id: string; readonly selection: Selection; readonly text: string }) {
+  return (
+    <button
+      type="button"
+      className="note"
+      aria-label={`Note on ${nameOf(selection)}: ${text}`}
+      title="Double click or Shift+F2: change it"
+      onClick={() => view.dispatch({ type: "select", selection })}
+      onDoubleClick={() => editNote(id)}
+    >
+      <span>{text}</span>
+    </button>
+  );
+}
+
+function NoteField({ id, name, text }: { readonly id: string; readonly name: string; readonly text: string }) {
+  const [value, setValue] = useState(text);
+  const close = () => editNote(undefined);
+  const commit = () => {
+    const document = editedDocument();
+    if (document !== undefined) carryOut(writeNote(document, id, value));
+    close();
+  };
+  const press = (event: KeyboardEvent) => {
+    event.stopPropagation();
+    if (event.key === "Escape") close();
+    else if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) commit();
+  };
+  return (
+    <textarea
+      className="note note-field"
+      aria-label={`Note on ${name}`}
+      placeholder="A note. Ctrl+Enter keeps it, Esc does not."
+      value={value}
+      rows={4}
+      autoFocus
+      onChange={(event) => setValue(event.target.value)}
+      onKeyDown={press}
+      onBlur={commit}
+    />
+  );
+}
