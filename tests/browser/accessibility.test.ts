@@ -71,11 +71,23 @@ describe("axe-core", () => {
     expect(await inBothThemes()).toEqual([]);
   });
 
-  it("finds nothing in the help and the errors of a draft", async () => {
+  it("finds nothing in the help", async () => {
     await page.keyboard.press("?");
     await page.getByRole("dialog").waitFor();
     expect(await inBothThemes()).toEqual([]);
     await page.keyboard.press("Escape");
+  });
+
+  it("finds nothing in the documents and their forms", async () => {
+    await page.getByRole("button", { name: "Documents" }).click();
+    const row = page.getByRole("dialog", { name: "Documents" }).getByRole("listitem", { name: "pick", exact: true });
+    await row.getByRole("button", { name: "Duplicate" }).click();
+    await row.getByRole("textbox").waitFor();
+    expect(await inBothThemes()).toEqual([]);
+    await page.keyboard.press("Escape");
+    await row.getByRole("button", { name: "Delete" }).click();
+    await row.getByRole("group").waitFor();
+    expect(await inBothThemes()).toEqual([]);
   });
 
   it("finds nothing on a display", async () => {
@@ -89,6 +101,15 @@ describe("axe-core", () => {
   it("finds nothing on the page that edits a document", async () => {
     await page.goto(`${fixture.url}/pro/?edit=pick`);
     await settled(page);
+    expect(await inBothThemes()).toEqual([]);
+    await page.getByRole("group", { name: "State Pick/Release" }).click({ position: { x: 20, y: 8 } });
+    expect(await inBothThemes()).toEqual([]);
+  });
+
+  it("finds nothing on a draft with errors", async () => {
+    await fixture.send("PUT", "/documents/draft?draft=true", { rcm: 1, root: { state: "Root", first: "A", children: [{ state: "A", ports: [{ name: "done", when: "1 +", to: "Nowhere" }] }] } });
+    await page.goto(`${fixture.url}/pro/?edit=draft`);
+    await page.getByRole("region", { name: "Errors" }).waitFor();
     expect(await inBothThemes()).toEqual([]);
   });
 });
