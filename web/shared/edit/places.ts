@@ -59,6 +59,12 @@ function within(tree: Tree, id: string, { code, message }: ServerError): Place {
   return { id, field: kFields[code] ?? "" };
 }
 
+/** What an error says, beside the field that it is about. */
+export function messageAtField({ message, line, column }: ServerError): string {
+  const text = message.replace(/^(?:entry|exit|oracle\b[^:]*|`(?:when|after|first)`|action \d+, `\w+`|(?:parameter|result|variable|port) `[^`]*`): /, "");
+  return line === undefined || line === 1 ? text : `line ${line}${column === undefined ? "" : `, column ${column}`}: ${text}`;
+}
+
 /** The place of one error; of what is not found, the document. */
 export function placeOf(tree: Tree, error: ServerError): Place {
   const id = error.path === "" ? undefined : elementAt(tree, error.path);

@@ -14,9 +14,12 @@ function deedOf(change: Change): string {
   return `${deed.charAt(0).toUpperCase()}${deed.slice(1)}`;
 }
 
-/** One sentence: what was refused, why, and through whose edit. */
-export function refusalText({ change, errors, author, revision }: Notice): string {
+/** Why, and through whose edit. */
+export function reasonText({ change, errors, author, revision }: Notice): string {
   const why = errors.map(({ path, message }) => (path === "" || "operations" in change ? message : `${path}: ${message}`)).join("; ");
   const by = author === undefined ? "" : ` (${author} was faster${revision === undefined ? "" : `, revision ${revision}`})`;
-  return `${deedOf(change)} was refused: ${why}${by}.`;
+  return `${why}${by}`;
 }
+
+/** One sentence: what was refused, why, and through whose edit. */
+export const refusalText = (notice: Notice): string => `${deedOf(notice.change)} was refused: ${reasonText(notice)}.`;

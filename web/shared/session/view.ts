@@ -107,7 +107,7 @@ export function pathOf(selection: Selection): string {
 }
 
 /** The nodes that are selected, the first of them first; none if a port is. */
-export const selectedPaths = ({ selection, also }: View): readonly string[] => (selection?.kind === "node" ? [selection.path, ...also] : []);
+export const selectedPaths = ({ selection, also }: Pick<View, "selection" | "also">): readonly string[] => (selection?.kind === "node" ? [selection.path, ...also] : []);
 
 function selectAll(view: View, [first, ...others]: readonly string[]): View {
   return { ...view, selection: first === undefined ? undefined : { kind: "node", path: first }, also: new Set(others) };
