@@ -15,6 +15,7 @@ import "./styles/help.css";
 import "./styles/edit.css";
 import "./styles/documents.css";
 import "./styles/placing.css";
+import "./styles/forms.css";
 import { createRoot } from "react-dom/client";
 import { App } from "./App";
 import { connect } from "./client";

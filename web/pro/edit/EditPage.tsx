@@ -7,6 +7,8 @@ import { closeDocument, perform, useEditing } from "./editing";
 import { ErrorList } from "./ErrorList";
 import { useEditedPlaces } from "./placing/editedPlaces";
 import { Placing } from "./placing/Placing";
+import { DraftList } from "./forms/DraftList";
+import { StateEditor } from "./forms/StateEditor";
 import { Refusals } from "./Refusals";
 import { view } from "../client";
 
@@ -28,6 +30,7 @@ export function EditPage({ tree, document }: Props) {
       <div className="edit-canvas">
         <ModelCanvas subject={`document ${document ?? ""} ${top ?? ""}`} tree={tree} places={places} nothing={nothing} />
         <Placing />
+        <StateEditor tree={tree} />
       </div>
       {listed && <ErrorList />}
     </div>
@@ -64,6 +67,7 @@ function EditHead({ document, listed, onList }: HeadProps) {
           Draft, {errorsText(errors)}
         </button>
       )}
+      <DraftList />
       <span className="edit-tools">
         <button type="button" disabled={depths?.undo === 0} onClick={() => perform({ undo: true })}>
           Undo

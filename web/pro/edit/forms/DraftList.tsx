@@ -1,0 +1,55 @@
+// In the header of the document: the texts that were written and are not in it. A click goes to the field.
+import { useMemo, useRef } from "react";
+import { draftsOf, isUnsent, type DraftText } from "../../../shared/edit/draftText";
+import { nameOfElement } from "../../../shared/edit/commands/command";
+import { view } from "../../client";
+import { editedDocument, useEditing } from "../editing";
+import { drafts, useDrafts } from "./drafts";
+import { selectById } from "./selectById";
+
+/** To the field, once it is drawn. */
+function goTo({ id, field }: DraftText): void {
+  if (id === "") view.dispatch({ type: "select", selection: undefined });
+  else selectById(id);
+  requestAnimationFrame(() => document.querySelector<HTMLElement>(`[data-place="${CSS.escape(`${id}/${field}`)}"]`)?.focus());
+}
+
+function whereOf({ id, field }: DraftText): string {
+  const tree = editedDocument();
+  if (id === "") return `document, ${field}`;
+  if (tree?.elements.has(id) !== true) return `an element that is gone, ${field}`;
+  const { parent } = tree.elements.get(id) ?? { parent: "" };
+  const owner = parent === "" ? "" : `${nameOfElement(tree, parent)} › `;
+  return `${owner}${nameOfElement(tree, id)} › ${field}`;
+}
+
+export function DraftList() {
+  const document = useEditing((state) => state.document) ?? "";
+  const all = useDrafts((kept) => kept);
+  const unsent = useMemo(() => draftsOf(all, document).filter(isUnsent), [all, document]);
+  const menu = useRef<HTMLDetailsElement>(null);
+  if (unsent.length === 0) return null;
+  const go = (draft: DraftText) => {
+    if (menu.current !== null) menu.current.open = false;
+    goTo(draft);
+  };
+  return (
+    <details className="draft-list" ref={menu}>
+      <summary>{unsent.length === 1 ? "1 unsent text" : `${unsent.length} unsent texts`}</summary>
+      <ul>
+        {unsent.map((draft) => (
+          <li key={`${draft.id}/${draft.field}`}>
+            <button type="button" className="link" onClick={() => go(draft)}>
+              {whereOf(draft)}
+            </button>
+            <code>{draft.text}</code>
+            {draft.reason !== undefined && <span className="field-reason">{draft.reason}</span>}
+            <button type="button" aria-label={`Give up ${whereOf(draft)}`} title="Give it up" onClick={() => drafts.dispatch({ type: "given_up", place: draft })}>
+              ✕
+            </button>
+          </li>
+        ))}
+      </ul>
+    </details>
+  );
+}

@@ -1,0 +1,16 @@
+// A selected port.
+import { ConditionField, TargetField } from "./PortFields";
+import { ElementHead } from "./ElementHead";
+import { useOwner } from "./useOwner";
+
+export function PortForm({ id }: { readonly id: string }) {
+  return (
+    <div className="form">
+      <ElementHead id={id} kind="Port" owner={useOwner(id)} />
+      <div className="form-section">
+        <ConditionField id={id} />
+        <TargetField id={id} />
+      </div>
+    </div>
+  );
+}
