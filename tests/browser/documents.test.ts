@@ -1,6 +1,7 @@
 // The documents of the server, from the page: new, open, upload, drop, download, duplicate, delete; and drafts, whose errors are shown where they are.
 import { readFileSync } from "node:fs";
 import type { Locator, Page } from "playwright-core";
+import { findings } from "./axe";
 import { openFixture, settled, type Fixture } from "./fixture";
 
 let fixture: Fixture;
@@ -26,6 +27,16 @@ const names = async (): Promise<readonly string[]> => ((await fixture.send("GET"
 async function openPanel(page = fixture.page): Promise<void> {
   if (!(await panelOf(page).isVisible())) await page.getByRole("button", { name: "Documents" }).click();
   await panelOf(page).waitFor();
+}
+
+/** What axe-core finds in the light and in the dark theme. */
+async function inBothThemes(): Promise<readonly string[]> {
+  const { page, screenshot } = fixture;
+  await page.emulateMedia({ colorScheme: "dark", reducedMotion: "reduce" });
+  const dark = await findings(page);
+  await screenshot("documents-dark");
+  await page.emulateMedia({ colorScheme: "light", reducedMotion: "reduce" });
+  return [...dark, ...(await findings(page))];
 }
 
 interface Dropped {
@@ -65,6 +76,7 @@ describe("the documents", () => {
     await row("pick").getByText("revision 1").waitFor();
     await row("demonstrator").waitFor();
     await screenshot("documents-list");
+    expect(await inBothThemes()).toEqual([]);
     await page.getByRole("searchbox", { name: "Search the documents" }).fill("nothing has this");
     await panel().getByText("No document has nothing has this").waitFor();
     await page.getByRole("searchbox", { name: "Search the documents" }).fill("POSE is in the database");
@@ -149,6 +161,7 @@ describe("the documents", () => {
     const errors = uploaded("shape.json").getByRole("list").getByRole("listitem");
     expect(await errors.allInnerTexts()).toEqual([expect.stringMatching(/^R .*first.* type$/)]);
     await fixture.screenshot("documents-refused");
+    expect(await inBothThemes()).toEqual([]);
     expect(await names()).toEqual(before);
   });
 
@@ -166,6 +179,7 @@ describe("the documents", () => {
     expect([await panel().count(), await row("exact-2").getByRole("group").count()], "Esc keeps the document, and the panel").toEqual([1, 0]);
     await row("exact-2").getByRole("button", { name: "Delete" }).click();
     await fixture.screenshot("documents-delete");
+    expect(await inBothThemes()).toEqual([]);
     await row("exact-2").getByRole("button", { name: "Delete exact-2" }).click();
     await row("exact-2").waitFor({ state: "detached" });
     expect(await names()).not.toContain("exact-2");
@@ -217,6 +231,7 @@ describe("a draft", () => {
     await page.locator(".port.is-selected").waitFor();
     expect(await page.locator(".port.is-selected").getAttribute("aria-label")).toBe("Port Faulty/Pick.done");
     await screenshot("draft-1366");
+    expect(await inBothThemes()).toEqual([]);
     await page.setViewportSize({ width: 1600, height: 1000 });
     await screenshot("draft-1600");
     await errors.filter({ hasText: "bracket" }).click();

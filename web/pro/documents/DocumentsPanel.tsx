@@ -58,12 +58,12 @@ function Panel() {
   return (
     <dialog ref={dialog} className="documents" aria-label="Documents" onClose={close} onClick={(event) => event.target === event.currentTarget && close()}>
       <div className="documents-body" onKeyDown={moveByArrow}>
-        <header>
+        <div className="documents-head">
           <h2>Documents</h2>
           <button type="button" aria-label="Close" onClick={close}>
             ✕
           </button>
-        </header>
+        </div>
         <Making taken={taken} offline={offline}>
           <input
             ref={search}

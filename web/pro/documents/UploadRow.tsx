@@ -20,7 +20,7 @@ export function UploadRow({ upload, documents, taken, offline }: Props) {
   const { number, file, target, status } = upload;
   return (
     <li className={`upload-row is-${status.kind}`} aria-label={file}>
-      <header>
+      <div className="upload-head">
         <strong>{file}</strong>
         <span role="status">{statusText(upload)}</span>
         {status.kind === "stored" && (
@@ -33,7 +33,7 @@ export function UploadRow({ upload, documents, taken, offline }: Props) {
             ✕
           </button>
         )}
-      </header>
+      </div>
       {status.kind === "taken" && <Taken upload={upload} documents={documents} taken={taken} offline={offline} />}
       {status.kind === "refused" && (
         <>
