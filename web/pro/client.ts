@@ -1,6 +1,9 @@
 // The page's one connection to the server: stores, requests and the stream, wired together.
 import { createApi, RefusedError } from "../shared/api";
 import type { CellPose, Core, Packet, StepRequest, TraceStep } from "../generated/messages";
+import type { ExactArguments } from "../shared/api";
+import { runParameters, type ExactDocument, type RunParameter } from "../shared/arguments/parameters";
+import { readExact } from "../shared/edit/exact";
 import { buildTree } from "../shared/model/modelTree";
 import type { Command, UntilRequest } from "../shared/run/controls";
 import { modelKey } from "../shared/run/edits";
@@ -201,13 +204,24 @@ export function watchFlow(service: string, flow: string, came: (packet: Packet) 
   };
 }
 
-/** Makes a core of a document, watches it, and starts it if asked. */
-export async function newRun(document: string, start: boolean, args: Core["arguments"] = {}): Promise<void> {
+/** Makes a core of a document, watches it, and starts it if asked. Throws what the server refuses. */
+export async function makeRun(document: string, start: boolean, args: ExactArguments): Promise<void> {
+  const core = await api.createCore(document, args);
+  session.dispatch({ type: "update", update: { type: "core", core } });
+  watch(core.id);
+  if (start) await api.start(core.id);
+}
+
+/** The parameters of a run of the document, as it is now. Throws what the server refuses. */
+export async function parametersOf(document: string): Promise<readonly RunParameter[]> {
+  const entry = readExact(await api.documentText(document)) as unknown as { readonly document: ExactDocument };
+  return runParameters(entry.document);
+}
+
+/** Does something, and shows above the page why it has failed. */
+export async function attempt(action: () => Promise<void>): Promise<void> {
   try {
-    const core = await api.createCore(document, args);
-    session.dispatch({ type: "update", update: { type: "core", core } });
-    watch(core.id);
-    if (start) await api.start(core.id);
+    await action();
   } catch (error) {
     problem(error);
   }
@@ -226,7 +240,7 @@ export async function run(command: Command, until?: UntilRequest): Promise<void>
         await api[command](core.id);
         return;
       case "again":
-        await newRun(core.document, true, core.arguments);
+        await makeRun(core.document, true, await api.coreArguments(core.id));
         return;
       case "micro":
       case "macro":

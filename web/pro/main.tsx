@@ -16,6 +16,7 @@ import "./styles/edit.css";
 import "./styles/documents.css";
 import "./styles/placing.css";
 import "./styles/forms.css";
+import "./styles/arguments.css";
 import { createRoot } from "react-dom/client";
 import { App } from "./App";
 import { connect } from "./client";

@@ -20,6 +20,7 @@ import type {
 } from "../generated/messages";
 import * as schema from "../generated/validators";
 import type { MicroStep } from "./derivation/proof";
+import { readExact, writeExact, type Exact } from "./edit/exact";
 import { check, type Validator } from "./messages/check";
 import { withAfters } from "./model/afters";
 import type { RcmDocument } from "./model/model";
@@ -40,6 +41,9 @@ export class RefusedError extends Error {
 }
 
 const segment = encodeURIComponent;
+
+/** The arguments of a run, with the numbers as they were written. */
+export type ExactArguments = Exact<Core["arguments"]>;
 
 /** The entity tag of a revision. */
 const tagOf = (revision: number): string => `"${revision}"`;
@@ -66,15 +70,24 @@ export interface Storing {
 
 /** Requests below `base` (`/api/v1`); `fetcher` is the browser's fetch, or a test's. */
 export function createApi(base: string, fetcher: typeof fetch) {
-  type Body = CoreCreate | DocumentBranch | PersonCommand | StepRequest | { readonly live: boolean };
+  type Body = Exact<CoreCreate> | DocumentBranch | PersonCommand | StepRequest | { readonly live: boolean };
   async function request<T>(method: string, path: string, validator: Validator<T>, body?: Body): Promise<T> {
-    return send(path, body === undefined ? { method } : { method, body: JSON.stringify(body), headers: { "content-type": "application/json" } }, validator);
+    return send(path, body === undefined ? { method } : { method, body: writeExact(body), headers: { "content-type": "application/json" } }, validator);
   }
   async function send<T>(path: string, init: RequestInit, validator: Validator<T>): Promise<T> {
     const answer = await fetcher(`${base}${path}`, init);
     const data: unknown = await answer.json();
     if (!answer.ok) throw refusedError(answer.status, data);
     return check(validator, data);
+  }
+  /** Of an answer that is accepted. */
+  async function requestText<T>(path: string, validator: Validator<T>): Promise<string> {
+    const answer = await fetcher(`${base}${path}`, { method: "GET" });
+    const text = await answer.text();
+    const data: unknown = JSON.parse(text);
+    if (!answer.ok) throw refusedError(answer.status, data);
+    check(validator, data);
+    return text;
   }
   const get = <T>(path: string, validator: Validator<T>) => request("GET", path, validator);
   const command = (id: string, name: string) => request("POST", `/cores/${segment(id)}/${name}`, schema.core);
@@ -92,12 +105,7 @@ export function createApi(base: string, fetcher: typeof fetch) {
     },
     document: (name: string): Promise<DocumentEntry> => get(`/documents/${segment(name)}`, schema.documentEntry),
     /** The same as it was sent, with the numbers as they were written (edit/exact.ts). */
-    documentText: async (name: string): Promise<string> => {
-      const answer = await fetcher(`${base}/documents/${segment(name)}`, { method: "GET" });
-      const text = await answer.text();
-      if (!answer.ok) throw refusedError(answer.status, JSON.parse(text));
-      return text;
-    },
+    documentText: (name: string): Promise<string> => requestText(`/documents/${segment(name)}`, schema.documentEntry),
     /** Stores the content as it is. */
     putDocument: (name: string, content: Blob | string, { onto, draft = false, author }: Storing): Promise<DocumentEntry> => {
       const headers = { "content-type": "application/json", ...(onto === undefined ? { "if-none-match": "*" } : { "if-match": tagOf(onto) }) };
@@ -107,7 +115,10 @@ export function createApi(base: string, fetcher: typeof fetch) {
     /** With all its revisions, the last of which must be `revision`. */
     deleteDocument: (name: string, revision: number): Promise<DocumentRemoved> =>
       send(`/documents/${segment(name)}`, { method: "DELETE", headers: { "if-match": tagOf(revision) } }, schema.documentRemoved),
-    createCore: (document: string, args: Core["arguments"]): Promise<Core> => request("POST", "/cores", schema.core, { document, arguments: args }),
+    /** The arguments that a core was made with, with the numbers as they were written. */
+    coreArguments: async (id: string): Promise<ExactArguments> =>
+      (readExact(await requestText(`/cores/${segment(id)}`, schema.core)) as unknown as { readonly arguments: ExactArguments }).arguments,
+    createCore: (document: string, args: ExactArguments): Promise<Core> => request("POST", "/cores", schema.core, { document, arguments: args }),
     coreModel: async (id: string): Promise<RcmDocument> => readNative(await get(`/cores/${segment(id)}/native`, schema.native)),
     start: (id: string): Promise<Core> => command(id, "start"),
     pause: (id: string): Promise<Core> => command(id, "pause"),

@@ -1,9 +1,10 @@
 // What is done with documents as a whole. Each action loads the list anew.
 import { fieldText } from "../../shared/documents/entryText";
 import { fileOf, newDocumentText } from "../../shared/documents/names";
-import { api, loadDocuments, newRun, view } from "../client";
+import { api, loadDocuments, view } from "../client";
 import { author } from "../edit/author";
 import { closeDocument, editing, openDocument } from "../edit/editing";
+import { requestRun } from "./asking";
 
 /** Closes the panel and shows the document in the editor. */
 export function edit(name: string): void {
@@ -19,7 +20,7 @@ export function showDocuments(shown: boolean): void {
 export async function makeRun(name: string): Promise<void> {
   showDocuments(false);
   view.dispatch({ type: "page", page: "task" });
-  await newRun(name, false);
+  await requestRun(name, false);
 }
 
 /** An empty document, open in the editor. */

@@ -7,8 +7,9 @@ import { documentText, errorCount, refusalToStart } from "../../shared/session/d
 import { keysOf } from "../../shared/session/shortcuts";
 import type { Page } from "../../shared/session/view";
 import { openDocument, useEditing } from "../edit/editing";
-import { dismissProblem, newRun, useCore, useSession, useView, view, watch } from "../client";
+import { dismissProblem, useCore, useSession, useView, view, watch } from "../client";
 import { ThemeButton } from "../theme/ThemeButton";
+import { LoadRun } from "../documents/LoadRun";
 import { Icon } from "./Icon";
 
 const pages: readonly { readonly page: Page; readonly name: string }[] = [
@@ -103,15 +104,7 @@ function NewRun() {
           </option>
         ))}
       </select>
-      <button
-        type="button"
-        disabled={document === undefined || refusal !== undefined}
-        title={refusal}
-        aria-describedby={refusal === undefined ? undefined : kRefusal}
-        onClick={() => document !== undefined && void newRun(document.name, false)}
-      >
-        Load
-      </button>
+      <LoadRun key={document?.name} document={document?.name} refusal={refusal} refusalId={kRefusal} />
       <button type="button" disabled={document === undefined} onClick={() => document !== undefined && openDocument(document.name)}>
         Edit
       </button>

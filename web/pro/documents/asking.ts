@@ -1,0 +1,25 @@
+// The run that is to be made and needs arguments, or shall have some.
+import { areOptional, type RunParameter } from "../../shared/arguments/parameters";
+import { attempt, makeRun, parametersOf } from "../client";
+import { createStore, useSelected } from "../store";
+
+export interface Asked {
+  /** Name of the document. */
+  readonly document: string;
+  readonly parameters: readonly RunParameter[];
+}
+
+const store = createStore<Asked | undefined, Asked | undefined>(undefined, (_, asked) => asked);
+
+/** What the form for arguments asks for; nothing: it is not open. */
+export const useAsked = (): Asked | undefined => useSelected(store, (asked) => asked);
+
+export const closeForm = (): void => store.dispatch(undefined);
+
+/** Makes a run of the document as it is now; asks for arguments if it needs some, or if it has parameters and is to ask `always`. */
+export const requestRun = (document: string, always: boolean): Promise<void> =>
+  attempt(async () => {
+    const parameters = await parametersOf(document);
+    if (parameters.length > 0 && (always || !areOptional(parameters))) store.dispatch({ document, parameters });
+    else await makeRun(document, false, {});
+  });
