@@ -241,8 +241,9 @@ describe("a draft", () => {
   it("cannot be started, and the key says why", async () => {
     const { page } = fixture;
     await page.keyboard.press("F5");
-    await page.getByRole("alert").getByText("faulty is a draft with 3 errors: it cannot be started").waitFor();
-    await page.getByRole("button", { name: "Dismiss" }).click();
+    const told = page.getByRole("log", { name: "Refused edits" });
+    await told.getByText("faulty is a draft with 3 errors: it cannot be started").waitFor();
+    await told.getByRole("button", { name: "Close" }).click();
   });
 
   it("is none any more when it is repaired, and can be run", async () => {

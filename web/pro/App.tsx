@@ -11,7 +11,6 @@ import { DropTarget } from "./documents/DropTarget";
 import { EditPage } from "./edit/EditPage";
 import { EditProperties } from "./edit/EditProperties";
 import { EditSide } from "./edit/EditSide";
-import { startEdited } from "./edit/startEdited";
 import { useEditedTree, useEditing } from "./edit/editing";
 import { Drawer } from "./panels/Drawer";
 import { Interruption } from "./panels/Interruption";
@@ -30,9 +29,23 @@ const CellView = lazy(() => import("./cell/CellView").then(({ CellView }) => ({ 
 
 /** What moves a run on does so only on a page that shows it. */
 const kStarts: ReadonlySet<Shortcut> = new Set(["lead", "micro", "macro"]);
+/** The zoom keys are the canvas'. */
+const kOfRuns: ReadonlySet<Shortcut> = new Set([...kStarts, "pause", "stop"]);
+
+/** So long after the page has changed, a key that starts something may have been meant for the page before [ms]. */
+const kSettling = 1000;
+const settling = { page: view.get().page, since: -kSettling };
+view.listen(() => {
+  const { page } = view.get();
+  if (page !== settling.page) Object.assign(settling, { page, since: performance.now() });
+});
+
+/** Whether a key moves a run: not while it is held, and not on a page that does not show the run, or did not a moment ago. */
+const mayMove = (shortcut: Shortcut, held: boolean): boolean =>
+  !held && !(kStarts.has(shortcut) && (settling.page === "edit" || view.get().documents || performance.now() - settling.since < kSettling));
 
 function usePageKeys(): void {
-  useShortcuts((shortcut) => {
+  useShortcuts((shortcut, held) => {
     switch (shortcut) {
       case "search":
         document.getElementById("search")?.focus();
@@ -47,11 +60,10 @@ function usePageKeys(): void {
         view.dispatch({ type: "escape" });
         return true;
     }
-    if (view.get().documents && kStarts.has(shortcut)) return true;
-    if (view.get().page === "edit" && kStarts.has(shortcut)) return shortcut === "lead" && startEdited();
-    const wanted = commandOf(shortcut, commandable(session.get()));
-    if (wanted === undefined) return false;
-    void command(wanted);
+    if (!kOfRuns.has(shortcut)) return false;
+    const wanted = mayMove(shortcut, held) ? commandOf(shortcut, commandable(session.get())) : undefined;
+    if (wanted !== undefined) void command(wanted);
+    // The keys of runs are never the browser's: F5 does not load the page anew.
     return true;
   });
 }
@@ -89,7 +101,7 @@ export function App() {
         <Interruption />
         <PersonWaitBar />
         <RunBar />
-        <Drawer />
+        {page !== "edit" && <Drawer />}
       </footer>
       <KeyHelp />
       <DocumentsPanel />

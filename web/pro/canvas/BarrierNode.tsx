@@ -9,7 +9,7 @@ import { useLive } from "./useLive";
 export type BarrierFlowNode = Node<{ readonly drawn: DrawnNode; readonly inbound: readonly string[] }, "barrier">;
 
 export function BarrierNode({ data: { drawn, inbound } }: NodeProps<BarrierFlowNode>) {
-  const selected = useView((v) => v.selection?.kind === "node" && v.selection.path === drawn.path);
+  const selected = useView((v) => (v.selection?.kind === "node" && v.selection.path === drawn.path) || v.also.has(drawn.path));
   const active = useLive((live) => live.active.has(drawn.path));
   const arrived = useLive((live) => live.activated[drawn.path]) ?? [];
   const errors = useErrorCount(drawn.path);

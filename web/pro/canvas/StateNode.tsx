@@ -16,7 +16,7 @@ import { useLive } from "./useLive";
 export type StateFlowNode = Node<{ readonly drawn: DrawnNode }, "state">;
 
 export function StateNode({ data: { drawn } }: NodeProps<StateFlowNode>) {
-  const selected = useView((v) => v.selection?.kind === "node" && v.selection.path === drawn.path);
+  const selected = useView((v) => (v.selection?.kind === "node" && v.selection.path === drawn.path) || v.also.has(drawn.path));
   const active = useLive((live) => live.active.has(drawn.path));
   const faulted = useLive((live) => live.faultAt === drawn.path);
   const errors = useErrorCount(drawn.path, drawn.composite && !drawn.open);
@@ -121,6 +121,7 @@ function PortBox({ port, origin }: { readonly port: DrawnPort; readonly origin: 
       type="button"
       className={classes.filter(Boolean).join(" ")}
       aria-label={`Port ${port.address}`}
+      data-address={port.address}
       data-active={active}
       data-fired={fired}
       data-error={errors > 0 ? errors : undefined}

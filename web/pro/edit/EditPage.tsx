@@ -3,14 +3,16 @@ import { useState } from "react";
 import { errorsText } from "../../shared/run/errorsText";
 import type { ModelTree } from "../../shared/model/modelTree";
 import { ModelCanvas } from "../canvas/ModelCanvas";
-import { closeDocument, perform, useEditing } from "./editing";
+import { runAction } from "./actions/action";
+import { actionOf } from "./actions/registry";
+import { useActionKeys } from "./actions/useActionKeys";
+import { perform, showTop, useEditing } from "./editing";
 import { ErrorList } from "./ErrorList";
-import { useEditedPlaces } from "./placing/editedPlaces";
-import { Placing } from "./placing/Placing";
-import { DraftList } from "./forms/DraftList";
-import { StateEditor } from "./forms/StateEditor";
+import { DragLayer } from "./gestures/DragLayer";
+import { EditCanvas } from "./gestures/EditCanvas";
+import { Prompts } from "./prompts/Prompts";
 import { Refusals } from "./Refusals";
-import { view } from "../client";
+import { nameOfElement } from "../../shared/edit/commands/command";
 
 interface Props {
   readonly tree: ModelTree | undefined;
@@ -23,23 +25,19 @@ export function EditPage({ tree, document }: Props) {
   const places = useEditedPlaces();
   const unreadable = useEditing((now) => now.session?.unreadable);
   const nothing = document === undefined ? "No document is open." : unreadable === undefined ? `Loading ${document}…` : `${document} cannot be edited: ${unreadable.message}`;
+  useActionKeys();
   return (
     <div className="edit-page">
       {document !== undefined && <EditHead document={document} listed={listed} onList={() => list(!listed)} />}
       <Refusals />
-      <div className="edit-canvas">
-        <ModelCanvas subject={`document ${document ?? ""} ${top ?? ""}`} tree={tree} places={places} nothing={nothing} />
-        <Placing />
-        <StateEditor tree={tree} />
-      </div>
+      <EditCanvas document={document}>
+        <ModelCanvas subject={`document ${document ?? ""} ${top ?? ""}`} tree={tree} nothing={nothing} />
+      </EditCanvas>
       {listed && <ErrorList />}
+      <DragLayer />
+      <Prompts />
     </div>
   );
-}
-
-function close(): void {
-  view.dispatch({ type: "page", page: "task" });
-  closeDocument();
 }
 
 interface HeadProps {
@@ -58,6 +56,7 @@ function EditHead({ document, listed, onList }: HeadProps) {
   return (
     <header className="edit-head" aria-label="Document">
       <h2>{document}</h2>
+      <LibraryPlace />
       <span className="quiet" role="status">
         {revision === undefined ? "not here yet" : `revision ${revision}`}
         {session?.connected === false ? " · connection lost, edits wait" : waiting > 0 ? ` · ${waiting} on the way` : " · saved"}
@@ -75,10 +74,25 @@ function EditHead({ document, listed, onList }: HeadProps) {
         <button type="button" disabled={depths === undefined || depths.redo === 0} onClick={() => perform({ redo: true })}>
           Redo
         </button>
-        <button type="button" onClick={close}>
+        <button type="button" onClick={() => runAction(actionOf("close"))}>
           Close
         </button>
       </span>
     </header>
+  );
+}
+
+/** Which state of the library is shown, and the way back. */
+function LibraryPlace() {
+  const tree = useEditing((now) => now.session?.view);
+  const top = useEditing((now) => now.top);
+  if (tree === undefined || top === undefined || !tree.library.includes(top)) return null;
+  return (
+    <nav className="edit-place" aria-label="Library state">
+      <button type="button" className="link" onClick={() => showTop(undefined)}>
+        ← {nameOfElement(tree, tree.root)}
+      </button>
+      <span>Library state {nameOfElement(tree, top)}</span>
+    </nav>
   );
 }

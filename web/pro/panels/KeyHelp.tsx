@@ -1,6 +1,7 @@
 // All keys and mouse actions of the page, over it: opened with `?` or the button of the top bar, closed with Esc.
 import { useEffect, useRef } from "react";
 import { gestures, shortcuts } from "../../shared/session/shortcuts";
+import { actions } from "../edit/actions/registry";
 import { useView, view } from "../client";
 
 const close = () => view.dispatch({ type: "help", shown: false });
@@ -8,6 +9,34 @@ const close = () => view.dispatch({ type: "help", shown: false });
 export function KeyHelp() {
   const shown = useView((v) => v.help);
   return shown ? <HelpDialog /> : null;
+}
+
+interface Keys {
+  readonly keys: readonly string[];
+  readonly does: string;
+}
+
+/** Those that the list above does not have. */
+const editorKeys: readonly Keys[] = actions.filter(({ keys, where }) => keys.length > 0 && where !== "page").map(({ keys, name }) => ({ keys, does: name }));
+
+function KeyList({ title, list }: { readonly title: string; readonly list: readonly Keys[] }) {
+  return (
+    <section aria-label={title}>
+      <h3>{title}</h3>
+      <dl>
+        {list.map(({ keys, does }) => (
+          <div key={does}>
+            <dt>
+              {keys.map((key) => (
+                <kbd key={key}>{key}</kbd>
+              ))}
+            </dt>
+            <dd>{does}</dd>
+          </div>
+        ))}
+      </dl>
+    </section>
+  );
 }
 
 function HelpDialog() {
@@ -23,21 +52,8 @@ function HelpDialog() {
           </button>
         </header>
         <div className="help-lists">
-          <section aria-label="Keys">
-            <h3>Keys</h3>
-            <dl>
-              {shortcuts.map(({ shortcut, keys, does }) => (
-                <div key={shortcut}>
-                  <dt>
-                    {keys.map((key) => (
-                      <kbd key={key}>{key}</kbd>
-                    ))}
-                  </dt>
-                  <dd>{does}</dd>
-                </div>
-              ))}
-            </dl>
-          </section>
+          <KeyList title="Keys" list={shortcuts} />
+          <KeyList title="Editor" list={editorKeys} />
           {gestures.map(({ where, list }) => (
             <section key={where} aria-label={where}>
               <h3>{where}</h3>

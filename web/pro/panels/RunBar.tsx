@@ -33,6 +33,7 @@ export function RunBar() {
   const commands = allowed(useSession(commandable));
   const lost = useSession((s) => s.connection === "lost");
   const asks = usePersonWait() !== undefined;
+  const page = useView((v) => v.page);
   const lead = primary(core);
   const first = firstButton[lead === "resume" || lead === "again" ? lead : "start"];
   return (
@@ -62,7 +63,7 @@ export function RunBar() {
           </span>
         </p>
       )}
-      <DrawerTabs />
+      {page !== "edit" && <DrawerTabs />}
     </div>
   );
 }

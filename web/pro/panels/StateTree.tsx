@@ -23,12 +23,12 @@ export function StateTree({ tree }: { readonly tree: ModelTree | undefined }) {
 function Item({ entry }: { readonly entry: TreeNode }) {
   const run = useSession((s) => s.run);
   const active = useMemo(() => run?.active.includes(entry.path) === true, [run, entry.path]);
-  const selected = useView((v) => v.selection?.kind === "node" && v.selection.path === entry.path);
+  const selected = useView((v) => (v.selection?.kind === "node" && v.selection.path === entry.path) || v.also.has(entry.path));
   const collapsed = useView((v) => v.collapsed.has(entry.path));
   const composite = entry.children.length > 0;
   return (
     <li role="treeitem" aria-selected={selected} aria-expanded={composite ? !collapsed : undefined} aria-label={entry.path} data-active={active}>
-      <div className="tree-row" style={{ paddingLeft: 8 + entry.depth * 14 }}>
+      <div className="tree-row" data-path={entry.path} style={{ paddingLeft: 8 + entry.depth * 14 }}>
         {composite ? (
           <button
             type="button"

@@ -1,11 +1,13 @@
 // What the page knows of the document that is edited, as a value, and what an event makes of it.
 import { assertNever } from "../assertNever";
+import { refusalText } from "./refusalText";
 import type { EditSession, Notice } from "./session";
 
-/** An edit that was refused, until its author has seen it. */
+/** What is told above the drawing until its reader closes it: an edit that was refused, or what cannot be done; or, for a moment, what was done. */
 export interface Told {
   readonly number: number;
-  readonly notice: Notice;
+  readonly text: string;
+  readonly tone: "refused" | "done";
 }
 
 export interface Editing {
@@ -23,12 +25,20 @@ export type EditingEvent =
   | { readonly type: "session"; readonly session: EditSession }
   | { readonly type: "top"; readonly id: string | undefined }
   | { readonly type: "notice"; readonly notice: Notice }
+  | { readonly type: "said"; readonly text: string; readonly tone: Told["tone"] }
   | { readonly type: "seen"; readonly number: number };
 
 export const nothingEdited: Editing = { document: undefined, session: undefined, top: undefined, told: [] };
 
 /** Of refused edits that nobody has closed, the latest are kept. */
 const kMostTold = 20;
+
+/** What was said last is not said twice beneath itself. */
+function tell(editing: Editing, text: string, tone: Told["tone"]): Editing {
+  const last = editing.told.at(-1);
+  const others = last?.text === text ? editing.told.slice(0, -1) : editing.told;
+  return { ...editing, told: [...others, { number: (last?.number ?? 0) + 1, text, tone }].slice(-kMostTold) };
+}
 
 export function applyEditing(editing: Editing, event: EditingEvent): Editing {
   switch (event.type) {
@@ -38,10 +48,10 @@ export function applyEditing(editing: Editing, event: EditingEvent): Editing {
       return { ...editing, session: event.session };
     case "top":
       return { ...editing, top: event.id };
-    case "notice": {
-      const number = (editing.told.at(-1)?.number ?? 0) + 1;
-      return { ...editing, told: [...editing.told, { number, notice: event.notice }].slice(-kMostTold) };
-    }
+    case "notice":
+      return tell(editing, refusalText(event.notice), "refused");
+    case "said":
+      return tell(editing, event.text, event.tone);
     case "seen":
       return { ...editing, told: editing.told.filter(({ number }) => number !== event.number) };
     default:

@@ -41,6 +41,18 @@ export const gestures: readonly { readonly where: string; readonly list: readonl
     ],
   },
   {
+    where: "Editor",
+    list: [
+      { gesture: "Drag from a port or barrier", does: "Lead it to a state, or to a new one" },
+      { gesture: "Drag from Add or Library", does: "Put something new into the state under the pointer" },
+      { gesture: "Ctrl or Shift and click", does: "Select besides, or no longer" },
+      { gesture: "Shift and drag", does: "Select what is in the frame" },
+      { gesture: "Double click", does: "Properties; with Ctrl: enter" },
+      { gesture: "Right click", does: "What can be done with it" },
+      { gesture: "Esc while dragging", does: "Give it up" },
+    ],
+  },
+  {
     where: "Derivation",
     list: [
       { gesture: "Click a macro step", does: "Show its proof trees" },
@@ -73,10 +85,10 @@ export const gestures: readonly { readonly where: string; readonly list: readonl
 export type KeyPress = Pick<KeyboardEvent, "key" | "code" | "ctrlKey" | "metaKey" | "shiftKey" | "altKey">;
 
 /** The press as `shortcuts` writes it. Shift counts with letters and named keys; of signs it is only the way to type them. */
-function pressText({ key, code, ctrlKey, metaKey, shiftKey }: KeyPress): string {
+export function pressText({ key, code, ctrlKey, metaKey, shiftKey, altKey }: KeyPress): string {
   const name = code === "Space" ? "Space" : key === "Escape" ? "Esc" : key.length === 1 ? key.toUpperCase() : key;
   const shifts = shiftKey && (name.length > 1 || /\p{L}/u.test(name));
-  return `${ctrlKey || metaKey ? "Ctrl+" : ""}${shifts ? "Shift+" : ""}${name}`;
+  return `${ctrlKey || metaKey ? "Ctrl+" : ""}${altKey ? "Alt+" : ""}${shifts ? "Shift+" : ""}${name}`;
 }
 
 /** The shortcut of a key press; while text is typed, a character is only that character. */

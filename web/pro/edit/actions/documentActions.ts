@@ -1,0 +1,99 @@
+// Actions on the document as a whole, and on the page.
+import { allowed, type Command } from "../../../shared/run/controls";
+import { refusalToStart } from "../../../shared/session/draft";
+import { shortcuts, type Shortcut } from "../../../shared/session/shortcuts";
+import { watchedCore } from "../../../shared/session/session";
+import { newRun, run, session, view } from "../../client";
+import { closeDocument, editing } from "../editing";
+import { ask } from "../prompt";
+import { refuse, tellDone } from "../say";
+import { whenStored } from "../whenStored";
+import type { Action } from "./action";
+
+const always = (): undefined => undefined;
+
+/** A field that has the focus is left for a moment, so that what is written in it counts. */
+function leaveField(): void {
+  const field = document.activeElement;
+  if (!(field instanceof HTMLElement)) return;
+  field.blur();
+  field.focus({ preventScroll: true });
+}
+
+async function tellSaved(): Promise<void> {
+  const stored = await whenStored();
+  if ("reason" in stored) refuse(stored.reason);
+  else tellDone(`All is saved, as revision ${stored.revision}: every edit is stored at once.`);
+}
+
+const saving: Action = {
+  id: "save", name: "Save", keys: ["Ctrl+S"], group: "Document", where: "anywhere",
+  when: always,
+  run: () => {
+    leaveField();
+    void tellSaved();
+  },
+};
+
+/** Why no run can be made of the document. */
+function reasonAgainstRun(): string | undefined {
+  const { document, session: edited } = editing.get();
+  return document === undefined ? "no document is open" : refusalToStart({ name: document, errors: edited?.errors.length ?? 0 });
+}
+
+let isMaking = false;
+
+/** Makes a run of what is shown, and shows it. It is not started. */
+async function makeRun(document: string): Promise<void> {
+  if (isMaking) return;
+  isMaking = true;
+  const before = session.get().watched;
+  const stored = await whenStored();
+  const reason = "reason" in stored ? stored.reason : reasonAgainstRun();
+  if (reason === undefined) await newRun(document, false);
+  else refuse(reason);
+  isMaking = false;
+  if (session.get().watched !== before && view.get().page === "edit") view.dispatch({ type: "page", page: "task" });
+}
+
+const running: Action = {
+  id: "run", name: "Make a run of this document", keys: ["F5"], group: "Document", where: "anywhere",
+  when: reasonAgainstRun,
+  run: ({ document }) => {
+    leaveField();
+    void makeRun(document);
+  },
+};
+
+const palette: Action = {
+  id: "palette", name: "All commands", keys: ["Ctrl+Shift+P"], group: "Document", where: "anywhere", when: always,
+  run: () => ask({ kind: "palette" }),
+};
+
+const closing: Action = {
+  id: "close", name: "Close the document", keys: [], group: "Document", where: "untyped", when: always,
+  run: () => {
+    view.dispatch({ type: "page", page: "task" });
+    closeDocument();
+  },
+};
+
+const keysOf = (shortcut: Shortcut): readonly string[] => shortcuts.find((entry) => entry.shortcut === shortcut)?.keys ?? [];
+
+const runCommand = (command: Command & Shortcut, name: string): Action => ({
+  id: command, name, keys: keysOf(command), group: "Page", where: "page",
+  when: () => (allowed(watchedCore(session.get())).has(command) ? undefined : "the watched run does not take this now"),
+  run: () => void run(command),
+});
+
+const searching: Action = {
+  id: "search", name: "Search states, ports and code", keys: keysOf("search"), group: "Page", where: "page", when: always,
+  run: () => document.getElementById("search")?.focus(),
+};
+
+const helping: Action = {
+  id: "help", name: "Show all keys", keys: keysOf("help"), group: "Page", where: "page", when: always,
+  run: () => view.dispatch({ type: "help", shown: true }),
+};
+
+export const documentActions: readonly Action[] = [saving, running, palette, closing, runCommand("pause", "Pause the watched run"), runCommand("stop", "Stop the watched run"), searching, helping];

@@ -1,0 +1,88 @@
+// Actions on what is selected, and undo.
+import { nameOfElement } from "../../../shared/edit/commands/command";
+import { duplicate } from "../../../shared/edit/commands/group";
+import { remove } from "../../../shared/edit/commands/remove";
+import { rename } from "../../../shared/edit/commands/rename";
+import { view } from "../../client";
+import { carryOut, selectIds } from "../carryOut";
+import { editing, perform } from "../editing";
+import { focusSelected } from "../gestures/focused";
+import { placeOfSelection } from "../gestures/onScreen";
+import { ask } from "../prompt";
+import type { Situation } from "../situation";
+import type { Action } from "./action";
+import { selectionAction } from "./commandAction";
+
+const undo: Action = {
+  id: "undo", name: "Undo", keys: ["Ctrl+Z"], group: "Edit", where: "untyped", repeats: true,
+  when: () => (editing.get().session?.depths?.undo === 0 ? "there is nothing to undo" : undefined),
+  run: () => perform({ undo: true }),
+};
+
+const redo: Action = {
+  id: "redo", name: "Redo", keys: ["Ctrl+Y", "Ctrl+Shift+Z"], group: "Edit", where: "untyped", repeats: true,
+  when: () => ((editing.get().session?.depths?.redo ?? 0) === 0 ? "there is nothing to redo" : undefined),
+  run: () => perform({ redo: true }),
+};
+
+/** Asks another name where the element is. */
+export function askName({ tree }: Situation, id: string): void {
+  const value = nameOfElement(tree, id);
+  const commit = (name: string): string | undefined => {
+    if (name === value) return undefined;
+    const now = editing.get().session?.view;
+    if (now === undefined) return "the document is not here";
+    const command = rename(now, id, name);
+    if ("reason" in command) return command.reason;
+    carryOut(command);
+    return undefined;
+  };
+  ask({ kind: "name", label: `Name of ${value}`, at: placeOfSelection(), value, commit });
+}
+
+const renaming: Action = {
+  id: "rename", name: "Rename", keys: ["F2"], group: "Edit", where: "model",
+  when: ({ one, ids }) => (one !== undefined ? undefined : ids.length > 1 ? "several are selected" : "nothing is selected"),
+  run: (situation) => situation.one !== undefined && askName(situation, situation.one),
+};
+
+const removing = selectionAction({ id: "delete", name: "Delete", keys: ["Delete", "Backspace"], group: "Edit" }, ({ tree }, ids) => remove(tree, ids));
+
+const duplicating: Action = {
+  id: "duplicate", name: "Duplicate", keys: ["Ctrl+D"], group: "Edit", where: "model",
+  when: ({ tree, ids }) => (ids.length === 0 ? "nothing is selected" : ids.includes(tree.root) ? "a document has one root" : undefined),
+  run: ({ tree, ids }) => ids.forEach((id) => carryOut(duplicate(tree, id))),
+};
+
+const selectAll: Action = {
+  id: "select_all", name: "Select all beside it", keys: ["Ctrl+A"], group: "Edit", where: "model",
+  when: () => undefined,
+  run: ({ tree, node, focus }) => {
+    const parent = node === undefined || node === focus.id ? focus.id : (tree.elements.get(node)?.parent ?? focus.id);
+    selectIds(tree.elements.get(parent)?.lists.children ?? []);
+  },
+};
+
+/** Where what is selected is shown and written. */
+function showProperties(): void {
+  const panel = document.querySelector('.side-right, [aria-label="Properties"]');
+  panel?.querySelector<HTMLElement>("input, textarea, select, [contenteditable=true], button, a")?.focus();
+}
+
+const properties: Action = {
+  id: "properties", name: "Properties", keys: ["Enter"], group: "Edit", where: "model",
+  when: ({ one }) => (one === undefined ? "nothing is selected" : undefined),
+  run: showProperties,
+};
+
+const selectNothing: Action = {
+  id: "select_none", name: "Select nothing", keys: ["Esc"], group: "Edit", where: "page",
+  when: ({ ids }) => (ids.length === 0 ? "nothing is selected" : undefined),
+  run: () => view.dispatch({ type: "select", selection: undefined }),
+};
+
+export const editActions: readonly Action[] = [
+  undo, redo, renaming,
+  { ...removing, run: (situation) => { removing.run(situation); focusSelected(); } },
+  duplicating, properties, selectAll, selectNothing,
+];

@@ -1,0 +1,20 @@
+// All actions of the page that edits.
+import type { Action } from "./action";
+import { addActions } from "./addActions";
+import { connectActions } from "./connectActions";
+import { documentActions } from "./documentActions";
+import { editActions } from "./editActions";
+import { menuAction } from "./menuAction";
+import { structureActions } from "./structureActions";
+import { walkActions } from "./walkActions";
+
+const inMenus: readonly Action[] = [...editActions, ...addActions, ...connectActions, ...structureActions, ...documentActions];
+
+export const actions: readonly Action[] = [...inMenus, ...walkActions, menuAction(inMenus)];
+
+/** Requires the id of an action. */
+export function actionOf(id: string): Action {
+  const found = actions.find((action) => action.id === id);
+  if (found === undefined) throw new Error(`there is no action ${id}`);
+  return found;
+}
