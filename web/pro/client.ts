@@ -204,11 +204,12 @@ export function watchFlow(service: string, flow: string, came: (packet: Packet) 
   };
 }
 
-/** Makes a core of a document, watches it, and starts it if asked. Throws what the server refuses. */
+/** Makes a core of a document, watches it (no longer the document, if that is being edited), and starts it if asked. Throws what the server refuses. */
 export async function makeRun(document: string, start: boolean, args: ExactArguments): Promise<void> {
   const core = await api.createCore(document, args);
   session.dispatch({ type: "update", update: { type: "core", core } });
   watch(core.id);
+  if (view.get().page === "edit") view.dispatch({ type: "page", page: "task" });
   if (start) await api.start(core.id);
 }
 

@@ -11,6 +11,10 @@ import { ErrorList } from "./ErrorList";
 import { DragLayer } from "./gestures/DragLayer";
 import { EditCanvas } from "./gestures/EditCanvas";
 import { Prompts } from "./prompts/Prompts";
+import { DraftList } from "./forms/DraftList";
+import { StateEditor } from "./forms/StateEditor";
+import { useEditedPlaces } from "./placing/editedPlaces";
+import { Placing } from "./placing/Placing";
 import { Refusals } from "./Refusals";
 import { nameOfElement } from "../../shared/edit/commands/command";
 
@@ -31,7 +35,9 @@ export function EditPage({ tree, document }: Props) {
       {document !== undefined && <EditHead document={document} listed={listed} onList={() => list(!listed)} />}
       <Refusals />
       <EditCanvas document={document}>
-        <ModelCanvas subject={`document ${document ?? ""} ${top ?? ""}`} tree={tree} nothing={nothing} />
+        <StateEditor tree={tree} />
+        <ModelCanvas subject={`document ${document ?? ""} ${top ?? ""}`} tree={tree} places={places} nothing={nothing} />
+        <Placing />
       </EditCanvas>
       {listed && <ErrorList />}
       <DragLayer />

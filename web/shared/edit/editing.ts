@@ -8,6 +8,8 @@ export interface Told {
   readonly number: number;
   readonly text: string;
   readonly tone: "refused" | "done";
+  /** The edit that was refused. */
+  readonly notice?: Notice;
 }
 
 export interface Editing {
@@ -34,10 +36,10 @@ export const nothingEdited: Editing = { document: undefined, session: undefined,
 const kMostTold = 20;
 
 /** What was said last is not said twice beneath itself. */
-function tell(editing: Editing, text: string, tone: Told["tone"]): Editing {
+function tell(editing: Editing, said: Omit<Told, "number">): Editing {
   const last = editing.told.at(-1);
-  const others = last?.text === text ? editing.told.slice(0, -1) : editing.told;
-  return { ...editing, told: [...others, { number: (last?.number ?? 0) + 1, text, tone }].slice(-kMostTold) };
+  const others = last?.text === said.text ? editing.told.slice(0, -1) : editing.told;
+  return { ...editing, told: [...others, { number: (last?.number ?? 0) + 1, ...said }].slice(-kMostTold) };
 }
 
 export function applyEditing(editing: Editing, event: EditingEvent): Editing {
@@ -49,9 +51,9 @@ export function applyEditing(editing: Editing, event: EditingEvent): Editing {
     case "top":
       return { ...editing, top: event.id };
     case "notice":
-      return tell(editing, refusalText(event.notice), "refused");
+      return tell(editing, { text: refusalText(event.notice), tone: "refused", notice: event.notice });
     case "said":
-      return tell(editing, event.text, event.tone);
+      return tell(editing, { text: event.text, tone: event.tone });
     case "seen":
       return { ...editing, told: editing.told.filter(({ number }) => number !== event.number) };
     default:

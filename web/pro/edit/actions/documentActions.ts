@@ -3,7 +3,8 @@ import { allowed, type Command } from "../../../shared/run/controls";
 import { refusalToStart } from "../../../shared/session/draft";
 import { shortcuts, type Shortcut } from "../../../shared/session/shortcuts";
 import { watchedCore } from "../../../shared/session/session";
-import { newRun, run, session, view } from "../../client";
+import { requestRun } from "../../documents/asking";
+import { run, session, view } from "../../client";
 import { closeDocument, editing } from "../editing";
 import { ask } from "../prompt";
 import { refuse, tellDone } from "../say";
@@ -47,13 +48,11 @@ let isMaking = false;
 async function makeRun(document: string): Promise<void> {
   if (isMaking) return;
   isMaking = true;
-  const before = session.get().watched;
   const stored = await whenStored();
   const reason = "reason" in stored ? stored.reason : reasonAgainstRun();
-  if (reason === undefined) await newRun(document, false);
+  if (reason === undefined) await requestRun(document, false);
   else refuse(reason);
   isMaking = false;
-  if (session.get().watched !== before && view.get().page === "edit") view.dispatch({ type: "page", page: "task" });
 }
 
 const running: Action = {

@@ -47,8 +47,8 @@ function settle(): void {
     const isOpen = session !== undefined && document === place.document;
     if (isOpen && session.pending.some((edit) => edit.change === change)) continue;
     underWay.delete(change);
-    const refused = told.find(({ notice }) => notice.change === change);
-    if (refused !== undefined) drafts.dispatch({ type: "refused", place, reason: reasonText(refused.notice) });
+    const refused = told.find(({ notice }) => notice?.change === change)?.notice;
+    if (refused !== undefined) drafts.dispatch({ type: "refused", place, reason: reasonText(refused) });
     else if (isOpen) drafts.dispatch({ type: "accepted", place });
     else drafts.dispatch({ type: "refused", place, reason: "the document was closed before the server had answered" });
   }
