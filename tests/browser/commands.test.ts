@@ -71,6 +71,7 @@ describe("keys in the drawing", () => {
     await expect.poll(async () => (await state("delete", "A"))?.ports).toBeUndefined();
     expect(await children("delete")).toEqual(["A", "B", "C", "Both"]);
     await select("Root/C");
+    await fixture.screenshot("edit-delete");
     await keys("Backspace");
     await expect.poll(() => children("delete")).toEqual(["A", "B", "Both"]);
     expect((await state("delete", "Both"))?.to).toEqual([]);
@@ -161,7 +162,7 @@ describe("F5 on the page that edits", () => {
     const { open, select, told } = editPage(fixture);
     await open("draft");
     await select("Root/A");
-    await keys("Delete");
+    await keys("Alt+p");
     await fixture.page.getByText("Draft, ").waitFor();
     await keys("F5");
     await expect.poll(() => told.innerText()).toContain("cannot be started");

@@ -1,12 +1,16 @@
-// Left of the document that is edited: search and its states.
+// Left of the document that is edited: search, what can be added, the library, and its states.
 import type { ModelTree } from "../../shared/model/modelTree";
 import { SearchBox } from "../panels/SearchBox";
 import { StateTree } from "../panels/StateTree";
+import { Library } from "./Library";
+import { Palette } from "./Palette";
 
 export function EditSide({ tree }: { readonly tree: ModelTree | undefined }) {
   return (
     <aside className="side side-left" aria-label="Document">
       <SearchBox tree={tree} />
+      <Palette />
+      <Library />
       <StateTree tree={tree} />
     </aside>
   );

@@ -1,4 +1,5 @@
 // What the editor asks over the page: a name in place, a choice from a menu, a command. One at a time; the focus returns to where it was.
+import { flushSync } from "react-dom";
 import { createStore, useSelected } from "../store";
 
 export interface MenuEntry {
@@ -39,7 +40,8 @@ export function ask(prompt: Prompt): void {
 export function endPrompt(): void {
   if (store.get() === undefined) return;
   const to = returnTo instanceof HTMLElement && returnTo.isConnected && returnTo !== document.body ? returnTo : document.getElementById(kCanvasId);
-  leavePrompt();
+  // What lies over the page is gone before the page has the focus again.
+  flushSync(leavePrompt);
   to?.focus({ preventScroll: true });
 }
 

@@ -13,20 +13,26 @@ import type { Situation } from "../situation";
 import type { Action } from "./action";
 import { selectionAction } from "./commandAction";
 
+/** While an edit is on its way, the server knows better. */
+function isKnownEmpty(of: "undo" | "redo"): boolean {
+  const { session } = editing.get();
+  return session?.pending.length === 0 && (session.depths?.[of] ?? (of === "redo" ? 0 : 1)) === 0;
+}
+
 const undo: Action = {
   id: "undo", name: "Undo", keys: ["Ctrl+Z"], group: "Edit", where: "untyped", repeats: true,
-  when: () => (editing.get().session?.depths?.undo === 0 ? "there is nothing to undo" : undefined),
+  when: () => (isKnownEmpty("undo") ? "there is nothing to undo" : undefined),
   run: () => perform({ undo: true }),
 };
 
 const redo: Action = {
   id: "redo", name: "Redo", keys: ["Ctrl+Y", "Ctrl+Shift+Z"], group: "Edit", where: "untyped", repeats: true,
-  when: () => ((editing.get().session?.depths?.redo ?? 0) === 0 ? "there is nothing to redo" : undefined),
+  when: () => (isKnownEmpty("redo") ? "there is nothing to redo" : undefined),
   run: () => perform({ redo: true }),
 };
 
-/** Asks another name where the element is. */
-export function askName({ tree }: Situation, id: string): void {
+/** Asks another name where the element is: at what is selected, or at another place of the screen. */
+export function askName({ tree }: Situation, id: string, at: Pick<DOMRect, "x" | "y" | "width"> = placeOfSelection()): void {
   const value = nameOfElement(tree, id);
   const commit = (name: string): string | undefined => {
     if (name === value) return undefined;
@@ -37,7 +43,7 @@ export function askName({ tree }: Situation, id: string): void {
     carryOut(command);
     return undefined;
   };
-  ask({ kind: "name", label: `Name of ${value}`, at: placeOfSelection(), value, commit });
+  ask({ kind: "name", label: `Name of ${value}`, at, value, commit });
 }
 
 const renaming: Action = {

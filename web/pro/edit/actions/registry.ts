@@ -1,6 +1,7 @@
 // All actions of the page that edits.
 import type { Action } from "./action";
 import { addActions } from "./addActions";
+import { clipboardActions } from "./clipboardActions";
 import { connectActions } from "./connectActions";
 import { documentActions } from "./documentActions";
 import { editActions } from "./editActions";
@@ -8,7 +9,7 @@ import { menuAction } from "./menuAction";
 import { structureActions } from "./structureActions";
 import { walkActions } from "./walkActions";
 
-const inMenus: readonly Action[] = [...editActions, ...addActions, ...connectActions, ...structureActions, ...documentActions];
+const inMenus: readonly Action[] = [...editActions, ...clipboardActions, ...addActions, ...connectActions, ...structureActions, ...documentActions];
 
 export const actions: readonly Action[] = [...inMenus, ...walkActions, menuAction(inMenus)];
 

@@ -6,6 +6,7 @@ import { view } from "../../client";
 import { takeFocused } from "../gestures/focused";
 import { isPrompting } from "../prompt";
 import { runAction, type Action } from "./action";
+import { pasteText } from "./clipboardActions";
 import { actions } from "./registry";
 
 /** Where keys are for the model: the drawing and the tree of states. */
@@ -30,7 +31,7 @@ function acts({ where }: Action, target: EventTarget | null): boolean {
 const isOfButton = ({ key, target }: KeyboardEvent): boolean => (key === "Enter" || key === " ") && target instanceof HTMLButtonElement;
 
 function press(event: KeyboardEvent): void {
-  if (view.get().page !== "edit" || event.defaultPrevented || isPrompting() || view.get().help || isOfButton(event)) return;
+  if (view.get().page !== "edit" || isPrompting() || view.get().help || view.get().documents || isOfButton(event)) return;
   const text = pressText(event);
   const action = actions.find((each) => each.keys.includes(text) && acts(each, event.target));
   if (action === undefined) return;
@@ -40,9 +41,20 @@ function press(event: KeyboardEvent): void {
   runAction(action);
 }
 
+/** What the browser pastes in the drawing or the tree. */
+function takePasted(event: ClipboardEvent): void {
+  if (view.get().page !== "edit" || isPrompting() || isTyping(event.target) || !isInModel(document.activeElement)) return;
+  event.preventDefault();
+  pasteText(event.clipboardData?.getData("text/plain") ?? "");
+}
+
 export function useActionKeys(): void {
   useEffect(() => {
     addEventListener("keydown", press);
-    return () => removeEventListener("keydown", press);
+    addEventListener("paste", takePasted);
+    return () => {
+      removeEventListener("keydown", press);
+      removeEventListener("paste", takePasted);
+    };
   }, []);
 }

@@ -1,6 +1,6 @@
 // Asks a name where the element is. Enter takes it, and so does going elsewhere; Esc does not. A name that is none says why, and can be mended.
 import { useEffect, useRef, useState, type KeyboardEvent } from "react";
-import { endPrompt, leavePrompt, type Prompt } from "../prompt";
+import { endPrompt, isPrompting, leavePrompt, type Prompt } from "../prompt";
 
 export function NameField({ prompt: { label, at, value, commit } }: { readonly prompt: Extract<Prompt, { readonly kind: "name" }> }) {
   const input = useRef<HTMLInputElement>(null);
@@ -13,6 +13,7 @@ export function NameField({ prompt: { label, at, value, commit } }: { readonly p
     if (why === undefined) endPrompt();
   };
   const leave = () => {
+    if (!isPrompting()) return;
     if (name !== value) commit(name);
     leavePrompt();
   };
