@@ -20,7 +20,7 @@ export function EditProperties({ tree }: { readonly tree: ModelTree | undefined 
   return (
     <aside className="side side-right" aria-label="Properties" onKeyDown={keepKeys}>
       {tree !== undefined && selection !== undefined && also.size > 0 ? (
-        <SeveralForm tree={tree} paths={selectedPaths({ selection, also })} />
+        <SeveralForm paths={selectedPaths({ selection, also })} />
       ) : (
         <One tree={tree} selection={selection} top={top} />
       )}

@@ -6,6 +6,7 @@ import { rename } from "../../../shared/edit/commands/rename";
 import { view } from "../../client";
 import { carryOut, selectIds } from "../carryOut";
 import { editing, perform } from "../editing";
+import { openStateEditor } from "../forms/stateEditor";
 import { focusSelected } from "../gestures/focused";
 import { placeOfSelection } from "../gestures/onScreen";
 import { ask } from "../prompt";
@@ -81,6 +82,13 @@ const properties: Action = {
   run: showProperties,
 };
 
+/** The wide form has the functions, ports and parameters of a state; of anything else, all is in the panel. */
+const stateEditor: Action = {
+  id: "state_editor", name: "State editor", keys: ["Ctrl+Enter"], group: "Edit", where: "model",
+  when: ({ one, node }) => (one === undefined || one !== node ? "no state is selected" : undefined),
+  run: (situation) => (situation.tree.elements.get(situation.one ?? "")?.kind === "state" ? openStateEditor() : properties.run(situation)),
+};
+
 const selectNothing: Action = {
   id: "select_none", name: "Select nothing", keys: ["Esc"], group: "Edit", where: "page",
   when: ({ ids }) => (ids.length === 0 ? "nothing is selected" : undefined),
@@ -90,5 +98,5 @@ const selectNothing: Action = {
 export const editActions: readonly Action[] = [
   undo, redo, renaming,
   { ...removing, run: (situation) => { removing.run(situation); focusSelected(); } },
-  duplicating, properties, selectAll, selectNothing,
+  duplicating, properties, stateEditor, selectAll, selectNothing,
 ];

@@ -1,19 +1,15 @@
 // Several nodes are selected: how many, and what can be done with all of them.
-import { idAt } from "../../../shared/model/identity";
-import type { ModelTree } from "../../../shared/model/modelTree";
-import { freeNameIn } from "../../../shared/edit/commands/command";
-import { elementOf } from "../../../shared/edit/tree";
-import { editedDocument, perform } from "../editing";
+import { runAction } from "../actions/action";
+import { actionOf } from "../actions/registry";
 
-const group = (ids: readonly string[]): void => {
-  const tree = editedDocument();
-  const [first] = ids;
-  if (tree === undefined || first === undefined) return;
-  perform({ compound: { kind: "group", ids, name: freeNameIn(tree, elementOf(tree, first).parent, "children", "Group") } });
-};
+/** The actions of the page on what is selected; each asks for what it needs, or says why it cannot be done. */
+const kActions: readonly { readonly id: string; readonly name: string }[] = [
+  { id: "group", name: "Group" },
+  { id: "duplicate", name: "Duplicate" },
+  { id: "delete", name: "Delete" },
+];
 
-export function SeveralForm({ tree, paths }: { readonly tree: ModelTree; readonly paths: readonly string[] }) {
-  const ids = paths.flatMap((path) => idAt(tree, { kind: "node", path }) ?? []);
+export function SeveralForm({ paths }: { readonly paths: readonly string[] }) {
   return (
     <div className="form">
       <header className="form-head">
@@ -26,15 +22,11 @@ export function SeveralForm({ tree, paths }: { readonly tree: ModelTree; readonl
         ))}
       </ul>
       <div className="form-tools">
-        <button type="button" onClick={() => group(ids)}>
-          Group
-        </button>
-        <button type="button" onClick={() => ids.forEach((id) => perform({ compound: { kind: "duplicate", id } }))}>
-          Duplicate
-        </button>
-        <button type="button" onClick={() => perform({ operations: ids.map((id) => ({ op: "remove", id })) })}>
-          Delete
-        </button>
+        {kActions.map(({ id, name }) => (
+          <button key={id} type="button" onClick={() => runAction(actionOf(id))}>
+            {name}
+          </button>
+        ))}
       </div>
     </div>
   );

@@ -37,13 +37,13 @@ function click(event: MouseEvent): void {
   view.dispatch({ type: "select_also", path: hit.path });
 }
 
-/** A double click shows the properties; with Ctrl it enters. */
+/** A double click shows the properties, of a state in the state editor; with Ctrl it enters. */
 function doubleClick(event: MouseEvent): void {
   const hit = isOnDrawing(pointOf(event)) ? hitAt(pointOf(event)) : undefined;
   if (hit === undefined) return;
   event.stopPropagation();
   view.dispatch({ type: "select", selection: hit });
-  runAction(actionOf(event.ctrlKey || event.metaKey ? "enter" : "properties"));
+  runAction(actionOf(event.ctrlKey || event.metaKey ? "enter" : hit.kind === "node" ? "state_editor" : "properties"));
 }
 
 function openContextMenu(event: MouseEvent): void {

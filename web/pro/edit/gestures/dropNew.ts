@@ -1,7 +1,10 @@
 // Dragging something new onto the drawing: it goes into the composite under the pointer.
 import type { Command } from "../../../shared/edit/commands/command";
+import { placeOf } from "../../../shared/edit/commands/placing";
 import type { Tree } from "../../../shared/edit/tree";
+import { selectionsOf } from "../../../shared/model/identity";
 import { pathOf } from "../../../shared/session/view";
+import { shownCanvas } from "../../canvas/canvasView";
 import { carryOut } from "../carryOut";
 import type { ScreenPoint } from "../prompt";
 import { situationNow, type Situation } from "../situation";
@@ -28,6 +31,17 @@ function homeAt({ model, focus }: Situation, { onto }: NewThing, at: ScreenPoint
   return focus;
 }
 
+/** The command, with the place where the new element was dropped, if it is one that has a place in its state. */
+function placed(command: Command, thing: NewThing, home: { readonly id: string; readonly path: string }, at: ScreenPoint): Command {
+  const canvas = shownCanvas();
+  if (thing.onto !== "composite" || canvas === undefined || !("change" in command) || !("operations" in command.change) || command.select === undefined) return command;
+  const drawn = selectionsOf(canvas.laid.tree).get(home.id);
+  const place = drawn?.kind === "node" ? placeOf(canvas.laid.drawing, canvas.toModel(at), { path: drawn.path, id: home.id }) : undefined;
+  if (place === undefined) return command;
+  const set = { op: "set", id: "", field: "layout", key: command.select, value: { ...place } } as const;
+  return { ...command, change: { operations: [...command.change.operations, set] } };
+}
+
 export function dropNew(thing: NewThing): Drag {
   return {
     move: (at) => {
@@ -40,7 +54,7 @@ export function dropNew(thing: NewThing): Drag {
     drop: (at) => {
       const situation = situationNow();
       const home = situation && homeAt(situation, thing, at);
-      if (situation !== undefined && home !== undefined) carryOut(thing.make(situation.tree, home.id));
+      if (situation !== undefined && home !== undefined) carryOut(placed(thing.make(situation.tree, home.id), thing, home, at));
     },
     end: () => showDrag(undefined),
   };
