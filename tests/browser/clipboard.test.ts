@@ -46,7 +46,7 @@ describe("the clipboard", () => {
 
 describe("the left panel", () => {
   it("gives states by drag and by Enter, and links to library states", async () => {
-    const { open, children, state } = editPage(fixture);
+    const { open, state } = editPage(fixture);
     await open("library", { ...kTask, library: [{ state: "Pick", ports: [{ name: "done", when: "True" }] }] });
     const item = fixture.page.getByRole("button", { name: "State", exact: true });
     const [from, to] = [await item.boundingBox(), await middle(fixture.page, '#edit-canvas [data-path="Root/C/D"] .state-name')];
@@ -60,7 +60,8 @@ describe("the left panel", () => {
     await fixture.page.keyboard.press("Enter");
     await fixture.page.getByRole("button", { name: "Actions of Pick" }).click();
     await fixture.page.getByRole("menuitem", { name: "Link here" }).click();
-    await expect.poll(async () => (await state("library", "Pick2"))?.link ?? (await children("library"))?.join()).toContain("Pick");
+    const inside = async () => (await state("library", "C"))?.children?.map((child) => child.link ?? child.state ?? child.barrier);
+    await expect.poll(inside).toEqual(["D", "State", "Barrier", "Pick"]);
     await fixture.screenshot("edit-library");
   });
 });
