@@ -119,4 +119,4 @@ export async function openFixture(...further: readonly string[]): Promise<Fixtur
 }
 
 /** Waits until the drawing is final: a click on a drawing that is then replaced is lost. */
-export const settled = (page: Page) => page.locator('.canvas[aria-busy="false"]:has(.react-flow)').waitFor();
+export const settled = (page: Page) => page.locator('.canvas[aria-busy="false"]:has(.react-flow, .painted)').waitFor();

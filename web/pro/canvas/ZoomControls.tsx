@@ -1,39 +1,40 @@
 // Zooming by button and key: in, out, and the whole drawing.
-import { ControlButton, Controls, useReactFlow, useStore } from "@xyflow/react";
 import type { RefObject } from "react";
 import { fit } from "../../shared/drawing/fit";
+import type { Size } from "../../shared/drawing/measure";
+import { zoomedAt } from "../../shared/drawing/movement";
 import { keysOf } from "../../shared/session/shortcuts";
 import { useShortcuts } from "../useShortcuts";
+import { shownCanvas } from "./canvasView";
 import type { Laid } from "./useDrawing";
 
-const kMoment = { duration: 150 };
+const kMoment = 150;
+const kStep = 1.2;
 
 interface Props {
   readonly laid: Laid;
+  readonly size: Size;
   /** Whether the user has moved or zoomed the drawing. */
   readonly movedRef: RefObject<boolean>;
 }
 
-export function ZoomControls({ laid, movedRef }: Props) {
-  const { setViewport, zoomIn, zoomOut } = useReactFlow();
-  const width = useStore((s) => s.width);
-  const height = useStore((s) => s.height);
-  const move = () => {
+export function ZoomControls({ laid, size, movedRef }: Props) {
+  const zoom = (factor: number) => {
     movedRef.current = true;
+    const canvas = shownCanvas();
+    canvas?.show(zoomedAt(canvas.viewport(), { x: size.width / 2, y: size.height / 2 }, factor), kMoment);
   };
   const fitAll = () => {
     movedRef.current = false;
-    void setViewport(fit(laid.drawing, { width, height }), { duration: 250 });
+    shownCanvas()?.show(fit(laid.drawing, size), 250);
   };
   useShortcuts((shortcut) => {
     switch (shortcut) {
       case "zoom_in":
-        move();
-        void zoomIn(kMoment);
+        zoom(kStep);
         return true;
       case "zoom_out":
-        move();
-        void zoomOut(kMoment);
+        zoom(1 / kStep);
         return true;
       case "fit":
         fitAll();
@@ -43,12 +44,20 @@ export function ZoomControls({ laid, movedRef }: Props) {
     }
   });
   return (
-    <Controls showInteractive={false} showFitView={false} position="bottom-left" onZoomIn={move} onZoomOut={move}>
-      <ControlButton aria-label="Fit" title={`Show the whole drawing (${keysOf("fit")})`} onClick={fitAll}>
-        <svg viewBox="0 0 16 16" aria-hidden="true">
-          <path d="M2 6V2h4M10 2h4v4M14 10v4h-4M6 14H2v-4" fill="none" stroke="currentColor" strokeWidth="2" />
-        </svg>
-      </ControlButton>
-    </Controls>
+    <div className="zoom-controls" role="group" aria-label="Zoom">
+      <Control label="Zoom In" title={`Zoom in (${keysOf("zoom_in")})`} path="M8 3v10M3 8h10" act={() => zoom(kStep)} />
+      <Control label="Zoom Out" title={`Zoom out (${keysOf("zoom_out")})`} path="M3 8h10" act={() => zoom(1 / kStep)} />
+      <Control label="Fit" title={`Show the whole drawing (${keysOf("fit")})`} path="M2 6V2h4M10 2h4v4M14 10v4h-4M6 14H2v-4" act={fitAll} />
+    </div>
+  );
+}
+
+function Control({ label, title, path, act }: { readonly label: string; readonly title: string; readonly path: string; readonly act: () => void }) {
+  return (
+    <button type="button" aria-label={label} title={title} onClick={act}>
+      <svg viewBox="0 0 16 16" aria-hidden="true">
+        <path d={path} fill="none" stroke="currentColor" strokeWidth="2" />
+      </svg>
+    </button>
   );
 }

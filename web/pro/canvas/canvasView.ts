@@ -2,7 +2,7 @@
 // There is one at a time, whichever way it is painted.
 import type { Point } from "../../shared/drawing/drawing";
 import type { Viewport } from "../../shared/drawing/fit";
-import { hitIndex } from "../../shared/drawing/hit";
+import { hitIndex, type Hit } from "../../shared/drawing/hit";
 import { idAt } from "../../shared/model/identity";
 import { createStore, useSelected } from "../store";
 import type { Laid } from "./useDrawing";
@@ -37,7 +37,8 @@ export interface CanvasView {
 /** How a canvas is moved: what its two ways of painting do each in their way. */
 export type Movable = Pick<CanvasView, "laid" | "element" | "viewport" | "show" | "listen">;
 
-export function canvasView(canvas: Movable): CanvasView {
+/** `seen`: what is painted for what lies at a point; a painted canvas leaves out what would be too small. */
+export function canvasView(canvas: Movable, seen: (hit: Hit) => Hit = (hit) => hit): CanvasView {
   const { laid, element, viewport } = canvas;
   const toModel = (point: Point): Point => {
     const { x, y, zoom } = viewport();
@@ -50,8 +51,9 @@ export function canvasView(canvas: Movable): CanvasView {
     return { x: left + x + point.x * zoom, y: top + y + point.y * zoom };
   };
   const nodeAt = (point: Point): CanvasHit | undefined => {
-    const hit = hitIndex(laid.drawing).at(toModel(point));
-    if (hit === undefined) return undefined;
+    const found = hitIndex(laid.drawing).at(toModel(point));
+    if (found === undefined) return undefined;
+    const hit = seen(found);
     const { path, port } = hit;
     return { ...hit, id: idAt(laid.tree, port === undefined ? { kind: "node", path } : { kind: "port", address: port }) };
   };

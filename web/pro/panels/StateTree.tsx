@@ -1,59 +1,150 @@
-// The hierarchy as a tree: active states are lit, a click selects and shows.
-import { useMemo } from "react";
-import type { ModelTree, TreeNode } from "../../shared/model/modelTree";
-import { ErrorMark } from "../edit/ErrorMark";
+// The hierarchy as a tree: active states are lit, a click selects and shows. Of a large one only the rows in view are in the page.
+import { memo, useEffect, useMemo, useRef, useState, type KeyboardEvent } from "react";
+import type { ModelTree } from "../../shared/model/modelTree";
+import { rowByName, treeMove, treeRows, type TreeRow } from "../../shared/model/treeRows";
 import { useSession, useView, view } from "../client";
+import { ErrorMark } from "../edit/ErrorMark";
+import { useRowsInView } from "./useRowsInView";
+
+/** Height of a row, as in panels.css [px]. */
+const kRow = 26;
+/** A tree with no more rows is in the page as a whole. */
+const kWhole = 60;
+/** Keys typed within this time are one word [ms]. */
+const kWord = 700;
 
 export function StateTree({ tree }: { readonly tree: ModelTree | undefined }) {
-  const root = tree?.values().next().value;
   return (
     <section className="tree" aria-label="States">
       <h2>States</h2>
-      {root === undefined ? (
-        <p className="quiet">No task is loaded.</p>
-      ) : (
-        <ul role="tree" aria-label="State tree">
-          <Item entry={root} />
-        </ul>
-      )}
+      {tree === undefined || tree.size === 0 ? <p className="quiet">No task is loaded.</p> : <Rows tree={tree} />}
     </section>
   );
 }
 
-function Item({ entry }: { readonly entry: TreeNode }) {
-  const run = useSession((s) => s.run);
-  const active = useMemo(() => run?.active.includes(entry.path) === true, [run, entry.path]);
-  const selected = useView((v) => (v.selection?.kind === "node" && v.selection.path === entry.path) || v.also.has(entry.path));
-  const collapsed = useView((v) => v.collapsed.has(entry.path));
-  const composite = entry.children.length > 0;
+const jump = (path: string) => view.dispatch({ type: "jump", selection: { kind: "node", path } });
+const kNoActive: readonly string[] = [];
+
+/** The row with the focus, or that gets it when the tree does: the one that keys went to, else the selected one, else the first. */
+function useCursor(rows: readonly TreeRow[], selected: ReadonlySet<string>) {
+  const [cursor, setCursor] = useState<string>();
+  const index = useMemo(() => new Map(rows.map((row, i) => [row.entry.path, i])), [rows]);
+  const [first] = selected;
+  const at = index.get(cursor ?? "") ?? index.get(first ?? "") ?? 0;
+  return { at, setCursor };
+}
+
+function Rows({ tree }: { readonly tree: ModelTree }) {
+  const list = useRef<HTMLUListElement>(null);
+  const collapsed = useView((v) => v.collapsed);
+  const selection = useView((v) => v.selection);
+  const also = useView((v) => v.also);
+  const run = useSession((s) => s.run?.active ?? kNoActive);
+  const page = useView((v) => v.page);
+  const active = useMemo(() => new Set(page === "edit" ? [] : run), [run, page]);
+  const rows = useMemo(() => treeRows(tree, collapsed), [tree, collapsed]);
+  const selected = useMemo(() => new Set(selection?.kind === "node" ? [selection.path, ...also] : []), [selection, also]);
+  const { at, setCursor } = useCursor(rows, selected);
+  const inView = useRowsInView(list, ".side", rows.length, kRow);
+  const { first, end } = rows.length <= kWhole ? { first: 0, end: rows.length } : inView;
+  /** The row that gets the focus when it is in the page. */
+  const wantedRef = useRef<string>(undefined);
+  const typedRef = useRef({ text: "", at: -Infinity });
+
+  useEffect(() => {
+    const path = wantedRef.current;
+    const element = path === undefined ? null : list.current?.querySelector<HTMLElement>(`[data-path="${CSS.escape(path)}"]`);
+    if (element === null || element === undefined) return;
+    wantedRef.current = undefined;
+    element.focus({ preventScroll: true });
+  });
+
+  const go = (to: number) => {
+    const path = rows[to]?.entry.path;
+    if (path === undefined) return;
+    wantedRef.current = path;
+    setCursor(path);
+    showRow(list.current, to);
+  };
+  const press = (event: KeyboardEvent) => {
+    if (event.ctrlKey || event.metaKey || event.altKey || event.target instanceof HTMLButtonElement) return;
+    const path = rows[at]?.entry.path;
+    const move = treeMove(rows, at, event.key, 10);
+    if (move !== undefined) {
+      if ("to" in move) go(move.to);
+      else view.dispatch({ type: "toggle", path: move.toggle });
+    } else if (event.key === "Enter" && path !== undefined) jump(path);
+    else if (/^\w$/.test(event.key)) {
+      const typed = typedRef.current;
+      const text = event.timeStamp - typed.at < kWord ? typed.text + event.key : event.key;
+      typedRef.current = { text, at: event.timeStamp };
+      const found = rowByName(rows, at, text);
+      if (found !== undefined) go(found);
+    } else return;
+    event.preventDefault();
+    event.stopPropagation();
+  };
+  const shown = rows.slice(first, end);
+  // The row with the focus stays in the page, else the focus would be lost.
+  const outside = rows[at] !== undefined && (at < first || at >= end) ? rows[at] : undefined;
   return (
-    <li role="treeitem" aria-selected={selected} aria-expanded={composite ? !collapsed : undefined} aria-label={entry.path} data-active={active}>
-      <div className="tree-row" data-path={entry.path} style={{ paddingLeft: 8 + entry.depth * 14 }}>
-        {composite ? (
-          <button
-            type="button"
-            className="tree-fold"
-            aria-label={`${collapsed ? "Expand" : "Collapse"} ${entry.node.name}`}
-            onClick={() => view.dispatch({ type: "toggle", path: entry.path })}
-          >
-            {collapsed ? "▸" : "▾"}
-          </button>
-        ) : (
-          <span className={entry.node.kind === "barrier" ? "tree-bar" : "tree-leaf"} aria-hidden="true" />
-        )}
-        <button type="button" className="tree-name" onClick={() => view.dispatch({ type: "jump", selection: { kind: "node", path: entry.path } })}>
-          {entry.node.name}
-        </button>
-        <ErrorMark path={entry.path} closed={composite && collapsed} />
-        {active && <i className="dot" title="active" />}
-      </div>
-      {composite && !collapsed && (
-        <ul role="group">
-          {entry.children.map((child) => (
-            <Item key={child.path} entry={child} />
-          ))}
-        </ul>
-      )}
-    </li>
+    <ul role="tree" aria-label="State tree" ref={list} style={{ height: rows.length * kRow }} onKeyDown={press} onFocus={({ target }) => setCursor(target.closest("li")?.dataset["path"])}>
+      {[...shown, ...(outside === undefined ? [] : [outside])].map((row, i) => {
+        const { path } = row.entry;
+        const index = row === outside ? at : first + i;
+        return <Row key={path} row={row} index={index} active={active.has(path)} selected={selected.has(path)} tabbable={index === at} />;
+      })}
+    </ul>
   );
 }
+
+/** Scrolls so that the row is in view. */
+function showRow(list: HTMLElement | null, index: number): void {
+  const scroller = list?.closest(".side");
+  if (list === null || scroller === null || scroller === undefined) return;
+  const top = list.getBoundingClientRect().top + index * kRow;
+  const frame = scroller.getBoundingClientRect();
+  if (top < frame.top) scroller.scrollTop += top - frame.top - kRow;
+  else if (top + kRow > frame.bottom) scroller.scrollTop += top + 2 * kRow - frame.bottom;
+}
+
+interface RowProps {
+  readonly row: TreeRow;
+  readonly index: number;
+  readonly active: boolean;
+  readonly selected: boolean;
+  readonly tabbable: boolean;
+}
+
+const Row = memo(function Row({ row: { entry, position, siblings, open }, index, active, selected, tabbable }: RowProps) {
+  const { path, depth, node } = entry;
+  const composite = entry.children.length > 0;
+  return (
+    <li
+      role="treeitem"
+      className="tree-row"
+      aria-label={path}
+      aria-level={depth + 1}
+      aria-posinset={position}
+      aria-setsize={siblings}
+      aria-selected={selected}
+      aria-expanded={composite ? open : undefined}
+      data-active={active}
+      data-path={path}
+      tabIndex={tabbable ? 0 : -1}
+      style={{ top: index * kRow, paddingLeft: 8 + depth * 14 }}
+    >
+      {composite ? (
+        <button type="button" className="tree-fold" tabIndex={-1} aria-label={`${open ? "Collapse" : "Expand"} ${node.name}`} onClick={() => view.dispatch({ type: "toggle", path })}>
+          {open ? "▾" : "▸"}
+        </button>
+      ) : (
+        <span className={node.kind === "barrier" ? "tree-bar" : "tree-leaf"} aria-hidden="true" />
+      )}
+      <button type="button" className="tree-name" tabIndex={-1} onClick={() => jump(path)}>
+        {node.name}
+      </button>
+      <ErrorMark path={path} closed={composite && !open} />
+    </li>
+  );
+});

@@ -35,7 +35,7 @@ export function hitAt(at: ScreenPoint): Selection | undefined {
 }
 
 /** What lies over the drawing and has the pointer for itself. */
-const kTools = ".breadcrumb, .canvas-tools, .react-flow__controls, .react-flow__minimap, .layout-progress, .state-toggle, button:not([data-path], [data-address], .state-name)";
+const kTools = ".breadcrumb, .canvas-tools, .zoom-controls, .react-flow__minimap, .minimap, .layout-progress, .state-toggle, button:not([data-path], [data-address], .state-name)";
 
 /** Whether a point of the screen is on the drawing: not on another part of the page, nor on the tools that lie over it. */
 export function isOnDrawing({ x, y }: ScreenPoint): boolean {

@@ -1,0 +1,133 @@
+// A document of 2000 states in the page that edits: drawn at every zoom with few elements, and used as a small one.
+import type { Page } from "playwright-core";
+import { largeDocument } from "../bench/pages/large_document.mjs";
+import { openFixture, settled, type Fixture } from "./fixture";
+
+let fixture: Fixture;
+let page: Page;
+const problems: string[] = [];
+
+beforeAll(async () => {
+  fixture = await openFixture();
+  page = fixture.page;
+  page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
+  page.on("pageerror", (error) => problems.push(String(error)));
+  await fixture.send("PUT", "/documents/large", largeDocument(200));
+  await page.goto(`${fixture.url}/pro/?edit=large`);
+  await settled(page);
+});
+afterAll(() => fixture.close());
+
+const elements = () => page.locator("body *").count();
+const canvas = () => page.locator(".painted");
+const tree = () => page.getByRole("tree", { name: "State tree" });
+const row = (path: string) => tree().getByRole("treeitem", { name: path, exact: true });
+const kMost = 300;
+
+/** The colours of the bitmap that is shown, counted: a canvas with nothing on it has one. */
+const colours = () =>
+  page.evaluate(() => {
+    const [shown] = [...document.querySelectorAll<HTMLCanvasElement>(".painted > canvas")].slice(1, 3).filter((each) => each.style.visibility === "visible");
+    const context = shown?.getContext("2d");
+    if (shown === undefined || context === null || context === undefined) return 0;
+    const { data } = context.getImageData(0, 0, shown.width, shown.height);
+    return new Set(new Uint32Array(data.buffer)).size;
+  });
+
+async function middle(): Promise<{ readonly x: number; readonly y: number }> {
+  const box = await canvas().boundingBox();
+  if (box === null) throw new Error("there is no canvas");
+  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+}
+
+/** The place of an element in the drawing, once it no longer moves. */
+async function settledBox(name: string) {
+  const element = page.getByRole("group", { name, exact: true });
+  let before = "";
+  const rests = async () => {
+    const [last, now] = [before, JSON.stringify(await element.boundingBox())];
+    before = now;
+    return now !== "null" && now === last;
+  };
+  await expect.poll(rests, { interval: 400, timeout: 10_000 }).toBe(true);
+  const box = await element.boundingBox();
+  if (box === null) throw new Error(`${name} is not there`);
+  return box;
+}
+
+describe("a document of 2000 states", () => {
+  it("is painted at every zoom, with at most 300 elements in the page", async () => {
+    const { x, y } = await middle();
+    await page.mouse.move(x, y);
+    const seen: number[] = [];
+    for (let turn = 0; turn < 14; turn++) {
+      await page.mouse.wheel(0, turn === 0 ? 0 : -150);
+      await page.waitForTimeout(350);
+      expect(await colours()).toBeGreaterThan(8);
+      seen.push(await elements());
+    }
+    expect(Math.max(...seen)).toBeLessThanOrEqual(kMost);
+    await fixture.screenshot("large-near");
+    await page.keyboard.press("Control+0");
+    await page.waitForTimeout(500);
+    await fixture.screenshot("large-far");
+  });
+
+  it("shows a state that was found, and selects what is clicked", async () => {
+    await page.getByRole("searchbox", { name: "Search the model" }).fill("Group7");
+    await page.keyboard.press("Enter");
+    await expect.poll(() => page.locator(".painted .is-selected").getAttribute("data-path")).toBe("Large/Group7");
+    await page.getByRole("searchbox", { name: "Search the model" }).fill("");
+    await row("Large/Group1/Part1/Step2").getByRole("button").click();
+    const box = await settledBox("State Large/Group1/Part1/Step2");
+    await page.mouse.click(box.x + box.width * 0.4, box.y - 40);
+    await expect.poll(() => row("Large/Group1/Part1/Step2").getAttribute("aria-selected")).toBe("false");
+    await page.mouse.click(box.x + box.width * 0.15, box.y + box.height * 0.8);
+    await expect.poll(() => row("Large/Group1/Part1/Step2").getAttribute("aria-selected")).toBe("true");
+    await fixture.screenshot("large-selected");
+  });
+
+  it("moves with a drag, and does not take it for a click", async () => {
+    const before = await settledBox("State Large/Group1/Part1/Step2");
+    const { x, y } = await middle();
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 60, y + 30, { steps: 5 });
+    await page.mouse.up();
+    const after = await settledBox("State Large/Group1/Part1/Step2");
+    expect(Math.round(after.x - before.x)).toBe(60);
+    expect(Math.round(after.y - before.y)).toBe(30);
+    expect(await row("Large/Group1/Part1/Step2").getAttribute("aria-selected")).toBe("true");
+  });
+
+  it("draws an edit", async () => {
+    await page.getByRole("group", { name: "State Large/Group1/Part1/Step2", exact: true }).waitFor();
+    await fixture.send("POST", "/documents/large/edits", { compound: { kind: "rename", id: "g0-0-1", name: "Weld" }, author: "Ann", revision: 1 });
+    await page.getByRole("group", { name: "State Large/Group1/Part1/Weld", exact: true }).waitFor();
+    await settled(page);
+    expect(await row("Large/Group1/Part1/Weld").getAttribute("aria-selected")).toBe("true");
+  });
+
+  it("has a tree for the keyboard, of which only the rows in view are in the page", async () => {
+    await row("Large").focus();
+    await page.keyboard.press("End");
+    await expect.poll(() => page.evaluate(() => document.activeElement?.getAttribute("aria-label"))).toBe("Large/Group10/Part20/Step9");
+    expect(await tree().getByRole("treeitem").count()).toBeLessThan(60);
+    await page.keyboard.press("ArrowLeft");
+    await page.keyboard.press("ArrowLeft");
+    await expect.poll(() => row("Large/Group10/Part20").getAttribute("aria-expanded")).toBe("false");
+    expect(await row("Large/Group10/Part20").getAttribute("aria-posinset")).toBe("20");
+    await settled(page);
+    await page.keyboard.press("Enter");
+    await expect.poll(() => row("Large/Group10/Part20").getAttribute("aria-selected")).toBe("true");
+  });
+
+  it("enters a composite by a double click", async () => {
+    const box = await settledBox("State Large/Group10/Part20");
+    await page.mouse.dblclick(box.x + box.width * 0.3, box.y + box.height * 0.9);
+    await expect.poll(() => page.getByRole("navigation", { name: "Breadcrumb" }).innerText()).toContain("Part20");
+    await settled(page);
+    await page.getByRole("group", { name: "State Large/Group10/Part20/Step9", exact: true }).waitFor();
+    expect(problems).toEqual([]);
+  });
+});

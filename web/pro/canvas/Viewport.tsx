@@ -1,0 +1,69 @@
+// The visible part of the drawing: fits a new drawing and, unless the user has moved it, a resized canvas; moves to the target of a
+// jump; enlarges names when zoomed out.
+import { useEffect, useEffectEvent, useRef, type CSSProperties, type RefObject } from "react";
+import { fit, fitReadable } from "../../shared/drawing/fit";
+import { hitIndex } from "../../shared/drawing/hit";
+import { kFar } from "../../shared/drawing/levels";
+import type { Size } from "../../shared/drawing/measure";
+import { fitBox } from "../../shared/drawing/movement";
+import { pathOf } from "../../shared/session/view";
+import { useView } from "../client";
+import { shownCanvas, useShownCanvas } from "./canvasView";
+import type { Laid } from "./useDrawing";
+
+interface Props {
+  readonly laid: Laid;
+  readonly size: Size;
+  /** The user has moved or zoomed the drawing, so it is not fitted again. */
+  readonly movedRef: RefObject<boolean>;
+}
+
+export function Viewport({ laid, size, movedRef }: Props) {
+  const element = useShownCanvas()?.element;
+  const canvas = useShownCanvas();
+  const reveal = useView((v) => v.reveal);
+  const selection = useView((v) => v.selection);
+  const seenRef = useRef(reveal);
+
+  const show = useEffectEvent((duration: number) => {
+    const view = laid.asked ? fitReadable : fit;
+    shownCanvas()?.show(view(laid.drawing, size), duration);
+  });
+
+  useEffect(() => {
+    if (element === undefined) return;
+    movedRef.current = false;
+    show(250);
+  }, [laid.key, element, movedRef]);
+
+  useEffect(() => {
+    if (!movedRef.current) show(0);
+  }, [size, movedRef]);
+
+  useEffect(() => {
+    if (reveal === seenRef.current || selection === undefined) return;
+    const node = hitIndex(laid.drawing).node(pathOf(selection));
+    if (node === undefined) return;
+    seenRef.current = reveal;
+    movedRef.current = true;
+    const frame = requestAnimationFrame(() => shownCanvas()?.show(fitBox(node, size), 350));
+    return () => cancelAnimationFrame(frame);
+  }, [reveal, selection, laid, size, movedRef]);
+
+  useEffect(() => {
+    if (canvas === undefined) return;
+    const section = canvas.element.closest<HTMLElement>(".canvas");
+    let before = 0;
+    const mark = () => {
+      const { zoom } = canvas.viewport();
+      if (zoom === before) return;
+      before = zoom;
+      section?.setAttribute("data-zoom", zoom < kFar ? "far" : "near");
+      section?.style.setProperty("--least", String(0.5 / zoom));
+      section?.style.setProperty("--grow", String(Math.min(3, 0.72 / zoom)) satisfies NonNullable<CSSProperties["width"]>);
+    };
+    mark();
+    return canvas.listen(mark);
+  }, [canvas]);
+  return null;
+}
