@@ -46,8 +46,7 @@ export function Viewport({ laid, size, movedRef }: Props) {
     if (node === undefined) return;
     seenRef.current = reveal;
     movedRef.current = true;
-    const frame = requestAnimationFrame(() => shownCanvas()?.show(fitBox(node, size), 350));
-    return () => cancelAnimationFrame(frame);
+    shownCanvas()?.show(fitBox(node, size), 350);
   }, [reveal, selection, laid, size, movedRef]);
 
   useEffect(() => {
