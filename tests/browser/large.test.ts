@@ -95,8 +95,9 @@ describe("a document of 2000 states", () => {
     await page.mouse.move(x + 60, y + 30, { steps: 5 });
     await page.mouse.up();
     const after = await settledBox("State Large/Group1/Part1/Step2");
-    expect(Math.round(after.x - before.x)).toBe(60);
-    expect(Math.round(after.y - before.y)).toBe(30);
+    // As far as the pointer, but for a few pixels.
+    expect(Math.abs(after.x - before.x - 60)).toBeLessThan(8);
+    expect(Math.abs(after.y - before.y - 30)).toBeLessThan(8);
     expect(await row("Large/Group1/Part1/Step2").getAttribute("aria-selected")).toBe("true");
   });
 
@@ -124,7 +125,7 @@ describe("a document of 2000 states", () => {
 
   it("enters a composite by a double click", async () => {
     const box = await settledBox("State Large/Group10/Part20");
-    await page.mouse.dblclick(box.x + box.width * 0.3, box.y + box.height * 0.9);
+    await page.mouse.dblclick(box.x + box.width * 0.15, box.y + box.height * 0.4);
     await expect.poll(() => page.getByRole("navigation", { name: "Breadcrumb" }).innerText()).toContain("Part20");
     await settled(page);
     await page.getByRole("group", { name: "State Large/Group10/Part20/Step9", exact: true }).waitFor();

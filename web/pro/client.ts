@@ -15,7 +15,6 @@ import { addressWith, placeOfAddress } from "../shared/session/address";
 import { coreToWatch } from "../shared/session/watched";
 import type { StreamUpdate } from "../shared/messages/stream";
 import { openStream, type Connection, type Stream } from "../shared/stream";
-import { frameQueue } from "./frameQueue";
 import { createStore, useSelected } from "./store";
 
 const kPastSteps = 40;
@@ -75,20 +74,6 @@ function gather(id: string, steps: readonly TraceStep[]): void {
 /** Updates that say of which edit the model of a core is. */
 const kBringsCore: ReadonlySet<StreamUpdate["type"]> = new Set(["cores", "core", "state", "state_changed"]);
 
-/** What the server sends reaches the page here. */
-function received(update: StreamUpdate): void {
-  if (update.type === "cell") cellPose.dispatch(update.pose);
-  else if (update.type === "packet") flowWatchers.get(update.channel)?.(update.packet);
-  else if (update.type === "derivations") gather(update.id, update.steps);
-  else session.dispatch({ type: "update", update });
-  if (update.type === "derivation_position") void loadPast(update.id, update.next);
-  if (update.type === "cores" || update.type === "core") watchSomething();
-  if (kBringsCore.has(update.type)) refreshModel();
-  listeners.forEach((listener) => listener.update(update));
-}
-
-const steps = frameQueue(received);
-
 /** Opens the stream and loads what never changes; the connection stays until the page is closed. */
 export function connect(): void {
   const scheme = location.protocol === "https:" ? "wss" : "ws";
@@ -99,8 +84,16 @@ export function connect(): void {
       if (connection === "open") opened();
     },
     onMalformed: problem,
-    // The steps of a run may be many in a frame; what comes behind one keeps its order.
-    onUpdate: (update) => (update.type === "state_changed" || !steps.isEmpty() ? steps.add(update) : received(update)),
+    onUpdate: (update) => {
+      if (update.type === "cell") cellPose.dispatch(update.pose);
+      else if (update.type === "packet") flowWatchers.get(update.channel)?.(update.packet);
+      else if (update.type === "derivations") gather(update.id, update.steps);
+      else session.dispatch({ type: "update", update });
+      if (update.type === "derivation_position") void loadPast(update.id, update.next);
+      if (update.type === "cores" || update.type === "core") watchSomething();
+      if (kBringsCore.has(update.type)) refreshModel();
+      listeners.forEach((listener) => listener.update(update));
+    },
   });
   for (const channel of ["cores", "services", "log", "cell/pose"]) stream.subscribe(channel);
 }

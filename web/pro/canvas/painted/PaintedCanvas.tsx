@@ -79,7 +79,7 @@ function useNodesInUse(scene: Scene, camera: Camera, size: Size, used: readonly 
   return { paths, zoom: rest.zoom };
 }
 
-const isOnElement = (event: Event): boolean => event.target instanceof Element && event.target.closest("[data-path]") !== null;
+const isOnButton = (event: Event): boolean => event.target instanceof Element && event.target.closest("button") !== null;
 
 export const PaintedCanvas = memo(function PaintedCanvas({ laid, size, movedRef }: Props) {
   const frame = useRef<HTMLDivElement>(null);
@@ -118,7 +118,7 @@ export const PaintedCanvas = memo(function PaintedCanvas({ laid, size, movedRef 
   });
   const onClick = useEffectEvent((event: MouseEvent) => {
     const canvas = current();
-    if (canvas !== undefined && !isOnElement(event)) clicked(canvas, scene, event);
+    if (canvas !== undefined && !isOnButton(event)) clicked(canvas, scene, event);
   });
   const onDoubleClick = useEffectEvent((event: MouseEvent) => {
     const hit = current()?.nodeAt({ x: event.clientX, y: event.clientY });
