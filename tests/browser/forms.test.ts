@@ -240,7 +240,7 @@ describe("a draft", () => {
     await page.getByText("1 unsent text").click();
     await page.getByRole("button", { name: "Root › A › entry", exact: true }).click();
     await form(page).getByText("changed this to").waitFor();
-    expect(await entry.inputValue()).toBe("print('mine')");
+    expect(await entry.innerText()).toBe("print('mine')");
     await entry.press("Control+Enter");
     await entry.blur();
     await page.waitForTimeout(300);
@@ -249,7 +249,7 @@ describe("a draft", () => {
     await form(page).getByRole("button", { name: "Keep mine" }).click();
     await within(async () => (await stateIn("drafts", "A"))?.["entry"]).toBe("print('mine')");
     await within(() => page.getByText("unsent text").count()).toBe(0);
-    await within(() => theirs.inputValue()).toBe("print('mine')");
+    await within(() => theirs.innerText()).toBe("print('mine')");
     await other.close();
   });
 

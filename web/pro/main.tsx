@@ -17,6 +17,7 @@ import "./styles/documents.css";
 import "./styles/forms.css";
 import "./styles/placing.css";
 import "./styles/arguments.css";
+import "./styles/code.css";
 import { createRoot } from "react-dom/client";
 import { App } from "./App";
 import { connect } from "./client";

@@ -65,8 +65,18 @@ export function messageAtField({ message, line, column }: ServerError): string {
   return line === undefined || line === 1 ? text : `line ${line}${column === undefined ? "" : `, column ${column}`}: ${text}`;
 }
 
+/** The text of code that an error names; of what a link takes over from the library, the link. */
+function textAt(tree: Tree, { path, id, text }: ServerError): Place | undefined {
+  const element = id === undefined ? undefined : tree.elements.get(id);
+  if (text === undefined || element === undefined) return undefined;
+  const isTakenOver = text === "from" && element.parent !== elementAt(tree, path);
+  return isTakenOver ? undefined : { id: element.id, field: text };
+}
+
 /** The place of one error; of what is not found, the document. */
 export function placeOf(tree: Tree, error: ServerError): Place {
+  const text = textAt(tree, error);
+  if (text !== undefined) return text;
   const id = error.path === "" ? undefined : elementAt(tree, error.path);
   return id === undefined ? kDocument : within(tree, id, error);
 }

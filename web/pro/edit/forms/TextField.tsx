@@ -1,5 +1,6 @@
 // A field that is edited as a text: in one line, or in several. Enter commits one line, Ctrl+Enter several, leaving it either; Esc gives the draft up.
 import { useId, type KeyboardEvent } from "react";
+import { CodeInput, codeFieldOf } from "./CodeInput";
 import { useRowEnter } from "./rowEnter";
 import { FieldNotes } from "./FieldNotes";
 import { useDraft, type ChangeOf, type DraftField } from "./useDraft";
@@ -31,11 +32,18 @@ export function TextField({ id, field, label, now, change, kind = "line", isBare
     onBlur: () => draft.commit(false),
     onKeyDown: useFieldKeys(draft, kind !== "lines" && kind !== "code"),
   };
+  const code = codeFieldOf(field);
   const classes = ["form-field", `is-${kind}`, draft.isDraft && "is-draft", isBare && "is-bare", className];
   return (
     <div className={classes.filter(Boolean).join(" ")}>
-      {!isBare && <label htmlFor={unique}>{label}</label>}
-      {kind === "line" ? <input type="text" {...control} list={choices && `${unique}-choices`} /> : <textarea {...control} rows={1} />}
+      {!isBare && (code === undefined ? <label htmlFor={unique}>{label}</label> : <span className="form-label">{label}</span>)}
+      {code !== undefined ? (
+        <CodeInput id={id} field={field} code={code} label={label} describedBy={`${unique}-notes`} draft={draft} placeholder={placeholder} multiline={kind === "code"} readOnly={now === undefined} />
+      ) : kind === "line" ? (
+        <input type="text" {...control} list={choices && `${unique}-choices`} />
+      ) : (
+        <textarea {...control} rows={1} />
+      )}
       {choices !== undefined && (
         <datalist id={`${unique}-choices`}>
           {choices.map((choice) => (

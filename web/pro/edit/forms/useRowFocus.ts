@@ -8,7 +8,7 @@ function find(list: HTMLElement | null, wanted: Wanted): HTMLElement | null | un
   if (wanted === "add") return undefined;
   if ("element" in wanted) return wanted.element.isConnected ? wanted.element : null;
   const row = list?.querySelector(`[data-row="${CSS.escape(wanted.row)}"]`);
-  return row?.querySelector<HTMLElement>(wanted.part === "handle" ? ".row-handle" : ".row-content :is(input, textarea, select)");
+  return row?.querySelector<HTMLElement>(wanted.part === "handle" ? ".row-handle" : ".row-content :is(input, textarea, select, .cm-content)");
 }
 
 export function useRowFocus(list: RefObject<HTMLElement | null>) {

@@ -1,0 +1,55 @@
+// The editor of a text of code. CodeMirror holds the text; what it is told and tells goes through here.
+import { useEffect, useRef } from "react";
+import { Annotation } from "@codemirror/state";
+import { EditorView } from "@codemirror/view";
+import { adoptStyles } from "./adoptStyles";
+import type { CodeFieldProps } from "./CodeField";
+import { editorExtensions } from "./extensions";
+import { showErrors, showScope } from "./marks";
+
+adoptStyles();
+
+/** A change that comes from the page, not from a person's hand. */
+const isTold = Annotation.define<true>();
+
+export default function CodeEditor(props: CodeFieldProps) {
+  const host = useRef<HTMLDivElement>(null);
+  const editor = useRef<EditorView>(undefined);
+  const latest = useRef(props);
+  useEffect(() => {
+    latest.current = props;
+  });
+  const { value, scope, errors, label, describedBy, place, placeholder, multiline, readOnly = false } = props;
+
+  useEffect(() => {
+    if (host.current === null) return undefined;
+    const view = new EditorView({
+      parent: host.current,
+      doc: latest.current.value,
+      extensions: [
+        editorExtensions(() => latest.current, { label, describedBy, place, placeholder, multiline, readOnly }),
+        EditorView.updateListener.of((update) => {
+          const isOwn = update.transactions.every((transaction) => transaction.annotation(isTold) !== true);
+          if (update.docChanged && isOwn) latest.current.onChange(update.state.doc.toString());
+        }),
+      ],
+    });
+    editor.current = view;
+    showScope(view, latest.current.scope);
+    showErrors(view, latest.current.errors);
+    return () => view.destroy();
+  }, [label, describedBy, place, placeholder, multiline, readOnly]);
+
+  useEffect(() => {
+    const view = editor.current;
+    if (view === undefined || view.state.doc.toString() === value) return;
+    view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: value }, annotations: isTold.of(true) });
+  }, [value]);
+  useEffect(() => {
+    if (editor.current !== undefined) showScope(editor.current, scope);
+  }, [scope]);
+  useEffect(() => {
+    if (editor.current !== undefined) showErrors(editor.current, errors);
+  }, [errors]);
+  return <div ref={host} className="code-editor" />;
+}

@@ -1,0 +1,64 @@
+// What the editor of code is made of: keys, colours, completion, hover, and the marks of errors.
+import { acceptCompletion, autocompletion, completionKeymap, completionStatus } from "@codemirror/autocomplete";
+import { defaultKeymap, history, historyKeymap, insertNewlineAndIndent } from "@codemirror/commands";
+import { bracketMatching, indentService, indentUnit } from "@codemirror/language";
+import { EditorState, Prec, type Extension } from "@codemirror/state";
+import { EditorView, hoverTooltip, keymap, placeholder as placeholderOf, tooltips } from "@codemirror/view";
+import type { CodeFieldProps } from "./CodeField";
+import { colours } from "./colours";
+import { codeCompletions, codeHover } from "./knowledge";
+import { errorMarks } from "./marks";
+
+type Options = Pick<CodeFieldProps, "label" | "describedBy" | "place" | "placeholder" | "multiline" | "readOnly">;
+
+/** A line is indented as the one before it, and more behind a colon. */
+const kIndent = "    ";
+const indentation = indentService.of((context, position) => {
+  const line = context.state.doc.lineAt(position);
+  const before = line.number === 1 ? "" : context.state.doc.line(line.number - 1).text;
+  const text = context.simulatedBreak === position ? line.text.slice(0, position - line.from) : before;
+  return (/^ */.exec(text)?.[0].length ?? 0) + (/:\s*(#.*)?$/.test(text) ? kIndent.length : 0);
+});
+
+/** Tab leads to the next field. With a completion open, it takes that, and Esc closes that alone. */
+function keys(props: () => CodeFieldProps, multiline: boolean): Extension {
+  const commit = () => {
+    props().onCommit("key");
+    return true;
+  };
+  const cancel = (view: EditorView) => completionStatus(view.state) === null && props().onCancel();
+  return [
+    Prec.high(keymap.of([{ key: "Mod-Enter", run: commit }])),
+    keymap.of([...completionKeymap, { key: "Tab", run: acceptCompletion }, { key: "Enter", run: multiline ? insertNewlineAndIndent : commit }, { key: "Escape", run: cancel, stopPropagation: true }, ...historyKeymap, ...defaultKeymap]),
+  ];
+}
+
+/** A text of one line stays one: line ends that are pasted become spaces. */
+const oneLine = EditorState.transactionFilter.of((transaction) => {
+  if (!transaction.docChanged || transaction.newDoc.lines === 1) return transaction;
+  const insert = transaction.newDoc.toString().replace(/\s*\n\s*/g, " ");
+  return { changes: { from: 0, to: transaction.startState.doc.length, insert }, selection: { anchor: Math.min(transaction.newSelection.main.head, insert.length) } };
+});
+
+/** `props`: the present ones, as what the editor calls may change while it is there. */
+export function editorExtensions(props: () => CodeFieldProps, { label, describedBy, place, placeholder, multiline, readOnly = false }: Options): Extension {
+  const attributes = { "aria-label": label, "aria-multiline": String(multiline), spellcheck: "false", ...(describedBy !== undefined && { "aria-describedby": describedBy }), ...(place !== undefined && { "data-place": place }) };
+  return [
+    keys(props, multiline),
+    history(),
+    bracketMatching(),
+    indentUnit.of(kIndent),
+    indentation,
+    EditorView.contentAttributes.of(attributes),
+    EditorView.domEventHandlers({ blur: () => props().onCommit("blur") }),
+    EditorState.readOnly.of(readOnly),
+    EditorView.lineWrapping,
+    tooltips({ parent: document.body, position: "fixed" }),
+    autocompletion({ override: [codeCompletions(() => props().scope)], icons: false, defaultKeymap: false }),
+    hoverTooltip(codeHover(() => props().scope), { hoverTime: 250 }),
+    colours,
+    errorMarks,
+    ...(placeholder === undefined ? [] : [placeholderOf(placeholder)]),
+    ...(multiline ? [] : [oneLine]),
+  ];
+}

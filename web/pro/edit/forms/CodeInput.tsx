@@ -1,0 +1,51 @@
+// The control of a field that is a text of code.
+import { useMemo } from "react";
+import { languageNames, scopeOf, type CodePlace, type Scope } from "../../../shared/code/scope";
+import type { CodeFieldName } from "../../../shared/code/texts";
+import { CodeField } from "../../code/CodeField";
+import { useEditing } from "../editing";
+import { useRowEnter } from "./rowEnter";
+import type { DraftField } from "./useDraft";
+import { useFieldErrors } from "./useFieldErrors";
+import { useKnownServices } from "./useKnownServices";
+
+const kFields: Readonly<Record<string, CodeFieldName>> = { entry: "entry", exit: "exit", when: "when", do: "do", after: "after", from: "from", "oracle:expr": "oracle", "oracle:call": "oracle" };
+
+/** The text of code that a field of a form is; nothing: it is none. */
+export const codeFieldOf = (field: string): CodeFieldName | undefined => (Object.hasOwn(kFields, field) ? kFields[field] : undefined);
+
+const kNoScope: Scope = { kind: "function", names: languageNames };
+
+/** The names for a text of the document that is edited. */
+function useScope({ id, field }: CodePlace): Scope {
+  const tree = useEditing(({ session }) => session?.view);
+  const services = useKnownServices();
+  return useMemo(() => (tree?.elements.has(id) === true ? scopeOf(tree, { id, field }, services) : kNoScope), [tree, id, field, services]);
+}
+
+interface Props {
+  readonly id: string;
+  readonly field: string;
+  readonly code: CodeFieldName;
+  readonly label: string;
+  readonly describedBy: string;
+  readonly draft: DraftField;
+  readonly placeholder: string | undefined;
+  readonly multiline: boolean;
+  readonly readOnly: boolean;
+}
+
+export function CodeInput({ id, field, code, draft, ...shown }: Props) {
+  const scope = useScope({ id, field: code });
+  const errors = useFieldErrors(id, code);
+  const enter = useRowEnter();
+  const commit = (by: "key" | "blur") => {
+    if (by === "blur" || draft.isDraft) draft.commit(by === "key");
+    else if (!shown.multiline) enter?.();
+  };
+  const cancel = () => {
+    if (draft.isDraft) draft.giveUp();
+    return draft.isDraft;
+  };
+  return <CodeField {...shown} value={draft.text} onChange={draft.type} onCommit={commit} onCancel={cancel} place={`${id}/${field}`} scope={scope} errors={errors} />;
+}
