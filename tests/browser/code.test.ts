@@ -1,5 +1,6 @@
 // Texts of code on the page that edits a document, on the real server: what is offered, explained and underlined.
 import type { Page } from "playwright-core";
+import { write } from "./editPage";
 import { openFixture, settled, type Fixture } from "./fixture";
 
 let fixture: Fixture;
@@ -53,7 +54,7 @@ describe("a text of code", () => {
 
   it("underlines a name that means nothing, before it is sent", async () => {
     const { page, screenshot } = fixture;
-    await entry(page).fill("res.done = par.widht");
+    await write(entry(page), "res.done = par.widht");
     await page.locator(".cm-lintRange-error").first().waitFor({ timeout: 1000 });
     expect(await page.locator(".cm-lintRange-error").allInnerTexts()).toEqual(["done", "widht"]);
     await screenshot("code-mistakes");
@@ -61,7 +62,7 @@ describe("a text of code", () => {
 
   it("underlines what the server finds, where it is", async () => {
     const { page } = fixture;
-    await entry(page).fill("x = 1\ny = (x +");
+    await write(entry(page), "x = 1\ny = (x +");
     await page.keyboard.press("Control+Enter");
     await page.locator(".cm-lintRange-error").first().waitFor({ timeout: 3000 });
     expect(await page.locator(".field-error").filter({ hasText: "never closed" }).count()).toBe(1);
@@ -70,7 +71,7 @@ describe("a text of code", () => {
   it("is given up by Esc, which closes what is offered before, and left by Tab", async () => {
     const { page } = fixture;
     const offers = page.locator(".cm-tooltip-autocomplete");
-    await entry(page).fill("");
+    await write(entry(page), "");
     await page.keyboard.type("pas");
     await offers.waitFor();
     await page.keyboard.press("Escape");

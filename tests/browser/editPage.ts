@@ -1,5 +1,5 @@
 // A page that edits a document: what tests of its commands and gestures do with it.
-import type { Page } from "playwright-core";
+import type { Locator, Page } from "playwright-core";
 import { settled, type Fixture } from "./fixture";
 
 interface NodeJson {
@@ -64,4 +64,12 @@ export async function middle(page: Page, selector: string): Promise<{ readonly x
   const box = await page.locator(selector).boundingBox();
   if (box === null) throw new Error(`${selector} is not on the screen`);
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+}
+
+/** Types over what is written in a field, of code too, which is no input. */
+export async function write(field: Locator, text: string): Promise<void> {
+  await field.click();
+  await field.press("Control+A");
+  if (text === "") await field.press("Delete");
+  else await field.page().keyboard.insertText(text);
 }

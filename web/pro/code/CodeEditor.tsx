@@ -4,7 +4,7 @@ import { Annotation } from "@codemirror/state";
 import { EditorView } from "@codemirror/view";
 import { adoptStyles } from "./adoptStyles";
 import type { CodeFieldProps } from "./CodeField";
-import { editorExtensions } from "./extensions";
+import { editorExtensions, showAs } from "./extensions";
 import { showErrors, showScope } from "./marks";
 
 adoptStyles();
@@ -27,7 +27,7 @@ export default function CodeEditor(props: CodeFieldProps) {
       parent: host.current,
       doc: latest.current.value,
       extensions: [
-        editorExtensions(() => latest.current, { label, describedBy, place, placeholder, multiline, readOnly }),
+        editorExtensions(() => latest.current),
         EditorView.updateListener.of((update) => {
           const isOwn = update.transactions.every((transaction) => transaction.annotation(isTold) !== true);
           if (update.docChanged && isOwn) latest.current.onChange(update.state.doc.toString());
@@ -38,6 +38,10 @@ export default function CodeEditor(props: CodeFieldProps) {
     showScope(view, latest.current.scope);
     showErrors(view, latest.current.errors);
     return () => view.destroy();
+  }, []);
+
+  useEffect(() => {
+    if (editor.current !== undefined) showAs(editor.current, { label, describedBy, place, placeholder, multiline, readOnly });
   }, [label, describedBy, place, placeholder, multiline, readOnly]);
 
   useEffect(() => {

@@ -29,7 +29,10 @@ export interface CodeFieldProps {
   readonly readOnly?: boolean;
 }
 
-const CodeEditor = lazy(() => import("./CodeEditor"));
+/** Loads the editor ahead, so that no field changes under the hand that writes in it. */
+export const loadCodeEditor = () => import("./CodeEditor");
+
+const CodeEditor = lazy(loadCodeEditor);
 
 export function CodeField(props: CodeFieldProps) {
   const plain = <PlainField {...props} />;

@@ -1,15 +1,16 @@
 // What the editor of code is made of: keys, colours, completion, hover, and the marks of errors.
-import { acceptCompletion, autocompletion, completionKeymap, completionStatus } from "@codemirror/autocomplete";
+import { acceptCompletion, autocompletion, closeCompletion, completionKeymap, completionStatus } from "@codemirror/autocomplete";
 import { defaultKeymap, history, historyKeymap, insertNewlineAndIndent } from "@codemirror/commands";
 import { bracketMatching, indentService, indentUnit } from "@codemirror/language";
-import { EditorState, Prec, type Extension } from "@codemirror/state";
+import { Compartment, EditorState, Prec, type Extension } from "@codemirror/state";
 import { EditorView, hoverTooltip, keymap, placeholder as placeholderOf, tooltips } from "@codemirror/view";
 import type { CodeFieldProps } from "./CodeField";
 import { colours } from "./colours";
 import { codeCompletions, codeHover } from "./knowledge";
 import { errorMarks } from "./marks";
 
-type Options = Pick<CodeFieldProps, "label" | "describedBy" | "place" | "placeholder" | "multiline" | "readOnly">;
+/** How a field is shown. */
+export type Options = Pick<CodeFieldProps, "label" | "describedBy" | "place" | "placeholder" | "multiline" | "readOnly">;
 
 /** A line is indented as the one before it, and more behind a colon. */
 const kIndent = "    ";
@@ -22,7 +23,8 @@ const indentation = indentService.of((context, position) => {
 
 /** Tab leads to the next field. With a completion open, it takes that, and Esc closes that alone. */
 function keys(props: () => CodeFieldProps, multiline: boolean): Extension {
-  const commit = () => {
+  const commit = (view: EditorView) => {
+    closeCompletion(view);
     props().onCommit("key");
     return true;
   };
@@ -40,25 +42,48 @@ const oneLine = EditorState.transactionFilter.of((transaction) => {
   return { changes: { from: 0, to: transaction.startState.doc.length, insert }, selection: { anchor: Math.min(transaction.newSelection.main.head, insert.length) } };
 });
 
-/** `props`: the present ones, as what the editor calls may change while it is there. */
-export function editorExtensions(props: () => CodeFieldProps, { label, describedBy, place, placeholder, multiline, readOnly = false }: Options): Extension {
+/** What is typed over a selection is put there by the editor: the browser would keep the look of what was there by inline styles, which the page forbids. */
+const typedOver = EditorView.domEventHandlers({
+  beforeinput: (event, view) => {
+    const isText = event.inputType === "insertText" && event.data !== null && !event.isComposing;
+    const isDeletion = event.inputType.startsWith("deleteContent");
+    if (view.state.readOnly || view.state.selection.main.empty || !(isText || isDeletion)) return false;
+    event.preventDefault();
+    const text = isText ? event.data : "";
+    view.dispatch(view.state.replaceSelection(text), { userEvent: isText ? "input.type" : "delete", scrollIntoView: true });
+    return true;
+  },
+});
+
+/** What may change while the editor is there. */
+const shown = new Compartment();
+
+function shownAs({ label, describedBy, place, placeholder, multiline, readOnly = false }: Options): Extension {
   const attributes = { "aria-label": label, "aria-multiline": String(multiline), spellcheck: "false", ...(describedBy !== undefined && { "aria-describedby": describedBy }), ...(place !== undefined && { "data-place": place }) };
+  return [EditorView.contentAttributes.of(attributes), EditorState.readOnly.of(readOnly), ...(placeholder === undefined ? [] : [placeholderOf(placeholder)])];
+}
+
+/** Shows the field as it is to be now; the text, its selection and the focus stay. */
+export const showAs = (view: EditorView, options: Options): void => view.dispatch({ effects: shown.reconfigure(shownAs(options)) });
+
+/** `props`: the present ones, as what the editor calls may change while it is there. */
+export function editorExtensions(props: () => CodeFieldProps): Extension {
+  const { multiline } = props();
   return [
     keys(props, multiline),
     history(),
     bracketMatching(),
     indentUnit.of(kIndent),
     indentation,
-    EditorView.contentAttributes.of(attributes),
+    shown.of(shownAs(props())),
     EditorView.domEventHandlers({ blur: () => props().onCommit("blur") }),
-    EditorState.readOnly.of(readOnly),
+    typedOver,
     EditorView.lineWrapping,
     tooltips({ parent: document.body, position: "fixed" }),
     autocompletion({ override: [codeCompletions(() => props().scope)], icons: false, defaultKeymap: false }),
     hoverTooltip(codeHover(() => props().scope), { hoverTime: 250 }),
     colours,
     errorMarks,
-    ...(placeholder === undefined ? [] : [placeholderOf(placeholder)]),
     ...(multiline ? [] : [oneLine]),
   ];
 }

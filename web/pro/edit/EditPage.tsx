@@ -1,8 +1,9 @@
 // The page that edits a document: its name and state, the drawing, and what was refused.
-import { useState } from "react";
+import { useEffect, useState } from "react";
 import { errorsText } from "../../shared/run/errorsText";
 import type { ModelTree } from "../../shared/model/modelTree";
 import { ModelCanvas } from "../canvas/ModelCanvas";
+import { loadCodeEditor } from "../code/CodeField";
 import { runAction } from "./actions/action";
 import { actionOf } from "./actions/registry";
 import { useActionKeys } from "./actions/useActionKeys";
@@ -30,6 +31,8 @@ export function EditPage({ tree, document }: Props) {
   const unreadable = useEditing((now) => now.session?.unreadable);
   const nothing = document === undefined ? "No document is open." : unreadable === undefined ? `Loading ${document}…` : `${document} cannot be edited: ${unreadable.message}`;
   useActionKeys();
+  // Where it cannot be loaded, the fields are plain ones.
+  useEffect(() => void loadCodeEditor().catch(() => undefined), []);
   return (
     <div className="edit-page">
       {document !== undefined && <EditHead document={document} listed={listed} onList={() => list(!listed)} />}
