@@ -130,6 +130,13 @@ describe("the form of a state", () => {
     await within(() => ports.nth(1).locator(".row-handle").textContent()).toBe("2");
     await form(page).getByText("Ports, in order of evaluation").waitFor();
     await form(page).locator(".field-error").first().waitFor();
+    // Rows move while errors appear below them.
+    const top = async () => (await ports.nth(1).locator(".row-handle").boundingBox())?.y;
+    let before = await top();
+    await expect.poll(async () => [before, (before = await top())].every((y, _, all) => y === all[0]), { interval: 300 }).toBe(true);
+    // What hovers over the text that was clicked goes.
+    await page.mouse.move(700, 800);
+    await page.locator(".cm-tooltip").waitFor({ state: "detached" });
     const [from, to] = [await ports.nth(1).locator(".row-handle").boundingBox(), await ports.nth(0).boundingBox()];
     if (from === null || to === null) throw new Error("no rows");
     await page.mouse.move(from.x + 6, from.y + 8);
