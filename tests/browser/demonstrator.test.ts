@@ -39,7 +39,7 @@ beforeAll(async () => {
 afterAll(() => fixture.close());
 
 const kLong = { timeout: 60_000 };
-const state = (path: string) => task.locator(`[data-path="Demonstrator/${path}"]`);
+const state = (path: string) => task.locator(`.canvas [data-path="Demonstrator/${path}"]`);
 const turns = (path: string, active: boolean) => expect.poll(() => state(path).getAttribute("data-active"), kLong).toBe(String(active));
 const running = () => task.getByRole("region", { name: "Running now" });
 

@@ -46,7 +46,7 @@ const notice = (of: Page) => of.getByRole("alert", { name: "Interruption" });
 const status = (of: Page) => of.getByRole("status", { name: "Run status" }).locator("strong").innerText();
 const enabled = () => page.getByRole("toolbar", { name: "Run" }).locator("button.run-button:enabled").allInnerTexts();
 const watched = (of: Page) => of.getByRole("combobox", { name: "Watched run" });
-const isActive = (path: string) => page.locator(`[data-path="${path}"]`).first().getAttribute("data-active");
+const isActive = (path: string) => page.locator(`.canvas [data-path="${path}"]`).first().getAttribute("data-active");
 
 describe("a run that its server has left", () => {
   let run: CoreAnswer;
