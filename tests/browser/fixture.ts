@@ -119,4 +119,9 @@ export async function openFixture(...further: readonly string[]): Promise<Fixtur
 }
 
 /** Waits until the drawing is final: a click on a drawing that is then replaced is lost. */
-export const settled = (page: Page) => page.locator('.canvas[aria-busy="false"]:has(.react-flow, .painted)').waitFor();
+export async function settled(page: Page): Promise<void> {
+  await page.locator('.canvas[aria-busy="false"]:has(.react-flow, .painted)').waitFor();
+  // It moves to where it fits.
+  const place = () => page.evaluate(() => JSON.stringify(document.querySelector(".canvas [data-path]")?.getBoundingClientRect()));
+  for (let [before, now] = ["", await place()]; before !== now; [before, now] = [now, await place()]) await page.waitForTimeout(60);
+}

@@ -85,10 +85,14 @@ describe("selecting", () => {
     expect(await canvas.locator(".is-selected").getAttribute("aria-label")).toBe("State Root");
   });
 
-  it("enters with Ctrl and a double click, and shows properties without", async () => {
+  it("enters with Ctrl and a double click, and opens the state editor without", async () => {
     const { open, node } = editPage(fixture);
     await open("enter");
     await node("Root/C").dblclick({ position: { x: 20, y: 8 } });
+    const editor = fixture.page.getByRole("region", { name: "State editor: C" });
+    await editor.waitFor();
+    await fixture.page.keyboard.press("Escape");
+    await editor.waitFor({ state: "detached" });
     expect(await fixture.page.getByRole("navigation", { name: "Breadcrumb" }).innerText()).not.toContain("C");
     await node("Root/C").dblclick({ position: { x: 20, y: 8 }, modifiers: ["Control"] });
     await expect.poll(() => fixture.page.getByRole("navigation", { name: "Breadcrumb" }).innerText()).toContain("C");

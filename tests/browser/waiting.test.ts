@@ -69,7 +69,7 @@ describe("waiting", () => {
     await expect.poll(() => pending().innerText(), kSoon).toMatch(/None\./);
     await fixture.page.getByRole("tab", { name: "Task" }).click();
     await fixture.page.getByRole("combobox", { name: "Watched run" }).selectOption("1");
-    await expect.poll(() => fixture.page.locator('[data-path="Root/End"]').getAttribute("data-active"), kSoon).toBe("true");
+    await expect.poll(() => fixture.page.locator('.canvas [data-path="Root/End"]').getAttribute("data-active"), kSoon).toBe("true");
     expect(await bar().getAttribute("aria-label")).toBe("Barrier Root/Join, 2 inbound ports");
     expect(await fixture.page.locator(".barrier-note").count()).toBe(0);
   });

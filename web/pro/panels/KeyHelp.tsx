@@ -53,7 +53,7 @@ function HelpDialog() {
         </header>
         <div className="help-lists">
           <KeyList title="Keys" list={shortcuts} />
-          <KeyList title="Editor" list={editorKeys} />
+          <KeyList title="Editor keys" list={editorKeys} />
           {gestures.map(({ where, list }) => (
             <section key={where} aria-label={where}>
               <h3>{where}</h3>

@@ -41,7 +41,7 @@ export const gestures: readonly { readonly where: string; readonly list: readonl
     ],
   },
   {
-    where: "Editor",
+    where: "Editor, mouse",
     list: [
       { gesture: "Drag from a port or barrier", does: "Lead it to a state, or to a new one" },
       { gesture: "Drag from Add or Library", does: "Put something new into the state under the pointer" },

@@ -84,7 +84,7 @@ const properties: Action = {
 
 /** The wide form has the functions, ports and parameters of a state; of anything else, all is in the panel. */
 const stateEditor: Action = {
-  id: "state_editor", name: "State editor", keys: ["Ctrl+Enter"], group: "Edit", where: "model",
+  id: "state_editor", name: "State editor", keys: ["Shift+Enter"], group: "Edit", where: "model",
   when: ({ one, node }) => (one === undefined || one !== node ? "no state is selected" : undefined),
   run: (situation) => (situation.tree.elements.get(situation.one ?? "")?.kind === "state" ? openStateEditor() : properties.run(situation)),
 };
