@@ -1,6 +1,6 @@
 // Zooming by button and key: in, out, and the whole drawing.
-import type { RefObject } from "react";
-import { fit } from "../../shared/drawing/fit";
+import { useRef, type RefObject } from "react";
+import { fit, type Viewport } from "../../shared/drawing/fit";
 import type { Size } from "../../shared/drawing/measure";
 import { zoomedAt } from "../../shared/drawing/movement";
 import { keysOf } from "../../shared/session/shortcuts";
@@ -19,10 +19,17 @@ interface Props {
 }
 
 export function ZoomControls({ laid, size, movedRef }: Props) {
+  const aimRef = useRef<{ readonly viewport: Viewport; readonly end: number }>(undefined);
+  /** From where the step before leads to, if the drawing is still on the way. */
   const zoom = (factor: number) => {
     movedRef.current = true;
     const canvas = shownCanvas();
-    canvas?.show(zoomedAt(canvas.viewport(), { x: size.width / 2, y: size.height / 2 }, factor), kMoment);
+    if (canvas === undefined) return;
+    const now = performance.now();
+    const from = aimRef.current !== undefined && now < aimRef.current.end ? aimRef.current.viewport : canvas.viewport();
+    const viewport = zoomedAt(from, { x: size.width / 2, y: size.height / 2 }, factor);
+    aimRef.current = { viewport, end: now + kMoment };
+    canvas.show(viewport, kMoment);
   };
   const fitAll = () => {
     movedRef.current = false;
