@@ -31,7 +31,7 @@ export function wordsBefore(tokens: readonly Token[], at: number): readonly Toke
   return found;
 }
 
-export const memberOf = (name: Name | undefined, member: string): Name | undefined => name?.members?.().find((each) => each.name === member);
+const memberOf = (name: Name | undefined, member: string): Name | undefined => name?.members?.().find((each) => each.name === member);
 
 /** What a path means; nothing, if that is not known. */
 export function meaningOf({ names }: Scope, path: readonly string[]): Name | undefined {

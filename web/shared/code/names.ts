@@ -36,7 +36,7 @@ const kPose: Type = { record: { position: { list: "number", size: 3 }, orientati
 const kImage: Type = { record: { width: "int", height: "int" } };
 
 /** The fields of a value of this type; nothing, if it has none that are known. */
-export function fieldsOfType(type: Type | undefined): (() => readonly Name[]) | undefined {
+function fieldsOfType(type: Type | undefined): (() => readonly Name[]) | undefined {
   if (type === "pose") return fieldsOfType(kPose);
   if (type === "image") return fieldsOfType(kImage);
   if (type === undefined || typeof type === "string") return undefined;

@@ -33,7 +33,7 @@ const spanning = (points: readonly Point[], margin = 0): Box => {
 };
 
 /** Without points that are the same as the one before or in the middle of a straight piece. */
-export function tidy(points: readonly Point[]): readonly Point[] {
+function tidy(points: readonly Point[]): readonly Point[] {
   const kept: Point[] = [];
   for (const point of points) {
     const [before, last] = [kept.at(-2), kept.at(-1)];

@@ -1,7 +1,7 @@
 // Finding commands by some of their letters.
 
 /** How well `text` has the letters of `query` in their order, best highest; nothing: it has not. Words' beginnings and runs of letters count. */
-export function fuzzyScore(query: string, text: string): number | undefined {
+function fuzzyScore(query: string, text: string): number | undefined {
   const [wanted, letters] = [query.toLowerCase().replace(/\s+/g, ""), text.toLowerCase()];
   let [score, from, last] = [0, 0, -2];
   for (const letter of wanted) {

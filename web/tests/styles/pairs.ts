@@ -32,11 +32,11 @@ const kProText: Pairs = {
 };
 
 const kProGraphics: Pairs = {
-  paper: ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent", "wait", "bad", "oracle", "breakpoint"],
-  panel: ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent", "wait", "bad", "brand", "oracle", "breakpoint"],
-  inset: ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent", "wait", "bad", "breakpoint"],
-  sunken: ["accent", "active", "wait", "bad", "breakpoint"],
-  "accent-soft": ["accent", "active", "breakpoint"],
+  paper: ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent", "wait", "bad", "oracle"],
+  panel: ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent", "wait", "bad", "brand", "oracle"],
+  inset: ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent", "wait", "bad"],
+  sunken: ["accent", "active", "wait", "bad"],
+  "accent-soft": ["accent", "active"],
   "active-inset": ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent"],
   "active-soft": ["active", "accent", "solid", "line", "fired-line"],
   "wait-soft": ["wait"],

@@ -67,24 +67,15 @@ export function listenToPointers(element: HTMLElement, camera: Camera, pointing:
   // A middle press would start the browser's own scrolling.
   const middle = (event: MouseEvent) => event.button === 1 && event.preventDefault();
 
-  element.addEventListener("pointerdown", down);
-  element.addEventListener("pointermove", move);
-  element.addEventListener("pointerup", up);
-  element.addEventListener("pointercancel", up);
-  element.addEventListener("pointerleave", leave);
-  element.addEventListener("click", click);
-  element.addEventListener("dblclick", pointing.onDoubleClick);
-  element.addEventListener("mousedown", middle);
-  element.addEventListener("wheel", wheel, { passive: false });
-  return () => {
-    element.removeEventListener("pointerdown", down);
-    element.removeEventListener("pointermove", move);
-    element.removeEventListener("pointerup", up);
-    element.removeEventListener("pointercancel", up);
-    element.removeEventListener("pointerleave", leave);
-    element.removeEventListener("click", click);
-    element.removeEventListener("dblclick", pointing.onDoubleClick);
-    element.removeEventListener("mousedown", middle);
-    element.removeEventListener("wheel", wheel);
-  };
+  const stop = new AbortController();
+  const { signal } = stop;
+  element.addEventListener("pointerdown", down, { signal });
+  element.addEventListener("pointermove", move, { signal });
+  for (const over of ["pointerup", "pointercancel"] as const) element.addEventListener(over, up, { signal });
+  element.addEventListener("pointerleave", leave, { signal });
+  element.addEventListener("click", click, { signal });
+  element.addEventListener("dblclick", pointing.onDoubleClick, { signal });
+  element.addEventListener("mousedown", middle, { signal });
+  element.addEventListener("wheel", wheel, { passive: false, signal });
+  return () => stop.abort();
 }

@@ -1,4 +1,5 @@
 // The colours and fonts of the page for what is painted: the custom properties of styles/tokens.css, as they are in the present theme.
+import { listenToTheme as listenToPage } from "../../theme/theme";
 
 const kColours = [
   "paper", "panel", "inset", "ink", "soft", "faint", "edge", "edge-strong", "outline", "line", "line-quiet", "solid", "accent", "accent-soft",
@@ -31,14 +32,10 @@ export function readTheme(element: HTMLElement): Theme {
 
 /** Calls `changed` when the theme of the page changes or its fonts have come; the result ends that. */
 export function listenToTheme(changed: () => void): () => void {
-  const system = matchMedia("(prefers-color-scheme: dark)");
-  const page = new MutationObserver(changed);
-  system.addEventListener("change", changed);
-  page.observe(document.documentElement, { attributes: true, attributeFilter: ["data-theme"] });
+  const end = listenToPage(changed);
   document.fonts.addEventListener("loadingdone", changed);
   return () => {
-    system.removeEventListener("change", changed);
-    page.disconnect();
+    end();
     document.fonts.removeEventListener("loadingdone", changed);
   };
 }

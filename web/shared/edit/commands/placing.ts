@@ -9,7 +9,7 @@ import type { Command } from "./command";
 /** Places are whole pixels; a person places on this grid unless that is held off [px]. */
 export const kGrid = 4;
 
-export const snapped = (value: number, grid = kGrid): number => Math.round(value / grid) * grid;
+const snapped = (value: number, grid = kGrid): number => Math.round(value / grid) * grid;
 
 /** What the document has about where a node is. */
 export interface StoredPlace extends Point {
