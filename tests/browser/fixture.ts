@@ -5,7 +5,8 @@ import { createServer } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { chromium, type Browser, type Page, type ViewportSize } from "playwright-core";
+import { chromium, type Browser, type BrowserContext, type BrowserContextOptions, type Page, type ViewportSize } from "playwright-core";
+import { ConsoleErrors } from "./consoleErrors";
 
 export const project = fileURLToPath(new URL("../../", import.meta.url));
 export const binary = process.env["RACE_BINARY"] ?? join(project, "build/release/race");
@@ -22,12 +23,17 @@ export interface Fixture {
   readonly screenshot: (name: string, of?: Page) => Promise<void>;
   /** A second browser window on the expert page, of this size if it is given [px]. */
   readonly openPage: (size?: ViewportSize) => Promise<Page>;
+  /** Another browser, as it were: of a phone, or with other preferences. */
+  readonly openContext: (options: BrowserContextOptions) => Promise<BrowserContext>;
+  /** Allows errors on the consoles of pages (`TEXT (URL)`) that a test provokes, from now on; any other fails the test file. */
+  readonly allowError: (error: RegExp) => void;
   /** Of the process of the server. */
   readonly pid: () => number;
   /** Ends the server by SIGKILL. */
   readonly kill: () => Promise<void>;
   /** Starts a server on the same port with the same data. */
   readonly restart: () => Promise<void>;
+  /** Throws if there was an error on the console of a page. */
   readonly close: () => Promise<void>;
 }
 
@@ -80,21 +86,35 @@ export async function openFixture(...further: readonly string[]): Promise<Fixtur
     const ended = new Promise((resolve) => server.once("exit", resolve));
     if (server.exitCode === null && server.signalCode === null && server.kill(signal)) await ended;
   };
-  const close = async () => {
+  const errors = new ConsoleErrors();
+  const clear = async () => {
     await browser?.close();
     await end("SIGTERM");
     rmSync(data, { recursive: true, force: true });
+  };
+  const close = async () => {
+    await clear();
+    errors.check();
+  };
+  const kill = () => {
+    errors.allowLost();
+    return end("SIGKILL");
   };
   try {
     const url = `http://127.0.0.1:${port}`;
     await healthy(url, server);
     const opened = await chromium.launch({ executablePath: process.env["CHROMIUM"] ?? "/usr/bin/chromium", args: kFlags });
     browser = opened;
-    const page = await opened.newPage({ viewport: { width: 1600, height: 1000 } });
+    const openContext = async (options: BrowserContextOptions) => {
+      const context = await opened.newContext(options);
+      errors.watch(context);
+      return context;
+    };
+    const page = await (await openContext({ viewport: { width: 1600, height: 1000 } })).newPage();
     mkdirSync(screenshots, { recursive: true });
     const screenshot = async (name: string, of = page) => void (await of.screenshot({ path: join(screenshots, `${name}.png`) }));
     const openPage = async (size?: ViewportSize) => {
-      const second = await opened.newPage(size === undefined ? {} : { viewport: size });
+      const second = await (await openContext(size === undefined ? {} : { viewport: size })).newPage();
       await second.goto(`${url}/pro/`);
       return second;
     };
@@ -111,9 +131,9 @@ export async function openFixture(...further: readonly string[]): Promise<Fixtur
       if (server.pid === undefined) throw new Error("there is no server");
       return server.pid;
     };
-    return { url, page, send, screenshot, openPage, pid, kill: () => end("SIGKILL"), restart, close };
+    return { url, page, send, screenshot, openPage, openContext, allowError: (error) => errors.allow(error), pid, kill, restart, close };
   } catch (error) {
-    await close();
+    await clear();
     throw error;
   }
 }

@@ -12,15 +12,11 @@ interface Json {
 }
 
 let fixture: Fixture;
-const problems: string[] = [];
 beforeAll(async () => {
   fixture = await openFixture();
   fixture.page.setDefaultTimeout(20_000);
-  fixture.page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
-  fixture.page.on("pageerror", (error) => problems.push(String(error)));
 });
 afterAll(() => fixture.close());
-afterEach(() => expect(problems).toEqual([]));
 
 const text = async (name: string): Promise<string> => (await fetch(`${fixture.url}/api/v1/documents/${name}`)).text();
 const rootOf = async (name: string): Promise<Json> => ((await fixture.send("GET", `/documents/${name}`)) as { document: { root: Json } }).document.root;

@@ -3,14 +3,10 @@ import { editPage, middle } from "./editPage";
 import { openFixture, settled, type Fixture } from "./fixture";
 
 let fixture: Fixture;
-const problems: string[] = [];
 beforeAll(async () => {
   fixture = await openFixture();
-  fixture.page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
-  fixture.page.on("pageerror", (error) => problems.push(String(error)));
 });
 afterAll(() => fixture.close());
-afterEach(() => expect(problems).toEqual([]));
 
 const at = (selector: string) => middle(fixture.page, `#edit-canvas ${selector}`);
 

@@ -89,9 +89,7 @@ describe("a run that its server has left", () => {
   });
 
   it("is what a page shows that is opened now, also on a phone, where each way out has a name", async () => {
-    const browser = page.context().browser();
-    if (browser === null) throw new Error("there is no browser");
-    const context = await browser.newContext({ ...devices["Pixel 7"] });
+    const context = await fixture.openContext({ ...devices["Pixel 7"] });
     const phone = await context.newPage();
     await phone.goto(`${fixture.url}/pro/`);
     await notice(phone).waitFor(kSoon);

@@ -9,9 +9,7 @@ let fingers: CDPSession;
 
 beforeAll(async () => {
   fixture = await openFixture();
-  const browser = fixture.page.context().browser();
-  if (browser === null) throw new Error("there is no browser");
-  const context = await browser.newContext({ ...devices["Pixel 7"] });
+  const context = await fixture.openContext({ ...devices["Pixel 7"] });
   phone = await context.newPage();
   fingers = await context.newCDPSession(phone);
   await phone.goto(`${fixture.url}/pro/`);
