@@ -43,12 +43,8 @@ const kFields: Readonly<Record<string, string>> = {
   port_target: "to", barrier_target: "to", first: "first", keep: "keep", link_unknown: "link", link_field: "link", link_cycle: "link", oracle: "oracle", missing: "when", after: "after", name: "name",
 };
 
-/** The place within the element `id` that a message names first: "entry: ...", "action 2, `when`: ...", "parameter `x`: ...". */
+/** The place within the element `id`, of an error that is about no code: what its message names first ("parameter `x` ..."), or its code is about. */
 function within(tree: Tree, id: string, { code, message }: ServerError): Place {
-  const function_ = /^(entry|exit|oracle)\b[^:]*: /.exec(message)?.[1] ?? /^`(when|after|first)`: /.exec(message)?.[1];
-  if (function_ !== undefined) return { id, field: function_ };
-  const [, number, field] = /^action (\d+), `(when|do)`: /.exec(message) ?? [];
-  if (number !== undefined && field !== undefined) return { id: listOf(tree, id, "actions")[Number(number)] ?? id, field };
   const [, kind, name, declared] = /^(parameter|result|variable|port|child):? `([^`]*)`( is declared twice)?/.exec(message) ?? [];
   const list = kLists[kind ?? ""];
   if (list !== undefined) {
