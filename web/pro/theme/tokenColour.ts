@@ -1,11 +1,18 @@
 // Colours of tokens.css for what CSS does not draw.
 
-/** The colour that this token has in the theme that is shown, as `rgb(…)`. */
-export function tokenColour(token: `--${string}`): string {
+type Token = `--${string}`;
+
+/** The colours that these tokens have in the theme that is shown, in their order, as `rgb(…)`. */
+export function tokenColours(tokens: readonly Token[]): readonly string[] {
   const probe = document.createElement("i");
-  probe.style.color = `var(${token})`;
   document.body.append(probe);
-  const { color } = getComputedStyle(probe);
+  const style = getComputedStyle(probe);
+  const colours = tokens.map((token) => {
+    probe.style.color = `var(${token})`;
+    return style.color;
+  });
   probe.remove();
-  return color;
+  return colours;
 }
+
+export const tokenColour = (token: Token): string => tokenColours([token])[0] ?? "";

@@ -24,7 +24,7 @@ function placeOf({ width, height }: Size) {
 function paint(canvas: HTMLCanvasElement, { drawing }: Scene): void {
   const context = canvas.getContext("2d");
   if (context === null) return;
-  const { colours } = readTheme(canvas.parentElement ?? document.body);
+  const { colours } = readTheme();
   const { x, y, zoom } = placeOf(drawing);
   const scale = devicePixelRatio;
   [canvas.width, canvas.height] = [kSize.width * scale, kSize.height * scale];

@@ -42,9 +42,9 @@ export class Painter {
     private readonly camera: Camera,
   ) {
     this.pictures = new Pictures(canvases.overview, canvases.pictures);
-    this.theme = readTheme(canvases.frame);
+    this.theme = readTheme();
     const themed = () => {
-      this.theme = readTheme(canvases.frame);
+      this.theme = readTheme();
       this.schedule();
     };
     this.ends = [listenToTheme(themed), camera.listen(() => this.onMove()), session.listen(() => this.onSession())];

@@ -1,5 +1,6 @@
 // The colours and fonts of the page for what is painted: the custom properties of styles/tokens.css, as they are in the present theme.
 import { listenToTheme as listenToPage } from "../../theme/theme";
+import { tokenColours } from "../../theme/tokenColour";
 
 const kColours = [
   "paper", "panel", "inset", "ink", "soft", "faint", "edge", "edge-strong", "outline", "line", "line-quiet", "solid", "accent", "accent-soft",
@@ -15,19 +16,11 @@ export interface Theme {
   readonly mono: string;
 }
 
-/** The theme as it is where `element` is. */
-export function readTheme(element: HTMLElement): Theme {
-  const probe = element.appendChild(document.createElement("i"));
-  const style = getComputedStyle(probe);
-  const colours = Object.fromEntries(
-    kColours.map((name) => {
-      probe.style.color = `var(--${name})`;
-      return [name, style.color];
-    }),
-  ) as Record<Colour, string>;
-  const theme = { colours, sans: style.getPropertyValue("--sans"), mono: style.getPropertyValue("--mono") };
-  probe.remove();
-  return theme;
+export function readTheme(): Theme {
+  const found = tokenColours(kColours.map((name) => `--${name}` as const));
+  const style = getComputedStyle(document.documentElement);
+  const colours = Object.fromEntries(kColours.map((name, i) => [name, found[i] ?? ""])) as Record<Colour, string>;
+  return { colours, sans: style.getPropertyValue("--sans"), mono: style.getPropertyValue("--mono") };
 }
 
 /** Calls `changed` when the theme of the page changes or its fonts have come; the result ends that. */
