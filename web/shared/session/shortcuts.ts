@@ -84,8 +84,9 @@ export const gestures: readonly { readonly where: string; readonly list: readonl
 /** The part of a keyboard event that identifies the keys. */
 export type KeyPress = Pick<KeyboardEvent, "key" | "code" | "ctrlKey" | "metaKey" | "shiftKey" | "altKey">;
 
-/** The press as `shortcuts` writes it. Shift counts with letters and named keys; of signs it is only the way to type them. */
-export function pressText({ key, code, ctrlKey, metaKey, shiftKey, altKey }: KeyPress): string {
+/** The press as `shortcuts` writes it. Shift counts with letters and named keys; of signs it is only the way to type them. Alt may type a sign with a letter: the letter counts. */
+export function pressText({ key: typed, code, ctrlKey, metaKey, shiftKey, altKey }: KeyPress): string {
+  const key = (altKey && !/^[a-z]$/i.test(typed) ? /^Key([A-Z])$/.exec(code)?.[1] : undefined) ?? typed;
   const name = code === "Space" ? "Space" : key === "Escape" ? "Esc" : key.length === 1 ? key.toUpperCase() : key;
   const shifts = shiftKey && (name.length > 1 || /\p{L}/u.test(name));
   return `${ctrlKey || metaKey ? "Ctrl+" : ""}${altKey ? "Alt+" : ""}${shifts ? "Shift+" : ""}${name}`;

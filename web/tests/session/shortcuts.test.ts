@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Core } from "../../generated/messages";
-import { commandOf, keysOf, shortcutOf, shortcuts, type KeyPress } from "../../shared/session/shortcuts";
+import { commandOf, keysOf, pressText, shortcutOf, shortcuts, type KeyPress } from "../../shared/session/shortcuts";
 
 const core: Core = { id: "1", document: "pick", revision: 3, status: "running", paused: false, stepping: false, step: 1, micro: 0, waiting: 0, arguments: {}, breakpoints: [], live: false, model: 0 };
 const press = (key: string, held: Partial<KeyPress> = {}): KeyPress => ({ key, code: "", ctrlKey: false, metaKey: false, shiftKey: false, altKey: false, ...held });
@@ -34,6 +34,16 @@ describe("shortcutOf", () => {
     expect(shortcutOf(press("Escape"), true)).toBe("escape");
     expect(shortcutOf(press("0", ctrl), true)).toBe("fit");
     expect(shortcutOf(press("F8"), true)).toBe("stop");
+  });
+});
+
+describe("pressText", () => {
+  it("takes the letter of a key that types a sign with Alt, where that is no letter", () => {
+    const alt = { ctrlKey: true, altKey: true };
+    expect(pressText(press("l", { ...alt, code: "KeyL" }))).toBe("Ctrl+Alt+L");
+    expect(pressText(press("ł", { ...alt, code: "KeyL" }))).toBe("Ctrl+Alt+L");
+    expect(pressText(press("q", { altKey: true, code: "KeyA" }))).toBe("Alt+Q");
+    expect(pressText(press("ł", { code: "KeyL" }))).toBe("Ł");
   });
 });
 

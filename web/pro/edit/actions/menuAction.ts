@@ -5,11 +5,11 @@ import { ask, type ScreenPoint } from "../prompt";
 import type { Situation } from "../situation";
 import { menuEntry, type Action } from "./action";
 
-const kForPort = ["rename", "connect", "disconnect", "earlier", "later", "duplicate", "copy", "cut", "delete"];
-const kForBarrier = ["rename", "connect", "disconnect", "earlier", "later", "group", "move_into", "move_out", "duplicate", "copy", "cut", "delete"];
-const kForState = ["properties", "enter", "rename", "add_inside", "add_port", "connect", "set_first", "earlier", "later", "group", "ungroup", "extract", "move_into", "move_out", "duplicate", "copy", "cut", "paste", "delete"];
+const kForPort = ["rename", "note", "connect", "disconnect", "earlier", "later", "duplicate", "copy", "cut", "delete"];
+const kForBarrier = ["rename", "note", "connect", "disconnect", "earlier", "later", "group", "move_into", "move_out", "duplicate", "copy", "cut", "delete"];
+const kForState = ["properties", "enter", "rename", "note", "add_inside", "add_port", "connect", "set_first", "earlier", "later", "group", "ungroup", "extract", "move_into", "move_out", "duplicate", "copy", "cut", "paste", "delete"];
 const kForSeveral = ["group", "move_into", "move_out", "duplicate", "copy", "cut", "delete"];
-const kForNothing = ["add_state", "add_barrier", "add_port", "paste", "select_all", "leave", "undo", "redo"];
+const kForNothing = ["add_state", "add_barrier", "add_port", "paste", "select_all", "lay_out_anew", "keep_layout", "leave", "undo", "redo"];
 
 function idsFor({ tree, ids, one }: Situation): readonly string[] {
   if (one === undefined) return ids.length > 0 ? kForSeveral : kForNothing;

@@ -6,10 +6,11 @@ import { connectActions } from "./connectActions";
 import { documentActions } from "./documentActions";
 import { editActions } from "./editActions";
 import { menuAction } from "./menuAction";
+import { placingActions } from "./placingActions";
 import { structureActions } from "./structureActions";
 import { walkActions } from "./walkActions";
 
-const inMenus: readonly Action[] = [...editActions, ...clipboardActions, ...addActions, ...connectActions, ...structureActions, ...documentActions];
+const inMenus: readonly Action[] = [...editActions, ...clipboardActions, ...addActions, ...connectActions, ...structureActions, ...placingActions, ...documentActions];
 
 export const actions: readonly Action[] = [...inMenus, ...walkActions, menuAction(inMenus)];
 

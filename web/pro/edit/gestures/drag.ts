@@ -5,7 +5,7 @@ import type { ScreenPoint } from "../prompt";
 export interface Drag {
   /** The pointer is at another place; called first when the drag begins. */
   readonly move: (at: ScreenPoint) => void;
-  readonly drop: (at: ScreenPoint) => void;
+  readonly drop: (at: ScreenPoint, held: Pick<MouseEvent, "altKey">) => void;
   /** After a drop, and when it is given up. */
   readonly end: () => void;
 }
@@ -42,7 +42,7 @@ export function followPointer({ pointerId, clientX, clientY }: Pick<PointerEvent
     const dropped = drag;
     if (dropped !== undefined) swallowClick();
     end();
-    dropped?.drop({ x: event.clientX, y: event.clientY });
+    dropped?.drop({ x: event.clientX, y: event.clientY }, event);
   };
   const press = (event: KeyboardEvent) => {
     if (drag === undefined) return;

@@ -7,8 +7,8 @@ import { CanvasLayer } from "../../canvas/CanvasLayer";
 import { useShownCanvas } from "../../canvas/canvasView";
 import type { Laid } from "../../canvas/useDrawing";
 import { view } from "../../client";
+import { carryOut } from "../carryOut";
 import { editedDocument } from "../editing";
-import { carryOut } from "./carryOut";
 import { useNotes } from "./editedPlaces";
 import { editNote, useWritten } from "./noted";
 
@@ -63,7 +63,9 @@ function NoteField({ id, name, text }: { readonly id: string; readonly name: str
   const close = () => editNote(undefined);
   const commit = () => {
     const document = editedDocument();
-    if (document !== undefined) carryOut(writeNote(document, id, value));
+    const command = document === undefined ? undefined : writeNote(document, id, value);
+    // A note that is left as it was is no edit.
+    if (command !== undefined && "change" in command) carryOut(command);
     close();
   };
   const press = (event: KeyboardEvent) => {

@@ -7,11 +7,10 @@ import { selectedPaths } from "../../../shared/session/view";
 import type { CanvasView } from "../../canvas/canvasView";
 import { isPreview, showPreview } from "../../canvas/placingPreview";
 import { view } from "../../client";
+import { carryOut } from "../carryOut";
+import { followPointer, type Drag } from "../gestures/drag";
+import type { ScreenPoint } from "../prompt";
 import { editedPlaces } from "./editedPlaces";
-import { carryOut } from "./carryOut";
-
-/** A press with less of a move is a click [px]. */
-const kThreshold = 4;
 
 const parentOf = (path: string): string => path.slice(0, path.length - nameOf(path).length - 1);
 
@@ -30,62 +29,39 @@ function pressedNode(canvas: CanvasView, event: PointerEvent): string | undefine
   return canvas.laid.tree.get(hit.path)?.node.kind === "barrier" && !event.ctrlKey ? undefined : hit.path;
 }
 
-/** The click that follows a drag is none. */
-function swallowClick(): void {
-  const swallow = (event: MouseEvent) => event.stopPropagation();
-  addEventListener("click", swallow, { capture: true, once: true });
-  setTimeout(() => removeEventListener("click", swallow, true));
+/** What moves with the pointer; it is shown where it would be dropped. */
+function dragOf(canvas: CanvasView, pressed: string, from: ScreenPoint): Drag {
+  const { laid } = canvas;
+  const paths = draggedWith(pressed);
+  let frame = 0;
+  const byOf = ({ x, y }: ScreenPoint): Point => {
+    const { zoom } = canvas.viewport();
+    return { x: (x - from.x) / zoom, y: (y - from.y) / zoom };
+  };
+  const show = (by: Point): void => showPreview(laid, { ...laid, drawing: movedDrawing(laid.drawing, paths, by) });
+  if (!selectedPaths(view.get()).includes(pressed)) view.dispatch({ type: "select", selection: { kind: "node", path: pressed } });
+  return {
+    move: (at) => {
+      cancelAnimationFrame(frame);
+      frame = requestAnimationFrame(() => show(byOf(at)));
+    },
+    drop: (at, { altKey }) => {
+      show(byOf(at));
+      const before = editedPlaces();
+      carryOut(moveNodes(laid.drawing, laid.tree, paths, byOf(at), altKey ? 1 : kGrid));
+      if (editedPlaces() === before) showPreview(laid, undefined);
+    },
+    end: () => {
+      cancelAnimationFrame(frame);
+      showPreview(laid, undefined);
+    },
+  };
 }
 
 /** To be called for each press on the canvas. */
 export function dragFrom(canvas: CanvasView, press: PointerEvent): void {
   const pressed = pressedNode(canvas, press);
-  const { laid } = canvas;
-  if (pressed === undefined || isPreview(laid)) return;
+  if (pressed === undefined || isPreview(canvas.laid)) return;
   press.preventDefault();
-  let paths: readonly string[] | undefined;
-  let frame = 0;
-  const stop = new AbortController();
-  const byOf = ({ clientX, clientY }: MouseEvent): Point => {
-    const { zoom } = canvas.viewport();
-    return { x: (clientX - press.clientX) / zoom, y: (clientY - press.clientY) / zoom };
-  };
-  const end = () => {
-    stop.abort();
-    cancelAnimationFrame(frame);
-  };
-  const cancel = () => {
-    end();
-    showPreview(laid, undefined);
-  };
-  const move = (event: PointerEvent) => {
-    if (event.pointerId !== press.pointerId) return;
-    if (paths === undefined && Math.hypot(event.clientX - press.clientX, event.clientY - press.clientY) < kThreshold) return;
-    const dragged = (paths ??= draggedWith(pressed));
-    if (!selectedPaths(view.get()).includes(pressed)) view.dispatch({ type: "select", selection: { kind: "node", path: pressed } });
-    cancelAnimationFrame(frame);
-    frame = requestAnimationFrame(() => showPreview(laid, { ...laid, drawing: movedDrawing(laid.drawing, dragged, byOf(event)) }));
-  };
-  const drop = (event: PointerEvent) => {
-    if (event.pointerId !== press.pointerId) return;
-    end();
-    if (paths === undefined) return;
-    swallowClick();
-    showPreview(laid, { ...laid, drawing: movedDrawing(laid.drawing, paths, byOf(event)) });
-    const before = editedPlaces();
-    carryOut(moveNodes(laid.drawing, laid.tree, paths, byOf(event), event.altKey ? 1 : kGrid));
-    if (editedPlaces() === before) showPreview(laid, undefined);
-  };
-  const key = (event: KeyboardEvent) => {
-    if (event.key !== "Escape" || paths === undefined) return;
-    event.stopImmediatePropagation();
-    event.preventDefault();
-    cancel();
-  };
-  const { signal } = stop;
-  addEventListener("pointermove", move, { signal });
-  addEventListener("pointerup", drop, { signal });
-  addEventListener("pointercancel", cancel, { signal });
-  addEventListener("blur", cancel, { signal });
-  addEventListener("keydown", key, { capture: true, signal });
+  followPointer(press, () => dragOf(canvas, pressed, { x: press.clientX, y: press.clientY }));
 }
