@@ -37,7 +37,7 @@ Checked<std::unique_ptr<Application>> Application::create(const Setup& setup) {
   services::set_failure_handler(
       [raw = app.get()](const std::string& text) { raw->log("server", text, LogLevel::error); });
   if (auto created = app->create_cores(setup); !created) return of_store(std::move(created).error(), *app->folder_);
-  app->create_editing();
+  app->create_editing(setup);
   if (setup.script)
     if (auto added = app->add_operator(*setup.script); !added) return tl::unexpected(std::move(added).error());
   app->name_damaged_documents();
@@ -126,10 +126,11 @@ Expected<void> Application::create_cores(const Setup& setup) {
 }
 
 // Who follows documents is added to the watchers.
-void Application::create_editing() {
+void Application::create_editing(const Setup& setup) {
   document_publisher_ = std::make_unique<DocumentPublisher>(*hub_);
   editing_ = std::make_unique<Editing>(*documents_, *document_publisher_, document_watchers_);
   edits_ = std::make_unique<EditQueue>(*editing_, *hub_);
+  presence_ = std::make_unique<PresenceChannels>(*hub_, deadlines_, setup.first_sequence);
 }
 
 Checked<void> Application::add_operator(const OperatorScript& script) {
@@ -166,6 +167,7 @@ Backend Application::make_backend() {
           *hub_,
           *displays_,
           *edits_,
+          *presence_,
           cell_->remotes()};
 }
 
@@ -173,7 +175,9 @@ void Application::log(const std::string& source, const std::string& text, LogLev
   log_->append(cell_->clock().now(), source, text, level);
 }
 
-ChannelSources Application::channel_sources() { return {*hub_, *cores_, *cell_, *displays_, *flows_, *log_, *edits_}; }
+ChannelSources Application::channel_sources() {
+  return {*hub_, *cores_, *cell_, *displays_, *flows_, *log_, *edits_, *presence_};
+}
 
 Resources Application::resources() {
   return {*documents_,  *editing_, *boot_list_, *backups_, *runs_, *samples_, *cores_,

@@ -17,6 +17,7 @@
 #include "server/editing/document_watcher.h"
 #include "server/editing/edit_queue.h"
 #include "server/editing/editing.h"
+#include "server/editing/presence_channels.h"
 #include "server/execution/live_edits.h"
 #include "server/handlers/idempotency.h"
 #include "server/handlers/routes.h"
@@ -67,7 +68,7 @@ class Application {
   void create_stream(const Setup& setup);
   Checked<void> create_cell(const Setup& setup);
   Expected<void> create_cores(const Setup& setup);
-  void create_editing();
+  void create_editing(const Setup& setup);
   void name_damaged_documents();
   Checked<void> add_operator(const OperatorScript& script);
   void log(const std::string& source, const std::string& text, LogLevel level = LogLevel::info);
@@ -104,6 +105,7 @@ class Application {
   DocumentWatchers document_watchers_;
   std::unique_ptr<Editing> editing_;
   std::unique_ptr<EditQueue> edits_;
+  std::unique_ptr<PresenceChannels> presence_;
   std::unique_ptr<Operator> operator_;  // destroyed first, when the cell that calls it has stopped
 };
 

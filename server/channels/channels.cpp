@@ -54,6 +54,12 @@ MaybeSource document(const Parameters& parameters, const Sources& sources) {
   return Source{false, [name, &edits = sources.edits] { edits.request_snapshot(name); }, {}};
 }
 
+MaybeSource presence(const Parameters& parameters, const Sources& sources) {
+  const std::string& name = parameters.at("name");
+  if (!rcm::is_id(name)) return std::nullopt;
+  return Source{false, [name, &presence = sources.presence] { presence.publish_snapshot(name); }, {}};
+}
+
 // Calls `function` with the core while it exists: a channel keeps no core alive.
 template <typename F>
 auto on_core(const std::weak_ptr<Core>& core, F function) {
@@ -85,6 +91,7 @@ constexpr std::array kChannels = {
     ChannelKind{kDisplayChannel, display},
     ChannelKind{kFlowChannel, flow},
     ChannelKind{kDocumentChannel, document},
+    ChannelKind{kPresenceChannel, presence},
     ChannelKind{kCoreStateChannel, core_state},
     ChannelKind{kCoreDerivationChannel, core_derivation},
 };

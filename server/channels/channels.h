@@ -10,6 +10,7 @@
 
 #include "server/cell/cell.h"
 #include "server/editing/edit_queue.h"
+#include "server/editing/presence_channels.h"
 #include "server/execution/cores.h"
 #include "server/log/event_log.h"
 #include "server/stream/displays.h"
@@ -28,6 +29,7 @@ struct ChannelSources {
   FlowChannels& flows;
   EventLog& log;
   EditQueue& edits;
+  PresenceChannels& presence;
 };
 
 struct ChannelKind {

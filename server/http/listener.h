@@ -30,6 +30,7 @@ struct Backend {
   Hub& hub;
   Displays& displays;
   EditRequests& edits;
+  PresenceRequests& presence;
   remote::Remotes& remotes;
 };
 

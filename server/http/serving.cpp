@@ -125,7 +125,7 @@ awaitable<bool> serve_websocket(Client& client, const std::string& path, Upgrade
   if (refused) co_return co_await refuse(client, std::move(*refused), ResponseOptions(), context);
   Backend& backend = context.backend;
   if (is_stream) {
-    const StreamTargets targets{backend.hub, backend.displays, backend.edits};
+    const StreamTargets targets{backend.hub, backend.displays, backend.edits, backend.presence};
     co_await serve_stream(std::move(client.stream), std::move(request), targets, *client.place);
   } else {
     const ComponentTargets targets{backend.remotes, backend.hub, context.handlers};

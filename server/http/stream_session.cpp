@@ -12,11 +12,7 @@ namespace {
 class StreamSession final : public Session, public Subscriber {
  public:
   StreamSession(beast::tcp_stream stream, const StreamTargets& targets)
-      : Session(std::move(stream)),
-        targets_(targets),
-        hub_(targets.hub),
-        displays_(targets.displays),
-        wake_up_(executor_) {}
+      : Session(std::move(stream)), targets_(targets), hub_(targets.hub), wake_up_(executor_) {}
 
   Outbox& outbox() override { return outbox_; }
   void wake() override {
@@ -58,7 +54,8 @@ class StreamSession final : public Session, public Subscriber {
   // However the client leaves, but when the sockets themselves end: the hub then drops its subscribers.
   void leave() {
     over_ = true;
-    services::run_reporting("a display that leaves", [this] { displays_.disconnect(*this); });
+    services::run_reporting("a display that leaves", [this] { targets_.displays.disconnect(*this); });
+    services::run_reporting("a person that leaves", [this] { targets_.presence.disconnected(*this); });
     services::run_reporting("a client that leaves", [this] { hub_.disconnect(self()); });
     waker_.cancel();
     close();
@@ -93,7 +90,6 @@ class StreamSession final : public Session, public Subscriber {
 
   const StreamTargets targets_;
   Hub& hub_;
-  Displays& displays_;
   const WakeUp wake_up_;
   Outbox outbox_;
   std::atomic<bool> is_sending_{false};  // what others push meanwhile needs no wake(): a slow client takes it later

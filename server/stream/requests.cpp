@@ -11,9 +11,7 @@ namespace {
 
 struct Client {
   const std::shared_ptr<Subscriber>& subscriber;
-  Hub& hub;
-  Displays& displays;
-  EditRequests& edits;
+  const StreamTargets& to;
 };
 
 using Errors = std::vector<Error>;
@@ -37,20 +35,22 @@ void subscribe(Fields& fields, const Client& client, Errors& errors) {
   const std::string channel = fields.text("channel", Fields::Need::required).value_or("");
   const auto since = read_number(fields, "since", Fields::Need::optional);
   fields.close();
-  if (errors.empty()) client.hub.subscribe(client.subscriber, channel, since);
+  if (errors.empty()) client.to.hub.subscribe(client.subscriber, channel, since);
 }
 
 void unsubscribe(Fields& fields, const Client& client, Errors& errors) {
   const std::string channel = fields.text("channel", Fields::Need::required).value_or("");
   fields.close();
-  if (errors.empty()) client.hub.unsubscribe(client.subscriber, channel);
+  if (!errors.empty()) return;
+  client.to.presence.unsubscribed(*client.subscriber, channel);
+  client.to.hub.unsubscribe(client.subscriber, channel);
 }
 
 void announce(Fields& fields, const Client& client, Errors& errors) {
   const std::string name = fields.text("name", Fields::Need::required).value_or("");
   const bool sound = fields.boolean("sound").value_or(false);
   fields.close();
-  if (errors.empty()) report(client.displays.announce(client.subscriber, name, sound), errors);
+  if (errors.empty()) report(client.to.displays.announce(client.subscriber, name, sound), errors);
 }
 
 void answer(Fields& fields, const Client& client, Errors& errors) {
@@ -58,19 +58,19 @@ void answer(Fields& fields, const Client& client, Errors& errors) {
   const Value* answer = fields.find("answer", Fields::Need::required);
   fields.close();
   if (!errors.empty()) return;
-  report(client.displays.answer(*client.subscriber, static_cast<std::uint64_t>(*question), *answer), errors);
+  report(client.to.displays.answer(*client.subscriber, static_cast<std::uint64_t>(*question), *answer), errors);
 }
 
 void press(Fields& fields, const Client& client, Errors& errors) {
   const std::string button = fields.text("button", Fields::Need::required).value_or("");
   fields.close();
-  if (errors.empty()) report(client.displays.press(*client.subscriber, button), errors);
+  if (errors.empty()) report(client.to.displays.press(*client.subscriber, button), errors);
 }
 
 void played(Fields& fields, const Client& client, Errors& errors) {
   const auto sound = read_number(fields, "sound", Fields::Need::required);
   fields.close();
-  if (errors.empty()) report(client.displays.played(*client.subscriber, static_cast<std::uint64_t>(*sound)), errors);
+  if (errors.empty()) report(client.to.displays.played(*client.subscriber, static_cast<std::uint64_t>(*sound)), errors);
 }
 
 struct Type {
@@ -87,17 +87,18 @@ constexpr std::array<Type, 6> kTypes = {{
     {"played", played},
 }};
 
-/// Read by who executes it.
-constexpr std::string_view kEdit = "edit";
+/// Read by who executes them.
+constexpr std::string_view kEdit = "edit", kPresence = "presence";
 
 void handle(const Value& json, const Client& client, Errors& errors) {
   Fields fields(json, "", "the message", errors, Fields::Paths::field);
   const std::string name = fields.text("type", Fields::Need::required).value_or("");
-  if (name == kEdit) return client.edits.request_edit(client.subscriber, json);
+  if (name == kEdit) return client.to.edits.request_edit(client.subscriber, json);
+  if (name == kPresence) return client.to.presence.request_presence(client.subscriber, json);
   const auto type = std::ranges::find(kTypes, name, &Type::name);
   if (type != kTypes.end()) return type->handle(fields, client, errors);
-  std::string known = "`" + std::string(kEdit) + "`";
-  for (const Type& each : kTypes) known += ", `" + std::string(each.name) + "`";
+  std::string known = quote(kEdit) + ", " + quote(kPresence);
+  for (const Type& each : kTypes) known += ", " + quote(each.name);
   if (errors.empty()) fields.violation(ErrorCode::type, "`type` must be one of " + known, "type");
 }
 
@@ -108,7 +109,7 @@ void handle_stream_request(std::string_view message, const std::shared_ptr<Subsc
   const auto json = parse_json(message);
   if (!json) return targets.hub.refuse(subscriber, "", {json.error()});
   Errors errors;
-  handle(*json, {subscriber, targets.hub, targets.displays, targets.edits}, errors);
+  handle(*json, {subscriber, targets}, errors);
   if (!errors.empty()) targets.hub.refuse(subscriber, "", std::move(errors));
 }
 

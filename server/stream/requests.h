@@ -16,11 +16,24 @@ class EditRequests {
   virtual void request_edit(const std::shared_ptr<Subscriber>& sender, const Value& message) = 0;
 };
 
+/// Who knows at which documents the persons at clients are. Must be quick.
+class PresenceRequests {
+ public:
+  virtual ~PresenceRequests() = default;
+  /// Does what a message `presence` asks for.
+  virtual void request_presence(const std::shared_ptr<Subscriber>& sender, const Value& message) = 0;
+  /// The client wants no channel of this name any more.
+  virtual void unsubscribed(const Subscriber& subscriber, const std::string& channel) = 0;
+  /// The client is gone.
+  virtual void disconnected(const Subscriber& subscriber) = 0;
+};
+
 /// Where the messages of clients go.
 struct StreamTargets {
   Hub& hub;
   Displays& displays;
   EditRequests& edits;
+  PresenceRequests& presence;
 };
 
 /// Does what the message asks for, or tells the client why not.

@@ -9,6 +9,7 @@
 #include "core/value/fields.h"
 #include "core/value/json.h"
 #include "server/editing/edit_request.h"
+#include "server/editing/presence_channels.h"
 #include "server/stream/requests.h"
 #include "server/wire/channel_names.h"
 #include "server/wire/path_pattern.h"
@@ -75,15 +76,17 @@ class Stream {
   }
 
   void say(std::string_view message) {
-    handle_stream_request(message, client_, {hub_, displays_, edits_});
+    handle_stream_request(message, client_, {hub_, displays_, edits_, presence_});
     hub_.after([this] { read(); });
   }
   // The client leaves; what was asked for is done.
   ~Stream() {
     displays_.disconnect(*client_);
+    presence_.disconnected(*client_);
     hub_.disconnect(client_);
     hub_.shut_down();
     read();
+    deadlines_.close();
   }
 
  private:
@@ -93,6 +96,8 @@ class Stream {
   }
   std::optional<Source> find(const std::string& name) {
     if (const auto display = match(kDisplayChannel, name)) return displays_.source(display->at("name"));
+    if (const auto document = match(kPresenceChannel, name))
+      return Source{false, [this, to = document->at("name")] { presence_.publish_snapshot(to); }, {}};
     if (match(kCoreStateChannel, name))
       return Source{false, [this, name] { hub_.publish_snapshot(name, Dict{{"steps", 0}}); }, {}};
     if (name != kCellPoseChannel) return std::nullopt;
@@ -106,6 +111,8 @@ class Stream {
   display::Screens screens_;
   Displays displays_{screens_, hub_};
   Edits edits_;
+  Deadlines deadlines_;
+  PresenceChannels presence_{hub_, deadlines_, 1};
   std::shared_ptr<Client> client_ = std::make_shared<Client>();
 };
 

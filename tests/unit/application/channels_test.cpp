@@ -12,8 +12,8 @@ TEST(Channels, HaveOnePatternEach) {
   for (const ChannelKind& channel : channels()) patterns.insert(channel.pattern);
   EXPECT_EQ(patterns.size(), channels().size());
   EXPECT_THAT(patterns, testing::UnorderedElementsAre("cores", "services", "log", "cell/pose", "display/{name}",
-                                                      "flow/{service}/{flow}", "document/{name}", "core/{id}/state",
-                                                      "core/{id}/derivation"));
+                                                      "flow/{service}/{flow}", "document/{name}", "presence/{name}",
+                                                      "core/{id}/state", "core/{id}/derivation"));
 }
 
 }  // namespace

@@ -17,6 +17,13 @@ struct NoEdits final : EditRequests {
   void request_edit(const std::shared_ptr<Subscriber>&, const Value&) override {}
 };
 
+// Nobody is at a document here.
+struct NoPresence final : PresenceRequests {
+  void request_presence(const std::shared_ptr<Subscriber>&, const Value&) override {}
+  void unsubscribed(const Subscriber&, const std::string&) override {}
+  void disconnected(const Subscriber&) override {}
+};
+
 struct NoObserver final : services::HostObserver {
   void delivered(const services::Delivery&) override {}
   void changed(const services::ServiceStatus&) override {}

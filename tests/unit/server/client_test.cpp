@@ -22,7 +22,8 @@ std::string url_of(std::uint16_t port) { return "http://127.0.0.1:" + std::to_st
 // Our own server, which answers with what it was asked.
 struct ClientTest : testing::Test {
   ClientTest() {
-    server = HttpServer::listen(0, "", {handle, [] { return Reply(); }, hub, displays, edits, remotes}).value();
+    server =
+        HttpServer::listen(0, "", {handle, [] { return Reply(); }, hub, displays, edits, presence, remotes}).value();
     thread = std::thread([this] { server->run(); });
   }
   ~ClientTest() override {
@@ -41,6 +42,7 @@ struct ClientTest : testing::Test {
   Hub hub{pool, 1, [](const std::string&) { return std::nullopt; }};
   display::Screens screens;
   NoEdits edits;
+  NoPresence presence;
   Displays displays{screens, hub};
   services::WorldClock clock;
   NoObserver observer;

@@ -143,9 +143,9 @@ struct ListenerTest : testing::Test {
     });
   }
   void serve_later(const HttpServer::Limits& limits, std::function<void(Request, const Answer&)> handle) {
-    server =
-        HttpServer::listen(0, "", {std::move(handle), [] { return Reply(); }, hub, displays, edits, remotes}, limits)
-            .value();
+    server = HttpServer::listen(
+                 0, "", {std::move(handle), [] { return Reply(); }, hub, displays, edits, presence, remotes}, limits)
+                 .value();
     thread = std::thread([this] { server->run(); });
   }
   std::unique_ptr<Connection> connection(const std::string& text = "") {
@@ -226,6 +226,7 @@ struct ListenerTest : testing::Test {
   Hub hub{pool, 1, [](const std::string&) { return Source(); }};
   display::Screens screens;
   FailingEdits edits;
+  NoPresence presence;
   Displays displays{screens, hub};
   services::WorldClock clock;
   NoObserver observer;

@@ -12,6 +12,9 @@ import type {
   HostedService,
   LogEntry,
   Packet,
+  PresenceDelta,
+  PresenceJoined,
+  PresenceSnapshot,
   ServerError,
   ServiceState,
   TraceStep,
@@ -37,6 +40,9 @@ export type StreamUpdate =
   | { readonly type: "document_edited"; readonly edit: AcceptedEdit }
   | { readonly type: "edit_accepted"; readonly edit: AcceptedEdit }
   | { readonly type: "edit_refused"; readonly refusal: EditRefusal }
+  | { readonly type: "people"; readonly channel: string; readonly people: PresenceSnapshot }
+  | { readonly type: "people_changed"; readonly channel: string; readonly change: PresenceDelta }
+  | { readonly type: "joined"; readonly joined: PresenceJoined }
   | { readonly type: "log"; readonly entries: readonly LogEntry[]; readonly whole: boolean }
   | { readonly type: "refused"; readonly channel: string; readonly errors: readonly ServerError[] };
 
@@ -72,12 +78,19 @@ function documentUpdate(snapshot: boolean, data: unknown): StreamUpdate {
   return { type: "document_edited", edit: check(schema.acceptedEdit, data, "/data") };
 }
 
+function presenceUpdate(channel: string, snapshot: boolean, data: unknown): StreamUpdate {
+  if (snapshot) return { type: "people", channel, people: check(schema.presenceSnapshot, data, "/data") };
+  return { type: "people_changed", channel, change: check(schema.presenceDelta, data, "/data") };
+}
+
 function updateOf({ channel, kind, data }: Envelope): StreamUpdate {
   if (kind === "error") return { type: "refused", channel, errors: check(schema.errors, data, "/data").errors };
   if (kind === "edit_accepted") return { type: kind, edit: check(schema.acceptedEdit, data, "/data") };
   if (kind === "edit_refused") return { type: kind, refusal: check(schema.editRefusal, data, "/data") };
+  if (kind === "joined") return { type: kind, joined: check(schema.presenceJoined, data, "/data") };
   const snapshot = kind === "snapshot";
   if (channel.startsWith("document/")) return documentUpdate(snapshot, data);
+  if (channel.startsWith("presence/")) return presenceUpdate(channel, snapshot, data);
   const [, id, subject] = /^core\/([^/]+)\/(state|derivation)$/.exec(channel) ?? [];
   if (id !== undefined && subject !== undefined) return coreUpdate(id, subject, snapshot, data);
   if (channel.startsWith("flow/")) return { type: "packet", channel, packet: check(schema.packet, data, "/data") };
@@ -98,6 +111,6 @@ function updateOf({ channel, kind, data }: Envelope): StreamUpdate {
 
 export function readStreamMessage(value: unknown): StreamMessage {
   const message = check(schema.envelope, value);
-  const isPrivate = message.kind === "edit_accepted" || message.kind === "edit_refused";
+  const isPrivate = message.kind === "edit_accepted" || message.kind === "edit_refused" || message.kind === "joined";
   return { channel: message.channel, sequence: isPrivate ? undefined : message.sequence, update: updateOf(message) };
 }

@@ -155,6 +155,8 @@ function applyUpdate(session: Session, update: StreamUpdate): Session {
     case "log":
       return { ...session, log: [...(update.whole ? [] : session.log), ...update.entries].slice(-kLogLines) };
     case "refused":
+      // That more are at a document than are shown is told there.
+      if (update.channel.startsWith("presence/")) return session;
       return { ...session, problem: update.errors.map((error) => error.message).join("; ") };
     case "derivation_position":
     case "cell":
@@ -164,6 +166,9 @@ function applyUpdate(session: Session, update: StreamUpdate): Session {
     case "document_edited":
     case "edit_accepted":
     case "edit_refused":
+    case "people":
+    case "people_changed":
+    case "joined":
       return session;
     default:
       return assertNever(update);

@@ -19,7 +19,7 @@ describe("check", () => {
   });
   it("lists the words that a field may have", () => {
     const envelope = { channel: "log", sequence: 1, kind: "change", data: {} };
-    expect(() => check(schema.envelope, envelope)).toThrow('/kind: expected "snapshot" | "delta" | "edit_accepted" | "edit_refused" | "error", got string');
+    expect(() => check(schema.envelope, envelope)).toThrow('/kind: expected "snapshot" | "delta" | "edit_accepted" | "edit_refused" | "joined" | "error", got string');
   });
   it("of alternatives checks the one that is meant", () => {
     const steps = (input: object) => () => check(schema.derivationSteps, { steps: [{ step: 1, input, micro: [], calls: [] }] });
