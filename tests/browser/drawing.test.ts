@@ -8,6 +8,7 @@ let page: Page;
 beforeAll(async () => {
   fixture = await openFixture();
   page = fixture.page;
+  fixture.allowError(/\/there\/is\/none\.js/);
   await page.addInitScript(() => {
     const Real = Worker;
     const kept: (() => void)[] = [];

@@ -23,6 +23,8 @@ beforeAll(async () => {
   writeFileSync(join(crated, "scene.json"), JSON.stringify({ ...scene, bodies: [...scene.bodies.filter(({ mass }) => mass === 0), crate] }));
   // A machine under load may be slow: no process is lost because of that.
   fixture = await openFixture("--remote", "cell", "--heartbeat", "30");
+  // The page asks for the cell while its process is not there.
+  fixture.allowError(/^Failed to load resource: the server responded with a status of 503 .*\/api\/v1\/cell/);
   await fixture.page.setViewportSize({ width: 1000, height: 640 });
   await fixture.page.goto(`${fixture.url}/pro/`);
   await fixture.page.getByRole("tab", { name: "Cell" }).click();
