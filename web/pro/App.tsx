@@ -3,7 +3,6 @@ import { lazy, Suspense } from "react";
 import { commandable } from "../shared/session/session";
 import { commandOf, type Shortcut } from "../shared/session/shortcuts";
 import { ModelCanvas } from "./canvas/ModelCanvas";
-import { useTree } from "./canvas/useDrawing";
 import { CellInset } from "./cell/CellInset";
 import { run as command, session, useSession, useView, view } from "./client";
 import { DocumentsPanel } from "./documents/DocumentsPanel";
@@ -12,9 +11,11 @@ import { EditPage } from "./edit/EditPage";
 import { EditProperties } from "./edit/EditProperties";
 import { EditSide } from "./edit/EditSide";
 import { useEditedTree, useEditing } from "./edit/editing";
+import { Carried } from "./live/Carried";
+import { useRunTree } from "./live/runTree";
+import { WaitingEdit } from "./live/WaitingEdit";
 import { Drawer } from "./panels/Drawer";
 import { Interruption } from "./panels/Interruption";
-import { WaitingEdit } from "./panels/WaitingEdit";
 import { KeyHelp } from "./panels/KeyHelp";
 import { LostServer } from "./panels/LostServer";
 import { PersonWaitBar } from "./panels/PersonWaitBar";
@@ -70,7 +71,7 @@ function usePageKeys(): void {
 
 export function App() {
   const page = useView((v) => v.page);
-  const run = useTree();
+  const run = useRunTree();
   const edited = useEditedTree();
   const document = useEditing((now) => now.document);
   const watched = useSession((s) => s.watched);
@@ -91,13 +92,14 @@ export function App() {
             <CellView />
           </Suspense>
         )}
+        <Carried />
       </main>
       <div className="right">
         {page === "edit" ? <EditProperties tree={tree} /> : <PropertiesPanel tree={tree} />}
         {page === "task" && <CellInset />}
       </div>
       <footer className="foot">
-        <WaitingEdit tree={run} />
+        <WaitingEdit />
         <Interruption />
         <PersonWaitBar />
         <RunBar />

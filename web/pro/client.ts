@@ -142,7 +142,8 @@ async function loadPast(id: string, next: number): Promise<void> {
 function watchSomething(): void {
   const { cores, watched } = session.get();
   if (watched !== undefined && cores.some((core) => core.id === watched)) return;
-  watch(coreToWatch(cores, placeOfAddress(location.search).run)?.id);
+  const { run: wanted, edit } = placeOfAddress(location.search);
+  watch(coreToWatch(cores, wanted, edit)?.id);
 }
 
 /** From this, the next run of the same document is shown. */

@@ -18,6 +18,7 @@ import "./styles/forms.css";
 import "./styles/placing.css";
 import "./styles/arguments.css";
 import "./styles/code.css";
+import "./styles/live.css";
 import { createRoot } from "react-dom/client";
 import { App } from "./App";
 import { connect } from "./client";

@@ -104,6 +104,8 @@ export function createApi(base: string, fetcher: typeof fetch) {
       return all;
     },
     document: (name: string): Promise<DocumentEntry> => get(`/documents/${segment(name)}`, schema.documentEntry),
+    /** As it was in a revision. */
+    documentAt: (name: string, revision: number): Promise<DocumentEntry> => get(`/documents/${segment(name)}/revisions/${revision}`, schema.documentEntry),
     /** The same as it was sent, with the numbers as they were written (edit/exact.ts). */
     documentText: (name: string): Promise<string> => requestText(`/documents/${segment(name)}`, schema.documentEntry),
     /** Stores the content as it is. */

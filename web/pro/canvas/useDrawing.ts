@@ -7,9 +7,9 @@ import { layoutCache } from "../../shared/drawing/layoutCache";
 import { details, type Detail, type Size } from "../../shared/drawing/measure";
 import type { Places } from "../../shared/drawing/places";
 import type { State } from "../../shared/model/model";
-import { buildTree, stateAt, type ModelTree } from "../../shared/model/modelTree";
+import { stateAt, type ModelTree } from "../../shared/model/modelTree";
 import type { Shown } from "../../shared/session/view";
-import { problem, useSession, useView } from "../client";
+import { problem, useView } from "../client";
 import { layoutInWorkers } from "./layoutEngine";
 
 export interface Laid {
@@ -39,11 +39,6 @@ export interface CanvasDrawing {
   readonly failed: boolean;
   /** Another drawing, or one with more detail, may follow. */
   readonly busy: boolean;
-}
-
-export function useTree(): ModelTree | undefined {
-  const model = useSession((session) => session.model);
-  return useMemo(() => (model === undefined ? undefined : buildTree(model.root)), [model]);
 }
 
 const memory = layoutCache();

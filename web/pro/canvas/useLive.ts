@@ -1,19 +1,39 @@
-// The live state of the run for nodes and lines: each selects the part that it shows, so a step redraws only what it changed.
-import { liveOf, kNoRun, type Live } from "../../shared/drawing/live";
-import { emptySession, watchedCore, type Session } from "../../shared/session/session";
-import { session, useSession, view } from "../client";
+// The live state of the run for nodes and lines: each selects the part that it shows, so a step redraws only what it changed. On the page that
+// edits it is that of a run of the document, in the addresses of the edited model.
+import { kNoRun, liveOf, type Live } from "../../shared/drawing/live";
+import { projectLive } from "../../shared/live/project";
+import { watchedCore } from "../../shared/session/session";
+import { session, view } from "../client";
+import { editedTree, editing } from "../edit/editing";
+import { shownRun } from "../live/shownRun";
+import { createStore, useSelected } from "../store";
 
-let latest: { readonly session: Session; readonly live: Live } = { session: emptySession, live: kNoRun };
+const store = createStore<Live, Live>(kNoRun, (_, live) => live);
 
-/** Computed once per change of the session, for all nodes. A document that is edited does not run. */
-function liveFor(now: Session): Live {
-  if (view.get().page === "edit") return kNoRun;
-  if (latest.session !== now) latest = { session: now, live: liveOf(now.run, now.fired, watchedCore(now)?.fault) };
-  return latest.live;
+/** What the live state was made of last: it is the same until one of these is another. */
+let made: readonly unknown[] = [];
+
+function refresh(): void {
+  const now = session.get();
+  const isEdited = view.get().page === "edit";
+  const shown = isEdited ? shownRun(now) : undefined;
+  const onto = shown && editedTree();
+  const fault = watchedCore(now)?.fault;
+  const of = isEdited && (shown === undefined || onto === undefined) ? [] : [now.run, now.fired, fault, shown?.tree, onto];
+  if (of.length === made.length && of.every((each, i) => each === made[i])) return;
+  made = of;
+  const live = of.length === 0 ? kNoRun : liveOf(now.run, now.fired, fault);
+  store.dispatch(shown === undefined || onto === undefined ? live : projectLive(live, shown.tree, onto));
 }
+session.listen(refresh);
+view.listen(refresh);
+editing.listen(refresh);
 
 /** What `select` reads of the run; it must give the same value while nothing that it shows has changed. */
-export const useLive = <T>(select: (live: Live) => T): T => useSession((now) => select(liveFor(now)));
+export const useLive = <T>(select: (live: Live) => T): T => useSelected(store, select);
 
 /** The live state now, for what is painted. */
-export const liveNow = (): Live => liveFor(session.get());
+export const liveNow = (): Live => store.get();
+
+/** Calls `listener` when the live state has changed; the result ends that. */
+export const listenToLive = (listener: () => void): (() => void) => store.listen(listener);

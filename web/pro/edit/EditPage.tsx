@@ -12,6 +12,8 @@ import { ErrorList } from "./ErrorList";
 import { DragLayer } from "./gestures/DragLayer";
 import { EditCanvas } from "./gestures/EditCanvas";
 import { Prompts } from "./prompts/Prompts";
+import { DifferenceMarks } from "../live/DifferenceMarks";
+import { LiveBar } from "../live/LiveBar";
 import { DraftList } from "./forms/DraftList";
 import { StateEditor } from "./forms/StateEditor";
 import { useEditedPlaces } from "./placing/editedPlaces";
@@ -36,11 +38,13 @@ export function EditPage({ tree, document }: Props) {
   return (
     <div className="edit-page">
       {document !== undefined && <EditHead document={document} listed={listed} onList={() => list(!listed)} />}
+      <LiveBar />
       <Refusals />
       <EditCanvas document={document}>
         <StateEditor tree={tree} />
         <ModelCanvas subject={`document ${document ?? ""} ${top ?? ""}`} tree={tree} places={places} nothing={nothing} />
         <Placing />
+        <DifferenceMarks />
       </EditCanvas>
       {listed && <ErrorList />}
       <DragLayer />

@@ -4,11 +4,13 @@ import { applyEditing, nothingEdited, topOf, type Editing, type EditingEvent } f
 import { editedState } from "../../shared/edit/editedModel";
 import { openEditor, type Editor } from "../../shared/edit/editor";
 import type { Change } from "../../shared/edit/session";
+import { runToTurnTo } from "../../shared/live/shownRun";
 import type { Tree } from "../../shared/edit/tree";
 import { buildTree, type ModelTree } from "../../shared/model/modelTree";
 import type { State } from "../../shared/model/model";
 import { addressWith, placeOfAddress } from "../../shared/session/address";
-import { listenToStream, session, view } from "../client";
+import { watchedCore } from "../../shared/session/session";
+import { listenToStream, session, view, watch } from "../client";
 import { createStore, useSelected } from "../store";
 import { author } from "./author";
 
@@ -65,9 +67,16 @@ export function openDocument(name: string): void {
     open = { editor, end };
     view.dispatch({ type: "page", page: "edit" });
     view.dispatch({ type: "forget" });
+    turnToRunOf(name);
   }
   view.dispatch({ type: "page", page: "edit" });
   history.replaceState(null, "", addressWith(location.search, { edit: name }));
+}
+
+/** A run of the document is shown with it. */
+function turnToRunOf(name: string): void {
+  const run = runToTurnTo(session.get().cores, watchedCore(session.get()), name);
+  if (run !== undefined) watch(run.id);
 }
 
 /** Leaves the document; edits that are on their way still arrive at the server. */

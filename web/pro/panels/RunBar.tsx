@@ -1,10 +1,12 @@
 // The run bar: start, pause, step, stop, and the status of the run.
+import type { Core } from "../../generated/messages";
 import { allowed, primary, statusText, type Command } from "../../shared/run/controls";
 import { isInterrupted } from "../../shared/run/interruption";
 import { keysOf, type Shortcut } from "../../shared/session/shortcuts";
 import type { Drawer } from "../../shared/session/view";
 import { commandable } from "../../shared/session/session";
 import { run, useCore, useSession, useView, view } from "../client";
+import { openDocument, useEditing } from "../edit/editing";
 import { Icon, type IconName } from "./Icon";
 import { usePersonWait } from "./PersonWaitBar";
 
@@ -28,12 +30,20 @@ const buttons: readonly ButtonSpec[] = [
   { command: "stop", name: "Stop", key: "stop", icon: "stop" },
 ];
 
+/** While another document is edited, nothing starts the run or moves it on: it is not seen. It can be paused and stopped. */
+function allowedBeside(commands: ReadonlySet<Command>, core: Core | undefined, edited: string | undefined): ReadonlySet<Command> {
+  if (edited === undefined || core?.document === edited) return commands;
+  return new Set([...commands].filter((command) => command === "pause" || command === "stop"));
+}
+
 export function RunBar() {
   const core = useCore();
-  const commands = allowed(useSession(commandable));
+  const page = useView((v) => v.page);
+  const open = useEditing((now) => now.document);
+  const edited = page === "edit" ? open : undefined;
+  const commands = allowedBeside(allowed(useSession(commandable)), core, edited);
   const lost = useSession((s) => s.connection === "lost");
   const asks = usePersonWait() !== undefined;
-  const page = useView((v) => v.page);
   const lead = primary(core);
   const first = firstButton[lead === "resume" || lead === "again" ? lead : "start"];
   return (
@@ -63,8 +73,33 @@ export function RunBar() {
           </span>
         </p>
       )}
+      {core !== undefined && <RunOf core={core} edited={edited} />}
       {page !== "edit" && <DrawerTabs />}
     </div>
+  );
+}
+
+interface RunOfProps {
+  readonly core: Core;
+  /** The document that the page edits. */
+  readonly edited: string | undefined;
+}
+
+/** Which run it is, and of what; with the way to the page that edits that. */
+function RunOf({ core: { id, document, revision }, edited }: RunOfProps) {
+  const isOther = edited !== undefined && edited !== document;
+  return (
+    <p className={isOther ? "run-of is-other" : "run-of"}>
+      <span title={`Run ${id} of ${document}, which executes revision ${revision}`}>
+        Run {id} of <b>{document}</b>, revision {revision}
+        {isOther && ": not what you edit"}
+      </span>
+      {edited !== document && (
+        <button type="button" className="link" title={`Edit ${document}`} onClick={() => openDocument(document)}>
+          Edit
+        </button>
+      )}
+    </p>
   );
 }
 

@@ -2,7 +2,8 @@
 import { memo, useEffect, useMemo, useRef, useState, type KeyboardEvent } from "react";
 import type { ModelTree } from "../../shared/model/modelTree";
 import { rowByName, treeMove, treeRows, type TreeRow } from "../../shared/model/treeRows";
-import { useSession, useView, view } from "../client";
+import { useLive } from "../canvas/useLive";
+import { useView, view } from "../client";
 import { ErrorMark } from "../edit/ErrorMark";
 import { useRowsInView } from "./useRowsInView";
 
@@ -23,7 +24,6 @@ export function StateTree({ tree }: { readonly tree: ModelTree | undefined }) {
 }
 
 const jump = (path: string) => view.dispatch({ type: "jump", selection: { kind: "node", path } });
-const kNoActive: readonly string[] = [];
 
 /** The row with the focus, or that gets it when the tree does: the one that keys went to, else the selected one, else the first. */
 function useCursor(rows: readonly TreeRow[], selected: ReadonlySet<string>) {
@@ -39,9 +39,7 @@ function Rows({ tree }: { readonly tree: ModelTree }) {
   const collapsed = useView((v) => v.collapsed);
   const selection = useView((v) => v.selection);
   const also = useView((v) => v.also);
-  const run = useSession((s) => s.run?.active ?? kNoActive);
-  const page = useView((v) => v.page);
-  const active = useMemo(() => new Set(page === "edit" ? [] : run), [run, page]);
+  const active = useLive((live) => live.active);
   const rows = useMemo(() => treeRows(tree, collapsed), [tree, collapsed]);
   const selected = useMemo(() => new Set(selection?.kind === "node" ? [selection.path, ...also] : []), [selection, also]);
   const { at, setCursor } = useCursor(rows, selected);

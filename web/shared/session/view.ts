@@ -43,6 +43,8 @@ export interface View {
   readonly help: boolean;
   /** Whether the documents are shown over the page. */
   readonly documents: boolean;
+  /** Whether a run of the document that is edited is shown on its drawing. */
+  readonly runShown: boolean;
   /** The places of the other model: of the document that is edited while a run is shown, and the other way round. */
   readonly aside: Places;
 }
@@ -68,6 +70,7 @@ export type Gesture =
   | { readonly type: "inset"; readonly shown: boolean }
   | { readonly type: "help"; readonly shown: boolean }
   | { readonly type: "documents"; readonly shown: boolean }
+  | { readonly type: "run_shown"; readonly shown: boolean }
   | { readonly type: "escape" }
   /** Another model is shown on this page. */
   | { readonly type: "forget" }
@@ -89,6 +92,7 @@ export const initialView: View = {
   inset: true,
   help: false,
   documents: false,
+  runShown: true,
   aside: kNowhere,
 };
 
@@ -192,6 +196,8 @@ export function applyGesture(view: View, gesture: Gesture): View {
       return { ...view, help: gesture.shown };
     case "documents":
       return { ...view, documents: gesture.shown };
+    case "run_shown":
+      return { ...view, runShown: gesture.shown };
     case "escape":
       if (view.help || view.documents) return { ...view, help: false, documents: false };
       return { ...view, selection: undefined, also: kNone };

@@ -27,13 +27,21 @@ describe("an edit of a running task", () => {
   it("names the active states that it removes, and the parameters that would have no value", () => {
     const waits = [{ path: "Pick/Grasp", id: "g" }, { path: "Pick/Move", parameter: "goal" }];
     expect(editText({ ...core, waiting_edit: { revision: 4, waits } })).toEqual({
-      title: "Revision 4 of pick is not in this run yet",
+      title: "Revision 4 of pick waits until Grasp is left",
       waits: [
-        { path: "Pick/Grasp", text: "Pick/Grasp is active, and the edit removes it" },
+        { path: "Pick/Grasp", id: "g", text: "Pick/Grasp is active, and the edit removes it" },
         { path: "Pick/Move", text: "Pick/Move would have no value for its parameter goal" },
       ],
       holds: "Until this changes, the run goes on with revision 3.",
     });
+  });
+
+  it("says in its title until when it waits", () => {
+    const title = (...waits: readonly { readonly path: string; readonly parameter?: string }[]) => editText({ ...core, waiting_edit: { revision: 4, waits } })?.title.replace("Revision 4 of pick ", "");
+    expect(title({ path: "P/A" }, { path: "P/A/B" })).toBe("waits until A and B are left");
+    expect(title(...["A", "B", "C", "D"].map((name) => ({ path: `P/${name}` })))).toBe("waits until 4 states are left");
+    expect(title({ path: "P/A", parameter: "goal" })).toBe("waits for a value of the parameter goal of A");
+    expect(title()).toBe("is not in this run yet");
   });
 
   it("says that a paused run gets it when it goes on", () => {
@@ -45,7 +53,7 @@ describe("an edit of a running task", () => {
     const errors = [{ path: "Pick", code: "first", message: "names no child" }];
     const text = editText({ ...core, refused_edit: { revision: 5, errors }, waiting_edit: { revision: 4, waits: [] } });
     expect(text?.title).toBe("Revision 5 of pick has 1 error and cannot be executed");
-    expect(text?.waits).toEqual([{ path: "Pick", text: "Pick: names no child" }]);
+    expect(text?.waits).toEqual([{ path: "Pick", error: errors[0], text: "Pick: names no child" }]);
   });
 
   it("changes the key of the model, by which the page loads it anew", () => {

@@ -13,4 +13,11 @@ describe("coreToWatch", () => {
     expect(coreToWatch(cores.slice(3), "9")?.id).toBe("4");
     expect(coreToWatch([], "9")).toBeUndefined();
   });
+  it("is one of the document that is edited among those that come first, not before them", () => {
+    const other = (id: string, status: Core["status"]) => ({ ...core(id, status), document: "place" });
+    expect(coreToWatch([core("3", "running"), other("5", "running")], undefined, "pick")?.id).toBe("3");
+    expect(coreToWatch([core("4", "ended"), other("5", "running")], undefined, "pick")?.id, "stop reaches what moves").toBe("5");
+    expect(coreToWatch([core("4", "ended"), other("5", "ended")], undefined, "pick")?.id).toBe("4");
+    expect(coreToWatch([core("3", "running"), other("5", "running")], "5", "pick")?.id).toBe("5");
+  });
 });

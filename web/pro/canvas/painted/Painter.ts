@@ -3,8 +3,7 @@
 import type { Size } from "../../../shared/drawing/measure";
 import { areaOf } from "../../../shared/drawing/movement";
 import type { Scene } from "../../../shared/drawing/scene";
-import { session } from "../../client";
-import { liveNow } from "../useLive";
+import { listenToLive, liveNow } from "../useLive";
 import type { Camera } from "./camera";
 import { createFlashes } from "./flashes";
 import { paintLive, type Marks } from "./paintLive";
@@ -33,7 +32,7 @@ export class Painter {
   private next = 0;
   private resting: ReturnType<typeof setTimeout> | undefined;
   private moved = 0;
-  private fired = session.get().fired;
+  private fireCount = liveNow().fireCount;
   /** Something lies on the canvas for what is live. */
   private painted = false;
 
@@ -47,7 +46,7 @@ export class Painter {
       this.theme = readTheme();
       this.schedule();
     };
-    this.ends = [listenToTheme(themed), camera.listen(() => this.onMove()), session.listen(() => this.onSession())];
+    this.ends = [listenToTheme(themed), camera.listen(() => this.onMove()), listenToLive(() => this.onLive())];
   }
 
   show(shown: Shown): void {
@@ -72,10 +71,10 @@ export class Painter {
     this.schedule();
   }
 
-  private onSession(): void {
-    const { fired, run } = session.get();
-    if (fired !== this.fired && run !== undefined) this.flashes.add(fired.ports, performance.now());
-    this.fired = fired;
+  private onLive(): void {
+    const { fired, fireCount } = liveNow();
+    if (fireCount !== this.fireCount) this.flashes.add([...fired], performance.now());
+    this.fireCount = fireCount;
     this.schedule();
   }
 

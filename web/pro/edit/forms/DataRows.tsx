@@ -4,6 +4,7 @@ import { readExact, type ExactJson } from "../../../shared/edit/exact";
 import { setOperation } from "../../../shared/edit/commands/setField";
 import { entryOf } from "../../../shared/json";
 import type { State } from "../../../shared/model/model";
+import { ParameterNow, ValueNow } from "../../live/ValueNow";
 import { perform, useEditing } from "../editing";
 import { ElementRows } from "./ElementRows";
 import { ElementText } from "./ElementText";
@@ -50,6 +51,7 @@ function ParameterRow({ id }: { readonly id: string }) {
       ) : (
         <ElementText id={id} field="from" label="Expression of the parent" kind="expression" isBare placeholder="par.x" className="row-value" />
       )}
+      <ParameterNow id={id} />
     </Datum>
   );
 }
@@ -73,6 +75,7 @@ function DeclarationRow({ id }: { readonly id: string }) {
         =
       </span>
       <ConstantField id={id} field="initial" label="Initial value" isBare placeholder="no value yet" className="row-value" />
+      <ValueNow id={id} />
     </Datum>
   );
 }

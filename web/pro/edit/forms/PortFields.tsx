@@ -5,6 +5,7 @@ import { portConflicts } from "../../../shared/edit/order";
 import { setOperation } from "../../../shared/edit/commands/setField";
 import { entryOf } from "../../../shared/json";
 import type { State } from "../../../shared/model/model";
+import { ConditionNow } from "../../live/ConditionNow";
 import { perform, useEditing } from "../editing";
 import { ChoiceField } from "./ChoiceField";
 import { ElementRows } from "./ElementRows";
@@ -51,6 +52,7 @@ export function ConditionField({ id }: { readonly id: string }) {
       ) : (
         <ElementText id={id} field="when" label="Condition" kind="expression" isBare isRequired placeholder="condition" className="row-value" />
       )}
+      <ConditionNow id={id} />
     </div>
   );
 }

@@ -110,8 +110,8 @@ function rebuilt(before: Tree, after: Tree, { added, removed, moved, changed, do
   };
   const set = (fields: JsonObject, changes: readonly FieldChange[]): JsonObject =>
     changes.reduce<JsonObject>((now, { field, key, after: value }) => {
-      const [top, ...path] = field === "notes" ? ["meta", "notes", key] : key === undefined ? [field] : [field, key];
-      return put(now, [top ?? "", ...path.filter((each): each is string => each !== undefined)], value);
+      const entry = key === undefined ? [] : [key];
+      return put(now, field === "notes" ? ["meta", "notes", ...entry] : [field, ...entry], value);
     }, fields);
   const ids = new Set([...before.elements.keys(), ...added].filter((id) => !removed.includes(id)));
   const elements = new Map([...ids].map((id): [string, Element] => {
