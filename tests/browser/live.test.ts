@@ -271,6 +271,15 @@ describe("the page of the run", () => {
     await soon(() => bar().innerText()).toContain(`Run ${id} executes revision 1, which you edit`);
     expect(new URL(page.url()).searchParams.get("edit")).toBe("page");
     await soon(() => isActive("Root/A")).toBe("true");
+    const choose = async (command: string) => {
+      await page.keyboard.press("Control+Shift+p");
+      await page.getByRole("dialog", { name: "Commands" }).getByRole("combobox").fill(command);
+      await page.keyboard.press("Enter");
+    };
+    await choose("Show the run on the drawing");
+    await soon(() => isActive("Root/A")).toBe("false");
+    await choose("Show the run on the drawing");
+    await soon(() => isActive("Root/A")).toBe("true");
   });
 
   it("looks well in both themes and on a wide screen", async () => {
@@ -286,7 +295,8 @@ describe("the page of the run", () => {
     for (const size of [{ width: 1366, height: 768 }, { width: 2560, height: 1440 }])
       for (const colorScheme of ["light", "dark"] as const) {
         await page.setViewportSize(size);
-        await page.emulateMedia({ colorScheme });
+        // Colours that fade from one theme into the other would be measured half way.
+        await page.emulateMedia({ colorScheme, reducedMotion: "reduce" });
         await settled(page);
         expect(await findings(page)).toEqual([]);
         await screenshot(`live-${size.width}-${colorScheme}`);

@@ -14,16 +14,16 @@ import { useRunOfDocument } from "./shownRun";
 
 /** Trees by document and revision; `reason`: why there is none. */
 type Known = ReadonlyMap<string, Tree | { readonly reason: string }>;
-interface Learnt {
-  readonly key: string;
-  readonly tree: Tree | { readonly reason: string };
-}
+/** `connected`: what could not be loaded is asked for again. */
+type Learnt = { readonly key: string; readonly tree: Tree | { readonly reason: string } } | "connected";
 
 /** So many revisions are kept: a run that follows edits executes one of the last. */
 const kKept = 40;
 const keyOf = (document: string, revision: number): string => `${revision}/${document}`;
 
-const store = createStore<Known, Learnt>(new Map(), (known, { key, tree }) => {
+const store = createStore<Known, Learnt>(new Map(), (known, learnt) => {
+  if (learnt === "connected") return new Map([...known].filter(([, tree]) => !("reason" in tree)));
+  const { key, tree } = learnt;
   if (known.get(key) === tree) return known;
   const others = [...known].filter(([other]) => other !== key).slice(1 - kKept);
   return new Map([...others, [key, tree]]);
@@ -59,7 +59,14 @@ function loadExecuted(): void {
   if (!store.get().has(keyOf(document, core.revision))) void load(document, core.revision);
 }
 editing.listen(loadExecuted);
-session.listen(loadExecuted);
+
+let connection = session.get().connection;
+session.listen(() => {
+  const before = connection;
+  connection = session.get().connection;
+  if (before !== connection && connection === "open") store.dispatch("connected");
+  loadExecuted();
+});
 
 /** The document as the run of it executes it; nothing: it is not here, or there is no run. */
 export function useExecuted(): Tree | { readonly reason: string } | undefined {

@@ -1,6 +1,7 @@
 // The run bar: start, pause, step, stop, and the status of the run.
 import type { Core } from "../../generated/messages";
-import { allowed, primary, statusText, type Command } from "../../shared/run/controls";
+import { allowedBeside } from "../../shared/live/shownRun";
+import { primary, statusText, type Command } from "../../shared/run/controls";
 import { isInterrupted } from "../../shared/run/interruption";
 import { keysOf, type Shortcut } from "../../shared/session/shortcuts";
 import type { Drawer } from "../../shared/session/view";
@@ -30,18 +31,12 @@ const buttons: readonly ButtonSpec[] = [
   { command: "stop", name: "Stop", key: "stop", icon: "stop" },
 ];
 
-/** While another document is edited, nothing starts the run or moves it on: it is not seen. It can be paused and stopped. */
-function allowedBeside(commands: ReadonlySet<Command>, core: Core | undefined, edited: string | undefined): ReadonlySet<Command> {
-  if (edited === undefined || core?.document === edited) return commands;
-  return new Set([...commands].filter((command) => command === "pause" || command === "stop"));
-}
-
 export function RunBar() {
   const core = useCore();
   const page = useView((v) => v.page);
   const open = useEditing((now) => now.document);
   const edited = page === "edit" ? open : undefined;
-  const commands = allowedBeside(allowed(useSession(commandable)), core, edited);
+  const commands = allowedBeside(useSession(commandable), edited);
   const lost = useSession((s) => s.connection === "lost");
   const asks = usePersonWait() !== undefined;
   const lead = primary(core);

@@ -9,7 +9,7 @@ import type { Tree } from "../../shared/edit/tree";
 import { kNoRun, liveOf } from "../../shared/drawing/live";
 import { markOf, placeOfRow, rowsByPlace } from "../../shared/live/marks";
 import { projectLive } from "../../shared/live/project";
-import { newestRun, runOfDocument, runToTurnTo } from "../../shared/live/shownRun";
+import { allowedBeside, newestRun, runOfDocument, runToTurnTo } from "../../shared/live/shownRun";
 import { executesText, parameterText } from "../../shared/live/texts";
 import { askableAddress, isActiveNow, valueNow } from "../../shared/live/values";
 import { waitingState } from "../../shared/model/afters";
@@ -102,6 +102,13 @@ describe("the run that is shown", () => {
     expect(runToTurnTo([old, now, other], { ...other, status: "ended" }, "pick")).toBe(now);
     expect(runToTurnTo([old, now, other], old, "pick"), "the user has chosen it").toBeUndefined();
     for (const status of ["running", "interrupted"] as const) expect(runToTurnTo([old, now, other], { ...other, status }, "pick"), status).toBeUndefined();
+  });
+  it("is moved from the page that edits its document, and only stopped from one that edits another", () => {
+    expect([...allowedBeside({ ...core, paused: true }, "pick")].sort()).toEqual(["macro", "micro", "resume", "stop", "until"]);
+    expect([...allowedBeside({ ...core, paused: true }, "place")]).toEqual(["stop"]);
+    expect([...allowedBeside(core, "place")]).toEqual(["pause", "stop"]);
+    expect([...allowedBeside({ ...core, status: "ready" }, "place")]).toEqual([]);
+    expect([...allowedBeside({ ...core, status: "ready" }, undefined)]).toContain("start");
   });
 });
 

@@ -1,4 +1,5 @@
 // All actions of the page that edits.
+import { liveActions } from "../../live/liveActions";
 import type { Action } from "./action";
 import { addActions } from "./addActions";
 import { clipboardActions } from "./clipboardActions";
@@ -12,7 +13,7 @@ import { walkActions } from "./walkActions";
 
 const inMenus: readonly Action[] = [...editActions, ...clipboardActions, ...addActions, ...connectActions, ...structureActions, ...placingActions, ...documentActions];
 
-export const actions: readonly Action[] = [...inMenus, ...walkActions, menuAction(inMenus)];
+export const actions: readonly Action[] = [...inMenus, ...walkActions, ...liveActions, menuAction(inMenus)];
 
 /** Requires the id of an action. */
 export function actionOf(id: string): Action {

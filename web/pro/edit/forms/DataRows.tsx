@@ -36,7 +36,7 @@ function ParameterRow({ id }: { readonly id: string }) {
     if (hasFrom && typeof from === "string") perform({ operations: [setOperation(id, "from", undefined), setOperation(id, "value", constantOf(from))] });
   };
   return (
-    <Datum id={id}>
+    <Datum id={id} now={<ParameterNow id={id} />}>
       <button
         type="button"
         className="row-kind"
@@ -51,7 +51,6 @@ function ParameterRow({ id }: { readonly id: string }) {
       ) : (
         <ElementText id={id} field="from" label="Expression of the parent" kind="expression" isBare placeholder="par.x" className="row-value" />
       )}
-      <ParameterNow id={id} />
     </Datum>
   );
 }
@@ -70,18 +69,24 @@ function constantOf(expression: string): ExactJson {
 
 function DeclarationRow({ id }: { readonly id: string }) {
   return (
-    <Datum id={id}>
+    <Datum id={id} now={<ValueNow id={id} />}>
       <span className="row-kind" aria-hidden="true">
         =
       </span>
       <ConstantField id={id} field="initial" label="Initial value" isBare placeholder="no value yet" className="row-value" />
-      <ValueNow id={id} />
     </Datum>
   );
 }
 
+interface DatumProps {
+  readonly id: string;
+  /** Its value in the run. */
+  readonly now: ReactNode;
+  readonly children: ReactNode;
+}
+
 /** Name and value in one line; below, what is said of type, unit and description, or all three for whoever wants to write them. */
-function Datum({ id, children }: { readonly id: string; readonly children: ReactNode }) {
+function Datum({ id, now, children }: DatumProps) {
   const isFull = ![useHas(id, "type"), useHas(id, "unit"), useHas(id, "doc")].includes(false);
   const [isOpen, setOpen] = useState(false);
   return (
@@ -93,6 +98,7 @@ function Datum({ id, children }: { readonly id: string; readonly children: React
           …
         </button>
       )}
+      {now}
       <div className={isOpen ? "row-about is-open" : "row-about"}>
         <TypeField id={id} isBare />
         <ElementText id={id} field="unit" label="Unit" isBare placeholder="unit" className="row-unit" />
