@@ -65,8 +65,8 @@ const Progress& Execution::begin_with(Run&& run, std::optional<JournalEntry> ent
 void Execution::carry_goals(const Run& before) {
   if (&before.program() == &run_.program()) return;
   const semantics::Correspondence same(before.program(), run_.program());
-  if (goal_ && !goal_->carry_over(same)) set_goal(Goal{Goal::Kind::macro});
-  std::erase_if(breakpoints_, [&](GoalWatch& breakpoint) { return !breakpoint.carry_over(same); });
+  if (goal_ && !goal_->carry_over(same, run_.program())) set_goal(Goal{.kind = Goal::Kind::macro});
+  std::erase_if(breakpoints_, [&](GoalWatch& breakpoint) { return !breakpoint.carry_over(same, run_.program()); });
 }
 
 }  // namespace race::execution

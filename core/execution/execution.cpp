@@ -95,9 +95,14 @@ void Execution::set_goal(std::optional<Goal> goal) {
   if (goal) goal_.emplace(*goal, run_);
 }
 
+// One that stays does not stop before the same micro step again.
 void Execution::set_breakpoints(const std::vector<Goal>& goals) {
-  breakpoints_.clear();
-  for (const Goal& goal : goals) breakpoints_.emplace_back(goal, run_);
+  const std::vector<GoalWatch> before = std::exchange(breakpoints_, {});
+  for (const Goal& goal : goals) {
+    GoalWatch& breakpoint = breakpoints_.emplace_back(goal, run_);
+    const auto same = std::ranges::find(before, goal, &GoalWatch::goal);
+    if (same != before.end()) breakpoint.take_stop(*same);
+  }
 }
 
 Value Execution::watch() {
@@ -118,6 +123,7 @@ const Progress& Execution::begin(std::optional<Input>&& input, Recording recordi
 
 inline void Execution::begin_part() {
   progress_.complete = progress_.reached_goal = false;
+  progress_.breakpoints.clear();
   if (progress_.untold) return;  // it is one with those before
   progress_.first = progress_.micro;
   progress_.edited = false;
@@ -130,8 +136,11 @@ const Progress& Execution::continue_step(std::uint32_t limit) {
   if (recording_.derivation) {
     semantics::TreeRecorder trees;
     if (progress_.derivation) trees.derivation = std::move(*progress_.derivation);
-    do_micro_steps(trees, limit);
+    needs_facts() ? do_watched_micro_steps(trees, limit) : do_micro_steps(trees, limit);
     progress_.derivation = std::move(trees.derivation);
+  } else if (needs_facts()) {
+    semantics::TreeRecorder trees;
+    do_watched_micro_steps(trees, limit);
   } else if (order_.is_declared() && run_.state().forced == semantics::kNoPort) {
     semantics::NoRecorder none;
     do_micro_steps(none, limit);
@@ -144,23 +153,22 @@ const Progress& Execution::continue_step(std::uint32_t limit) {
 
 template <semantics::Recorder R>
 void Execution::do_micro_steps(R& recorder, std::uint32_t limit) {
-  open_ = !run_.quiesce(recorder, order_, limit, [this] { return after_micro_step(); });
+  open_ = !run_.quiesce(recorder, order_, limit, [this] {
+    note_micro_step();
+    return goes_on_after(nullptr);
+  });
 }
 
-// Whether the macro step goes on.
-inline bool Execution::after_micro_step() {
+void Execution::note_micro_step() {
   ++progress_.micro;
   if (view_) view_->note_fired_ports(run_);
-  if (goal_ || !breakpoints_.empty()) progress_.reached_goal = reaches_goal();
-  return !progress_.reached_goal;
 }
 
-// All are asked: each counts anew from where it was reached.
-bool Execution::reaches_goal() {
-  bool reached = goal_ && goal_->reached(run_);
-  for (GoalWatch& breakpoint : breakpoints_) reached = breakpoint.reached(run_) || reached;
-  if (reached) goal_.reset();
-  return reached;
+// Whether the macro step goes on after a micro step.
+bool Execution::goes_on_after(const MicroStepFacts* facts) {
+  if (goal_ || !breakpoints_.empty())
+    progress_.reached_goal = any_goal([&](GoalWatch& goal) { return goal.reached(run_, facts); });
+  return !progress_.reached_goal;
 }
 
 }  // namespace race::execution

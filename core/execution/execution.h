@@ -45,6 +45,7 @@ struct Progress {
   bool complete = false;  // the macro step is over
   bool untold = false;    // parts of it are done; only `position`, `first` and `micro` say something yet
   bool reached_goal = false;
+  std::vector<std::uint32_t> breakpoints = {};  // that are reached, by number in set_breakpoints()
 };
 
 class Execution {
@@ -107,8 +108,11 @@ class Execution {
   bool is_open() const { return open_; }
   /// Micro steps done of the open macro step; 0 if none is open.
   std::uint32_t micro() const { return open_ ? progress_.micro : 0; }
+  /// Micro steps done of the macro step that this execution has begun last, also if that is over.
+  std::uint32_t micro_steps() const { return progress_.micro; }
 
-  // Goals. A step stops after the micro step that reaches one.
+  // Goals. A step stops after the micro step that reaches one, or before it. One of those that ask what a micro step
+  // has done makes every micro step record its tree, and one that stops before it does each on a copy of the run first.
   /// How far to go; none: no further than breakpoints say. It is given up when it, or a breakpoint, is reached.
   void set_goal(std::optional<Goal> goal);
   bool has_goal() const { return goal_.has_value(); }
@@ -142,8 +146,13 @@ class Execution {
   Expected<const Progress*> replay_edit(const EditEntry& entry, Recording recording, std::uint32_t limit);
   template <semantics::Recorder R>
   void do_micro_steps(R& recorder, std::uint32_t limit);
-  bool after_micro_step();
-  bool reaches_goal();
+  bool needs_facts() const;
+  void do_watched_micro_steps(semantics::TreeRecorder& trees, std::uint32_t limit);
+  bool stops_before_micro_step();
+  void note_micro_step();
+  bool goes_on_after(const MicroStepFacts* facts);
+  template <typename Asks>
+  bool any_goal(Asks asks);
   void begin_part();
   const Progress& finish();
 
@@ -160,5 +169,18 @@ class Execution {
   Recording recording_;  // of the open macro step
   Progress progress_;    // the last part
 };
+
+/// Whether the step stops at one: all are asked, as each counts anew from where it was reached. The goal is given up.
+template <typename Asks>
+bool Execution::any_goal(Asks asks) {
+  bool any = goal_ && asks(*goal_);
+  for (std::uint32_t i = 0; i < breakpoints_.size(); ++i) {
+    if (!asks(breakpoints_[i])) continue;
+    progress_.breakpoints.push_back(i);
+    any = true;
+  }
+  if (any) goal_.reset();
+  return any;
+}
 
 }  // namespace race::execution

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/semantics/program_internal.h"
+#include "core/semantics/scope.h"
 #include "core/value/error_list.h"
 
 namespace race::semantics {
@@ -35,38 +36,6 @@ class CodeCompiler {
     p_.value_readers.assign(p_.initial.size(), kNoReader);
     p_.flag_readers.assign(p_.flag_count(), kNoReader);
     masks_.assign(p_.states.size(), 0);
-  }
-
-  static void fill(std::map<std::string, ValueIndex, std::less<>>& places, const std::vector<std::string>& names,
-                   ValueIndex first) {
-    for (const std::string& name : names) places.emplace(name, first++);
-  }
-
-  Symbols symbols_of(std::uint32_t number) const {
-    const StateInfo& state = p_.states[number];
-    Symbols symbols;
-    ValueIndex next = state.first_parameter;
-    for (const ParameterInfo& parameter : state.parameters) symbols.parameters.emplace(parameter.name, next++);
-    fill(symbols.results, state.results, state.first_result);
-    fill(symbols.variables, state.variables, state.first_variable);
-    for (const PortId port : state.ports) symbols.ports.emplace(p_[port].name, p_.flag(port));
-    for (const NodeRef child : state.children) {
-      language::ChildSymbols entry;
-      entry.barrier = child.barrier;
-      if (child.barrier) {
-        entry.active = p_.flag(child.as_barrier());
-        symbols.children.emplace(p_[child.as_barrier()].name, std::move(entry));
-        continue;
-      }
-      const StateInfo& info = p_[child.state()];
-      entry.active = p_.flag(child.state());
-      ValueIndex at = info.first_parameter;
-      for (const ParameterInfo& parameter : info.parameters) entry.parameters.emplace(parameter.name, at++);
-      fill(entry.results, info.results, info.first_result);
-      for (const PortId port : info.ports) entry.ports.emplace(p_[port].name, p_.flag(port));
-      symbols.children.emplace(info.name, std::move(entry));
-    }
-    return symbols;
   }
 
   Code compiled(const std::string& text, CodeKind kind, const Symbols& symbols, const std::string& path) {
@@ -112,7 +81,7 @@ class CodeCompiler {
 
   void compile(std::uint32_t number) {
     const rcm::State& syntax = *syntax_[number];
-    const Symbols symbols = symbols_of(number);
+    const Symbols symbols = symbols_of(p_, StateId{number});
     StateInfo& state = p_.states[number];
     std::set<OperationId> calls;
     const auto add_calls = [&](const Code& code) {

@@ -36,6 +36,7 @@ struct NoRecorder {
   void add_part(Rule, Flag, language::Truth) {}
   void add_part(Rule, Flag) {}
   void add_call(Flag, const OutgoingCall&) {}
+  void add_test(PortId) {}
   Mark mark() const { return {}; }
   void discard(Mark) {}
   NothingPostponed postpone(Mark) { return {}; }
@@ -58,6 +59,7 @@ struct NameRecorder {
   void add_part(Rule, Flag, language::Truth) {}
   void add_part(Rule, Flag) {}
   void add_call(Flag, const OutgoingCall&) {}
+  void add_test(PortId) {}
   Mark mark() const { return names.size(); }
   void discard(Mark mark) { names.resize(mark); }
   NothingPostponed postpone(Mark) { return {}; }
@@ -85,6 +87,10 @@ struct TreeRecorder {
   void add_part(Rule rule, Flag at);
   /// A statement that called an operation.
   void add_call(Flag at, const OutgoingCall& call);
+  /// The condition of a port was evaluated. No node: that it does not hold is no premise of any rule.
+  void add_test(PortId p) {
+    if (tested) tested->push_back(p);
+  }
 
   Mark mark() const { return derivation.nodes.size(); }
   /// Takes back what was recorded since `mark`: of an attempt that became no rule. Requires that it is closed.
@@ -95,6 +101,8 @@ struct TreeRecorder {
   void complete_micro_step(Mark mark) { derivation.micro.push_back(static_cast<std::uint32_t>(mark)); }
 
   Derivation derivation;
+  /// Not owned, and may be null: gets the ports that were tested, also in a micro step that is discarded.
+  std::vector<PortId>* tested = nullptr;
 };
 
 /// A node while its premises are recorded: it closes (its size is known) when this goes out of scope.

@@ -207,12 +207,24 @@ const Program& Run::program() const { return *body_->program; }
 const RunState& Run::state() const { return body_->state; }
 bool Run::is_active(StateId s) const { return body_->state.flags[body_->program->flag(s)] != 0; }
 
+// REFINEMENT R21: whether the ports of `s` do not see the occurrence.
+bool Run::is_occurrence_hidden(StateId s) const {
+  const RunState& state = body_->state;
+  return state.occurrence != kNone && state.live[index(s)].activated_in == state.epoch;
+}
+
+language::Truth Run::truth(const Code& condition, StateId s) {
+  Body& b = *body_;
+  b.environment.enter(s, !is_occurrence_hidden(s));
+  return b.interpreter.condition(condition, b.environment);
+}
+
 Run::Why Run::why(PortId port) {
   Body& b = *body_;
   const PortInfo& info = (*b.program)[port];
   Why why;
   why.state_active = is_active(info.state);
-  why.occurrence_hidden = b.state.occurrence != kNone && b.state.live[index(info.state)].activated_in == b.state.epoch;
+  why.occurrence_hidden = is_occurrence_hidden(info.state);
   b.environment.enter(info.state, !why.occurrence_hidden);
   why.explanation = language::explain(info.when, b.environment);
   why.held_back =

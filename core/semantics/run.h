@@ -152,6 +152,9 @@ class Run {
     bool occurrence_hidden = false;  // R21
   };
   Why why(PortId port);
+  /// A condition of somebody who watches (scope.h), evaluated as it stands in the scope of `s`, as a port of it would.
+  /// Changes nothing.
+  language::Truth truth(const Code& condition, StateId s);
 
  private:
   struct Body;
@@ -160,6 +163,7 @@ class Run {
   bool micro_step(R& recorder, const Order& order);
   std::unique_ptr<Body> carried_body(std::shared_ptr<const Program> program, const Correspondence& same) const;
   void complete_micro_step();
+  bool is_occurrence_hidden(StateId s) const;
   void end();
   void fail(RunFault fault);
   void fail_at_root(language::FaultKind kind, std::string message);

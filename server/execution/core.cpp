@@ -20,7 +20,8 @@ Expected<std::vector<Goal>> find_goals(const semantics::Program& program,
   for (const execution::GoalName& name : names) {
     const auto goal = find_goal(program, name);
     if (!goal)
-      return unexpected(goal.error().code, goal.error().message, "breakpoints/" + std::to_string(goals.size()));
+      return unexpected(goal.error().code, goal.error().message,
+                        "breakpoints/" + std::to_string(goals.size()) + "/" + goal.error().path);
     goals.push_back(*goal);
   }
   return goals;
@@ -222,6 +223,7 @@ void Core::set_breakpoints(std::vector<execution::GoalName> names, Done<Value> d
     ASSIGN_OR_RETURN(const std::vector<Goal> goals, find_goals(program(), names));
     execution_.set_breakpoints(goals);
     breakpoint_names_ = names;
+    reached_breakpoints_.clear();
     publish_info();
     return info_json();
   });

@@ -129,7 +129,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   void step(execution::GoalName goal, Done<Value> done);
   /// The core is paused wherever it reaches one of `goals`; they replace those of before. After an edit an id is that
   /// of the same element, also under another name, a path is of what is there then, and what names nothing is dropped.
-  /// Errors: `too_large`, and that of execution::find_goal, at `breakpoints/N`.
+  /// Errors: `too_large`, and that of execution::find_goal, at `breakpoints/N/FIELD`.
   static constexpr std::size_t kMostBreakpoints = 100;  // every delta has them
   void set_breakpoints(std::vector<execution::GoalName> goals, Done<Value> done);
 
@@ -165,6 +165,10 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   void why_before(const std::string& port, std::size_t step, int micro, SharedStop gone, Done<Value> done);
   /// schemas/derivations.json, recomputed likewise. `out_of_range`: no such macro steps; 0 = the last one.
   void derivations(std::size_t from, std::size_t to, SharedStop gone, Done<Value> done);
+
+  /// schemas/past.json of the moment after micro step `micro` (0: before the first) of macro step `step`, or of its end
+  /// if it has fewer, recomputed likewise. `out_of_range`: no such macro step.
+  void past(std::uint64_t step, int micro, SharedStop gone, Done<Value> done);
 
   // The same for who waits.
   Expected<Value> start() {
@@ -246,6 +250,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   template <typename F>
   void replayed(SharedStop gone, Done<Value> done, F function);
   Expected<Reached> reached() const EXCLUDES(mutex_);
+  Expected<int> told_micro(std::uint64_t step, int micro) const;
   void set_reached(Expected<Reached> reached) EXCLUDES(mutex_);
   Reached reached_now() const;
 
@@ -389,6 +394,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   std::chrono::nanoseconds step_time_{0};  // that the open macro step has computed
   execution::Execution execution_;
   std::vector<execution::GoalName> breakpoint_names_;
+  List reached_breakpoints_;  // at which it is paused, by number
   bool started_ = false, paused_ = false, scheduled_ = false;
   Value announced_ = Value::unknown();  // what the list of cores was told last
 

@@ -161,6 +161,7 @@ void Core::abandon_unless_open(const std::vector<std::uint64_t>& calls) {
 // Those that the model has, also for the execution, which keeps those of the same elements: a name stays as it was
 // given, and means what it names now.
 void Core::find_breakpoints() {
+  reached_breakpoints_.clear();
   std::vector<execution::Goal> breakpoints;
   std::erase_if(breakpoint_names_, [&](const execution::GoalName& name) {
     const auto goal = find_goal(program(), name);

@@ -5,6 +5,7 @@
 #include "core/execution/checkpoint.h"
 #include "core/execution/step_json.h"
 #include "server/execution/core.h"
+#include "server/execution/goal_json.h"
 #include "server/execution/outgoing_calls.h"
 #include "server/wire/calendar.h"
 #include "services/computed_time.h"
@@ -19,8 +20,7 @@ Value integer(std::uint64_t n) { return static_cast<std::int64_t>(n); }
 
 List breakpoints_json(const std::vector<execution::GoalName>& breakpoints) {
   List list;
-  for (const execution::GoalName& each : breakpoints)
-    list.push_back(Dict{{"when", execution::name(each.kind)}, {each.id ? "id" : "path", each.id.value_or(each.path)}});
+  for (const execution::GoalName& each : breakpoints) list.push_back(goal_json(each));
   return list;
 }
 
@@ -245,6 +245,7 @@ Value Core::info_json() const {
   for (const auto& [key, value] : edit_info()) info.set(key.as_string(), value);
   info.set("arguments", header_.arguments);
   info.set("breakpoints", breakpoints_json(breakpoint_names_));
+  if (!reached_breakpoints_.empty()) info.set("reached", reached_breakpoints_);
   if (over) info.set("results", execution::root_results(run()));
   Value frozen = std::move(info);
   return std::move(frozen.freeze());

@@ -5,6 +5,7 @@
 #include "core/execution/step_json.h"
 #include "core/execution/why.h"
 #include "server/execution/core_internal.h"
+#include "server/execution/past_json.h"
 
 namespace race::server {
 
@@ -62,14 +63,28 @@ void Core::set_reached(Expected<Reached> reached) {
   reached_ = std::move(reached);
 }
 
-void Core::why_before(const std::string& port, std::size_t step, int micro, SharedStop gone, Done<Value> done) {
-  const Expected<Reached> now = reached();
-  if (!now) return done(tl::unexpected(now.error()));
-  if (step < 1 || step > now->step)
-    return done(unexpected(ErrorCode::out_of_range, "there are macro steps 1 to " + std::to_string(now->step), "step"));
-  if (step == now->step && now->micro >= 0) micro = std::min(micro, now->micro);
+// `micro`, as far as what was told last goes.
+Expected<int> Core::told_micro(std::uint64_t step, int micro) const {
+  ASSIGN_OR_RETURN(const Reached now, reached());
+  if (step < 1 || step > now.step)
+    return unexpected(ErrorCode::out_of_range, "there are macro steps 1 to " + std::to_string(now.step), "step");
+  return step == now.step && now.micro >= 0 ? std::min(micro, now.micro) : micro;
+}
+
+void Core::past(std::uint64_t step, int micro, SharedStop gone, Done<Value> done) {
+  const Expected<int> told = told_micro(step, micro);
+  if (!told) return done(tl::unexpected(told.error()));
   replayed(std::move(gone), std::move(done),
-           [step, micro, port](execution::Replay& replay, const Stop* stop) -> Expected<Value> {
+           [step, micro = *told](execution::Replay& replay, const Stop* stop) -> Expected<Value> {
+             return past_json(replay, step, micro, stop);
+           });
+}
+
+void Core::why_before(const std::string& port, std::size_t step, int micro, SharedStop gone, Done<Value> done) {
+  const Expected<int> told = told_micro(step, micro);
+  if (!told) return done(tl::unexpected(told.error()));
+  replayed(std::move(gone), std::move(done),
+           [step, micro = *told, port](execution::Replay& replay, const Stop* stop) -> Expected<Value> {
              ASSIGN_OR_RETURN(execution::Execution past, replay.before(step, micro, stop));
              const auto id = past.run().program().find_port(port);
              if (!id) return unexpected(ErrorCode::not_found, "there was no port of this path", port);

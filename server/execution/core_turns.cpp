@@ -146,6 +146,8 @@ const Progress& Core::next_part(std::uint32_t limit) {
 // then. Derivations are large.
 void Core::take(const Progress& progress) {
   if (progress.reached_goal) paused_ = true;
+  if (!reached_breakpoints_.empty()) reached_breakpoints_.clear();
+  for (const std::uint32_t number : progress.breakpoints) reached_breakpoints_.push_back(static_cast<int>(number));
   if (!progress.untold) return emit(progress);
   if (progress.derivation && progress.micro - progress.first >= kMostUntold) emit(execution_.tell_part());
 }

@@ -1,7 +1,7 @@
 // PUT /api/v1/cores/{id}/breakpoints: where the core is paused, in place of what was set before.
 #include "core/value/json.h"
 #include "server/execution/cores.h"
-#include "server/handlers/goals.h"
+#include "server/execution/goal_json.h"
 #include "server/handlers/handlers.h"
 
 namespace race::server {

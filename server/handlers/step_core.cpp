@@ -1,7 +1,7 @@
 // POST /api/v1/cores/{id}/step: one micro step, one macro step, or until a state is entered or left or a port fires.
 #include "core/value/json.h"
 #include "server/execution/cores.h"
-#include "server/handlers/goals.h"
+#include "server/execution/goal_json.h"
 #include "server/handlers/handlers.h"
 
 namespace race::server {

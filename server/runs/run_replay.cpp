@@ -6,6 +6,7 @@
 
 #include "core/execution/compare.h"
 #include "core/execution/journal_walk.h"
+#include "server/execution/past_json.h"
 #include "server/runs/run_json.h"
 
 namespace race::server {
@@ -44,6 +45,15 @@ Expected<Value> run_derivations(Runs& runs, RunId id, std::uint64_t from, std::u
   }
   json.set("steps", std::move(steps));
   return Value(std::move(json));
+}
+
+Expected<Value> run_past(Runs& runs, RunId id, std::uint64_t step, int micro, const std::atomic<bool>* stop) {
+  ASSIGN_OR_RETURN(const RunRecord run, runs.get(id));
+  if (step < 1 || step > run.steps)
+    return unexpected(ErrorCode::out_of_range, "there are macro steps 1 to " + std::to_string(run.steps), "step");
+  ASSIGN_OR_RETURN(execution::JournalHeader header, runs.header(id));
+  execution::Replay replay(std::move(header), runs.source(id));
+  return past_json(replay, step, micro, stop);
 }
 
 Expected<Value> compare_runs(Runs& runs, RunId first, RunId second, std::uint64_t from, std::uint64_t most,

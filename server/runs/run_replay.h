@@ -22,6 +22,10 @@ inline constexpr std::uint64_t kMostCompared = 2000;    // macro steps of an ans
 Expected<Value> run_derivations(Runs& runs, RunId id, std::uint64_t from, std::uint64_t to,
                                 const std::atomic<bool>* stop = nullptr);
 
+/// schemas/past.json of the moment after micro step `micro` of macro step `step`, or of its end if it has fewer.
+/// Errors: as run_derivations.
+Expected<Value> run_past(Runs& runs, RunId id, std::uint64_t step, int micro, const std::atomic<bool>* stop = nullptr);
+
 /// schemas/run_comparison.json of two runs, from macro step `from` on (from 1), at most `most` macro steps. Errors: as
 /// run_derivations; `out_of_range`: one of them is shorter than `from`.
 Expected<Value> compare_runs(Runs& runs, RunId first, RunId second, std::uint64_t from,

@@ -230,6 +230,41 @@ class Cores(unittest.TestCase):
         self.server.post(f"/cores/{core}/resume", None, "core")
         self.assertEqual(self.server.wait(core, lambda c: c["step"] > after["step"] + 20)["paused"], False)
 
+    def test_a_breakpoint_holds_a_core_before_what_it_names_and_says_which_it_was(self):
+        core = self.paused_core(models.ticking("before", last=100))
+        breakpoints = [{"when": "entered", "path": "Root/Pong", "before": True}, {"when": "tested", "path": "Root/Pong.next"},
+                       {"when": "fault"}]
+        reported = self.server.put(f"/cores/{core}/breakpoints", {"breakpoints": breakpoints}, "core")
+        self.assertEqual(reported["breakpoints"], breakpoints)
+        self.assertNotIn("reached", reported)
+        for number in (0, 1, 0, 1):
+            self.server.post(f"/cores/{core}/resume", None, "core")
+            held = self.server.wait(core, lambda c: c["paused"])
+            self.assertEqual((held["reached"], self.active(core)), ([number], ["Root"]), "Pong is not entered yet, or has been left")
+        replaced = self.server.put(f"/cores/{core}/breakpoints", {"breakpoints": []}, "core")
+        self.assertNotIn("reached", replaced)
+        self.assertNotIn("reached", self.step(core, kind="until", path="Root/Ping", when="entered"))
+
+    def test_a_run_is_seen_as_it_was_and_back_again(self):
+        core = self.paused_core(models.ticking("past", last=6))
+        self.server.get(f"/cores/{core}/past?step=1", status=400)
+        self.server.get(f"/cores/{core}/past", status=422)
+        seen = {}
+        now = self.server.get(f"/cores/{core}", "core")
+        while now["status"] == "running":
+            now = self.step(core, kind="micro")
+            there = self.server.get(f"/cores/{core}/past?step={now['step']}" + (f"&micro={now['micro']}" if now["micro"] else ""), "past")
+            self.assertEqual(there["state"], self.server.get(f"/cores/{core}/state", "core_state")["state"])
+            self.assertEqual(there["step"], now["step"])
+            seen[there["step"], there["micro"]] = there["digest"]
+        self.assertGreater(len(seen), 12)
+        self.assertEqual(len(set(seen.values())), len(seen), "no two moments are the same")
+        for where in ("cores", "runs"):
+            for (step, micro), digest in reversed(seen.items()):
+                back = self.server.get(f"/{where}/{core}/past?step={step}&micro={micro}", "past")
+                self.assertEqual((back["step"], back["micro"], back["digest"]), (step, micro, digest))
+            self.server.get(f"/{where}/{core}/past?step={now['step'] + 1}", status=400)
+
     def test_the_live_derivations_are_those_of_the_replay(self):
         core = self.server.core(models.ticking("live", last=7), start=False)
         with self.server.stream() as stream:

@@ -124,7 +124,10 @@ class Routes(unittest.TestCase):
                             ({"breakpoints": [one, {"when": "now"}, 1]},
                              ["breakpoints/1/path", "breakpoints/1/when", "breakpoints/2"]),
                             ({"breakpoints": [one | {"id": ""}]}, ["breakpoints/0/path"]),
-                            ({"breakpoints": [one | {"when": ""}]}, ["breakpoints/0/when"])):
+                            ({"breakpoints": [one | {"when": ""}]}, ["breakpoints/0/when"]),
+                            ({"breakpoints": [one | {"before": 1}]}, ["breakpoints/0/before"]),
+                            ({"breakpoints": [one | {"service": "timer"}]}, ["breakpoints/0/service"]),
+                            ({"breakpoints": [one | {"when": "fulfilled"}]}, ["breakpoints/0/condition"])):
             with self.subTest(body=str(body)[:100]):
                 errors = self.server.put(f"/cores/{core}/breakpoints", body, status=422)["errors"]
                 self.assertEqual([error["path"] for error in errors], paths)
@@ -132,6 +135,11 @@ class Routes(unittest.TestCase):
         self.assertEqual(len(self.server.put(f"/cores/{core}/breakpoints", {"breakpoints": 100 * [one]}, "core")["breakpoints"]), 100)
         self.server.put(f"/cores/{core}/breakpoints", {"breakpoints": [{"when": "fired", "path": "Root/Pong"}]}, status=404)
         self.server.put(f"/cores/{core}/breakpoints", {"breakpoints": [{"when": "entered", "id": "nobody"}]}, status=404)
+        self.server.put(f"/cores/{core}/breakpoints", {"breakpoints": [{"when": "called", "service": "nobody"}]}, status=404)
+        self.server.put(f"/cores/{core}/breakpoints", {"breakpoints": [one | {"condition": "1 +"}]}, status=422)
+        self.server.put(f"/cores/{core}/breakpoints", {"breakpoints": [one | {"condition": "True" + 497 * " "}]}, status=413)
+        longest = [one | {"condition": "True" + 496 * " "}]
+        self.assertEqual(self.server.put(f"/cores/{core}/breakpoints", {"breakpoints": longest}, "core")["breakpoints"], longest)
         native = self.server.get(f"/cores/{core}/native", "native")["document"]["root"]
         by_id = [{"when": "entered", "id": native["children"][0]["meta"]["id"]},
                  {"when": "fired", "id": native["children"][0]["ports"][0]["meta"]["id"]}]

@@ -297,7 +297,7 @@ TEST_F(CoreTest, ABreakpointPausesWithinAnyTurnOfAMacroStep) {
     EXPECT_EQ(paused().find("micro")->as_integer(), micro);
     expect_that_all_have_the_state();
   }
-  EXPECT_EQ(core->set_breakpoints({{entered, {}, state(1)}, {entered, {}, "R/S"}}).error().path, "breakpoints/1");
+  EXPECT_EQ(core->set_breakpoints({{entered, {}, state(1)}, {entered, {}, "R/S"}}).error().path, "breakpoints/1/path");
   EXPECT_EQ(core->info().find("breakpoints")->as_list().size(), 3U) << "a refused list replaces nothing";
 }
 

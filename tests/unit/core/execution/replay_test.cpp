@@ -6,6 +6,7 @@
 #include <atomic>
 #include <iostream>
 
+#include "core/execution/past.h"
 #include "core/execution/why.h"
 #include "tests/unit/core/execution/journals.h"
 #include "tests/unit/core/semantics/random_runs.h"
@@ -50,6 +51,29 @@ TEST(Replay, ComesToTheStateWithinAnyMicroStepInAnyOrderOfQuestions) {
       const auto ports = static_cast<std::uint32_t>(at.journal.header.program->ports.size());
       for (std::uint32_t port = 0; port < ports; ++port)
         ASSERT_EQ(why_json(*past, semantics::PortId{port}), why_json(expected, semantics::PortId{port}));
+    }
+  }
+}
+
+TEST(Replay, ShowsTheSameMomentHoweverItIsReached) {
+  const std::uint64_t seed = setting("RACE_SEED", 23), journals = setting("RACE_JOURNALS", 100);
+  std::cout << "RACE_SEED=" << seed << " RACE_JOURNALS=" << journals << std::endl;
+  for (std::uint64_t i = 0; i < journals; ++i) {
+    RandomReplay at(seed + i);
+    for (int questions = 0; questions < 6; ++questions) {
+      const std::size_t step = at.step();
+      const int micro = static_cast<int>(at.random.pick(4));
+      SCOPED_TRACE("seed " + std::to_string(seed + i) + ", " + std::to_string(step) + "/" + std::to_string(micro));
+      const auto there = past(at.replay, step, micro);
+      ASSERT_TRUE(there) << there.error().message;
+      const Execution expected = within(at.journal, step, micro);
+      ASSERT_EQ(there->text, moment_text(expected));
+      ASSERT_EQ(*there->json.find("state"), expected.run().state_json());
+      ASSERT_EQ(*there->json.find("micro"), Value(static_cast<std::int64_t>(expected.micro_steps())));
+      const auto next = past(at.replay, step, micro + 1);
+      ASSERT_TRUE(next) << next.error().message;
+      ASSERT_EQ(there->text == next->text, there->json.find("complete")->as_bool())
+          << "forward leads on, or it is over";
     }
   }
 }
