@@ -69,12 +69,12 @@ async function healthy(url: string, server: ChildProcess): Promise<void> {
   }
 }
 
-/** Starts `race serve` with these `further` options. */
+/** Starts `race serve` with these `further` options; `--demo` names another folder of the cell. */
 export async function openFixture(...further: readonly string[]): Promise<Fixture> {
   const port = await freePort();
   // In memory: a disk that is busy with something else would interrupt runs.
   const data = mkdtempSync(join(existsSync("/dev/shm") ? "/dev/shm" : tmpdir(), "race-browser-"));
-  const options = ["serve", "--port", String(port), "--data", data, "--demo", demo, "--web", web, ...further];
+  const options = ["serve", "--port", String(port), "--data", data, ...(further.includes("--demo") ? [] : ["--demo", demo]), "--web", web, ...further];
   const launch = async (): Promise<ChildProcess> => {
     const launched = spawn(binary, options, { stdio: ["ignore", "ignore", "inherit"] });
     await new Promise((resolve, reject) => launched.once("spawn", resolve).once("error", reject));

@@ -75,6 +75,7 @@ export function App() {
   const edited = useEditedTree();
   const document = useEditing((now) => now.document);
   const watched = useSession((s) => s.watched);
+  const places = useSession((s) => s.places);
   const lost = useSession((s) => s.connection === "lost");
   const tree = page === "edit" ? edited : run;
   usePageKeys();
@@ -84,7 +85,7 @@ export function App() {
       <TopBar />
       {page === "edit" ? <EditSide tree={tree} /> : <TaskPanel tree={tree} />}
       <main className="workspace" id="workspace">
-        {page === "task" && <ModelCanvas subject={`run ${watched ?? ""}`} tree={tree} nothing="No task is loaded. Choose a document above and start a run." />}
+        {page === "task" && <ModelCanvas subject={`run ${watched ?? ""}`} tree={tree} places={places} nothing="No task is loaded. Choose a document above and start a run." />}
         {page === "edit" && <EditPage tree={tree} document={document} />}
         {page === "services" && <ServicesView />}
         {page === "cell" && (

@@ -4,6 +4,9 @@ import type { CellPose, Core, Packet, StepRequest, TraceStep } from "../generate
 import type { ExactArguments } from "../shared/api";
 import { runParameters, type ExactDocument, type RunParameter } from "../shared/arguments/parameters";
 import { readExact } from "../shared/edit/exact";
+import { kNoPlaces, type Places } from "../shared/drawing/places";
+import { runPlaces } from "../shared/drawing/runPlaces";
+import type { RcmDocument } from "../shared/model/model";
 import { buildTree } from "../shared/model/modelTree";
 import type { Command, UntilRequest } from "../shared/run/controls";
 import { modelKey } from "../shared/run/edits";
@@ -100,6 +103,7 @@ export function connect(): void {
 
 function opened(): void {
   void loadLists();
+  listed = loadDocuments();
   models.forget();
   refreshModel();
 }
@@ -117,7 +121,6 @@ async function loadLists(): Promise<void> {
   } catch (error) {
     problem(error);
   }
-  await loadDocuments();
 }
 
 /** Loads the list of documents, which no channel tells of. */
@@ -167,13 +170,32 @@ export function watch(id: string | undefined): void {
   loadModel(id);
 }
 
-const models = createModelLoader((id) => api.coreModel(id), {
-  onModel: (id, key, model) => {
+/** The list of documents, when it came first. */
+let listed: Promise<void> | undefined;
+
+/** Where people have placed what a run executes; nowhere, if its document is not there any more. */
+async function placesOf(core: Core | undefined, model: Promise<RcmDocument>): Promise<Places> {
+  await listed;
+  const isThere = core !== undefined && session.get().documents.some(({ name, revision }) => name === core.document && revision >= core.revision);
+  if (!isThere) return kNoPlaces;
+  const { document, places } = await api.modelAt(core.document, core.revision);
+  return runPlaces(document, (await model).root, places);
+}
+
+async function loadRun(id: string): Promise<{ readonly model: RcmDocument; readonly places: Places }> {
+  const model = api.coreModel(id);
+  // It is drawn, if need be without the places.
+  const places = placesOf(session.get().cores.find((core) => core.id === id), model).catch(() => kNoPlaces);
+  return { model: await model, places: await places };
+}
+
+const models = createModelLoader(loadRun, {
+  onModel: (id, key, { model, places }) => {
     const now = session.get();
     if (now.watched !== id || now.modelKey === key) return;
     if (now.model === undefined && view.get().page !== "edit")
       view.dispatch({ type: "show_again", shown: firstShown(buildTree(model.root), now.document, last, view.get().detail) });
-    session.dispatch({ type: "model", id, key, model });
+    session.dispatch({ type: "model", id, key, model, places });
   },
   onError: problem,
 });

@@ -22,6 +22,7 @@ import * as schema from "../generated/validators";
 import type { MicroStep } from "./derivation/proof";
 import { readExact, writeExact, type Exact } from "./edit/exact";
 import { check, type Validator } from "./messages/check";
+import { placesIn, type Places } from "./drawing/places";
 import { withAfters } from "./model/afters";
 import type { RcmDocument } from "./model/model";
 import { withOracles } from "./model/oracles";
@@ -90,6 +91,7 @@ export function createApi(base: string, fetcher: typeof fetch) {
     return text;
   }
   const get = <T>(path: string, validator: Validator<T>) => request("GET", path, validator);
+  const documentAt = (name: string, revision: number): Promise<DocumentEntry> => get(`/documents/${segment(name)}/revisions/${revision}`, schema.documentEntry);
   const command = (id: string, name: string) => request("POST", `/cores/${segment(id)}/${name}`, schema.core);
   return {
     health: (): Promise<Health> => get("/health", schema.health),
@@ -105,8 +107,13 @@ export function createApi(base: string, fetcher: typeof fetch) {
     },
     document: (name: string): Promise<DocumentEntry> => get(`/documents/${segment(name)}`, schema.documentEntry),
     /** As it was in a revision. */
-    documentAt: (name: string, revision: number): Promise<DocumentEntry> => get(`/documents/${segment(name)}/revisions/${revision}`, schema.documentEntry),
-    /** The same as it was sent, with the numbers as they were written (edit/exact.ts). */
+    documentAt,
+    /** The same as a model, and where its states were placed. Throws for a draft. */
+    modelAt: async (name: string, revision: number): Promise<{ readonly document: RcmDocument; readonly places: Places }> => {
+      const { document } = await documentAt(name, revision);
+      return { document: readModel(check(schema.native, { document, origin: {} }).document), places: placesIn(document["layout"]) };
+    },
+    /** The last revision as it was sent, with the numbers as they were written (edit/exact.ts). */
     documentText: (name: string): Promise<string> => requestText(`/documents/${segment(name)}`, schema.documentEntry),
     /** Stores the content as it is. */
     putDocument: (name: string, content: Blob | string, { onto, draft = false, author }: Storing): Promise<DocumentEntry> => {

@@ -1,4 +1,5 @@
-// Tools of the canvas: the level of detail, collapse all, expand all.
+// Tools of the canvas: the level of detail, collapse all, expand all, and those of the page (`children`).
+import type { ReactNode } from "react";
 import type { Detail } from "../../shared/drawing/measure";
 import type { ModelTree } from "../../shared/model/modelTree";
 import { useSession, useView, view } from "../client";
@@ -9,10 +10,17 @@ const choices: readonly { readonly detail: Detail; readonly name: string; readon
   { detail: "full", name: "Everything", title: "Parameters, results, functions and conditions" },
 ];
 
-export function CanvasTools({ tree, detail }: { readonly tree: ModelTree; readonly detail: Detail }) {
+interface Props {
+  readonly tree: ModelTree;
+  readonly detail: Detail;
+  readonly children: ReactNode;
+}
+
+export function CanvasTools({ tree, detail, children }: Props) {
   const collapsed = useView((v) => v.collapsed.size > 0);
   const composites = [...tree.values()].filter((entry) => entry.depth > 0 && entry.children.length > 0).map((entry) => entry.path);
   const hasCell = useSession((s) => s.cell);
+  const isRun = useView((v) => v.page === "task");
   const inset = useView((v) => v.inset);
   return (
     <div className="canvas-tools" role="toolbar" aria-label="Drawing">
@@ -34,7 +42,8 @@ export function CanvasTools({ tree, detail }: { readonly tree: ModelTree; readon
           {collapsed ? "Expand all" : "Collapse all"}
         </button>
       )}
-      {hasCell && (
+      {children}
+      {hasCell && isRun && (
         <button type="button" className="tool-cell" aria-pressed={inset} onClick={() => view.dispatch({ type: "inset", shown: !inset })}>
           Cell view
         </button>

@@ -1,6 +1,6 @@
 // The canvas: the laid out model with zoom, pan, breadcrumb and the state of the run.
 import { ReactFlowProvider } from "@xyflow/react";
-import { useRef } from "react";
+import { useRef, type ReactNode } from "react";
 import { kNoPlaces, type Places } from "../../shared/drawing/places";
 import type { ModelTree } from "../../shared/model/modelTree";
 import { Breadcrumb } from "./Breadcrumb";
@@ -26,9 +26,11 @@ interface Props {
   readonly places?: Places;
   /** What is said where there is no model. */
   readonly nothing: string;
+  /** Further tools, in the row of the others. */
+  readonly children?: ReactNode;
 }
 
-export function ModelCanvas({ subject, tree, places = kNoPlaces, nothing }: Props) {
+export function ModelCanvas({ subject, tree, places = kNoPlaces, nothing, children }: Props) {
   const frame = useRef<HTMLDivElement>(null);
   const movedRef = useRef(false);
   const size = useSize(frame);
@@ -39,8 +41,12 @@ export function ModelCanvas({ subject, tree, places = kNoPlaces, nothing }: Prop
       <ArrowHeads />
       {laid !== undefined && tree !== undefined && size !== undefined ? (
         <>
-          <Breadcrumb tree={tree} />
-          <CanvasTools tree={tree} detail={laid.detail} />
+          <div className="canvas-bar">
+            <Breadcrumb tree={tree} />
+            <CanvasTools tree={tree} detail={laid.detail}>
+              {children}
+            </CanvasTools>
+          </div>
           {laid.drawing.nodes.length > kPainted ? (
             <PaintedCanvas laid={laid} size={size} movedRef={movedRef} />
           ) : (

@@ -17,7 +17,7 @@ import { LiveBar } from "../live/LiveBar";
 import { DraftList } from "./forms/DraftList";
 import { StateEditor } from "./forms/StateEditor";
 import { useEditedPlaces } from "./placing/editedPlaces";
-import { Placing } from "./placing/Placing";
+import { Placing, PlacingTools } from "./placing/Placing";
 import { Refusals } from "./Refusals";
 import { nameOfElement } from "../../shared/edit/commands/command";
 
@@ -42,7 +42,9 @@ export function EditPage({ tree, document }: Props) {
       <Refusals />
       <EditCanvas document={document}>
         <StateEditor tree={tree} />
-        <ModelCanvas subject={`document ${document ?? ""} ${top ?? ""}`} tree={tree} places={places} nothing={nothing} />
+        <ModelCanvas subject={`document ${document ?? ""} ${top ?? ""}`} tree={tree} places={places} nothing={nothing}>
+          <PlacingTools />
+        </ModelCanvas>
         <Placing />
         <DifferenceMarks />
       </EditCanvas>

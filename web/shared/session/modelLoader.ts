@@ -1,5 +1,4 @@
 // Loads the model of the run that a page shows, once for each edit of it.
-import type { RcmDocument } from "../model/model";
 
 export interface ModelLoader {
   /**
@@ -11,12 +10,13 @@ export interface ModelLoader {
   readonly forget: () => void;
 }
 
-export interface ModelHandlers {
-  readonly onModel: (id: string, key: string, model: RcmDocument) => void;
+export interface ModelHandlers<Model> {
+  readonly onModel: (id: string, key: string, model: Model) => void;
   readonly onError: (error: unknown) => void;
 }
 
-export function createModelLoader(fetchModel: (id: string) => Promise<RcmDocument>, { onModel, onError }: ModelHandlers): ModelLoader {
+/** `Model`: what is loaded of a run. */
+export function createModelLoader<Model>(fetchModel: (id: string) => Promise<Model>, { onModel, onError }: ModelHandlers<Model>): ModelLoader {
   let last: { readonly id: string; readonly key: string } | undefined;
   const load = (id: string, key: string) => {
     if (last?.id === id && last.key === key) return;

@@ -3,6 +3,7 @@ import { assertNever } from "../assertNever";
 import { mergeSteps } from "../derivation/steps";
 import type { Core, DocumentSummary, HostedService, Input, LogEntry, Rule, RunState, TraceStep } from "../../generated/messages";
 import type { StreamUpdate } from "../messages/stream";
+import { kNoPlaces, type Places } from "../drawing/places";
 import type { RcmDocument } from "../model/model";
 import { applyDelta } from "../run/applyDelta";
 import { applyFired, noneFired, type Fired } from "../run/fired";
@@ -20,6 +21,8 @@ export interface Session {
   /** Name of the document of the watched core, also after that core was removed. */
   readonly document: string | undefined;
   readonly model: RcmDocument | undefined;
+  /** Where people have placed what `model` has. */
+  readonly places: Places;
   /** Of which edit of the run `model` is (modelKey). */
   readonly modelKey: string | undefined;
   readonly run: RunState | undefined;
@@ -38,7 +41,7 @@ export type SessionEvent =
   | { readonly type: "documents"; readonly documents: readonly DocumentSummary[] }
   | { readonly type: "rules"; readonly rules: readonly Rule[] }
   | { readonly type: "watched"; readonly id: string | undefined }
-  | { readonly type: "model"; readonly id: string; readonly key: string; readonly model: RcmDocument }
+  | { readonly type: "model"; readonly id: string; readonly key: string; readonly model: RcmDocument; readonly places: Places }
   | { readonly type: "past"; readonly id: string; readonly steps: readonly TraceStep[] }
   | { readonly type: "update"; readonly update: StreamUpdate }
   | { readonly type: "problem"; readonly text: string | undefined };
@@ -54,6 +57,7 @@ export const emptySession: Session = {
   watched: undefined,
   document: undefined,
   model: undefined,
+  places: kNoPlaces,
   modelKey: undefined,
   run: undefined,
   fired: noneFired,
@@ -94,6 +98,7 @@ export function applyEvent(session: Session, event: SessionEvent): Session {
         watched: event.id,
         document: session.cores.find((core) => core.id === event.id)?.document,
         model: undefined,
+        places: kNoPlaces,
         modelKey: undefined,
         run: undefined,
         fired: noneFired,
@@ -101,7 +106,7 @@ export function applyEvent(session: Session, event: SessionEvent): Session {
         lastInput: undefined,
       };
     case "model":
-      return event.id === session.watched ? { ...session, model: event.model, modelKey: event.key } : session;
+      return event.id === session.watched ? { ...session, model: event.model, places: event.places, modelKey: event.key } : session;
     case "past":
       return event.id === session.watched ? { ...session, steps: mergeSteps(event.steps, session.steps) } : session;
     case "update":

@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Core } from "../../generated/messages";
 import type { State } from "../../shared/model/model";
+import { kNoPlaces } from "../../shared/drawing/places";
 import { buildTree } from "../../shared/model/modelTree";
 import { applyEvent, emptySession, type Session } from "../../shared/session/session";
 import { firstShown, followModel, lastShown } from "../../shared/session/firstShown";
@@ -59,7 +60,7 @@ describe("firstShown", () => {
   const known = applyEvent(emptySession, { type: "update", update: { type: "cores", cores: [core("1", "pick"), core("2", "pick"), core("3", "place")] } });
   const turnTo = (session: Session, id: string): Session => applyEvent(session, { type: "watched", id });
   const model = { name: "", services: {}, library: [], root: state("Root", "r", pick("Pick", "p")) };
-  const one = applyEvent(turnTo(known, "1"), { type: "model", id: "1", key: "1/0", model });
+  const one = applyEvent(turnTo(known, "1"), { type: "model", id: "1", key: "1/0", model, places: kNoPlaces });
   const edited = buildTree(state("Root", "r", pick("Fetch", "p")));
   const asBefore = shown("Root/Fetch", "Root/Fetch");
   const last = lastShown(one, shown("Root/Pick", "Root/Pick"), undefined);

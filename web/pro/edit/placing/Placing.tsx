@@ -19,16 +19,10 @@ export function Placing() {
     element.addEventListener("pointerdown", listener, true);
     return () => element.removeEventListener("pointerdown", listener, true);
   }, [element]);
-  if (canvas === undefined) return null;
-  return (
-    <>
-      <PlacingTools />
-      <Notes />
-    </>
-  );
+  return canvas === undefined ? null : <Notes />;
 }
 
-function PlacingTools() {
+export function PlacingTools() {
   const laid = useShownCanvas()?.laid;
   const shown = useView((now) => now);
   const places = useEditedPlaces();
@@ -37,7 +31,7 @@ function PlacingTools() {
   const children = laid.tree.get(path)?.children ?? [];
   const placed = children.filter(({ node: { id } }) => id !== undefined && places.has(id)).length;
   return (
-    <div className="canvas-tools placing-tools" role="toolbar" aria-label="Places">
+    <div className="canvas-group" role="group" aria-label="Places">
       <button type="button" disabled={placed === 0} title={`Lays the states in ${path} out automatically (Ctrl+Alt+L)`} onClick={() => runAction(actionOf("lay_out_anew"))}>
         Lay out anew
       </button>
