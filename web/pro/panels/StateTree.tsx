@@ -1,10 +1,12 @@
 // The hierarchy as a tree: active states are lit, a click selects and shows. Of a large one only the rows in view are in the page.
-import { memo, useEffect, useMemo, useRef, useState, type KeyboardEvent } from "react";
+import { memo, useEffect, useMemo, useRef, useState, type KeyboardEvent, type PointerEvent } from "react";
 import type { ModelTree } from "../../shared/model/modelTree";
 import { rowByName, treeMove, treeRows, type TreeRow } from "../../shared/model/treeRows";
 import { useLive } from "../canvas/useLive";
 import { useView, view } from "../client";
 import { ErrorMark } from "../edit/ErrorMark";
+import { followPointer } from "../edit/gestures/drag";
+import { dragRow } from "../edit/gestures/dragRow";
 import { useRowsInView } from "./useRowsInView";
 
 /** Height of a row, as in panels.css [px]. */
@@ -114,6 +116,12 @@ interface RowProps {
   readonly tabbable: boolean;
 }
 
+/** A row of a document that is edited can be dragged; a finger scrolls the list. */
+function drag(event: PointerEvent, path: string): void {
+  const isOfRow = event.button === 0 && event.pointerType !== "touch" && event.target instanceof Element && event.target.closest(".tree-fold") === null;
+  if (isOfRow && view.get().page === "edit") followPointer(event, () => dragRow(path));
+}
+
 const Row = memo(function Row({ row: { entry, position, siblings, open }, index, active, selected, tabbable }: RowProps) {
   const { path, depth, node } = entry;
   const composite = entry.children.length > 0;
@@ -131,6 +139,7 @@ const Row = memo(function Row({ row: { entry, position, siblings, open }, index,
       data-path={path}
       tabIndex={tabbable ? 0 : -1}
       style={{ top: index * kRow, paddingLeft: 8 + depth * 14 }}
+      onPointerDown={(event) => drag(event, path)}
     >
       {composite ? (
         <button type="button" className="tree-fold" tabIndex={-1} aria-label={`${open ? "Collapse" : "Expand"} ${node.name}`} onClick={() => view.dispatch({ type: "toggle", path })}>

@@ -58,6 +58,20 @@ export function moveInto(tree: Tree, ids: readonly string[], parent: string): Co
   return moveTo(tree, ids, placeIn(tree, parent));
 }
 
+/** Moves states and barriers before or behind `beside`, into the state that it is in: in order, or from elsewhere. */
+export function moveBeside(tree: Tree, selected: readonly string[], beside: string, side: "before" | "behind"): Command {
+  const { parent, list } = elementOf(tree, beside);
+  if (list !== "children") return { reason: "it has no siblings" };
+  const ids = outermost(tree, selected);
+  const siblings = listOf(tree, parent, "children");
+  const others = siblings.filter((id) => !ids.includes(id));
+  const before = siblings.slice(0, siblings.indexOf(beside) + (side === "before" ? 0 : 1)).filter((id) => !ids.includes(id));
+  const after = before.at(-1);
+  const order = [...before, ...ids, ...others.slice(before.length)];
+  if (order.length === siblings.length && order.every((id, i) => id === siblings[i])) return { reason: "it is there already" };
+  return moveTo(tree, ids, { parent, ...(after !== undefined && { after }) });
+}
+
 /** Moves states and barriers out of their state, to behind it. */
 export function moveOut(tree: Tree, ids: readonly string[]): Command {
   const all = outermost(tree, ids);

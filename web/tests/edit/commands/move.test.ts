@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { setFirst } from "../../../shared/edit/commands/first";
-import { moveInOrder, moveInto, moveOut } from "../../../shared/edit/commands/move";
+import { moveBeside, moveInOrder, moveInto, moveOut } from "../../../shared/edit/commands/move";
 import { after, childrenOf, document, field, reasonOf, withFields } from "./fixture";
 
 describe("moving into another state", () => {
@@ -37,6 +37,24 @@ describe("moving out", () => {
     expect(field(tree, "d-done", "to")).toBeUndefined();
   });
   it("does not leave the root", () => expect(reasonOf(moveOut(document, ["a"]))).toBe("there is no state around this one"));
+});
+
+describe("moving beside another one", () => {
+  it("changes the order, of several as they stand", () => {
+    expect(childrenOf(after(moveBeside(document, ["a"], "c", "behind")), "root")).toEqual(["B", "C", "A", "Both", "L"]);
+    expect(childrenOf(after(moveBeside(document, ["c", "b"], "a", "before")), "root")).toEqual(["B", "C", "A", "Both", "L"]);
+  });
+  it("brings it into the state of that one", () => {
+    const tree = after(moveBeside(document, ["b"], "e", "before"));
+    expect(childrenOf(tree, "c")).toEqual(["D", "B", "E"]);
+    expect(field(tree, "a-done", "to")).toBeUndefined();
+  });
+  it("does nothing where it is, beside the root, and inside of itself", () => {
+    expect(reasonOf(moveBeside(document, ["a"], "b", "before"))).toBe("it is there already");
+    expect(reasonOf(moveBeside(document, ["b"], "b", "behind"))).toBe("it is there already");
+    expect(reasonOf(moveBeside(document, ["a"], "root", "behind"))).toBe("it has no siblings");
+    expect(reasonOf(moveBeside(document, ["c"], "d", "behind"))).toBe("a state does not move into itself");
+  });
 });
 
 describe("the order of evaluation", () => {
