@@ -1,4 +1,4 @@
-// A layer over the drawing: what is in it is placed in the coordinates of the drawing, and moves with it.
+// A layer over the drawing: what is in it is placed in the coordinates of the drawing, and moves with it. `--zoom` says how large it is.
 import { useLayoutEffect, useRef, type ReactNode } from "react";
 import { useShownCanvas } from "./canvasView";
 
@@ -7,9 +7,13 @@ export function CanvasLayer({ className, children }: { readonly className?: stri
   const layer = useRef<HTMLDivElement>(null);
   useLayoutEffect(() => {
     if (canvas === undefined) return;
+    let before = 0;
     const place = () => {
       const { x, y, zoom } = canvas.viewport();
-      if (layer.current !== null) layer.current.style.transform = `translate(${x}px, ${y}px) scale(${zoom})`;
+      const style = layer.current?.style;
+      if (style === undefined) return;
+      style.transform = `translate(${x}px, ${y}px) scale(${zoom})`;
+      if (zoom !== before) style.setProperty("--zoom", String((before = zoom)));
     };
     place();
     return canvas.listen(place);

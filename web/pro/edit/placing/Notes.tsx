@@ -1,11 +1,14 @@
-// Notes as sticky notes at what they are about. In a small drawing they are marks, which open with the pointer or the focus.
+// Notes as sticky notes at what they are about. In a small drawing, and where they would cover something else, they are marks, which open
+// with the pointer or the focus.
 import { useState, type KeyboardEvent } from "react";
 import type { Box } from "../../../shared/drawing/drawing";
+import { noteCorner } from "../../../shared/drawing/notePlaces";
 import { writeNote } from "../../../shared/edit/commands/placing";
 import { selectionsOf, type Selection } from "../../../shared/model/identity";
 import { CanvasLayer } from "../../canvas/CanvasLayer";
 import { useShownCanvas } from "../../canvas/canvasView";
 import type { Laid } from "../../canvas/useDrawing";
+import { pathOf } from "../../../shared/session/view";
 import { view } from "../../client";
 import { carryOut } from "../carryOut";
 import { editedDocument } from "../editing";
@@ -32,10 +35,11 @@ export function Notes() {
         const selection = selections.get(id);
         const box = selection && boxOf(laid, selection);
         if (selection === undefined || box === undefined) return null;
-        const at = { left: box.x + 10, top: box.y };
+        const text = notes[id] ?? "";
+        const corner = written === id ? "above" : noteCorner(laid.drawing, pathOf(selection), box, text);
         return (
-          <div key={id} className="note-place" style={at}>
-            {written === id ? <NoteField id={id} name={nameOf(selection)} text={notes[id] ?? ""} /> : <Note id={id} selection={selection} text={notes[id] ?? ""} />}
+          <div key={id} className={`note-place is-${corner ?? "mark"}`} style={{ left: box.x, top: box.y, width: box.width, height: box.height }}>
+            {written === id ? <NoteField id={id} name={nameOf(selection)} text={text} /> : <Note id={id} selection={selection} text={text} />}
           </div>
         );
       })}
