@@ -1,7 +1,7 @@
-// The visible part of the drawing: fits a new drawing and, unless the user has moved it, a resized canvas; moves to the target of a
-// jump; enlarges names when zoomed out.
+// The visible part of the drawing: fits a new drawing and, unless the user has moved it, a resized canvas and a drawing that has grown out
+// of it; moves to the target of a jump; enlarges names when zoomed out.
 import { useEffect, useEffectEvent, useRef, type CSSProperties, type RefObject } from "react";
-import { fit, fitReadable } from "../../shared/drawing/fit";
+import { fit, fitReadable, shows } from "../../shared/drawing/fit";
 import { hitIndex } from "../../shared/drawing/hit";
 import { kFar } from "../../shared/drawing/levels";
 import type { Size } from "../../shared/drawing/measure";
@@ -9,6 +9,7 @@ import { fitBox } from "../../shared/drawing/movement";
 import { pathOf } from "../../shared/session/view";
 import { useView } from "../client";
 import { shownCanvas, useShownCanvas } from "./canvasView";
+import { isPreview } from "./placingPreview";
 import type { Laid } from "./useDrawing";
 
 interface Props {
@@ -39,6 +40,16 @@ export function Viewport({ laid, size, movedRef }: Props) {
   useEffect(() => {
     if (!movedRef.current) show(0);
   }, [size, movedRef]);
+
+  const { drawing } = laid;
+  const isDragged = isPreview(laid);
+  const followGrowth = useEffectEvent(() => {
+    const now = shownCanvas()?.viewport();
+    if (now !== undefined && !shows(now, drawing, size)) show(250);
+  });
+  useEffect(() => {
+    if (!movedRef.current && !isDragged) followGrowth();
+  }, [drawing, isDragged, movedRef]);
 
   useEffect(() => {
     if (reveal === seenRef.current || selection === undefined) return;

@@ -34,6 +34,12 @@ export function useErrorCount(address: string, closed = false): number {
   });
 }
 
+/** The same of all, by path or address; of a node without what is in it. None on the page of a run. */
+export function useErrorCounts(): ErrorMarks["own"] {
+  const edited = useView((v) => v.page === "edit");
+  return useEditing(() => (edited ? errorMarks() : noMarks).own);
+}
+
 /** Shows the element that an error is about, and selects it. */
 export function goToError(error: ServerError): void {
   const { session, top } = editing.get();

@@ -26,6 +26,11 @@ export function fit(drawing: Size, canvas: Size): Viewport {
   };
 }
 
+/** Whether all of a drawing is seen. */
+export function shows({ x, y, zoom }: Viewport, drawing: Size, canvas: Size): boolean {
+  return x >= 0 && y >= 0 && x + drawing.width * zoom <= canvas.width && y + drawing.height * zoom <= canvas.height;
+}
+
 /** The first view when code was asked for: all of the drawing if its code can be read then, else its beginning, as wide as the canvas. */
 export function fitReadable(drawing: Size, canvas: Size): Viewport {
   const whole = fit(drawing, canvas);

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { fit, fitReadable } from "../../shared/drawing/fit";
+import { fit, fitReadable, shows } from "../../shared/drawing/fit";
 import { roundedPath } from "../../shared/drawing/path";
 
 const canvas = { width: 1000, height: 640 };
@@ -17,6 +17,16 @@ describe("fit", () => {
     expect(view.y + drawing.height * view.zoom).toBeLessThanOrEqual(canvas.height);
   });
   it("does not blow a small drawing up", () => expect(fit({ width: 10, height: 10 }, canvas).zoom).toBe(1.25));
+});
+
+describe("what is seen", () => {
+  it("is all of a drawing that was fitted, until it grows out of the canvas", () => {
+    const view = fit({ width: 400, height: 300 }, canvas);
+    expect(shows(view, { width: 400, height: 300 }, canvas)).toBe(true);
+    expect(shows(view, { width: 800, height: 300 }, canvas)).toBe(false);
+    expect(shows(view, { width: 400, height: 600 }, canvas)).toBe(false);
+    expect(shows({ ...view, x: -1 }, { width: 400, height: 300 }, canvas)).toBe(false);
+  });
 });
 
 describe("fitReadable", () => {

@@ -1,7 +1,9 @@
 // The elements of the nodes in use, over the painted canvas: they are not seen, but read, focused and pressed as those of a small drawing.
 import type { DrawnNode, DrawnPort } from "../../../shared/drawing/drawing";
 import type { Scene } from "../../../shared/drawing/scene";
+import { errorsText } from "../../../shared/run/errorsText";
 import { useView, view } from "../../client";
+import { useErrorCount } from "../../edit/errors";
 import { CanvasLayer } from "../CanvasLayer";
 import { useLive } from "../useLive";
 import { toggleBox } from "./paintNode";
@@ -32,10 +34,11 @@ function StateInUse({ node, zoom }: { readonly node: DrawnNode; readonly zoom: n
   const { path, x, y, width, height } = node;
   const active = useLive((live) => live.active.has(path));
   const selected = useView((v) => v.selection?.kind === "node" && v.selection.path === path);
+  const errors = useErrorCount(path, node.composite && !node.open);
   const toggle = toggleBox(node, zoom);
   const toggleStyle = { left: toggle.x - x, top: toggle.y - y, width: toggle.width, height: toggle.height };
   return (
-    <div role="group" aria-label={`${node.dispatcher === undefined ? kinds.state : kinds.dispatcher} ${path}`} className={selected ? "is-selected" : ""} data-path={path} data-active={active} style={{ left: x, top: y, width, height }}>
+    <div role="group" aria-label={`${node.dispatcher === undefined ? kinds.state : kinds.dispatcher} ${path}`} className={selected ? "is-selected" : ""} data-path={path} data-active={active} aria-description={errors > 0 ? errorsText(errors) : undefined} style={{ left: x, top: y, width, height }}>
       <button type="button" className="in-use-name state-name" aria-label={`Select ${path}`} title={node.name} onClick={() => select(path)} />
       {node.composite && <button type="button" aria-label={`${node.open ? "Collapse" : "Expand"} ${path}`} aria-expanded={node.open} style={toggleStyle} onClick={() => view.dispatch({ type: "toggle", path })} />}
       {node.ports.map((port) => (

@@ -8,6 +8,7 @@ import type { Size } from "../../../shared/drawing/measure";
 import { sceneOf, type Scene } from "../../../shared/drawing/scene";
 import { selectedPaths } from "../../../shared/session/view";
 import { useView, view } from "../../client";
+import { useErrorCounts } from "../../edit/errors";
 import { canvasView, showCanvas, type CanvasView } from "../canvasView";
 import type { Laid } from "../useDrawing";
 import { createCamera, type Camera } from "./camera";
@@ -94,6 +95,7 @@ export const PaintedCanvas = memo(function PaintedCanvas({ laid, size, movedRef 
   const scene = useMemo(() => sceneOf(laid.drawing, laid.tree), [laid]);
   const selection = useView((v) => v.selection);
   const also = useView((v) => v.also);
+  const errors = useErrorCounts();
 
   useLayoutEffect(() => {
     if (frame.current === null || overview.current === null || one.current === null || other.current === null || live.current === null) return;
@@ -109,8 +111,8 @@ export const PaintedCanvas = memo(function PaintedCanvas({ laid, size, movedRef 
 
   useLayoutEffect(() => {
     const nodes = selection?.kind === "node" ? [selection.path, ...also] : [];
-    painter?.show({ scene, size, marks: { nodes, port: selection?.kind === "port" ? selection.address : undefined, hovered: hover?.port } });
-  }, [painter, scene, size, selection, also, hover]);
+    painter?.show({ scene, size, marks: { nodes, port: selection?.kind === "port" ? selection.address : undefined, hovered: hover?.port, errors } });
+  }, [painter, scene, size, selection, also, hover, errors]);
 
   const current = useEffectEvent(() => {
     const element = frame.current;

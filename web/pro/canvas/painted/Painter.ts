@@ -93,7 +93,7 @@ export class Painter {
     const { live: canvas } = this.canvases;
     const live = liveNow();
     const flashes = live.run === undefined ? new Map<string, number>() : this.flashes.at(now);
-    const empty = live.run === undefined && marks.nodes.length === 0 && marks.port === undefined && marks.hovered === undefined;
+    const empty = live.run === undefined && marks.nodes.length === 0 && marks.port === undefined && marks.hovered === undefined && marks.errors.size === 0;
     if (empty && !this.painted) return false;
     const scale = devicePixelRatio;
     const [width, height] = [Math.round(size.width * scale), Math.round(size.height * scale)];

@@ -6,6 +6,7 @@ import type { Box } from "../../../shared/drawing/drawing";
 import type { Scene, SceneItem, SceneLine, SceneNode } from "../../../shared/drawing/scene";
 import { waitingState } from "../../../shared/model/afters";
 import { clip, valueText } from "../../../shared/model/describe";
+import { paintErrors, type ErrorCounts } from "./paintErrors";
 import { paintLine, type LineLook } from "./paintLine";
 import { paintNode, type NodeLook } from "./paintNode";
 import { paintPort } from "./paintPort";
@@ -17,6 +18,7 @@ export interface Marks {
   readonly port: string | undefined;
   /** Address of the port under the pointer. */
   readonly hovered: string | undefined;
+  readonly errors: ErrorCounts;
 }
 
 export interface LivePicture {
@@ -100,8 +102,9 @@ function outline({ context, theme, view }: LivePicture, { x, y, width, height }:
   context.stroke();
 }
 
-function paintMarks(picture: LivePicture, { nodes, port, hovered }: Marks): void {
+function paintMarks(picture: LivePicture, { nodes, port, hovered, errors }: Marks): void {
   const { context, scene, theme, view } = picture;
+  paintErrors(context, scene, errors, view.zoom, theme);
   const first = port ?? nodes[0];
   for (const item of first === undefined ? [] : scene.linesAt(first)) if (isSeen(picture, item)) paintLine(context, item.line, view.zoom, theme, "touched");
   for (const path of nodes) {

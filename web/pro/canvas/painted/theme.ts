@@ -5,7 +5,7 @@ import { tokenColours } from "../../theme/tokenColour";
 const kColours = [
   "paper", "panel", "inset", "ink", "soft", "faint", "edge", "edge-strong", "outline", "line", "line-quiet", "solid", "accent", "accent-soft",
   "active", "active-ink", "active-soft", "active-edge", "active-glow", "fired", "on-fired", "fired-line", "fired-flash", "wait", "wait-soft", "wait-ink",
-  "bad", "bad-soft", "oracle", "oracle-soft", "canvas-dots", "minimap-node", "minimap-outer", "minimap-mask",
+  "bad", "bad-soft", "on-fill", "oracle", "oracle-soft", "canvas-dots", "minimap-node", "minimap-outer", "minimap-mask",
 ] as const;
 
 export type Colour = (typeof kColours)[number];
