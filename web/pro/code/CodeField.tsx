@@ -13,8 +13,8 @@ export interface CodeError {
 export interface CodeFieldProps {
   readonly value: string;
   readonly onChange: (value: string) => void;
-  /** Ctrl+Enter; Enter, if the text has one line; or the field is left (`blur`). */
-  readonly onCommit: (by: "key" | "blur") => void;
+  /** Ctrl+Enter (`key`); Enter, if the text has one line; or the field is left (`blur`). */
+  readonly onCommit: (by: "key" | "enter" | "blur") => void;
   /** Esc, when nothing is open that it would close; whether it meant something, so that the page does not hear it. */
   readonly onCancel: () => boolean;
   readonly label: string;
@@ -64,7 +64,7 @@ function PlainField({ value, onChange, onCommit, onCancel, label, describedBy, p
         if (event.key === "Escape" && onCancel()) event.stopPropagation();
         if (event.key !== "Enter" || (multiline && !event.ctrlKey && !event.metaKey)) return;
         event.preventDefault();
-        onCommit("key");
+        onCommit(event.ctrlKey || event.metaKey ? "key" : "enter");
       }}
     />
   );

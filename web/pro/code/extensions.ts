@@ -1,5 +1,5 @@
 // What the editor of code is made of: keys, colours, completion, hover, and the marks of errors.
-import { acceptCompletion, autocompletion, closeCompletion, completionKeymap, completionStatus } from "@codemirror/autocomplete";
+import { acceptCompletion, autocompletion, closeCompletion, completionKeymap, completionStatus, selectedCompletion } from "@codemirror/autocomplete";
 import { defaultKeymap, history, historyKeymap, insertNewlineAndIndent } from "@codemirror/commands";
 import { bracketMatching, indentService, indentUnit } from "@codemirror/language";
 import { Compartment, EditorState, Prec, type Extension } from "@codemirror/state";
@@ -23,15 +23,22 @@ const indentation = indentService.of((context, position) => {
 
 /** Tab leads to the next field. With a completion open, it takes that, and Esc closes that alone. */
 function keys(props: () => CodeFieldProps, multiline: boolean): Extension {
-  const commit = (view: EditorView) => {
+  const commitBy = (by: "key" | "enter") => (view: EditorView) => {
     closeCompletion(view);
-    props().onCommit("key");
+    props().onCommit(by);
     return true;
   };
+  const behindLine = multiline ? insertNewlineAndIndent : commitBy("enter");
+  // A name that stands there in full is not completed: Enter means what it means without the list.
+  const isWhole = (view: EditorView) => {
+    const [name, { head }] = [selectedCompletion(view.state)?.label, view.state.selection.main];
+    return name !== undefined && view.state.wordAt(head)?.to === head && view.state.sliceDoc(view.state.wordAt(head)?.from, head) === name;
+  };
+  const enter = (view: EditorView) => isWhole(view) && closeCompletion(view) && behindLine(view);
   const cancel = (view: EditorView) => completionStatus(view.state) === null && props().onCancel();
   return [
-    Prec.high(keymap.of([{ key: "Mod-Enter", run: commit }])),
-    keymap.of([...completionKeymap, { key: "Tab", run: acceptCompletion }, { key: "Enter", run: multiline ? insertNewlineAndIndent : commit }, { key: "Escape", run: cancel, stopPropagation: true }, ...historyKeymap, ...defaultKeymap]),
+    Prec.high(keymap.of([{ key: "Mod-Enter", run: commitBy("key") }, { key: "Enter", run: enter }])),
+    keymap.of([...completionKeymap, { key: "Tab", run: acceptCompletion }, { key: "Enter", run: behindLine }, { key: "Escape", run: cancel, stopPropagation: true }, ...historyKeymap, ...defaultKeymap]),
   ];
 }
 

@@ -1,4 +1,5 @@
 // Right of the document that is edited: the form of what is selected. Nothing selected: the state of the library that is shown, else the document.
+import type { KeyboardEvent } from "react";
 import type { ModelTree } from "../../shared/model/modelTree";
 import { barrierAt, portAt, stateAt } from "../../shared/model/modelTree";
 import { selectedPaths, type Selection } from "../../shared/session/view";
@@ -6,7 +7,7 @@ import { useView } from "../client";
 import { useEditing } from "./editing";
 import { BarrierForm } from "./forms/BarrierForm";
 import { DocumentForm } from "./forms/DocumentForm";
-import { keepKeys } from "./forms/keepKeys";
+import { keepKeys, leaveByEscape } from "./forms/keepKeys";
 import { PortForm } from "./forms/PortForm";
 import { SeveralForm } from "./forms/SeveralForm";
 import { StateForm } from "./forms/StateForm";
@@ -18,7 +19,7 @@ export function EditProperties({ tree }: { readonly tree: ModelTree | undefined 
   const top = useEditing((now) => now.top);
   useAuthors();
   return (
-    <aside className="side side-right" aria-label="Properties" onKeyDown={keepKeys}>
+    <aside className="side side-right" aria-label="Properties" onKeyDown={pressed}>
       {tree !== undefined && selection !== undefined && also.size > 0 ? (
         <SeveralForm paths={selectedPaths({ selection, also })} />
       ) : (
@@ -26,6 +27,11 @@ export function EditProperties({ tree }: { readonly tree: ModelTree | undefined 
       )}
     </aside>
   );
+}
+
+function pressed(event: KeyboardEvent): void {
+  keepKeys(event);
+  leaveByEscape(event);
 }
 
 interface Props {

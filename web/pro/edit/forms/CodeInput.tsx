@@ -39,9 +39,9 @@ export function CodeInput({ id, field, code, draft, ...shown }: Props) {
   const scope = useScope({ id, field: code });
   const errors = useFieldErrors(id, code);
   const enter = useRowEnter();
-  const commit = (by: "key" | "blur") => {
-    if (by === "blur" || draft.isDraft) draft.commit(by === "key");
-    else if (!shown.multiline) enter?.();
+  const commit = (by: "key" | "enter" | "blur") => {
+    if (by === "blur" || draft.isDraft) draft.commit(by !== "blur");
+    else if (by === "enter") enter?.();
   };
   const cancel = () => {
     if (draft.isDraft) draft.giveUp();

@@ -4,6 +4,7 @@ import { useEffect } from "react";
 import { stateAt, type ModelTree } from "../../../shared/model/modelTree";
 import { pathOf } from "../../../shared/session/view";
 import { useView } from "../../client";
+import { canvasElement } from "../gestures/onScreen";
 import { DataRows } from "./DataRows";
 import { keepKeys } from "./keepKeys";
 import { PortRows } from "./PortFields";
@@ -23,6 +24,7 @@ export function StateEditor({ tree }: { readonly tree: ModelTree | undefined }) 
       if (event.key !== "Escape" || event.defaultPrevented) return;
       event.stopPropagation();
       closeStateEditor();
+      canvasElement()?.focus({ preventScroll: true });
     };
     document.addEventListener("keydown", press);
     return () => document.removeEventListener("keydown", press);

@@ -66,7 +66,7 @@ function useFieldKeys(draft: DraftField, isOneLine: boolean) {
     } else if (event.key === "Enter" && (isOneLine ? !event.shiftKey : event.ctrlKey || event.metaKey)) {
       event.preventDefault();
       if (draft.isDraft) draft.commit(true);
-      else if (isOneLine) enter?.();
+      else if (isOneLine && !event.ctrlKey && !event.metaKey) enter?.();
     }
   };
 }

@@ -11,6 +11,9 @@ interface Props {
 /** Distance that it keeps from the edge of the window [px]. */
 const kMargin = 8;
 
+/** Letters typed within this time are one word [ms]. */
+const kWord = 700;
+
 /** Where the focus goes by a key among `count` entries. */
 function nextIndex(key: string, at: number, count: number): number | undefined {
   switch (key) {
@@ -45,10 +48,21 @@ export function Menu({ label, at, entries }: Props) {
       removeEventListener("blur", endPrompt);
     };
   }, []);
+  const typedRef = useRef({ text: "", at: -Infinity });
+  /** Letters that follow each other at once are the beginning of a name. */
+  const typed = (event: KeyboardEvent): string => {
+    const before = event.timeStamp - typedRef.current.at < kWord ? typedRef.current.text : "";
+    // Space chooses, unless it is in the name.
+    if (event.key.length !== 1 || event.ctrlKey || event.metaKey || event.altKey || (event.key === " " && before === "")) return "";
+    const text = before === event.key ? event.key : before + event.key;
+    typedRef.current = { text, at: event.timeStamp };
+    return text;
+  };
   const press = (event: KeyboardEvent) => {
     const all = items();
     const current = all.findIndex((item) => item === document.activeElement);
-    const next = nextIndex(event.key, current, all.length) ?? (event.key.length === 1 ? letterIndex(all, event.key, current) : undefined);
+    const text = typed(event);
+    const next = nextIndex(event.key, current, all.length) ?? (text === "" ? undefined : indexByName(all, text, current) ?? current);
     if (event.key === "Escape" || event.key === "Tab") endPrompt();
     else if (next === undefined) return;
     else all[next]?.focus();
@@ -66,10 +80,11 @@ export function Menu({ label, at, entries }: Props) {
   );
 }
 
-/** The next entry that begins with a letter. */
-function letterIndex(items: readonly HTMLElement[], letter: string, current: number): number | undefined {
-  const order = items.map((_, i) => (current + 1 + i) % items.length);
-  return order.find((i) => items[i]?.textContent.toLowerCase().startsWith(letter.toLowerCase()) === true);
+/** The next entry that begins with what was typed; one letter goes on to the next. */
+function indexByName(items: readonly HTMLElement[], text: string, current: number): number | undefined {
+  const from = text.length === 1 ? current + 1 : current;
+  const order = items.map((_, i) => (from + i) % items.length);
+  return order.find((i) => items[i]?.textContent.toLowerCase().startsWith(text.toLowerCase()) === true);
 }
 
 function Item({ entry: { name, keys, reason, run } }: { readonly entry: MenuEntry }) {
