@@ -112,4 +112,65 @@ describe("axe-core", () => {
     await page.getByRole("region", { name: "Errors" }).waitFor();
     expect(await inBothThemes()).toEqual([]);
   });
+
+  it("finds nothing in the arguments of a run", async () => {
+    await page.goto(`${fixture.url}/pro/`);
+    await page.getByRole("combobox", { name: "Document" }).selectOption("pick");
+    await page.getByRole("button", { name: "Arguments…" }).click();
+    await page.getByRole("dialog", { name: /^Arguments/ }).waitFor();
+    expect(await inBothThemes()).toEqual([]);
+    await page.keyboard.press("Escape");
+  });
+
+  it("finds nothing in the forms, the state editor, menus, the command palette and notes of the page that edits", async () => {
+    const document = {
+      rcm: 1, name: "forms",
+      library: [{ state: "Part", ports: [{ name: "done", when: "True" }] }],
+      root: {
+        state: "Root", first: "A", parameters: [{ name: "way", value: [0.5, 1], type: { list: "number" }, unit: "m", doc: "How far" }], results: [{ name: "pose", type: "pose" }], variables: [{ name: "count", initial: 0 }],
+        actions: [{ when: "chi.A.port.done", do: "var.count += 1" }], entry: "pass", oracle: { kind: "history" }, ports: [{ name: "done", when: "chi.A.port.done" }, { name: "late", after: "10.0" }],
+        children: [{ state: "A", keep: ["done"], meta: { id: "a" }, ports: [{ name: "done", when: "1 +", to: "Both" }] }, { barrier: "Both", to: ["L"] }, { state: "L", link: "Part" }],
+      },
+      meta: { notes: { a: "Ask Ann about the new gripper." } },
+    };
+    await fixture.send("PUT", "/documents/forms?draft=true", document);
+    await page.goto(`${fixture.url}/pro/?edit=forms`);
+    await settled(page);
+    const row = (path: string) => page.locator(`[role="tree"] [data-path="${path}"] .tree-name`);
+    for (const path of ["Root", "Root/A", "Root/Both", "Root/L"]) {
+      await row(path).click();
+      await page.getByRole("complementary", { name: "Properties" }).getByRole("textbox", { name: "Name", exact: true }).first().waitFor();
+      await settled(page);
+      expect(await inBothThemes(), path).toEqual([]);
+    }
+    await row("Root").click();
+    await page.getByRole("button", { name: "Wide form" }).click();
+    await page.getByRole("region", { name: "State editor: Root" }).waitFor();
+    await settled(page);
+    expect(await inBothThemes(), "state editor").toEqual([]);
+    await page.getByRole("region", { name: "State editor: Root" }).getByRole("textbox", { name: "Entry" }).click();
+    await page.keyboard.press("Control+a");
+    await page.keyboard.type("svc.db.");
+    await page.locator(".cm-tooltip-autocomplete").waitFor();
+    expect(await inBothThemes(), "completion").toEqual([]);
+    await page.keyboard.press("Escape");
+    await page.keyboard.press("Escape");
+    await page.keyboard.press("Escape");
+    await page.locator("#edit-canvas").focus();
+    await page.keyboard.press("Shift+F10");
+    await page.getByRole("menu", { name: "Actions" }).waitFor();
+    expect(await inBothThemes(), "menu").toEqual([]);
+    await page.keyboard.press("Escape");
+    await page.keyboard.press("Control+Shift+P");
+    await page.getByRole("dialog", { name: "Commands" }).waitFor();
+    expect(await inBothThemes(), "palette").toEqual([]);
+    await page.keyboard.press("Escape");
+    await page.locator("#edit-canvas").focus();
+    await page.keyboard.press("F2");
+    await page.getByRole("textbox", { name: "Name of Root" }).fill("2nd");
+    await page.keyboard.press("Enter");
+    await page.locator("#name-reason").waitFor();
+    expect(await inBothThemes(), "name").toEqual([]);
+    await page.keyboard.press("Escape");
+  });
 });

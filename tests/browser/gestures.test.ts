@@ -63,6 +63,67 @@ describe("a drag from a port", () => {
   });
 });
 
+describe("a row of the tree", () => {
+  const row = (path: string) => fixture.page.locator(`[role="tree"] [data-path="${path}"]`);
+  /** A part of a row: 0 is its upper edge, 1 its lower one. */
+  const part = async (path: string, share: number) => {
+    const box = await row(path).boundingBox();
+    if (box === null) throw new Error(`${path} has no row`);
+    return { x: box.x + 90, y: box.y + share * box.height };
+  };
+  const drag = async (path: string, to: { readonly x: number; readonly y: number }) => {
+    await dragTo(await part(path, 0.5), to);
+    await fixture.screenshot("edit-tree-drag");
+    await fixture.page.mouse.up();
+  };
+
+  it("is dragged into another state, and between its siblings", async () => {
+    const { open, children, state } = editPage(fixture);
+    await open("tree");
+    await drag("Root/B", await part("Root/C", 0.5));
+    await expect.poll(async () => (await state("tree", "C"))?.children?.map((child) => child.state)).toEqual(["D", "B"]);
+    expect((await state("tree", "A"))?.ports?.[0]?.to).toBeUndefined();
+    await row("Root/C/B").waitFor();
+    await drag("Root/C/B", await part("Root/A", 0.1));
+    await expect.poll(() => children("tree")).toEqual(["B", "A", "C", "Both"]);
+    await drag("Root/Both", await part("Root/A", 0.95));
+    await expect.poll(() => children("tree")).toEqual(["B", "A", "Both", "C"]);
+  });
+
+  it("says what cannot be, and then changes nothing", async () => {
+    const { open, children } = editPage(fixture);
+    await open("tree-refused");
+    await dragTo(await part("Root/C", 0.5), await part("Root/C/D", 0.9));
+    await fixture.page.getByText("a state does not move into itself").waitFor();
+    await fixture.page.mouse.up();
+    expect(await children("tree-refused")).toEqual(["A", "B", "C", "Both"]);
+  });
+});
+
+describe("a drawing that grows", () => {
+  it("is seen as a whole, until it has been moved by hand", async () => {
+    const { open, select, canvas, node } = editPage(fixture);
+    const isSeen = async () => {
+      await settled(fixture.page);
+      const [outer, box] = [await canvas.boundingBox(), await node("Root").boundingBox()];
+      return outer !== null && box !== null && box.x >= outer.x && box.y >= outer.y && box.x + box.width <= outer.x + outer.width && box.y + box.height <= outer.y + outer.height;
+    };
+    const grow = async (by: number) => {
+      for (let i = 0; i < by; ++i) await fixture.page.keyboard.press("Alt+s");
+      await node(`Root/State${by}`).waitFor();
+    };
+    await open("grows", { rcm: 1, root: { state: "Root", first: "A", children: [{ state: "A" }] } });
+    await select("Root/A");
+    await grow(9);
+    await expect.poll(isSeen).toBe(true);
+    await open("grows-moved", { rcm: 1, root: { state: "Root", first: "A", children: [{ state: "A" }] } });
+    await select("Root/A");
+    await fixture.page.keyboard.press("Control+=");
+    await grow(9);
+    await expect.poll(isSeen).toBe(false);
+  });
+});
+
 describe("selecting", () => {
   it("takes several by Ctrl and Shift clicks, and by a frame", async () => {
     const { open, select, node, canvas } = editPage(fixture);

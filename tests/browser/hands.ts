@@ -40,7 +40,7 @@ export function mouse(page: Page) {
     await write(field, text);
     await form.locator(".form-head small").first().click({ position: { x: 2, y: 2 } });
   };
-  const field = (within: Locator, name: string) => within.getByRole("textbox", { name, exact: true });
+  const field = (within: Locator, name: string) => within.getByLabel(name, { exact: true });
   const addRow = async (list: string, one: string): Promise<Locator> => {
     const count = await rows(list).count();
     await form.getByRole("button", { name: `Add ${one}`, exact: true }).click();
@@ -93,7 +93,7 @@ export function mouse(page: Page) {
 }
 
 /** What is heard of the element with the focus. */
-const heard = (page: Page): Promise<string> =>
+export const heard = (page: Page): Promise<string> =>
   page.evaluate(() => {
     const at = document.activeElement;
     const labels = at instanceof HTMLInputElement || at instanceof HTMLSelectElement || at instanceof HTMLTextAreaElement ? at.labels : null;
@@ -157,22 +157,24 @@ export function keyboard(page: Page) {
         await line(typeText(each[key] ?? null));
       }
   };
-  /** Adds a row to a list; its first field has the focus then. */
-  const add = async (one: string): Promise<void> => {
-    await go(`Add ${one}`);
+  /** Adds a row to a list, which is behind the focus, or before it once the list has rows; its first field has the focus then. */
+  const add = async (one: string, isFirst: boolean, first: string): Promise<void> => {
+    await go(`Add ${one}`, isFirst ? "Tab" : "Shift+Tab");
     await keys("Enter");
-    await expect.poll(() => page.evaluate(() => document.activeElement?.matches(".row-content *") === true)).toBe(true);
+    await expect.poll(() => heard(page)).toBe(first);
   };
   return {
-    keys, go, line, code, add,
+    keys, go, line, code,
+    /** From a form back to the drawing. */
+    toDrawing: async (): Promise<void> => {
+      await keys("Escape");
+      await expect.poll(() => heard(page)).toContain("Drawing of");
+    },
     /** Writes the data of a state; the focus is before them. */
     data: async (state: ExactObject): Promise<void> => {
       for (const [key, , one] of kLists)
         for (const [i, each] of objects(state[key]).entries()) {
-          if (i > 0) await go(`Add ${one}`, "Shift+Tab");
-          else await go(`Add ${one}`);
-          await keys("Enter");
-          await expect.poll(() => page.evaluate(() => document.activeElement?.matches(".row-content *") === true)).toBe(true);
+          await add(one, i === 0, "Name");
           await datum(each);
         }
     },
@@ -183,17 +185,13 @@ export function keyboard(page: Page) {
         await code(textOf(state["entry"]));
       }
       for (const [i, each] of objects(state["actions"]).entries()) {
-        await go("Add action", i > 0 ? "Shift+Tab" : "Tab");
-        await keys("Enter");
-        await expect.poll(() => heard(page)).toBe("Condition");
+        await add("action", i === 0, "Condition");
         await line(textOf(each["when"]));
         await go("Function");
         await code(textOf(each["do"]));
       }
       for (const [i, each] of objects(state["ports"]).entries()) {
-        await go("Add port", i > 0 ? "Shift+Tab" : "Tab");
-        await keys("Enter");
-        await expect.poll(() => heard(page)).toBe("Name");
+        await add("port", i === 0, "Name");
         await line(textOf(each["name"]));
         if (has(each, "after")) {
           await go("Condition: make it a time-out");

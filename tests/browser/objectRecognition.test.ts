@@ -7,7 +7,7 @@ import { join } from "node:path";
 import { isExactObject, itemsOf, type ExactObject } from "../../web/shared/edit/clipboard/json";
 import { readExact, writeExact, type ExactJson } from "../../web/shared/edit/exact";
 import { demo, openFixture, settled, type Fixture } from "./fixture";
-import { keyboard, mouse } from "./hands";
+import { heard, keyboard, mouse } from "./hands";
 
 const kName = "search";
 const known = readExact(readFileSync(join(demo, "demonstrator.rcm.json"), "utf8")) as ExactObject;
@@ -67,6 +67,8 @@ afterAll(() => fixture.close());
 afterEach(() => expect(problems).toEqual([]));
 
 const kLong = { timeout: 60_000 };
+/** All that is typed takes its time on a busy machine [ms]. */
+const kPatience = 300_000;
 /** The document as the server has it. */
 const stored = async (): Promise<ExactObject> => (readExact(await (await fetch(`${fixture.url}/api/v1/documents/${kName}`)).text()) as ExactObject)["document"] as ExactObject;
 const storedState = async (name: string): Promise<ExactJson | undefined> => {
@@ -105,7 +107,7 @@ describe("ObjectRecognition, built by hand", () => {
     await fill(hasCalibration);
     await expect.poll(() => storedState("HasCalibration"), kLong).toEqual(hasCalibration);
     expect(await unsent()).toBe(0);
-  });
+  }, kPatience);
 
   it("goes on with a link and a state that are dragged into the drawing, and a line, by mouse", async () => {
     const { page } = fixture;
@@ -126,17 +128,18 @@ describe("ObjectRecognition, built by hand", () => {
     await rename("DetectObject");
     await fill(alone(child("DetectObject")));
     await expect.poll(() => storedState("DetectObject"), kLong).toEqual(alone(child("DetectObject")));
+    await settled(page);
+    await fixture.screenshot("by-hand-before-line");
     await lead("ObjectRecognition/LoadCalibration.yes", "ObjectRecognition/DetectObject");
     await expect.poll(async () => writeExact((await stored())["library"] ?? null)).toContain('"to":"DetectObject"');
     await fixture.screenshot("by-hand-mouse");
     expect(await unsent()).toBe(0);
-  });
+  }, kPatience);
 
   it("goes on by keyboard alone: states, lines, and SaveObjectPose in the state editor", async () => {
     const { page } = fixture;
-    const { keys, go, data, rest, line } = keyboard(page);
-    await go(`Drawing of ${kName}`);
-    // From the state that is selected behind which the new one stands.
+    const { keys, go, data, rest, line, toDrawing } = keyboard(page);
+    // The line has left the focus in the drawing; a new state stands behind the one that is selected.
     await keys("Alt+s");
     await page.locator('#edit-canvas [data-path="ObjectRecognition/State"]').waitFor();
     await keys("F2");
@@ -148,7 +151,7 @@ describe("ObjectRecognition, built by hand", () => {
     await rest(alone(child("GetGraspPose")));
     await expect.poll(() => storedState("GetGraspPose"), kLong).toEqual(alone(child("GetGraspPose")));
 
-    await go(`Drawing of ${kName}`, "Shift+Tab");
+    await toDrawing();
     await keys("Alt+s");
     await page.locator('#edit-canvas [data-path="ObjectRecognition/State"]').waitFor();
     await keys("F2");
@@ -156,7 +159,7 @@ describe("ObjectRecognition, built by hand", () => {
     await keys("Enter", "Enter");
     await go("Description");
     await line(String(child("SaveObjectPose")["doc"]));
-    await go(`Drawing of ${kName}`, "Shift+Tab");
+    await toDrawing();
     await keys("Shift+Enter");
     const editor = page.getByRole("region", { name: "State editor: SaveObjectPose" });
     await editor.waitFor();
@@ -180,11 +183,11 @@ describe("ObjectRecognition, built by hand", () => {
     await keys("Escape");
     await editor.waitFor({ state: "detached" });
 
-    await go(`Drawing of ${kName}`, "Shift+Tab");
+    expect(await heard(page)).toBe(`Drawing of ${kName}`);
     await keys("ArrowLeft", "ArrowLeft", "Control+l");
     await page.getByRole("menu", { name: "Connect to" }).waitFor();
     await fixture.screenshot("by-hand-connect");
-    await page.keyboard.type("success → G");
+    while ((await heard(page)) !== "success → GetGraspPose") await keys("s");
     await keys("Enter", "ArrowRight", "Control+l");
     await page.getByRole("menu", { name: "Connect to" }).waitFor();
     await page.keyboard.type("Sa");
@@ -193,15 +196,16 @@ describe("ObjectRecognition, built by hand", () => {
     await rest({ actions: recognition["actions"] ?? [], ports: recognition["ports"] ?? [] });
     await expect.poll(() => storedState("ObjectRecognition"), kLong).toEqual(recognition);
     expect(await unsent()).toBe(0);
-  });
+  }, kPatience);
 
   it("ends with the task around it, by keyboard alone", async () => {
     const { page } = fixture;
-    const { keys, go, data, rest, line, add } = keyboard(page);
+    const { keys, go, data, rest, toDrawing } = keyboard(page);
+    await toDrawing();
     await go("← search", "Shift+Tab");
     await keys("Enter");
     await go(`Drawing of ${kName}`);
-    await keys("Home", "F2");
+    await keys("ArrowDown", "F2");
     await page.keyboard.type("Search");
     await keys("Enter", "Alt+b");
     await page.locator('#edit-canvas [data-path="Search/Barrier"]').waitFor();
@@ -217,7 +221,7 @@ describe("ObjectRecognition, built by hand", () => {
     const [, , deadline] = itemsOf(search["children"]).filter(isExactObject);
     await data(deadline ?? {});
     await rest(deadline ?? {});
-    await go(`Drawing of ${kName}`, "Shift+Tab");
+    await toDrawing();
     await keys("ArrowRight");
     for (const to of ["O", "D"]) {
       await keys("Control+l");
@@ -231,10 +235,61 @@ describe("ObjectRecognition, built by hand", () => {
     await keys("ArrowUp", "Enter");
     await data(search);
     await rest(search);
-    void [line, add];
     await expect.poll(async () => meaning(await stored()), kLong).toEqual(wanted);
     expect(await page.getByRole("region", { name: "Errors" }).count()).toBe(0);
     built = await stored();
     await fixture.screenshot("by-hand-built");
-  });
+  }, kPatience);
+
+  it("runs in the cell to its end, as the demonstrator's does", async () => {
+    const { page } = fixture;
+    await page.locator("#edit-canvas").focus();
+    await page.keyboard.press("F5");
+    await page.getByRole("button", { name: "Start", exact: true }).click();
+    await expect.poll(() => page.getByRole("status", { name: "Run status" }).innerText(), kLong).toContain("Ended");
+    await fixture.screenshot("by-hand-ended");
+    const mine = await outcome(await page.getByRole("combobox", { name: "Watched run" }).inputValue());
+
+    await fixture.send("PUT", "/documents/reference", JSON.parse(writeExact({ rcm: 1, library: known["library"] ?? [], root: { state: "Root", link: "ObjectRecognition" } })) as unknown);
+    const { id } = (await fixture.send("POST", "/cores", { document: "reference", arguments: {} })) as { readonly id: string };
+    await fixture.send("POST", `/cores/${id}/start`);
+    await expect.poll(async () => ((await fixture.send("GET", `/cores/${id}`)) as { readonly status: string }).status, kLong).toBe("ended");
+    const theirs = await outcome(id);
+    expect(mine.ports).toContain("Search/ObjectRecognition.success");
+    expect(mine.ports).toContain("Search.success");
+    expect(theirs.ports).toContain("Root.success");
+    // Pictures are noisy.
+    for (const i of [0, 1, 2]) expect(mine.results["Search"]?.pose?.position[i]).toBeCloseTo(theirs.results["Root"]?.pose?.position[i] ?? NaN, 2);
+  }, kPatience);
+
+  it("is undone to the empty document, and redone", async () => {
+    const { page } = fixture;
+    await page.getByRole("tab", { name: "Edit", exact: true }).click();
+    await settled(page);
+    const all = async (button: string, key: string) => {
+      const more = page.getByRole("button", { name: button, exact: true });
+      await page.locator("#edit-canvas").focus();
+      while (await more.isEnabled()) {
+        await page.keyboard.press(key);
+        if ((await page.getByText(/on the way/).count()) > 0) await page.getByText(/· saved/).waitFor();
+      }
+      await page.getByText(/· saved/).waitFor();
+    };
+    await all("Undo", "Control+z");
+    expect(await stored()).toEqual(empty);
+    await fixture.screenshot("by-hand-undone");
+    await all("Redo", "Control+y");
+    expect(await stored()).toEqual(built);
+  }, kPatience);
 });
+
+interface Outcome {
+  /** Addresses of the ports that are active in the end. */
+  readonly ports: readonly string[];
+  readonly results: Readonly<Record<string, { readonly pose?: { readonly position: readonly number[] } }>>;
+}
+/** What is there when a run has ended. */
+async function outcome(id: string): Promise<Outcome> {
+  const { state } = (await fixture.send("GET", `/cores/${id}/state`)) as { readonly state: Outcome };
+  return state;
+}
