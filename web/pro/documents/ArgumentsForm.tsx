@@ -61,7 +61,7 @@ export function ArgumentsForm({ document, parameters }: Asked) {
             {refusal}
           </p>
         )}
-        <footer>
+        <div className="arguments-buttons">
           <button type="button" onClick={close}>
             Cancel
           </button>
@@ -71,7 +71,7 @@ export function ArgumentsForm({ document, parameters }: Asked) {
           <button type="submit" value="start" className="is-main" disabled={busy}>
             Load and start
           </button>
-        </footer>
+        </div>
       </form>
     </dialog>
   );

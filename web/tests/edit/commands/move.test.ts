@@ -70,6 +70,9 @@ describe("where a composite begins", () => {
   it("is one of its states", () => {
     expect(field(after(setFirst(document, "b")), "root", "first")).toBe("B");
     expect(reasonOf(setFirst(document, "a"))).toBe("Root begins here already");
-    expect(reasonOf(setFirst(document, "both"))).toContain("a state begins at a state");
+    expect(reasonOf(setFirst(document, "root"))).toContain("a state begins at a state");
+  });
+  it("is one of its barriers, as where states begin side by side", () => {
+    expect(field(after(setFirst(document, "both")), "root", "first")).toBe("Both");
   });
 });
