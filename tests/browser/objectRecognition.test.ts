@@ -142,7 +142,7 @@ describe("ObjectRecognition, built by hand", () => {
     await page.keyboard.type("GetGraspPose");
     await keys("Enter", "Enter");
     await go("Description");
-    await line(String(child("GetGraspPose")["doc"]));
+    await line(child("GetGraspPose")["doc"] as string);
     await data(child("GetGraspPose"));
     await rest(alone(child("GetGraspPose")));
     await expect.poll(() => storedState("GetGraspPose"), kLong).toEqual(alone(child("GetGraspPose")));
@@ -154,7 +154,7 @@ describe("ObjectRecognition, built by hand", () => {
     await page.keyboard.type("SaveObjectPose");
     await keys("Enter", "Enter");
     await go("Description");
-    await line(String(child("SaveObjectPose")["doc"]));
+    await line(child("SaveObjectPose")["doc"] as string);
     await toDrawing();
     await keys("Shift+Enter");
     const editor = page.getByRole("region", { name: "State editor: SaveObjectPose" });
