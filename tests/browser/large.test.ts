@@ -84,17 +84,47 @@ describe("a document of 2000 states", () => {
     await fixture.screenshot("large-selected");
   });
 
-  it("moves with a drag, and does not take it for a click", async () => {
-    const before = await settledBox("State Large/Group1/Part1/Step2");
-    const { x, y } = await middle();
+  /** Drags at a state, and tells how far it was shown moved before it was dropped, and after. */
+  async function drag(button: "left" | "middle"): Promise<readonly (readonly [x: number, y: number])[]> {
+    const name = "State Large/Group1/Part1/Step2";
+    const before = await settledBox(name);
+    const way = async () => {
+      const { x, y } = await settledBox(name);
+      return [x - before.x, y - before.y] as const;
+    };
+    const [x, y] = [before.x + before.width * 0.15, before.y + before.height * 0.8];
     await page.mouse.move(x, y);
-    await page.mouse.down();
+    await page.mouse.down({ button });
     await page.mouse.move(x + 60, y + 30, { steps: 5 });
-    await page.mouse.up();
-    const after = await settledBox("State Large/Group1/Part1/Step2");
-    // As far as the pointer, but for a few pixels.
-    expect(Math.abs(after.x - before.x - 60)).toBeLessThan(8);
-    expect(Math.abs(after.y - before.y - 30)).toBeLessThan(8);
+    const shown = await way();
+    await page.mouse.up({ button });
+    return [shown, await way()];
+  }
+
+  it("moves with the middle button as far as the pointer, and does not take it for a click", async () => {
+    for (const [x, y] of await drag("middle")) {
+      expect(x).toBeCloseTo(60, 1);
+      expect(y).toBeCloseTo(30, 1);
+    }
+    expect(await row("Large/Group1/Part1/Step2").getAttribute("aria-selected")).toBe("true");
+    await page.mouse.move(0, 0);
+  });
+
+  it("lets a state be dragged onto the grid, where it is shown before it is dropped; with Alt, as far as the pointer", async () => {
+    const [shown, dropped] = await drag("left");
+    expect(dropped?.[0]).toBeCloseTo(shown?.[0] ?? 0, 1);
+    expect(dropped?.[1]).toBeCloseTo(shown?.[1] ?? 0, 1);
+    // At a zoom of 1.1 at most, half of the grid of 4 px.
+    expect(Math.abs((dropped?.[0] ?? 0) - 60)).toBeLessThanOrEqual(2.2);
+    expect(Math.abs((dropped?.[1] ?? 0) - 30)).toBeLessThanOrEqual(2.2);
+    await page.keyboard.down("Alt");
+    const [free, placed] = await drag("left");
+    await page.keyboard.up("Alt");
+    expect(free?.[0]).toBeCloseTo(60, 1);
+    expect(free?.[1]).toBeCloseTo(30, 1);
+    // A place is in whole pixels of the drawing.
+    expect(Math.abs((placed?.[0] ?? 0) - 60)).toBeLessThanOrEqual(0.56);
+    expect(Math.abs((placed?.[1] ?? 0) - 30)).toBeLessThanOrEqual(0.56);
     expect(await row("Large/Group1/Part1/Step2").getAttribute("aria-selected")).toBe("true");
   });
 

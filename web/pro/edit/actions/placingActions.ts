@@ -25,7 +25,7 @@ const drawnAction = (spec: Omit<ActionSpec, "group">, make: (laid: Laid, situati
 const nudge = (name: string, key: string, x: number, y: number): Action =>
   drawnAction({ id: `place_${name}`, name: `Place it farther ${name}`, keys: [key], repeats: true }, ({ drawing, tree }, { view }) => {
     const paths = selectedPaths(view);
-    return paths.length === 0 ? { reason: "nothing is selected" } : moveNodes(drawing, tree, paths, { x: x * kStep, y: y * kStep }, 1);
+    return paths.length === 0 ? { reason: "nothing is selected" } : moveNodes(drawing, tree, paths, { x: x * kStep, y: y * kStep });
   });
 
 const noting: Action = {

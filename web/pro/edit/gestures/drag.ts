@@ -2,10 +2,13 @@
 // the window loses the focus. A press without a move stays a click.
 import type { ScreenPoint } from "../prompt";
 
+/** What is held meanwhile. */
+export type Held = Pick<MouseEvent, "altKey">;
+
 export interface Drag {
   /** The pointer is at another place; called first when the drag begins. */
-  readonly move: (at: ScreenPoint) => void;
-  readonly drop: (at: ScreenPoint, held: Pick<MouseEvent, "altKey">) => void;
+  readonly move: (at: ScreenPoint, held: Held) => void;
+  readonly drop: (at: ScreenPoint, held: Held) => void;
   /** After a drop, and when it is given up. */
   readonly end: () => void;
 }
@@ -35,7 +38,7 @@ export function followPointer({ pointerId, clientX, clientY }: Pick<PointerEvent
       drag = begin();
       if (drag === undefined) end();
     }
-    drag?.move({ x: event.clientX, y: event.clientY });
+    drag?.move({ x: event.clientX, y: event.clientY }, event);
   };
   const up = (event: PointerEvent) => {
     if (event.pointerId !== pointerId) return;

@@ -1,14 +1,14 @@
 // Dragging states in the drawing places them: lines follow, the document changes once, where they are dropped. Esc gives it up.
 import { movedDrawing } from "../../../shared/drawing/moved";
 import type { Point } from "../../../shared/drawing/drawing";
-import { kGrid, moveNodes } from "../../../shared/edit/commands/placing";
+import { moveNodes, wayOnGrid } from "../../../shared/edit/commands/placing";
 import { nameOf } from "../../../shared/model/modelTree";
 import { selectedPaths } from "../../../shared/session/view";
 import type { CanvasView } from "../../canvas/canvasView";
 import { isPreview, showPreview } from "../../canvas/placingPreview";
 import { view } from "../../client";
 import { carryOut } from "../carryOut";
-import { followPointer, type Drag } from "../gestures/drag";
+import { followPointer, type Drag, type Held } from "../gestures/drag";
 import type { ScreenPoint } from "../prompt";
 import { editedPlaces } from "./editedPlaces";
 
@@ -29,26 +29,28 @@ function pressedNode(canvas: CanvasView, event: PointerEvent): string | undefine
   return canvas.laid.tree.get(hit.path)?.node.kind === "barrier" && !event.ctrlKey ? undefined : hit.path;
 }
 
-/** What moves with the pointer; it is shown where it would be dropped. */
+/** What moves with the pointer: onto the grid, but for Alt. It is shown where it would be dropped. */
 function dragOf(canvas: CanvasView, pressed: string, from: ScreenPoint): Drag {
   const { laid } = canvas;
   const paths = draggedWith(pressed);
   let frame = 0;
-  const byOf = ({ x, y }: ScreenPoint): Point => {
+  const byOf = ({ x, y }: ScreenPoint, { altKey }: Held): Point => {
     const { zoom } = canvas.viewport();
-    return { x: (x - from.x) / zoom, y: (y - from.y) / zoom };
+    const by = { x: (x - from.x) / zoom, y: (y - from.y) / zoom };
+    return altKey ? by : wayOnGrid(laid.drawing, laid.tree, pressed, by);
   };
   const show = (by: Point): void => showPreview(laid, { ...laid, drawing: movedDrawing(laid.drawing, paths, by) });
   if (!selectedPaths(view.get()).includes(pressed)) view.dispatch({ type: "select", selection: { kind: "node", path: pressed } });
   return {
-    move: (at) => {
+    move: (at, held) => {
       cancelAnimationFrame(frame);
-      frame = requestAnimationFrame(() => show(byOf(at)));
+      frame = requestAnimationFrame(() => show(byOf(at, held)));
     },
-    drop: (at, { altKey }) => {
-      show(byOf(at));
+    drop: (at, held) => {
+      const by = byOf(at, held);
+      show(by);
       const before = editedPlaces();
-      carryOut(moveNodes(laid.drawing, laid.tree, paths, byOf(at), altKey ? 1 : kGrid));
+      carryOut(moveNodes(laid.drawing, laid.tree, paths, by));
       if (editedPlaces() === before) showPreview(laid, undefined);
     },
     end: () => {

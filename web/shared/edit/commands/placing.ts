@@ -6,10 +6,8 @@ import type { ModelTree } from "../../model/modelTree";
 import type { Tree } from "../tree";
 import type { Command } from "./command";
 
-/** Places are whole pixels; a person places on this grid unless that is held off [px]. */
-export const kGrid = 4;
-
-const snapped = (value: number, grid = kGrid): number => Math.round(value / grid) * grid;
+/** A person places on this grid unless that is held off [px]. */
+const kGrid = 4;
 
 /** What the document has about where a node is. */
 export interface StoredPlace extends Point {
@@ -19,28 +17,42 @@ export interface StoredPlace extends Point {
 
 const nodeAt = (drawing: Drawing, path: string): DrawnNode | undefined => drawing.nodes.find((node) => node.path === path);
 
-/** A point of the drawing as a place in the state at `parent`, which is drawn with its children; nothing if it is not. */
+/** The point of the drawing from which the places in a state are measured, if it is drawn with its children. */
+function originOf(drawing: Drawing, path: string): Point | undefined {
+  const frame = nodeAt(drawing, path);
+  return frame?.content && { x: frame.x + frame.content.x, y: frame.y + frame.content.y };
+}
+
+/** A point of the drawing as a place in the state at `parent`, which is drawn with its children, in whole pixels; nothing if it is not. */
 export function placeOf(drawing: Drawing, point: Point, parent: { readonly path: string; readonly id: string }): StoredPlace | undefined {
-  const frame = nodeAt(drawing, parent.path);
-  if (frame?.content === undefined) return undefined;
+  const [frame, origin] = [nodeAt(drawing, parent.path), originOf(drawing, parent.path)];
+  if (frame === undefined || origin === undefined) return undefined;
   const side = drawing.nodes.find((node) => node.depth === frame.depth + 1 && node.path.startsWith(`${frame.path}/`))?.side ?? "EAST";
-  return { x: Math.round(point.x - frame.x - frame.content.x), y: Math.round(point.y - frame.y - frame.content.y), side, parent: parent.id };
+  return { x: Math.round(point.x - origin.x), y: Math.round(point.y - origin.y), side, parent: parent.id };
 }
 
 const set = (field: "layout" | "notes", key: string, value?: StoredPlace | string) => ({ op: "set", id: "", field, key, ...(value !== undefined && { value: typeof value === "string" ? value : { ...value } }) }) as const;
 
 /** Where a drawn node of the model is now, moved by `by`. */
-function placeOfNode(drawing: Drawing, tree: ModelTree, path: string, by: Point, grid: number): readonly (readonly [id: string, place: StoredPlace])[] {
+function placeOfNode(drawing: Drawing, tree: ModelTree, path: string, by: Point): readonly (readonly [id: string, place: StoredPlace])[] {
   const entry = tree.get(path);
   const [drawn, parent] = [nodeAt(drawing, path), tree.get(entry?.parent ?? "")];
   if (entry?.node.id === undefined || drawn === undefined || parent?.node.id === undefined) return [];
   const place = placeOf(drawing, { x: drawn.x + by.x, y: drawn.y + by.y }, { path: parent.path, id: parent.node.id });
-  return place === undefined ? [] : [[entry.node.id, { ...place, x: snapped(place.x, grid), y: snapped(place.y, grid), side: drawn.side }]];
+  return place === undefined ? [] : [[entry.node.id, { ...place, side: drawn.side }]];
+}
+
+/** The way nearest to `by` that leads a drawn node onto the grid. */
+export function wayOnGrid(drawing: Drawing, tree: ModelTree, path: string, by: Point): Point {
+  const [drawn, origin] = [nodeAt(drawing, path), originOf(drawing, tree.get(path)?.parent ?? "")];
+  if (drawn === undefined || origin === undefined) return by;
+  const way = (from: number, along: number): number => Math.round((from + along) / kGrid) * kGrid - from;
+  return { x: way(drawn.x - origin.x, by.x), y: way(drawn.y - origin.y, by.y) };
 }
 
 /** Places nodes that are drawn, as `paths` in the model of the drawing, farther by `by`: one edit for all. */
-export function moveNodes(drawing: Drawing, tree: ModelTree, paths: readonly string[], by: Point, grid = kGrid): Command {
-  const places = paths.flatMap((path) => placeOfNode(drawing, tree, path, by, grid));
+export function moveNodes(drawing: Drawing, tree: ModelTree, paths: readonly string[], by: Point): Command {
+  const places = paths.flatMap((path) => placeOfNode(drawing, tree, path, by));
   return places.length === 0 ? { reason: "there is nothing to move in the drawing" } : { change: { operations: places.map(([id, place]) => set("layout", id, place)) } };
 }
 
@@ -51,7 +63,7 @@ const childrenOf = (tree: ModelTree, path: string): readonly Node[] => {
 
 /** Keeps the children of a state where they are drawn. */
 export function keepLayout(drawing: Drawing, tree: ModelTree, path: string): Command {
-  const places = childrenOf(tree, path).flatMap((child) => placeOfNode(drawing, tree, childPath(path, child), { x: 0, y: 0 }, 1));
+  const places = childrenOf(tree, path).flatMap((child) => placeOfNode(drawing, tree, childPath(path, child), { x: 0, y: 0 }));
   return places.length === 0 ? { reason: "no states are drawn in it" } : { change: { operations: places.map(([id, place]) => set("layout", id, place)) } };
 }
 

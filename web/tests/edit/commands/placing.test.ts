@@ -4,7 +4,7 @@ import { layoutModel } from "../../../shared/drawing/layout";
 import { movedDrawing } from "../../../shared/drawing/moved";
 import { placesIn } from "../../../shared/drawing/places";
 import { apply, type Operation } from "../../../shared/edit/apply";
-import { keepLayout, layOutAnew, moveNodes, notesOf, placeOf, writeNote } from "../../../shared/edit/commands/placing";
+import { keepLayout, layOutAnew, moveNodes, notesOf, placeOf, wayOnGrid, writeNote } from "../../../shared/edit/commands/placing";
 import type { Command } from "../../../shared/edit/commands/command";
 import { editedState } from "../../../shared/edit/editedModel";
 import { Refusal } from "../../../shared/edit/refusal";
@@ -35,10 +35,16 @@ function after(command: Command): Tree {
 }
 
 describe("commands about places", () => {
-  it("move several nodes with one edit, onto the grid, and say in which state", async () => {
+  it("move several nodes with one edit, and say in which state", async () => {
     const { drawing, model } = await drawn(document);
     const moved = after(moveNodes(drawing, model, ["Root/A", "Root/B"], { x: 9, y: 50 }));
-    expect(moved.fields["layout"]).toMatchObject({ a: { x: 8, y: 52, side: "EAST", parent: "r" }, b: { x: 208, y: 52, side: "EAST", parent: "r" }, other: { x: 1, y: 1 } });
+    expect(moved.fields["layout"]).toMatchObject({ a: { x: 9, y: 50, side: "EAST", parent: "r" }, b: { x: 209, y: 50, side: "EAST", parent: "r" }, other: { x: 1, y: 1 } });
+  });
+  it("lead onto the grid from wherever a node is", async () => {
+    const { drawing, model } = await drawn(document);
+    expect(wayOnGrid(drawing, model, "Root/A", { x: 9, y: 50 })).toEqual({ x: 8, y: 52 });
+    const moved = movedDrawing(drawing, ["Root/A"], { x: 3, y: 0.5 });
+    expect(wayOnGrid(moved, model, "Root/A", { x: 0, y: 0 })).toEqual({ x: 1, y: -0.5 });
   });
   it("keep the level as it is drawn, and take its places away", async () => {
     const { drawing, model } = await drawn(document);
