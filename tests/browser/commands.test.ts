@@ -58,6 +58,18 @@ describe("keys in the drawing", () => {
     await expect.poll(() => children("structure")).toEqual(["State", "A", "B", "C", "Both"]);
   });
 
+  it("duplicate several as one step, which lead to each other", async () => {
+    const { open, select, node, children, state } = editPage(fixture);
+    await open("several");
+    await select("Root/A");
+    await node("Root/B").click({ position: { x: 20, y: 8 }, modifiers: ["Control"] });
+    await keys("Control+d");
+    await expect.poll(() => children("several")).toEqual(["A", "B", "A2", "B2", "C", "Both"]);
+    expect((await state("several", "A2"))?.ports?.[0]?.to).toBe("B2");
+    await keys("Control+z");
+    await expect.poll(() => children("several")).toEqual(["A", "B", "C", "Both"]);
+  });
+
   it("delete what is selected; a second Delete after a port deletes nothing", async () => {
     const { open, select, port, state, children } = editPage(fixture);
     await open("delete");

@@ -1,11 +1,14 @@
-// Copy, cut and paste, by the clipboard of the system: a text that also an editor, another document and another server take.
+// Copy, cut and paste, by the clipboard of the system: a text that also an editor, another document and another server take. And duplicates.
 import { copyText } from "../../../shared/edit/clipboard/copy";
+import { duplicates } from "../../../shared/edit/clipboard/duplicates";
 import { isExactObject } from "../../../shared/edit/clipboard/json";
 import { paste } from "../../../shared/edit/clipboard/paste";
+import { duplicate } from "../../../shared/edit/commands/group";
 import { remove } from "../../../shared/edit/commands/remove";
-import { readExact } from "../../../shared/edit/exact";
+import { readExact, type ExactJson } from "../../../shared/edit/exact";
+import type { Tree } from "../../../shared/edit/tree";
 import { api, problem } from "../../client";
-import { carryOut } from "../carryOut";
+import { carryOut, selectIds } from "../carryOut";
 import { editedDocument } from "../editing";
 import { refuse, tellDone } from "../say";
 import { situationNow, type Situation } from "../situation";
@@ -13,17 +16,20 @@ import { whenStored } from "../whenStored";
 import type { Action } from "./action";
 import { newId } from "./commandAction";
 
+/** The document as the server stores it, with all edits of this page. */
+async function storedDocument(name: string): Promise<{ readonly document: ExactJson; readonly tree: Tree } | { readonly reason: string }> {
+  const stored = await whenStored();
+  if ("reason" in stored) return stored;
+  const entry = readExact(await api.documentText(name));
+  const tree = editedDocument();
+  return tree === undefined ? { reason: "the document is not here" } : { document: isExactObject(entry) ? (entry["document"] ?? null) : null, tree };
+}
+
 /** Whether the text of these elements, as the server stores them, is on the clipboard. */
 async function copy({ document: name, ids }: Situation): Promise<boolean> {
-  const stored = await whenStored();
-  const tree = editedDocument();
-  if ("reason" in stored || tree === undefined) {
-    refuse("reason" in stored ? stored.reason : "the document is not here");
-    return false;
-  }
   try {
-    const entry = readExact(await api.documentText(name));
-    const copied = copyText(isExactObject(entry) ? (entry["document"] ?? null) : null, tree, ids);
+    const stored = await storedDocument(name);
+    const copied = "reason" in stored ? stored : copyText(stored.document, stored.tree, ids);
     if ("reason" in copied) {
       refuse(copied.reason);
       return false;
@@ -55,6 +61,21 @@ export function pasteText(text: string): void {
   if (situation !== undefined) carryOut(paste(situation.tree, situation.node ?? situation.focus.id, text, newId));
 }
 
+/** Of one, the server makes the copy; copies of several are one edit. */
+async function duplicateAll({ document: name, tree, ids, one }: Situation): Promise<void> {
+  if (one !== undefined) {
+    carryOut(duplicate(tree, one));
+    return;
+  }
+  try {
+    const stored = await storedDocument(name);
+    const command = "reason" in stored ? stored : duplicates(stored.document, stored.tree, ids, newId);
+    if (carryOut(command) && "made" in command) selectIds(command.made);
+  } catch (error) {
+    problem(error);
+  }
+}
+
 async function pasteClipboard(): Promise<void> {
   try {
     pasteText(await navigator.clipboard.readText());
@@ -66,6 +87,11 @@ async function pasteClipboard(): Promise<void> {
 const somethingSelected = ({ ids }: Situation): string | undefined => (ids.length === 0 ? "nothing is selected" : undefined);
 
 export const clipboardActions: readonly Action[] = [
+  {
+    id: "duplicate", name: "Duplicate", keys: ["Ctrl+D"], group: "Edit", where: "model",
+    when: ({ tree, ids }) => (ids.length === 0 ? "nothing is selected" : ids.includes(tree.root) ? "a document has one root" : undefined),
+    run: (situation) => void duplicateAll(situation),
+  },
   { id: "copy", name: "Copy", keys: ["Ctrl+C"], group: "Edit", where: "model", when: somethingSelected, run: (situation) => void copyAndTell(situation) },
   {
     id: "cut", name: "Cut", keys: ["Ctrl+X"], group: "Edit", where: "model",

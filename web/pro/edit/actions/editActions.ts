@@ -1,6 +1,5 @@
 // Actions on what is selected, and undo.
 import { nameOfElement } from "../../../shared/edit/commands/command";
-import { duplicate } from "../../../shared/edit/commands/group";
 import { remove } from "../../../shared/edit/commands/remove";
 import { rename } from "../../../shared/edit/commands/rename";
 import { view } from "../../client";
@@ -55,12 +54,6 @@ const renaming: Action = {
 
 const removing = selectionAction({ id: "delete", name: "Delete", keys: ["Delete", "Backspace"], group: "Edit" }, ({ tree }, ids) => remove(tree, ids));
 
-const duplicating: Action = {
-  id: "duplicate", name: "Duplicate", keys: ["Ctrl+D"], group: "Edit", where: "model",
-  when: ({ tree, ids }) => (ids.length === 0 ? "nothing is selected" : ids.includes(tree.root) ? "a document has one root" : undefined),
-  run: ({ tree, ids }) => ids.forEach((id) => carryOut(duplicate(tree, id))),
-};
-
 const selectAll: Action = {
   id: "select_all", name: "Select all beside it", keys: ["Ctrl+A"], group: "Edit", where: "model",
   when: () => undefined,
@@ -98,5 +91,5 @@ const selectNothing: Action = {
 export const editActions: readonly Action[] = [
   undo, redo, renaming,
   { ...removing, run: (situation) => { removing.run(situation); focusSelected(); } },
-  duplicating, properties, stateEditor, selectAll, selectNothing,
+  properties, stateEditor, selectAll, selectNothing,
 ];

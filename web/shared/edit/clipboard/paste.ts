@@ -34,12 +34,14 @@ function readPasted(text: string): Pasted | { readonly reason: string } {
   return pasted.children.length + pasted.ports.length === 0 ? { reason: "the text has no states, barriers or ports (missing)" } : pasted;
 }
 
-/** The element with new ids, and all in it. */
-function withNewIds(element: ExactObject, newId: NewId): ExactObject {
+/** The element with new ids, and all in it; `copies`: notes the new id of each. */
+function withNewIds(element: ExactObject, newId: NewId, copies: Map<string, string>): ExactObject {
   const { meta } = element;
+  const id = newId();
+  if (isExactObject(meta) && typeof meta["id"] === "string") copies.set(meta["id"], id);
   const lists = Object.entries(element).filter(([key]) => isStateList(key));
-  const inner = lists.map(([key, items]) => [key, itemsOf(items).filter(isExactObject).map((item) => withNewIds(item, newId))] as const);
-  return { ...element, ...Object.fromEntries(inner), meta: { ...(isExactObject(meta) ? meta : {}), id: newId() } };
+  const inner = lists.map(([key, items]) => [key, itemsOf(items).filter(isExactObject).map((item) => withNewIds(item, newId, copies))] as const);
+  return { ...element, ...Object.fromEntries(inner), meta: { ...(isExactObject(meta) ? meta : {}), id } };
 }
 
 const nameField = (element: ExactObject): string => ("state" in element ? "state" : "barrier" in element ? "barrier" : "name");
@@ -92,8 +94,8 @@ function inserts(parent: string, list: PastedList, first: string | undefined, el
   });
 }
 
-/** Adds what the text has: states and barriers where a new state would stand by what is selected (`at`), ports to that state. */
-export function paste(tree: Tree, at: string, text: string, newId: NewId): Command {
+/** Adds what the text has: states and barriers where a new state would stand by what is selected (`at`), ports to that state. `copies`: gets the new ids by the old. */
+export function paste(tree: Tree, at: string, text: string, newId: NewId, copies = new Map<string, string>()): Command {
   const pasted = readPasted(text);
   if ("reason" in pasted) return pasted;
   const focus = elementOf(tree, at);
@@ -103,9 +105,9 @@ export function paste(tree: Tree, at: string, text: string, newId: NewId): Comma
   const parent = "reason" in place ? at : place.parent;
   const namesOf = (owner: string, list: PastedList) => listOf(tree, owner, list).map((id) => nameOfElement(tree, id));
   const names = freeNames(namesOf(parent, "children"), pasted.children);
-  const children = pasted.children.map((child) => withNewIds(renamed(child, names), newId));
+  const children = pasted.children.map((child) => withNewIds(renamed(child, names), newId, copies));
   const portNames = freeNames(namesOf(at, "ports"), pasted.ports);
-  const ports = pasted.ports.map((port) => withNewIds({ ...port, name: portNames.get(nameIn(port)) ?? nameIn(port) }, newId));
+  const ports = pasted.ports.map((port) => withNewIds({ ...port, name: portNames.get(nameIn(port)) ?? nameIn(port) }, newId, copies));
   const first = children.find((child) => "state" in child);
   const begins = first !== undefined && !listOf(tree, parent, "children").some((id) => elementOf(tree, id).kind === "state");
   const operations = [
