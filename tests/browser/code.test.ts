@@ -1,5 +1,6 @@
 // Texts of code on the page that edits a document, on the real server: what is offered, explained and underlined.
 import type { Page } from "playwright-core";
+import { findings } from "./axe";
 import { write } from "./editPage";
 import { openFixture, settled, type Fixture } from "./fixture";
 
@@ -13,8 +14,10 @@ const kTask = {
   rcm: 1,
   root: {
     state: "Root", first: "A", parameters: [{ name: "width", value: 0.05, type: "number", unit: "m", doc: "Of the object" }],
-    children: [{ state: "A", entry: "svc.gripper.stop()", ports: [{ name: "done", when: "svc.gripper.stop.result", to: "B" }] }, { state: "B" }],
+    actions: [{ when: "True", do: "x = par.width" }, { when: "True", do: "pass" }],
+    children: [{ state: "A", entry: "svc.gripper.stop()", ports: [{ name: "done", when: "svc.gripper.stop.result", to: "B" }] }, { state: "B" }, { state: "C", link: "Grasp" }],
   },
+  library: [{ state: "Grasp", entry: "x = 1\nsvc.gripper.grasp(0.02)", ports: [{ name: "held", when: "True" }] }],
 };
 const entry = (page: Page) => page.getByRole("textbox", { name: "Entry" });
 const option = (page: Page, name: string) => page.locator(".cm-tooltip-autocomplete li").filter({ hasText: new RegExp(`^${name}`) });
@@ -78,5 +81,113 @@ describe("a text of code", () => {
     expect(await entry(page).innerText()).toContain("y = (x +");
     await page.keyboard.press("Tab");
     expect(await entry(page).evaluate((element) => element === document.activeElement)).toBe(false);
+  });
+});
+
+describe("operations that no service can accept", () => {
+  const marked = (page: Page) => page.locator(".cm-tooltip-autocomplete li.is-unreachable");
+
+  it("are struck through and last, with the reason, until a call makes them possible", async () => {
+    const { page, screenshot } = fixture;
+    await write(entry(page), "svc.timer.");
+    await marked(page).first().waitFor();
+    await screenshot("code-unreachable");
+    expect(await marked(page).allInnerTexts()).toEqual([expect.stringMatching(/^cancel\s*timer can only be in `Idle` here; cancel is accepted in `Running`$/)]);
+    expect(await page.locator(".cm-tooltip-autocomplete li").last().getAttribute("class")).toContain("is-unreachable");
+    expect(await marked(page).locator(".cm-completionLabel").evaluate((element) => getComputedStyle(element).textDecorationLine)).toBe("line-through");
+    // A list of completions belongs to its field, wherever it is in the page.
+    expect((await findings(page)).filter((finding) => !finding.startsWith("region:"))).toEqual([]);
+    await page.keyboard.press("Escape");
+    await write(entry(page), "svc.timer.start(1)\nsvc.timer.");
+    await option(page, "cancel").waitFor();
+    expect(await marked(page).count()).toBe(0);
+    await page.keyboard.press("Escape");
+    await page.keyboard.press("Escape");
+  });
+});
+
+describe("Enter, with a completion open", () => {
+  const condition = (page: Page) => page.getByRole("textbox", { name: "Condition" }).first();
+  const stored = async () => ((await fixture.send("GET", "/documents/code")) as { document: { root: { actions: { when: string }[] } } }).document.root.actions[0]?.when;
+
+  /** Keys count for what is offered only when that has been there for a moment (75 ms, by CodeMirror). */
+  const offered = async (page: Page) => {
+    await option(page, "False").waitFor();
+    await page.waitForTimeout(150);
+  };
+
+  it("takes what changes the text, and else commits it", async () => {
+    const { page } = fixture;
+    await write(condition(page), "Fals");
+    await offered(page);
+    await page.keyboard.press("Enter");
+    await expect.poll(() => condition(page).innerText()).toBe("False");
+    expect(await stored()).toBe("True");
+    await write(condition(page), "");
+    await page.keyboard.type("False");
+    await offered(page);
+    await page.keyboard.press("Enter");
+    await expect.poll(stored).toBe("False");
+  });
+});
+
+describe("the tip over a text of a row", () => {
+  it("covers no handle of its row, and leaves when the row is dragged", async () => {
+    const { page, screenshot } = fixture;
+    const tip = page.locator(".code-hover");
+    const row = page.locator("[data-row]").filter({ has: page.getByRole("textbox", { name: "Function" }) }).first();
+    await row.locator(".cm-line").filter({ hasText: "par.width" }).getByText("par", { exact: true }).hover();
+    await tip.waitFor();
+    await screenshot("code-hover-row");
+    const [over, handle] = [await tip.boundingBox(), await row.locator(".row-handle").boundingBox()];
+    expect(over?.x ?? 0).toBeGreaterThanOrEqual((handle?.x ?? 0) + (handle?.width ?? 0));
+    // As a hand does that is quicker than the tip: it is there when the row is pressed.
+    await row.locator(".row-handle").dispatchEvent("pointerdown", { button: 0, pointerId: 1 });
+    await tip.waitFor({ state: "detached" });
+    await page.mouse.move(5, 5);
+  });
+});
+
+describe("usages", () => {
+  const list = (page: Page) => page.getByRole("region", { name: /^Usages of/ });
+  const lines = (page: Page) => list(page).getByRole("listitem").allInnerTexts();
+  const focused = (page: Page) => page.evaluate(() => document.activeElement?.getAttribute("aria-label"));
+
+  it("of the name under the cursor lead to where they are, in the library too", async () => {
+    const { page, screenshot } = fixture;
+    await page.locator('.react-flow [data-path="Root/A"]').click({ position: { x: 20, y: 8 } });
+    await entry(page).filter({ hasText: "svc.gripper.stop" }).click();
+    await page.keyboard.press("Home");
+    for (const key of Array<string>("svc.grip".length).fill("ArrowRight")) await page.keyboard.press(key);
+    await page.keyboard.press("Shift+F12");
+    await list(page).waitFor();
+    expect(await list(page).getAttribute("aria-label")).toBe("Usages of service gripper");
+    expect(await lines(page)).toEqual([expect.stringMatching(/Root\/A, entry\s+svc\.gripper\.stop\(\)/), expect.stringMatching(/Root\/A\.done, condition\s+svc/), expect.stringMatching(/library\/Grasp, entry\s+svc\.gripper\.grasp/)]);
+    await screenshot("usages");
+    expect(await findings(page)).toEqual([]);
+    await page.keyboard.press("End");
+    await page.keyboard.press("Enter");
+    await page.getByRole("navigation", { name: "Library state" }).filter({ hasText: "Grasp" }).waitFor();
+    await expect.poll(() => focused(page)).toBe("Entry");
+    await expect.poll(() => page.evaluate(() => getSelection()?.toString())).toBe("gripper");
+    await screenshot("usages-library");
+  });
+
+  it("are found by the menu, too; where there are none, it is said, and Esc closes the list", async () => {
+    const { page } = fixture;
+    await settled(page);
+    await page.getByRole("button", { name: "← Root" }).click();
+    await settled(page);
+    await page.locator('.react-flow [data-path="Root/B"]').click({ position: { x: 20, y: 8 }, button: "right" });
+    await page.getByRole("menuitem", { name: /^Find usages/ }).click();
+    await expect.poll(() => list(page).getAttribute("aria-label")).toBe("Usages of state Root/B");
+    await list(page).getByRole("button", { name: /Root\/A\.done, target/ }).click();
+    await expect.poll(() => page.getByRole("combobox", { name: "Leads to" }).evaluate((field) => field === document.activeElement)).toBe(true);
+    await page.locator('.react-flow [data-path="Root/C"]').click({ position: { x: 20, y: 8 } });
+    await page.keyboard.press("Shift+F12");
+    await list(page).filter({ hasText: "Nothing in the document names it." }).waitFor();
+    await page.keyboard.press("Escape");
+    await list(page).waitFor({ state: "detached" });
+    expect(await focused(page)).toMatch(/^Drawing of/);
   });
 });

@@ -4,6 +4,7 @@ import { Annotation } from "@codemirror/state";
 import { EditorView } from "@codemirror/view";
 import { adoptStyles } from "./adoptStyles";
 import type { CodeFieldProps } from "./CodeField";
+import { registerCursor } from "./cursor";
 import { editorExtensions, showAs } from "./extensions";
 import { showErrors, showScope } from "./marks";
 
@@ -35,6 +36,14 @@ export default function CodeEditor(props: CodeFieldProps) {
       ],
     });
     editor.current = view;
+    registerCursor(view.contentDOM, {
+      text: () => view.state.doc.toString(),
+      position: () => view.state.selection.main.head,
+      select: ({ from, to }) => {
+        const end = view.state.doc.length;
+        view.dispatch({ selection: { anchor: Math.min(from, end), head: Math.min(to, end) }, scrollIntoView: true });
+      },
+    });
     showScope(view, latest.current.scope);
     showErrors(view, latest.current.errors);
     return () => view.destroy();

@@ -10,6 +10,14 @@ export interface CodeError {
   readonly message: string;
 }
 
+/** Which operations no service can accept there (`svc.key.operation`), and why. */
+export interface Assistance {
+  /** The field has the focus: it may be asked soon. */
+  readonly prepare: () => void;
+  /** `before`: the text in front of the place. */
+  readonly unreachable: (before: string) => Promise<ReadonlyMap<string, string>>;
+}
+
 export interface CodeFieldProps {
   readonly value: string;
   readonly onChange: (value: string) => void;
@@ -24,6 +32,8 @@ export interface CodeFieldProps {
   readonly place?: string | undefined;
   readonly placeholder?: string | undefined;
   readonly scope: Scope;
+  /** Where operations are called. */
+  readonly assistance?: Assistance | undefined;
   readonly errors: readonly CodeError[];
   readonly multiline: boolean;
   readonly readOnly?: boolean;

@@ -1,12 +1,12 @@
 // What the editor of code is made of: keys, colours, completion, hover, and the marks of errors.
-import { acceptCompletion, autocompletion, closeCompletion, completionKeymap, completionStatus, selectedCompletion } from "@codemirror/autocomplete";
+import { acceptCompletion, autocompletion, closeCompletion, completionKeymap, completionStatus } from "@codemirror/autocomplete";
 import { defaultKeymap, history, historyKeymap, insertNewlineAndIndent } from "@codemirror/commands";
 import { bracketMatching, indentService, indentUnit } from "@codemirror/language";
 import { Compartment, EditorState, Prec, type Extension } from "@codemirror/state";
-import { EditorView, hoverTooltip, keymap, placeholder as placeholderOf, tooltips } from "@codemirror/view";
+import { closeHoverTooltips, EditorView, hasHoverTooltips, hoverTooltip, keymap, placeholder as placeholderOf, tooltips, ViewPlugin } from "@codemirror/view";
 import type { CodeFieldProps } from "./CodeField";
 import { colours } from "./colours";
-import { codeCompletions, codeHover } from "./knowledge";
+import { classOfOption, codeCompletions, codeHover, completes } from "./knowledge";
 import { errorMarks } from "./marks";
 
 /** How a field is shown. */
@@ -21,6 +21,9 @@ const indentation = indentService.of((context, position) => {
   return (/^ */.exec(text)?.[0].length ?? 0) + (/:\s*(#.*)?$/.test(text) ? kIndent.length : 0);
 });
 
+/** All but Enter, which takes a completion only if that changes the text. */
+const kCompletionKeys = completionKeymap.filter(({ key }) => key !== "Enter");
+
 /** Tab leads to the next field. With a completion open, it takes that, and Esc closes that alone. */
 function keys(props: () => CodeFieldProps, multiline: boolean): Extension {
   const commitBy = (by: "key" | "enter") => (view: EditorView) => {
@@ -29,16 +32,11 @@ function keys(props: () => CodeFieldProps, multiline: boolean): Extension {
     return true;
   };
   const behindLine = multiline ? insertNewlineAndIndent : commitBy("enter");
-  // A name that stands there in full is not completed: Enter means what it means without the list.
-  const isWhole = (view: EditorView) => {
-    const [name, { head }] = [selectedCompletion(view.state)?.label, view.state.selection.main];
-    return name !== undefined && view.state.wordAt(head)?.to === head && view.state.sliceDoc(view.state.wordAt(head)?.from, head) === name;
-  };
-  const enter = (view: EditorView) => isWhole(view) && closeCompletion(view) && behindLine(view);
+  const complete = (view: EditorView) => completes(view.state) && acceptCompletion(view);
   const cancel = (view: EditorView) => completionStatus(view.state) === null && props().onCancel();
   return [
-    Prec.high(keymap.of([{ key: "Mod-Enter", run: commitBy("key") }, { key: "Enter", run: enter }])),
-    keymap.of([...completionKeymap, { key: "Tab", run: acceptCompletion }, { key: "Enter", run: behindLine }, { key: "Escape", run: cancel, stopPropagation: true }, ...historyKeymap, ...defaultKeymap]),
+    Prec.high(keymap.of([{ key: "Mod-Enter", run: commitBy("key") }])),
+    keymap.of([...kCompletionKeys, { key: "Tab", run: acceptCompletion }, { key: "Enter", run: complete }, { key: "Enter", run: behindLine }, { key: "Escape", run: cancel, stopPropagation: true }, ...historyKeymap, ...defaultKeymap]),
   ];
 }
 
@@ -62,6 +60,18 @@ const typedOver = EditorView.domEventHandlers({
   },
 });
 
+/** A tip is as wide as there is room right of the editor's edge, so that it covers nothing left of that; a press anywhere closes it. */
+const hoverTips: Extension = [
+  EditorView.domEventHandlers({
+    mouseenter: (_, view) => document.documentElement.style.setProperty("--code-room", `${innerWidth - view.dom.getBoundingClientRect().left}px`),
+  }),
+  ViewPlugin.define((view) => {
+    const press = () => hasHoverTooltips(view.state) && view.dispatch({ effects: closeHoverTooltips });
+    addEventListener("pointerdown", press, true);
+    return { destroy: () => removeEventListener("pointerdown", press, true) };
+  }),
+];
+
 /** What may change while the editor is there. */
 const shown = new Compartment();
 
@@ -83,11 +93,12 @@ export function editorExtensions(props: () => CodeFieldProps): Extension {
     indentUnit.of(kIndent),
     indentation,
     shown.of(shownAs(props())),
-    EditorView.domEventHandlers({ blur: () => props().onCommit("blur") }),
+    EditorView.domEventHandlers({ blur: () => props().onCommit("blur"), focus: () => props().assistance?.prepare() }),
+    hoverTips,
     typedOver,
     EditorView.lineWrapping,
     tooltips({ parent: document.body, position: "fixed" }),
-    autocompletion({ override: [codeCompletions(() => props().scope)], icons: false, defaultKeymap: false }),
+    autocompletion({ override: [codeCompletions(props)], icons: false, defaultKeymap: false, optionClass: classOfOption }),
     hoverTooltip(codeHover(() => props().scope), { hoverTime: 250 }),
     colours,
     errorMarks,

@@ -19,6 +19,7 @@ import { StateEditor } from "./forms/StateEditor";
 import { useEditedPlaces } from "./placing/editedPlaces";
 import { Placing, PlacingTools } from "./placing/Placing";
 import { Refusals } from "./Refusals";
+import { UsageList } from "./usages/UsageList";
 import { nameOfElement } from "../../shared/edit/commands/command";
 
 interface Props {
@@ -49,6 +50,7 @@ export function EditPage({ tree, document }: Props) {
         <DifferenceMarks />
       </EditCanvas>
       {listed && <ErrorList />}
+      <UsageList />
       <DragLayer />
       <Prompts />
     </div>

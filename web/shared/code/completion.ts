@@ -13,12 +13,16 @@ export interface CompletionItem {
   readonly cursor: number;
   /** Beside the name: parameters, type and unit. */
   readonly detail: string;
+  /** Of an operation: why no service can accept it there. */
+  readonly against?: string;
 }
 
 export interface Completion {
   readonly from: number;
   /** A name has been begun, or a dot stands before it: it is useful to show the items without being asked. */
   readonly isBegun: boolean;
+  /** What stands before the dot, as `svc.gripper`; empty: there is none. */
+  readonly of: string;
   readonly items: readonly CompletionItem[];
 }
 
@@ -58,10 +62,22 @@ export function completionAt(text: string, position: number, scope: Scope): Comp
   if (path.length > 0) {
     const meaning = meaningOf(scope, path.map(({ text: name }) => name));
     const members = [...(meaning?.members?.() ?? []), ...(meaning?.kind === "operation" ? [] : methodsOf(meaning?.type))];
-    return members.length === 0 ? undefined : { from, isBegun: true, items: items(members) };
+    return members.length === 0 ? undefined : { from, isBegun: true, of: path.map(({ text: name }) => name).join("."), items: items(members) };
   }
   const call = callAround(tokens, at);
   const called = call && meaningOf(scope, call);
   const locals = localNames(text).filter((name) => name !== word?.text).map((name): Name => ({ name, kind: "local" }));
-  return { from, isBegun: word !== undefined, items: items([...(called?.parameters ?? []), ...locals, ...scope.names, ...keywords(scope)]) };
+  return { from, isBegun: word !== undefined, of: "", items: items([...(called?.parameters ?? []), ...locals, ...scope.names, ...keywords(scope)]) };
+}
+
+/** Whether it offers operations of a service. */
+export const offersOperations = ({ items }: Completion): boolean => items.some(({ name }) => name.kind === "operation");
+
+/** Marks operations that no service can accept there, by `svc.key.operation` with the reason; they stand last. */
+export function marked(completion: Completion, unreachable: ReadonlyMap<string, string>): Completion {
+  const items = completion.items.map((item): CompletionItem => {
+    const against = unreachable.get(`${completion.of}.${item.name.name}`);
+    return against === undefined ? item : { ...item, against };
+  });
+  return { ...completion, items: [...items.filter(({ against }) => against === undefined), ...items.filter(({ against }) => against !== undefined)] };
 }

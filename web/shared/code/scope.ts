@@ -87,7 +87,7 @@ const moduleNames: readonly Name[] = Object.entries(kModules).map(([name, { doc,
 export const languageNames: readonly Name[] = [...kBuiltins.map(functionName), functionName(kAvailable), ...moduleNames];
 
 /** The state whose names the text uses; nothing: it is not known here, as each link has its own. */
-function stateOf(tree: Tree, { id, field }: CodePlace): string | undefined {
+export function stateOf(tree: Tree, { id, field }: CodePlace): string | undefined {
   const element = elementOf(tree, id);
   if (element.kind === "state") return id;
   if (field !== "from") return element.parent;

@@ -34,14 +34,26 @@ function serviceName(key: string, { type, rsm }: KnownService): Name {
   return { name: key, kind: "service", doc: `A service of the type ${type}.`, members: () => [...rsm.operations.map(operationName), ...rsm.events.map(eventName)] };
 }
 
-/** Those that the document declares, and the others that the server has; of a service that it has not, nothing more is known. */
-export function serviceNames(tree: Tree, known: readonly KnownService[]): readonly Name[] {
+/** A service by its key in code; one that is not there now has a type alone. */
+type NamedService = KnownService | { readonly key: string; readonly type: string; readonly rsm?: undefined };
+
+/** Those that the document declares, by key, else by type, and the others that the server has. */
+function servicesFor(tree: Tree, known: readonly KnownService[]): readonly NamedService[] {
   const services = entryOf(tree.fields, "services");
-  const declared = isObject(services) ? Object.entries(services) : [];
-  const found = new Map(known.map((service) => [service.key, serviceName(service.key, service)]));
-  for (const [key, type] of declared) {
+  const found = new Map<string, NamedService>(known.map((service) => [service.key, service]));
+  for (const [key, type] of isObject(services) ? Object.entries(services) : []) {
     const service = known.find((each) => each.key === key) ?? known.find((each) => each.type === type);
-    found.set(key, service === undefined ? { name: key, kind: "service", doc: `A service of the type ${typeof type === "string" ? type : "?"}, which is not there now.`, isOpen: true } : serviceName(key, service));
+    found.set(key, service === undefined ? { key, type: typeof type === "string" ? type : "?" } : { ...service, key });
   }
   return [...found.values()];
 }
+
+/** Of a service that is not there now, nothing more is known. */
+export const serviceNames = (tree: Tree, known: readonly KnownService[]): readonly Name[] =>
+  servicesFor(tree, known).map((service) =>
+    service.rsm === undefined ? { name: service.key, kind: "service", doc: `A service of the type ${service.type}, which is not there now.`, isOpen: true } : serviceName(service.key, service),
+  );
+
+/** The services that code can name and that are there, with their RSMs. */
+export const knownServices = (tree: Tree, known: readonly KnownService[]): readonly KnownService[] =>
+  servicesFor(tree, known).filter((service): service is KnownService => service.rsm !== undefined);

@@ -108,16 +108,19 @@ export function usagesOf(tree: Tree, id: string): readonly Usage[] {
     case "results":
       return ofState(tree, parent, "res", list, name);
     case "variables":
-      return inScope(tree, parent, ["var", name]);
+      return usagesOfVariable(tree, parent, name);
     default:
       return [];
   }
 }
 
-/** Where the document names a service by its key. */
-export function usagesOfService(tree: Tree, key: string): readonly Usage[] {
+/** Where a state and what is in it name a variable, which need not be declared. */
+export const usagesOfVariable = (tree: Tree, state: string, name: string): readonly Usage[] => inScope(tree, state, ["var", name]);
+
+/** Where the document names a service by its key; `member`: an operation or event of it. */
+export function usagesOfService(tree: Tree, key: string, member?: string): readonly Usage[] {
   const services = entryOf(tree.fields, "services");
-  const declared: readonly Usage[] = isObject(services) && entryOf(services, key) !== undefined ? [{ id: "", field: "services", kind: "service" }] : [];
-  return [...declared, ...inTexts(statesOf(tree).flatMap((state) => textsInScope(tree, state)), ["svc", key])];
+  const declared: readonly Usage[] = member === undefined && isObject(services) && entryOf(services, key) !== undefined ? [{ id: "", field: "services", kind: "service" }] : [];
+  return [...declared, ...inTexts(statesOf(tree).flatMap((state) => textsInScope(tree, state)), member === undefined ? ["svc", key] : ["svc", key, member])];
 }
 

@@ -9,9 +9,10 @@ import { editActions } from "./editActions";
 import { menuAction } from "./menuAction";
 import { placingActions } from "./placingActions";
 import { structureActions } from "./structureActions";
+import { usageActions } from "./usageActions";
 import { walkActions } from "./walkActions";
 
-const inMenus: readonly Action[] = [...editActions, ...clipboardActions, ...addActions, ...connectActions, ...structureActions, ...placingActions, ...documentActions];
+const inMenus: readonly Action[] = [...editActions, ...clipboardActions, ...addActions, ...connectActions, ...structureActions, ...placingActions, ...usageActions, ...documentActions];
 
 export const actions: readonly Action[] = [...inMenus, ...walkActions, ...liveActions, menuAction(inMenus)];
 

@@ -2,7 +2,8 @@
 import { useMemo } from "react";
 import { languageNames, scopeOf, type CodePlace, type Scope } from "../../../shared/code/scope";
 import type { CodeFieldName } from "../../../shared/code/texts";
-import { CodeField } from "../../code/CodeField";
+import { CodeField, type Assistance } from "../../code/CodeField";
+import { prepareAssistance, unreachableAt } from "../assistance";
 import { useEditing } from "../editing";
 import { useRowEnter } from "./rowEnter";
 import type { DraftField } from "./useDraft";
@@ -38,6 +39,7 @@ interface Props {
 export function CodeInput({ id, field, code, draft, ...shown }: Props) {
   const scope = useScope({ id, field: code });
   const errors = useFieldErrors(id, code);
+  const assistance = useMemo((): Assistance => ({ prepare: prepareAssistance, unreachable: (before) => unreachableAt({ id, field: code }, before) }), [id, code]);
   const enter = useRowEnter();
   const commit = (by: "key" | "enter" | "blur") => {
     if (by === "blur" || draft.isDraft) draft.commit(by !== "blur");
@@ -47,5 +49,5 @@ export function CodeInput({ id, field, code, draft, ...shown }: Props) {
     if (draft.isDraft) draft.giveUp();
     return draft.isDraft;
   };
-  return <CodeField {...shown} value={draft.text} onChange={draft.type} onCommit={commit} onCancel={cancel} place={`${id}/${field}`} scope={scope} errors={errors} />;
+  return <CodeField {...shown} value={draft.text} onChange={draft.type} onCommit={commit} onCancel={cancel} place={`${id}/${field}`} scope={scope} assistance={scope.kind === "function" ? assistance : undefined} errors={errors} />;
 }

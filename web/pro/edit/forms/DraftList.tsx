@@ -2,17 +2,9 @@
 import { useMemo, useRef } from "react";
 import { draftsOf, isUnsent, type DraftText } from "../../../shared/edit/draftText";
 import { nameOfElement } from "../../../shared/edit/commands/command";
-import { view } from "../../client";
 import { editedDocument, useEditing } from "../editing";
+import { goToField } from "../goToField";
 import { drafts, useDrafts } from "./drafts";
-import { selectById } from "./selectById";
-
-/** To the field, once it is drawn. */
-function goTo({ id, field }: DraftText): void {
-  if (id === "") view.dispatch({ type: "select", selection: undefined });
-  else selectById(id);
-  requestAnimationFrame(() => document.querySelector<HTMLElement>(`[data-place="${CSS.escape(`${id}/${field}`)}"]`)?.focus());
-}
 
 function whereOf({ id, field }: DraftText): string {
   const tree = editedDocument();
@@ -31,7 +23,7 @@ export function DraftList() {
   if (unsent.length === 0) return null;
   const go = (draft: DraftText) => {
     if (menu.current !== null) menu.current.open = false;
-    goTo(draft);
+    goToField(draft.id, [draft.field]);
   };
   return (
     <details className="draft-list" ref={menu}>
