@@ -37,6 +37,18 @@ function spread(bits: ReadonlyMap<string, Bits>, next: Links): ReadonlyMap<strin
   return all;
 }
 
+/** For each of these, the bits of all others: those before it with those behind it. */
+function othersOf(each: readonly Bits[]): readonly Bits[] {
+  const behind: Bits[] = [];
+  each.reduceRight((sum, bits, i) => ((behind[i] = sum), sum | bits), 0n);
+  let before = 0n;
+  return each.map((bits, i) => {
+    const others = before | (behind[i] ?? 0n);
+    before |= bits;
+    return others;
+  });
+}
+
 /**
  * For each state beside which others may be active: their calls; `calls`: those that are made in a state. Two states are active at a time
  * only if different targets of one barrier lead to them.
@@ -58,8 +70,8 @@ export function concurrently(children: readonly Node[], calls: (name: string) =>
   const beside = new Map<string, Bits>();
   for (const { name } of forks) {
     const branches = leading(targets, name);
-    branches.forEach((target, i) => {
-      const others = branches.reduce((sum, other, j) => (i === j ? sum : sum | (onwards.get(other) ?? 0n)), 0n);
+    othersOf(branches.map((target) => onwards.get(target) ?? 0n)).forEach((others, i) => {
+      const target = branches[i] ?? "";
       beside.set(target, (beside.get(target) ?? 0n) | others);
     });
   }
