@@ -8,7 +8,7 @@ import { headSize, portInset, portSize, type Detail, type Size } from "./measure
 import { crossings, routeLines, type Route } from "./route";
 import { settle } from "./settle";
 import { spatialIndex, type SpatialIndex } from "./spatialIndex";
-import type { Work } from "./work";
+import { noWork, type Work } from "./work";
 
 /** Between the frame and its children; to the right and below there is room for lines, too [px]. */
 const kMargin = { left: 18, top: 16, right: 40, bottom: 34 };
@@ -78,7 +78,7 @@ function kept(way: readonly Point[] | undefined, { from, to }: Route, boxes: Spa
 }
 
 /** `ways`: those that lines have in the content area, before anything has given way; they are kept where nothing has changed. */
-export function placedLevel(state: State, path: string, side: Side, detail: Detail, children: readonly PlacedChild[], ways: ReadonlyMap<string, readonly Point[]>, work: Work = { steps: 0 }): PlacedLevel {
+export function placedLevel(state: State, path: string, side: Side, detail: Detail, children: readonly PlacedChild[], ways: ReadonlyMap<string, readonly Point[]>, work: Work = noWork()): PlacedLevel {
   const places = settled(children, work);
   const origin = contentOrigin(state, detail);
   const content = { x: origin.x - places.reduce((least, { x }) => Math.min(least, x), 0), y: origin.y - places.reduce((least, { y }) => Math.min(least, y), 0) };

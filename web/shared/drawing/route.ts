@@ -3,7 +3,7 @@
 import type { Box, Point, Side } from "./drawing";
 import { findWay, kMostObstacles } from "./routeSearch";
 import { spatialIndex, type SpatialIndex } from "./spatialIndex";
-import type { Work } from "./work";
+import { noWork, type Work } from "./work";
 
 /** One end of a line: it leaves its box, or enters it, across this border. */
 export interface RouteEnd {
@@ -44,21 +44,40 @@ function tidy(points: readonly Point[]): readonly Point[] {
   return kept;
 }
 
-/** How often a line crosses boxes; touching a border is no crossing. */
-export function crossings(boxes: SpatialIndex<Box>, points: readonly Point[]): number {
-  return points.slice(1).reduce((sum, point, i) => {
-    const piece = spanning([points[i] ?? point, point]);
-    return sum + boxes.within(piece).filter((box) => crosses(piece, box)).length;
-  }, 0);
+/** How often a line crosses boxes, counted up to `most`; touching a border is no crossing. */
+export function crossings(boxes: SpatialIndex<Box>, points: readonly Point[], most = Infinity): number {
+  let sum = 0;
+  for (let i = 1; i < points.length && sum < most; i++) {
+    const [from, to] = [points[i - 1], points[i]];
+    if (from === undefined || to === undefined) continue;
+    const piece = { x: Math.min(from.x, to.x), y: Math.min(from.y, to.y), width: Math.abs(to.x - from.x), height: Math.abs(to.y - from.y) };
+    sum += boxes.count(piece, (box) => crosses(piece, box), most - sum);
+  }
+  return sum;
 }
 
 const crosses = (piece: Box, { x, y, width, height }: Box): boolean =>
   piece.x < x + width - 1 && x + 1 < piece.x + piece.width && piece.y < y + height - 1 && y + 1 < piece.y + piece.height;
 
-/** Long lines and bends are hard to read, crossed boxes more so. */
-function cost(boxes: SpatialIndex<Box>, points: readonly Point[]): number {
-  const length = points.slice(1).reduce((sum, { x, y }, i) => sum + Math.abs(x - (points[i]?.x ?? x)) + Math.abs(y - (points[i]?.y ?? y)), 0);
-  return crossings(boxes, points) * 1e5 + length + points.length * 24;
+/** What a crossed box costs, as a length: more than any way around it. */
+const kCrossing = 1e5;
+
+/** Long lines and bends are hard to read. */
+const length = (points: readonly Point[]): number =>
+  points.slice(1).reduce((sum, { x, y }, i) => sum + Math.abs(x - (points[i]?.x ?? x)) + Math.abs(y - (points[i]?.y ?? y)), points.length * 24);
+
+/** The way that costs least, and its cost. Shorter ways first, so that most are not looked at once one crosses nothing. */
+function bestOf(boxes: SpatialIndex<Box>, ways: readonly (readonly Point[])[], work: Work): { readonly way: readonly Point[]; readonly cost: number } {
+  const rated = ways.map((way) => [way, tidy(way)] as const).map(([way, tidied]) => ({ way, tidied, least: length(tidied) }));
+  let best: { readonly way: readonly Point[]; readonly cost: number } = { way: ways[0] ?? [], cost: Infinity };
+  for (const { way, tidied, least } of rated.sort((a, b) => a.least - b.least)) {
+    if (least >= best.cost) break;
+    work.steps++;
+    const bearable = Math.ceil((best.cost - least) / kCrossing);
+    const cost = crossings(boxes, tidied, bearable) * kCrossing + least;
+    if (cost < best.cost) best = { way, cost };
+  }
+  return best;
 }
 
 /** The lines with at most two bends between the ends' first and last ones. */
@@ -79,12 +98,12 @@ function routeOne({ from, to }: Route, lane: number, boxes: SpatialIndex<Box>, s
   const end = to.side === "EAST" ? { x: to.point.x - gap, y: to.point.y } : { x: to.point.x, y: to.point.y - gap };
   const straight = from.side === to.side && (from.side === "EAST" ? from.point.y === to.point.y && start.x <= end.x : from.point.x === to.point.x && start.y <= end.y);
   const ways = straight ? [[start, end]] : simpleWays(start, end, from.hull, to.hull, gap);
-  const rated = ways.map((way) => (work.steps++, { way, cost: cost(boxes, tidy(way)) }));
-  const best = rated.reduce((least, each) => (each.cost < least.cost ? each : least));
+  const best = bestOf(boxes, ways, work);
   const whole = (way: readonly Point[]) => tidy([from.point, ...way, to.point]);
-  if (best.cost < 1e5 || search.steps >= kMostSearch) return whole(best.way);
-  const near = boxes.within(spanning([start, end], 160));
-  if (near.length > kMostObstacles) return whole(best.way);
+  if (best.cost < kCrossing || search.steps >= kMostSearch) return whole(best.way);
+  const around = spanning([start, end], 160);
+  if (boxes.count(around, () => true, kMostObstacles + 1) > kMostObstacles) return whole(best.way);
+  const near = boxes.within(around);
   const before = search.steps;
   const found = findWay(start, end, from.side, to.side, near, gap, search);
   work.steps += search.steps - before;
@@ -92,8 +111,8 @@ function routeOne({ from, to }: Route, lane: number, boxes: SpatialIndex<Box>, s
 }
 
 /** The lines of one level in order, around `hulls`. What they cost grows with their number; that of searches is bounded for all together. */
-export function routeLines(hulls: readonly Box[], routes: readonly Route[], work: Work = { steps: 0 }): readonly (readonly Point[])[] {
-  const boxes = spatialIndex(hulls);
-  const search: Work = { steps: 0 };
+export function routeLines(hulls: readonly Box[], routes: readonly Route[], work: Work = noWork()): readonly (readonly Point[])[] {
+  const boxes = spatialIndex(hulls, work);
+  const search = noWork();
   return routes.map((route, i) => routeOne(route, i, boxes, search, work));
 }

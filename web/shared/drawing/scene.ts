@@ -38,12 +38,15 @@ export interface Scene {
 /** What is painted around a box: outlines and the note of a barrier. */
 const kAround = 24;
 
-function around(boxes: readonly Box[]): Box {
-  const left = Math.min(...boxes.map(({ x }) => x)) - kAround;
-  const top = Math.min(...boxes.map(({ y }) => y)) - kAround;
-  const right = Math.max(...boxes.map(({ x, width }) => x + width)) + kAround;
-  const bottom = Math.max(...boxes.map(({ y, height }) => y + height)) + kAround;
-  return { x: left, y: top, width: right - left, height: bottom - top };
+function around(first: Box, others: readonly Box[]): Box {
+  let [left, top, right, bottom] = [first.x, first.y, first.x + first.width, first.y + first.height];
+  for (const { x, y, width, height } of others) {
+    left = Math.min(left, x);
+    top = Math.min(top, y);
+    right = Math.max(right, x + width);
+    bottom = Math.max(bottom, y + height);
+  }
+  return { x: left - kAround, y: top - kAround, width: right - left + 2 * kAround, height: bottom - top + 2 * kAround };
 }
 
 const parentPath = (path: string): string => path.slice(0, Math.max(0, path.lastIndexOf("/")));
@@ -54,20 +57,45 @@ function put<T>(table: Map<string, T[]>, key: string, item: T): void {
   else known.push(item);
 }
 
+const kNowhere: Box = { x: 0, y: 0, width: 0, height: 0 };
+const itemsOfNodes = new WeakMap<DrawnNode, SceneNode>();
+const itemsOfLines = new WeakMap<DrawnLine, SceneLine>();
+
+/** The same item for the same node in the same composite: of a drawing in which one node moves, all others are known. */
+function nodeItem(node: DrawnNode, inside: DrawnNode | undefined): SceneNode {
+  const known = itemsOfNodes.get(node);
+  if (known !== undefined && known.inside === inside) return known;
+  const made: SceneNode = { kind: "node", node, inside, order: node.depth * 2, ...around(node, node.ports) };
+  itemsOfNodes.set(node, made);
+  return made;
+}
+
+function lineItem(line: DrawnLine, inside: DrawnNode | undefined, order: number): SceneLine {
+  const known = itemsOfLines.get(line);
+  if (known !== undefined && known.inside === inside) return known;
+  const [first = kNowhere, ...rest] = line.points.map((point) => ({ ...point, width: 0, height: 0 }));
+  const made: SceneLine = { kind: "line", line, inside, order, ...around(first, rest) };
+  itemsOfLines.set(line, made);
+  return made;
+}
+
+/** What `make` makes, when it is asked for the first time. */
+function later<T>(make: () => T): () => T {
+  let made: { readonly value: T } | undefined;
+  return () => (made ??= { value: make() }).value;
+}
+
 export function sceneOf(drawing: Drawing, tree: ModelTree): Scene {
   const drawn = new Map(drawing.nodes.map((node) => [node.path, node]));
-  const nodes = drawing.nodes.map((node): SceneNode => ({ kind: "node", node, inside: drawn.get(parentPath(node.path)), order: node.depth * 2, ...around([node, ...node.ports]) }));
-  const lines = flowLines(drawing).map(({ line, source, zIndex }): SceneLine => {
-    const inside = line.kind === "first" ? drawn.get(line.from) : drawn.get(parentPath(source));
-    return { kind: "line", line, inside, order: zIndex, ...around(line.points.map((point) => ({ ...point, width: 0, height: 0 }))) };
-  });
+  const nodes = drawing.nodes.map((node) => nodeItem(node, drawn.get(parentPath(node.path))));
+  const lines = flowLines(drawing).map(({ line, source, zIndex }) => lineItem(line, line.kind === "first" ? drawn.get(line.from) : drawn.get(parentPath(source)), zIndex));
   const byPath = new Map(nodes.map((node) => [node.node.path, node]));
-  const from = new Map<string, SceneLine[]>();
-  const at = new Map<string, SceneLine[]>();
-  for (const item of lines) {
-    put(from, item.line.from, item);
-    for (const end of new Set([item.line.from, splitAddress(item.line.from)?.path, item.line.to])) if (end !== undefined) put(at, end, item);
-  }
+  const from = later(() => {
+    const table = new Map<string, SceneLine[]>();
+    for (const item of lines) put(table, item.line.from, item);
+    return table;
+  });
+  const touches = ({ from: source, to }: DrawnLine, end: string) => source === end || to === end || splitAddress(source)?.path === end;
   const port = (address: string) => {
     const of = byPath.get(splitAddress(address)?.path ?? "");
     const found = of?.node.ports.find((each) => each.address === address);
@@ -79,8 +107,8 @@ export function sceneOf(drawing: Drawing, tree: ModelTree): Scene {
     items: spatialIndex(items),
     node: (path) => byPath.get(path),
     port,
-    linesFrom: (end) => from.get(end) ?? [],
-    linesAt: (end) => at.get(end) ?? [],
+    linesFrom: (end) => from().get(end) ?? [],
+    linesAt: (end) => lines.filter(({ line }) => touches(line, end)),
     inbound: (path) => inboundPorts(tree, path),
   };
 }

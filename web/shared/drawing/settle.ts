@@ -1,7 +1,7 @@
 // Boxes that nobody has placed give way to those that somebody has: each goes to the nearest free place.
 import type { Box, Point } from "./drawing";
 import { spatialIndex, type SpatialIndex } from "./spatialIndex";
-import type { Work } from "./work";
+import { noWork, type Work } from "./work";
 
 /** Between boxes [px]. */
 const kGap = 16;
@@ -46,8 +46,8 @@ function freePlace(taken: SpatialIndex<Box>, box: Box, bottom: number, work: Wor
 }
 
 /** Where `free` boxes go: they stay where they are unless they overlap one of `fixed`, or each other then. In their order. */
-export function settle(fixed: readonly Box[], free: readonly Box[], work: Work = { steps: 0 }): readonly Point[] {
-  const taken = spatialIndex(fixed);
+export function settle(fixed: readonly Box[], free: readonly Box[], work: Work = noWork()): readonly Point[] {
+  const taken = spatialIndex(fixed, work);
   const undisturbed = free.map((box) => (work.steps++, inTheWay(taken, box).length === 0));
   free.forEach((box, i) => undisturbed[i] === true && taken.add(box));
   let bottom = [...fixed, ...free].reduce((most, box) => Math.max(most, box.y + box.height), 0);

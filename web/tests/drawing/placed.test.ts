@@ -12,6 +12,7 @@ import { hullOf, inletPoint } from "../../shared/drawing/levelLines";
 import { leafBoxes } from "../../shared/drawing/measure";
 import { settle } from "../../shared/drawing/settle";
 import { spatialIndex } from "../../shared/drawing/spatialIndex";
+import { noWork } from "../../shared/drawing/work";
 import type { State } from "../../shared/model/model";
 import { randomOf, type Random } from "../edit/random";
 
@@ -132,23 +133,28 @@ describe("placesIn", () => {
 });
 
 describe("work", () => {
-  const levelOf = (count: number, pinned: boolean) => {
+  const levelOf = (count: number, pinned: boolean, row: number) => {
     const states = Array.from({ length: count }, (_, i) => step(`S${i}`, [`S${(i * 7 + 1) % count}`]));
-    const children = states.map((each, i): PlacedChild => ({ node: each, path: `Root/${each.name}`, ...leafBoxes(each, "EAST", "ports"), side: "EAST", at: { x: 260 * (i % 45), y: 90 * Math.floor(i / 45) }, pinned }));
+    const children = states.map((each, i): PlacedChild => ({ node: each, path: `Root/${each.name}`, ...leafBoxes(each, "EAST", "ports"), side: "EAST", at: { x: 260 * (i % row), y: 90 * Math.floor(i / row) }, pinned }));
     return { root: step("Root", [], states), children };
   };
-  const workOf = (count: number) => {
-    const work = { steps: 0 };
-    const { root, children } = levelOf(count, true);
+  const workOf = (count: number, row = 45) => {
+    const work = noWork();
+    const { root, children } = levelOf(count, true, row);
     placedLevel(root, "Root", "EAST", "ports", children, new Map(), work);
-    return work.steps;
+    return work;
   };
   it("grows with the number of placed children, and not faster", () => {
-    expect(workOf(2000)).toBeLessThan(150_000 + 100 * 2000);
+    expect(workOf(2000).steps).toBeLessThan(150_000 + 100 * 2000);
+    expect(workOf(2000).looks).toBeLessThan(2.5 * workOf(1000).looks);
+  });
+  it("ends with the boxes that tell which way is best, in a long row too", () => {
+    expect(workOf(1000).looks).toBeLessThan(550_000);
+    expect(workOf(1000, 1000).looks).toBeLessThan(4_500_000);
   });
   it("is bounded for boxes that all want the same place", () => {
     const boxes = Array.from({ length: 500 }, () => ({ x: 0, y: 0, width: 100, height: 60 }));
-    const work = { steps: 0 };
+    const work = noWork();
     const found = settle(boxes.slice(0, 1), boxes.slice(1), work).map((at) => ({ ...at, width: 100, height: 60 }));
     expect(work.steps).toBeLessThan(500 * 82);
     for (const [i, a] of found.entries()) for (const b of found.slice(i + 1)) expect(overlap(a, b)).toBe(false);

@@ -1,5 +1,5 @@
 // Dragging states in the drawing places them: lines follow, the document changes once, where they are dropped. Esc gives it up.
-import { movedDrawing } from "../../../shared/drawing/moved";
+import { mover } from "../../../shared/drawing/moved";
 import type { Point } from "../../../shared/drawing/drawing";
 import { moveNodes, wayOnGrid } from "../../../shared/edit/commands/placing";
 import { nameOf } from "../../../shared/model/modelTree";
@@ -33,13 +33,14 @@ function pressedNode(canvas: CanvasView, event: PointerEvent): string | undefine
 function dragOf(canvas: CanvasView, pressed: string, from: ScreenPoint): Drag {
   const { laid } = canvas;
   const paths = draggedWith(pressed);
+  const moved = mover(laid.drawing, paths);
   let frame = 0;
   const byOf = ({ x, y }: ScreenPoint, { altKey }: Held): Point => {
     const { zoom } = canvas.viewport();
     const by = { x: (x - from.x) / zoom, y: (y - from.y) / zoom };
     return altKey ? by : wayOnGrid(laid.drawing, laid.tree, pressed, by);
   };
-  const show = (by: Point): void => showPreview(laid, { ...laid, drawing: movedDrawing(laid.drawing, paths, by) });
+  const show = (by: Point): void => showPreview(laid, { ...laid, drawing: moved(by) });
   if (!selectedPaths(view.get()).includes(pressed)) view.dispatch({ type: "select", selection: { kind: "node", path: pressed } });
   return {
     move: (at, held) => {

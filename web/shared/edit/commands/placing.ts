@@ -1,6 +1,7 @@
 // Places of states and barriers, and notes about elements: entries of the document, by the ids of elements.
 import { entryOf, isObject } from "../../json";
 import type { Drawing, DrawnNode, Point } from "../../drawing/drawing";
+import { hitIndex } from "../../drawing/hit";
 import { childPath, type Node } from "../../model/model";
 import type { ModelTree } from "../../model/modelTree";
 import type { Tree } from "../tree";
@@ -15,7 +16,22 @@ export interface StoredPlace extends Point {
   readonly parent: string;
 }
 
-const nodeAt = (drawing: Drawing, path: string): DrawnNode | undefined => drawing.nodes.find((node) => node.path === path);
+const nodeAt = (drawing: Drawing, path: string): DrawnNode | undefined => hitIndex(drawing).node(path);
+
+/** The border on which the ports of the first child of each state stand, by the path of the state. */
+const sides = new WeakMap<Drawing, ReadonlyMap<string, DrawnNode["side"]>>();
+
+function sidesIn(drawing: Drawing): ReadonlyMap<string, DrawnNode["side"]> {
+  const known = sides.get(drawing);
+  if (known !== undefined) return known;
+  const found = new Map<string, DrawnNode["side"]>();
+  for (const { path, side } of drawing.nodes) {
+    const parent = path.slice(0, path.lastIndexOf("/"));
+    if (!found.has(parent)) found.set(parent, side);
+  }
+  sides.set(drawing, found);
+  return found;
+}
 
 /** The point of the drawing from which the places in a state are measured, if it is drawn with its children. */
 function originOf(drawing: Drawing, path: string): Point | undefined {
@@ -27,7 +43,7 @@ function originOf(drawing: Drawing, path: string): Point | undefined {
 export function placeOf(drawing: Drawing, point: Point, parent: { readonly path: string; readonly id: string }): StoredPlace | undefined {
   const [frame, origin] = [nodeAt(drawing, parent.path), originOf(drawing, parent.path)];
   if (frame === undefined || origin === undefined) return undefined;
-  const side = drawing.nodes.find((node) => node.depth === frame.depth + 1 && node.path.startsWith(`${frame.path}/`))?.side ?? "EAST";
+  const side = sidesIn(drawing).get(frame.path) ?? "EAST";
   return { x: Math.round(point.x - origin.x), y: Math.round(point.y - origin.y), side, parent: parent.id };
 }
 

@@ -1,7 +1,7 @@
 // Commands about places and notes change the entries of the document that are meant, and nothing else; and a drawing follows a drag.
 import { describe, expect, it } from "vitest";
 import { layoutModel } from "../../../shared/drawing/layout";
-import { movedDrawing } from "../../../shared/drawing/moved";
+import { mover } from "../../../shared/drawing/moved";
 import { placesIn } from "../../../shared/drawing/places";
 import { apply, type Operation } from "../../../shared/edit/apply";
 import { keepLayout, layOutAnew, moveNodes, notesOf, placeOf, wayOnGrid, writeNote } from "../../../shared/edit/commands/placing";
@@ -43,7 +43,7 @@ describe("commands about places", () => {
   it("lead onto the grid from wherever a node is", async () => {
     const { drawing, model } = await drawn(document);
     expect(wayOnGrid(drawing, model, "Root/A", { x: 9, y: 50 })).toEqual({ x: 8, y: 52 });
-    const moved = movedDrawing(drawing, ["Root/A"], { x: 3, y: 0.5 });
+    const moved = mover(drawing, ["Root/A"])({ x: 3, y: 0.5 });
     expect(wayOnGrid(moved, model, "Root/A", { x: 0, y: 0 })).toEqual({ x: 1, y: -0.5 });
   });
   it("keep the level as it is drawn, and take its places away", async () => {
@@ -68,10 +68,10 @@ describe("writeNote", () => {
   });
 });
 
-describe("movedDrawing", () => {
+describe("mover", () => {
   it("moves a node with its ports, and lines to and from it still end there", async () => {
     const { drawing } = await drawn(document);
-    const moved = movedDrawing(drawing, ["Root/B"], { x: 40, y: 120 });
+    const moved = mover(drawing, ["Root/B"])({ x: 40, y: 120 });
     const [before, now] = [drawing, moved].map(({ nodes }) => nodes.find(({ path }) => path === "Root/B") ?? expect.fail());
     expect(now).toMatchObject({ x: (before?.x ?? 0) + 40, y: (before?.y ?? 0) + 120 });
     expect(moved.lines.find(({ kind }) => kind === "transition")?.points.at(-1)?.x).toBe(now?.x);
