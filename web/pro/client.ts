@@ -58,8 +58,12 @@ export function problem(error: unknown): void {
   session.dispatch({ type: "problem", text });
 }
 
-/** Derivations are collected for this time, so that a run of a hundred steps in a second does not redraw the list as often [ms]. */
-const kGather = 100;
+/** Derivations are collected for this time, so that a run of a hundred steps in a second does not redraw the list as often: longer while
+ *  so many steps come that nobody can read them [ms]. */
+const kGather = { slow: 100, fast: 600 };
+/** More steps in the time of slow ones are fast. */
+const kReadable = 3;
+let gatherTime = kGather.slow;
 let gathered: { readonly id: string; readonly steps: TraceStep[] } | undefined;
 
 function gather(id: string, steps: readonly TraceStep[]): void {
@@ -70,8 +74,9 @@ function gather(id: string, steps: readonly TraceStep[]): void {
   const begun = (gathered = { id, steps: [...steps] });
   setTimeout(() => {
     if (gathered === begun) gathered = undefined;
-    session.dispatch({ type: "update", update: { type: "derivations", ...begun } });
-  }, kGather);
+    gatherTime = begun.steps.length * kGather.slow > kReadable * gatherTime ? kGather.fast : kGather.slow;
+    session.dispatchInFrame((frame) => ({ type: "update", update: { type: "derivations", ...begun }, frame }));
+  }, gatherTime);
 }
 
 /** Updates that say of which edit the model of a core is. */
@@ -91,7 +96,7 @@ export function connect(): void {
       if (update.type === "cell") cellPose.dispatch(update.pose);
       else if (update.type === "packet") flowWatchers.get(update.channel)?.(update.packet);
       else if (update.type === "derivations") gather(update.id, update.steps);
-      else session.dispatch({ type: "update", update });
+      else session.dispatchInFrame((frame) => ({ type: "update", update, frame }));
       if (update.type === "derivation_position") void loadPast(update.id, update.next);
       if (update.type === "cores" || update.type === "core") watchSomething();
       if (kBringsCore.has(update.type)) refreshModel();

@@ -1,29 +1,20 @@
-// A store around a pure function: holds a value, notifies its listeners of changes; with a hook that selects a part of it.
+// The stores of the page, and a hook that selects a part of one.
 import { useSyncExternalStore } from "react";
+import { createStore as createStoreWith, type NextFrame, type Store } from "../shared/store";
 
-export interface Store<State, Event> {
-  readonly get: () => State;
-  readonly dispatch: (event: Event) => void;
-  readonly listen: (listener: () => void) => () => void;
-}
+/** A page that is not seen has no frames: its listeners are notified after this time [ms]. */
+const kUnseen = 250;
 
-export function createStore<State, Event>(initial: State, apply: (state: State, event: Event) => State): Store<State, Event> {
-  let state = initial;
-  const listeners = new Set<() => void>();
-  return {
-    get: () => state,
-    dispatch(event) {
-      const next = apply(state, event);
-      if (next === state) return;
-      state = next;
-      listeners.forEach((listener) => listener());
-    },
-    listen(listener) {
-      listeners.add(listener);
-      return () => listeners.delete(listener);
-    },
+const nextFrame: NextFrame = (act) => {
+  const frame = requestAnimationFrame(act);
+  const late = setTimeout(act, kUnseen);
+  return () => {
+    cancelAnimationFrame(frame);
+    clearTimeout(late);
   };
-}
+};
+
+export const createStore = <State, Event>(initial: State, apply: (state: State, event: Event) => State): Store<State, Event> => createStoreWith(initial, apply, nextFrame);
 
 /** The part of a store's state that `select` reads; it must return the same object while nothing changed. */
 export function useSelected<State, Event, T>(store: Store<State, Event>, select: (state: State) => T): T {

@@ -43,7 +43,8 @@ export type SessionEvent =
   | { readonly type: "watched"; readonly id: string | undefined }
   | { readonly type: "model"; readonly id: string; readonly key: string; readonly model: RcmDocument; readonly places: Places }
   | { readonly type: "past"; readonly id: string; readonly steps: readonly TraceStep[] }
-  | { readonly type: "update"; readonly update: StreamUpdate }
+  /** `frame`: of the page, in which it is shown together with others. */
+  | { readonly type: "update"; readonly update: StreamUpdate; readonly frame?: number }
   | { readonly type: "problem"; readonly text: string | undefined };
 
 const kLogLines = 500;
@@ -110,7 +111,7 @@ export function applyEvent(session: Session, event: SessionEvent): Session {
     case "past":
       return event.id === session.watched ? { ...session, steps: mergeSteps(event.steps, session.steps) } : session;
     case "update":
-      return applyUpdate(session, event.update);
+      return applyUpdate(session, event.update, event.frame);
     case "problem":
       return { ...session, problem: event.text };
     default:
@@ -131,7 +132,7 @@ function withCounters(cores: readonly Core[], core: Core): readonly Core[] {
   return withCore(cores, known === undefined ? core : { ...known, step, micro, waiting });
 }
 
-function applyUpdate(session: Session, update: StreamUpdate): Session {
+function applyUpdate(session: Session, update: StreamUpdate, frame?: number): Session {
   switch (update.type) {
     case "cores":
       return { ...session, cores: update.cores };
@@ -144,7 +145,7 @@ function applyUpdate(session: Session, update: StreamUpdate): Session {
       return { ...session, cores: withCounters(session.cores, update.state.core), run: update.state.state };
     case "state_changed": {
       if (update.id !== session.watched || session.run === undefined) return session;
-      const fired = applyFired(session.fired, update.delta);
+      const fired = applyFired(session.fired, update.delta, frame);
       const cores = withCore(session.cores, update.delta.core);
       return { ...session, cores, run: applyDelta(session.run, update.delta), fired, lastInput: update.delta.input ?? session.lastInput };
     }

@@ -47,6 +47,13 @@ describe("session", () => {
     const lost = parts.slice(0, -1);
     expect(states(...lost, delta(["A.p"], { step: 3 }))).toMatchObject({ fireCount: 3, ports: ["A.p"] });
   });
+  it("shows all ports together that fire in the steps of one frame of the page, and each frame once", () => {
+    const shown = (...steps: readonly (readonly [frame: number, port: string | undefined])[]) =>
+      steps.reduce((s, [frame, port]) => applyEvent(s, { type: "update", update: { type: "state_changed", id: "1", delta: delta(port === undefined ? [] : [port]) }, frame }), running).fired;
+    expect(shown([1, "A.p"], [1, undefined], [1, "B.p"], [1, "A.p"])).toMatchObject({ fireCount: 1, ports: ["A.p", "B.p"] });
+    expect(shown([1, "A.p"], [2, "A.p"], [2, "C.p"])).toMatchObject({ fireCount: 2, ports: ["A.p", "C.p"] });
+    expect(shown([1, "A.p"], [2, undefined], [3, "B.p"])).toMatchObject({ fireCount: 2, ports: ["B.p"] });
+  });
   it("takes what is done of a macro step while the core is held as a step", () => {
     const held = (micro: number, port: string) => ({ type: "state_changed", id: "1", delta: delta([port], { micro, paused: true }) }) as const;
     expect(receive(running, held(1, "A.p"), held(2, "B.p")).fired).toMatchObject({ fireCount: 2, ports: ["B.p"] });
