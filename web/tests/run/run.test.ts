@@ -52,6 +52,15 @@ describe("applyDelta", () => {
       expect(sorted(state)).toEqual(sorted(step.state));
     }
   });
+  it("copies no more than what changes: a thousand steps of a large run are cheap", () => {
+    const values = Object.fromEntries(Array.from({ length: 1000 }, (_, i) => [`Root/S${i}`, { x: i }]));
+    const before: RunState = { ...empty, active: ["Root"], activated: { "Root/Join": ["Root/A.p"] }, parameters: values, results: values };
+    const nothing = { core, active: {}, ports: {}, activated: {}, parameters: {}, results: {}, variables: {}, unset: { parameters: {}, results: {}, variables: {} }, fired: [], calls: [] };
+    const after = applyDelta(before, { ...nothing, results: { "Root/S7": { y: 1 } } });
+    for (const part of ["active", "ports", "activated", "parameters", "variables"] as const) expect(after[part]).toBe(before[part]);
+    expect(Object.keys(after.results).filter((path) => after.results[path] !== before.results[path])).toEqual(["Root/S7"]);
+    expect(after.results["Root/S7"]).toEqual({ x: 7, y: 1 });
+  });
   it("removes a value that is unset, and nothing else", () => {
     const before: RunState = { ...empty, results: { A: { x: 1, y: null } } };
     const after = applyDelta(before, { ...deltaBetween(before, before), results: {}, unset: { parameters: {}, results: { A: ["x"] }, variables: {} } });
