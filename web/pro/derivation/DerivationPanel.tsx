@@ -1,5 +1,5 @@
 // The derivation of every micro step: macro steps to the left, their proof trees in the middle, the selected inference to the right.
-import { useEffect, useRef, useState } from "react";
+import { memo, useEffect, useRef, useState } from "react";
 import { leading, nodeAt, size, summary, type ProofPath } from "../../shared/derivation/proof";
 import { microCount } from "../../shared/derivation/steps";
 import type { Derivation, TraceStep } from "../../generated/messages";
@@ -51,20 +51,26 @@ function StepList({ steps, shown, follows }: StepListProps) {
       </label>
       <ol ref={list} aria-label="Macro steps">
         {steps.map((step) => (
-          <li key={step.step}>
-            <button type="button" aria-current={step.step === shown ? "step" : undefined} onClick={() => view.dispatch({ type: "step", step: step.step })}>
-              <b>{step.step}</b>
-              <span>{inputText(step.input)}</span>
-              <small>
-                {microCount(step)} micro{step.complete === false ? " …" : ""}
-              </small>
-            </button>
-          </li>
+          <StepRow key={step.step} step={step} isShown={step.step === shown} />
         ))}
       </ol>
     </div>
   );
 }
+
+const StepRow = memo(function StepRow({ step, isShown }: { readonly step: TraceStep; readonly isShown: boolean }) {
+  return (
+    <li>
+      <button type="button" aria-current={isShown ? "step" : undefined} onClick={() => view.dispatch({ type: "step", step: step.step })}>
+        <b>{step.step}</b>
+        <span>{inputText(step.input)}</span>
+        <small>
+          {microCount(step)} micro{step.complete === false ? " …" : ""}
+        </small>
+      </button>
+    </li>
+  );
+});
 
 interface ProofProps {
   readonly micro: Derivation;
