@@ -11,7 +11,8 @@ import { ConsoleErrors } from "./consoleErrors";
 export const project = fileURLToPath(new URL("../../", import.meta.url));
 export const binary = process.env["RACE_BINARY"] ?? join(project, "build/release/race");
 export const demo = process.env["RACE_DEMO"] ?? join(project, "deploy/demo");
-const web = process.env["RACE_WEB"] ?? join(project, "web/dist");
+/** The built pages. */
+export const web = process.env["RACE_WEB"] ?? join(project, "web/dist");
 const screenshots = join(project, "build/test/browser");
 
 export interface Fixture {

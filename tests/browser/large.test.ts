@@ -1,7 +1,8 @@
 // A document of 2000 states in the page that edits: drawn at every zoom with few elements, and used as a small one.
 import type { Page } from "playwright-core";
+import { bundleSize } from "../bench/pages/bundle";
 import { largeDocument } from "../bench/pages/large_document.mjs";
-import { openFixture, settled, type Fixture } from "./fixture";
+import { openFixture, settled, web, type Fixture } from "./fixture";
 
 let fixture: Fixture;
 let page: Page;
@@ -51,6 +52,15 @@ async function settledBox(name: string) {
   if (box === null) throw new Error(`${name} is not there`);
   return box;
 }
+
+describe("the expert page", () => {
+  it("needs at most 500 kB of scripts and styles, compressed, before it shows anything", () => {
+    const { files, gzip, brotli } = bundleSize(web, "pro/index.html");
+    expect(files.filter((file) => file.endsWith(".js")).length).toBeGreaterThan(1);
+    expect(brotli).toBeLessThanOrEqual(gzip);
+    expect(gzip).toBeLessThanOrEqual(500_000);
+  });
+});
 
 describe("a document of 2000 states", () => {
   it("is painted at every zoom, with at most 300 elements in the page", async () => {
@@ -158,5 +168,60 @@ describe("a document of 2000 states", () => {
     await expect.poll(() => page.getByRole("navigation", { name: "Breadcrumb" }).innerText()).toContain("Part20");
     await settled(page);
     await page.getByRole("group", { name: "State Large/Group10/Part20/Step9", exact: true }).waitFor();
+  });
+});
+
+describe("a run of it, with 200 changes in a second", () => {
+  const runStatus = () => page.getByRole("status", { name: "Run status" });
+  const step = async () => Number(/step (\d+)/.exec(await runStatus().innerText())?.[1] ?? 0);
+
+  beforeAll(async () => {
+    const { id } = (await fixture.send("POST", "/cores", { document: "large" })) as { readonly id: string };
+    await page.goto(`${fixture.url}/pro/?run=${id}`);
+    await page.getByRole("tab", { name: "Derivation" }).click();
+    await page.getByRole("button", { name: "Expand all" }).click();
+    await page.locator('.canvas[aria-busy="false"] .painted').waitFor({ timeout: 150_000 });
+    await fixture.send("POST", `/cores/${id}/start`);
+  }, 200_000);
+
+  it("is painted at every zoom, with at most 300 elements in the page, while its states change", async () => {
+    const { x, y } = await middle();
+    await page.mouse.move(x, y);
+    const begun = await step();
+    const seen: number[] = [];
+    for (let turn = 0; turn < 14; turn++) {
+      await page.mouse.wheel(0, turn === 0 ? 0 : -150);
+      await page.waitForTimeout(350);
+      seen.push(await elements());
+    }
+    expect(Math.max(...seen)).toBeLessThanOrEqual(kMost);
+    await expect.poll(step).toBeGreaterThan(begun + 100);
+    await fixture.screenshot("large-run");
+  });
+
+  it("is drawn anew once a frame, however many steps come", async () => {
+    const counts = page.evaluate(
+      () =>
+        new Promise<{ readonly frames: number; readonly changes: number }>((resolve) => {
+          let [frames, changes] = [0, 0];
+          const status = document.querySelector('[aria-label="Run status"]');
+          if (status === null) throw new Error("there is no status");
+          // Its records of one frame come together.
+          new MutationObserver(() => changes++).observe(status, { subtree: true, characterData: true, childList: true });
+          const frame = () => (++frames < 60 ? requestAnimationFrame(frame) : resolve({ frames, changes }));
+          requestAnimationFrame(frame);
+        }),
+    );
+    const { frames, changes } = await counts;
+    expect(changes).toBeGreaterThan(0);
+    expect(changes).toBeLessThanOrEqual(frames + 1);
+  });
+
+  it("shows the last state when it is stopped", async () => {
+    await page.getByRole("button", { name: "Pause" }).click();
+    await expect.poll(() => runStatus().innerText()).toContain("Paused");
+    const id = new URL(page.url()).searchParams.get("run") ?? "";
+    const stored = (await fixture.send("GET", `/cores/${id}`)) as { readonly step: number };
+    await expect.poll(step).toBe(stored.step);
   });
 });
