@@ -19,13 +19,16 @@ import "./styles/placing.css";
 import "./styles/arguments.css";
 import "./styles/code.css";
 import "./styles/live.css";
+import "./styles/presence.css";
 import { createRoot } from "react-dom/client";
 import { App } from "./App";
 import { connect } from "./client";
 import { openFromAddress } from "./edit/editing";
+import { followDocument } from "./presence/presence";
 
 const root = document.getElementById("root");
 if (root === null) throw new Error("the page has no #root");
 createRoot(root).render(<App />);
 connect();
+followDocument();
 openFromAddress();

@@ -7,6 +7,7 @@ import type { CodeFieldProps } from "./CodeField";
 import { registerCursor } from "./cursor";
 import { editorExtensions, showAs } from "./extensions";
 import { showErrors, showScope } from "./marks";
+import { showCursors } from "./otherCursors";
 
 adoptStyles();
 
@@ -20,7 +21,7 @@ export default function CodeEditor(props: CodeFieldProps) {
   useEffect(() => {
     latest.current = props;
   });
-  const { value, scope, errors, label, describedBy, place, placeholder, multiline, readOnly = false } = props;
+  const { value, scope, errors, cursors, label, describedBy, place, placeholder, multiline, readOnly = false } = props;
 
   useEffect(() => {
     if (host.current === null) return undefined;
@@ -32,6 +33,7 @@ export default function CodeEditor(props: CodeFieldProps) {
         EditorView.updateListener.of((update) => {
           const isOwn = update.transactions.every((transaction) => transaction.annotation(isTold) !== true);
           if (update.docChanged && isOwn) latest.current.onChange(update.state.doc.toString());
+          if (update.selectionSet || update.docChanged || update.focusChanged) latest.current.onCursor(update.view.hasFocus ? update.state.selection.main.head : undefined);
         }),
       ],
     });
@@ -46,7 +48,11 @@ export default function CodeEditor(props: CodeFieldProps) {
     });
     showScope(view, latest.current.scope);
     showErrors(view, latest.current.errors);
-    return () => view.destroy();
+    showCursors(view, latest.current.cursors);
+    return () => {
+      latest.current.onCursor(undefined);
+      view.destroy();
+    };
   }, []);
 
   useEffect(() => {
@@ -64,5 +70,8 @@ export default function CodeEditor(props: CodeFieldProps) {
   useEffect(() => {
     if (editor.current !== undefined) showErrors(editor.current, errors);
   }, [errors]);
+  useEffect(() => {
+    if (editor.current !== undefined) showCursors(editor.current, cursors);
+  }, [cursors]);
   return <div ref={host} className="code-editor" />;
 }

@@ -18,6 +18,15 @@ export interface Assistance {
   readonly unreachable: (before: string) => Promise<ReadonlyMap<string, string>>;
 }
 
+/** Where somebody else writes in the text. */
+export interface OtherCursor {
+  readonly id: number;
+  readonly name: string;
+  readonly colour: number;
+  /** In UTF-16 units. */
+  readonly offset: number;
+}
+
 export interface CodeFieldProps {
   readonly value: string;
   readonly onChange: (value: string) => void;
@@ -25,6 +34,8 @@ export interface CodeFieldProps {
   readonly onCommit: (by: "key" | "enter" | "blur") => void;
   /** Esc, when nothing is open that it would close; whether it meant something, so that the page does not hear it. */
   readonly onCancel: () => boolean;
+  /** Where the cursor is; nothing: the field has been left. */
+  readonly onCursor: (offset: number | undefined) => void;
   readonly label: string;
   /** Of the element that describes the field. */
   readonly describedBy?: string | undefined;
@@ -35,6 +46,7 @@ export interface CodeFieldProps {
   /** Where operations are called. */
   readonly assistance?: Assistance | undefined;
   readonly errors: readonly CodeError[];
+  readonly cursors: readonly OtherCursor[];
   readonly multiline: boolean;
   readonly readOnly?: boolean;
 }
@@ -57,7 +69,7 @@ export function CodeField(props: CodeFieldProps) {
   );
 }
 
-function PlainField({ value, onChange, onCommit, onCancel, label, describedBy, place, placeholder, multiline, readOnly = false }: CodeFieldProps) {
+function PlainField({ value, onChange, onCommit, onCancel, onCursor, label, describedBy, place, placeholder, multiline, readOnly = false }: CodeFieldProps) {
   return (
     <textarea
       aria-label={label}
@@ -69,7 +81,11 @@ function PlainField({ value, onChange, onCommit, onCancel, label, describedBy, p
       readOnly={readOnly}
       spellCheck={false}
       onChange={(event) => onChange(event.target.value)}
-      onBlur={() => onCommit("blur")}
+      onSelect={({ currentTarget }) => onCursor(currentTarget.selectionStart)}
+      onBlur={() => {
+        onCursor(undefined);
+        onCommit("blur");
+      }}
       onKeyDown={(event) => {
         if (event.key === "Escape" && onCancel()) event.stopPropagation();
         if (event.key !== "Enter" || (multiline && !event.ctrlKey && !event.metaKey)) return;

@@ -7,6 +7,7 @@ import { closeHoverTooltips, EditorView, hasHoverTooltips, hoverTooltip, keymap,
 import type { CodeFieldProps } from "./CodeField";
 import { colours } from "./colours";
 import { classOfOption, codeCompletions, codeHover, completes } from "./knowledge";
+import { otherCursors } from "./otherCursors";
 import { errorMarks } from "./marks";
 
 /** How a field is shown. */
@@ -102,6 +103,7 @@ export function editorExtensions(props: () => CodeFieldProps): Extension {
     hoverTooltip(codeHover(() => props().scope), { hoverTime: 250 }),
     colours,
     errorMarks,
+    otherCursors,
     ...(multiline ? [] : [oneLine]),
   ];
 }

@@ -18,6 +18,8 @@ import { DraftList } from "./forms/DraftList";
 import { StateEditor } from "./forms/StateEditor";
 import { useEditedPlaces } from "./placing/editedPlaces";
 import { Placing, PlacingTools } from "./placing/Placing";
+import { Faces } from "../presence/Faces";
+import { Others } from "../presence/Others";
 import { Refusals } from "./Refusals";
 import { UsageList } from "./usages/UsageList";
 import { nameOfElement } from "../../shared/edit/commands/command";
@@ -48,6 +50,7 @@ export function EditPage({ tree, document }: Props) {
         </ModelCanvas>
         <Placing />
         <DifferenceMarks />
+        <Others />
       </EditCanvas>
       {listed && <ErrorList />}
       <UsageList />
@@ -84,6 +87,7 @@ function EditHead({ document, listed, onList }: HeadProps) {
         </button>
       )}
       <DraftList />
+      <Faces />
       <span className="edit-tools">
         <button type="button" disabled={depths?.undo === 0} onClick={() => perform({ undo: true })}>
           Undo

@@ -1,18 +1,33 @@
-// The name under which this browser edits. The server keeps undo by it, so it is made once and kept.
-const kKey = "race.author";
+// The author of the edits of this page: the name of its person, with a tag that no other page has. The server keeps undo by the author, so
+// two people of one name, and two pages of one person, each take back their own edits.
+import { authorOf } from "../../shared/presence/names";
+import { ownName } from "../presence/ownName";
 
-/** A name that nobody else has by chance. */
-const newName = (): string => `Guest-${crypto.getRandomValues(new Uint16Array(1))[0]?.toString(36) ?? "0"}`;
+const kKey = "race.page";
 
-/** Kept in local storage; where that is refused, it is another one for each page. */
-export function author(): string {
+const newTag = (): string => (crypto.getRandomValues(new Uint32Array(1))[0] ?? 0).toString(36);
+
+/** While a page is open its tag is not in the session storage: a page that is duplicated, with its storage, gets another one. */
+function takeTag(): string | undefined {
   try {
-    const known = localStorage.getItem(kKey);
-    if (known !== null && known !== "") return known;
-    const made = newName();
-    localStorage.setItem(kKey, made);
-    return made;
+    const tag = sessionStorage.getItem(kKey);
+    sessionStorage.removeItem(kKey);
+    return tag ?? undefined;
   } catch {
-    return newName();
+    return undefined;
   }
 }
+
+function keepTag(): void {
+  try {
+    sessionStorage.setItem(kKey, tag);
+  } catch {
+    // The page gets another one when it is loaded again.
+  }
+}
+
+const tag = takeTag() ?? newTag();
+addEventListener("pagehide", keepTag);
+addEventListener("pageshow", ({ persisted }) => persisted && takeTag());
+
+export const author = (): string => authorOf(ownName(), tag);

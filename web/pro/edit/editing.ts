@@ -12,6 +12,7 @@ import { addressWith, placeOfAddress } from "../../shared/session/address";
 import { watchedCore } from "../../shared/session/session";
 import { listenToStream, session, view, watch } from "../client";
 import { createStore, useSelected } from "../store";
+import { listenToOwnName } from "../presence/ownName";
 import { author } from "./author";
 
 export const editing = createStore<Editing, EditingEvent>(nothingEdited, applyEditing);
@@ -23,6 +24,7 @@ interface Open {
   readonly end: () => void;
 }
 let open: Open | undefined;
+listenToOwnName(() => open?.editor.rename(author()));
 
 let lastTree: { readonly state: State; readonly tree: ModelTree } | undefined;
 

@@ -7,6 +7,7 @@ import { useView, view } from "../client";
 import { ErrorMark } from "../edit/ErrorMark";
 import { followPointer } from "../edit/gestures/drag";
 import { dragRow } from "../edit/gestures/dragRow";
+import { TreeFaces } from "../presence/TreeFaces";
 import { useRowsInView } from "./useRowsInView";
 
 /** Height of a row, as in panels.css [px]. */
@@ -151,6 +152,7 @@ const Row = memo(function Row({ row: { entry, position, siblings, open }, index,
       <button type="button" className="tree-name" tabIndex={-1} onClick={() => jump(path)}>
         {node.name}
       </button>
+      <TreeFaces path={path} closed={composite && !open} />
       <ErrorMark path={path} closed={composite && !open} />
     </li>
   );

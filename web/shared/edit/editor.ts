@@ -14,6 +14,8 @@ export interface Editor {
   /** Every update of the stream; those that are not of this document are ignored. */
   readonly receive: (update: StreamUpdate) => void;
   readonly connection: (connection: Connection) => void;
+  /** As SessionInput has it. */
+  readonly rename: (author: string) => void;
   readonly close: () => void;
 }
 
@@ -90,6 +92,7 @@ export function openEditor(
       if (input !== undefined && channelIn(input) === channelOf(document)) put(input);
     },
     connection: (now) => put({ type: "connection", connected: now === "open" }),
+    rename: (name) => put({ type: "author", author: name }),
     close: () => {
       clearTimeout(retrying);
       stream.unsubscribe(channelOf(document));

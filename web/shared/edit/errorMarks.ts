@@ -5,7 +5,7 @@ import { ancestry, splitAddress, type ModelTree } from "../model/modelTree";
 import { placeOf } from "./places";
 import { elementOf, type Tree } from "./tree";
 
-/** The innermost node or port that an error is about. */
+/** The innermost node or port that an element is a part of, as errors are about them. */
 export interface ErrorSpot {
   readonly id: string;
   /** The state of the library that has it; nothing: the root has. */
@@ -15,7 +15,11 @@ export interface ErrorSpot {
 /** Of the document as a whole: its root. */
 export function spotOf(tree: Tree, error: ServerError): ErrorSpot {
   const { id } = placeOf(tree, error);
-  const element = elementOf(tree, id === "" ? tree.root : id);
+  return spotOfElement(tree, id === "" ? tree.root : id);
+}
+
+export function spotOfElement(tree: Tree, id: string): ErrorSpot {
+  const element = elementOf(tree, id);
   const shown = element.kind === "state" || element.kind === "barrier" || element.kind === "port" ? element : elementOf(tree, element.parent);
   let top = shown;
   while (top.parent !== "") top = elementOf(tree, top.parent);

@@ -1,4 +1,5 @@
 // What the page says of an edit that was refused.
+import { nameOfAuthor } from "../presence/names";
 import type { Change, Notice } from "./session";
 
 const kCompounds: Readonly<Record<string, string>> = {
@@ -17,7 +18,7 @@ function deedOf(change: Change): string {
 /** Why, and through whose edit. */
 export function reasonText({ change, errors, author, revision }: Notice): string {
   const why = errors.map(({ path, message }) => (path === "" || "operations" in change ? message : `${path}: ${message}`)).join("; ");
-  const by = author === undefined ? "" : ` (${author} was faster${revision === undefined ? "" : `, revision ${revision}`})`;
+  const by = author === undefined ? "" : ` (${nameOfAuthor(author)} was faster${revision === undefined ? "" : `, revision ${revision}`})`;
   return `${why}${by}`;
 }
 

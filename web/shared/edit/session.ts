@@ -65,6 +65,8 @@ export type SessionInput =
   /** There is no channel of this document, or not any more. It is asked for again when the connection returns. */
   | { readonly type: "ended"; readonly channel: string; readonly errors: readonly ServerError[] }
   | { readonly type: "connection"; readonly connected: boolean }
+  /** The author has another name: taken up only as long as there is nothing to undo, as the server keeps undo by it. */
+  | { readonly type: "author"; readonly author: string }
   /** A while after an output with `retry`. */
   | { readonly type: "retry" };
 
@@ -213,6 +215,8 @@ export function step(session: EditSession, input: SessionInput): SessionOutput {
       return ended(session, input.errors);
     case "connection":
       return resend({ ...session, connected: input.connected, pending: session.pending.map((edit) => ({ ...edit, copies: 0 })) });
+    case "author":
+      return session.depths === undefined && session.pending.length === 0 ? quiet({ ...session, author: input.author }) : quiet(session);
     case "retry":
       return retry(session);
   }

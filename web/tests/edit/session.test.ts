@@ -53,6 +53,12 @@ describe("a session", () => {
     expect([docOf(session, "a"), docOf(session, "b")]).toEqual(["ann", "bob"]);
     expect(session.depths).toBeUndefined();
   });
+  it("takes up another name of its author as long as there is nothing to undo: the server keeps undo by it", () => {
+    const named: SessionInput = { type: "author", author: "ann lee" };
+    expect(run(open, named).session.author).toBe("ann lee");
+    expect(run(open, edit("t1", setDoc("a", "new")), named).session.author, "an edit is on its way").toBe("ann");
+    expect(run(open, edit("t1", setDoc("a", "new")), delta(6, "ann", [setDoc("a", "new")], "t1"), named).session.author).toBe("ann");
+  });
   it("keeps an edit that the server had no room for, and sends it again in a while", () => {
     const busy: SessionInput = { type: "refused", refusal: { document: "small", request: "t1", errors: [{ path: "request", code: "unavailable", message: "too many" }] } };
     const waiting = step(run(open, edit("t1", setDoc("a", "new"))).session, busy);

@@ -8,7 +8,10 @@ const kWords = ["ink", "soft", "faint", "accent", "active-ink", "wait-ink", "bad
 const kRules = ["rule-down", "refinement"] as const;
 const kProgram = ["code-keyword", "code-call", "code-string", "code-number", "code-comment"] as const;
 
+const kPeople = ["person-0", "person-1", "person-2", "person-3", "person-4", "person-5", "person-6", "person-7"] as const;
+
 const kProText: Pairs = {
+  ...Object.fromEntries(kPeople.map((person) => [person, ["on-fill"]])),
   paper: kWords,
   panel: [...kWords, ...kRules, ...kProgram, "brand", "oracle", "hand-ink"],
   sunken: [...kWords, ...kRules],
@@ -32,9 +35,9 @@ const kProText: Pairs = {
 };
 
 const kProGraphics: Pairs = {
-  paper: ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent", "wait", "bad", "oracle"],
-  panel: ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent", "wait", "bad", "brand", "oracle"],
-  inset: ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent", "wait", "bad"],
+  paper: ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent", "wait", "bad", "oracle", ...kPeople],
+  panel: ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent", "wait", "bad", "brand", "oracle", ...kPeople],
+  inset: ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent", "wait", "bad", ...kPeople],
   sunken: ["accent", "active", "wait", "bad"],
   "accent-soft": ["accent", "active"],
   "active-inset": ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent"],

@@ -2,7 +2,9 @@
 import { useMemo } from "react";
 import { languageNames, scopeOf, type CodePlace, type Scope } from "../../../shared/code/scope";
 import type { CodeFieldName } from "../../../shared/code/texts";
-import { CodeField, type Assistance } from "../../code/CodeField";
+import { CodeField, type Assistance, type OtherCursor } from "../../code/CodeField";
+import { useOfOthers } from "../../presence/others";
+import { stopWriting, writeAt } from "../../presence/presence";
 import { prepareAssistance, unreachableAt } from "../assistance";
 import { useEditing } from "../editing";
 import { useRowEnter } from "./rowEnter";
@@ -24,6 +26,12 @@ function useScope({ id, field }: CodePlace): Scope {
   return useMemo(() => (tree?.elements.has(id) === true ? scopeOf(tree, { id, field }, services) : kNoScope), [tree, id, field, services]);
 }
 
+/** Who else writes in the text. */
+const useCursors = (id: string, field: string): readonly OtherCursor[] =>
+  useOfOthers((others) =>
+    others.flatMap(({ name, person: { id: who, colour, text } }) => (text !== undefined && (text.element ?? "") === id && text.field === field ? [{ id: who, name, colour, offset: text.offset }] : [])),
+  );
+
 interface Props {
   readonly id: string;
   readonly field: string;
@@ -40,6 +48,7 @@ export function CodeInput({ id, field, code, draft, ...shown }: Props) {
   const scope = useScope({ id, field: code });
   const errors = useFieldErrors(id, code);
   const assistance = useMemo((): Assistance => ({ prepare: prepareAssistance, unreachable: (before) => unreachableAt({ id, field: code }, before) }), [id, code]);
+  const cursors = useCursors(id, field);
   const enter = useRowEnter();
   const commit = (by: "key" | "enter" | "blur") => {
     if (by === "blur" || draft.isDraft) draft.commit(by !== "blur");
@@ -49,5 +58,9 @@ export function CodeInput({ id, field, code, draft, ...shown }: Props) {
     if (draft.isDraft) draft.giveUp();
     return draft.isDraft;
   };
-  return <CodeField {...shown} value={draft.text} onChange={draft.type} onCommit={commit} onCancel={cancel} place={`${id}/${field}`} scope={scope} assistance={scope.kind === "function" ? assistance : undefined} errors={errors} />;
+  const cursor = (offset: number | undefined) => {
+    if (offset === undefined) stopWriting(id, field);
+    else writeAt({ ...(id !== "" && { element: id }), field, offset });
+  };
+  return <CodeField {...shown} value={draft.text} onChange={draft.type} onCommit={commit} onCancel={cancel} onCursor={cursor} cursors={cursors} place={`${id}/${field}`} scope={scope} assistance={scope.kind === "function" ? assistance : undefined} errors={errors} />;
 }

@@ -2,6 +2,7 @@
 import { messageAtField } from "../../../shared/edit/places";
 import { useFieldErrors } from "./useFieldErrors";
 import type { DraftField } from "./useDraft";
+import { nameOfAuthor } from "../../../shared/presence/names";
 import { lastAuthor } from "./useAuthors";
 
 interface Props {
@@ -25,7 +26,7 @@ export function FieldNotes({ id, field, noteId, draft }: Props) {
       {theirs !== undefined && (
         <div className="field-theirs" role="alert">
           <span>
-            {lastAuthor(id, field) || "Somebody"} changed this to <code>{excerpt(theirs)}</code>
+            {nameOfAuthor(lastAuthor(id, field)) || "Somebody"} changed this to <code>{excerpt(theirs)}</code>
           </span>
           <span className="field-choices">
             <button type="button" onClick={draft.giveUp}>

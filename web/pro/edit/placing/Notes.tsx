@@ -1,24 +1,18 @@
 // Notes as sticky notes at what they are about. In a small drawing, and where they would cover something else, they are marks, which open
 // with the pointer or the focus.
 import { useState, type KeyboardEvent } from "react";
-import type { Box } from "../../../shared/drawing/drawing";
+import { drawnBox } from "../../../shared/drawing/drawnBox";
 import { noteCorner } from "../../../shared/drawing/notePlaces";
 import { writeNote } from "../../../shared/edit/commands/placing";
 import { selectionsOf, type Selection } from "../../../shared/model/identity";
 import { CanvasLayer } from "../../canvas/CanvasLayer";
 import { useShownCanvas } from "../../canvas/canvasView";
-import type { Laid } from "../../canvas/useDrawing";
 import { pathOf } from "../../../shared/session/view";
 import { view } from "../../client";
 import { carryOut } from "../carryOut";
 import { editedDocument } from "../editing";
 import { useNotes } from "./editedPlaces";
 import { editNote, useWritten } from "./noted";
-
-function boxOf({ drawing }: Laid, selection: Selection): Box | undefined {
-  if (selection.kind === "node") return drawing.nodes.find(({ path }) => path === selection.path);
-  return drawing.nodes.flatMap(({ ports }) => ports).find(({ address }) => address === selection.address);
-}
 
 const nameOf = (selection: Selection): string => (selection.kind === "node" ? selection.path : selection.address);
 
@@ -33,7 +27,7 @@ export function Notes() {
     <CanvasLayer className="notes">
       {ids.map((id) => {
         const selection = selections.get(id);
-        const box = selection && boxOf(laid, selection);
+        const box = selection && drawnBox(laid.drawing, selection);
         if (selection === undefined || box === undefined) return null;
         const text = notes[id] ?? "";
         const corner = written === id ? "above" : noteCorner(laid.drawing, pathOf(selection), box, text);
