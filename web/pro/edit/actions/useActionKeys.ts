@@ -48,11 +48,18 @@ function takePasted(event: ClipboardEvent): void {
   pasteText(event.clipboardData?.getData("text/plain") ?? "");
 }
 
+/** The middle button moves the drawing. Where the system has a selection to paste, it would be pasted when the button is released. */
+function keepFromPasting(event: MouseEvent): void {
+  if (event.button === 1 && isInModel(event.target)) event.preventDefault();
+}
+
 export function useActionKeys(): void {
   useEffect(() => {
+    addEventListener("mouseup", keepFromPasting);
     addEventListener("keydown", press);
     addEventListener("paste", takePasted);
     return () => {
+      removeEventListener("mouseup", keepFromPasting);
       removeEventListener("keydown", press);
       removeEventListener("paste", takePasted);
     };
