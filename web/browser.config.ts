@@ -10,5 +10,13 @@ export default defineConfig({
   resolve: { alias: { "playwright-core": here("node_modules/playwright-core/index.mjs") } },
   // The tests are beside this package, not in it.
   server: { fs: { strict: false } },
-  test: { globals: true, include: ["tests/browser/**/*.test.ts"], fileParallelism: false, testTimeout: 120_000, hookTimeout: 60_000 },
+  test: {
+    globals: true,
+    include: ["tests/browser/**/*.test.ts"],
+    fileParallelism: false,
+    testTimeout: 120_000,
+    hookTimeout: 60_000,
+    // What is waited for comes at once, unless the machine has much to do.
+    expect: { poll: { timeout: 15_000 } },
+  },
 });

@@ -211,12 +211,11 @@ describe("a run of it, with 200 changes in a second", () => {
           if (status === null) throw new Error("there is no status");
           // Its records of one frame come together.
           new MutationObserver(() => changes++).observe(status, { subtree: true, characterData: true, childList: true });
-          const frame = () => (++frames < 60 ? requestAnimationFrame(frame) : resolve({ frames, changes }));
+          const frame = () => (++frames < 60 || changes < 5 ? requestAnimationFrame(frame) : resolve({ frames, changes }));
           requestAnimationFrame(frame);
         }),
     );
     const { frames, changes } = await counts;
-    expect(changes).toBeGreaterThan(0);
     expect(changes).toBeLessThanOrEqual(frames + 1);
   });
 
