@@ -66,11 +66,15 @@ export class NodeSocket {
     this.end();
   }
 
+  protected deliver(data: string): void {
+    this.onmessage?.({ data });
+  }
+
   private receive(data: Buffer): void {
     this.data = Buffer.concat([this.data, data]);
     for (let next = firstFrame(this.data); next !== undefined && this.readyState === NodeSocket.OPEN; next = firstFrame(this.data)) {
       this.data = next.rest;
-      if (next.code === kText) this.onmessage?.({ data: next.payload.toString("utf8") });
+      if (next.code === kText) this.deliver(next.payload.toString("utf8"));
       if (next.code === kPing) this.socket?.write(frame(kPong, next.payload));
       if (next.code === kClose) this.close();
     }
