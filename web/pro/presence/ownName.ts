@@ -3,6 +3,7 @@ import { guestName } from "../../shared/presence/names";
 import { createStore, useSelected } from "../store";
 
 const kKey = "race.name";
+const kGuest = "race.guest";
 
 export interface OwnName {
   readonly name: string;
@@ -18,9 +19,21 @@ function stored(): string | undefined {
   }
 }
 
+/** Of who has chosen no name: it stays when the page is loaded again, as it is a part of the author of edits, who can undo them. */
+function guest(): string {
+  const fresh = guestName(Math.random());
+  try {
+    const name = sessionStorage.getItem(kGuest) ?? fresh;
+    sessionStorage.setItem(kGuest, name);
+    return name;
+  } catch {
+    return fresh;
+  }
+}
+
 function first(): OwnName {
   const known = stored();
-  return known === undefined ? { name: guestName(Math.random()), chosen: false } : { name: known, chosen: true };
+  return known === undefined ? { name: guest(), chosen: false } : { name: known, chosen: true };
 }
 
 const own = createStore<OwnName, string>(first(), (_, name) => ({ name, chosen: true }));
