@@ -33,30 +33,10 @@ struct RandomReplay {
   Replay replay{journal.header, std::make_shared<MemoryJournal>(journal.entries), 4, 3};
 };
 
-TEST(Replay, ComesToTheStateWithinAnyMicroStepInAnyOrderOfQuestions) {
-  const std::uint64_t seed = setting("RACE_SEED", 5), journals = setting("RACE_JOURNALS", 100);
-  std::cout << "RACE_SEED=" << seed << " RACE_JOURNALS=" << journals << std::endl;
-  for (std::uint64_t i = 0; i < journals; ++i) {
-    RandomReplay at(seed + i);
-    for (int questions = 0; questions < 6; ++questions) {
-      const std::size_t step = at.step();
-      const int micro = static_cast<int>(at.random.pick(4));
-      SCOPED_TRACE("seed " + std::to_string(seed + i) + ", before " + std::to_string(step) + "/" +
-                   std::to_string(micro));
-      auto past = at.replay.before(step, micro);
-      ASSERT_TRUE(past) << past.error().message;
-      Execution expected = within(at.journal, step, micro);
-      ASSERT_TRUE(same(past->run().state(), expected.run().state()));
-      ASSERT_EQ(past->micro(), expected.micro());
-      const auto ports = static_cast<std::uint32_t>(at.journal.header.program->ports.size());
-      for (std::uint32_t port = 0; port < ports; ++port)
-        ASSERT_EQ(why_json(*past, semantics::PortId{port}), why_json(expected, semantics::PortId{port}));
-    }
-  }
-}
-
-TEST(Replay, ShowsTheSameMomentHoweverItIsReached) {
-  const std::uint64_t seed = setting("RACE_SEED", 23), journals = setting("RACE_JOURNALS", 100);
+/// Asks `question(at, step, micro)` about random moments of random runs, in any order.
+template <typename Question>
+void ask_about_moments(std::uint64_t default_seed, Question question) {
+  const std::uint64_t seed = setting("RACE_SEED", default_seed), journals = setting("RACE_JOURNALS", 100);
   std::cout << "RACE_SEED=" << seed << " RACE_JOURNALS=" << journals << std::endl;
   for (std::uint64_t i = 0; i < journals; ++i) {
     RandomReplay at(seed + i);
@@ -64,18 +44,37 @@ TEST(Replay, ShowsTheSameMomentHoweverItIsReached) {
       const std::size_t step = at.step();
       const int micro = static_cast<int>(at.random.pick(4));
       SCOPED_TRACE("seed " + std::to_string(seed + i) + ", " + std::to_string(step) + "/" + std::to_string(micro));
-      const auto there = past(at.replay, step, micro);
-      ASSERT_TRUE(there) << there.error().message;
-      const Execution expected = within(at.journal, step, micro);
-      ASSERT_EQ(there->text, moment_text(expected));
-      ASSERT_EQ(*there->json.find("state"), expected.run().state_json());
-      ASSERT_EQ(*there->json.find("micro"), Value(static_cast<std::int64_t>(expected.micro_steps())));
-      const auto next = past(at.replay, step, micro + 1);
-      ASSERT_TRUE(next) << next.error().message;
-      ASSERT_EQ(there->text == next->text, there->json.find("complete")->as_bool())
-          << "forward leads on, or it is over";
+      question(at, step, micro);
+      if (testing::Test::HasFatalFailure()) return;
     }
   }
+}
+
+TEST(Replay, ComesToTheStateWithinAnyMicroStepInAnyOrderOfQuestions) {
+  ask_about_moments(5, [](RandomReplay& at, std::size_t step, int micro) {
+    auto past = at.replay.before(step, micro);
+    ASSERT_TRUE(past) << past.error().message;
+    Execution expected = within(at.journal, step, micro);
+    ASSERT_TRUE(same(past->run().state(), expected.run().state()));
+    ASSERT_EQ(past->micro(), expected.micro());
+    const auto ports = static_cast<std::uint32_t>(at.journal.header.program->ports.size());
+    for (std::uint32_t port = 0; port < ports; ++port)
+      ASSERT_EQ(why_json(*past, semantics::PortId{port}), why_json(expected, semantics::PortId{port}));
+  });
+}
+
+TEST(Replay, ShowsTheSameMomentHoweverItIsReached) {
+  ask_about_moments(23, [](RandomReplay& at, std::size_t step, int micro) {
+    const auto there = past(at.replay, step, micro);
+    ASSERT_TRUE(there) << there.error().message;
+    const Execution expected = within(at.journal, step, micro);
+    ASSERT_EQ(there->text, moment_text(expected));
+    ASSERT_EQ(*there->json.find("state"), expected.run().state_json());
+    ASSERT_EQ(*there->json.find("micro"), Value(static_cast<std::int64_t>(expected.micro_steps())));
+    const auto next = past(at.replay, step, micro + 1);
+    ASSERT_TRUE(next) << next.error().message;
+    ASSERT_EQ(there->text == next->text, there->json.find("complete")->as_bool()) << "forward leads on, or it is over";
+  });
 }
 
 TEST(Replay, DerivesAnyStepsAndOfAnOpenOneTheFirstMicroSteps) {
