@@ -80,7 +80,7 @@ class Presence(ServerCase):
         for offset in range(50):
             begun = time.monotonic()
             self.say(ada, "Ada", text={"field": "doc", "offset": offset})
-            self.until(bob, lambda people: any(each["text"]["offset"] == offset for each in people.values()))
+            self.until(bob, lambda people, told=offset: any(each["text"]["offset"] == told for each in people.values()))
             took.append(time.monotonic() - begun)
         took.sort()
         print(f"told after {took[25] * 1000:.1f} ms (median), {took[-1] * 1000:.1f} ms (most)", flush=True)
@@ -117,7 +117,8 @@ class Presence(ServerCase):
         bob, ada = self.client(), self.client(subscribe=False)
         long = {"selection": ["a"] * 33}
         for wrong, code in (({"name": ""}, "name"), ({"name": "x" * 41}, "too_large"), ({"name": "Ada", "id": 3}, "unknown_field"),
-                            ({"name": "Ada", **long}, "too_large"), ({"name": "Ada", "pointer": {"element": "a", "x": 1e9, "y": 0}}, "out_of_range"),
+                            ({"name": "Ada", **long}, "too_large"),
+                            ({"name": "Ada", "pointer": {"element": "a", "x": 1e9, "y": 0}}, "out_of_range"),
                             ({"name": "Ada", "document": "a/b"}, "name"), ({}, "missing")):
             ada.send({"type": "presence", "document": "task", **wrong})
             error = ada.message()

@@ -9,8 +9,6 @@ namespace race::server {
 namespace {
 
 using std::chrono::milliseconds;
-using testing::AnyOf;
-using testing::ElementsAre;
 
 struct PresentClient final : BoxedSubscriber {
   /// Waits for the next message: "joined 1", "snapshot Ada", "delta Ada -1", "error too_large".
