@@ -68,6 +68,9 @@ Checked<void> Application::open_store(const Setup& setup) {
   auto boot_list = BootList::open(folder_->store());
   if (!boot_list) return of_store(std::move(boot_list).error(), *folder_);
   boot_list_ = std::move(*boot_list);
+  auto breakpoints = DocumentBreakpoints::open(folder_->store());
+  if (!breakpoints) return of_store(std::move(breakpoints).error(), *folder_);
+  breakpoints_ = std::move(*breakpoints);
   if (setup.demo.empty()) return {};
   return documents_->put_demo(setup.demo, now_ms());
 }
@@ -180,8 +183,8 @@ ChannelSources Application::channel_sources() {
 }
 
 Resources Application::resources() {
-  return {*documents_,  *editing_, *boot_list_, *backups_, *runs_, *samples_, *cores_,
-          *live_edits_, replays_,  deadlines_,  restores_, *cell_, *log_,     answers_};
+  return {*documents_,  *breakpoints_, *editing_,  *boot_list_, *backups_, *runs_, *samples_, *cores_,
+          *live_edits_, replays_,      deadlines_, restores_,   *cell_,    *log_,  answers_};
 }
 
 }  // namespace race::server

@@ -27,6 +27,7 @@
 #include "server/store/backup.h"
 #include "server/store/boot_list.h"
 #include "server/store/data_folder.h"
+#include "server/store/document_breakpoints.h"
 #include "server/store/documents.h"
 #include "server/store/journal_writer.h"
 #include "server/store/runs.h"
@@ -90,6 +91,7 @@ class Application {
   std::unique_ptr<Samples> samples_;
   std::unique_ptr<JournalWriter> writer_;
   std::unique_ptr<BootList> boot_list_;
+  std::unique_ptr<DocumentBreakpoints> breakpoints_;
   std::unique_ptr<Pool> pool_;  // of the cores
   MemoryReturn memory_return_;
   Deadlines deadlines_;

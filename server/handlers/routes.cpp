@@ -48,6 +48,8 @@ constexpr std::array kRoutes = {
     Route{"POST", "/api/v1/documents/{name}/restore", call<restore_document>, kBody},
     Route{"POST", "/api/v1/documents/{name}/branch", call<branch_document>, kBody, "", kCreates},
     Route{"GET", "/api/v1/documents/{name}/native", call<get_document_native>},
+    Route{"GET", "/api/v1/documents/{name}/breakpoints", call<get_document_breakpoints>, kNoBody, "author"},
+    Route{"PUT", "/api/v1/documents/{name}/breakpoints", call<put_document_breakpoints>, kBody, "author"},
     Route{"GET", "/api/v1/backups", call<list_backups>},
     Route{"POST", "/api/v1/backups", call<create_backup>, kNoBody, "", kCreates},
     Route{"GET", "/api/v1/backups/{name}", call<get_backup>},

@@ -35,6 +35,7 @@ Expected<std::int64_t> last_removed(SQLite::Database& file, const std::string& n
 
 void begin_removal(SQLite::Database& file, const std::string& name, std::int64_t last) {
   execute(file, "DELETE FROM document WHERE name = ?1", name);
+  execute(file, "DELETE FROM document_breakpoints WHERE document = ?1", name);
   execute(file, "DELETE FROM removed_document WHERE name = ?1", name);
   SQLite::Statement insert(file, "INSERT INTO removed_document (name, last, digest) VALUES (?, ?, ?)");
   insert.bind(1, name);

@@ -64,8 +64,17 @@ void add_removed_documents(SQLite::Database& file) {
       " last INTEGER NOT NULL, digest BLOB NOT NULL)");
 }
 
-constexpr std::array<sqlite::Migration, 7> kMigrations = {give_document_ids, add_runs,  add_revisions,        add_boot,
-                                                          add_removals,      add_edits, add_removed_documents};
+// 8: the breakpoints that people keep at documents (document_breakpoints.h). number: the larger, the later they were
+// set; text: a JSON list of what api/schemas/document_breakpoints.json calls a kept breakpoint.
+void add_breakpoints(SQLite::Database& file) {
+  file.exec(
+      "CREATE TABLE document_breakpoints (document TEXT NOT NULL, author TEXT NOT NULL, number INTEGER NOT NULL,"
+      " text TEXT NOT NULL, digest BLOB NOT NULL, PRIMARY KEY (document, author)) WITHOUT ROWID");
+}
+
+constexpr std::array<sqlite::Migration, 8> kMigrations = {
+    give_document_ids, add_runs,  add_revisions,         add_boot,
+    add_removals,      add_edits, add_removed_documents, add_breakpoints};
 
 }  // namespace
 

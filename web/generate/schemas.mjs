@@ -13,6 +13,7 @@ export const kRead = [
   "cores.json",
   "derivations.json",
   "display.json",
+  "document_breakpoints.json",
   "document_entry.json",
   "document_removed.json",
   "documents.json",
@@ -41,7 +42,7 @@ export const kRead = [
 ];
 
 /** Messages that the pages write. */
-export const kWritten = ["core_create.json", "document_branch.json", "edit.json", "person_command.json", "step_request.json", "stream_request.json"];
+export const kWritten = ["breakpoints.json", "core_create.json", "document_branch.json", "edit.json", "force.json", "person_command.json", "step_request.json", "stream_request.json"];
 
 /** Names of types that are not the names of their schemas. */
 const kNames = new Map([

@@ -24,6 +24,7 @@ const readers: Readonly<Record<string, (value: unknown) => unknown>> = {
   cores: by(schema.cores),
   derivations: by(schema.derivations),
   document: (document) => readModel(check(schema.native, { document, origin: {} }).document),
+  document_breakpoints: by(schema.documentBreakpoints),
   documents: by(schema.documents),
   errors: by(schema.errors),
   person: by(schema.person),
