@@ -1,7 +1,8 @@
 // The expert page: task tree to the left, canvas in the middle, properties to the right, run bar and derivation below.
 import { lazy, Suspense } from "react";
 import { commandable } from "../shared/session/session";
-import { commandOf, type Shortcut } from "../shared/session/shortcuts";
+import { commandOf, isMove, type Shortcut } from "../shared/session/shortcuts";
+import { isCovered } from "../shared/session/view";
 import { ModelCanvas } from "./canvas/ModelCanvas";
 import { CellInset } from "./cell/CellInset";
 import { run as command, session, useSession, useView, view } from "./client";
@@ -19,10 +20,13 @@ import { Interruption } from "./panels/Interruption";
 import { KeyHelp } from "./panels/KeyHelp";
 import { LostServer } from "./panels/LostServer";
 import { PersonWaitBar } from "./panels/PersonWaitBar";
+import { PastBanner } from "./past/PastBanner";
+import { move, toPresent } from "./past/past";
 import { PropertiesPanel } from "./panels/PropertiesPanel";
 import { RunBar } from "./panels/RunBar";
 import { TaskPanel } from "./panels/TaskPanel";
 import { TopBar } from "./panels/TopBar";
+import { RunsPanel } from "./runs/RunsPanel";
 import { ServicesView } from "./services/ServicesView";
 import { useShortcuts } from "./useShortcuts";
 
@@ -43,7 +47,7 @@ view.listen(() => {
 
 /** Whether a key moves a run: not while it is held, and not on a page that does not show the run, or did not a moment ago. */
 const mayMove = (shortcut: Shortcut, held: boolean): boolean =>
-  !held && !(kStarts.has(shortcut) && (settling.page === "edit" || view.get().documents || performance.now() - settling.since < kSettling));
+  !held && !(kStarts.has(shortcut) && (settling.page === "edit" || isCovered(view.get()) || performance.now() - settling.since < kSettling));
 
 function usePageKeys(): void {
   useShortcuts((shortcut, held) => {
@@ -58,8 +62,13 @@ function usePageKeys(): void {
         view.dispatch({ type: "help", shown: true });
         return true;
       case "escape":
-        view.dispatch({ type: "escape" });
+        if (session.get().past !== undefined && !isCovered(view.get())) toPresent();
+        else view.dispatch({ type: "escape" });
         return true;
+    }
+    if (isMove(shortcut)) {
+      move(shortcut, held);
+      return true;
     }
     if (!kOfRuns.has(shortcut)) return false;
     const wanted = mayMove(shortcut, held) ? commandOf(shortcut, commandable(session.get())) : undefined;
@@ -83,6 +92,7 @@ export function App() {
     <div className={`app${lost ? " is-lost" : ""}`}>
       <LostServer />
       <TopBar />
+      <PastBanner />
       {page === "edit" ? <EditSide tree={tree} /> : <TaskPanel tree={tree} />}
       <main className="workspace" id="workspace">
         {page === "task" && <ModelCanvas subject={`run ${watched ?? ""}`} tree={tree} places={places} nothing="No task is loaded. Choose a document above and start a run." />}
@@ -108,6 +118,7 @@ export function App() {
       </footer>
       <KeyHelp />
       <DocumentsPanel />
+      <RunsPanel />
       <DropTarget />
     </div>
   );

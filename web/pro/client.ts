@@ -1,7 +1,7 @@
 // The page's one connection to the server: stores, requests and the stream, wired together.
 import { createApi, RefusedError } from "../shared/api";
 import type { CellPose, Core, Packet, StepRequest, TraceStep } from "../generated/messages";
-import type { ExactArguments } from "../shared/api";
+import type { ExactArguments, RunSource } from "../shared/api";
 import { runParameters, type ExactDocument, type RunParameter } from "../shared/arguments/parameters";
 import { readExact } from "../shared/edit/exact";
 import { kNoPlaces, type Places } from "../shared/drawing/places";
@@ -12,7 +12,8 @@ import type { Command, UntilRequest } from "../shared/run/controls";
 import { modelKey } from "../shared/run/edits";
 import { firstShown, lastShown, type LastShown } from "../shared/session/firstShown";
 import { createModelLoader } from "../shared/session/modelLoader";
-import { applyEvent, cellUnavailable, emptySession, watchedCore, type Session, type SessionEvent } from "../shared/session/session";
+import { loadStoredRun } from "../shared/runs/storedRun";
+import { applyEvent, cellUnavailable, emptySession, isStored, watchedCore, type Session, type SessionEvent } from "../shared/session/session";
 import { applyGesture, firstView, type Gesture, type View } from "../shared/session/view";
 import { addressWith, placeOfAddress } from "../shared/session/address";
 import { coreToWatch } from "../shared/session/watched";
@@ -116,7 +117,7 @@ function opened(): void {
 /** Loads the model of the watched core if the page has none of its last edit. */
 function refreshModel(): void {
   const core = watchedCore(session.get());
-  if (core !== undefined && modelKey(core) !== session.get().modelKey) loadModel(core.id);
+  if (core !== undefined && !isStored(session.get()) && modelKey(core) !== session.get().modelKey) loadModel(core.id);
 }
 
 async function loadLists(): Promise<void> {
@@ -146,40 +147,84 @@ async function loadPast(id: string, next: number): Promise<void> {
   }
 }
 
-/** Keeps the watched core while it is there, also over a restart of the server; else chooses one. */
+/** What answers questions about the watched run. */
+export const sourceOf = (now: Session): RunSource => (isStored(now) ? "runs" : "cores");
+
+/** Keeps the watched run while it is there, also over a restart of the server; else that of the address, which may only be stored; else chooses one. */
 function watchSomething(): void {
-  const { cores, watched } = session.get();
-  if (watched !== undefined && cores.some((core) => core.id === watched)) return;
+  const { cores, watched, stored } = session.get();
+  if (watched !== undefined && (stored !== undefined || cores.some((core) => core.id === watched))) return;
   const { run: wanted, edit } = placeOfAddress(location.search);
-  watch(coreToWatch(cores, wanted, edit)?.id);
+  if (wanted === undefined || cores.some((core) => core.id === wanted)) watch(coreToWatch(cores, wanted, edit)?.id);
+  else if (opening !== wanted) void openFromAddress(wanted);
+}
+
+/** The run of the address that is being loaded from the store. */
+let opening: string | undefined;
+
+/** Where there is no such run, another one is watched. */
+async function openFromAddress(id: string): Promise<void> {
+  opening = id;
+  const { watched } = session.get();
+  try {
+    await watchStored(id);
+  } catch {
+    if (session.get().watched !== watched) return;
+    history.replaceState(null, "", addressWith(location.search, { run: undefined, at: undefined }));
+    watchSomething();
+  } finally {
+    opening = undefined;
+  }
 }
 
 /** From this, the next run of the same document is shown. */
 let last: LastShown | undefined;
 
-export function watch(id: string | undefined): void {
-  const before = session.get().watched;
-  if (before === id) return;
+/** Ends that the run is watched which was until now; `turn` turns to another one, `id`. The address keeps the moment of that, if it has one. */
+function turnTo(id: string | undefined, turn: () => void): void {
+  const { watched: before } = session.get();
   if (view.get().page !== "edit") last = lastShown(session.get(), view.get(), last);
   if (before !== undefined) {
     stream?.unsubscribe(`core/${before}/state`);
     stream?.unsubscribe(`core/${before}/derivation`);
   }
-  session.dispatch({ type: "watched", id });
+  if (id !== undefined) history.replaceState(null, "", addressWith(location.search, { run: id, ...(placeOfAddress(location.search).run !== id && { at: undefined }) }));
+  turn();
   view.dispatch({ type: "forget_run" });
   models.forget();
+}
+
+export function watch(id: string | undefined): void {
+  if (session.get().watched === id) return;
+  turnTo(id, () => session.dispatch({ type: "watched", id }));
   if (id === undefined) return;
-  history.replaceState(null, "", addressWith(location.search, { run: id }));
   stream?.subscribe(`core/${id}/state`);
   stream?.subscribe(`core/${id}/derivation`);
   loadModel(id);
+}
+
+/** Turns to a run that no core hosts. Throws what the server refuses. */
+export async function watchStored(id: string): Promise<void> {
+  const { watched } = session.get();
+  const run = await loadStoredRun(api, id, (core, model) => placesOf(core, model).catch(() => kNoPlaces));
+  if (session.get().watched !== watched) return;
+  turnTo(id, () => session.dispatch({ type: "stored", run }));
+  if (view.get().page !== "edit") showModel(run.model);
+}
+
+/** Shows a run: the core of this number, else what is stored of it. Throws what the server refuses. */
+export async function turnToRun(id: string): Promise<void> {
+  const { cores, watched } = session.get();
+  if (id === watched) return;
+  if (cores.some((core) => core.id === id)) watch(id);
+  else await watchStored(id);
 }
 
 /** The list of documents, when it came first. */
 let listed: Promise<void> | undefined;
 
 /** Where people have placed what a run executes; nowhere, if its document is not there any more. */
-async function placesOf(core: Core | undefined, model: Promise<RcmDocument>): Promise<Places> {
+async function placesOf(core: Core | undefined, model: RcmDocument | Promise<RcmDocument>): Promise<Places> {
   await listed;
   const isThere = core !== undefined && session.get().documents.some(({ name, revision }) => name === core.document && revision >= core.revision);
   if (!isThere) return kNoPlaces;
@@ -194,12 +239,16 @@ async function loadRun(id: string): Promise<{ readonly model: RcmDocument; reado
   return { model: await model, places: await places };
 }
 
+/** The model of a run is shown for the first time: as that of the run before, if both are of one document. */
+function showModel({ root }: RcmDocument): void {
+  view.dispatch({ type: "show_again", shown: firstShown(buildTree(root), session.get().document, last, view.get().detail) });
+}
+
 const models = createModelLoader(loadRun, {
   onModel: (id, key, { model, places }) => {
     const now = session.get();
     if (now.watched !== id || now.modelKey === key) return;
-    if (now.model === undefined && view.get().page !== "edit")
-      view.dispatch({ type: "show_again", shown: firstShown(buildTree(model.root), now.document, last, view.get().detail) });
+    if (now.model === undefined && view.get().page !== "edit") showModel(model);
     session.dispatch({ type: "model", id, key, model, places });
   },
   onError: problem,
@@ -269,7 +318,7 @@ export async function run(command: Command, until?: UntilRequest): Promise<void>
         await api[command](core.id);
         return;
       case "again":
-        await makeRun(core.document, true, await api.coreArguments(core.id));
+        await makeRun(core.document, true, await api.runArguments(core.id, sourceOf(session.get())));
         return;
       case "micro":
       case "macro":

@@ -8,10 +8,15 @@ import type {
   Documents,
   DocumentSummary,
   Health,
+  Journal,
   Native,
+  Past,
   Person,
   PersonCommand,
   Rule,
+  Run,
+  RunComparison,
+  Runs,
   Scene,
   ServerError,
   StepRequest,
@@ -22,6 +27,7 @@ import * as schema from "../generated/validators";
 import type { MicroStep } from "./derivation/proof";
 import { readExact, writeExact, type Exact } from "./edit/exact";
 import { check, type Validator } from "./messages/check";
+import type { Wanted } from "./past/moment";
 import { placesIn, type Places } from "./drawing/places";
 import { withAfters } from "./model/afters";
 import type { RcmDocument } from "./model/model";
@@ -49,7 +55,10 @@ export type ExactArguments = Exact<Core["arguments"]>;
 /** The entity tag of a revision. */
 const tagOf = (revision: number): string => `"${revision}"`;
 
-function readNative({ document, origin }: Native): RcmDocument {
+/** What answers a question about a run: the core that hosts it, or the store. */
+export type RunSource = "cores" | "runs";
+
+export function readNative({ document, origin }: Native): RcmDocument {
   const model = readModel(document);
   return { ...model, root: withOracles(withAfters(model.root, origin), origin) };
 }
@@ -124,9 +133,9 @@ export function createApi(base: string, fetcher: typeof fetch) {
     /** With all its revisions, the last of which must be `revision`. */
     deleteDocument: (name: string, revision: number): Promise<DocumentRemoved> =>
       send(`/documents/${segment(name)}`, { method: "DELETE", headers: { "if-match": tagOf(revision) } }, schema.documentRemoved),
-    /** The arguments that a core was made with, with the numbers as they were written. */
-    coreArguments: async (id: string): Promise<ExactArguments> =>
-      (readExact(await requestText(`/cores/${segment(id)}`, schema.core)) as unknown as { readonly arguments: ExactArguments }).arguments,
+    /** The arguments that a run was made with, with the numbers as they were written. */
+    runArguments: async (id: string, of: RunSource): Promise<ExactArguments> =>
+      (readExact(await requestText<Core | Run>(`/${of}/${segment(id)}`, of === "cores" ? schema.core : schema.run)) as unknown as { readonly arguments: ExactArguments }).arguments,
     createCore: (document: string, args: ExactArguments): Promise<Core> => request("POST", "/cores", schema.core, { document, arguments: args }),
     coreModel: async (id: string): Promise<RcmDocument> => readNative(await get(`/cores/${segment(id)}/native`, schema.native)),
     start: (id: string): Promise<Core> => command(id, "start"),
@@ -135,8 +144,28 @@ export function createApi(base: string, fetcher: typeof fetch) {
     stop: (id: string): Promise<Core> => command(id, "stop"),
     step: (id: string, step: StepRequest): Promise<Core> => request("POST", `/cores/${segment(id)}/step`, schema.core, step),
     setLive: (id: string, live: boolean): Promise<Core> => request("PUT", `/cores/${segment(id)}/live`, schema.core, { live }),
-    derivations: async (id: string, from: number, to: number): Promise<readonly TraceStep[]> =>
-      (await get(`/cores/${segment(id)}/derivations?from=${from}&to=${to}`, schema.derivations)).steps,
+    derivations: async (id: string, from: number, to: number, of: RunSource = "cores"): Promise<readonly TraceStep[]> =>
+      (await get(`/${of}/${segment(id)}/derivations?from=${from}&to=${to}`, schema.derivations)).steps,
+    /** The run as it was at a moment. */
+    past: (of: RunSource, id: string, { step, micro }: Wanted): Promise<Past> =>
+      get(`/${of}/${segment(id)}/past?step=${step}${micro === undefined ? "" : `&micro=${micro}`}`, schema.past),
+    /** At most 100 of the stored runs, the newest first; `before`: only those with a smaller number. */
+    runs: (document?: string, before?: number): Promise<Runs> => {
+      const query = new URLSearchParams({ ...(document !== undefined && { document }), ...(before !== undefined && { before: String(before) }) });
+      return get(`/runs?${query.toString()}`, schema.runs);
+    },
+    storedRun: (id: string): Promise<Run> => get(`/runs/${segment(id)}`, schema.run),
+    /** Stores the file of a run as a new one. */
+    importRun: (file: string): Promise<Run> => send("/runs", { method: "POST", body: file, headers: { "content-type": "application/json" } }, schema.run),
+    /** Where two runs first differ, from a macro step on. */
+    compareRuns: (id: string, other: string, from = 1): Promise<RunComparison> => get(`/runs/${segment(id)}/compare?with=${segment(other)}&from=${from}`, schema.runComparison),
+    /** Where the file of a run can be loaded. */
+    runFileAddress: (id: string): string => `${base}/runs/${segment(id)}/export`,
+    deleteCore: (id: string): Promise<Core> => request("DELETE", `/cores/${segment(id)}`, schema.core),
+    deleteRun: async (id: string): Promise<void> => void (await request("DELETE", `/runs/${segment(id)}`, schema.runRemoved)),
+    /** The model that it began with. */
+    runModel: async (id: string): Promise<RcmDocument> => readNative(await get(`/runs/${segment(id)}/native`, schema.native)),
+    journal: (id: string): Promise<Journal> => get(`/runs/${segment(id)}/journal`, schema.journal),
     /** As things are now, or as they were before a past micro step. */
     why: (id: string, port: string, before?: MicroStep): Promise<Why> =>
       get(`/cores/${segment(id)}/why?port=${segment(port)}${before === undefined ? "" : `&step=${before.step}&micro=${before.micro}`}`, schema.why),

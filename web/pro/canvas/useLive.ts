@@ -2,7 +2,7 @@
 // edits it is that of a run of the document, in the addresses of the edited model.
 import { kNoRun, liveOf, type Live } from "../../shared/drawing/live";
 import { projectLive } from "../../shared/live/project";
-import { watchedCore } from "../../shared/session/session";
+import { faultShown, firedShown, stateShown } from "../../shared/past/shown";
 import { session, view } from "../client";
 import { editedTree, editing } from "../edit/editing";
 import { shownRun } from "../live/shownRun";
@@ -18,11 +18,11 @@ function refresh(): void {
   const isEdited = view.get().page === "edit";
   const shown = isEdited ? shownRun(now) : undefined;
   const onto = shown && editedTree();
-  const fault = watchedCore(now)?.fault;
-  const of = isEdited && (shown === undefined || onto === undefined) ? [] : [now.run, now.fired, fault, shown?.tree, onto];
+  const [run, fired, fault] = [stateShown(now), firedShown(now), faultShown(now)];
+  const of = isEdited && (shown === undefined || onto === undefined) ? [] : [run, fired, fault, shown?.tree, onto];
   if (of.length === made.length && of.every((each, i) => each === made[i])) return;
   made = of;
-  const live = of.length === 0 ? kNoRun : liveOf(now.run, now.fired, fault);
+  const live = of.length === 0 ? kNoRun : liveOf(run, fired, fault);
   store.dispatch(shown === undefined || onto === undefined ? live : projectLive(live, shown.tree, onto));
 }
 session.listen(refresh);

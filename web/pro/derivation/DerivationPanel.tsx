@@ -3,8 +3,10 @@ import { memo, useEffect, useRef, useState } from "react";
 import { leading, nodeAt, size, summary, type ProofPath } from "../../shared/derivation/proof";
 import { microCount } from "../../shared/derivation/steps";
 import type { Derivation, TraceStep } from "../../generated/messages";
+import { stepsShown } from "../../shared/past/shown";
 import { callText, inputText } from "../../shared/run/inputText";
 import { useSession, useView, view } from "../client";
+import { toPresent, visitStep } from "../past/past";
 import { InferenceCard } from "./InferenceCard";
 import { ProofTree } from "./ProofTree";
 
@@ -14,7 +16,7 @@ export interface Picked {
 }
 
 export function DerivationPanel() {
-  const steps = useSession((s) => s.steps);
+  const steps = useSession(stepsShown);
   const wanted = useView((v) => v.step);
   const shown = steps.find((step) => step.step === wanted) ?? steps.at(-1);
   if (shown === undefined) {
@@ -32,6 +34,17 @@ export function DerivationPanel() {
   );
 }
 
+/** Shows the derivation of a macro step, and the model as it was at its end. */
+function show(step: number): void {
+  visitStep(step);
+  view.dispatch({ type: "step", step });
+}
+
+function follow(): void {
+  toPresent();
+  view.dispatch({ type: "step", step: undefined });
+}
+
 interface StepListProps {
   readonly steps: readonly TraceStep[];
   readonly shown: number;
@@ -46,7 +59,7 @@ function StepList({ steps, shown, follows }: StepListProps) {
   return (
     <div className="step-list">
       <label className="check">
-        <input type="checkbox" checked={follows} onChange={(event) => view.dispatch({ type: "step", step: event.target.checked ? undefined : shown })} />
+        <input type="checkbox" checked={follows} onChange={(event) => (event.target.checked ? follow() : view.dispatch({ type: "step", step: shown }))} />
         Follow the run
       </label>
       <ol ref={list} aria-label="Macro steps">
@@ -61,7 +74,7 @@ function StepList({ steps, shown, follows }: StepListProps) {
 const StepRow = memo(function StepRow({ step, isShown }: { readonly step: TraceStep; readonly isShown: boolean }) {
   return (
     <li>
-      <button type="button" aria-current={isShown ? "step" : undefined} onClick={() => view.dispatch({ type: "step", step: step.step })}>
+      <button type="button" aria-current={isShown ? "step" : undefined} onClick={() => show(step.step)}>
         <b>{step.step}</b>
         <span>{inputText(step.input)}</span>
         <small>

@@ -1,7 +1,22 @@
 // Files that are dragged over the page, and dropped anywhere on it, are uploaded.
 import { useEffect, useState } from "react";
+import { isRunFile, kMostRunBytes } from "../../shared/runs/runFile";
+import { attempt } from "../client";
+import { openRunFile } from "../runs/actions";
 import { showDocuments } from "./actions";
 import { upload } from "./uploading";
+
+/** Runs are stored and shown; all else becomes documents. */
+async function takeFiles(files: readonly File[]): Promise<void> {
+  const texts = await Promise.all(files.map(async (file) => (file.size <= kMostRunBytes ? file.text() : "")));
+  const runs = texts.filter(isRunFile);
+  const documents = files.filter((_, i) => !runs.includes(texts[i] ?? ""));
+  if (documents.length > 0) {
+    upload(documents);
+    showDocuments(true);
+  }
+  for (const run of runs) await attempt(() => openRunFile(run));
+}
 
 const hasFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes("Files") === true;
 
@@ -21,8 +36,7 @@ export function DropTarget() {
     const drop = (event: DragEvent) => {
       if (!take(event)) return;
       setOver(false);
-      upload([...(event.dataTransfer?.files ?? [])]);
-      showDocuments(true);
+      void takeFiles([...(event.dataTransfer?.files ?? [])]);
     };
     const listeners = { dragenter: drag, dragover: drag, dragleave: leave, drop };
     for (const [type, listener] of Object.entries(listeners)) addEventListener(type, listener as EventListener, true);
@@ -30,5 +44,5 @@ export function DropTarget() {
       for (const [type, listener] of Object.entries(listeners)) removeEventListener(type, listener as EventListener, true);
     };
   }, []);
-  return over ? <div className="drop-hint">Drop files here to store them as documents</div> : null;
+  return over ? <div className="drop-hint">Drop files here: documents, or runs</div> : null;
 }

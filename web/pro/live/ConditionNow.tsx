@@ -5,7 +5,9 @@ import { askableAddress, elementOfRun } from "../../shared/live/values";
 import { portAddress } from "../../shared/model/model";
 import { truthText } from "../../shared/run/whyText";
 import type { Why } from "../../generated/messages";
-import { api } from "../client";
+import type { MicroStep } from "../../shared/derivation/proof";
+import { isStored } from "../../shared/session/session";
+import { api, useSession } from "../client";
 import { useEditing } from "../edit/editing";
 import { useExecuted } from "./executed";
 import { useShownRun } from "./shownRun";
@@ -13,8 +15,8 @@ import { useShownRun } from "./shownRun";
 /** The server is asked at most this often [ms]. */
 const kEvery = 400;
 
-/** The answer of the server for the present state, asked for again when the run has gone on. */
-function useTruth(core: string | undefined, address: string | undefined, moment: unknown): Why["value"] | undefined {
+/** The answer of the server for the state that is shown, asked for again when the run has gone on. */
+function useTruth(core: string | undefined, address: string | undefined, moment: unknown, past: MicroStep | undefined): Why["value"] | undefined {
   const [truth, setTruth] = useState<{ readonly of: string; readonly value: Why["value"] }>();
   const key = core === undefined || address === undefined ? undefined : `${core} ${address}`;
   const askedRef = useRef(0);
@@ -22,7 +24,7 @@ function useTruth(core: string | undefined, address: string | undefined, moment:
     if (core === undefined || address === undefined || key === undefined) return;
     askedRef.current = performance.now();
     // A state that has been left meanwhile has nothing to say.
-    api.why(core, address).then(({ value }) => setTruth({ of: key, value }), () => setTruth(undefined));
+    api.why(core, address, past).then(({ value }) => setTruth({ of: key, value }), () => setTruth(undefined));
   });
   useEffect(() => {
     if (key === undefined) return;
@@ -40,7 +42,9 @@ export function ConditionNow({ id }: { readonly id: string }) {
     const found = elementOfRun(tree, id);
     return found?.kind === "port" && now.ports.includes(portAddress(found.path, found.element));
   });
-  const truth = useTruth(core?.id, address, run);
+  const past = useSession((s) => s.past?.past);
+  const stored = useSession(isStored);
+  const truth = useTruth(stored ? undefined : core?.id, address, run, past);
   const edited = useEditing(({ session }) => session?.view?.elements.get(id)?.fields);
   const executed = useExecuted();
   if (core === undefined) return null;

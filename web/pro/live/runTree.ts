@@ -1,5 +1,6 @@
 // The model of the watched run, with the addresses that its state has.
 import type { RcmDocument } from "../../shared/model/model";
+import { modelShown } from "../../shared/past/shown";
 import { buildTree, type ModelTree } from "../../shared/model/modelTree";
 import { session, useSession } from "../client";
 
@@ -14,7 +15,7 @@ function treeOf(model: RcmDocument | undefined): ModelTree | undefined {
 }
 
 /** The same object as long as the model is. */
-export const runTree = (): ModelTree | undefined => treeOf(session.get().model);
+export const runTree = (): ModelTree | undefined => treeOf(modelShown(session.get()));
 
 /** The same, for components. */
-export const useRunTree = (): ModelTree | undefined => useSession(({ model }) => treeOf(model));
+export const useRunTree = (): ModelTree | undefined => useSession((now) => treeOf(modelShown(now)));

@@ -2,6 +2,7 @@
 import type { Core, RunState } from "../../generated/messages";
 import { runOfDocument } from "../../shared/live/shownRun";
 import type { ModelTree } from "../../shared/model/modelTree";
+import { stateShown } from "../../shared/past/shown";
 import { watchedCore, type Session } from "../../shared/session/session";
 import { session, useSession, useView, view } from "../client";
 import { editing, useEditing } from "../edit/editing";
@@ -24,9 +25,10 @@ export interface ShownRun {
 export function shownRun(now: Session = session.get()): ShownRun | undefined {
   const core = runOfDocument(watchedCore(now), editing.get().document);
   const tree = runTree();
+  const run = stateShown(now);
   const { page, runShown } = view.get();
-  if (page !== "edit" || !runShown || core === undefined || now.run === undefined || tree === undefined) return undefined;
-  return { core, run: now.run, tree };
+  if (page !== "edit" || !runShown || core === undefined || run === undefined || tree === undefined) return undefined;
+  return { core, run, tree };
 }
 
 /** What `select` reads of the run that is shown; it must give the same value while nothing that it shows has changed. */

@@ -2,8 +2,11 @@
 import { useEffect, useMemo, useState } from "react";
 import { lastFiring, type MicroStep } from "../../shared/derivation/proof";
 import type { Why } from "../../generated/messages";
+import { momentText } from "../../shared/past/moment";
+import { stateShown, stepsShown, stepsUntil } from "../../shared/past/shown";
 import { inputText } from "../../shared/run/inputText";
 import { constantText } from "../../shared/run/whyText";
+import { isStored } from "../../shared/session/session";
 import { api, useCore, useSession, view } from "../client";
 import { Atoms, WhyView } from "./WhyView";
 
@@ -13,9 +16,10 @@ type Answer = { readonly why: Why } | { readonly failed: string } | undefined;
 /** Asks again when `moment` changes; the previous answer stays until the next one arrives. */
 function useWhy(address: string, moment: unknown, before?: MicroStep): Answer {
   const id = useCore()?.id;
+  const stored = useSession(isStored);
   const [answer, setAnswer] = useState<Answer>();
   useEffect(() => {
-    if (id === undefined) return;
+    if (id === undefined || stored) return;
     let current = true;
     api.why(id, address, before).then(
       (why) => current && setAnswer({ why }),
@@ -24,12 +28,12 @@ function useWhy(address: string, moment: unknown, before?: MicroStep): Answer {
     return () => {
       current = false;
     };
-  }, [id, address, moment, before]);
+  }, [id, stored, address, moment, before]);
   return answer;
 }
 
 export function AskWhy({ address }: { readonly address: string }) {
-  const steps = useSession((s) => s.steps);
+  const steps = useSession(stepsUntil);
   const fired = lastFiring(steps, address);
   const [step, micro] = [fired?.step, fired?.micro];
   const firing = useMemo(() => (step === undefined || micro === undefined ? undefined : { step, micro }), [step, micro]);
@@ -41,18 +45,21 @@ export function AskWhy({ address }: { readonly address: string }) {
   );
 }
 
-/** For the present state; a port that has fired is explained by its firing, if that is known. */
+/** For the state that is shown; a port that has fired is explained by its firing, if that is known. */
 function WhyNow({ address, known }: { readonly address: string; readonly known: boolean }) {
-  const answer = useWhy(address, useSession((s) => s.run));
+  const past = useSession((s) => s.past?.past);
+  const stored = useSession(isStored);
+  const answer = useWhy(address, useSession(stateShown), past);
+  if (stored) return <p className="quiet">The server explains ports of runs that a core hosts. What happened in this one is in its derivation.</p>;
   if (answer === undefined) return null;
   if ("failed" in answer) return <p className="quiet">No explanation: {answer.failed}</p>;
-  return answer.why.active && known ? null : <WhyView why={answer.why} />;
+  return answer.why.active && known ? null : <WhyView why={answer.why} then={past && momentText(past)} />;
 }
 
 /** The atoms of its condition as they were when it fired, with the way to the derivation. */
 function WhyFired({ address, firing }: { readonly address: string; readonly firing: MicroStep }) {
   const answer = useWhy(address, undefined, firing);
-  const input = useSession((s) => s.steps.find((step) => step.step === firing.step)?.input);
+  const input = useSession((s) => stepsShown(s).find((step) => step.step === firing.step)?.input);
   if (answer === undefined || "failed" in answer) return null;
   const constant = constantText(answer.why);
   return (

@@ -1,5 +1,6 @@
 // A selected barrier: the set of ports that have arrived, and those it waits for.
 import type { Barrier } from "../../shared/model/model";
+import { stateShown } from "../../shared/past/shown";
 import { inboundPorts, type ModelTree } from "../../shared/model/modelTree";
 import { useSession, view } from "../client";
 
@@ -10,7 +11,7 @@ interface Props {
 }
 
 export function BarrierProperties({ tree, path, barrier }: Props) {
-  const run = useSession((s) => s.run);
+  const run = useSession(stateShown);
   const active = run?.active.includes(path) === true;
   const arrived = run?.activated[path] ?? [];
   const inbound = inboundPorts(tree, path);

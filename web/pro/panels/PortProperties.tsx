@@ -3,12 +3,13 @@ import { waitingState } from "../../shared/model/afters";
 import { portText, valueText } from "../../shared/model/describe";
 import type { Port } from "../../shared/model/model";
 import { nameOf, splitAddress } from "../../shared/model/modelTree";
+import { firedShown, stateShown } from "../../shared/past/shown";
 import { useSession, view } from "../client";
 import { AskWhy } from "./AskWhy";
 
 export function PortProperties({ address, port }: { readonly address: string; readonly port: Port }) {
-  const run = useSession((s) => s.run);
-  const fired = useSession((s) => s.fired.ports.includes(address));
+  const run = useSession(stateShown);
+  const fired = useSession((s) => firedShown(s).ports.includes(address));
   const active = run?.ports.includes(address) === true;
   const path = splitAddress(address)?.path ?? "";
   return (
@@ -39,7 +40,7 @@ export function PortProperties({ address, port }: { readonly address: string; re
 /** What a port with a time-out waits for, and what it is in derivations and explanations. */
 function Waiting({ address }: { readonly address: string }) {
   const path = waitingState(address);
-  const seconds = useSession((s) => (s.run?.active.includes(path) === true ? s.run.parameters[path]?.["seconds"] : undefined));
+  const seconds = useSession((s) => (stateShown(s)?.active.includes(path) === true ? stateShown(s)?.parameters[path]?.["seconds"] : undefined));
   return (
     <p className="quiet">
       Counted from the activation of its state{seconds === undefined ? "" : `, this time ${valueText(seconds)} s`}. In the derivation, the state <code>{nameOf(path)}</code> waits for it.

@@ -8,6 +8,7 @@ import type { Drawer } from "../../shared/session/view";
 import { commandable } from "../../shared/session/session";
 import { run, useCore, useSession, useView, view } from "../client";
 import { openDocument, useEditing } from "../edit/editing";
+import { PastButtons } from "../past/PastButtons";
 import { Icon, type IconName } from "./Icon";
 import { usePersonWait } from "./PersonWaitBar";
 
@@ -38,11 +39,13 @@ export function RunBar() {
   const edited = page === "edit" ? open : undefined;
   const commands = allowedBeside(useSession(commandable), edited);
   const lost = useSession((s) => s.connection === "lost");
+  const past = useSession((s) => s.past !== undefined);
   const asks = usePersonWait() !== undefined;
   const lead = primary(core);
   const first = firstButton[lead === "resume" || lead === "again" ? lead : "start"];
   return (
     <div className={`runbar${core !== undefined && isInterrupted(core) ? " is-interrupted" : ""}`} role="toolbar" aria-label="Run">
+      {past && <span className="of-present">The present</span>}
       {[first, ...buttons].map((spec) => (
         <button
           key={spec.command}
@@ -57,6 +60,7 @@ export function RunBar() {
           <span>{spec.name}</span>
         </button>
       ))}
+      <PastButtons />
       {core !== undefined && (
         <p className={`run-status is-${asks || (core.paused && core.status === "running") ? "paused" : core.status}`} role="status" aria-label="Run status">
           {isInterrupted(core) ? <Icon name="interrupted" /> : <i aria-hidden="true" />}

@@ -4,6 +4,7 @@ import { isOver, statusText } from "../../shared/run/controls";
 import { inputText } from "../../shared/run/inputText";
 import { selectionAt } from "../../shared/session/view";
 import { follow, useCore, useSession, view } from "../client";
+import { PastProperties } from "../past/PastProperties";
 import { CodeText } from "./CodeText";
 import { EndCard } from "./EndCard";
 import { ValueTable } from "./ValueTable";
@@ -11,6 +12,7 @@ import { ValueTable } from "./ValueTable";
 export function RunProperties({ tree }: { readonly tree: ModelTree | undefined }) {
   const core = useCore();
   const last = useSession((s) => s.lastInput);
+  const past = useSession((s) => s.past?.past);
   const name = useSession((s) => s.model?.name);
   if (core === undefined) {
     return (
@@ -20,6 +22,7 @@ export function RunProperties({ tree }: { readonly tree: ModelTree | undefined }
       </div>
     );
   }
+  if (past !== undefined) return <PastProperties core={core} past={past} />;
   const { fault, interruption } = core;
   return (
     <>

@@ -2,25 +2,28 @@
 import { useMemo } from "react";
 import type { Core } from "../../generated/messages";
 import { nameOf, type ModelTree } from "../../shared/model/modelTree";
+import { stateShown } from "../../shared/past/shown";
 import { runningNow } from "../../shared/run/applyDelta";
 import { isOver } from "../../shared/run/controls";
 import { isInterrupted } from "../../shared/run/interruption";
 import { useCore, useSession, view } from "../client";
 
-function headingOf(core: Core | undefined): string {
+function headingOf(core: Core | undefined, isPast: boolean): string {
+  if (isPast) return "Active then";
   if (core !== undefined && isInterrupted(core)) return "Active when interrupted";
   return core !== undefined && isOver(core) ? "Active at the end" : "Running now";
 }
 
 export function RunningNow({ tree }: { readonly tree: ModelTree | undefined }) {
-  const state = useSession((s) => s.run);
+  const state = useSession(stateShown);
   const core = useCore();
+  const past = useSession((s) => s.past !== undefined);
   const paths = useMemo(() => (state === undefined || tree === undefined ? [] : runningNow(state, tree)), [state, tree]);
   return (
     <section aria-label="Running now" className="running">
-      <h2>{paths.length === 0 ? "Running now" : headingOf(core)}</h2>
+      <h2>{paths.length === 0 && !past ? "Running now" : headingOf(core, past)}</h2>
       {paths.length === 0 ? (
-        <p className="quiet">Nothing is active.</p>
+        <p className="quiet">{past ? "Nothing was active." : "Nothing is active."}</p>
       ) : (
         <ul>
           {paths.map((path) => (

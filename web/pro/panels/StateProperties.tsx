@@ -2,13 +2,14 @@
 import type { State } from "../../shared/model/model";
 import { allowed, until } from "../../shared/run/controls";
 import { portText, valueText } from "../../shared/model/describe";
+import { stateShown } from "../../shared/past/shown";
 import { commandable } from "../../shared/session/session";
 import { run, useSession, view } from "../client";
 import { Code } from "./Code";
 import { ValueTable } from "./ValueTable";
 
 export function StateProperties({ path, state }: { readonly path: string; readonly state: State }) {
-  const live = useSession((s) => s.run);
+  const live = useSession(stateShown);
   const active = live?.active.includes(path) === true;
   const sources = Object.fromEntries(
     state.parameters.flatMap((p) => (p.from !== undefined ? [[p.name, `← ${p.from}`]] : p.value !== undefined ? [[p.name, `= ${valueText(p.value)}`]] : [])),
@@ -37,9 +38,11 @@ export function StateProperties({ path, state }: { readonly path: string; readon
 
 function StepTo({ path, state }: { readonly path: string; readonly state: State }) {
   const can = allowed(useSession(commandable)).has("until");
+  const past = useSession((s) => s.past !== undefined);
   if (!can) return null;
   return (
     <div className="step-to" role="group" aria-label="Run until">
+      {past && <span className="of-present">The present</span>}
       <button type="button" onClick={() => void run("until", until(state, path, "entered"))}>
         Run until entered
       </button>
@@ -51,7 +54,7 @@ function StepTo({ path, state }: { readonly path: string; readonly state: State 
 }
 
 function PortList({ path, state }: { readonly path: string; readonly state: State }) {
-  const active = useSession((s) => s.run?.ports);
+  const active = useSession((s) => stateShown(s)?.ports);
   if (state.ports.length === 0) return null;
   return (
     <section aria-label="Ports">

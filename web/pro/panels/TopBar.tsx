@@ -5,11 +5,13 @@ import { interruptedElsewhere, isInterrupted } from "../../shared/run/interrupti
 import { errorsText } from "../../shared/run/errorsText";
 import { documentText, errorCount, refusalToStart } from "../../shared/session/draft";
 import { keysOf } from "../../shared/session/shortcuts";
+import { isStored } from "../../shared/session/session";
 import type { Page } from "../../shared/session/view";
 import { openDocument, useEditing } from "../edit/editing";
 import { dismissProblem, useCore, useSession, useView, view, watch } from "../client";
 import { ThemeButton } from "../theme/ThemeButton";
 import { LoadRun } from "../documents/LoadRun";
+import { showRuns } from "../runs/actions";
 import { Icon } from "./Icon";
 
 const pages: readonly { readonly page: Page; readonly name: string }[] = [
@@ -37,6 +39,9 @@ export function TopBar() {
       <InterruptedElsewhere />
       <NewRun />
       <DocumentsButton />
+      <button type="button" className="documents-button" title="The runs that the server has stored" onClick={() => showRuns(true)}>
+        Runs
+      </button>
       <PageTabs />
       <ConnectionLight />
       <ThemeButton />
@@ -57,11 +62,17 @@ function CoreChoice() {
   const cores = useSession((s) => s.cores);
   const watched = useSession((s) => s.watched);
   const core = useCore();
+  const stored = useSession((s) => (isStored(s) ? s.stored : undefined));
   return (
     <label className="field">
       <span>Run</span>
       <select aria-label="Watched run" className={core !== undefined && isInterrupted(core) ? "is-interrupted" : ""} value={watched ?? ""} onChange={(event) => watch(event.target.value)}>
         {watched === undefined && <option value="">none</option>}
+        {stored !== undefined && (
+          <option value={stored.id}>
+            {stored.document} · {stored.id} · {statusText(stored)}, stored
+          </option>
+        )}
         {cores.map((core) => (
           <option key={core.id} value={core.id}>
             {core.document} · {core.id} · {statusText(core)}

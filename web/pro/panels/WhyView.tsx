@@ -3,7 +3,8 @@ import type { Why } from "../../generated/messages";
 import { atomAdvice, readsText, truthText, whyHeadline, whySentences } from "../../shared/run/whyText";
 import { CodeText } from "./CodeText";
 
-export function WhyView({ why }: { readonly why: Why }) {
+/** `then`: the moment of the past that it is about. */
+export function WhyView({ why, then }: { readonly why: Why; readonly then?: string | undefined }) {
   return (
     <section className="why" aria-label="Why">
       <h3>{whyHeadline(why)}</h3>
@@ -14,7 +15,8 @@ export function WhyView({ why }: { readonly why: Why }) {
       ))}
       <Atoms why={why} />
       <p className="quiet">
-        Condition now: <strong>{truthText(why.value)}</strong>
+        {then === undefined ? "Condition now: " : `Condition at step ${then}: `}
+        <strong>{truthText(why.value)}</strong>
       </p>
     </section>
   );

@@ -154,6 +154,14 @@ export function lastFiring(steps: readonly TraceStep[], address: string): MicroS
   return step === undefined ? undefined : { step: step.step, micro: (step.first ?? 0) + step.micro.map(fires).lastIndexOf(true) };
 }
 
+/** Of these steps, what was done before micro step `micro` of a macro step. */
+export function stepsBefore(steps: readonly TraceStep[], { step, micro }: MicroStep): readonly TraceStep[] {
+  return steps.flatMap((each) => {
+    if (each.step !== step) return each.step < step ? [each] : [];
+    return [{ ...each, micro: each.micro.slice(0, Math.max(0, micro - (each.first ?? 0))) }];
+  });
+}
+
 export function premiseCount(node: Derivation): string {
   return node.premises.length === 1 ? "1 premise" : `${node.premises.length} premises`;
 }

@@ -1,15 +1,18 @@
-// The place of the page in its address: `?run=ID` of the run that is shown, `?edit=NAME` of the document that is edited.
+// The place of the page in its address: `?run=ID` of the run that is shown, `at=STEP.MICRO` of the moment of it, if that is past,
+// `?edit=NAME` of the document that is edited, `?runs=1` where the stored runs are listed.
 
 export interface Place {
   readonly run?: string | undefined;
+  readonly at?: string | undefined;
   readonly edit?: string | undefined;
+  readonly runs?: string | undefined;
 }
 
 /** What the query of an address says; an empty entry says nothing. */
 export function placeOfAddress(search: string): Place {
   const query = new URLSearchParams(search);
   const entry = (key: keyof Place) => query.get(key) ?? undefined;
-  return { run: entry("run"), edit: entry("edit") };
+  return { run: entry("run"), at: entry("at"), edit: entry("edit"), runs: entry("runs") };
 }
 
 /** The query with these entries; those that are undefined are taken out of it. */

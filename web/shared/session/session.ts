@@ -5,8 +5,12 @@ import type { Core, DocumentSummary, HostedService, Input, LogEntry, Rule, RunSt
 import type { StreamUpdate } from "../messages/stream";
 import { kNoPlaces, type Places } from "../drawing/places";
 import type { RcmDocument } from "../model/model";
+import type { ShownPast } from "../past/shown";
 import { applyDelta } from "../run/applyDelta";
+import { isOver } from "../run/controls";
+import { modelKey } from "../run/edits";
 import { applyFired, noneFired, type Fired } from "../run/fired";
+import type { StoredRun } from "../runs/storedRun";
 import type { Connection } from "../stream";
 
 export interface Session {
@@ -16,8 +20,10 @@ export interface Session {
   readonly documents: readonly DocumentSummary[];
   readonly rules: ReadonlyMap<string, Rule>;
   readonly cores: readonly Core[];
-  /** The core that is watched. */
+  /** The run that is watched. */
   readonly watched: string | undefined;
+  /** What is stored of the watched run, if no core hosts it (runs/storedRun.ts). */
+  readonly stored: Core | undefined;
   /** Name of the document of the watched core, also after that core was removed. */
   readonly document: string | undefined;
   readonly model: RcmDocument | undefined;
@@ -26,6 +32,8 @@ export interface Session {
   /** Of which edit of the run `model` is (modelKey). */
   readonly modelKey: string | undefined;
   readonly run: RunState | undefined;
+  /** The moment of the past that is shown instead (past/shown.ts). */
+  readonly past: ShownPast | undefined;
   readonly fired: Fired;
   readonly lastInput: Input | undefined;
   readonly steps: readonly TraceStep[];
@@ -43,6 +51,10 @@ export type SessionEvent =
   | { readonly type: "watched"; readonly id: string | undefined }
   | { readonly type: "model"; readonly id: string; readonly key: string; readonly model: RcmDocument; readonly places: Places }
   | { readonly type: "past"; readonly id: string; readonly steps: readonly TraceStep[] }
+  /** Turns to a run that no core hosts. */
+  | { readonly type: "stored"; readonly run: StoredRun }
+  /** Turns to a moment of run `id`, or, with nothing, back to its present. */
+  | { readonly type: "moment"; readonly id: string; readonly shown: ShownPast | undefined }
   /** `frame`: of the page, in which it is shown together with others. */
   | { readonly type: "update"; readonly update: StreamUpdate; readonly frame?: number }
   | { readonly type: "problem"; readonly text: string | undefined };
@@ -56,11 +68,13 @@ export const emptySession: Session = {
   rules: new Map(),
   cores: [],
   watched: undefined,
+  stored: undefined,
   document: undefined,
   model: undefined,
   places: kNoPlaces,
   modelKey: undefined,
   run: undefined,
+  past: undefined,
   fired: noneFired,
   lastInput: undefined,
   steps: [],
@@ -69,12 +83,20 @@ export const emptySession: Session = {
   problem: undefined,
 };
 
-export function watchedCore(session: Session): Core | undefined {
-  return session.cores.find((core) => core.id === session.watched);
+/** What is watched: a core, or what is stored of a run, as the core was that hosted it. */
+export function watchedCore({ cores, watched, stored }: Session): Core | undefined {
+  return cores.find((core) => core.id === watched) ?? stored;
 }
 
-/** The watched core, if a command can reach it. */
-export const commandable = (session: Session): Core | undefined => (session.connection === "lost" ? undefined : watchedCore(session));
+/** Whether the watched run is stored, and hosted by no core. */
+export const isStored = ({ cores, watched, stored }: Session): boolean => stored !== undefined && cores.every((core) => core.id !== watched);
+
+/** The watched core, if a command can reach it; of a run that is only stored, a new one can be made once it is over. */
+export function commandable(session: Session): Core | undefined {
+  const core = watchedCore(session);
+  if (session.connection === "lost" || core === undefined) return undefined;
+  return isStored(session) && !isOver(core) ? undefined : core;
+}
 
 /** Why the scene of the cell cannot be loaded now: the server or the process of `robot` is not connected. */
 export function cellUnavailable({ connection, services }: Session): string | undefined {
@@ -102,10 +124,19 @@ export function applyEvent(session: Session, event: SessionEvent): Session {
         places: kNoPlaces,
         modelKey: undefined,
         run: undefined,
+        stored: undefined,
+        past: undefined,
         fired: noneFired,
         steps: [],
         lastInput: undefined,
       };
+    case "stored": {
+      const { core, model, places, state, steps } = event.run;
+      const turned = applyEvent(session, { type: "watched", id: core.id });
+      return { ...turned, stored: core, document: core.document, model, places, modelKey: modelKey(core), run: state, steps };
+    }
+    case "moment":
+      return event.id === session.watched ? { ...session, past: event.shown } : session;
     case "model":
       return event.id === session.watched ? { ...session, model: event.model, places: event.places, modelKey: event.key } : session;
     case "past":

@@ -1,8 +1,9 @@
 // The keys and mouse actions of the expert page: its handlers and its help use this table. As in RAFCON and Node-RED.
+import type { Move } from "../past/moves";
 import { allowed, primary, type Command } from "../run/controls";
 import type { Core } from "../../generated/messages";
 
-export type Shortcut = "lead" | "pause" | "stop" | "micro" | "macro" | "search" | "documents" | "zoom_in" | "zoom_out" | "fit" | "help" | "escape";
+export type Shortcut = "lead" | "pause" | "stop" | "micro" | "macro" | Move | "search" | "documents" | "zoom_in" | "zoom_out" | "fit" | "help" | "escape";
 
 export interface ShortcutEntry {
   readonly shortcut: Shortcut;
@@ -17,13 +18,17 @@ export const shortcuts: readonly ShortcutEntry[] = [
   { shortcut: "micro", keys: ["F4"], does: "Micro step" },
   { shortcut: "macro", keys: ["Shift+F4"], does: "Macro step" },
   { shortcut: "stop", keys: ["F8"], does: "Stop" },
+  { shortcut: "back", keys: ["F9"], does: "Back by a micro step: what is shown, not the run" },
+  { shortcut: "forward", keys: ["Shift+F9"], does: "Forward again by a micro step" },
+  { shortcut: "back_step", keys: ["Ctrl+F9"], does: "Back to the end of the macro step before" },
+  { shortcut: "forward_step", keys: ["Ctrl+Shift+F9"], does: "Forward to the end of a macro step" },
   { shortcut: "zoom_in", keys: ["Ctrl++", "Ctrl+="], does: "Zoom in" },
   { shortcut: "zoom_out", keys: ["Ctrl+-"], does: "Zoom out" },
   { shortcut: "fit", keys: ["Ctrl+0", "Ctrl+Space"], does: "Show the whole drawing" },
   { shortcut: "search", keys: ["Ctrl+F"], does: "Search states, ports and code" },
   { shortcut: "documents", keys: ["Ctrl+O"], does: "Documents: new, open, upload, download, duplicate, delete" },
   { shortcut: "help", keys: ["?"], does: "Show these keys" },
-  { shortcut: "escape", keys: ["Esc"], does: "Close this panel, or select nothing" },
+  { shortcut: "escape", keys: ["Esc"], does: "Close this panel, return to the present, or select nothing" },
 ];
 
 /** What the mouse does, and the keys that one part of the page takes while it has the focus. */
@@ -55,7 +60,7 @@ export const gestures: readonly { readonly where: string; readonly list: readonl
   {
     where: "Derivation",
     list: [
-      { gesture: "Click a macro step", does: "Show its proof trees" },
+      { gesture: "Click a macro step", does: "Show its proof trees, and the model as it was then" },
       { gesture: "Click an inference", does: "Show it as the thesis prints it" },
       { gesture: "Double click, → and ←", does: "Unfold and fold its premises" },
       { gesture: "↑ and ↓", does: "Go from row to row" },
@@ -66,6 +71,13 @@ export const gestures: readonly { readonly where: string; readonly list: readonl
     list: [
       { gesture: "Drop files on the page", does: "Store them as documents" },
       { gesture: "↑ and ↓, Enter", does: "Go through the list, and open a document" },
+    ],
+  },
+  {
+    where: "Runs",
+    list: [
+      { gesture: "Drop the file of a run on the page", does: "Store and show it" },
+      { gesture: "← and → on the slider over a past moment", does: "Go from macro step to macro step" },
     ],
   },
   { where: "Search", list: [{ gesture: "Enter", does: "Go to the first result" }] },
@@ -114,6 +126,11 @@ export function commandOf(shortcut: Shortcut, core: Core | undefined): Command |
       return undefined;
   }
 }
+
+const kMoves: ReadonlySet<Shortcut> = new Set(["back", "forward", "back_step", "forward_step"] satisfies readonly Move[]);
+
+/** Whether it moves what is shown through the past of the run. */
+export const isMove = (shortcut: Shortcut): shortcut is Move => kMoves.has(shortcut);
 
 /** The keys of a shortcut, for the name of its button. */
 export function keysOf(shortcut: Shortcut): string {

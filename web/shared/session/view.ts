@@ -43,6 +43,8 @@ export interface View {
   readonly help: boolean;
   /** Whether the documents are shown over the page. */
   readonly documents: boolean;
+  /** Whether the stored runs are. */
+  readonly runs: boolean;
   /** Whether a run of the document that is edited is shown on its drawing. */
   readonly runShown: boolean;
   /** The places of the other model: of the document that is edited while a run is shown, and the other way round. */
@@ -67,9 +69,12 @@ export type Gesture =
   | { readonly type: "detail"; readonly detail: View["detail"] }
   | { readonly type: "show_again"; readonly shown: Shown }
   | { readonly type: "step"; readonly step: number | undefined }
+  /** The same, and the drawer stays as it is. */
+  | { readonly type: "turn_to_step"; readonly step: number | undefined }
   | { readonly type: "inset"; readonly shown: boolean }
   | { readonly type: "help"; readonly shown: boolean }
   | { readonly type: "documents"; readonly shown: boolean }
+  | { readonly type: "runs"; readonly shown: boolean }
   | { readonly type: "run_shown"; readonly shown: boolean }
   | { readonly type: "escape" }
   /** Another model is shown on this page. */
@@ -92,6 +97,7 @@ export const initialView: View = {
   inset: true,
   help: false,
   documents: false,
+  runs: false,
   runShown: true,
   aside: kNowhere,
 };
@@ -148,6 +154,9 @@ function within(path: string, focus: string | undefined): boolean {
 /** The page with a drawing that a place in the model is shown on: the one that is open, else the task. */
 const modelPage = ({ page }: View): Page => (page === "edit" ? "edit" : "task");
 
+/** Whether something is shown over the page. */
+export const isCovered = ({ help, documents, runs }: View): boolean => help || documents || runs;
+
 export function applyGesture(view: View, gesture: Gesture): View {
   switch (gesture.type) {
     case "page":
@@ -190,16 +199,20 @@ export function applyGesture(view: View, gesture: Gesture): View {
       return { ...view, ...gesture.shown };
     case "step":
       return { ...view, step: gesture.step, drawer: "derivation" };
+    case "turn_to_step":
+      return { ...view, step: gesture.step };
     case "inset":
       return { ...view, inset: gesture.shown };
     case "help":
       return { ...view, help: gesture.shown };
     case "documents":
       return { ...view, documents: gesture.shown };
+    case "runs":
+      return { ...view, runs: gesture.shown };
     case "run_shown":
       return { ...view, runShown: gesture.shown };
     case "escape":
-      if (view.help || view.documents) return { ...view, help: false, documents: false };
+      if (isCovered(view)) return { ...view, help: false, documents: false, runs: false };
       return { ...view, selection: undefined, also: kNone };
     case "carry":
       return view.page === "edit" ? { ...view, ...carry(view, gesture.before, gesture.after) } : { ...view, aside: carry(view.aside, gesture.before, gesture.after) };

@@ -27,9 +27,13 @@ const readers: Readonly<Record<string, (value: unknown) => unknown>> = {
   document_breakpoints: by(schema.documentBreakpoints),
   documents: by(schema.documents),
   errors: by(schema.errors),
+  journal: by(schema.journal),
   person: by(schema.person),
   problem: by(schema.problem),
   rules: by(schema.rules),
+  run: by(schema.run),
+  run_comparison: by(schema.runComparison),
+  runs: by(schema.runs),
   scene: by(schema.scene),
   services: by(schema.services),
   stream_message: readStreamMessage,
@@ -39,8 +43,8 @@ const readers: Readonly<Record<string, (value: unknown) => unknown>> = {
 /** Messages that the pages write, and messages between other programs. */
 const unread = new Set([
   "backup", "backups", "boot", "breakpoints", "checkpoint", "component_message", "component_request",
-  "core_create", "core_load", "core_start", "document_branch", "document_entry", "document_restore", "edit_request", "journal",
-  "operator", "person_command", "revisions", "run", "run_comparison", "run_file", "runs", "samples",
+  "core_create", "core_load", "core_start", "document_branch", "document_entry", "document_restore", "edit_request",
+  "operator", "person_command", "revisions", "run_file", "samples",
   "server_config", "step_request", "stream_request",
 ]);
 

@@ -1,0 +1,157 @@
+// Stored runs: listed, searched, opened after a restart of the server and scrubbed, downloaded and dropped on another page, deleted.
+import { readFileSync } from "node:fs";
+import type { Page } from "playwright-core";
+import { findings } from "./axe";
+import { openFixture, settled, type Fixture } from "./fixture";
+
+let fixture: Fixture;
+let page: Page;
+
+beforeAll(async () => {
+  fixture = await openFixture();
+  page = fixture.page;
+  page.setDefaultTimeout(20_000);
+  await page.setViewportSize({ width: 1366, height: 768 });
+});
+afterAll(() => fixture.close());
+
+const soon = (value: () => unknown) => expect.poll(value, { timeout: 20_000 });
+
+interface CoreJson {
+  readonly id: string;
+  readonly status: string;
+  readonly step: number;
+}
+const send = async (method: string, path: string, body?: unknown) => (await fixture.send(method, path, body)) as CoreJson;
+
+/** Makes a run and waits for its end. */
+async function runToEnd(document: string): Promise<CoreJson> {
+  const { id } = await send("POST", "/cores", { document });
+  await send("POST", `/cores/${id}/start`);
+  await expect.poll(async () => (await send("GET", `/cores/${id}`)).status, { timeout: 60_000 }).toMatch(/ended|faulted/);
+  return send("GET", `/cores/${id}`);
+}
+
+const banner = () => page.getByRole("region", { name: "Past" });
+const moment = () => new URL(page.url()).searchParams.get("at");
+const digest = () => page.getByRole("region", { name: "Moment" }).locator("dd code").getAttribute("title");
+const activeIn = (of: Page) => of.locator('[role="treeitem"][data-active="true"]').evaluateAll((all) => all.map((each) => each.getAttribute("data-path")).join(" "));
+const list = () => page.getByRole("list", { name: "Stored runs" });
+const status = () => page.getByRole("status", { name: "Run status" }).locator("strong").innerText();
+
+/** What the page shows at macro step `step`. */
+async function seenAt(step: number): Promise<object> {
+  const slider = banner().getByRole("slider", { name: "Macro step" });
+  await slider.fill(String(step));
+  await soon(moment).toMatch(new RegExp(`^${step}\\.`));
+  await soon(() => page.getByRole("heading", { level: 2, name: `Step ${moment() ?? ""}`, exact: true }).count()).toBe(1);
+  return { moment: moment(), digest: await digest(), active: await activeIn(page) };
+}
+
+describe("a run of yesterday", () => {
+  let picked: CoreJson;
+  const live: object[] = [];
+
+  it("is looked at while its core is there", async () => {
+    picked = await runToEnd("pick");
+    await fixture.send("PUT", "/documents/failing", { rcm: 1, root: { state: "Root", entry: "var.n = 1 / 0", variables: [{ name: "n" }] } });
+    await runToEnd("failing");
+    await page.goto(`${fixture.url}/pro/?run=${picked.id}`);
+    await settled(page);
+    await soon(status).toBe("Ended: success");
+    await page.keyboard.press("F9");
+    await banner().waitFor();
+    for (const step of [2, 4, picked.step - 1]) live.push(await seenAt(step));
+    expect(new Set(live.map((each) => JSON.stringify(each))).size).toBe(3);
+  });
+
+  it("is in the list after a restart of the server, where a search finds it by outcome and words", async () => {
+    await fixture.kill();
+    await fixture.restart();
+    expect(((await fixture.send("GET", "/cores")) as { readonly cores: readonly object[] }).cores).toEqual([]);
+    await page.goto(`${fixture.url}/pro/`);
+    await page.getByRole("button", { name: "Runs", exact: true }).click();
+    await soon(() => list().getByRole("listitem").count()).toBe(2);
+    expect(await page.evaluate(() => location.search)).toBe("?runs=1");
+    expect(await list().getByRole("listitem").first().innerText()).toContain("failing");
+    const found = page.getByRole("status", { name: "Found" });
+    await page.getByRole("combobox", { name: "With the outcome" }).selectOption("bad");
+    await soon(() => found.innerText()).toBe("1 of 2 runs");
+    expect(await list().innerText()).toMatch(/failing[^]*Faulted: zero_division/);
+    await page.getByRole("combobox", { name: "With the outcome" }).selectOption("");
+    await page.getByRole("searchbox", { name: "Search the runs" }).fill("success pick");
+    await soon(() => list().getByRole("listitem").count()).toBe(1);
+    expect(await findings(page)).toEqual([]);
+    await fixture.screenshot("runs");
+    await page.emulateMedia({ colorScheme: "dark" });
+    await soon(() => findings(page)).toEqual([]);
+    await fixture.screenshot("runs-dark");
+    await page.emulateMedia({ colorScheme: "light" });
+  });
+
+  it("opens as it was live, and is scrubbed through the same moments", async () => {
+    await page.getByRole("button", { name: `Run ${picked.id} of pick` }).click();
+    await settled(page);
+    expect(await status()).toBe("Ended: success");
+    await soon(() => banner().innerText()).toContain(`Run ${picked.id} of pick is stored`);
+    expect(await page.locator(".run-button:enabled").allInnerTexts()).toEqual(["Run again"]);
+    if ((await page.getByRole("list", { name: "Macro steps" }).count()) === 0) await page.getByRole("tab", { name: "Derivation" }).click();
+    await soon(() => page.getByRole("list", { name: "Macro steps" }).getByRole("listitem").count()).toBe(picked.step);
+    const stored = [];
+    for (const step of [2, 4, picked.step - 1]) stored.push(await seenAt(step));
+    expect(stored).toEqual(live);
+    await settled(page);
+    expect(await findings(page)).toEqual([]);
+    await fixture.screenshot("run-scrubbed");
+    const slider = banner().getByRole("slider", { name: "Macro step" });
+    await slider.press("Home");
+    await soon(moment).toMatch(/^1\./);
+    await page.keyboard.press("Escape");
+    await soon(moment).toBeNull();
+    await page.goBack();
+    await soon(moment).toMatch(/^1\./);
+  });
+
+  it("is where a link leads, also to a moment of it", async () => {
+    await page.goto(`${fixture.url}/pro/?run=${picked.id}&at=4.0`);
+    await soon(() => banner().innerText()).toContain("You look at step 4.0.");
+    await page.goto(`${fixture.url}/pro/?run=${picked.id}`);
+    await soon(() => banner().innerText()).toContain("is stored");
+    await page.reload();
+    await soon(() => banner().innerText()).toContain("is stored");
+  });
+
+  it("goes as one file to the disk, and from there onto the page again", async () => {
+    await page.goto(`${fixture.url}/pro/?run=${picked.id}&runs=1`);
+    const row = list().getByRole("listitem", { name: `Run ${picked.id}`, exact: true });
+    const [file] = await Promise.all([page.waitForEvent("download"), row.getByRole("link", { name: "Download" }).click()]);
+    expect(file.suggestedFilename()).toBe(`run-${picked.id}.json`);
+    const text = readFileSync(await file.path(), "utf8");
+    await page.evaluate((content) => {
+      const files = new DataTransfer();
+      files.items.add(new File([content], "yesterday.json", { type: "application/json" }));
+      const drop = { bubbles: true, cancelable: true, dataTransfer: files };
+      document.body.dispatchEvent(new DragEvent("dragenter", drop));
+      document.body.dispatchEvent(new DragEvent("drop", drop));
+    }, text);
+    const copy = String(Number(picked.id) + 2);
+    await soon(() => banner().innerText()).toContain(`Run ${copy} of pick is stored`);
+    expect(await status()).toBe("Ended: success");
+    expect(await page.getByRole("dialog").count()).toBe(0);
+  });
+
+  it("is deleted for good when that is confirmed", async () => {
+    await page.getByRole("button", { name: "Runs", exact: true }).click();
+    const row = list().getByRole("listitem", { name: `Run ${picked.id}`, exact: true });
+    await row.getByRole("button", { name: "Delete", exact: true }).click();
+    await row.getByRole("button", { name: "Keep it" }).click();
+    expect(await row.count()).toBe(1);
+    await row.getByRole("button", { name: "Delete", exact: true }).click();
+    await row.getByRole("button", { name: `Delete run ${picked.id}` }).click();
+    await soon(() => row.count()).toBe(0);
+    await expect(fixture.send("GET", `/runs/${picked.id}`)).rejects.toThrow("404");
+    await page.keyboard.press("Escape");
+    await soon(() => page.getByRole("dialog").count()).toBe(0);
+    expect(await page.evaluate(() => location.search)).not.toContain("runs");
+  });
+});

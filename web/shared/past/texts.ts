@@ -1,0 +1,36 @@
+// What the page says while it looks at the past of a run.
+import type { Core, Past } from "../../generated/messages";
+import { momentText } from "./moment";
+
+export interface PastText {
+  readonly title: string;
+  /** Where the run is, or how long it is. */
+  readonly holds: string;
+}
+
+const presentText = ({ step, micro }: Core): string => (micro > 0 ? momentText({ step, micro }) : String(step));
+
+/** `isStored`: no core hosts the run any more. */
+export function pastText(past: Past, core: Core, isStored: boolean): PastText {
+  const title = `You look at step ${momentText(past)}.`;
+  if (isStored) return { title, holds: `The run has ${core.step} steps and is over.` };
+  return { title, holds: `The run is at ${presentText(core)}. Robots do not move back.` };
+}
+
+const kMoves = { running: "Running", ended: "Ended", faulted: "Faulted", aborted: "Stopped" } as const;
+
+/** The status of the run at the moment, in one line. */
+export function pastStatus({ status, outcome, fault }: Past): string {
+  const detail = outcome ?? fault?.kind;
+  return detail === undefined ? kMoves[status] : `${kMoves[status]}: ${detail}`;
+}
+
+/** Between which micro steps the moment is. */
+export function placeText({ step, micro, complete }: Past): string {
+  if (complete) return micro === 0 ? `Nothing changes in macro step ${step}.` : `At the end of macro step ${step}, after micro step ${micro - 1}.`;
+  return micro === 0 ? `In macro step ${step}, before its first micro step.` : `In macro step ${step}, after micro step ${micro - 1}.`;
+}
+
+/** So many digits tell the moments of a run apart. */
+const kShort = 12;
+export const shortDigest = (digest: string): string => digest.slice(0, kShort);
