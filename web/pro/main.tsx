@@ -22,6 +22,7 @@ import "./styles/live.css";
 import "./styles/presence.css";
 import "./styles/past.css";
 import "./styles/runs.css";
+import "./styles/timeline.css";
 import { createRoot } from "react-dom/client";
 import { App } from "./App";
 import { connect } from "./client";

@@ -4,6 +4,7 @@ import { fileOf, newDocumentText } from "../../shared/documents/names";
 import { api, loadDocuments, view } from "../client";
 import { author } from "../edit/author";
 import { closeDocument, editing, openDocument } from "../edit/editing";
+import { saveText } from "../saveText";
 import { requestRun } from "./asking";
 
 /** Closes the panel and shows the document in the editor. */
@@ -46,14 +47,8 @@ export async function remove(name: string, revision: number): Promise<void> {
   }
 }
 
-/** In this time the browser has read what it saves [ms]. */
-const kReading = 10_000;
-
 /** Saves the document as a file, as the server has written it. */
 export async function download(name: string): Promise<void> {
   const text = fieldText(await api.documentText(name), "document") ?? "";
-  const address = URL.createObjectURL(new Blob([text], { type: "application/json" }));
-  const link = Object.assign(document.createElement("a"), { href: address, download: fileOf(name) });
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(address), kReading);
+  saveText(fileOf(name), "application/json", text);
 }

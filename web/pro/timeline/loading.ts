@@ -1,0 +1,55 @@
+// The macro steps of the shown run, loaded in parts of which only what a time line shows is kept.
+import { useEffect, useEffectEvent, useState } from "react";
+import { lineStep, type LineStep } from "../../shared/runs/timeline";
+import { watchedCore } from "../../shared/session/session";
+import { api, session, sourceOf, useSession } from "../client";
+
+/** So many macro steps are shown, the last ones. */
+export const kMostSteps = 1000;
+/** The server takes so many in a request. */
+const kPart = 100;
+/** A run that goes on is asked for what is new at most this often [ms]. */
+const kEvery = 1000;
+
+export interface Line {
+  readonly id: string;
+  readonly steps: readonly LineStep[];
+  readonly failed?: string;
+}
+
+async function loadPart(id: string, known: readonly LineStep[], last: number): Promise<readonly LineStep[]> {
+  // The last one that is known may have gone on since.
+  const from = Math.max(1, last - kMostSteps + 1, known.at(-1)?.step ?? 1);
+  const added = (await api.derivations(id, from, Math.min(last, from + kPart - 1), sourceOf(session.get()))).map(lineStep);
+  return [...known.filter(({ step }) => step < from && step > last - kMostSteps), ...added];
+}
+
+/** The time line of the watched run, which grows with it; nothing before its first part is here. */
+export function useLine(): Line | undefined {
+  const id = useSession((s) => s.watched);
+  const last = useSession((s) => watchedCore(s)?.step ?? 0);
+  const micro = useSession((s) => watchedCore(s)?.micro ?? 0);
+  const [line, setLine] = useState<Line>();
+  const shown = line?.id === id ? line : undefined;
+  const have = shown?.steps.at(-1)?.step ?? 0;
+  const load = useEffectEvent(async (of: string, to: number, isCurrent: () => boolean) => {
+    const steps = shown?.steps ?? [];
+    try {
+      const all = await loadPart(of, steps, to);
+      if (isCurrent()) setLine({ id: of, steps: all });
+    } catch (error) {
+      if (isCurrent()) setLine({ id: of, steps, failed: error instanceof Error ? error.message : String(error) });
+    }
+  });
+  useEffect(() => {
+    if (id === undefined || last === 0) return;
+    let current = true;
+    // Parts that are missing come at once.
+    const timer = setTimeout(() => void load(id, last, () => current), have === 0 || last - have >= kPart ? 0 : kEvery);
+    return () => {
+      current = false;
+      clearTimeout(timer);
+    };
+  }, [id, last, micro, have]);
+  return shown;
+}
