@@ -5,6 +5,7 @@ import type {
   DocumentBranch,
   DocumentEntry,
   DocumentRemoved,
+  DocumentRestore,
   Documents,
   DocumentSummary,
   Health,
@@ -13,6 +14,7 @@ import type {
   Past,
   Person,
   PersonCommand,
+  Revisions,
   Rule,
   Run,
   RunComparison,
@@ -129,7 +131,17 @@ export function createApi(base: string, fetcher: typeof fetch) {
       const headers = { "content-type": "application/json", ...(onto === undefined ? { "if-none-match": "*" } : { "if-match": tagOf(onto) }) };
       return send(`/documents/${segment(name)}?draft=${draft}&author=${segment(author)}`, { method: "PUT", body: content, headers }, schema.documentEntry);
     },
-    branchDocument: (name: string, as: string, author: string): Promise<DocumentEntry> => request("POST", `/documents/${segment(name)}/branch`, schema.documentEntry, { as, author }),
+    /** `revision`: of the document that is branched; nothing: the last one. */
+    branchDocument: (name: string, as: string, author: string, revision?: number): Promise<DocumentEntry> =>
+      request("POST", `/documents/${segment(name)}/branch`, schema.documentEntry, { as, author, ...(revision !== undefined && { revision }) }),
+    /** The newest first, at most 100; only those before `before`. */
+    revisions: (name: string, before?: number): Promise<Revisions> =>
+      get(`/documents/${segment(name)}/revisions${before === undefined ? "" : `?before=${before}`}`, schema.revisions),
+    /** Makes an earlier revision the next one, if `onto` is the last one. */
+    restoreDocument: (name: string, revision: number, { onto, author }: { readonly onto: number; readonly author: string }): Promise<DocumentEntry> => {
+      const body: DocumentRestore = { revision, author };
+      return send(`/documents/${segment(name)}/restore`, { method: "POST", body: writeExact(body), headers: { "content-type": "application/json", "if-match": tagOf(onto) } }, schema.documentEntry);
+    },
     /** With all its revisions, the last of which must be `revision`. */
     deleteDocument: (name: string, revision: number): Promise<DocumentRemoved> =>
       send(`/documents/${segment(name)}`, { method: "DELETE", headers: { "if-match": tagOf(revision) } }, schema.documentRemoved),

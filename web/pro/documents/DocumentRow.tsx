@@ -5,7 +5,7 @@ import { freeDocumentName } from "../../shared/documents/names";
 import { errorsText } from "../../shared/run/errorsText";
 import { errorCount, refusalToStart } from "../../shared/session/draft";
 import { CodeText } from "../panels/CodeText";
-import { download, duplicate, edit, makeRun, remove } from "./actions";
+import { download, duplicate, edit, editWithHistory, makeRun, remove } from "./actions";
 import { NameForm } from "./NameForm";
 import { useAttempt } from "./useAttempt";
 
@@ -44,6 +44,9 @@ export function DocumentRow({ document, taken, offline }: Props) {
         </button>
         <button type="button" disabled={disabled} aria-expanded={asked === "name"} onClick={() => ask("name")}>
           Duplicate
+        </button>
+        <button type="button" disabled={disabled} onClick={() => editWithHistory(name)}>
+          History
         </button>
         <button type="button" disabled={disabled} onClick={() => void attempt(() => download(name))}>
           Download

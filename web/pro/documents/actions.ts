@@ -5,12 +5,19 @@ import { api, loadDocuments, view } from "../client";
 import { author } from "../edit/author";
 import { closeDocument, editing, openDocument } from "../edit/editing";
 import { saveText } from "../saveText";
+import { showHistory } from "../versions/history";
 import { requestRun } from "./asking";
 
 /** Closes the panel and shows the document in the editor. */
 export function edit(name: string): void {
   showDocuments(false);
   openDocument(name);
+}
+
+/** The same, with its history. */
+export function editWithHistory(name: string): void {
+  edit(name);
+  showHistory(true);
 }
 
 export function showDocuments(shown: boolean): void {

@@ -13,6 +13,7 @@ import { DragLayer } from "./gestures/DragLayer";
 import { EditCanvas } from "./gestures/EditCanvas";
 import { Prompts } from "./prompts/Prompts";
 import { DifferenceMarks } from "../live/DifferenceMarks";
+import { useCompared } from "../live/executed";
 import { LiveBar } from "../live/LiveBar";
 import { DraftList } from "./forms/DraftList";
 import { StateEditor } from "./forms/StateEditor";
@@ -22,6 +23,9 @@ import { Faces } from "../presence/Faces";
 import { Others } from "../presence/Others";
 import { Refusals } from "./Refusals";
 import { UsageList } from "./usages/UsageList";
+import { useComparedVersions } from "../versions/compared";
+import { useHistory } from "../versions/history";
+import { useView } from "../client";
 import { nameOfElement } from "../../shared/edit/commands/command";
 
 interface Props {
@@ -49,7 +53,7 @@ export function EditPage({ tree, document }: Props) {
           <PlacingTools />
         </ModelCanvas>
         <Placing />
-        <DifferenceMarks />
+        <ShownDifference />
         <Others />
       </EditCanvas>
       {listed && <ErrorList />}
@@ -58,6 +62,15 @@ export function EditPage({ tree, document }: Props) {
       <Prompts />
     </div>
   );
+}
+
+/** Signs of what is compared in the history; else of what the run does not execute. */
+function ShownDifference() {
+  const versions = useComparedVersions();
+  const live = useCompared();
+  const isRunShown = useView((v) => v.runShown);
+  const compared = versions ?? (isRunShown ? live : undefined);
+  return compared === undefined || "reason" in compared ? null : <DifferenceMarks compared={compared} />;
 }
 
 interface HeadProps {
@@ -95,11 +108,22 @@ function EditHead({ document, listed, onList }: HeadProps) {
         <button type="button" disabled={depths === undefined || depths.redo === 0} onClick={() => perform({ redo: true })}>
           Redo
         </button>
+        <HistoryButton />
         <button type="button" onClick={() => runAction(actionOf("close"))}>
           Close
         </button>
       </span>
     </header>
+  );
+}
+
+function HistoryButton() {
+  const shown = useHistory((now) => now.shown);
+  const action = actionOf("history");
+  return (
+    <button type="button" aria-pressed={shown} title={`${action.name} (${action.keys[0] ?? ""})`} onClick={() => runAction(action)}>
+      History
+    </button>
   );
 }
 

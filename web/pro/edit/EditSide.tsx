@@ -1,16 +1,25 @@
-// Left of the document that is edited: search, what can be added, the library, and its states.
+// Left of the document that is edited: search, what can be added, the library, and its states; or its history, with its states.
 import type { ModelTree } from "../../shared/model/modelTree";
 import { SearchBox } from "../panels/SearchBox";
 import { StateTree } from "../panels/StateTree";
+import { useHistory } from "../versions/history";
+import { VersionsPanel } from "../versions/VersionsPanel";
 import { Library } from "./Library";
 import { Palette } from "./Palette";
 
 export function EditSide({ tree }: { readonly tree: ModelTree | undefined }) {
+  const history = useHistory((now) => now.shown);
   return (
     <aside className="side side-left" aria-label="Document">
-      <SearchBox tree={tree} />
-      <Palette />
-      <Library />
+      {history ? (
+        <VersionsPanel />
+      ) : (
+        <>
+          <SearchBox tree={tree} />
+          <Palette />
+          <Library />
+        </>
+      )}
       <StateTree tree={tree} />
     </aside>
   );

@@ -1,21 +1,28 @@
-// What is edited and not in the run: each row leads to its element; what was removed, to the state that it was in.
+// How two documents differ: each row leads to its element in the document that is edited; what that does not have, to the state around it.
 import { kSigns, type DifferenceRow } from "../../shared/edit/difference/rows";
-import { placeOfRow } from "../../shared/live/marks";
+import { placeInShown } from "../../shared/live/marks";
 import { view } from "../client";
+import { editedDocument } from "../edit/editing";
 import { selectById } from "../edit/forms/selectById";
 import type { Compared } from "./executed";
 
 /** So many are listed. */
 const kMost = 200;
 
-export function DifferenceList({ compared: { before, after, rows } }: { readonly compared: Compared }) {
+interface Props {
+  readonly compared: Compared;
+  /** Of the list. */
+  readonly label: string;
+}
+
+export function DifferenceList({ compared: { before, after, rows }, label }: Props) {
   const go = (row: DifferenceRow) => {
-    const id = placeOfRow(before, after, row);
+    const id = placeInShown(before, after, editedDocument() ?? after, row);
     if (id === undefined) view.dispatch({ type: "select", selection: undefined });
     else selectById(id);
   };
   return (
-    <ul aria-label="Changes that the run does not execute">
+    <ul aria-label={label}>
       {rows.slice(0, kMost).map((row) => (
         <li key={`${row.kind} ${row.id}`}>
           <button type="button" className={`difference is-${row.kind}`} onClick={() => go(row)}>

@@ -1,4 +1,4 @@
-// Signs in the drawing where what is edited is not what the run executes.
+// Signs in the drawing where two documents differ: what is edited and what the run executes, or revisions.
 import { useMemo } from "react";
 import { markOf, rowsByPlace } from "../../shared/live/marks";
 import { selectionsOf, type Selection } from "../../shared/model/identity";
@@ -6,8 +6,7 @@ import type { Box } from "../../shared/drawing/drawing";
 import { CanvasLayer } from "../canvas/CanvasLayer";
 import { useShownCanvas } from "../canvas/canvasView";
 import type { Laid } from "../canvas/useDrawing";
-import { useView } from "../client";
-import { useCompared } from "./executed";
+import type { Compared } from "./executed";
 
 /** More signs would hide the drawing. */
 const kMost = 60;
@@ -18,12 +17,10 @@ const boxesOf = ({ drawing }: Laid): ReadonlyMap<string, Box> =>
 
 const addressOf = (selection: Selection): string => (selection.kind === "node" ? selection.path : selection.address);
 
-export function DifferenceMarks() {
+export function DifferenceMarks({ compared }: { readonly compared: Compared }) {
   const laid = useShownCanvas()?.laid;
-  const compared = useCompared();
-  const isShown = useView((v) => v.runShown);
   const marks = useMemo(() => {
-    if (laid === undefined || compared === undefined) return [];
+    if (laid === undefined) return [];
     const [boxes, selections] = [boxesOf(laid), selectionsOf(laid.tree)];
     const boxAt = (id: string) => {
       const selection = selections.get(id);
@@ -35,7 +32,6 @@ export function DifferenceMarks() {
       return box === undefined ? [] : [{ id, box, ...markOf(id, rows) }];
     });
   }, [laid, compared]);
-  if (!isShown) return null;
   return (
     <CanvasLayer className="difference-marks">
       {marks.slice(0, kMost).map(({ id, box, kind, sign, text }) => (

@@ -53,7 +53,7 @@ function Changes({ core, revision }: { readonly core: Core; readonly revision: n
         {changesText(rows.length)} {isOpen ? "▴" : "▾"}
       </button>
       <div id={listId} hidden={!isOpen} className="live-list">
-        {isOpen && <DifferenceList compared={compared} />}
+        {isOpen && <DifferenceList compared={compared} label="Changes that the run does not execute" />}
       </div>
     </>
   );

@@ -12,6 +12,13 @@ export function placeOfRow(before: Tree, after: Tree, { id }: DifferenceRow): st
   return at === "" ? undefined : at;
 }
 
+/** The same in a third document, which is shown: the nearest element that it has. */
+export function placeInShown(before: Tree, after: Tree, shown: Tree, row: DifferenceRow): string | undefined {
+  let at = placeOfRow(before, after, row) ?? "";
+  while (at !== "" && !shown.elements.has(at)) at = after.elements.get(at)?.parent ?? "";
+  return at === "" ? undefined : at;
+}
+
 /** Rows by the elements that are drawn for them: `isShown` tells of an element whether it is, else the state around it is asked. */
 export function rowsByPlace(before: Tree, after: Tree, rows: readonly DifferenceRow[], isShown: (id: string) => boolean): ReadonlyMap<string, readonly DifferenceRow[]> {
   const found = new Map<string, DifferenceRow[]>();

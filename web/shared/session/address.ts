@@ -1,18 +1,20 @@
 // The place of the page in its address: `?run=ID` of the run that is shown, `at=STEP.MICRO` of the moment of it, if that is past,
-// `?edit=NAME` of the document that is edited, `?runs=1` where the stored runs are listed.
+// `?edit=NAME` of the document that is edited, `?runs=1` where the stored runs are listed, `versions` if the history of the document is shown,
+// with what is compared (../versions/range.ts).
 
 export interface Place {
   readonly run?: string | undefined;
   readonly at?: string | undefined;
   readonly edit?: string | undefined;
   readonly runs?: string | undefined;
+  readonly versions?: string | undefined;
 }
 
 /** What the query of an address says; an empty entry says nothing. */
 export function placeOfAddress(search: string): Place {
   const query = new URLSearchParams(search);
   const entry = (key: keyof Place) => query.get(key) ?? undefined;
-  return { run: entry("run"), at: entry("at"), edit: entry("edit"), runs: entry("runs") };
+  return { run: entry("run"), at: entry("at"), edit: entry("edit"), runs: entry("runs"), versions: entry("versions") };
 }
 
 /** The query with these entries; those that are undefined are taken out of it. */

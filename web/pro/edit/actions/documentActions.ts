@@ -9,6 +9,7 @@ import { closeDocument, editing } from "../editing";
 import { ask } from "../prompt";
 import { refuse, tellDone } from "../say";
 import { whenStored } from "../whenStored";
+import { isHistoryShown, showHistory } from "../../versions/history";
 import type { Action } from "./action";
 
 const always = (): undefined => undefined;
@@ -69,6 +70,11 @@ const palette: Action = {
   run: () => ask({ kind: "palette" }),
 };
 
+const versions: Action = {
+  id: "history", name: "History of the document, or close it", keys: ["Ctrl+Shift+H"], group: "Document", where: "anywhere", when: always,
+  run: () => showHistory(!isHistoryShown()),
+};
+
 const closing: Action = {
   id: "close", name: "Close the document", keys: [], group: "Document", where: "untyped", when: always,
   run: () => {
@@ -95,4 +101,4 @@ const helping: Action = {
   run: () => view.dispatch({ type: "help", shown: true }),
 };
 
-export const documentActions: readonly Action[] = [saving, running, palette, closing, runCommand("pause", "Pause the watched run"), runCommand("stop", "Stop the watched run"), searching, helping];
+export const documentActions: readonly Action[] = [saving, running, palette, versions, closing, runCommand("pause", "Pause the watched run"), runCommand("stop", "Stop the watched run"), searching, helping];
