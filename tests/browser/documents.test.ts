@@ -217,7 +217,7 @@ describe("a draft", () => {
     expect(await row("faulty").getByRole("button", { name: "New run" }).isDisabled()).toBe(true);
     await uploaded("faulty.json").getByRole("button", { name: "Open" }).click();
     await settled(page);
-    const errors = page.getByRole("region", { name: "Errors" }).getByRole("button");
+    const errors = page.getByRole("region", { name: "Errors" }).locator("button.error-text");
     await expect.poll(() => errors.count()).toBe(3);
     await page.getByRole("button", { name: "Draft, 3 errors" }).waitFor();
     expect(await node("Faulty/Pick").getAttribute("data-error")).toBe("2");
@@ -264,7 +264,11 @@ describe("a draft", () => {
     await page.goto(`${url}/pro/?edit=shape`);
     const errors = page.getByRole("region", { name: "Errors" });
     await errors.getByRole("listitem").nth(2).waitFor();
-    expect(await errors.getByRole("button").count()).toBe(0);
+    // There is nothing to go to; what to do is explained.
+    expect(await errors.locator("button.error-text").count()).toBe(0);
+    await errors.getByRole("button", { name: "type ?" }).first().click();
+    await page.getByRole("dialog", { name: "Help" }).locator("#error-type.is-marked").waitFor();
+    await page.keyboard.press("Escape");
     await screenshot("draft-shape");
   });
 });

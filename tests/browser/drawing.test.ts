@@ -1,4 +1,5 @@
 // Drawings that fail, and long drawings that the user cancels. The test delays the workers of the page.
+import { readFileSync } from "node:fs";
 import type { Page } from "playwright-core";
 import { openFixture, settled, type Fixture } from "./fixture";
 
@@ -65,6 +66,27 @@ describe("a drawing whose worker cannot be loaded", () => {
     await load("pick");
     await state("Pick/Release").waitFor();
     expect(await page.getByRole("alert").count()).toBe(0);
+  });
+});
+
+describe("a drawing as a file", () => {
+  it("is an SVG image by itself, with all that is drawn", async () => {
+    await load("pick");
+    await settled(page);
+    const saved = page.waitForEvent("download");
+    await button("Save as SVG").click();
+    const file = await saved;
+    expect(file.suggestedFilename()).toBe("Pick.svg");
+    const text = readFileSync(await file.path(), "utf8");
+    const drawn = await page.locator(".canvas .state").count();
+    const image = await page.evaluate((text) => {
+      const svg = new DOMParser().parseFromString(text, "image/svg+xml");
+      return { faulty: svg.querySelector("parsererror") !== null, states: svg.querySelectorAll(".svg-state").length, width: svg.documentElement.getAttribute("width") };
+    }, text);
+    expect(image).toEqual({ faulty: false, states: drawn, width: expect.stringMatching(/^\d+/) as string });
+    // The colours are in the file: nothing of the page is needed.
+    expect(text).toContain("rgb(");
+    expect(text).not.toContain("var(");
   });
 });
 

@@ -8,6 +8,9 @@ import { CellInset } from "./cell/CellInset";
 import { run as command, session, useSession, useView, view } from "./client";
 import { DocumentsPanel } from "./documents/DocumentsPanel";
 import { DropTarget } from "./documents/DropTarget";
+import { isHelpShown, showHelp } from "./help/help";
+import { HelpPanel } from "./help/HelpPanel";
+import { Tour } from "./help/Tour";
 import { EditPage } from "./edit/EditPage";
 import { EditProperties } from "./edit/EditProperties";
 import { EditSide } from "./edit/EditSide";
@@ -60,6 +63,9 @@ function usePageKeys(): void {
         return true;
       case "help":
         view.dispatch({ type: "help", shown: true });
+        return true;
+      case "guide":
+        if (!isHelpShown()) showHelp({ topic: "start" });
         return true;
       case "escape":
         if (session.get().past !== undefined && !isCovered(view.get())) toPresent();
@@ -117,6 +123,8 @@ export function App() {
         {page !== "edit" && <Drawer />}
       </footer>
       <KeyHelp />
+      <HelpPanel />
+      <Tour />
       <DocumentsPanel />
       <RunsPanel />
       <DropTarget />

@@ -1,4 +1,4 @@
-// Zooming by button and key: in, out, and the whole drawing.
+// Zooming by button and key: in, out, and the whole drawing; and the drawing as a file.
 import { useRef, type RefObject } from "react";
 import { fit, type Viewport } from "../../shared/drawing/fit";
 import type { Size } from "../../shared/drawing/measure";
@@ -6,6 +6,7 @@ import { zoomedAt } from "../../shared/drawing/movement";
 import { keysOf } from "../../shared/session/shortcuts";
 import { useShortcuts } from "../useShortcuts";
 import { shownCanvas } from "./canvasView";
+import { saveDrawing } from "./saveDrawing";
 import type { Laid } from "./useDrawing";
 
 const kMoment = 150;
@@ -55,6 +56,7 @@ export function ZoomControls({ laid, size, movedRef }: Props) {
       <Control label="Zoom In" title={`Zoom in (${keysOf("zoom_in")})`} path="M8 3v10M3 8h10" act={() => zoom(kStep)} />
       <Control label="Zoom Out" title={`Zoom out (${keysOf("zoom_out")})`} path="M3 8h10" act={() => zoom(1 / kStep)} />
       <Control label="Fit" title={`Show the whole drawing (${keysOf("fit")})`} path="M2 6V2h4M10 2h4v4M14 10v4h-4M6 14H2v-4" act={fitAll} />
+      <Control label="Save as SVG" title="Save the drawing as an SVG file" path="M8 2v8M4.5 6.5L8 10l3.5-3.5M2.5 13.5h11" act={() => saveDrawing(laid)} />
     </div>
   );
 }

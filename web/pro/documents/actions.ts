@@ -1,4 +1,5 @@
 // What is done with documents as a whole. Each action loads the list anew.
+import type { Document } from "../../generated/messages";
 import { fieldText } from "../../shared/documents/entryText";
 import { fileOf, newDocumentText } from "../../shared/documents/names";
 import { api, loadDocuments, view } from "../client";
@@ -6,6 +7,7 @@ import { author } from "../edit/author";
 import { closeDocument, editing, openDocument } from "../edit/editing";
 import { saveText } from "../saveText";
 import { showHistory } from "../versions/history";
+import { showHelp } from "../help/help";
 import { requestRun } from "./asking";
 
 /** Closes the panel and shows the document in the editor. */
@@ -35,6 +37,14 @@ export async function makeRun(name: string): Promise<void> {
 export async function create(name: string): Promise<void> {
   await api.putDocument(name, newDocumentText(name), { author: author() });
   await loadDocuments();
+  edit(name);
+}
+
+/** A document with this content, open in the editor. */
+export async function createFrom(name: string, content: Document): Promise<void> {
+  await api.putDocument(name, JSON.stringify(content), { author: author() });
+  await loadDocuments();
+  showHelp(undefined);
   edit(name);
 }
 

@@ -3,6 +3,7 @@ import type { ServerError } from "../../generated/messages";
 import { placeText } from "../../shared/session/draft";
 import { CodeText } from "../panels/CodeText";
 import { useEditing } from "./editing";
+import { explainCode } from "../help/help";
 import { goToError } from "./errors";
 
 const kNone: readonly ServerError[] = [];
@@ -17,12 +18,17 @@ export function ErrorList() {
         {errors.map((error, i) => (
           <li key={i}>
             {readable ? (
-              <button type="button" onClick={() => goToError(error)}>
+              <button type="button" className="error-text" onClick={() => goToError(error)}>
                 <ErrorText error={error} />
               </button>
             ) : (
-              <ErrorText error={error} />
+              <div className="error-text">
+                <ErrorText error={error} />
+              </div>
             )}
+            <button type="button" className="error-code" title={`What to do about ${error.code}`} onClick={() => explainCode(error.code)}>
+              {error.code} ?
+            </button>
           </li>
         ))}
       </ul>
@@ -37,7 +43,6 @@ function ErrorText({ error }: { readonly error: ServerError }) {
       <span>
         <CodeText text={error.message} />
       </span>
-      <small>{error.code}</small>
     </>
   );
 }

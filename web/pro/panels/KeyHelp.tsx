@@ -39,6 +39,29 @@ function KeyList({ title, list }: { readonly title: string; readonly list: reado
   );
 }
 
+/** All keys and mouse actions. */
+export function KeyLists() {
+  return (
+    <div className="help-lists">
+      <KeyList title="Keys" list={shortcuts} />
+      <KeyList title="Editor keys" list={editorKeys} />
+      {gestures.map(({ where, list }) => (
+        <section key={where} aria-label={where}>
+          <h3>{where}</h3>
+          <dl>
+            {list.map(({ gesture, does }) => (
+              <div key={gesture}>
+                <dt>{gesture}</dt>
+                <dd>{does}</dd>
+              </div>
+            ))}
+          </dl>
+        </section>
+      ))}
+    </div>
+  );
+}
+
 function HelpDialog() {
   const dialog = useRef<HTMLDialogElement>(null);
   useEffect(() => dialog.current?.showModal(), []);
@@ -51,23 +74,7 @@ function HelpDialog() {
             ✕
           </button>
         </header>
-        <div className="help-lists">
-          <KeyList title="Keys" list={shortcuts} />
-          <KeyList title="Editor keys" list={editorKeys} />
-          {gestures.map(({ where, list }) => (
-            <section key={where} aria-label={where}>
-              <h3>{where}</h3>
-              <dl>
-                {list.map(({ gesture, does }) => (
-                  <div key={gesture}>
-                    <dt>{gesture}</dt>
-                    <dd>{does}</dd>
-                  </div>
-                ))}
-              </dl>
-            </section>
-          ))}
-        </div>
+        <KeyLists />
       </div>
     </dialog>
   );

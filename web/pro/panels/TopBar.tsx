@@ -9,6 +9,7 @@ import { isStored } from "../../shared/session/session";
 import type { Page } from "../../shared/session/view";
 import { openDocument, useEditing } from "../edit/editing";
 import { dismissProblem, useCore, useSession, useView, view, watch } from "../client";
+import { showHelp } from "../help/help";
 import { ThemeButton } from "../theme/ThemeButton";
 import { LoadRun } from "../documents/LoadRun";
 import { showRuns } from "../runs/actions";
@@ -45,6 +46,7 @@ export function TopBar() {
       <PageTabs />
       <ConnectionLight />
       <ThemeButton />
+      <GuideButton />
       <HelpButton />
       {problem !== undefined && (
         <div className="problem" role="alert">
@@ -168,6 +170,14 @@ function PageTabs() {
         </button>
       ))}
     </div>
+  );
+}
+
+function GuideButton() {
+  return (
+    <button type="button" className="guide-button" title={`Tour, concepts, function language, error codes (${keysOf("guide")})`} aria-keyshortcuts={keysOf("guide")} onClick={() => showHelp({ topic: "start" })}>
+      Help
+    </button>
   );
 }
 

@@ -4,7 +4,7 @@ import type { State } from "../model/model";
 
 export type Command = "start" | "pause" | "resume" | "again" | "micro" | "macro" | "until" | "stop";
 
-export function isOver(core: Core): boolean {
+export function isOver(core: Pick<Core, "status">): boolean {
   return core.status === "ended" || core.status === "faulted" || core.status === "aborted";
 }
 

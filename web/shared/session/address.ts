@@ -1,6 +1,6 @@
 // The place of the page in its address: `?run=ID` of the run that is shown, `at=STEP.MICRO` of the moment of it, if that is past,
 // `?edit=NAME` of the document that is edited, `?runs=1` where the stored runs are listed, `versions` if the history of the document is shown,
-// with what is compared (../versions/range.ts).
+// with what is compared (../versions/range.ts), `help` of the topic that is shown, `tour` of the document that the tour builds.
 
 export interface Place {
   readonly run?: string | undefined;
@@ -8,13 +8,15 @@ export interface Place {
   readonly edit?: string | undefined;
   readonly runs?: string | undefined;
   readonly versions?: string | undefined;
+  readonly help?: string | undefined;
+  readonly tour?: string | undefined;
 }
 
 /** What the query of an address says; an empty entry says nothing. */
 export function placeOfAddress(search: string): Place {
   const query = new URLSearchParams(search);
   const entry = (key: keyof Place) => query.get(key) ?? undefined;
-  return { run: entry("run"), at: entry("at"), edit: entry("edit"), runs: entry("runs"), versions: entry("versions") };
+  return { run: entry("run"), at: entry("at"), edit: entry("edit"), runs: entry("runs"), versions: entry("versions"), help: entry("help"), tour: entry("tour") };
 }
 
 /** The query with these entries; those that are undefined are taken out of it. */

@@ -3,7 +3,7 @@ import type { Move } from "../past/moves";
 import { allowed, primary, type Command } from "../run/controls";
 import type { Core } from "../../generated/messages";
 
-export type Shortcut = "lead" | "pause" | "stop" | "micro" | "macro" | Move | "search" | "documents" | "zoom_in" | "zoom_out" | "fit" | "help" | "escape";
+export type Shortcut = "lead" | "pause" | "stop" | "micro" | "macro" | Move | "search" | "documents" | "guide" | "zoom_in" | "zoom_out" | "fit" | "help" | "escape";
 
 export interface ShortcutEntry {
   readonly shortcut: Shortcut;
@@ -27,6 +27,7 @@ export const shortcuts: readonly ShortcutEntry[] = [
   { shortcut: "fit", keys: ["Ctrl+0", "Ctrl+Space"], does: "Show the whole drawing" },
   { shortcut: "search", keys: ["Ctrl+F"], does: "Search states, ports and code" },
   { shortcut: "documents", keys: ["Ctrl+O"], does: "Documents: new, open, upload, download, duplicate, delete" },
+  { shortcut: "guide", keys: ["F1"], does: "Help: tour, concepts, function language, error codes" },
   { shortcut: "help", keys: ["?"], does: "Show these keys" },
   { shortcut: "escape", keys: ["Esc"], does: "Close this panel, return to the present, or select nothing" },
 ];
