@@ -84,9 +84,12 @@ describe("the tour", () => {
     expect(query("tour")).toBe("first-task");
     await page.locator("#edit-canvas").focus();
     await page.keyboard.press("Insert");
+    await soon(step).toBe("Let it do something");
+    await page.keyboard.press("F2");
     await page.keyboard.type("Hello");
     await page.keyboard.press("Enter");
-    await soon(step).toBe("Let it do something");
+    const { select, node } = editPage(fixture);
+    await node("first_task/Hello").waitFor();
     const properties = page.getByRole("complementary", { name: "Properties" });
     await write(properties.getByRole("textbox", { name: "Entry" }), 'print("hello")');
     await page.keyboard.press("Control+Enter");
@@ -96,10 +99,9 @@ describe("the tour", () => {
     await write(properties.getByRole("textbox", { name: "Condition" }), "True");
     await page.keyboard.press("Control+Enter");
     await soon(step).toBe("Let the task end");
-    const { select } = editPage(fixture);
-    await select("First_task");
+    await select("first_task");
     await properties.getByRole("button", { name: "Add port" }).click();
-    await write(properties.getByRole("textbox", { name: "Condition" }), "chi.Hello.port.port");
+    await write(properties.getByRole("textbox", { name: "Condition" }), "chi.Hello.port.done");
     await page.keyboard.press("Control+Enter");
     await soon(step).toBe("Make a run");
     await page.reload();

@@ -58,7 +58,7 @@ describe("the history of a document", () => {
     await openTask("since");
     await fixture.page.getByRole("button", { name: "History" }).click();
     await row("1").click();
-    await soon(words).toEqual(["− removed state Root/B", "≠ changed state Root/C doc: waits"]);
+    await soon(words).toEqual(["− removed state Root/B", "≠ changed state Root/C doc: 'waits'"]);
     // What was removed is marked where it was.
     await soon(marks).toEqual(["−", "≠"]);
     expect(await row("1").getAttribute("aria-pressed")).toBe("true");
@@ -74,7 +74,7 @@ describe("the history of a document", () => {
     await fixture.page.getByRole("button", { name: "Revisions 2 to 4 one by one" }).click();
     await row("2").click();
     await panel().getByRole("radio", { name: "by it" }).check();
-    await soon(words).toEqual(["≠ changed state Root/C doc: waits"]);
+    await soon(words).toEqual(["≠ changed state Root/C doc: 'waits'"]);
     expect(query("versions")).toBe("1..2");
     await panel().getByRole("radio", { name: "by 2 to 4" }).check();
     await soon(words).toEqual(["− removed state Root/B", "− removed state Root/C"]);
@@ -104,7 +104,7 @@ describe("the history of a document", () => {
     await row("4").waitFor();
     expect(await row("4").innerText()).toContain("revision 1 restored");
     await row("2 to 3").click();
-    await soon(words).toEqual(["+ added state Root/B", "≠ changed state Root/C doc: no longer waits"]);
+    await soon(words).toEqual(["+ added state Root/B", "≠ changed state Root/C doc: no longer 'waits'"]);
   });
 
   it("branches from a revision, and opens the branch", async () => {

@@ -68,7 +68,8 @@ function usePageKeys(): void {
         if (!isHelpShown()) showHelp({ topic: "start" });
         return true;
       case "escape":
-        if (session.get().past !== undefined && !isCovered(view.get())) toPresent();
+        if (isHelpShown()) showHelp(undefined);
+        else if (session.get().past !== undefined && !isCovered(view.get())) toPresent();
         else view.dispatch({ type: "escape" });
         return true;
     }

@@ -3,12 +3,13 @@ import { useMemo } from "react";
 import { applyEditing, nothingEdited, topOf, type Editing, type EditingEvent } from "../../shared/edit/editing";
 import { editedState } from "../../shared/edit/editedModel";
 import { openEditor, type Editor } from "../../shared/edit/editor";
-import type { Change } from "../../shared/edit/session";
+import type { Change, EditSession } from "../../shared/edit/session";
 import { runToTurnTo } from "../../shared/live/shownRun";
 import type { Tree } from "../../shared/edit/tree";
 import { buildTree, type ModelTree } from "../../shared/model/modelTree";
 import type { State } from "../../shared/model/model";
 import { addressWith, placeOfAddress } from "../../shared/session/address";
+import type { StreamUpdate } from "../../shared/messages/stream";
 import { watchedCore } from "../../shared/session/session";
 import { listenToStream, session, view, watch } from "../client";
 import { createStore, useSelected } from "../store";
@@ -48,12 +49,27 @@ export function useEditedTree(): ModelTree | undefined {
 /** The document with the edits of this page, as edits see it. */
 export const editedDocument = (): Tree | undefined => editing.get().session?.view;
 
-/** What the view says of elements stays with them while they are renamed and moved. */
-function changeShown(change: () => void): void {
+/** A message of the server is taken up now: others may edit faster than the page is drawn, so it is drawn once a frame. */
+let arriving = false;
+
+/** Takes up the next session. What the view says of elements stays with them while they are renamed and moved. */
+function takeUp(next: EditSession): void {
   const before = editedTree();
-  change();
+  if (arriving) editing.dispatchInFrame(() => ({ type: "session", session: next }));
+  else editing.dispatch({ type: "session", session: next });
   const after = editedTree();
-  if (before !== undefined && after !== undefined && before !== after) view.dispatch({ type: "carry", before, after });
+  if (before === undefined || after === undefined || before === after) return;
+  if (arriving) view.dispatchInFrame(() => ({ type: "carry", before, after }));
+  else view.dispatch({ type: "carry", before, after });
+}
+
+function receive(update: StreamUpdate): void {
+  arriving = true;
+  try {
+    open?.editor.receive(update);
+  } finally {
+    arriving = false;
+  }
 }
 
 /** Opens a document for editing; the page shows it. */
@@ -61,9 +77,9 @@ export function openDocument(name: string): void {
   if (editing.get().document !== name) {
     closeDocument();
     editing.dispatch({ type: "open", document: name });
-    const { stream, end } = listenToStream({ update: (update) => open?.editor.receive(update), connection: (now) => open?.editor.connection(now) });
+    const { stream, end } = listenToStream({ update: receive, connection: (now) => open?.editor.connection(now) });
     const editor = openEditor(stream, session.get().connection, name, author(), {
-      onSession: (next) => changeShown(() => editing.dispatch({ type: "session", session: next })),
+      onSession: takeUp,
       onNotice: (notice) => editing.dispatch({ type: "notice", notice }),
     });
     open = { editor, end };

@@ -24,11 +24,15 @@ function moveByArrow(event: KeyboardEvent<HTMLElement>): void {
 
 function Panel({ place }: { readonly place: HelpPlace }) {
   const dialog = useRef<HTMLDialogElement>(null);
+  const search = useRef<HTMLInputElement>(null);
   const article = useRef<HTMLElement>(null);
   const [query, setQuery] = useState("");
   const found = useMemo(() => findTopics(query), [query]);
   const topic = topicOf(place.topic);
-  useEffect(() => dialog.current?.showModal(), []);
+  useEffect(() => {
+    dialog.current?.showModal();
+    search.current?.focus();
+  }, []);
   useEffect(() => {
     const term = place.term === undefined ? null : document.getElementById(place.term);
     if (term === null) article.current?.scrollTo(0, 0);
@@ -38,7 +42,7 @@ function Panel({ place }: { readonly place: HelpPlace }) {
     <dialog ref={dialog} className="guide" aria-label="Help" onClose={close} onClick={(event) => event.target === event.currentTarget && close()}>
       <div className="guide-body">
         <nav aria-label="Topics" onKeyDown={moveByArrow}>
-          <input type="search" placeholder="Search the help" aria-label="Search the help" value={query} onChange={(event) => setQuery(event.target.value)} onKeyDown={(event) => event.key === "Enter" && found[0] !== undefined && showHelp({ topic: found[0].id })} />
+          <input ref={search} type="search" placeholder="Search the help" aria-label="Search the help" value={query} onChange={(event) => setQuery(event.target.value)} onKeyDown={(event) => event.key === "Enter" && found[0] !== undefined && showHelp({ topic: found[0].id })} />
           {groupedTopics(found).map(({ group, topics }) => (
             <section key={group} aria-label={group}>
               <h3>{group}</h3>

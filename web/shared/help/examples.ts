@@ -101,7 +101,7 @@ export const history = example("history-example", {
       first: "One",
       children: [
         { state: "One", entry: 'print("one")', ports: [{ name: "next", after: "1", to: "Two" }] },
-        { state: "Two", entry: 'print("two")', ports: [{ name: "next", after: "2", to: "Three" }] },
+        { state: "Two", entry: 'print("two")', ports: [{ name: "next", after: "0.5", to: "Three" }] },
         { state: "Three", entry: 'print("three")', ports: [{ name: "done", after: "1" }] },
       ],
       ports: [{ name: "done", when: "chi.Three.port.done" }, { name: "error", after: "2", to: "Handling" }],

@@ -41,7 +41,7 @@ const hasPort = (tree: Tree, state: Element, is: (when: string) => boolean): boo
 export const tourSteps: readonly TourStep[] = [
   {
     title: "Add a state",
-    text: "Press `Insert`, or drag State from Add, on the left, onto the drawing. The state is named when you type; `Enter` ends that.",
+    text: "Press `Insert`, or drag State from Add, on the left, onto the drawing. With `F2` it gets another name.",
     done: (facts) => someChild(facts, () => true),
   },
   {
@@ -51,7 +51,7 @@ export const tourSteps: readonly TourStep[] = [
   },
   {
     title: "Give it a way out",
-    text: "Press `Alt+P` in the drawing, or Add port on the right. Write `True` as its condition: the state is left at once.",
+    text: "Press `Alt+P` in the drawing, or + beside Ports on the right. Write `True` as its condition: the state is left at once.",
     done: (facts) => someChild(facts, (tree, child) => hasPort(tree, child, (when) => when === "True")),
   },
   {
