@@ -29,9 +29,10 @@ function applyOperation(tree: MutableTree, operation: Operation): Operation {
   }
 }
 
-/** Applies all operations in order. The path of a refusal is that of the field (`operations/2/after`). */
-export function apply(tree: Tree, edit: Edit): Applied | Refusal {
-  const next = new MutableTree(tree);
+const finished = ({ fields, root, library, elements }: MutableTree): Tree => ({ fields, root, library, elements });
+
+/** The operations that take it back. If one is refused, those before it are done. */
+function applyTo(next: MutableTree, edit: Edit): readonly Operation[] | Refusal {
   const inverse: Operation[] = [];
   for (const [i, operation] of edit.operations.entries()) {
     try {
@@ -41,6 +42,23 @@ export function apply(tree: Tree, edit: Edit): Applied | Refusal {
       throw error;
     }
   }
-  const { fields, root, library, elements } = next;
-  return { tree: { fields, root, library, elements }, inverse: { operations: inverse.reverse() } };
+  return inverse.reverse();
+}
+
+/** Applies all operations in order. The path of a refusal is that of the field (`operations/2/after`). */
+export function apply(tree: Tree, edit: Edit): Applied | Refusal {
+  const next = new MutableTree(tree);
+  const inverse = applyTo(next, edit);
+  return inverse instanceof Refusal ? inverse : { tree: finished(next), inverse: { operations: inverse } };
+}
+
+/** The tree after edits, one after the other; those that are refused then are left out. A tree is copied once, not for each edit. */
+export function applyFitting(tree: Tree, edits: readonly Edit[]): Tree {
+  for (let fitting = edits; fitting.length > 0; ) {
+    const next = new MutableTree(tree);
+    const refused = fitting.findIndex((edit) => applyTo(next, edit) instanceof Refusal);
+    if (refused === -1) return finished(next);
+    fitting = fitting.filter((_, i) => i !== refused);
+  }
+  return tree;
 }

@@ -2,7 +2,7 @@
 // and the server has not answered yet, which are shown at once. A state machine: what happens goes in, the next session and what is to be
 // done come out. It has no socket and no clock.
 import type { AcceptedEdit, CompoundEdit, DocumentSnapshot, EditRefusal, ServerError, StreamRequest } from "../../generated/messages";
-import { apply, type Operation } from "./apply";
+import { apply, applyFitting, type Operation } from "./apply";
 import { plain, writeExact, type Exact } from "./exact";
 import { Refusal } from "./refusal";
 import { readTree, type Tree } from "./tree";
@@ -100,15 +100,10 @@ function messageOf({ document, author }: EditSession, { request, revision, chang
   return { type: "edit", document, request, revision, author, ...change };
 }
 
-const applyTo = (tree: Tree, { operations }: PendingEdit): Tree => {
-  const result = apply(tree, { operations });
-  return result instanceof Refusal ? tree : result.tree;
-};
-
 /** The session with its view. */
 function shown(session: Omit<EditSession, "view">): EditSession {
   const { confirmed, pending } = session;
-  return { ...session, view: confirmed && pending.reduce(applyTo, confirmed.tree) };
+  return { ...session, view: confirmed && applyFitting(confirmed.tree, pending) };
 }
 
 const quiet = (session: EditSession): SessionOutput => ({ session, messages: [], notices: [] });

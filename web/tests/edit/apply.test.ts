@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { readFileSync } from "node:fs";
 import type { Edit } from "../../generated/messages";
-import { apply } from "../../shared/edit/apply";
+import { apply, applyFitting } from "../../shared/edit/apply";
 import { Refusal } from "../../shared/edit/refusal";
 import { documentOf, readTree, type Tree } from "../../shared/edit/tree";
 import { documentText, treeOf, vector } from "./documents";
@@ -99,5 +99,30 @@ describe("apply", () => {
     }
     expect(accepted).toBeGreaterThan(refused);
     expect(refused).toBeGreaterThan(20);
+  });
+});
+
+describe("several edits at once", () => {
+  it("give what one after the other gives, those that are refused left out", () => {
+    const random = randomOf(setting("RACE_SEED", 20261126));
+    const edits = new RandomEdits(random, "f-");
+    let refused = 0;
+    for (let i = 0; i < 60; ++i) {
+      const start = treeOf(random.chance(0.5) ? small : demo);
+      // Made on the tree at the start, so that many do not fit any more.
+      const many = Array.from({ length: 1 + random.pick(20) }, () => edits.edit(start));
+      const expected = many.reduce((tree, edit) => {
+        const result = apply(tree, edit);
+        if (!(result instanceof Refusal)) return result.tree;
+        ++refused;
+        return tree;
+      }, start);
+      expect(documentText(applyFitting(start, many))).toBe(documentText(expected));
+    }
+    expect(refused).toBeGreaterThan(20);
+  });
+  it("that are all refused leave the tree as it is", () => {
+    const tree = treeOf(small);
+    expect(applyFitting(tree, [{ operations: [{ op: "set", id: "a", field: "doc", value: "new" }, { op: "remove", id: "none" }] }])).toBe(tree);
   });
 });
