@@ -120,12 +120,17 @@ class LiveEdits(unittest.TestCase):
         self.server.post(f"/cores/{core}/start", None, "core")
         self.assertEqual(self.active(core), ["Root", "Root/C"])
 
-    def test_layout_alone_is_no_step_of_the_run(self):
+    def test_layout_notes_and_comments_alone_are_no_step_of_the_run(self):
         core = self.live(waiting("layout"))
         before = self.server.get(f"/cores/{core}", "core")["step"]
-        revision = self.edit("layout", lambda d: d.update(layout={d["root"]["meta"]["id"]: {"x": 1, "y": 2}}))
-        after = self.at(core, revision)
-        self.assertEqual((after["step"], after["model"]), (before, 0))
+        root = self.server.get("/documents/layout", "document_entry")["document"]["root"]["meta"]["id"]
+        comment = {"about": root, "author": "Ada", "time": "2026-11-26T01:00:00Z", "text": "Why?"}
+        for fields in ({"layout": {root: {"x": 1, "y": 2}}}, {"meta": {"notes": {root: "a note"}}},
+                       {"meta": {"comment:1": comment, "resolved:1": {"author": "Bob", "time": "later"}}}):
+            with self.subTest(fields=fields):
+                revision = self.edit("layout", lambda d, fields=fields: d.update(fields))
+                after = self.at(core, revision)
+                self.assertEqual((after["step"], after["model"]), (before, 0))
 
     def test_a_paused_core_gets_the_edit_when_it_goes_on(self):
         core = self.live(waiting("paused"))

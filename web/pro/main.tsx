@@ -26,6 +26,7 @@ import "./styles/past.css";
 import "./styles/runs.css";
 import "./styles/timeline.css";
 import "./styles/versions.css";
+import "./styles/comments.css";
 import { createRoot } from "react-dom/client";
 import { App } from "./App";
 import { connect } from "./client";

@@ -4,6 +4,8 @@ import { errorsText } from "../../shared/run/errorsText";
 import type { ModelTree } from "../../shared/model/modelTree";
 import { ModelCanvas } from "../canvas/ModelCanvas";
 import { loadCodeEditor } from "../code/CodeField";
+import { CommentCount, CommentList } from "../comments/CommentList";
+import { CommentMarks } from "../comments/CommentMarks";
 import { runAction } from "./actions/action";
 import { actionOf } from "./actions/registry";
 import { useActionKeys } from "./actions/useActionKeys";
@@ -54,9 +56,11 @@ export function EditPage({ tree, document }: Props) {
         </ModelCanvas>
         <Placing />
         <ShownDifference />
+        <CommentMarks />
         <Others />
       </EditCanvas>
       {listed && <ErrorList />}
+      <CommentList />
       <UsageList />
       <DragLayer />
       <Prompts />
@@ -99,6 +103,7 @@ function EditHead({ document, listed, onList }: HeadProps) {
           Draft, {errorsText(errors)}
         </button>
       )}
+      <CommentCount />
       <DraftList />
       <Faces />
       <span className="edit-tools">

@@ -3,6 +3,7 @@ import type { Barrier } from "../../shared/model/model";
 import { stateShown } from "../../shared/past/shown";
 import { inboundPorts, type ModelTree } from "../../shared/model/modelTree";
 import { useSession, view } from "../client";
+import { RunComments } from "../comments/RunComments";
 
 interface Props {
   readonly tree: ModelTree;
@@ -46,6 +47,7 @@ export function BarrierProperties({ tree, path, barrier }: Props) {
           ))}
         </ul>
       </section>
+      <RunComments id={barrier.id} />
     </>
   );
 }

@@ -5,6 +5,7 @@ import { portText, valueText } from "../../shared/model/describe";
 import { stateShown } from "../../shared/past/shown";
 import { commandable } from "../../shared/session/session";
 import { run, useSession, view } from "../client";
+import { RunComments } from "../comments/RunComments";
 import { Code } from "./Code";
 import { ValueTable } from "./ValueTable";
 
@@ -32,6 +33,7 @@ export function StateProperties({ path, state }: { readonly path: string; readon
       ))}
       {state.exit !== undefined && <Code title="Exit" code={state.exit} />}
       <PortList path={path} state={state} />
+      <RunComments id={state.id} />
     </>
   );
 }

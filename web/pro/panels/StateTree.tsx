@@ -4,6 +4,7 @@ import type { ModelTree } from "../../shared/model/modelTree";
 import { rowByName, treeMove, treeRows, type TreeRow } from "../../shared/model/treeRows";
 import { useLive } from "../canvas/useLive";
 import { useView, view } from "../client";
+import { TreeComments } from "../comments/TreeComments";
 import { ErrorMark } from "../edit/ErrorMark";
 import { followPointer } from "../edit/gestures/drag";
 import { dragRow } from "../edit/gestures/dragRow";
@@ -153,6 +154,7 @@ const Row = memo(function Row({ row: { entry, position, siblings, open }, index,
         {node.name}
       </button>
       <TreeFaces path={path} closed={composite && !open} />
+      <TreeComments path={path} closed={composite && !open} />
       <ErrorMark path={path} closed={composite && !open} />
     </li>
   );

@@ -16,7 +16,7 @@ export function executesText(core: Core, revision: number): string {
 }
 
 /** Of revisions that differ, but in nothing that has a row. */
-export const kNothingElse = "nothing but the drawing, notes or the way numbers are written differs";
+export const kNothingElse = "nothing but the drawing, notes, comments or the way numbers are written differs";
 
 export interface ParameterNow {
   /** What the run has of it; nothing: no value. */

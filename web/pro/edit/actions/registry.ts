@@ -3,6 +3,7 @@ import { liveActions } from "../../live/liveActions";
 import type { Action } from "./action";
 import { addActions } from "./addActions";
 import { clipboardActions } from "./clipboardActions";
+import { commentActions } from "./commentActions";
 import { connectActions } from "./connectActions";
 import { documentActions } from "./documentActions";
 import { editActions } from "./editActions";
@@ -12,7 +13,7 @@ import { structureActions } from "./structureActions";
 import { usageActions } from "./usageActions";
 import { walkActions } from "./walkActions";
 
-const inMenus: readonly Action[] = [...editActions, ...clipboardActions, ...addActions, ...connectActions, ...structureActions, ...placingActions, ...usageActions, ...documentActions];
+const inMenus: readonly Action[] = [...editActions, ...clipboardActions, ...addActions, ...connectActions, ...structureActions, ...placingActions, ...commentActions, ...usageActions, ...documentActions];
 
 export const actions: readonly Action[] = [...inMenus, ...walkActions, ...liveActions, menuAction(inMenus)];
 

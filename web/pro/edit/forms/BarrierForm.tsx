@@ -3,6 +3,7 @@ import { nameOfElement } from "../../../shared/edit/commands/command";
 import { setField } from "../../../shared/edit/commands/setField";
 import { elementOf, listOf } from "../../../shared/edit/tree";
 import type { Barrier } from "../../../shared/model/model";
+import { CommentSection } from "../../comments/CommentSection";
 import { perform, useEditing } from "../editing";
 import { ChoiceField } from "./ChoiceField";
 import { ElementHead } from "./ElementHead";
@@ -47,6 +48,7 @@ export function BarrierForm({ barrier }: { readonly barrier: Barrier }) {
       <div className="form-section">
         <ChoiceField label="Add" value="" place={`${id}/to`} choices={[{ value: "", text: "a state…" }, ...free.map((name) => ({ value: name, text: `→ ${name}` }))]} onChoose={add} />
       </div>
+      <CommentSection id={id} />
     </div>
   );
 }

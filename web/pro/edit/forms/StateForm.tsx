@@ -1,5 +1,6 @@
 // A selected state: all of it, or, while the state editor shows its interface, functions and ports, the rest.
 import type { State } from "../../../shared/model/model";
+import { CommentSection } from "../../comments/CommentSection";
 import { useEditing } from "../editing";
 import { ChildRows } from "./ChildRows";
 import { DataRows } from "./DataRows";
@@ -33,6 +34,7 @@ export function StateForm({ state }: { readonly state: State }) {
         {!isRoot && <LinkField state={state} />}
         {state.link === undefined && <KeepField state={state} />}
       </section>
+      <CommentSection id={id} />
     </div>
   );
 }

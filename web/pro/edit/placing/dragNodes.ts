@@ -23,7 +23,7 @@ function draggedWith(path: string): readonly string[] {
 /** The state that a press would move. A barrier needs Ctrl, as a line is led from it; the outermost state moves the drawing. */
 function pressedNode(canvas: CanvasView, event: PointerEvent): string | undefined {
   if (event.button !== 0 || event.shiftKey || event.defaultPrevented || event.pointerType === "touch") return undefined;
-  if (!(event.target instanceof Element) || event.target.closest(".state-toggle, .react-flow__controls, .react-flow__minimap, .note") !== null) return undefined;
+  if (!(event.target instanceof Element) || event.target.closest(".state-toggle, .react-flow__controls, .react-flow__minimap, .note, .comment-mark") !== null) return undefined;
   const hit = canvas.nodeAt({ x: event.clientX, y: event.clientY });
   if (hit === undefined || hit.port !== undefined || hit.path === canvas.laid.drawing.nodes[0]?.path) return undefined;
   return canvas.laid.tree.get(hit.path)?.node.kind === "barrier" && !event.ctrlKey ? undefined : hit.path;

@@ -1,5 +1,6 @@
 // Deleting elements.
 import type { Operation } from "../apply";
+import { withoutCommentsOn } from "../comments/write";
 import { elementOf, type Tree } from "../tree";
 import { nameOfElement, type Command } from "./command";
 import { outermost, separate } from "./references";
@@ -18,7 +19,7 @@ function reasonToKeep(tree: Tree, id: string): string | undefined {
   return first === undefined ? undefined : `it is linked by ${first}${more.length > 0 ? ` and ${more.length} more` : ""}`;
 }
 
-/** Deletes elements with all in them, and what leads to them: targets of ports and barriers, and `first`. Code that names them stays. */
+/** Deletes elements with all in them, what leads to them (targets of ports and barriers, and `first`), and the comments on them. Code that names them stays. */
 export function remove(tree: Tree, ids: readonly string[]): Command {
   const gone = outermost(tree, ids);
   if (gone.length === 0) return { reason: "nothing is selected" };
@@ -29,5 +30,5 @@ export function remove(tree: Tree, ids: readonly string[]): Command {
   const leaving = new Set(children);
   const inLeaving = (operation: Operation) => operation.op === "set" && (leaving.has(operation.id) || leaving.has(elementOf(tree, operation.id).parent));
   const cut = [...parents].flatMap((parent) => separate(tree, parent, leaving)).filter((operation) => !inLeaving(operation));
-  return { change: { operations: [...cut, ...gone.map((id): Operation => ({ op: "remove", id }))] } };
+  return { change: { operations: [...cut, ...withoutCommentsOn(tree, gone), ...gone.map((id): Operation => ({ op: "remove", id }))] } };
 }

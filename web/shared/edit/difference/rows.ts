@@ -1,6 +1,7 @@
 // A difference in words: a row for each element, with a sign, for lists, and for marks in a drawing.
 import { valueText } from "../../model/describe";
 import type { JsonValue } from "../../json";
+import { isOfComments } from "../comments/comments";
 import { nameOfElement } from "../commands/command";
 import { elementOf, type Element, type Tree } from "../tree";
 import { allOf, outermostOf, type Difference, type FieldChange } from "./difference";
@@ -60,10 +61,10 @@ function moveText(before: Tree, after: Tree, id: string): string {
   return was.parent === is.parent ? `was in ${was.list ?? "the document"}` : `was in ${was.parent === "" ? "the library" : pathOf(before, elementOf(before, was.parent))}`;
 }
 
-/** What has no part in a run: where elements are drawn, and notes on them. */
-const isDrawing = ({ field }: FieldChange): boolean => field === "layout" || field === "notes";
+/** What has no part in a run: where elements are drawn, and notes and comments on them. */
+const isDrawing = ({ field, key }: FieldChange): boolean => field === "layout" || field === "notes" || (field === "meta" && key !== undefined && isOfComments(key));
 
-/** Whether anything differs in where elements are drawn, or in the notes on them. */
+/** Whether anything differs in where elements are drawn, or in the notes and comments on them. */
 export const differsInDrawing = ({ document }: Difference): boolean => document.some(isDrawing);
 
 /** What was added or removed within another one has no row. Of the drawing there is none. */
