@@ -4,6 +4,7 @@ import { applyEditing, nothingEdited, topOf, type Editing, type EditingEvent } f
 import { editedState } from "../../shared/edit/editedModel";
 import { openEditor, type Editor } from "../../shared/edit/editor";
 import type { Change, EditSession } from "../../shared/edit/session";
+import type { AcceptedEdit } from "../../generated/messages";
 import { runToTurnTo } from "../../shared/live/shownRun";
 import type { Tree } from "../../shared/edit/tree";
 import { buildTree, type ModelTree } from "../../shared/model/modelTree";
@@ -26,6 +27,21 @@ interface Open {
 }
 let open: Open | undefined;
 listenToOwnName(() => open?.editor.rename(author()));
+
+/** Is told each edit of somebody else, with the session before and after it. */
+type OthersListener = (edit: AcceptedEdit, before: EditSession, after: EditSession) => void;
+const othersListeners = new Set<OthersListener>();
+
+/** From now on; the result ends that. */
+export function listenToOthers(listener: OthersListener): () => void {
+  othersListeners.add(listener);
+  return () => othersListeners.delete(listener);
+}
+
+function tellOthers(update: StreamUpdate, before: EditSession, after: EditSession): void {
+  if (update.type !== "document_edited" || update.edit.document !== before.document || update.edit.author === before.author) return;
+  othersListeners.forEach((listener) => listener(update.edit, before, after));
+}
 
 let lastTree: { readonly state: State; readonly tree: ModelTree } | undefined;
 
@@ -64,12 +80,16 @@ function takeUp(next: EditSession): void {
 }
 
 function receive(update: StreamUpdate): void {
+  if (open === undefined) return;
+  const { editor } = open;
+  const before = editor.session();
   arriving = true;
   try {
-    open?.editor.receive(update);
+    editor.receive(update);
   } finally {
     arriving = false;
   }
+  tellOthers(update, before, editor.session());
 }
 
 /** Opens a document for editing; the page shows it. */

@@ -15,9 +15,13 @@ function deedOf(change: Change): string {
   return `${deed.charAt(0).toUpperCase()}${deed.slice(1)}`;
 }
 
+/** The server quotes authors as they are; people know each other by their names. */
+const withName = (message: string, author: string): string => message.replaceAll(`\`${author}\``, nameOfAuthor(author));
+
 /** Why, and through whose edit. */
 export function reasonText({ change, errors, author, revision }: Notice): string {
   const why = errors.map(({ path, message }) => (path === "" || "operations" in change ? message : `${path}: ${message}`)).join("; ");
+  if (author !== undefined && why.includes(`\`${author}\``)) return withName(why, author);
   const by = author === undefined ? "" : ` (${nameOfAuthor(author)} was faster${revision === undefined ? "" : `, revision ${revision}`})`;
   return `${why}${by}`;
 }

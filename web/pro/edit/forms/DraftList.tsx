@@ -2,12 +2,15 @@
 import { useMemo, useRef } from "react";
 import { draftsOf, isUnsent, type DraftText } from "../../../shared/edit/draftText";
 import { nameOfElement } from "../../../shared/edit/commands/command";
+import { isCommentField } from "../../../shared/edit/comments/drafts";
+import { copyWritten } from "../copyWritten";
 import { editedDocument, useEditing } from "../editing";
 import { goToField } from "../goToField";
 import { drafts, useDrafts } from "./drafts";
 
-function whereOf({ id, field }: DraftText): string {
+function whereOf({ id, field: key }: DraftText): string {
   const tree = editedDocument();
+  const field = isCommentField(key) ? "comment" : key;
   if (id === "") return `document, ${field}`;
   if (tree?.elements.has(id) !== true) return `an element that is gone, ${field}`;
   const { parent } = tree.elements.get(id) ?? { parent: "" };
@@ -36,6 +39,9 @@ export function DraftList() {
             </button>
             <code>{draft.text}</code>
             {draft.reason !== undefined && <span className="field-reason">{draft.reason}</span>}
+            <button type="button" aria-label={`Copy ${whereOf(draft)}`} onClick={() => copyWritten(draft.text)}>
+              Copy
+            </button>
             <button type="button" aria-label={`Give up ${whereOf(draft)}`} title="Give it up" onClick={() => drafts.dispatch({ type: "given_up", place: draft })}>
               ✕
             </button>

@@ -1,6 +1,8 @@
 // Below a field: what the server finds wrong with it, why its draft was refused, and what somebody else has written meanwhile.
 import { messageAtField } from "../../../shared/edit/places";
 import { useFieldErrors } from "./useFieldErrors";
+import { ConflictNote } from "../ConflictChoices";
+import { useConflictAt } from "../conflicts";
 import type { DraftField } from "./useDraft";
 import { nameOfAuthor } from "../../../shared/presence/names";
 import { lastAuthor } from "./useAuthors";
@@ -20,9 +22,11 @@ const excerpt = (text: string): string => (text === "" ? "nothing" : text.length
 export function FieldNotes({ id, field, noteId, draft }: Props) {
   const errors = useFieldErrors(id, field);
   const { reason, theirs } = draft;
-  if (errors.length === 0 && reason === undefined && theirs === undefined) return null;
+  const conflict = useConflictAt(id, field);
+  if (errors.length === 0 && reason === undefined && theirs === undefined && conflict === undefined) return null;
   return (
     <div className="field-notes" id={noteId}>
+      <ConflictNote id={id} field={field} />
       {theirs !== undefined && (
         <div className="field-theirs" role="alert">
           <span>
