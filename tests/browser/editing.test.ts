@@ -1,46 +1,43 @@
 // Eight clients, each a process, edit one document on the real server, over connections that delay, lose and break: each computes the same
 // document from its own copy, which is the one that the server has, and has again after it was killed. RACE_SEED and RACE_CROWD_EDITS (how
-// many edits, undos and redos each makes), which are printed, repeat what they try.
+// many edits, undos and redos each makes), which are printed, repeat what they try; RACE_CROWD_SEEDS is how many seeds, from that one on.
 import { openEditor, type Editor } from "../../web/shared/edit/editor";
 import { readExact } from "../../web/shared/edit/exact";
 import { openStream } from "../../web/shared/stream";
 import { setting } from "../../web/tests/edit/random";
-import { openCrowd, type Crowd } from "./crowd";
+import { openCrowd } from "./crowd";
 import { hashOf } from "./crowdClient";
 import { openFixture, type Fixture } from "./fixture";
 import { NodeSocket } from "./nodeSocket";
 
-const kName = "edited";
 const kClients = 8;
 const kTimeout = 3_600_000;
 
 let fixture: Fixture;
-let crowd: Crowd;
 beforeAll(async () => {
   fixture = await openFixture();
-  crowd = openCrowd();
 });
-afterAll(async () => {
-  crowd.close();
-  await fixture.close();
-});
+afterAll(() => fixture.close());
 
 interface Stored {
   readonly revision: number;
   readonly document: unknown;
 }
-const storedText = async (): Promise<string> => (await fetch(`${fixture.url}/api/v1/documents/${kName}`)).text();
-const stored = async (): Promise<Stored> => JSON.parse(await storedText()) as Stored;
+const first = setting("RACE_SEED", 20261122);
+const count = setting("RACE_CROWD_EDITS", 200);
+const seeds = Array.from({ length: setting("RACE_CROWD_SEEDS", 1) }, (_, i) => first + i);
 
-it(
-  "eight clients, the server and its disk have the same document",
-  async () => {
-    const seed = setting("RACE_SEED", 20261122);
-    const count = setting("RACE_CROWD_EDITS", 200);
+it.each(seeds)(
+  "eight clients, the server and its disk have the same document (seed %i)",
+  async (seed) => {
+    const name = `edited-${seed}`;
+    const stored = async (): Promise<Stored> => (await (await fetch(`${fixture.url}/api/v1/documents/${name}`)).json()) as Stored;
+    const crowd = openCrowd();
+    onTestFinished(crowd.close);
     const text = '{"rcm": 1, "root": {"state": "Root", "parameters": [{"name": "kept", "value": 1.0, "meta": {"id": "kept"}}], "meta": {"id": "root"}}}';
-    const put = await fetch(`${fixture.url}/api/v1/documents/${kName}`, { method: "PUT", body: text, headers: { "content-type": "application/json" } });
+    const put = await fetch(`${fixture.url}/api/v1/documents/${name}`, { method: "PUT", body: text, headers: { "content-type": "application/json" } });
     expect(put.ok).toBe(true);
-    const clients = Array.from({ length: kClients }, (_, i) => crowd.open({ url: fixture.url, document: kName, name: `c${i}`, seed: seed * kClients + i }));
+    const clients = Array.from({ length: kClients }, (_, i) => crowd.open({ url: fixture.url, document: name, name: `c${i}`, seed: seed * kClients + i }));
     for (const client of clients) await client.report("ready");
 
     const begun = performance.now();
