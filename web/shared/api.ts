@@ -1,15 +1,20 @@
 // Requests to the server. Each answer is checked against its schema.
 import type {
+  Breakpoint,
+  Breakpoints,
   Core,
   CoreCreate,
   DocumentBranch,
+  DocumentBreakpoints,
   DocumentEntry,
   DocumentRemoved,
   DocumentRestore,
   Documents,
   DocumentSummary,
+  Force,
   Health,
   Journal,
+  KeptBreakpoint,
   Native,
   Past,
   Person,
@@ -82,7 +87,7 @@ export interface Storing {
 
 /** Requests below `base` (`/api/v1`); `fetcher` is the browser's fetch, or a test's. */
 export function createApi(base: string, fetcher: typeof fetch) {
-  type Body = Exact<CoreCreate> | DocumentBranch | PersonCommand | StepRequest | { readonly live: boolean };
+  type Body = Breakpoints | DocumentBreakpoints | Exact<Force> | Exact<CoreCreate> | DocumentBranch | PersonCommand | StepRequest | { readonly live: boolean };
   async function request<T>(method: string, path: string, validator: Validator<T>, body?: Body): Promise<T> {
     return send(path, body === undefined ? { method } : { method, body: writeExact(body), headers: { "content-type": "application/json" } }, validator);
   }
@@ -103,6 +108,7 @@ export function createApi(base: string, fetcher: typeof fetch) {
   }
   const get = <T>(path: string, validator: Validator<T>) => request("GET", path, validator);
   const documentAt = (name: string, revision: number): Promise<DocumentEntry> => get(`/documents/${segment(name)}/revisions/${revision}`, schema.documentEntry);
+  const breakpointsOf = (name: string, author: string): string => `/documents/${segment(name)}/breakpoints?author=${segment(author)}`;
   const command = (id: string, name: string) => request("POST", `/cores/${segment(id)}/${name}`, schema.core);
   return {
     health: (): Promise<Health> => get("/health", schema.health),
@@ -145,6 +151,13 @@ export function createApi(base: string, fetcher: typeof fetch) {
     /** With all its revisions, the last of which must be `revision`. */
     deleteDocument: (name: string, revision: number): Promise<DocumentRemoved> =>
       send(`/documents/${segment(name)}`, { method: "DELETE", headers: { "if-match": tagOf(revision) } }, schema.documentRemoved),
+    /** The breakpoints that a person keeps at a document. */
+    breakpoints: async (name: string, author: string): Promise<readonly KeptBreakpoint[]> => (await get(breakpointsOf(name, author), schema.documentBreakpoints)).breakpoints,
+    keepBreakpoints: (name: string, author: string, breakpoints: readonly KeptBreakpoint[]): Promise<unknown> =>
+      request("PUT", breakpointsOf(name, author), schema.documentBreakpoints, { breakpoints }),
+    /** Replaces those of the core. */
+    setBreakpoints: (id: string, breakpoints: readonly Breakpoint[]): Promise<Core> => request("PUT", `/cores/${segment(id)}/breakpoints`, schema.core, { breakpoints }),
+    force: (id: string, force: Exact<Force>): Promise<Core> => request("POST", `/cores/${segment(id)}/force`, schema.core, force),
     /** The arguments that a run was made with, with the numbers as they were written. */
     runArguments: async (id: string, of: RunSource): Promise<ExactArguments> =>
       (readExact(await requestText<Core | Run>(`/${of}/${segment(id)}`, of === "cores" ? schema.core : schema.run)) as unknown as { readonly arguments: ExactArguments }).arguments,

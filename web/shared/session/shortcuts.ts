@@ -3,7 +3,9 @@ import type { Move } from "../past/moves";
 import { allowed, primary, type Command } from "../run/controls";
 import type { Core } from "../../generated/messages";
 
-export type Shortcut = "lead" | "pause" | "stop" | "micro" | "macro" | Move | "search" | "documents" | "guide" | "zoom_in" | "zoom_out" | "fit" | "help" | "escape";
+/** Those of web/pro/debugger. */
+export type DebugShortcut = "step_mode" | "into" | "over" | "out" | "until_here" | "breakpoint";
+export type Shortcut = DebugShortcut | "lead" | "pause" | "stop" | "micro" | "macro" | Move | "search" | "documents" | "guide" | "zoom_in" | "zoom_out" | "fit" | "help" | "escape";
 
 export interface ShortcutEntry {
   readonly shortcut: Shortcut;
@@ -17,6 +19,12 @@ export const shortcuts: readonly ShortcutEntry[] = [
   { shortcut: "pause", keys: ["F7"], does: "Pause" },
   { shortcut: "micro", keys: ["F4"], does: "Micro step" },
   { shortcut: "macro", keys: ["Shift+F4"], does: "Macro step" },
+  { shortcut: "step_mode", keys: ["F6"], does: "Step mode: pause, and go on by steps; again: resume" },
+  { shortcut: "into", keys: ["F11"], does: "Step into the active state: until one in it is entered, or it is left" },
+  { shortcut: "over", keys: ["F10"], does: "Step over the active state: until it is left" },
+  { shortcut: "out", keys: ["Shift+F11"], does: "Step out of the active state: until the state around it is left" },
+  { shortcut: "until_here", keys: ["Ctrl+F10"], does: "Run until the selected state is entered, or the selected port fires" },
+  { shortcut: "breakpoint", keys: ["Ctrl+B"], does: "Set or remove a breakpoint at the selected state or port" },
   { shortcut: "stop", keys: ["F8"], does: "Stop" },
   { shortcut: "back", keys: ["F9"], does: "Back by a micro step: what is shown, not the run" },
   { shortcut: "forward", keys: ["Shift+F9"], does: "Forward again by a micro step" },
@@ -43,6 +51,7 @@ export const gestures: readonly { readonly where: string; readonly list: readonl
       { gesture: "Click a port", does: "Why it fires, or does not" },
       { gesture: "Double click a composite state", does: "Enter it; the path above leads out again" },
       { gesture: "− or + in a composite state", does: "Collapse or expand it" },
+      { gesture: "Right click", does: "Breakpoints, steps and forced outcomes" },
       { gesture: "Click the background", does: "Select nothing" },
     ],
   },
