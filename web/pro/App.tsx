@@ -6,6 +6,10 @@ import { isCovered } from "../shared/session/view";
 import { ModelCanvas } from "./canvas/ModelCanvas";
 import { CellInset } from "./cell/CellInset";
 import { run as command, session, useSession, useView, view } from "./client";
+import { isDebugShortcut, runCommandOf } from "./debugger/actions";
+import { DebugMenu } from "./debugger/DebugMenu";
+import { ForceBar } from "./debugger/ForceBar";
+import { ReachedBar } from "./debugger/ReachedBar";
 import { DocumentsPanel } from "./documents/DocumentsPanel";
 import { DropTarget } from "./documents/DropTarget";
 import { isHelpShown, showHelp } from "./help/help";
@@ -77,6 +81,10 @@ function usePageKeys(): void {
       move(shortcut, held);
       return true;
     }
+    if (isDebugShortcut(shortcut)) {
+      if (shortcut === "breakpoint" ? !held : mayMove("lead", held)) runCommandOf(shortcut);
+      return true;
+    }
     if (!kOfRuns.has(shortcut)) return false;
     const wanted = mayMove(shortcut, held) ? commandOf(shortcut, commandable(session.get())) : undefined;
     if (wanted !== undefined) void command(wanted);
@@ -120,9 +128,12 @@ export function App() {
         <WaitingEdit />
         <Interruption />
         <PersonWaitBar />
+        <ForceBar />
+        <ReachedBar />
         <RunBar />
         {page !== "edit" && <Drawer />}
       </footer>
+      <DebugMenu />
       <KeyHelp />
       <HelpPanel />
       <Tour />

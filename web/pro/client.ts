@@ -281,12 +281,20 @@ export function watchFlow(service: string, flow: string, came: (packet: Packet) 
   };
 }
 
+/** What a run gets before this page lets it go on. */
+let arm: (core: Core) => Promise<void> = () => Promise.resolve();
+/** To be called once. */
+export function armRunsBy(by: (core: Core) => Promise<void>): void {
+  arm = by;
+}
+
 /** Makes a core of a document, watches it (no longer the document, if that is being edited), and starts it if asked. Throws what the server refuses. */
 export async function makeRun(document: string, start: boolean, args: ExactArguments): Promise<void> {
   const core = await api.createCore(document, args);
   session.dispatch({ type: "update", update: { type: "core", core } });
   watch(core.id);
   if (view.get().page === "edit") view.dispatch({ type: "page", page: "task" });
+  await arm(core);
   if (start) await api.start(core.id);
 }
 
@@ -312,8 +320,11 @@ export async function run(command: Command, until?: UntilRequest): Promise<void>
   try {
     switch (command) {
       case "start":
-      case "pause":
       case "resume":
+        await arm(core);
+        await api[command](core.id);
+        return;
+      case "pause":
       case "stop":
         await api[command](core.id);
         return;
@@ -334,6 +345,7 @@ export async function run(command: Command, until?: UntilRequest): Promise<void>
 
 /** A core that was not started is paused first, so that it does this step and no more. */
 async function stepFrom(core: Core, step: StepRequest): Promise<void> {
+  await arm(core);
   if (core.status === "ready") {
     if (!core.paused) await api.pause(core.id);
     await api.start(core.id);

@@ -3,6 +3,7 @@ import { ReactFlowProvider } from "@xyflow/react";
 import { useRef, type ReactNode } from "react";
 import { kNoPlaces, type Places } from "../../shared/drawing/places";
 import type { ModelTree } from "../../shared/model/modelTree";
+import { BreakpointMarks } from "../debugger/BreakpointMarks";
 import { Breadcrumb } from "./Breadcrumb";
 import { CanvasTools } from "./CanvasTools";
 import { Flow } from "./Flow";
@@ -56,6 +57,7 @@ export function ModelCanvas({ subject, tree, places = kNoPlaces, nothing, childr
           )}
           <ZoomControls laid={laid} size={size} movedRef={movedRef} />
           <Viewport laid={laid} size={size} movedRef={movedRef} />
+          <BreakpointMarks />
           {progress !== undefined && <LayoutProgress progress={progress} laid={laid} />}
         </>
       ) : (

@@ -1,5 +1,6 @@
 // Left of the document that is edited: search, what can be added, the library, and its states; or its history, with its states.
 import type { ModelTree } from "../../shared/model/modelTree";
+import { BreakpointsPanel } from "../debugger/BreakpointsPanel";
 import { SearchBox } from "../panels/SearchBox";
 import { StateTree } from "../panels/StateTree";
 import { useHistory } from "../versions/history";
@@ -18,6 +19,7 @@ export function EditSide({ tree }: { readonly tree: ModelTree | undefined }) {
           <SearchBox tree={tree} />
           <Palette />
           <Library />
+          <BreakpointsPanel tree={tree} />
         </>
       )}
       <StateTree tree={tree} />

@@ -1,10 +1,12 @@
 // A selected port, and the answer to "why did it fire, or why not?".
+import { kOfPort } from "../../shared/debugger/places";
 import { waitingState } from "../../shared/model/afters";
 import { portText, valueText } from "../../shared/model/describe";
 import type { Port } from "../../shared/model/model";
 import { nameOf, splitAddress } from "../../shared/model/modelTree";
 import { firedShown, stateShown } from "../../shared/past/shown";
 import { useSession, view } from "../client";
+import { BreakpointChoices } from "../debugger/BreakpointChoices";
 import { AskWhy } from "./AskWhy";
 
 export function PortProperties({ address, port }: { readonly address: string; readonly port: Port }) {
@@ -32,6 +34,7 @@ export function PortProperties({ address, port }: { readonly address: string; re
         {port.after !== undefined && <Waiting address={address} />}
         <p className="quiet">{port.to === undefined ? "Leads nowhere: it may end its parent." : `Leads to ${port.to}.`}</p>
       </section>
+      <BreakpointChoices kinds={kOfPort} />
       <AskWhy key={address} address={address} />
     </>
   );

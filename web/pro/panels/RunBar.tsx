@@ -8,6 +8,7 @@ import type { Drawer } from "../../shared/session/view";
 import { commandable } from "../../shared/session/session";
 import { run, useCore, useSession, useView, view } from "../client";
 import { openDocument, useEditing } from "../edit/editing";
+import { StepButtons } from "../debugger/StepButtons";
 import { PastButtons } from "../past/PastButtons";
 import { Icon, type IconName } from "./Icon";
 import { usePersonWait } from "./PersonWaitBar";
@@ -60,6 +61,7 @@ export function RunBar() {
           <span>{spec.name}</span>
         </button>
       ))}
+      <StepButtons />
       <PastButtons />
       {core !== undefined && (
         <p className={`run-status is-${asks || (core.paused && core.status === "running") ? "paused" : core.status}`} role="status" aria-label="Run status">

@@ -1,4 +1,5 @@
 // A selected state: its interface with live values, its functions in full, its ports, and stepping to it.
+import { kOfState } from "../../shared/debugger/places";
 import type { State } from "../../shared/model/model";
 import { allowed, until } from "../../shared/run/controls";
 import { portText, valueText } from "../../shared/model/describe";
@@ -6,6 +7,7 @@ import { stateShown } from "../../shared/past/shown";
 import { commandable } from "../../shared/session/session";
 import { run, useSession, view } from "../client";
 import { RunComments } from "../comments/RunComments";
+import { ActionBreakpoint, BreakpointChoices } from "../debugger/BreakpointChoices";
 import { Code } from "./Code";
 import { ValueTable } from "./ValueTable";
 
@@ -24,12 +26,15 @@ export function StateProperties({ path, state }: { readonly path: string; readon
       </header>
       {state.doc !== undefined && <p className="doc">{state.doc}</p>}
       <StepTo path={path} state={state} />
-      <ValueTable title="Parameters" names={state.parameters.map((p) => p.name)} values={live?.parameters[path]} notes={sources} />
-      <ValueTable title="Results" names={state.results.map((r) => r.name)} values={live?.results[path]} />
-      <ValueTable title="Variables" names={state.variables.map((v) => v.name)} values={live?.variables[path]} />
+      <BreakpointChoices kinds={kOfState} />
+      <ValueTable title="Parameters" names={state.parameters.map((p) => p.name)} values={live?.parameters[path]} notes={sources} forced={{ path, scope: "par" }} />
+      <ValueTable title="Results" names={state.results.map((r) => r.name)} values={live?.results[path]} forced={{ path, scope: "res" }} />
+      <ValueTable title="Variables" names={state.variables.map((v) => v.name)} values={live?.variables[path]} forced={{ path, scope: "var" }} />
       {state.entry !== undefined && <Code title="Entry" code={state.entry} />}
       {state.actions.map((action, i) => (
-        <Code key={i} title={`Action ${i}`} condition={action.when} code={action.do} />
+        <Code key={i} title={`Action ${i}`} condition={action.when} code={action.do}>
+          <ActionBreakpoint id={action.id} />
+        </Code>
       ))}
       {state.exit !== undefined && <Code title="Exit" code={state.exit} />}
       <PortList path={path} state={state} />

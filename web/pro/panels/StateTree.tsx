@@ -5,6 +5,7 @@ import { rowByName, treeMove, treeRows, type TreeRow } from "../../shared/model/
 import { useLive } from "../canvas/useLive";
 import { useView, view } from "../client";
 import { TreeComments } from "../comments/TreeComments";
+import { BreakpointDot } from "../debugger/BreakpointDot";
 import { ErrorMark } from "../edit/ErrorMark";
 import { followPointer } from "../edit/gestures/drag";
 import { dragRow } from "../edit/gestures/dragRow";
@@ -153,6 +154,7 @@ const Row = memo(function Row({ row: { entry, position, siblings, open }, index,
       <button type="button" className="tree-name" tabIndex={-1} onClick={() => jump(path)}>
         {node.name}
       </button>
+      <BreakpointDot path={path} />
       <TreeFaces path={path} closed={composite && !open} />
       <TreeComments path={path} closed={composite && !open} />
       <ErrorMark path={path} closed={composite && !open} />

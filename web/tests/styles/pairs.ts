@@ -21,7 +21,7 @@ const kProText: Pairs = {
   "active-soft": ["ink", "soft", "faint", "accent", "active-ink"],
   "active-inset": ["ink", "active-ink"],
   "active-hover": ["active-ink", "soft"],
-  "wait-soft": ["ink", "soft", "wait-ink"],
+  "wait-soft": ["ink", "soft", "wait-ink", "bad"],
   "wait-hover": ["wait-ink"],
   "bad-soft": ["ink", "soft", "bad"],
   "oracle-soft": ["ink", "oracle"],
@@ -35,14 +35,14 @@ const kProText: Pairs = {
 };
 
 const kProGraphics: Pairs = {
-  paper: ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent", "wait", "bad", "oracle", ...kPeople],
-  panel: ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent", "wait", "bad", "brand", "oracle", ...kPeople],
-  inset: ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent", "wait", "bad", ...kPeople],
-  sunken: ["accent", "active", "wait", "bad"],
+  paper: ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent", "wait", "bad", "breakpoint", "oracle", ...kPeople],
+  panel: ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent", "wait", "bad", "breakpoint", "brand", "oracle", ...kPeople],
+  inset: ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent", "wait", "bad", "breakpoint", ...kPeople],
+  sunken: ["accent", "active", "wait", "bad", "breakpoint"],
   "accent-soft": ["accent", "active"],
   "active-inset": ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent"],
   "active-soft": ["active", "accent", "solid", "line", "fired-line"],
-  "wait-soft": ["wait"],
+  "wait-soft": ["wait", "breakpoint"],
   "bad-soft": ["bad"],
   fired: ["on-fired"],
   "cell-background": ["hand"],

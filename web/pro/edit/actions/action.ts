@@ -3,7 +3,7 @@ import type { MenuEntry } from "../prompt";
 import { refuse } from "../say";
 import { situationNow, type Situation } from "../situation";
 
-export type ActionGroup = "Document" | "Edit" | "Add" | "Connect" | "Structure" | "Place" | "Library" | "Walk" | "Page";
+export type ActionGroup = "Document" | "Edit" | "Add" | "Connect" | "Structure" | "Place" | "Library" | "Walk" | "Debug" | "Page";
 
 export interface Action {
   readonly id: string;

@@ -1,4 +1,5 @@
 // All actions of the page that edits.
+import { debuggerActions } from "../../debugger/actions";
 import { liveActions } from "../../live/liveActions";
 import type { Action } from "./action";
 import { addActions } from "./addActions";
@@ -13,7 +14,7 @@ import { structureActions } from "./structureActions";
 import { usageActions } from "./usageActions";
 import { walkActions } from "./walkActions";
 
-const inMenus: readonly Action[] = [...editActions, ...clipboardActions, ...addActions, ...connectActions, ...structureActions, ...placingActions, ...commentActions, ...usageActions, ...documentActions];
+const inMenus: readonly Action[] = [...editActions, ...clipboardActions, ...addActions, ...connectActions, ...structureActions, ...placingActions, ...commentActions, ...usageActions, ...debuggerActions, ...documentActions];
 
 export const actions: readonly Action[] = [...inMenus, ...walkActions, ...liveActions, menuAction(inMenus)];
 

@@ -1,6 +1,7 @@
 // The functions of a state: entry, actions in their order, exit.
 import { actionConflicts } from "../../../shared/edit/order";
 import type { State } from "../../../shared/model/model";
+import { ActionBreakpoint } from "../../debugger/BreakpointChoices";
 import { ElementRows } from "./ElementRows";
 import { ElementText } from "./ElementText";
 
@@ -18,6 +19,7 @@ export function FunctionFields({ state }: { readonly state: State }) {
 function ActionRow({ id }: { readonly id: string }) {
   return (
     <>
+      <ActionBreakpoint id={id} />
       <ElementText id={id} field="when" label="Condition" kind="expression" isBare isRequired placeholder="condition" className="row-when" />
       <ElementText id={id} field="do" label="Function" kind="code" isBare isRequired placeholder="function" />
     </>

@@ -1,4 +1,6 @@
 // A selected port.
+import { kOfPort } from "../../../shared/debugger/places";
+import { BreakpointChoices } from "../../debugger/BreakpointChoices";
 import { ConditionField, TargetField } from "./PortFields";
 import { ElementHead } from "./ElementHead";
 import { useOwner } from "./useOwner";
@@ -11,6 +13,7 @@ export function PortForm({ id }: { readonly id: string }) {
         <ConditionField id={id} />
         <TargetField id={id} />
       </div>
+      <BreakpointChoices kinds={kOfPort} />
     </div>
   );
 }

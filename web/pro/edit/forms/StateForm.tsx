@@ -1,6 +1,8 @@
 // A selected state: all of it, or, while the state editor shows its interface, functions and ports, the rest.
+import { kOfState } from "../../../shared/debugger/places";
 import type { State } from "../../../shared/model/model";
 import { CommentSection } from "../../comments/CommentSection";
+import { BreakpointChoices } from "../../debugger/BreakpointChoices";
 import { useEditing } from "../editing";
 import { ChildRows } from "./ChildRows";
 import { DataRows } from "./DataRows";
@@ -26,6 +28,7 @@ export function StateForm({ state }: { readonly state: State }) {
         </button>
       </ElementHead>
       <ElementText id={id} field="doc" label="Description" kind="lines" isBare placeholder="What it does" />
+      <BreakpointChoices kinds={kOfState} />
       {!isWide && <DataRows state={state} />}
       {!isWide && <Functions state={state} />}
       {!isWide && <PortRows state={state} />}

@@ -1,0 +1,88 @@
+// The breakpoints of the person here at the document that is shown: kept on the server, and given to the cores that this page lets go.
+import { applyBreakpoints, enabledOf, type BreakpointChange, type Entry } from "../../shared/debugger/breakpoints";
+import { missingOn, sameBreakpoints, withChanged } from "../../shared/debugger/onCore";
+import type { Core, KeptBreakpoint } from "../../generated/messages";
+import { runOfDocument } from "../../shared/live/shownRun";
+import { isOver } from "../../shared/run/controls";
+import { commandable } from "../../shared/session/session";
+import { api, armRunsBy, problem, session, view } from "../client";
+import { editing } from "../edit/editing";
+import { listenToOwnName, ownName } from "../presence/ownName";
+import { give } from "./giving";
+import { kept, kNothingKept, setKept, type Owner } from "./kept";
+import { isGone, isSaving, save } from "./saving";
+
+/** A change of theirs is one of the watched core, too. */
+function changeOnCore(before: readonly Entry[], after: readonly Entry[]): void {
+  const core = runOfDocument(commandable(session.get()), kept().of?.document);
+  const [mine, now] = [enabledOf(before), enabledOf(after)];
+  if (core !== undefined && !isOver(core) && !sameBreakpoints(mine, now)) give(core, (has) => withChanged(has, mine, now)).catch(problem);
+}
+
+/** Changes them here, on the server, and on the watched core. */
+export function changeBreakpoints(change: BreakpointChange): void {
+  const { entries, loaded } = kept();
+  const after = loaded ? applyBreakpoints(entries, change) : entries;
+  if (after === entries) return;
+  setKept({ entries: after });
+  void save();
+  changeOnCore(entries, after);
+}
+
+/** None of a document that is not there any more. */
+async function load({ document, author }: Owner): Promise<readonly KeptBreakpoint[]> {
+  try {
+    return await api.breakpoints(document, author);
+  } catch (error) {
+    if (isGone(error)) return [];
+    throw error;
+  }
+}
+
+const entriesOf = (breakpoints: readonly KeptBreakpoint[], before: readonly Entry[] = []): readonly Entry[] => applyBreakpoints(before, { type: "loaded", breakpoints });
+
+/** Gives a core the breakpoints of the person here that it does not have. */
+export async function armCore(core: Core): Promise<void> {
+  const { of, loaded, entries } = kept();
+  const owner = { document: core.document, author: ownName() };
+  const isHere = loaded && of?.document === owner.document && of.author === owner.author;
+  const mine = enabledOf(isHere ? entries : entriesOf(await load(owner)));
+  await give(core, (has) => [...has, ...missingOn(has, mine)]);
+}
+
+/** `carried`: what the person had here under another name; under a name that has none they stay. */
+async function reload(carried: readonly Entry[] = []): Promise<void> {
+  const { of } = kept();
+  if (of === undefined || isSaving()) return;
+  const breakpoints = await load(of).catch(() => undefined);
+  // Else it is asked again when the server is there, or the page gets the focus.
+  if (breakpoints === undefined || kept().of !== of || isSaving()) return;
+  const stay = breakpoints.length === 0 && carried.length > 0;
+  const entries = stay ? carried : entriesOf(breakpoints, kept().entries);
+  setKept({ loaded: true, entries });
+  if (stay) void save();
+  else if (carried.length > 0) changeOnCore(carried, entries);
+}
+
+const documentShown = (): string | undefined => (view.get().page === "edit" ? editing.get().document : undefined) ?? session.get().document;
+
+let connection = session.get().connection;
+
+function follow(): void {
+  const [document, author] = [documentShown(), ownName()];
+  const { of, entries, unkept } = kept();
+  const isBack = connection !== "open" && session.get().connection === "open";
+  connection = session.get().connection;
+  if (of?.document !== document || (of !== undefined && of.author !== author)) {
+    setKept({ ...kNothingKept, of: document === undefined ? undefined : { document, author } });
+    void reload(of?.document === document ? entries : []);
+  } else if (isBack) void (unkept === undefined ? reload() : save());
+}
+
+/** Follows the document that is shown, and the name of the person here. To be called once. */
+export function followBreakpoints(): void {
+  [session.listen, view.listen, editing.listen, listenToOwnName].forEach((listen) => listen(follow));
+  addEventListener("focus", () => void reload());
+  armRunsBy(armCore);
+  follow();
+}
