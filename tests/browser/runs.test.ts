@@ -45,7 +45,9 @@ async function seenAt(step: number): Promise<object> {
   await slider.fill(String(step));
   await soon(moment).toMatch(new RegExp(`^${step}\\.`));
   await soon(() => page.getByRole("heading", { level: 2, name: `Step ${moment() ?? ""}`, exact: true }).count()).toBe(1);
-  return { moment: moment(), digest: await digest(), active: await activeIn(page) };
+  const clock = page.locator(".cell-clock");
+  await soon(() => clock.innerText()).toContain(`as it was in step ${step}, cell time`);
+  return { moment: moment(), digest: await digest(), active: await activeIn(page), cell: await clock.innerText() };
 }
 
 describe("a run of yesterday", () => {
@@ -59,6 +61,7 @@ describe("a run of yesterday", () => {
     await page.goto(`${fixture.url}/pro/?run=${picked.id}`);
     await settled(page);
     await soon(status).toBe("Ended: success");
+    await page.locator(".cell-clock").waitFor();
     await page.keyboard.press("F9");
     await banner().waitFor();
     for (const step of [2, 4, picked.step - 1]) live.push(await seenAt(step));

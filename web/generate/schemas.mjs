@@ -34,6 +34,7 @@ export const kRead = [
   "run_comparison.json",
   "run_removed.json",
   "runs.json",
+  "samples.json",
   "scene.json",
   "services.json",
   "sounds.json",
@@ -53,6 +54,7 @@ export const kWritten = ["breakpoints.json", "core_create.json", "document_branc
 
 /** Names of types that are not the names of their schemas. */
 const kNames = new Map([
+  ["samples.json", "RunSamples"],
   ["service.json", "Rsm"],
   ["state.json", "RunState"],
 ]);

@@ -24,6 +24,7 @@ import type {
   Run,
   RunComparison,
   Runs,
+  Samples,
   Scene,
   ServerError,
   StepRequest,
@@ -190,6 +191,8 @@ export function createApi(base: string, fetcher: typeof fetch) {
     deleteRun: async (id: string): Promise<void> => void (await request("DELETE", `/runs/${segment(id)}`, schema.runRemoved)),
     /** The model that it began with. */
     runModel: async (id: string): Promise<RcmDocument> => readNative(await get(`/runs/${segment(id)}/native`, schema.native)),
+    /** Where everything in the cell was while it ran. */
+    samples: async (id: string): Promise<Samples> => (await get(`/runs/${segment(id)}/samples`, schema.runSamples)).samples,
     journal: (id: string): Promise<Journal> => get(`/runs/${segment(id)}/journal`, schema.journal),
     /** As things are now, or as they were before a past micro step. */
     why: (id: string, port: string, before?: MicroStep): Promise<Why> =>

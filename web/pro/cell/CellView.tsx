@@ -3,10 +3,11 @@ import { useEffect, useEffectEvent, useRef, useState } from "react";
 import { absentParts } from "../../shared/cell/touch";
 import { createHand } from "../../shared/cell/hand";
 import { createLongPress, type LongPress } from "../../shared/cell/longPress";
-import { api, cellPose } from "../client";
+import { api } from "../client";
 import { listenToTheme } from "../theme/theme";
 import { CellScene } from "./CellScene";
 import { PartList } from "./PartList";
+import { shownPose, usePastCell } from "./shownPose";
 import { useWorld } from "./useWorld";
 
 interface Menu {
@@ -34,6 +35,7 @@ export function CellView() {
   const [menu, setMenu] = useState<Menu>();
   const [listed, setListed] = useState(false);
   const [absent, setAbsent] = useState<readonly string[]>([]);
+  const isPast = usePastCell();
   useEffect(() => {
     const host = frame.current;
     if (host === null) return;
@@ -60,18 +62,18 @@ export function CellView() {
     setAbsent([]);
     if (world === undefined) return;
     const follow = () => {
-      const pose = cellPose.get();
+      const pose = shownPose.get()?.pose;
       if (pose === undefined) return;
       scene.move(pose);
       const gone = absentParts(world.bodies, pose);
       setAbsent((before) => (before.join() === gone.join() ? before : gone));
     };
     follow();
-    return cellPose.listen(follow);
+    return shownPose.listen(follow);
   }, [world]);
   useEffect(() => {
-    if (shown.current !== undefined) shown.current.grabbing.always = pulling;
-  }, [pulling]);
+    if (shown.current !== undefined) Object.assign(shown.current.grabbing, { always: pulling, isPast });
+  }, [pulling, isPast]);
   const act = (kind: "take" | "place", part: string) => {
     setMenu(undefined);
     setRefused(undefined);
@@ -123,13 +125,13 @@ export function CellView() {
       />
       {problem !== undefined && <p className="cell-note">The cell cannot be shown: {problem}</p>}
       <div className="cell-tools">
-        <button type="button" aria-pressed={pulling} title="Pull links and parts with mouse or finger (or hold Shift)" onClick={() => setPulling(!pulling)}>
+        <button type="button" disabled={isPast} aria-pressed={pulling} title="Pull links and parts with mouse or finger (or hold Shift)" onClick={() => setPulling(!pulling)}>
           Pull
         </button>
-        <button type="button" aria-expanded={listed} aria-controls="cell-parts" title="All parts, to take away or put back" onClick={() => setListed(!listed)}>
+        <button type="button" disabled={isPast} aria-expanded={listed && !isPast} aria-controls="cell-parts" title="All parts, to take away or put back" onClick={() => setListed(!listed)}>
           Parts
         </button>
-        {(listed ? [] : absent).map((part) => (
+        {(listed || isPast ? [] : absent).map((part) => (
           <button key={part} type="button" onClick={() => act("place", part)}>
             Put back {part}
           </button>
@@ -137,7 +139,7 @@ export function CellView() {
         {pulling && !listed && <p className="cell-hint">Drag the arm or a part; it gives way as the task allows. Right click a part, or press it long, to take it away.</p>}
         {refused !== undefined && <p role="alert">{refused}</p>}
       </div>
-      {listed && world !== undefined && <PartList parts={world.bodies.filter((body) => !body.fixed)} absent={absent} act={act} />}
+      {listed && !isPast && world !== undefined && <PartList parts={world.bodies.filter((body) => !body.fixed)} absent={absent} act={act} />}
       {menu !== undefined && (
         <div className="cell-menu" role="menu" style={{ left: `min(${menu.x}px, 100% - 180px)`, top: `min(${menu.y}px, 100% - 50px)` }} onPointerDown={(event) => event.stopPropagation()}>
           <button type="button" role="menuitem" onClick={() => act("take", menu.part)}>
@@ -152,13 +154,15 @@ export function CellView() {
 
 function CellClock() {
   const text = useRef<HTMLParagraphElement>(null);
-  useEffect(
-    () =>
-      cellPose.listen(() => {
-        const pose = cellPose.get();
-        if (text.current !== null) text.current.textContent = pose === undefined ? "" : `cell time ${pose.time.toFixed(2)} s`;
-      }),
-    [],
-  );
-  return <p className="cell-clock" ref={text} />;
+  const isPast = usePastCell();
+  useEffect(() => {
+    const write = () => {
+      const shown = shownPose.get();
+      const time = shown === undefined ? "" : `cell time ${shown.pose.time.toFixed(2)} s`;
+      if (text.current !== null) text.current.textContent = shown?.step === undefined ? time : `as it was in step ${shown.step}, ${time}`;
+    };
+    write();
+    return shownPose.listen(write);
+  }, []);
+  return <p className={`cell-clock${isPast ? " is-past" : ""}`} ref={text} />;
 }

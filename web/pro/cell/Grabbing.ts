@@ -26,6 +26,8 @@ function bodyOf(object: Object3D | null): { readonly frame: Object3D; readonly p
 export class Grabbing {
   /** Whether a plain pointer grabs; else only one with Shift does. */
   always = false;
+  /** What is shown is not the cell as it is: nothing can be grabbed. */
+  isPast = false;
   private readonly ray = new Raycaster();
   private readonly plane = new Plane();
   private pointer: number | undefined;
@@ -52,6 +54,7 @@ export class Grabbing {
 
   /** The link or part at a position of the window [px]. */
   find(x: number, y: number): Found | undefined {
+    if (this.isPast) return undefined;
     this.aim(x, y);
     const hit = this.ray.intersectObject(this.contents, true)[0];
     const found = bodyOf(hit?.object ?? null);

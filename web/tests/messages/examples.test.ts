@@ -34,6 +34,7 @@ const readers: Readonly<Record<string, (value: unknown) => unknown>> = {
   run: by(schema.run),
   run_comparison: by(schema.runComparison),
   runs: by(schema.runs),
+  samples: by(schema.runSamples),
   scene: by(schema.scene),
   services: by(schema.services),
   stream_message: readStreamMessage,
@@ -44,7 +45,7 @@ const readers: Readonly<Record<string, (value: unknown) => unknown>> = {
 const unread = new Set([
   "backup", "backups", "boot", "breakpoints", "checkpoint", "component_message", "component_request",
   "core_create", "core_load", "core_start", "document_branch", "document_entry", "document_restore", "edit_request",
-  "operator", "person_command", "revisions", "run_file", "samples",
+  "operator", "person_command", "revisions", "run_file",
   "server_config", "step_request", "stream_request",
 ]);
 
