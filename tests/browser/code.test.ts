@@ -22,6 +22,33 @@ const kTask = {
 const entry = (page: Page) => page.getByRole("textbox", { name: "Entry" });
 const option = (page: Page, name: string) => page.locator(".cm-tooltip-autocomplete li").filter({ hasText: new RegExp(`^${name}`) });
 
+describe("a text whose editor comes late", () => {
+  it("stays the plain field under the hand that writes in it", async () => {
+    const { page, url, send } = fixture;
+    await send("PUT", "/documents/late", kTask);
+    let release = (): void => undefined;
+    const released = new Promise<void>((resolve) => (release = resolve));
+    await page.route("**/CodeEditor-*.js", async (route) => {
+      await released;
+      await route.continue();
+    });
+    await page.goto(`${url}/pro/?edit=late`);
+    await settled(page);
+    await page.locator('.react-flow [data-path="Root/B"]').click({ position: { x: 20, y: 8 } });
+    await entry(page).click();
+    await page.keyboard.type("x = 1");
+    release();
+    await page.locator('.code-editor [aria-label="Exit"]').waitFor();
+    await page.keyboard.type("2");
+    expect(await entry(page).evaluate((field) => [field.tagName, field === document.activeElement])).toEqual(["TEXTAREA", true]);
+    await page.keyboard.press("Control+Enter");
+    await expect.poll(async () => JSON.stringify(await send("GET", "/documents/late"))).toContain("x = 12");
+    await page.keyboard.press("Tab");
+    await page.locator('.code-editor [aria-label="Entry"]').waitFor();
+    await page.unroute("**/CodeEditor-*.js");
+  });
+});
+
 describe("a text of code", () => {
   beforeAll(async () => {
     const { page, url, send } = fixture;
@@ -38,6 +65,7 @@ describe("a text of code", () => {
     await page.keyboard.type("svc.gripper.");
     await option(page, "grasp").waitFor();
     await screenshot("code-completion");
+    expect(await findings(page)).toEqual([]);
     await page.keyboard.type("gras");
     await page.keyboard.press("Enter");
     await page.keyboard.type("par.width");

@@ -101,9 +101,10 @@ describe("the tour", () => {
     await soon(step).toBe("Let the task end");
     await select("first_task");
     await properties.getByRole("button", { name: "Add port" }).click();
-    await write(properties.getByRole("textbox", { name: "Condition" }), "chi.Hello.port.done");
+    await write(properties.getByRole("textbox", { name: "Condition" }), "chi.Hello.port.success");
     await page.keyboard.press("Control+Enter");
     await soon(step).toBe("Make a run");
+    await soon(() => page.locator(".edit-head [role=status]").innerText()).toContain("saved");
     await page.reload();
     await soon(step).toBe("Make a run");
     await settled(page);

@@ -1,5 +1,5 @@
 // A field for a text of code. The editor comes with its own bundle; until that is there, and where it cannot be loaded, it is a plain text area.
-import { lazy, Suspense } from "react";
+import { useEffect, useRef, useState, type ComponentType } from "react";
 import type { Scope } from "../../shared/code/scope";
 import { EditorBoundary } from "./EditorBoundary";
 
@@ -51,20 +51,43 @@ export interface CodeFieldProps {
   readonly readOnly?: boolean;
 }
 
-/** Loads the editor ahead, so that no field changes under the hand that writes in it. */
-export const loadCodeEditor = () => import("./CodeEditor");
+let loaded: ComponentType<CodeFieldProps> | undefined;
 
-const CodeEditor = lazy(loadCodeEditor);
+/** Loads the editor, ahead of the first field. */
+export async function loadCodeEditor(): Promise<void> {
+  loaded ??= (await import("./CodeEditor")).default;
+}
 
 export function CodeField(props: CodeFieldProps) {
+  const field = useRef<HTMLDivElement>(null);
+  const [Editor, setEditor] = useState(() => loaded);
+  useEffect(() => {
+    if (Editor !== undefined) return undefined;
+    let isThere = true;
+    // A field does not change under the hand that writes in it: it is left first.
+    const take = () => {
+      const isWrittenIn = field.current?.contains(document.activeElement) === true;
+      if (isThere && !isWrittenIn && loaded !== undefined) setEditor(() => loaded);
+    };
+    const left = () => setTimeout(take);
+    const place = field.current;
+    place?.addEventListener("focusout", left);
+    void loadCodeEditor().then(take, () => undefined);
+    return () => {
+      isThere = false;
+      place?.removeEventListener("focusout", left);
+    };
+  }, [Editor]);
   const plain = <PlainField {...props} />;
   return (
-    <div className={`code-field${props.multiline ? "" : " is-line"}`}>
-      <EditorBoundary fallback={plain}>
-        <Suspense fallback={plain}>
-          <CodeEditor {...props} />
-        </Suspense>
-      </EditorBoundary>
+    <div ref={field} className={`code-field${props.multiline ? "" : " is-line"}`}>
+      {Editor === undefined ? (
+        plain
+      ) : (
+        <EditorBoundary fallback={plain}>
+          <Editor {...props} />
+        </EditorBoundary>
+      )}
     </div>
   );
 }

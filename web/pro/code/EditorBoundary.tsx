@@ -1,4 +1,4 @@
-// Shows the plain field where the editor could not be loaded, as when the server is away.
+// Shows the plain field where the editor fails.
 import { Component, type ReactNode } from "react";
 
 interface Props {

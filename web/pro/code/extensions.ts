@@ -61,6 +61,14 @@ const typedOver = EditorView.domEventHandlers({
   },
 });
 
+let place: HTMLElement | undefined;
+
+/** Where lists of completions and tips stand: over the page, in a landmark of its own. */
+function hints(): HTMLElement {
+  place ??= document.body.appendChild(Object.assign(document.createElement("aside"), { ariaLabel: "Hints of code" }));
+  return place;
+}
+
 /** A tip is as wide as there is room right of the editor's edge, so that it covers nothing left of that; a press anywhere closes it. */
 const hoverTips: Extension = [
   EditorView.domEventHandlers({
@@ -98,7 +106,7 @@ export function editorExtensions(props: () => CodeFieldProps): Extension {
     hoverTips,
     typedOver,
     EditorView.lineWrapping,
-    tooltips({ parent: document.body, position: "fixed" }),
+    tooltips({ parent: hints(), position: "fixed" }),
     autocompletion({ override: [codeCompletions(props)], icons: false, defaultKeymap: false, optionClass: classOfOption }),
     hoverTooltip(codeHover(() => props().scope), { hoverTime: 250 }),
     colours,

@@ -44,7 +44,7 @@ function Panel({ place }: { readonly place: HelpPlace }) {
         <nav aria-label="Topics" onKeyDown={moveByArrow}>
           <input ref={search} type="search" placeholder="Search the help" aria-label="Search the help" value={query} onChange={(event) => setQuery(event.target.value)} onKeyDown={(event) => event.key === "Enter" && found[0] !== undefined && showHelp({ topic: found[0].id })} />
           {groupedTopics(found).map(({ group, topics }) => (
-            <section key={group} aria-label={group}>
+            <div key={group} role="group" aria-label={group}>
               <h3>{group}</h3>
               <ul>
                 {topics.map(({ id, title }) => (
@@ -55,7 +55,7 @@ function Panel({ place }: { readonly place: HelpPlace }) {
                   </li>
                 ))}
               </ul>
-            </section>
+            </div>
           ))}
           {found.length === 0 && <p className="quiet">Nothing is found.</p>}
         </nav>

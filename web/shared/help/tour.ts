@@ -56,7 +56,7 @@ export const tourSteps: readonly TourStep[] = [
   },
   {
     title: "Let the task end",
-    text: "Select the state around it, and give it a port, too. Its condition names the port of the state inside: type `chi.`, and choose what is offered, such as `chi.State.port.done`.",
+    text: "Select the state around it, and give it a port, too. Its condition names the port of the state inside: type `chi.`, and choose what is offered, such as `chi.State.port.success`.",
     done: (facts) => facts.tree !== undefined && facts.errors === 0 && hasPort(facts.tree, root(facts.tree), (when) => when.includes("chi.")),
   },
   { title: "Make a run", text: "Press `F5`. The run is made of the document as it is now, and shown; it does not start by itself.", done: ({ run }) => run !== undefined },
