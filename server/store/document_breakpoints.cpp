@@ -80,7 +80,6 @@ Expected<void> DocumentBreakpoints::check_author(const std::string& author) {
 Expected<List> DocumentBreakpoints::get(const std::string& document, const std::string& author) try {
   if (auto fits = check_author(author); !fits) return tl::unexpected(std::move(fits).error());
   const services::MutexLock lock(mutex_);
-  if (auto found = check_document(*file_, document); !found) return tl::unexpected(std::move(found).error());
   SQLite::Statement select(*file_,
                            "SELECT number, text, digest FROM document_breakpoints WHERE document = ? AND author = ?");
   select.bind(1, document);

@@ -29,11 +29,12 @@ class DocumentBreakpoints {
 
   /// Whether this can be the name of a person. Errors, at `author`: `missing`, `too_large`.
   static Expected<void> check_author(const std::string& author);
-  /// Empty if the person has none. Errors: those of check_author(); `not_found`: there is no such document; `corrupt`:
+  /// Empty if the person has none, or there is no such document. Errors: those of check_author(); `corrupt`:
   /// what was stored is damaged.
   Expected<List> get(const std::string& document, const std::string& author) EXCLUDES(mutex_);
   /// Replaces those of a person; durable when it returns. Where they are too many people, who has set theirs longest
-  /// ago loses them. Errors: those of check_author(); `not_found`; `too_large`: more than kMost.
+  /// ago loses them. Errors: those of check_author(); `not_found`: there is no such document; `too_large`: more than
+  /// kMost.
   Expected<void> set(const std::string& document, const std::string& author, const List& breakpoints) EXCLUDES(mutex_);
 
  private:

@@ -23,7 +23,8 @@ inline constexpr std::int64_t kRevisionsAtOnce = 200;
 
 /// The last revision that a removed document of this name has had; 0: none was removed. Error `corrupt`.
 Expected<std::int64_t> last_removed(SQLite::Database& file, const std::string& name);
-/// The document is there no more, nor are breakpoints at it; its revisions up to `last` are to be removed. Requires a transaction.
+/// The document is there no more, nor are breakpoints at it; its revisions up to `last` are to be removed. Requires a
+/// transaction.
 void begin_removal(SQLite::Database& file, const std::string& name, std::int64_t last);
 /// The largest number of a revision that is stored under this name; 0: there is none.
 std::int64_t largest_number(SQLite::Database& file, const std::string& name);

@@ -187,7 +187,7 @@ describe("going back", () => {
 describe("going back in a run that was edited", () => {
   it("shows the model of that step", async () => {
     const task = { rcm: 1, root: { state: "Root", first: "A", ports: [{ name: "done", when: "False" }], children: [{ state: "A", ports: [{ name: "next", when: "False", to: "B" }] }, { state: "B" }] } };
-    const { document } = (await fixture.send("PUT", "/documents/changing", task)) as unknown as { readonly document: { readonly root: { readonly children: readonly { readonly meta: { readonly id: string } }[] } } };
+    const { document } = (await fixture.send("PUT", "/documents/changing", task)) as { readonly document: { readonly root: { readonly children: readonly { readonly meta: { readonly id: string } }[] } } };
     const { id } = await send("POST", "/cores", { document: "changing" });
     await fixture.send("PUT", `/cores/${id}/live`, { live: true });
     await send("POST", `/cores/${id}/start`);

@@ -42,7 +42,7 @@ class DocumentBreakpoints(ServerCase):
     def test_they_go_with_their_document(self):
         self.keep("Ada", [TESTED])
         self.server.expect("DELETE", "/documents/task", None, "document_removed", 200)
-        self.server.get(self.path("Ada"), status=404)
+        self.assertEqual(self.kept("Ada"), [])
         self.server.put(self.path("Ada"), {"breakpoints": [TESTED]}, status=404)
         self.server.put("/documents/task", models.ticking("task"))
         self.assertEqual(self.kept("Ada"), [])
@@ -52,7 +52,8 @@ class DocumentBreakpoints(ServerCase):
         for wrong, path, status in (
                 ([TESTED, {**CALLED, "when": "now"}], "breakpoints/1/when", 422), ([{"when": "fault"}], "breakpoints/0/enabled", 422),
                 ([{**TESTED, "enabled": 1}], "breakpoints/0/enabled", 422), ([{**TESTED, "more": 1}], "breakpoints/0/more", 422),
-                ([{**TESTED, "path": "R" * 1001}], "breakpoints/0/path", 413), ([{**CALLED, "service": "s" * 101}], "breakpoints/0/service", 413),
+                ([{**TESTED, "path": "R" * 1001}], "breakpoints/0/path", 413),
+                ([{**CALLED, "service": "s" * 101}], "breakpoints/0/service", 413),
                 ([TESTED] * 101, "breakpoints", 413)):
             with self.subTest(path):
                 errors = self.server.put(self.path("Ada"), {"breakpoints": wrong}, status=status)["errors"]

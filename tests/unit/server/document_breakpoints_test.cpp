@@ -38,7 +38,7 @@ TEST_F(DocumentBreakpointsTest, AreReplacedWhole) {
 TEST_F(DocumentBreakpointsTest, GoWithTheirDocument) {
   ASSERT_TRUE(breakpoints->set("task", "Ada", kOne));
   ASSERT_TRUE(documents->remove("task"));
-  EXPECT_EQ(breakpoints->get("task", "Ada").error().code, ErrorCode::not_found);
+  EXPECT_EQ(breakpoints->get("task", "Ada"), List());
   EXPECT_EQ(breakpoints->set("task", "Ada", kOne).error().code, ErrorCode::not_found);
   ASSERT_TRUE(documents->put("task", kTask));
   EXPECT_EQ(breakpoints->get("task", "Ada"), List());

@@ -10,7 +10,7 @@ import { editing } from "../edit/editing";
 import { listenToOwnName, ownName } from "../presence/ownName";
 import { give } from "./giving";
 import { kept, kNothingKept, setKept, type Owner } from "./kept";
-import { isGone, isSaving, save } from "./saving";
+import { isSaving, save } from "./saving";
 
 /** A change of theirs is one of the watched core, too. */
 function changeOnCore(before: readonly Entry[], after: readonly Entry[]): void {
@@ -29,15 +29,7 @@ export function changeBreakpoints(change: BreakpointChange): void {
   changeOnCore(entries, after);
 }
 
-/** None of a document that is not there any more. */
-async function load({ document, author }: Owner): Promise<readonly KeptBreakpoint[]> {
-  try {
-    return await api.breakpoints(document, author);
-  } catch (error) {
-    if (isGone(error)) return [];
-    throw error;
-  }
-}
+const load = ({ document, author }: Owner): Promise<readonly KeptBreakpoint[]> => api.breakpoints(document, author);
 
 const entriesOf = (breakpoints: readonly KeptBreakpoint[], before: readonly Entry[] = []): readonly Entry[] => applyBreakpoints(before, { type: "loaded", breakpoints });
 

@@ -15,10 +15,8 @@ let saving = false;
 /** Whether what the page has is newer than what the server has. */
 export const isSaving = (): boolean => saving || unsaved.size > 0;
 
-export const isGone = (error: unknown): boolean => error instanceof RefusedError && error.status === 404;
-
 function reasonOf(error: unknown): string {
-  if (isGone(error)) return "the server does not have the document";
+  if (error instanceof RefusedError && error.status === 404) return "the server does not have the document";
   return error instanceof Error ? error.message : String(error);
 }
 

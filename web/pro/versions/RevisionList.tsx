@@ -2,14 +2,14 @@
 import { useMemo, useState } from "react";
 import { groupRevisions, type RevisionGroup } from "../../shared/versions/groups";
 import type { Range } from "../../shared/versions/range";
-import { draftText, groupText, numbersText, personText, timeText } from "../../shared/versions/texts";
+import { draftText, groupText, numbersText, personText, whenText } from "../../shared/versions/texts";
 import { compareRange, loadNewest, loadOlder, useHistory } from "./history";
 
 export function RevisionList() {
   const { revisions, next, reason, range } = useHistory((now) => now);
   const groups = useMemo(() => groupRevisions(revisions), [revisions]);
   const [unfolded, setUnfolded] = useState<ReadonlySet<number>>(new Set());
-  const now = Date.now();
+  const [now] = useState(() => Date.now());
   const fold = (group: number) => setUnfolded((before) => new Set(before.has(group) ? [...before].filter((each) => each !== group) : [...before, group]));
   if (reason !== undefined)
     return (
@@ -74,7 +74,7 @@ function Row({ group, range, now }: RowProps) {
       <b>{numbersText(group)}</b>
       <span>{groupText(group)}</span>
       <small>
-        {personText(last)}, <time dateTime={new Date(last.time).toISOString()}>{timeText(last.time, now)}</time>
+        {personText(last)}, <time dateTime={new Date(last.time).toISOString()}>{whenText(last, now)}</time>
         {draft !== undefined && <em> · {draft}</em>}
       </small>
     </button>

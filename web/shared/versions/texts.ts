@@ -3,6 +3,7 @@ import type { DocumentRevision } from "../../generated/messages";
 import { assertNever } from "../assertNever";
 import { nameOfAuthor } from "../presence/names";
 import { errorsText } from "../run/errorsText";
+import { timeText } from "../timeText";
 import type { RevisionGroup } from "./groups";
 import type { Range } from "./range";
 
@@ -44,15 +45,7 @@ export const numbersText = ({ first, last }: RevisionGroup): string => (first ==
 
 export const draftText = ({ errors }: DocumentRevision): string | undefined => (errors === 0 ? undefined : `draft, ${errorsText(errors)}`);
 
-const two = (n: number): string => String(n).padStart(2, "0");
-
-/** `09:05` of today, else `2026-11-26 09:05`, in the time zone of the page. Times in ms since 1970; 0: not known. */
-export function timeText(time: number, now: number): string {
-  if (time === 0) return "at an unknown time";
-  const [at, today] = [new Date(time), new Date(now)];
-  const clock = `${two(at.getHours())}:${two(at.getMinutes())}`;
-  if (at.toDateString() === today.toDateString()) return clock;
-  return `${at.getFullYear()}-${two(at.getMonth() + 1)}-${two(at.getDate())} ${clock}`;
-}
+/** When it was stored, if that is known. */
+export const whenText = ({ time }: DocumentRevision, now: number): string => (time === 0 ? "at an unknown time" : timeText(time, now));
 
 export const rangeTitle = ({ from, to }: Range): string => (to === undefined ? `Changed since revision ${from}` : to === from + 1 ? `Changed by revision ${to}` : `Changed by revisions ${from + 1} to ${to}`);

@@ -4,7 +4,7 @@ import type { DocumentRevision, Revisions } from "../../generated/messages";
 import { groupOf, groupRevisions, kSitting } from "../../shared/versions/groups";
 import { applyHistory, noHistory, type History } from "../../shared/versions/history";
 import { rangeText, readRange } from "../../shared/versions/range";
-import { draftText, groupText, numbersText, originText, personText, rangeTitle, timeText } from "../../shared/versions/texts";
+import { draftText, groupText, numbersText, originText, personText, rangeTitle, whenText } from "../../shared/versions/texts";
 
 const kMinute = 60_000;
 const edit = (revision: number, minute: number, more: Partial<DocumentRevision> = {}): DocumentRevision => ({
@@ -92,9 +92,8 @@ describe("texts of a revision", () => {
   it("name the person, not the page", () => {
     expect([personText(edit(1, 1)), personText(edit(1, 1, { author: "" }))]).toEqual(["Ada", "somebody"]);
   });
-  it("give the time of today, and the day of another one", () => {
-    const at = (day: number, hour: number) => new Date(2026, 10, day, hour, 5).getTime();
-    expect([timeText(at(26, 9), at(26, 12)), timeText(at(25, 23), at(26, 0)), timeText(0, at(26, 0))]).toEqual(["09:05", "2026-11-25 23:05", "at an unknown time"]);
+  it("say when it was stored, if that is known", () => {
+    expect([whenText(edit(1, 5), 6 * kMinute), whenText(edit(1, 0), 6 * kMinute)]).toEqual(["1 min ago", "at an unknown time"]);
   });
   it("say that it is a draft", () => {
     expect([0, 1, 201].map((errors) => draftText(edit(1, 1, { errors })))).toEqual([undefined, "draft, 1 error", "draft, more than 200 errors"]);

@@ -5,7 +5,7 @@ import type { Command } from "../../../shared/edit/commands/command";
 import { remove } from "../../../shared/edit/commands/remove";
 import { commentsOf, isOpen, threadsOn } from "../../../shared/edit/comments/comments";
 import { commentMarks } from "../../../shared/edit/comments/marks";
-import { timeText } from "../../../shared/edit/comments/timeText";
+import { timeText } from "../../../shared/timeText";
 import { answer, comment, kMaxInDocument, kMaxOnElement, kMaxText, removeComment, reopen, resolve, rewrite, type By } from "../../../shared/edit/comments/write";
 import { difference } from "../../../shared/edit/difference/difference";
 import { differenceRows } from "../../../shared/edit/difference/rows";
@@ -123,8 +123,8 @@ describe("comments", () => {
 
 it("times are told as one reads them", () => {
   const now = Date.parse("2026-11-26T01:00:00Z");
-  expect(timeText("2026-11-26T00:59:30Z", now)).toBe("just now");
-  expect(timeText("2026-11-26T00:50:00Z", now)).toBe("10 min ago");
-  expect(timeText("2025-01-02T00:50:00Z", now)).toContain("2025");
-  expect(timeText("soon", now)).toBe("");
+  expect(timeText(Date.parse("2026-11-26T00:59:30Z"), now)).toBe("just now");
+  expect(timeText(Date.parse("2026-11-26T00:50:00Z"), now)).toBe("10 min ago");
+  expect(timeText(Date.parse("2025-01-02T00:50:00Z"), now)).toContain("2025");
+  expect(timeText(Date.parse("soon"), now)).toBe("");
 });

@@ -1,11 +1,11 @@
-// When something was said, as a reader of the page writes times.
+// A time as a person says it.
+
 const kSecond = 1000;
 const kMinute = 60 * kSecond;
 const kDay = 24 * 60 * kMinute;
 
-/** `now`: [ms] since 1970. A time that is none gives an empty text. */
-export function timeText(time: string, now: number): string {
-  const at = Date.parse(time);
+/** `just now`, `10 min ago`, the time of today, or the day too. In ms since 1970; nothing of what is no time. */
+export function timeText(at: number, now: number): string {
   if (Number.isNaN(at)) return "";
   const ago = now - at;
   if (ago >= 0 && ago < kMinute) return "just now";
