@@ -53,20 +53,32 @@ export function ZoomControls({ laid, size, movedRef }: Props) {
   });
   return (
     <div className="zoom-controls" role="group" aria-label="Zoom">
-      <Control label="Zoom In" title={`Zoom in (${keysOf("zoom_in")})`} path="M8 3v10M3 8h10" act={() => zoom(kStep)} />
-      <Control label="Zoom Out" title={`Zoom out (${keysOf("zoom_out")})`} path="M3 8h10" act={() => zoom(1 / kStep)} />
+      <Control label="Zoom In" title={`Zoom in (${keysOf("zoom_in")})`} sign="+" act={() => zoom(kStep)} />
+      <Control label="Zoom Out" title={`Zoom out (${keysOf("zoom_out")})`} sign="−" act={() => zoom(1 / kStep)} />
       <Control label="Fit" title={`Show the whole drawing (${keysOf("fit")})`} path="M2 6V2h4M10 2h4v4M14 10v4h-4M6 14H2v-4" act={fitAll} />
       <Control label="Save as SVG" title="Save the drawing as an SVG file" path="M8 2v8M4.5 6.5L8 10l3.5-3.5M2.5 13.5h11" act={() => saveDrawing(laid)} />
     </div>
   );
 }
 
-function Control({ label, title, path, act }: { readonly label: string; readonly title: string; readonly path: string; readonly act: () => void }) {
+interface ControlProps {
+  readonly label: string;
+  readonly title: string;
+  /** What stands on it: a character, or a drawing. */
+  readonly sign?: string;
+  readonly path?: string;
+  readonly act: () => void;
+}
+
+function Control({ label, title, sign, path, act }: ControlProps) {
   return (
     <button type="button" aria-label={label} title={title} onClick={act}>
-      <svg viewBox="0 0 16 16" aria-hidden="true">
-        <path d={path} fill="none" stroke="currentColor" strokeWidth="2" />
-      </svg>
+      {sign}
+      {path !== undefined && (
+        <svg viewBox="0 0 16 16" aria-hidden="true">
+          <path d={path} fill="none" stroke="currentColor" strokeWidth="2" />
+        </svg>
+      )}
     </button>
   );
 }

@@ -1,5 +1,6 @@
-// Steps by states, in the run bar: into, over, out, and step mode.
-import { useView, useSession } from "../client";
+// Steps by states, in the run bar, while the run stands: into, over, out, and step mode.
+import { useCore, useSession, useView } from "../client";
+import { isOver } from "../../shared/run/controls";
 import { Icon, type IconName } from "../panels/Icon";
 import { commandOf, keysOfCommand, runDebugCommand } from "./actions";
 
@@ -11,6 +12,8 @@ const kButtons: readonly { readonly id: string; readonly icon: IconName }[] = [
 ];
 
 export function StepButtons() {
+  const core = useCore();
+  if (core === undefined || isOver(core) || (core.status === "running" && !core.paused)) return null;
   return (
     <div className="step-buttons" role="group" aria-label="Steps by states">
       {kButtons.map((button) => (

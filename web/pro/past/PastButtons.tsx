@@ -5,9 +5,11 @@ import { Icon } from "../panels/Icon";
 import { move } from "./past";
 
 export function PastButtons() {
-  const begun = (useCore()?.step ?? 0) > 0;
+  const core = useCore();
   const lost = useSession((s) => s.connection === "lost");
   const past = useSession((s) => s.past?.past);
+  if (core === undefined) return null;
+  const begun = core.step > 0;
   const first = past?.step === 1 && past.micro === 0;
   return (
     <div className="past-buttons" role="group" aria-label="What is shown">
