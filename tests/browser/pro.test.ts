@@ -47,6 +47,8 @@ const preorder = (node: RawNode): readonly RawNode[] => [node, ...node.premises.
 
 describe("RACE Pro", () => {
   it("leads from the address of the server to the page", async () => {
+    // Browsers may ask for it before they have read a page.
+    expect((await page.request.get(`${fixture.url}/favicon.ico`)).headers()["content-type"]).toBe("image/x-icon");
     await page.goto(fixture.url);
     await page.waitForURL("**/pro/");
     await expect.poll(() => page.getByText("Connected").isVisible()).toBe(true);
