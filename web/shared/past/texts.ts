@@ -25,10 +25,12 @@ export function pastStatus({ status, outcome, fault }: Past): string {
   return detail === undefined ? kMoves[status] : `${kMoves[status]}: ${detail}`;
 }
 
+const microSteps = (count: number): string => (count === 1 ? "one micro step" : `${count} micro steps`);
+
 /** Between which micro steps the moment is. */
 export function placeText({ step, micro, complete }: Past): string {
-  if (complete) return micro === 0 ? `Nothing changes in macro step ${step}.` : `At the end of macro step ${step}, after micro step ${micro - 1}.`;
-  return micro === 0 ? `In macro step ${step}, before its first micro step.` : `In macro step ${step}, after micro step ${micro - 1}.`;
+  if (complete) return micro === 0 ? `Nothing changes in macro step ${step}.` : `At the end of macro step ${step}, after ${microSteps(micro)}.`;
+  return micro === 0 ? `In macro step ${step}, before its first micro step.` : `In macro step ${step}, after ${microSteps(micro)}.`;
 }
 
 /** So many digits tell the moments of a run apart. */

@@ -53,7 +53,7 @@ describe("the banner", () => {
   });
   it("says between which micro steps it is", () => {
     const texts = [past, { ...past, micro: 0 }, { ...past, complete: true }, { ...past, micro: 0, complete: true }].map(placeText);
-    expect(texts).toEqual(["In macro step 2, after micro step 0.", "In macro step 2, before its first micro step.", "At the end of macro step 2, after micro step 0.", "Nothing changes in macro step 2."]);
+    expect(texts).toEqual(["In macro step 2, after one micro step.", "In macro step 2, before its first micro step.", "At the end of macro step 2, after one micro step.", "Nothing changes in macro step 2."]);
   });
   it("has the status that the run had", () => {
     expect([pastStatus(past), pastStatus({ ...past, status: "ended", outcome: "done" }), pastStatus({ ...past, status: "faulted", fault: { kind: "unmet", at: "", message: "" } })]).toEqual(["Running", "Ended: done", "Faulted: unmet"]);
