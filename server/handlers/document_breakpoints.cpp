@@ -4,9 +4,8 @@
 #include <tuple>
 
 #include "core/rcm/ids.h"
-#include "core/value/json.h"
 #include "server/execution/goal_json.h"
-#include "server/handlers/handlers.h"
+#include "server/handlers/breakpoint_list.h"
 #include "server/handlers/query.h"
 
 namespace race::server {
@@ -32,23 +31,6 @@ Value read_kept(Fields& fields) {
   return kept;
 }
 
-Checked<List> read_kept_breakpoints(const std::string& text) {
-  auto body = parse_json(text);
-  if (!body) return failed(std::move(body).error());
-  std::vector<Error> errors;
-  Fields fields(*body, "", "the request", errors, Fields::Paths::field);
-  const List& list = fields.list("breakpoints", Fields::Need::required);
-  fields.close();
-  List kept;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    Fields of_one(list[i], "breakpoints/" + std::to_string(i), "a breakpoint", errors, Fields::Paths::field);
-    kept.push_back(read_kept(of_one));
-    of_one.close();
-  }
-  if (!errors.empty()) return tl::unexpected(std::move(errors));
-  return kept;
-}
-
 }  // namespace
 
 Handled get_document_breakpoints(const Request& request, DocumentBreakpoints& breakpoints) {
@@ -58,7 +40,7 @@ Handled get_document_breakpoints(const Request& request, DocumentBreakpoints& br
 }
 
 Handled put_document_breakpoints(const Request& request, DocumentBreakpoints& breakpoints) {
-  auto read = read_kept_breakpoints(request.body);
+  auto read = read_breakpoint_list(request.body, read_kept);
   if (!read) return tl::unexpected(std::move(read).error());
   auto set = breakpoints.set(request.parameters.at("name"), query_text(request, "author"), *read);
   if (!set) return failed(std::move(set).error());

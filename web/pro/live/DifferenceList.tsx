@@ -4,7 +4,7 @@ import { placeInShown } from "../../shared/live/marks";
 import { view } from "../client";
 import { editedDocument } from "../edit/editing";
 import { selectById } from "../edit/forms/selectById";
-import type { Compared } from "./executed";
+import type { Compared } from "../../shared/edit/difference/compare";
 
 /** So many are listed. */
 const kMost = 200;

@@ -6,7 +6,7 @@ import type { Box } from "../../shared/drawing/drawing";
 import { CanvasLayer } from "../canvas/CanvasLayer";
 import { useShownCanvas } from "../canvas/canvasView";
 import type { Laid } from "../canvas/useDrawing";
-import type { Compared } from "./executed";
+import type { Compared } from "../../shared/edit/difference/compare";
 
 /** More signs would hide the drawing. */
 const kMost = 60;

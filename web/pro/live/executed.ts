@@ -1,8 +1,6 @@
 // The document as the run executes it, and how what is edited differs from it.
 import { useDeferredValue, useMemo } from "react";
-import { differenceRows, differsInDrawing, type DifferenceRow } from "../../shared/edit/difference/rows";
-import { difference } from "../../shared/edit/difference/difference";
-import type { Tree } from "../../shared/edit/tree";
+import { compare, type Compared } from "../../shared/edit/difference/compare";
 import { runOfDocument } from "../../shared/live/shownRun";
 import { watchedCore } from "../../shared/session/session";
 import { session } from "../client";
@@ -23,24 +21,6 @@ session.listen(loadExecuted);
 export function useExecuted(): RevisionTree | undefined {
   const core = useRunOfDocument();
   return useRevisionTree(core?.document, core?.revision);
-}
-
-export interface Compared {
-  readonly before: Tree;
-  readonly after: Tree;
-  readonly rows: readonly DifferenceRow[];
-  /** Places or notes are not the same, either. */
-  readonly inDrawing: boolean;
-}
-
-let last: Compared | undefined;
-
-/** How two documents differ. What was compared last is not compared again. */
-export function compare(before: Tree, after: Tree): Compared {
-  if (last?.before === before && last.after === after) return last;
-  const found = difference(before, after);
-  last = { before, after, rows: differenceRows(before, after, found), inDrawing: differsInDrawing(found) };
-  return last;
 }
 
 /** What is edited, compared with what runs; nothing: there is nothing to compare. While one types it may be a moment behind. */

@@ -1,7 +1,7 @@
 // What is compared in the history, for its list and for the signs in the drawing.
 import { useDeferredValue, useEffect, useMemo } from "react";
+import { compare, type Compared } from "../../shared/edit/difference/compare";
 import { useEditing } from "../edit/editing";
-import { compare, type Compared } from "../live/executed";
 import { useHistory } from "./history";
 import { loadRevision, useRevisionTree, type RevisionTree } from "./revisionTrees";
 

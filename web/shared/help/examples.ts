@@ -113,7 +113,7 @@ export const history = example("history-example", {
 
 /** A port that fires after a time. */
 export const timeOut = example("time-out-example", {
-  state: "Patience",
+  state: "Question",
   doc: "Waits for somebody, but not for ever.",
   first: "Ask",
   children: [
