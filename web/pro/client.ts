@@ -1,5 +1,5 @@
 // The page's one connection to the server: stores, requests and the stream, wired together.
-import { createApi, RefusedError } from "../shared/api";
+import { createApi } from "../shared/api";
 import type { CellPose, Core, Packet, StepRequest, TraceStep } from "../generated/messages";
 import type { ExactArguments, RunSource } from "../shared/api";
 import { runParameters, type ExactDocument, type RunParameter } from "../shared/arguments/parameters";
@@ -20,6 +20,7 @@ import { coreToWatch } from "../shared/session/watched";
 import type { StreamUpdate } from "../shared/messages/stream";
 import { openStream, type Connection, type Stream } from "../shared/stream";
 import { createStore, useSelected } from "./store";
+import { messageOf } from "../shared/messageOf";
 
 const kPastSteps = 40;
 
@@ -55,7 +56,7 @@ const flowWatchers = new Map<string, (packet: Packet) => void>();
 
 /** Shows an error until the user dismisses it. */
 export function problem(error: unknown): void {
-  const text = error instanceof RefusedError || error instanceof Error ? error.message : String(error);
+  const text = messageOf(error);
   session.dispatch({ type: "problem", text });
 }
 

@@ -9,6 +9,7 @@ import { CellScene } from "./CellScene";
 import { PartList } from "./PartList";
 import { shownPose, usePastCell } from "./shownPose";
 import { useWorld } from "./useWorld";
+import { messageOf } from "../../shared/messageOf";
 
 interface Menu {
   readonly part: string;
@@ -24,7 +25,6 @@ function after(milliseconds: number, act: () => void): () => void {
   return () => clearTimeout(timer);
 }
 
-const textOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
 
 export function CellView() {
   const frame = useRef<HTMLDivElement>(null);
@@ -43,7 +43,7 @@ export function CellView() {
       name: `page-${Math.random().toString(36).slice(2, 10)}`,
       send: (command) => (setRefused(undefined), api.command(command)),
       wait: (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds)),
-      onRefused: (error) => setRefused(textOf(error)),
+      onRefused: (error) => setRefused(messageOf(error)),
     });
     const scene = new CellScene(host, hand);
     shown.current = scene;
@@ -77,7 +77,7 @@ export function CellView() {
   const act = (kind: "take" | "place", part: string) => {
     setMenu(undefined);
     setRefused(undefined);
-    api.command({ act: kind, part }).catch((error: unknown) => setRefused(textOf(error)));
+    api.command({ act: kind, part }).catch((error: unknown) => setRefused(messageOf(error)));
   };
   /** Opens the menu of the part at a position of the window [px], if there is one. */
   const openMenu = (x: number, y: number, above = 0) => {

@@ -4,6 +4,7 @@ import type { Body } from "../../generated/messages";
 import { cellUnavailable } from "../../shared/session/session";
 import { api, useSession } from "../client";
 import type { RobotModel } from "./CellScene";
+import { messageOf } from "../../shared/messageOf";
 
 export interface World {
   readonly bodies: readonly Body[];
@@ -31,7 +32,7 @@ export function useWorld(): { readonly world: World | undefined; readonly proble
     let current = true;
     load().then(
       (loaded) => current && setWorld(loaded),
-      (error: unknown) => current && setRefused(error instanceof Error ? error.message : String(error)),
+      (error: unknown) => current && setRefused(messageOf(error)),
     );
     return () => {
       current = false;

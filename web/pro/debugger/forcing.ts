@@ -3,6 +3,7 @@ import { typedValue, type Proposal } from "../../shared/debugger/force";
 import { watchedCore } from "../../shared/session/session";
 import { api, session } from "../client";
 import { createStore, useSelected } from "../store";
+import { messageOf } from "../../shared/messageOf";
 
 const store = createStore<Proposal | undefined, Proposal | undefined>(undefined, (_, proposal) => proposal);
 let returnTo: Element | null = null;
@@ -32,6 +33,6 @@ export async function force({ path, scope, name }: Proposal, text: string): Prom
     endProposal();
     return undefined;
   } catch (error) {
-    return error instanceof Error ? error.message : String(error);
+    return messageOf(error);
   }
 }

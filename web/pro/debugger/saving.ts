@@ -3,6 +3,7 @@ import { RefusedError } from "../../shared/api";
 import type { KeptBreakpoint } from "../../generated/messages";
 import { api } from "../client";
 import { kept, setKept, type Owner } from "./kept";
+import { messageOf } from "../../shared/messageOf";
 
 interface Unsaved {
   readonly of: Owner;
@@ -17,7 +18,7 @@ export const isSaving = (): boolean => saving || unsaved.size > 0;
 
 function reasonOf(error: unknown): string {
   if (error instanceof RefusedError && error.status === 404) return "the server does not have the document";
-  return error instanceof Error ? error.message : String(error);
+  return messageOf(error);
 }
 
 async function saveOne({ of, breakpoints }: Unsaved): Promise<void> {

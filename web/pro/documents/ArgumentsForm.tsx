@@ -4,6 +4,7 @@ import { readArguments } from "../../shared/arguments/entry";
 import { makeRun } from "../client";
 import { ArgumentField } from "./ArgumentField";
 import { closeForm, type Asked } from "./asking";
+import { messageOf } from "../../shared/messageOf";
 
 type Texts = Readonly<Record<string, string>>;
 const kNone: Texts = {};
@@ -35,7 +36,7 @@ export function ArgumentsForm({ document, parameters }: Asked) {
       await makeRun(document, start, read.values);
       close();
     } catch (error) {
-      setRefusal(error instanceof Error ? error.message : String(error));
+      setRefusal(messageOf(error));
       setBusy(false);
     }
   };

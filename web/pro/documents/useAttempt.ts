@@ -1,5 +1,6 @@
 // An action that the server may refuse.
 import { useState } from "react";
+import { messageOf } from "../../shared/messageOf";
 
 interface Attempt {
   /** Does it, and keeps why it has failed. */
@@ -17,7 +18,7 @@ export function useAttempt(): Attempt {
     try {
       await action();
     } catch (error) {
-      setReason(error instanceof Error ? error.message : String(error));
+      setReason(messageOf(error));
     } finally {
       setBusy(false);
     }

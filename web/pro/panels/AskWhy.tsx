@@ -9,6 +9,7 @@ import { constantText } from "../../shared/run/whyText";
 import { isStored } from "../../shared/session/session";
 import { api, useCore, useSession, view } from "../client";
 import { Atoms, WhyView } from "./WhyView";
+import { messageOf } from "../../shared/messageOf";
 
 /** An explanation of the server, or its error. */
 type Answer = { readonly why: Why } | { readonly failed: string } | undefined;
@@ -23,7 +24,7 @@ function useWhy(address: string, moment: unknown, before?: MicroStep): Answer {
     let current = true;
     api.why(id, address, before).then(
       (why) => current && setAnswer({ why }),
-      (error: unknown) => current && setAnswer({ failed: error instanceof Error ? error.message : String(error) }),
+      (error: unknown) => current && setAnswer({ failed: messageOf(error) }),
     );
     return () => {
       current = false;

@@ -7,6 +7,7 @@ import { loadModels } from "../../shared/runs/storedRun";
 import { isStored, watchedCore } from "../../shared/session/session";
 import type { Native } from "../../generated/messages";
 import { api, session } from "../client";
+import { messageOf } from "../../shared/messageOf";
 
 /** `model`: nothing if it is the one that the page has already; `doubt`: why that may be another. */
 interface Then {
@@ -49,6 +50,6 @@ export async function modelThen(id: string, step: number): Promise<Then> {
     return native instanceof Refusal ? doubtful(native.message) : { model: modelOf(native), doubt: undefined };
   } catch (error) {
     known = undefined;
-    return doubtful(error instanceof Error ? error.message : String(error));
+    return doubtful(messageOf(error));
   }
 }

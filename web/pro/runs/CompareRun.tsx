@@ -5,6 +5,7 @@ import { compareAll, comparisonText, firstDifference } from "../../shared/runs/c
 import { api } from "../client";
 import { useAttempt } from "../documents/useAttempt";
 import { openRunAt } from "./actions";
+import { messageOf } from "../../shared/messageOf";
 
 interface Props {
   readonly id: string;
@@ -21,7 +22,7 @@ export function CompareRun({ id, other }: Props) {
     let current = true;
     compareAll((from) => api.compareRuns(other, id, from)).then(
       (found) => current && setAnswer(found),
-      (error: unknown) => current && setAnswer({ failed: error instanceof Error ? error.message : String(error) }),
+      (error: unknown) => current && setAnswer({ failed: messageOf(error) }),
     );
     return () => {
       current = false;

@@ -3,6 +3,7 @@ import { useEffect, useEffectEvent, useState } from "react";
 import { lineStep, type LineStep } from "../../shared/runs/timeline";
 import { watchedCore } from "../../shared/session/session";
 import { api, session, sourceOf, useSession } from "../client";
+import { messageOf } from "../../shared/messageOf";
 
 /** So many macro steps are shown, the last ones. */
 export const kMostSteps = 1000;
@@ -38,7 +39,7 @@ export function useLine(): Line | undefined {
       const all = await loadPart(of, steps, to);
       if (isCurrent()) setLine({ id: of, steps: all });
     } catch (error) {
-      if (isCurrent()) setLine({ id: of, steps, failed: error instanceof Error ? error.message : String(error) });
+      if (isCurrent()) setLine({ id: of, steps, failed: messageOf(error) });
     }
   });
   useEffect(() => {

@@ -8,6 +8,7 @@ import { editing, openDocument } from "../edit/editing";
 import { refuse, tellDone } from "../edit/say";
 import { whenStored } from "../edit/whenStored";
 import { createStore, useSelected } from "../store";
+import { messageOf } from "../../shared/messageOf";
 
 const store = createStore<History, HistoryEvent>(noHistory, applyHistory);
 
@@ -43,7 +44,7 @@ async function load(before?: number): Promise<void> {
   try {
     store.dispatch({ type: "loaded", page: await api.revisions(document, before) });
   } catch (error) {
-    store.dispatch({ type: "failed", document, reason: error instanceof Error ? error.message : String(error) });
+    store.dispatch({ type: "failed", document, reason: messageOf(error) });
   }
 }
 
@@ -101,7 +102,7 @@ export async function restore(revision: number): Promise<void> {
     const isNew = entry.revision > stored.revision;
     tellDone(isNew ? `Revision ${revision} is restored, as revision ${entry.revision}.` : `Revision ${revision} is the same as the last one: nothing had to be restored.`);
   } catch (error) {
-    refuse(error instanceof Error ? error.message : String(error));
+    refuse(messageOf(error));
   }
 }
 

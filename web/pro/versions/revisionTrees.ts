@@ -5,6 +5,7 @@ import type { JsonValue } from "../../shared/json";
 import { api, session } from "../client";
 import { editing } from "../edit/editing";
 import { createStore, useSelected } from "../store";
+import { messageOf } from "../../shared/messageOf";
 
 /** A document, or why it is not here. */
 export type RevisionTree = Tree | { readonly reason: string };
@@ -37,7 +38,7 @@ async function load(document: string, revision: number): Promise<void> {
     const tree = readTree(entry.document as JsonValue);
     store.dispatch({ key, tree: tree instanceof Refusal ? { reason: tree.message } : tree });
   } catch (error) {
-    store.dispatch({ key, tree: { reason: error instanceof Error ? error.message : String(error) } });
+    store.dispatch({ key, tree: { reason: messageOf(error) } });
   } finally {
     loading.delete(key);
   }

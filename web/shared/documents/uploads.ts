@@ -3,6 +3,7 @@ import type { ServerError } from "../../generated/messages";
 import { assertNever } from "../assertNever";
 import { RefusedError } from "../api";
 import { nameOfFile } from "./names";
+import { messageOf } from "../messageOf";
 
 /** The server takes no larger body [byte]. */
 export const kMostBytes = 4 * 1024 * 1024;
@@ -69,7 +70,7 @@ export function applyUpload(uploads: readonly Upload[], event: UploadEvent): rea
 /** What an attempt to store `target` says that has failed. */
 export function failed(target: Target, error: unknown): UploadStatus {
   if (!(error instanceof RefusedError)) {
-    const message = error instanceof Error ? error.message : String(error);
+    const message = messageOf(error);
     return { kind: "refused", errors: [{ path: "", code: "unavailable", message }], next: "again" };
   }
   const { status, errors, more } = error;

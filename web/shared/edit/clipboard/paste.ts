@@ -8,6 +8,7 @@ import { attempt, Refusal } from "../refusal";
 import { elementOf, listOf, type Tree } from "../tree";
 import type { JsonValue } from "../../json";
 import { isExactObject, itemsOf, type ExactObject } from "./json";
+import { messageOf } from "../../messageOf";
 
 type PastedList = "children" | "ports";
 type Pasted = Readonly<Record<PastedList, readonly ExactObject[]>>;
@@ -18,7 +19,7 @@ function readPasted(text: string): Pasted | { readonly reason: string } {
   try {
     value = readExact(text);
   } catch (error) {
-    return { reason: `the text is no JSON (syntax): ${error instanceof Error ? error.message : String(error)}` };
+    return { reason: `the text is no JSON (syntax): ${messageOf(error)}` };
   }
   if (!isExactObject(value)) return { reason: "the text has no states, barriers or ports (type)" };
   const whole: ExactObject = "state" in value || "barrier" in value ? { children: [value] } : "name" in value ? { ports: [value] } : value;
