@@ -4,6 +4,7 @@ import type { Drawing } from "../../shared/drawing/drawing";
 import { readable } from "../../shared/drawing/fit";
 import { layoutModel } from "../../shared/drawing/layout";
 import { layoutCache } from "../../shared/drawing/layoutCache";
+import { mayBeReadable } from "../../shared/drawing/moreDetail";
 import { details, type Detail, type Size } from "../../shared/drawing/measure";
 import type { Places } from "../../shared/drawing/places";
 import type { State } from "../../shared/model/model";
@@ -91,7 +92,7 @@ function detailsFor({ subject, shown }: Request, before: Of<Laid> | undefined): 
 
 /** Draws with the first of these details and calls `take`; then with more, as long as it can be read. */
 async function drawAll(request: Request, wanted: readonly Detail[], signal: AbortSignal, take: (laid: Laid) => void, onProgress: (progress: Progress) => void): Promise<void> {
-  const { path, state, frame, shown, places } = request;
+  const { path, state, frame, shown, places, tree } = request;
   const engine = layoutInWorkers(signal);
   const aspect = Math.min(2.4, Math.max(0.6, frame.width / frame.height));
   const common = { state, path, places, collapsed: shown.collapsed, aspect, signal };
@@ -101,11 +102,13 @@ async function drawAll(request: Request, wanted: readonly Detail[], signal: Abor
   let drawing = await layoutModel(engine, { ...common, detail: first, onProgress: (done, of) => !isStale() && onProgress({ done, of }) }, memory);
   if (isStale()) return;
   take(laidOf(request, first, drawing));
+  let now = first;
   for (const detail of more) {
-    if (!readable(drawing, frame)) return;
+    if (!mayBeReadable(drawing, tree, now, detail, frame)) return;
     drawing = await layoutModel(engine, { ...common, detail }, memory);
     if (isStale() || !readable(drawing, frame)) return;
     take(laidOf(request, detail, drawing));
+    now = detail;
   }
 }
 

@@ -1,5 +1,4 @@
 // How a drawing fits its canvas: the first view of it, and how much detail can be read there.
-import type { Drawing } from "./drawing";
 import type { Size } from "./measure";
 
 /** Below this zoom the code in a drawing is too small to read. */
@@ -41,6 +40,6 @@ export function fitReadable(drawing: Size, canvas: Size): Viewport {
   return { zoom, x: start(drawing.width, room.width, kAround), y: start(drawing.height, room.height, kTop) };
 }
 
-export function readable(drawing: Drawing, canvas: Size): boolean {
+export function readable(drawing: Size, canvas: Size): boolean {
   return fit(drawing, canvas).zoom >= kReadable;
 }

@@ -1,0 +1,26 @@
+// The layouts that this browser keeps from one visit to the next (IndexedDB).
+import { clear, createStore, get, keys, set, type UseStore } from "idb-keyval";
+import { version } from "elkjs/package.json";
+import type { KeptLayout, LayoutStore } from "../../shared/drawing/keptLayouts";
+
+/** With more, all are forgotten when the page opens: those that are in use come again. */
+const kMost = 2000;
+
+let opened: Promise<UseStore> | undefined;
+
+async function open(): Promise<UseStore> {
+  const store = createStore("race-layouts", "layouts");
+  if ((await keys(store)).length > kMost) await clear(store);
+  return store;
+}
+
+// A browser that keeps nothing (a private window) rejects it, each time.
+const inStore = async <T>(use: (store: UseStore) => Promise<T>): Promise<T> => use(await (opened ??= open()));
+
+/** Another version of ELK may lay out otherwise. */
+const named = (key: string): string => `${version} ${key}`;
+
+export const layoutStore: LayoutStore = {
+  get: (key) => inStore((store) => get<KeptLayout>(named(key), store)),
+  set: (key, kept) => inStore((store) => set(named(key), kept, store)),
+};
