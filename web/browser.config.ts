@@ -12,6 +12,7 @@ export default defineConfig({
   server: { fs: { strict: false } },
   test: {
     globals: true,
+    globalSetup: here("../tests/browser/chromium.ts"),
     include: ["tests/browser/**/*.test.ts"],
     fileParallelism: false,
     testTimeout: 120_000,

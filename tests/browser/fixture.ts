@@ -5,7 +5,8 @@ import { createServer } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { chromium, type Browser, type BrowserContext, type BrowserContextOptions, type Page, type ViewportSize } from "playwright-core";
+import type { Browser, BrowserContext, BrowserContextOptions, Page, ViewportSize } from "playwright-core";
+import { openBrowser } from "./chromium";
 import { ConsoleErrors } from "./consoleErrors";
 
 export const project = fileURLToPath(new URL("../../", import.meta.url));
@@ -37,18 +38,6 @@ export interface Fixture {
   /** Throws if there was an error on the console of a page. */
   readonly close: () => Promise<void>;
 }
-
-/** The tests run without network, GPU and screen. */
-const kFlags = [
-  "--no-sandbox",
-  "--disable-gpu",
-  "--disable-quic",
-  "--no-first-run",
-  "--disable-background-networking",
-  "--disable-component-update",
-  "--disable-sync",
-  "--disable-dev-shm-usage",
-];
 
 function freePort(): Promise<number> {
   return new Promise((resolve, reject) => {
@@ -104,7 +93,7 @@ export async function openFixture(...further: readonly string[]): Promise<Fixtur
   try {
     const url = `http://127.0.0.1:${port}`;
     await healthy(url, server);
-    const opened = await chromium.launch({ executablePath: process.env["CHROMIUM"] ?? "/usr/bin/chromium", args: kFlags });
+    const opened = await openBrowser();
     browser = opened;
     const openContext = async (options: BrowserContextOptions) => {
       const context = await opened.newContext(options);
