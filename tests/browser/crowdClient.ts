@@ -30,6 +30,8 @@ export const hashOf = (document: unknown): string => createHash("sha256").update
 
 const pause = (ms: number) => new Promise((resolve) => setTimeout(resolve, ms));
 
+/** About so many elements has the document: what an edit costs grows with them. */
+const kElements = 150;
 /** So many edits wait for the server at most. */
 const kPending = 20;
 /** Of a message, each way: usually up to a few, sometimes many [ms]. */
@@ -66,7 +68,7 @@ function runClient({ url, document, name, seed }: CrowdSetup): void {
   let made = 0;
   const editor = openEditor(stream, "connecting", document, name, { onSession: () => undefined, onNotice: ({ request }) => refused.push(request) }, () => `${name}-${made++}`);
   later.editor = editor;
-  const edits = new RandomEdits(random, `${name}-`);
+  const edits = new RandomEdits(random, `${name}-`, kElements);
   const until = async (holds: () => boolean) => {
     while (!holds()) await pause(20);
   };

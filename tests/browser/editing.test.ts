@@ -24,7 +24,7 @@ interface Stored {
   readonly document: unknown;
 }
 const first = setting("RACE_SEED", 20261122);
-const count = setting("RACE_CROWD_EDITS", 200);
+const count = setting("RACE_CROWD_EDITS", 2000);
 const seeds = Array.from({ length: setting("RACE_CROWD_SEEDS", 1) }, (_, i) => first + i);
 
 it.each(seeds)(

@@ -11,10 +11,11 @@ const kLists: readonly ListName[] = ["children", "children", "ports", "actions",
 export class RandomEdits {
   private count = 0;
 
-  /** `prefix`: of the ids of what is inserted, one for each source. */
+  /** `prefix`: of the ids of what is inserted, one for each source. In a tree with more than `most` elements, some are removed where others would be inserted. */
   constructor(
     private readonly random: Random,
     private readonly prefix: string,
+    private readonly most = Infinity,
   ) {}
 
   /** One to three operations on what an author of `tree` sees. */
@@ -27,12 +28,12 @@ export class RandomEdits {
   private operation(tree: Tree, all: readonly string[]): Operation {
     const { random } = this;
     const what = random.pick(10);
-    if (what < 3) {
+    if (what < 3 && all.length <= this.most) {
       const list = random.of(kLists);
       return { op: "insert", ...this.place(tree, this.state(tree, all), list), node: this.node(list, 0) };
     }
     const id = random.of(all);
-    if (what === 3) return { op: "remove", id };
+    if (what <= 3) return { op: "remove", id };
     if (what > 6) return this.set(tree, all);
     const { parent, list } = elementOf(tree, id);
     if (list === "children" && random.chance(0.1)) return { op: "move", id, ...this.place(tree, "", "library") };
