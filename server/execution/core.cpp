@@ -106,13 +106,13 @@ void Core::retire(Done<Preparation> done) {
     if (started_) return conflict("core " + id_ + " was started before");
     if (closed_) return conflict("core " + id_ + " is going away");
     closed_ = true;
-    return Preparation{paused_, breakpoint_names_};
+    return Preparation{paused_, breakpoints_};
   });
 }
 
 // Not on the strand: nobody knows this core yet. What is shown of it has all of this from the first moment.
 void Core::replace(const Core& other, Preparation preparation) {
-  breakpoint_names_ = std::move(preparation.breakpoints);
+  breakpoints_ = std::move(preparation.breakpoints);
   find_breakpoints();
   paused_ = preparation.paused;
   {
@@ -213,17 +213,21 @@ void Core::step(execution::GoalName name, Done<Value> done) {
   });
 }
 
-void Core::set_breakpoints(std::vector<execution::GoalName> names, Done<Value> done) {
-  on_strand<Value>(std::move(done), [this, names = std::move(names)]() -> Expected<Value> {
+void Core::set_breakpoints(std::vector<execution::GoalName> names, std::string author, Done<Value> done) {
+  on_strand<Value>(std::move(done), [this, names = std::move(names), author = std::move(author)]() -> Expected<Value> {
     if (auto sound = readable(); !sound) return tl::unexpected(std::move(sound).error());
     if (is_over()) return conflict("core " + id_ + " is over");
-    if (names.size() > kMostBreakpoints)
-      return unexpected(ErrorCode::too_large, "there may be " + std::to_string(kMostBreakpoints) + " breakpoints",
+    std::vector<Breakpoint> all;
+    for (const Breakpoint& each : breakpoints_)
+      if (!author.empty() && each.author != author) all.push_back(each);
+    for (const execution::GoalName& name : names) all.push_back({name, author});
+    if (all.size() > kMostBreakpoints)
+      return unexpected(ErrorCode::too_large,
+                        "there may be " + std::to_string(kMostBreakpoints) + " breakpoints, with those of others",
                         "breakpoints");
-    ASSIGN_OR_RETURN(const std::vector<Goal> goals, find_goals(program(), names));
-    execution_.set_breakpoints(goals);
-    breakpoint_names_ = names;
-    reached_breakpoints_.clear();
+    if (auto found = find_goals(program(), names); !found) return tl::unexpected(std::move(found).error());
+    breakpoints_ = std::move(all);
+    find_breakpoints();
     publish_info();
     return info_json();
   });

@@ -21,6 +21,7 @@
 #include "core/execution/execution.h"
 #include "core/execution/replay.h"
 #include "core/value/expected.h"
+#include "server/execution/breakpoint.h"
 #include "server/execution/held_outputs.h"
 #include "server/execution/live_edit.h"
 #include "server/store/journal_writer.h"
@@ -118,7 +119,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   /// What a person has said about a run that has not begun.
   struct Preparation {
     bool paused = false;
-    std::vector<execution::GoalName> breakpoints;
+    std::vector<Breakpoint> breakpoints;
   };
   /// No command begins this run any more: another model is loaded in its place. `conflict`: it has begun.
   void retire(Done<Preparation> done);
@@ -127,11 +128,12 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   /// A paused core goes as far as `goal`. One that waits for an input to get there counts as paused, and may be told
   /// another goal. Error: as execution::find_goal.
   void step(execution::GoalName goal, Done<Value> done);
-  /// The core is paused wherever it reaches one of `goals`; they replace those of before. After an edit an id is that
-  /// of the same element, also under another name, a path is of what is there then, and what names nothing is dropped.
-  /// Errors: `too_large`, and that of execution::find_goal, at `breakpoints/N/FIELD`.
+  /// The core is paused wherever it reaches one of `goals`; they replace those that `author` has set before, or those
+  /// of all if nobody says who sets them. After an edit an id is that of the same element, also under another name, a
+  /// path is of what is there then, and what names nothing is dropped. Errors: `too_large`: more than that many, with
+  /// those of others; that of execution::find_goal, at `breakpoints/N/FIELD`.
   static constexpr std::size_t kMostBreakpoints = 100;  // every delta has them
-  void set_breakpoints(std::vector<execution::GoalName> goals, Done<Value> done);
+  void set_breakpoints(std::vector<execution::GoalName> goals, std::string author, Done<Value> done);
 
   /// Sets a value or takes a port of a run that has begun, in a macro step of its own; a paused one stays paused.
   /// `conflict`: it is not running, or paused in a macro step; those of semantics::Run::forced.
@@ -189,8 +191,9 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   Expected<Value> step(execution::GoalName goal) {
     return wait_for<Value>([&](Done<Value> done) { step(std::move(goal), std::move(done)); });
   }
-  Expected<Value> set_breakpoints(std::vector<execution::GoalName> goals) {
-    return wait_for<Value>([&](Done<Value> done) { set_breakpoints(std::move(goals), std::move(done)); });
+  Expected<Value> set_breakpoints(std::vector<execution::GoalName> goals, std::string author = {}) {
+    return wait_for<Value>(
+        [&](Done<Value> done) { set_breakpoints(std::move(goals), std::move(author), std::move(done)); });
   }
   Expected<Value> force(semantics::Force force) {
     return wait_for<Value>([&](Done<Value> done) { this->force(std::move(force), std::move(done)); });
@@ -393,7 +396,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   std::uint32_t part_ = 1;                 // micro steps until the time is looked at: few while they are slow
   std::chrono::nanoseconds step_time_{0};  // that the open macro step has computed
   execution::Execution execution_;
-  std::vector<execution::GoalName> breakpoint_names_;
+  std::vector<Breakpoint> breakpoints_;
   List reached_breakpoints_;  // at which it is paused, by number
   bool started_ = false, paused_ = false, scheduled_ = false;
   Value announced_ = Value::unknown();  // what the list of cores was told last

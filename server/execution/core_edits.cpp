@@ -162,13 +162,13 @@ void Core::abandon_unless_open(const std::vector<std::uint64_t>& calls) {
 // given, and means what it names now.
 void Core::find_breakpoints() {
   reached_breakpoints_.clear();
-  std::vector<execution::Goal> breakpoints;
-  std::erase_if(breakpoint_names_, [&](const execution::GoalName& name) {
-    const auto goal = find_goal(program(), name);
-    if (goal) breakpoints.push_back(*goal);
+  std::vector<execution::Goal> goals;
+  std::erase_if(breakpoints_, [&](const Breakpoint& each) {
+    const auto goal = find_goal(program(), each.goal);
+    if (goal) goals.push_back(*goal);
     return !goal;
   });
-  execution_.set_breakpoints(breakpoints);
+  execution_.set_breakpoints(goals);
 }
 
 // A person's command: it takes effect at once, also in a core that is paused, which stays so.

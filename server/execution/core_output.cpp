@@ -5,7 +5,6 @@
 #include "core/execution/checkpoint.h"
 #include "core/execution/step_json.h"
 #include "server/execution/core.h"
-#include "server/execution/goal_json.h"
 #include "server/execution/outgoing_calls.h"
 #include "server/wire/calendar.h"
 #include "services/computed_time.h"
@@ -17,12 +16,6 @@ using execution::Progress;
 namespace {
 
 Value integer(std::uint64_t n) { return static_cast<std::int64_t>(n); }
-
-List breakpoints_json(const std::vector<execution::GoalName>& breakpoints) {
-  List list;
-  for (const execution::GoalName& each : breakpoints) list.push_back(goal_json(each));
-  return list;
-}
 
 std::size_t units_of(const execution::JournalEntry& entry) {
   if (const auto* event = std::get_if<execution::EventEntry>(&entry)) return event->data.size_units();
@@ -244,7 +237,7 @@ Value Core::info_json() const {
   info.set("waiting", integer(execution_.waiting().size()));
   for (const auto& [key, value] : edit_info()) info.set(key.as_string(), value);
   info.set("arguments", header_.arguments);
-  info.set("breakpoints", breakpoints_json(breakpoint_names_));
+  info.set("breakpoints", breakpoints_json(breakpoints_));
   if (!reached_breakpoints_.empty()) info.set("reached", reached_breakpoints_);
   if (over) info.set("results", execution::root_results(run()));
   Value frozen = std::move(info);

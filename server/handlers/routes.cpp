@@ -66,7 +66,7 @@ constexpr std::array kRoutes = {
     Route{"POST", "/api/v1/cores/{id}/resume", call<resume_core>},
     Route{"POST", "/api/v1/cores/{id}/stop", call<stop_core>},
     Route{"POST", "/api/v1/cores/{id}/step", call<step_core>, kBody},
-    Route{"PUT", "/api/v1/cores/{id}/breakpoints", call<set_breakpoints>, kBody},
+    Route{"PUT", "/api/v1/cores/{id}/breakpoints", call<set_breakpoints>, kBody, "author"},
     Route{"PUT", "/api/v1/cores/{id}/live", call<set_core_live>, kBody},
     Route{"POST", "/api/v1/cores/{id}/force", call<force_core>, kBody},
     Route{"GET", "/api/v1/cores/{id}/native", call<get_core_native>},

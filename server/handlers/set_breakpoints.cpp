@@ -1,7 +1,9 @@
-// PUT /api/v1/cores/{id}/breakpoints: where the core is paused, in place of what was set before.
+// PUT /api/v1/cores/{id}/breakpoints: where the core is paused, in place of what the same person has set before.
 #include "server/execution/cores.h"
 #include "server/execution/goal_json.h"
 #include "server/handlers/breakpoint_list.h"
+#include "server/handlers/query.h"
+#include "server/store/document_breakpoints.h"
 
 namespace race::server {
 
@@ -10,7 +12,10 @@ void set_breakpoints(const Request& request, Respond respond, Cores& cores) {
   if (!core) return respond(tl::unexpected(core.error()));
   auto goals = read_breakpoint_list(request.body, read_goal_name);
   if (!goals) return respond(tl::unexpected(std::move(goals).error()));
-  (*core)->set_breakpoints(std::move(*goals), answer_to(std::move(respond)));
+  std::string author = query_text(request, "author");
+  if (request.query.contains("author"))
+    if (auto fits = DocumentBreakpoints::check_author(author); !fits) return respond(failed(std::move(fits).error()));
+  (*core)->set_breakpoints(std::move(*goals), std::move(author), answer_to(std::move(respond)));
 }
 
 }  // namespace race::server

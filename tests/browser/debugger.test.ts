@@ -38,6 +38,8 @@ const press = (key: string) => fixture.page.keyboard.press(key);
 const isActive = (path: string) => fixture.page.getByRole("treeitem", { name: path, exact: true }).getAttribute("data-active");
 
 const kPort = "Pick/GetPose.success";
+/** As cores have it, of who has chosen no name. */
+const ofGuest = { when: "tested", id: "22al3uy5", author: expect.stringMatching(/^Guest \d+$/) as unknown };
 
 describe("a breakpoint", () => {
   it("on a tested port, set in the drawing before the run, stops the run", async () => {
@@ -54,7 +56,7 @@ describe("a breakpoint", () => {
     await press("F5");
     await soon(watched).not.toBe("");
     const id = await watched();
-    await soon(async () => (await core(id)).breakpoints).toEqual([{ when: "tested", id: "22al3uy5" }]);
+    await soon(async () => (await core(id)).breakpoints).toEqual([ofGuest]);
     await button("Start").click();
     await soon(() => reached().innerText()).toContain("Paused: breakpoint at GetPose.success, tested");
     expect(await reached().innerText()).toContain("open calls go on, and their time-outs run");
@@ -75,8 +77,9 @@ describe("a breakpoint", () => {
 
   it("whose condition is wrong says so in its row, and not in a dialog; what others have set stays", async () => {
     const id = await watched();
-    const others = { when: "entered", path: "Pick/Retreat" };
-    await fixture.send("PUT", `/cores/${id}/breakpoints`, { breakpoints: [others, ...(await core(id)).breakpoints] });
+    const others = { when: "entered", path: "Pick/Retreat", author: "Ann" };
+    await fixture.send("PUT", `/cores/${id}/breakpoints?author=Ann`, { breakpoints: [{ when: "entered", path: "Pick/Retreat" }] });
+    expect((await core(id)).breakpoints).toEqual([ofGuest, others]);
     const condition = rows().getByRole("textbox", { name: "Condition" });
     await condition.fill("par.");
     await condition.press("Enter");
@@ -86,7 +89,7 @@ describe("a breakpoint", () => {
     await fixture.screenshot("debugger-condition");
     await condition.fill("available(par.key)");
     await condition.press("Enter");
-    await soon(async () => (await core(id)).breakpoints).toEqual([others, { when: "tested", id: "22al3uy5", condition: "available(par.key)" }]);
+    await soon(async () => (await core(id)).breakpoints).toEqual([others, { ...ofGuest, condition: "available(par.key)" }]);
     expect(await rows().innerText()).not.toContain("Not in the run");
     await rows().getByRole("button", { name: /^Enabled/ }).click();
     await soon(async () => (await core(id)).breakpoints).toEqual([others]);

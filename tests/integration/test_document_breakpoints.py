@@ -39,6 +39,28 @@ class DocumentBreakpoints(ServerCase):
         wanted = [{key: each[key] for key in each if key != "enabled"} for each in kept]
         self.assertEqual(self.server.put(f"/cores/{core}/breakpoints", {"breakpoints": wanted}, "core")["breakpoints"], wanted)
 
+    def test_a_core_has_those_of_each_person_who_replaces_their_own(self):
+        core = self.server.core(models.ticking("task"), start=False)
+        one, two = {"when": "entered", "path": "Root/Pong"}, {"when": "left", "path": "Root/Pong"}
+
+        def put(author, breakpoints, **expected):
+            return self.server.put(f"/cores/{core}/breakpoints{author}", {"breakpoints": breakpoints}, **expected)
+
+        of = {author: lambda each, author=author: {**each, "author": author} for author in ("Ada", "Zoë")}
+        put("?author=Ada", [one, two])
+        put(f"?author={quote('Zoë')}", [one])
+        self.assertEqual(self.server.get(f"/cores/{core}", "core")["breakpoints"], [of["Ada"](one), of["Ada"](two), of["Zoë"](one)])
+        self.assertEqual(put("?author=Ada", [two], schema="core")["breakpoints"], [of["Zoë"](one), of["Ada"](two)])
+        self.assertEqual(put("?author=Ada", [], schema="core")["breakpoints"], [of["Zoë"](one)])
+        put("?author=Ada", 99 * [two], schema="core")
+        for author, breakpoints, status, path in (("?author=", [], 422, "author"), (f"?author={101 * 'a'}", [], 413, "author"),
+                                                  ("?author=Ada", 100 * [two], 413, "breakpoints"),
+                                                  ("?author=Ada", [{"when": "entered", "path": "Root/None"}], 404, "breakpoints/0/path")):
+            with self.subTest(path):
+                self.assertEqual([error["path"] for error in put(author, breakpoints, status=status)["errors"]], [path])
+        self.assertEqual(len(self.server.get(f"/cores/{core}", "core")["breakpoints"]), 100, "what is refused changes nothing")
+        self.assertEqual(put("", [one], schema="core")["breakpoints"], [one], "who does not say who sets them replaces those of all")
+
     def test_they_go_with_their_document(self):
         self.keep("Ada", [TESTED])
         self.server.expect("DELETE", "/documents/task", None, "document_removed", 200)

@@ -156,8 +156,9 @@ export function createApi(base: string, fetcher: typeof fetch) {
     breakpoints: async (name: string, author: string): Promise<readonly KeptBreakpoint[]> => (await get(breakpointsOf(name, author), schema.documentBreakpoints)).breakpoints,
     keepBreakpoints: (name: string, author: string, breakpoints: readonly KeptBreakpoint[]): Promise<unknown> =>
       request("PUT", breakpointsOf(name, author), schema.documentBreakpoints, { breakpoints }),
-    /** Replaces those of the core. */
-    setBreakpoints: (id: string, breakpoints: readonly Breakpoint[]): Promise<Core> => request("PUT", `/cores/${segment(id)}/breakpoints`, schema.core, { breakpoints }),
+    /** Replaces those that a person has set in a core. */
+    setBreakpoints: (id: string, author: string, breakpoints: readonly Breakpoint[]): Promise<Core> =>
+      request("PUT", `/cores/${segment(id)}/breakpoints?author=${segment(author)}`, schema.core, { breakpoints }),
     force: (id: string, force: Exact<Force>): Promise<Core> => request("POST", `/cores/${segment(id)}/force`, schema.core, force),
     /** The arguments that a run was made with, with the numbers as they were written. */
     runArguments: async (id: string, of: RunSource): Promise<ExactArguments> =>

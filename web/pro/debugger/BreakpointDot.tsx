@@ -16,9 +16,10 @@ function marksOf(tree: ModelTree | undefined, entries: readonly Entry[]): Marks 
   return made.marks;
 }
 
-export function BreakpointDot({ path }: { readonly path: string }) {
+/** `closed`: the rows of what is within it are not shown. */
+export function BreakpointDot({ path, closed }: { readonly path: string; readonly closed: boolean }) {
   const tree = useShownTree();
   const entries = useKept((now) => now.entries);
-  const mark = markOfState(marksOf(tree, entries), path);
+  const mark = markOfState(marksOf(tree, entries), path, closed);
   return mark === undefined ? null : <span className={`breakpoint-dot${mark.on ? "" : " is-off"}`} role="img" aria-label={mark.text} title={mark.text} />;
 }

@@ -1,6 +1,6 @@
 // The breakpoints in the drawing: a dot at each state and port that has some, over either canvas.
 import { useMemo } from "react";
-import { breakpointMarks } from "../../shared/debugger/places";
+import { breakpointMarks, markOfClosed, type BreakpointMark } from "../../shared/debugger/places";
 import type { Box } from "../../shared/drawing/drawing";
 import { CanvasLayer } from "../canvas/CanvasLayer";
 import { useShownCanvas } from "../canvas/canvasView";
@@ -12,11 +12,11 @@ export function BreakpointMarks() {
   const dots = useMemo(() => {
     if (laid === undefined || entries.length === 0) return [];
     const marks = breakpointMarks(laid.tree, entries.map(({ breakpoint }) => breakpoint));
-    const boxes = laid.drawing.nodes.flatMap((node): readonly (readonly [string, Box])[] => [[node.path, node], ...node.ports.map((port): readonly [string, Box] => [port.address, port])]);
-    return boxes.flatMap(([address, box]) => {
-      const mark = marks.get(address);
-      return mark === undefined ? [] : [{ ...mark, box }];
-    });
+    const at = (box: Box, mark: BreakpointMark | undefined) => (mark === undefined ? [] : [{ ...mark, box }]);
+    return laid.drawing.nodes.flatMap((node) => [
+      ...at(node, node.composite && !node.open ? markOfClosed(marks, node.path) : marks.get(node.path)),
+      ...node.ports.flatMap((port) => at(port, marks.get(port.address))),
+    ]);
   }, [laid, entries]);
   if (dots.length === 0) return null;
   return (

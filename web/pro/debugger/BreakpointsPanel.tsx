@@ -52,10 +52,10 @@ export function BreakpointsPanel({ tree }: { readonly tree: ModelTree | undefine
 /** A run that this page has not let go since has only what it was given. */
 function NotOnCore({ entries }: { readonly entries: readonly Entry[] }) {
   const core = useCore();
-  const document = useKept((kept) => kept.of?.document);
+  const of = useKept((kept) => kept.of);
   const refused = useKept((kept) => kept.refused);
-  const missing = useMemo(() => (core === undefined ? [] : missingOn(core.breakpoints, enabledOf(entries))), [core, entries]);
-  if (core === undefined || core.document !== document || isOver(core) || core.status === "ready" || missing.length <= refused.size) return null;
+  const missing = useMemo(() => (core === undefined || of === undefined ? [] : missingOn(core, of.author, enabledOf(entries))), [core, of, entries]);
+  if (core === undefined || core.document !== of?.document || isOver(core) || core.status === "ready" || missing.length <= refused.size) return null;
   return (
     <p className="quiet">
       {missing.length === 1 ? "One is" : `${missing.length} are`} not in run {core.id}.{" "}

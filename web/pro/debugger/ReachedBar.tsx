@@ -3,11 +3,13 @@ import { useMemo } from "react";
 import { breakpointText, reachedBy, selectionOf } from "../../shared/debugger/places";
 import { view, useCore } from "../client";
 import { useRunTree } from "../live/runTree";
+import { useOwnName } from "../presence/ownName";
 
 export function ReachedBar() {
   const core = useCore();
   const tree = useRunTree();
   const reached = useMemo(() => (core === undefined ? [] : reachedBy(core)), [core]);
+  const own = useOwnName().name;
   const first = reached[0];
   if (first === undefined) return null;
   const selection = tree && selectionOf(tree, first);
@@ -30,6 +32,7 @@ export function ReachedBar() {
               {text}
             </button>
           )}
+          {first.author !== undefined && first.author !== own && ` of ${first.author}`}
           {reached.length > 1 && ` and ${reached.length - 1} more`}
         </strong>{" "}
         {first.condition !== undefined && (

@@ -1,6 +1,5 @@
 // The breakpoints of the person here at the document that is shown: kept on the server, and given to the cores that this page lets go.
 import { applyBreakpoints, enabledOf, type BreakpointChange, type Entry } from "../../shared/debugger/breakpoints";
-import { missingOn, sameBreakpoints, withChanged } from "../../shared/debugger/onCore";
 import type { Core, KeptBreakpoint } from "../../generated/messages";
 import { runOfDocument } from "../../shared/live/shownRun";
 import { isOver } from "../../shared/run/controls";
@@ -12,38 +11,36 @@ import { give } from "./giving";
 import { kept, kNothingKept, setKept, type Owner } from "./kept";
 import { isSaving, save } from "./saving";
 
-/** A change of theirs is one of the watched core, too. */
-function changeOnCore(before: readonly Entry[], after: readonly Entry[]): void {
+/** The watched core gets them. */
+function giveToCore(author: string, entries: readonly Entry[]): void {
   const core = runOfDocument(commandable(session.get()), kept().of?.document);
-  const [mine, now] = [enabledOf(before), enabledOf(after)];
-  if (core !== undefined && !isOver(core) && !sameBreakpoints(mine, now)) give(core, (has) => withChanged(has, mine, now)).catch(problem);
+  if (core !== undefined && !isOver(core)) give(core, author, enabledOf(entries)).catch(problem);
 }
 
 /** Changes them here, on the server, and on the watched core. */
 export function changeBreakpoints(change: BreakpointChange): void {
-  const { entries, loaded } = kept();
+  const { of, entries, loaded } = kept();
   const after = loaded ? applyBreakpoints(entries, change) : entries;
-  if (after === entries) return;
+  if (of === undefined || after === entries) return;
   setKept({ entries: after });
   void save();
-  changeOnCore(entries, after);
+  giveToCore(of.author, after);
 }
 
 const load = ({ document, author }: Owner): Promise<readonly KeptBreakpoint[]> => api.breakpoints(document, author);
 
 const entriesOf = (breakpoints: readonly KeptBreakpoint[], before: readonly Entry[] = []): readonly Entry[] => applyBreakpoints(before, { type: "loaded", breakpoints });
 
-/** Gives a core the breakpoints of the person here that it does not have. */
+/** Gives a core the breakpoints of the person here. */
 export async function armCore(core: Core): Promise<void> {
   const { of, loaded, entries } = kept();
   const owner = { document: core.document, author: ownName() };
   const isHere = loaded && of?.document === owner.document && of.author === owner.author;
-  const mine = enabledOf(isHere ? entries : entriesOf(await load(owner)));
-  await give(core, (has) => [...has, ...missingOn(has, mine)]);
+  await give(core, owner.author, enabledOf(isHere ? entries : entriesOf(await load(owner))));
 }
 
-/** `carried`: what the person had here under another name; under a name that has none they stay. */
-async function reload(carried: readonly Entry[] = []): Promise<void> {
+/** `carried`: what the person had here under the name `before`; under a name that has none they stay. */
+async function reload(carried: readonly Entry[] = [], before?: string): Promise<void> {
   const { of } = kept();
   if (of === undefined || isSaving()) return;
   const breakpoints = await load(of).catch(() => undefined);
@@ -53,7 +50,9 @@ async function reload(carried: readonly Entry[] = []): Promise<void> {
   const entries = stay ? carried : entriesOf(breakpoints, kept().entries);
   setKept({ loaded: true, entries });
   if (stay) void save();
-  else if (carried.length > 0) changeOnCore(carried, entries);
+  if (before === undefined) return;
+  giveToCore(before, []);
+  giveToCore(of.author, entries);
 }
 
 const documentShown = (): string | undefined => (view.get().page === "edit" ? editing.get().document : undefined) ?? session.get().document;
@@ -67,7 +66,7 @@ function follow(): void {
   connection = session.get().connection;
   if (of?.document !== document || (of !== undefined && of.author !== author)) {
     setKept({ ...kNothingKept, of: document === undefined ? undefined : { document, author } });
-    void reload(of?.document === document ? entries : []);
+    void (of !== undefined && of.document === document ? reload(entries, of.author) : reload());
   } else if (isBack) void (unkept === undefined ? reload() : save());
 }
 

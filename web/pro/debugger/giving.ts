@@ -1,30 +1,28 @@
-// Giving breakpoints to cores, which may have those of others, too. Requests go one after the other: each is made of what the core has then.
+// Giving breakpoints to cores, which may have those of others, too. Requests go one after the other.
 import { RefusedError } from "../../shared/api";
-import { breakpointKey, refusedOne, sameBreakpoints } from "../../shared/debugger/onCore";
+import { breakpointKey, refusedOne, sameBreakpoints, setBy } from "../../shared/debugger/onCore";
 import type { Breakpoint, Core } from "../../generated/messages";
 import { api, session } from "../client";
 import { kept, setKept } from "./kept";
 
-/** What a core is to have, of what it has. */
-type Wanted = (has: readonly Breakpoint[]) => readonly Breakpoint[];
+/** What was sent last, of which the stream may not have told yet. */
+let last: { readonly id: string; readonly author: string; readonly breakpoints: readonly Breakpoint[] } | undefined;
 
-/** What was sent last, until the stream has told of it. */
-let last: { readonly id: string; readonly before: readonly Breakpoint[]; readonly after: readonly Breakpoint[] } | undefined;
-
-function breakpointsOf(core: Core): readonly Breakpoint[] {
-  const { id, breakpoints } = session.get().cores.find((each) => each.id === core.id) ?? core;
-  return last?.id === id && sameBreakpoints(last.before, breakpoints) ? last.after : breakpoints;
+/** Whether the core has these of a person, as far as this page can know. */
+function has(core: Core, author: string, breakpoints: readonly Breakpoint[]): boolean {
+  const now = session.get().cores.find(({ id }) => id === core.id) ?? core;
+  const sent = last?.id === core.id && last.author === author ? last.breakpoints : breakpoints;
+  return sameBreakpoints(setBy(now, author), breakpoints) && sameBreakpoints(sent, breakpoints);
 }
 
 /** What the core does not take is left out, with the reason. */
-async function send(core: Core, wanted: Wanted): Promise<void> {
-  const has = breakpointsOf(core);
+async function send(core: Core, author: string, wanted: readonly Breakpoint[]): Promise<void> {
   const refused = new Map(kept().refused);
-  let list = wanted(has);
-  for (let done = sameBreakpoints(list, has); !done; ) {
+  let list = wanted;
+  for (let done = has(core, author, list); !done; ) {
     try {
-      await api.setBreakpoints(core.id, list);
-      last = { id: core.id, before: has, after: list };
+      await api.setBreakpoints(core.id, author, list);
+      last = { id: core.id, author, breakpoints: list };
       done = true;
     } catch (error) {
       const found = error instanceof RefusedError ? refusedOne(error.errors) : undefined;
@@ -32,7 +30,6 @@ async function send(core: Core, wanted: Wanted): Promise<void> {
       if (found === undefined || one === undefined) throw error;
       refused.set(breakpointKey(one), found.message);
       list = list.filter((each) => each !== one);
-      done = sameBreakpoints(list, has);
     }
   }
   list.forEach((each) => refused.delete(breakpointKey(each)));
@@ -41,8 +38,9 @@ async function send(core: Core, wanted: Wanted): Promise<void> {
 
 let line: Promise<void> = Promise.resolve();
 
-export function give(core: Core, wanted: Wanted): Promise<void> {
-  const done = line.then(() => send(core, wanted));
+/** Gives a core the breakpoints of a person, in place of those that they have set there. */
+export function give(core: Core, author: string, breakpoints: readonly Breakpoint[]): Promise<void> {
+  const done = line.then(() => send(core, author, breakpoints));
   line = done.catch(() => undefined);
   return done;
 }

@@ -154,7 +154,7 @@ const Row = memo(function Row({ row: { entry, position, siblings, open }, index,
       <button type="button" className="tree-name" tabIndex={-1} onClick={() => jump(path)}>
         {node.name}
       </button>
-      <BreakpointDot path={path} />
+      <BreakpointDot path={path} closed={composite && !open} />
       <TreeFaces path={path} closed={composite && !open} />
       <TreeComments path={path} closed={composite && !open} />
       <ErrorMark path={path} closed={composite && !open} />

@@ -1,5 +1,5 @@
 // Where breakpoints are in a model, and what they and their places are called.
-import type { Breakpoint, Core, KeptBreakpoint, When } from "../../generated/messages";
+import type { Breakpoint, Core, CoreBreakpoint, KeptBreakpoint, When } from "../../generated/messages";
 import { elementsById, type ElementsById } from "../model/byId";
 import { idAt, selectionsOf, type Selection } from "../model/identity";
 import { portAddress } from "../model/model";
@@ -70,8 +70,8 @@ export const breakpointText = (tree: ModelTree | undefined, breakpoint: AnyBreak
   `${placeText(tree, breakpoint)}, ${breakpoint.before === true && breakpoint.when !== "fault" ? "before: " : ""}${whenTexts[breakpoint.when]}${operationText(breakpoint)}`;
 
 /** The breakpoints at which a core is paused. */
-export const reachedBy = ({ breakpoints, reached, paused }: Core): readonly Breakpoint[] =>
-  paused ? (reached ?? []).map((i) => breakpoints[i]).filter((each): each is Breakpoint => each !== undefined) : [];
+export const reachedBy = ({ breakpoints, reached, paused }: Core): readonly CoreBreakpoint[] =>
+  paused ? (reached ?? []).map((i) => breakpoints[i]).filter((each): each is CoreBreakpoint => each !== undefined) : [];
 
 export interface BreakpointMark {
   /** Path of a node, or address of a port. */
@@ -96,9 +96,21 @@ export function breakpointMarks(tree: ModelTree, breakpoints: readonly KeptBreak
   return marks;
 }
 
-/** Of the ports of a state, and of itself: for a row that stands for all of it. */
-export function markOfState(marks: ReadonlyMap<string, BreakpointMark>, path: string): BreakpointMark | undefined {
-  const all = [...marks.values()].filter(({ address }) => address === path || splitAddress(address)?.path === path);
+/** So many of the breakpoints within a state are told one by one. */
+const kTold = 3;
+
+function joined(path: string, all: readonly BreakpointMark[]): BreakpointMark | undefined {
   if (all.length < 2) return all[0];
-  return { address: path, on: all.some(({ on }) => on), text: all.map(({ text }) => text).join("; ") };
+  const more = all.length > kTold ? `; ${all.length - kTold} more` : "";
+  return { address: path, on: all.some(({ on }) => on), text: all.slice(0, kTold).map(({ text }) => text).join("; ") + more };
 }
+
+const nodeOf = ({ address }: BreakpointMark): string => splitAddress(address)?.path ?? address;
+
+/** Of the ports of a state, and of itself: for a row that stands for all of it. `closed`: also of all within it, which are not shown. */
+export const markOfState = (marks: ReadonlyMap<string, BreakpointMark>, path: string, closed = false): BreakpointMark | undefined =>
+  joined(path, [...marks.values()].filter((mark) => nodeOf(mark) === path || (closed && nodeOf(mark).startsWith(`${path}/`))));
+
+/** Of a state that is drawn closed: of itself, and of all within it. Its ports are drawn, and have their own. */
+export const markOfClosed = (marks: ReadonlyMap<string, BreakpointMark>, path: string): BreakpointMark | undefined =>
+  joined(path, [...marks.values()].filter((mark) => mark.address === path || nodeOf(mark).startsWith(`${path}/`)));

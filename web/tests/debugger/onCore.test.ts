@@ -1,32 +1,23 @@
 import { describe, expect, it } from "vitest";
 import type { Breakpoint } from "../../generated/messages";
-import { missingOn, refusedOne, sameBreakpoints, withChanged } from "../../shared/debugger/onCore";
+import { missingOn, refusedOne, sameBreakpoints, setBy } from "../../shared/debugger/onCore";
 
 const entered = (id: string): Breakpoint => ({ when: "entered", id });
 const [a, b, c] = [entered("a"), entered("b"), entered("c")];
 
-describe("withChanged", () => {
-  it("removes and adds what a person has changed, and keeps what others have set", () => {
-    expect(withChanged([b, a], [a], [c])).toEqual([b, c]);
-    expect(withChanged([b, a], [a], [])).toEqual([b]);
-  });
-  it("leaves the one of somebody else where two have set the same", () => {
-    expect(withChanged([a], [], [a])).toEqual([a, a]);
-    expect(withChanged([a, a], [a], [])).toEqual([a]);
-  });
-  it("takes breakpoints for the same that mean the same", () => {
-    expect(withChanged([{ when: "entered", id: "a" }], [{ id: "a", when: "entered", before: false, condition: "" }], [])).toEqual([]);
-    expect(withChanged([{ when: "entered", id: "a", before: true }], [a], [])).toEqual([{ when: "entered", id: "a", before: true }]);
-  });
-  it("removes none that the core has lost by an edit, and not another one for it", () => expect(withChanged([b], [a], [])).toEqual([b]));
-});
+const core = { breakpoints: [b, { ...a, author: "Ann" }, { ...c, author: "Bo" }, { ...c, author: "Ann" }] };
 
-describe("missingOn", () => {
-  it("says what a core does not have yet", () => {
-    expect(missingOn([b, a], [a, c])).toEqual([c]);
-    expect(missingOn([], [a])).toEqual([a]);
-    expect(missingOn([a], [a, a])).toEqual([a]);
+describe("the breakpoints of a core", () => {
+  it("are those of each who has set some, and of nobody", () => {
+    expect(setBy(core, "Ann").map(({ id }) => id)).toEqual(["a", "c"]);
+    expect(setBy(core, "Cem")).toEqual([]);
   });
+  it("are missed where the person has not set them, whatever others have", () => {
+    expect(missingOn(core, "Ann", [a, b])).toEqual([b]);
+    expect(missingOn(core, "Bo", [c, a])).toEqual([a]);
+    expect(missingOn(core, "Ann", [{ ...a, before: true }])).toEqual([{ ...a, before: true }]);
+  });
+  it("are the same where they mean the same", () => expect(missingOn(core, "Ann", [{ id: "a", when: "entered", before: false, condition: "" }])).toEqual([]));
 });
 
 describe("sameBreakpoints", () => {

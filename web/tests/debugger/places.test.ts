@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Core } from "../../generated/messages";
-import { breakpointMarks, breakpointText, markOfState, placeText, reachedBy, selectionOf, whereOf } from "../../shared/debugger/places";
+import { breakpointMarks, breakpointText, markOfClosed, markOfState, placeText, reachedBy, selectionOf, whereOf } from "../../shared/debugger/places";
 import { tree } from "./task";
 
 describe("the place of a breakpoint", () => {
@@ -38,6 +38,15 @@ describe("breakpointMarks", () => {
   it("counts those of its ports for the row of a state, and no other's", () => {
     expect(markOfState(breakpointMarks(tree, [{ when: "fired", id: "a-done", enabled: true }]), "Root/A")?.on).toBe(true);
     expect(markOfState(marks, "Root/B")).toBeUndefined();
+  });
+  it("counts those within a state that is closed, and tells a few", () => {
+    const inside = breakpointMarks(tree, [{ when: "fired", id: "a-done", enabled: false }, { when: "entered", id: "a", enabled: true }]);
+    expect(markOfState(inside, "Root")).toBeUndefined();
+    expect(markOfState(inside, "Root", true)).toEqual({ address: "Root", on: true, text: "Breakpoint: disabled: A.done, fired; Breakpoint: A, entered" });
+    expect(markOfClosed(inside, "Root")?.text).toBe(markOfState(inside, "Root", true)?.text);
+    expect(markOfClosed(inside, "Root/A")?.text, "its ports are drawn").toBe("Breakpoint: A, entered");
+    const many = new Map(["a", "b", "c", "d", "e"].map((name) => [`Root/${name}`, { address: `Root/${name}`, on: false, text: name }]));
+    expect(markOfClosed(many, "Root")).toEqual({ address: "Root", on: false, text: "a; b; c; 2 more" });
   });
 });
 
