@@ -62,6 +62,14 @@ describe("waiting", () => {
     expect(await pending().getByRole("listitem").count()).toBe(1);
     await pending().scrollIntoViewIfNeeded();
     await fixture.screenshot("waiting-pending");
+    await fixture.page.getByRole("tab", { name: "Task" }).click();
+    await fixture.page.keyboard.press("Escape");
+    const open = fixture.page.getByRole("region", { name: "Open calls" });
+    const seconds = async () => Number(/timer\.start\s*called (\d+\.\d) s ago/.exec(await open.innerText())?.[1]);
+    await expect.poll(seconds, kSoon).toBeGreaterThan(0);
+    const before = await seconds();
+    await expect.poll(seconds, kSoon).toBeGreaterThan(before);
+    await fixture.page.getByRole("tab", { name: /Services/ }).click();
   });
 
   it("ends with the answer: the call is gone and the barrier has opened", async () => {

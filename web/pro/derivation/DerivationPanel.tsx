@@ -1,6 +1,7 @@
 // The derivation of every micro step: macro steps to the left, their proof trees in the middle, the selected inference to the right.
 import { memo, useEffect, useRef, useState } from "react";
 import { leading, nodeAt, size, summary, type ProofPath } from "../../shared/derivation/proof";
+import { stepRows } from "../../shared/derivation/stepRows";
 import { microCount } from "../../shared/derivation/steps";
 import type { Derivation, TraceStep } from "../../generated/messages";
 import { stepsShown } from "../../shared/past/shown";
@@ -53,6 +54,9 @@ interface StepListProps {
 
 function StepList({ steps, shown, follows }: StepListProps) {
   const list = useRef<HTMLOListElement>(null);
+  const [filter, setFilter] = useState("");
+  const [opened, setOpened] = useState<ReadonlySet<number>>(new Set());
+  const rows = stepRows(steps, filter, shown, opened);
   useEffect(() => {
     list.current?.querySelector("[aria-current]")?.scrollIntoView({ block: "nearest" });
   }, [shown, steps]);
@@ -62,10 +66,26 @@ function StepList({ steps, shown, follows }: StepListProps) {
         <input type="checkbox" checked={follows} onChange={(event) => (event.target.checked ? follow() : view.dispatch({ type: "step", step: shown }))} />
         Follow the run
       </label>
+      <input type="search" placeholder="Filter" aria-label="Filter the macro steps" value={filter} onChange={(event) => setFilter(event.target.value)} />
+      {rows.length === 0 && <p className="quiet pad">No macro step has that in its input or calls.</p>}
       <ol ref={list} aria-label="Macro steps">
-        {steps.map((step) => (
-          <StepRow key={step.step} step={step} isShown={step.step === shown} />
-        ))}
+        {rows.map((row) =>
+          row.kind === "step" ? (
+            <StepRow key={row.step.step} step={row.step} isShown={row.step.step === shown} />
+          ) : (
+            <li key={`idle ${row.first}`}>
+              <button type="button" className="step-idle" aria-expanded={false} onClick={() => setOpened(new Set([...opened, row.first]))}>
+                <b>▸</b>
+                <span>
+                  {row.count} steps that changed nothing
+                </span>
+                <small>
+                  {row.first} to {row.last}
+                </small>
+              </button>
+            </li>
+          ),
+        )}
       </ol>
     </div>
   );

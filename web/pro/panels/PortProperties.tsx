@@ -2,18 +2,27 @@
 import { kOfPort } from "../../shared/debugger/places";
 import { waitingState } from "../../shared/model/afters";
 import { portText, valueText } from "../../shared/model/describe";
+import { exitsThrough } from "../../shared/model/exitReferences";
 import type { Port } from "../../shared/model/model";
-import { nameOf, splitAddress } from "../../shared/model/modelTree";
+import { nameOf, splitAddress, stateAt, type ModelTree } from "../../shared/model/modelTree";
 import { firedShown, stateShown } from "../../shared/past/shown";
 import { useSession, view } from "../client";
 import { BreakpointChoices } from "../debugger/BreakpointChoices";
 import { AskWhy } from "./AskWhy";
 
-export function PortProperties({ address, port }: { readonly address: string; readonly port: Port }) {
+/** Where a port leads: to a sibling, out of the state around, which reads it, or nowhere. */
+function leadsText({ to }: Port, exits: readonly string[]): string {
+  const ends = exits.length === 0 ? "" : `The state around it is left through ${exits.join(" or ")}, which reads it.`;
+  if (to !== undefined) return `Leads to ${to}.${ends === "" ? "" : ` ${ends}`}`;
+  return ends === "" ? "Leads nowhere, and no port of the state around reads it." : ends;
+}
+
+export function PortProperties({ tree, address, port }: { readonly tree: ModelTree | undefined; readonly address: string; readonly port: Port }) {
   const run = useSession(stateShown);
   const fired = useSession((s) => firedShown(s).ports.includes(address));
   const active = run?.ports.includes(address) === true;
   const path = splitAddress(address)?.path ?? "";
+  const exits = exitsThrough(tree && stateAt(tree, path.slice(0, path.lastIndexOf("/"))), nameOf(path), port.name);
   return (
     <>
       <header className="prop-head">
@@ -32,7 +41,7 @@ export function PortProperties({ address, port }: { readonly address: string; re
           <code>{portText(port)}</code>
         </pre>
         {port.after !== undefined && <Waiting address={address} />}
-        <p className="quiet">{port.to === undefined ? "Leads nowhere: it may end its parent." : `Leads to ${port.to}.`}</p>
+        <p className="quiet">{leadsText(port, exits)}</p>
       </section>
       <BreakpointChoices kinds={kOfPort} />
       <AskWhy key={address} address={address} />

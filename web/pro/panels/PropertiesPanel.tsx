@@ -23,7 +23,7 @@ export function PropertiesPanel({ tree }: { readonly tree: ModelTree | undefined
 
 function PortSection({ tree, address }: { readonly tree: ModelTree; readonly address: string }) {
   const port = portAt(tree, address);
-  return port === undefined ? <RunProperties tree={tree} /> : <PortProperties key={address} address={address} port={port} />;
+  return port === undefined ? <RunProperties tree={tree} /> : <PortProperties key={address} tree={tree} address={address} port={port} />;
 }
 
 function NodeSection({ tree, path }: { readonly tree: ModelTree; readonly path: string }) {

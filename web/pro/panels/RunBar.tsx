@@ -18,6 +18,8 @@ interface ButtonSpec {
   readonly name: string;
   readonly key: Shortcut;
   readonly icon: IconName;
+  /** What services and robots do then. */
+  readonly says?: string;
 }
 
 const firstButton: Readonly<Record<"start" | "resume" | "again", ButtonSpec>> = {
@@ -27,10 +29,10 @@ const firstButton: Readonly<Record<"start" | "resume" | "again", ButtonSpec>> = 
 };
 
 const buttons: readonly ButtonSpec[] = [
-  { command: "pause", name: "Pause", key: "pause", icon: "pause" },
+  { command: "pause", name: "Pause", key: "pause", icon: "pause", says: "the task takes no more inputs; a motion that was called goes on to its end" },
   { command: "micro", name: "Micro step", key: "micro", icon: "micro" },
   { command: "macro", name: "Macro step", key: "macro", icon: "macro" },
-  { command: "stop", name: "Stop", key: "stop", icon: "stop" },
+  { command: "stop", name: "Stop", key: "stop", icon: "stop", says: "the run ends, and its services are told to be safe: a robot brakes and stands" },
 ];
 
 export function RunBar() {
@@ -53,7 +55,7 @@ export function RunBar() {
           type="button"
           className={`run-button run-${spec.command}`}
           disabled={!commands.has(spec.command)}
-          title={`${spec.name} (${keysOf(spec.key)})`}
+          title={`${spec.name} (${keysOf(spec.key)})${spec.says === undefined ? "" : `: ${spec.says}`}`}
           aria-keyshortcuts={keysOf(spec.key)}
           onClick={() => void run(spec.command)}
         >

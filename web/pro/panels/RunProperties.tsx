@@ -7,6 +7,7 @@ import { follow, useCore, useSession, view } from "../client";
 import { PastProperties } from "../past/PastProperties";
 import { CodeText } from "./CodeText";
 import { EndCard } from "./EndCard";
+import { OpenCalls } from "./OpenCalls";
 import { ValueTable } from "./ValueTable";
 
 export function RunProperties({ tree }: { readonly tree: ModelTree | undefined }) {
@@ -66,6 +67,7 @@ export function RunProperties({ tree }: { readonly tree: ModelTree | undefined }
           )}
         </dl>
       </section>
+      <OpenCalls core={core} />
       {!isOver(core) && (
         <section>
           <h3>Document</h3>

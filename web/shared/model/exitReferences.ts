@@ -1,4 +1,5 @@
 // Exiting ports (thesis 3.1, Composition): a parent's port whose condition depends on a child's port.
+import type { State } from "./model";
 
 export interface ExitReference {
   readonly child: string;
@@ -17,3 +18,7 @@ export function exitReferences(condition: string): readonly ExitReference[] {
   }
   return [...found.values()];
 }
+
+/** The ports of `parent` whose conditions read this port of a child: it may end through them. */
+export const exitsThrough = (parent: State | undefined, child: string, port: string): readonly string[] =>
+  (parent?.ports ?? []).filter(({ when }) => when !== undefined && exitReferences(when).some((each) => each.child === child && each.port === port)).map(({ name }) => name);

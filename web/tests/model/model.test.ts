@@ -1,7 +1,8 @@
 import { describe, expect, it } from "vitest";
 import { clip, describeState, valueText } from "../../shared/model/describe";
 import { foldedAtFirst } from "../../shared/model/folding";
-import { exitReferences } from "../../shared/model/exitReferences";
+import { exitReferences, exitsThrough } from "../../shared/model/exitReferences";
+import type { State } from "../../shared/model/model";
 import { ancestry, buildTree, inboundPorts, portAt, splitAddress, stateAt } from "../../shared/model/modelTree";
 import { search } from "../../shared/model/search";
 import { caseNames, modelOf } from "../conformance";
@@ -27,6 +28,16 @@ describe("models", () => {
     const barrier = [...join.values()].find((entry) => entry.node.kind === "barrier" && inboundPorts(join, entry.path).length > 1);
     expect(barrier).toBeDefined();
     for (const port of inboundPorts(join, barrier?.path ?? "")) expect(portAt(join, port)?.to).toBe(barrier?.node.name);
+  });
+});
+
+describe("exitsThrough", () => {
+  const port = (name: string, when: string) => ({ name, when });
+  const parent = { ports: [port("done", "chi.A.port.ok and chi.B.port.ok"), port("failed", "chi.A.port.failed"), { name: "late", after: "3" }] } as unknown as State;
+  it("names the ports of the state around that read a port of a child", () => {
+    expect(exitsThrough(parent, "A", "ok")).toEqual(["done"]);
+    expect(exitsThrough(parent, "B", "failed")).toEqual([]);
+    expect(exitsThrough(undefined, "A", "ok")).toEqual([]);
   });
 });
 
