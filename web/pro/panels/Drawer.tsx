@@ -1,11 +1,20 @@
-// The panel below the run bar: the derivation, the time line or the log.
+// The panel below the run bar: the derivation, the time line, the calls and events, or the log.
+import { CallLog } from "../calls/CallLog";
 import { DerivationPanel } from "../derivation/DerivationPanel";
+import type { Drawer as DrawerName } from "../../shared/session/view";
 import { useView } from "../client";
 import { TimelinePanel } from "../timeline/TimelinePanel";
 import { LogPanel } from "./LogPanel";
 
+const panels: Readonly<Record<Exclude<DrawerName, "closed">, () => React.ReactNode>> = { derivation: DerivationPanel, timeline: TimelinePanel, calls: CallLog, log: LogPanel };
+
 export function Drawer() {
   const drawer = useView((v) => v.drawer);
   if (drawer === "closed") return null;
-  return <div className="drawer">{drawer === "derivation" ? <DerivationPanel /> : drawer === "timeline" ? <TimelinePanel /> : <LogPanel />}</div>;
+  const Panel = panels[drawer];
+  return (
+    <div className="drawer">
+      <Panel />
+    </div>
+  );
 }

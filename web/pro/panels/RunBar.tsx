@@ -109,6 +109,7 @@ function RunOf({ core: { id, document, revision }, edited }: RunOfProps) {
 const drawers: readonly { readonly drawer: Drawer; readonly name: string }[] = [
   { drawer: "derivation", name: "Derivation" },
   { drawer: "timeline", name: "Time line" },
+  { drawer: "calls", name: "Calls and events" },
   { drawer: "log", name: "Log" },
 ];
 

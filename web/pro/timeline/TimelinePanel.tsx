@@ -1,15 +1,15 @@
 // The time line of the shown run: bars of states and calls, plots of numbers. A click goes to that macro step.
 import { lazy, Suspense, useMemo, useState } from "react";
-import { csvOf, timelineOf } from "../../shared/runs/timeline";
+import { csvOf, lineStep, timelineOf, type LineStep } from "../../shared/runs/timeline";
 import { useSession } from "../client";
 import { saveText } from "../saveText";
-import { useLine, type Line } from "./loading";
+import { useSteps, type LoadedSteps } from "./loading";
 import { CallBars, StateBars } from "./StateBars";
 
 const ValuePlot = lazy(() => import("./ValuePlot").then(({ ValuePlot }) => ({ default: ValuePlot })));
 
 export function TimelinePanel() {
-  const line = useLine();
+  const line = useSteps(lineStep);
   if (line === undefined || line.steps.length === 0) {
     return (
       <section className="timeline" aria-label="Time line">
@@ -20,7 +20,7 @@ export function TimelinePanel() {
   return <Lines line={line} />;
 }
 
-function Lines({ line: { id, steps, failed } }: { readonly line: Line }) {
+function Lines({ line: { id, steps, failed } }: { readonly line: LoadedSteps<LineStep> }) {
   const timeline = useMemo(() => timelineOf(steps), [steps]);
   const at = useSession((s) => s.past?.past.step);
   const [wanted, setWanted] = useState<string>();

@@ -1,6 +1,6 @@
-// The macro steps of the shown run, loaded in parts of which only what a time line shows is kept.
+// The macro steps of the shown run, loaded in parts of which only what is shown is kept.
 import { useEffect, useEffectEvent, useState } from "react";
-import { lineStep, type LineStep } from "../../shared/runs/timeline";
+import type { TraceStep } from "../../generated/messages";
 import { watchedCore } from "../../shared/session/session";
 import { api, session, sourceOf, useSession } from "../client";
 import { messageOf } from "../../shared/messageOf";
@@ -12,31 +12,36 @@ const kPart = 100;
 /** A run that goes on is asked for what is new at most this often [ms]. */
 const kEvery = 1000;
 
-export interface Line {
+/** What is kept of a macro step. */
+interface Kept {
+  readonly step: number;
+}
+
+export interface LoadedSteps<T extends Kept> {
   readonly id: string;
-  readonly steps: readonly LineStep[];
+  readonly steps: readonly T[];
   readonly failed?: string;
 }
 
-async function loadPart(id: string, known: readonly LineStep[], last: number): Promise<readonly LineStep[]> {
+async function loadPart<T extends Kept>(id: string, known: readonly T[], last: number, keep: (step: TraceStep) => T): Promise<readonly T[]> {
   // The last one that is known may have gone on since.
   const from = Math.max(1, last - kMostSteps + 1, known.at(-1)?.step ?? 1);
-  const added = (await api.derivations(id, from, Math.min(last, from + kPart - 1), sourceOf(session.get()))).map(lineStep);
+  const added = (await api.derivations(id, from, Math.min(last, from + kPart - 1), sourceOf(session.get()))).map(keep);
   return [...known.filter(({ step }) => step < from && step > last - kMostSteps), ...added];
 }
 
-/** The time line of the watched run, which grows with it; nothing before its first part is here. */
-export function useLine(): Line | undefined {
+/** Macro steps of the watched run, which grow with it; nothing before the first part is here. `keep` is always the same. */
+export function useSteps<T extends Kept>(keep: (step: TraceStep) => T): LoadedSteps<T> | undefined {
   const id = useSession((s) => s.watched);
   const last = useSession((s) => watchedCore(s)?.step ?? 0);
   const micro = useSession((s) => watchedCore(s)?.micro ?? 0);
-  const [line, setLine] = useState<Line>();
+  const [line, setLine] = useState<LoadedSteps<T>>();
   const shown = line?.id === id ? line : undefined;
   const have = shown?.steps.at(-1)?.step ?? 0;
   const load = useEffectEvent(async (of: string, to: number, isCurrent: () => boolean) => {
     const steps = shown?.steps ?? [];
     try {
-      const all = await loadPart(of, steps, to);
+      const all = await loadPart(of, steps, to, keep);
       if (isCurrent()) setLine({ id: of, steps: all });
     } catch (error) {
       if (isCurrent()) setLine({ id: of, steps, failed: messageOf(error) });

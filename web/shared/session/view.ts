@@ -17,7 +17,7 @@ export function selectionAt(tree: ModelTree, address: string): Selection | undef
 
 /** `edit`: the document that is edited. */
 export type Page = "task" | "services" | "cell" | "edit";
-export type Drawer = "derivation" | "timeline" | "log" | "closed";
+export type Drawer = "derivation" | "timeline" | "calls" | "log" | "closed";
 
 /** What a view says of elements of the model that is shown. */
 export type Places = Pick<View, "selection" | "also" | "focus" | "collapsed">;

@@ -1,0 +1,80 @@
+// What the watched run has called and what has come to it: newest last, each entry a way to its micro step.
+import { useEffect, useMemo, useRef, useState } from "react";
+import { folded, kEntryKinds, loggedStep, matchingEntries, servicesOf, type EntryKind, type RunEntry } from "../../shared/runs/callLog";
+import { momentText } from "../../shared/past/moment";
+import { useSession, view } from "../client";
+import { visit } from "../past/past";
+import { useSteps } from "../timeline/loading";
+
+/** So many entries are shown, the last ones. */
+const kMostEntries = 1000;
+
+const kNames: Readonly<Record<EntryKind, string>> = { call: "Calls", response: "Responses", event: "Events", force: "Forced", run: "Of the run" };
+
+export function CallLog() {
+  const loaded = useSteps(loggedStep);
+  const [kind, setKind] = useState<EntryKind>();
+  const [service, setService] = useState<string>();
+  const [text, setText] = useState("");
+  const entries = useMemo(() => folded(loaded?.steps.flatMap((step) => step.entries) ?? []), [loaded]);
+  const services = useMemo(() => servicesOf(entries), [entries]);
+  const shown = useMemo(() => matchingEntries(entries, { kind, service, text }).slice(-kMostEntries), [entries, kind, service, text]);
+  return (
+    <section className="call-log" aria-label="Calls and events">
+      <div className="call-log-filter" role="search" aria-label="Filter calls and events">
+        <select aria-label="Kind" value={kind ?? ""} onChange={(event) => setKind(kEntryKinds.find((each) => each === event.target.value))}>
+          <option value="">All kinds</option>
+          {kEntryKinds.map((each) => (
+            <option key={each} value={each}>
+              {kNames[each]}
+            </option>
+          ))}
+        </select>
+        <select aria-label="Service" value={service ?? ""} onChange={(event) => setService(event.target.value === "" ? undefined : event.target.value)}>
+          <option value="">All services</option>
+          {services.map((each) => (
+            <option key={each}>{each}</option>
+          ))}
+        </select>
+        <input type="search" placeholder="Filter" aria-label="Text of calls and events" value={text} onChange={(event) => setText(event.target.value)} />
+        <span role="status">{loaded?.failed ?? (entries.length === 0 ? "" : `${shown.length} of ${entries.length}, newest last`)}</span>
+      </div>
+      {shown.length > 0 ? <Entries entries={shown} /> : <p className="quiet pad">{entries.length === 0 ? "What the run calls, and the responses and events that come to it, appear here with its first step." : "No entry fits this filter."}</p>}
+    </section>
+  );
+}
+
+/** The end stays in view while it is. */
+function Entries({ entries }: { readonly entries: readonly RunEntry[] }) {
+  const list = useRef<HTMLOListElement>(null);
+  const follows = useRef(true);
+  useEffect(() => {
+    if (follows.current && list.current !== null) list.current.scrollTop = list.current.scrollHeight;
+  }, [entries]);
+  const noteEnd = ({ currentTarget: { scrollHeight, scrollTop, clientHeight } }: React.UIEvent) => void (follows.current = scrollHeight - scrollTop - clientHeight < 40);
+  return (
+    <ol ref={list} aria-label="Entries" onScroll={noteEnd}>
+      {entries.map((entry, i) => (
+        <Entry key={`${momentText(entry)}/${i}`} entry={entry} />
+      ))}
+    </ol>
+  );
+}
+
+function Entry({ entry }: { readonly entry: RunEntry }) {
+  const isShown = useSession((s) => s.past?.past.step === entry.step && s.past.past.micro === entry.micro);
+  const show = () => {
+    visit({ step: entry.step, micro: entry.micro });
+    view.dispatch({ type: "turn_to_step", step: entry.step });
+  };
+  return (
+    <li className={`is-${entry.kind}`}>
+      <button type="button" aria-current={isShown ? "step" : undefined} title="Show the run as it was then" onClick={show}>
+        <time>{momentText(entry)}</time>
+        <b>{entry.kind === "run" ? "" : entry.kind}</b>
+        <code>{entry.kind === "call" ? entry.text : entry.text.replace(/^(event|response|force) /, "")}</code>
+        {entry.count > 1 && <small>× {entry.count}</small>}
+      </button>
+    </li>
+  );
+}
