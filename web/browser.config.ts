@@ -7,7 +7,7 @@ const here = (path: string): string => fileURLToPath(new URL(path, import.meta.u
 export default defineConfig({
   root: here(".."),
   cacheDir: here("node_modules/.vite"),
-  resolve: { alias: { "playwright-core": here("node_modules/playwright-core/index.mjs") } },
+  resolve: { alias: { jsqr: here("node_modules/jsqr/dist/jsQR.js"), "playwright-core": here("node_modules/playwright-core/index.mjs") } },
   // The tests are beside this package, not in it.
   server: { fs: { strict: false } },
   test: {

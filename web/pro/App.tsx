@@ -34,7 +34,9 @@ import { RunBar } from "./panels/RunBar";
 import { TaskPanel } from "./panels/TaskPanel";
 import { TopBar } from "./panels/TopBar";
 import { RunsPanel } from "./runs/RunsPanel";
+import { PairPhone } from "./pairing/PairPhone";
 import { ServicesView } from "./services/ServicesView";
+import { StartCards } from "./start/StartCards";
 import { useShortcuts } from "./useShortcuts";
 
 const CellView = lazy(() => import("./cell/CellView").then(({ CellView }) => ({ default: CellView })));
@@ -110,7 +112,7 @@ export function App() {
       <PastBanner />
       {page === "edit" ? <EditSide tree={tree} /> : <TaskPanel tree={tree} />}
       <main className="workspace" id="workspace">
-        {page === "task" && <ModelCanvas subject={`run ${watched ?? ""}`} tree={tree} places={places} nothing="No task is loaded. Choose a document above and start a run." />}
+        {page === "task" && <ModelCanvas subject={`run ${watched ?? ""}`} tree={tree} places={places} nothing={watched === undefined ? <StartCards /> : "Loading the run…"} />}
         {page === "edit" && <EditPage tree={tree} document={document} />}
         {page === "services" && <ServicesView />}
         {page === "cell" && (
@@ -139,6 +141,7 @@ export function App() {
       <Tour />
       <DocumentsPanel />
       <RunsPanel />
+      <PairPhone />
       <DropTarget />
     </div>
   );

@@ -28,6 +28,7 @@ import "./styles/timeline.css";
 import "./styles/versions.css";
 import "./styles/comments.css";
 import "./styles/debugger.css";
+import "./styles/start.css";
 import { createRoot } from "react-dom/client";
 import { App } from "./App";
 import { connect } from "./client";

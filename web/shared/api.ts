@@ -131,6 +131,8 @@ export function createApi(base: string, fetcher: typeof fetch) {
       const { document } = await documentAt(name, revision);
       return { document: readModel(check(schema.native, { document, origin: {} }).document), places: placesIn(document["layout"]) };
     },
+    /** The last revision as a run would execute it. Throws for a draft. */
+    documentModel: async (name: string): Promise<RcmDocument> => readNative(await get(`/documents/${segment(name)}/native`, schema.native)),
     /** The last revision as it was sent, with the numbers as they were written (edit/exact.ts). */
     documentText: (name: string): Promise<string> => requestText(`/documents/${segment(name)}`, schema.documentEntry),
     /** Stores the content as it is. */

@@ -26,7 +26,7 @@ interface Props {
   /** Where people have placed its states. */
   readonly places?: Places;
   /** What is said where there is no model. */
-  readonly nothing: string;
+  readonly nothing: ReactNode;
   /** Further tools, in the row of the others. */
   readonly children?: ReactNode;
 }
@@ -61,16 +61,12 @@ export function ModelCanvas({ subject, tree, places = kNoPlaces, nothing, childr
           {progress !== undefined && <LayoutProgress progress={progress} laid={laid} />}
         </>
       ) : (
-        <Empty text={tree === undefined ? nothing : failed ? "The model could not be drawn." : "Drawing the model…"} />
+        <Empty>{tree === undefined ? nothing : failed ? "The model could not be drawn." : "Drawing the model…"}</Empty>
       )}
     </section>
   );
 }
 
-function Empty({ text }: { readonly text: string }) {
-  return (
-    <div className="canvas-empty">
-      <p>{text}</p>
-    </div>
-  );
+function Empty({ children }: { readonly children: ReactNode }) {
+  return <div className="canvas-empty">{typeof children === "string" ? <p>{children}</p> : children}</div>;
 }

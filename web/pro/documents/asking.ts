@@ -16,10 +16,10 @@ export const useAsked = (): Asked | undefined => useSelected(store, (asked) => a
 
 export const closeForm = (): void => store.dispatch(undefined);
 
-/** Makes a run of the document as it is now; asks for arguments if it needs some, or if it has parameters and is to ask `always`. */
-export const requestRun = (document: string, always: boolean): Promise<void> =>
+/** Makes a run of the document as it is now, and starts it if asked; asks for arguments if it needs some, or if it has parameters and is to ask `always`. */
+export const requestRun = (document: string, always: boolean, start = false): Promise<void> =>
   attempt(async () => {
     const parameters = await parametersOf(document);
     if (parameters.length > 0 && (always || !areOptional(parameters))) store.dispatch({ document, parameters });
-    else await makeRun(document, false, {});
+    else await makeRun(document, start, {});
   });

@@ -20,6 +20,8 @@ export interface Session {
   readonly documents: readonly DocumentSummary[];
   readonly rules: ReadonlyMap<string, Rule>;
   readonly cores: readonly Core[];
+  /** Whether `cores` has come from the server. */
+  readonly listed: boolean;
   /** The run that is watched. */
   readonly watched: string | undefined;
   /** What is stored of the watched run, if no core hosts it (runs/storedRun.ts). */
@@ -67,6 +69,7 @@ export const emptySession: Session = {
   documents: [],
   rules: new Map(),
   cores: [],
+  listed: false,
   watched: undefined,
   stored: undefined,
   document: undefined,
@@ -166,7 +169,7 @@ function withCounters(cores: readonly Core[], core: Core): readonly Core[] {
 function applyUpdate(session: Session, update: StreamUpdate, frame?: number): Session {
   switch (update.type) {
     case "cores":
-      return { ...session, cores: update.cores };
+      return { ...session, cores: update.cores, listed: true };
     case "core":
       return { ...session, cores: withCore(session.cores, update.core) };
     case "core_removed":

@@ -9,6 +9,7 @@ import { connectActions } from "./connectActions";
 import { documentActions } from "./documentActions";
 import { editActions } from "./editActions";
 import { menuAction } from "./menuAction";
+import { pairingActions } from "../../pairing/pairing";
 import { placingActions } from "./placingActions";
 import { structureActions } from "./structureActions";
 import { usageActions } from "./usageActions";
@@ -16,7 +17,7 @@ import { walkActions } from "./walkActions";
 
 const inMenus: readonly Action[] = [...editActions, ...clipboardActions, ...addActions, ...connectActions, ...structureActions, ...placingActions, ...commentActions, ...usageActions, ...debuggerActions, ...documentActions];
 
-export const actions: readonly Action[] = [...inMenus, ...walkActions, ...liveActions, menuAction(inMenus)];
+export const actions: readonly Action[] = [...inMenus, ...walkActions, ...liveActions, ...pairingActions, menuAction(inMenus)];
 
 /** Requires the id of an action. */
 export function actionOf(id: string): Action {

@@ -1,0 +1,85 @@
+// What a newcomer meets: an empty page with tasks to start, and the way to a phone.
+import jsQR from "jsqr";
+import { findings } from "./axe";
+import { openFixture, settled, type Fixture } from "./fixture";
+
+let fixture: Fixture;
+beforeAll(async () => {
+  fixture = await openFixture();
+  fixture.page.setDefaultTimeout(20_000);
+  await fixture.page.emulateMedia({ reducedMotion: "reduce" });
+});
+afterAll(() => fixture.close());
+
+const kSoon = { timeout: 20_000 };
+const card = (name: string) => fixture.page.getByRole("list", { name: "Tasks" }).getByRole("listitem", { name, exact: true });
+const watched = () => fixture.page.getByRole("combobox", { name: "Watched run" });
+
+describe("the page without a run", () => {
+  it("offers the tasks of the server with their pictures, and finds nothing inaccessible in that", async () => {
+    const { page } = fixture;
+    await fixture.send("PUT", "/documents/waiting", { rcm: 1, name: "waiting", root: { state: "Root", doc: "Waits for an hour.", entry: "svc.timer.start(3600)", children: [{ state: "Inside" }] } });
+    await page.goto(`${fixture.url}/pro/`);
+    for (const name of ["pick", "waiting", "demonstrator"]) await card(name).getByRole("img", { name: `The states of ${name}` }).waitFor();
+    expect(await card("waiting").innerText()).toContain("Waits for an hour.");
+    expect(await card("waiting").locator("svg").textContent()).toContain("Inside");
+    for (const colorScheme of ["light", "dark"] as const) {
+      await page.emulateMedia({ colorScheme, reducedMotion: "reduce" });
+      expect(await findings(page)).toEqual([]);
+      await fixture.screenshot(`start-${colorScheme}`);
+    }
+    await page.emulateMedia({ colorScheme: "light", reducedMotion: "reduce" });
+  });
+
+  it("shows how a phone reaches a display, as a link and as a code that a reader reads", async () => {
+    const { page } = fixture;
+    await page.getByRole("button", { name: "Show the code" }).click();
+    const dialog = page.getByRole("dialog", { name: "Pair a phone" });
+    await dialog.getByLabel("Name of the display").fill("left-hand");
+    const address = `http://localhost:${new URL(fixture.url).port}/display/?name=left-hand`;
+    await dialog.getByRole("link", { name: address }).waitFor();
+    expect(await dialog.innerText()).toContain("The server answers this machine alone");
+    expect(await readCode(await dialog.getByRole("img", { name: `QR code of ${address}` }).screenshot())).toBe(address);
+    expect(await findings(page)).toEqual([]);
+    await fixture.screenshot("pairing");
+    await dialog.getByLabel("Name of the display").fill("all");
+    await dialog.getByRole("alert").waitFor();
+    expect(await dialog.getByRole("link").count()).toBe(0);
+    await page.keyboard.press("Escape");
+    await dialog.waitFor({ state: "detached" });
+    await page.getByRole("tab", { name: "Services" }).click();
+    await page.getByRole("button", { name: "Pair a phone" }).click();
+    await dialog.waitFor();
+    await page.keyboard.press("Escape");
+    await page.getByRole("tab", { name: "Task" }).click();
+  });
+
+  it("starts a task by its card, and opens one in the editor", async () => {
+    const { page } = fixture;
+    await card("waiting").getByRole("button", { name: "Start" }).click();
+    await expect.poll(() => page.getByRole("status", { name: "Run status" }).innerText(), kSoon).toContain("Running");
+    await settled(page);
+    expect(await page.getByRole("region", { name: "Start" }).count()).toBe(0);
+    const id = await watched().inputValue();
+    await fixture.send("POST", `/cores/${id}/stop`);
+    await fixture.send("DELETE", `/cores/${id}`);
+    await page.goto(`${fixture.url}/pro/`);
+    await card("waiting").getByRole("button", { name: "Open" }).click();
+    await expect.poll(() => new URL(page.url()).searchParams.get("edit"), kSoon).toBe("waiting");
+  });
+});
+
+/** What a picture of a QR code says. */
+async function readCode(png: Buffer): Promise<string | undefined> {
+  const { width, height, pixels } = await fixture.page.evaluate(async (source) => {
+    const image = new Image();
+    image.src = source;
+    await image.decode();
+    const canvas = document.createElement("canvas");
+    Object.assign(canvas, { width: image.width, height: image.height });
+    const context = canvas.getContext("2d");
+    context?.drawImage(image, 0, 0);
+    return { width: image.width, height: image.height, pixels: [...(context?.getImageData(0, 0, image.width, image.height).data ?? [])] };
+  }, `data:image/png;base64,${png.toString("base64")}`);
+  return jsQR(Uint8ClampedArray.from(pixels), width, height)?.data;
+}

@@ -1,0 +1,44 @@
+// A state as a figure in the page, drawn as the canvas draws it.
+import { createElement, useEffect, useId, useMemo, useState, type ReactElement } from "react";
+import type { Drawing } from "../../shared/drawing/drawing";
+import { layoutModel } from "../../shared/drawing/layout";
+import type { Detail } from "../../shared/drawing/measure";
+import { drawingSvg, type SvgElement } from "../../shared/drawing/svg";
+import type { State } from "../../shared/model/model";
+import { layoutInWorkers } from "./layoutEngine";
+
+/** React's names of the attributes that it writes in another way. */
+const kReactNames: Readonly<Record<string, string>> = { class: "className", "marker-end": "markerEnd" };
+
+function rendered({ tag, attributes, children }: SvgElement, key?: number): ReactElement {
+  const props = Object.fromEntries(Object.entries(attributes).map(([name, value]) => [kReactNames[name] ?? name, value]));
+  return createElement(tag, { ...props, key }, ...children.map((child, i) => (typeof child === "string" ? child : rendered(child, i))));
+}
+
+/** What is drawn. */
+export interface Pictured {
+  readonly state: State;
+  readonly collapsed: ReadonlySet<string>;
+  readonly detail: Detail;
+}
+
+interface Props {
+  /** Drawn anew when it is another object. */
+  readonly of: Pictured;
+  readonly title: string;
+}
+
+export function StateFigure({ of, title }: Props) {
+  const [drawing, setDrawing] = useState<Drawing>();
+  const prefix = useId().replaceAll(":", "");
+  useEffect(() => {
+    const end = new AbortController();
+    const { signal } = end;
+    layoutModel(layoutInWorkers(signal), { ...of, path: of.state.name, aspect: 2, signal }).then(
+      (next) => !signal.aborted && setDrawing(next),
+      () => undefined,
+    );
+    return () => end.abort();
+  }, [of]);
+  return useMemo(() => (drawing === undefined ? <p className="quiet">Drawing…</p> : rendered(drawingSvg(drawing, { prefix, title }))), [drawing, prefix, title]);
+}

@@ -1,0 +1,30 @@
+// How a phone comes to show a display page: its address, and, as long as the server answers its own machine alone, the tunnel that leads there.
+import { nameOf } from "./page";
+
+/** Of the page, as `location` has it. */
+export interface PageAddress {
+  readonly protocol: string;
+  readonly hostname: string;
+  readonly port: string;
+}
+
+export interface Pairing {
+  /** Of the display page, as the phone opens it. */
+  readonly address: string;
+  /** Commands, one of which makes that address reach the server; nothing: the phone reaches it as it is. */
+  readonly tunnel?: { readonly usb: string; readonly ssh: string };
+}
+
+const kLoopback: ReadonlySet<string> = new Set(["localhost", "127.0.0.1", "[::1]"]);
+
+/** Whether a display can have this name. */
+export const isDisplayName = (name: string): boolean => nameOf(`?name=${encodeURIComponent(name)}`) === name;
+
+/** `name` as isDisplayName() takes it. Through a tunnel the phone has the server at its own `localhost`, at the same port: the server accepts no other. */
+export function pairing({ protocol, hostname, port }: PageAddress, name: string): Pairing {
+  const isLocal = kLoopback.has(hostname);
+  const at = `${isLocal ? "localhost" : hostname}${port === "" ? "" : `:${port}`}`;
+  const address = `${protocol}//${at}/display/?name=${name}`;
+  const real = port === "" ? (protocol === "https:" ? "443" : "80") : port;
+  return isLocal ? { address, tunnel: { usb: `adb reverse tcp:${real} tcp:${real}`, ssh: `ssh -L ${real}:127.0.0.1:${real} USER@THIS_MACHINE` } } : { address };
+}
