@@ -66,6 +66,7 @@ struct OperationRow {
   std::vector<ParameterRow> parameters = {};
   Value result = {}, error = {};
   bool safe = false;
+  bool moves = false;
   Acceptance acceptance = Acceptance::before_handler;
   std::string doc = {};
 };

@@ -55,6 +55,7 @@ Operation read_operation(const Value& json, Fields& parent, Errors& errors) {
   out.result = read_type(fields, "result");
   out.error = read_type(fields, "error");
   out.safe = fields.boolean("safe").value_or(false);
+  out.moves = fields.boolean("moves").value_or(false);
   out.doc = fields.text("doc").value_or("");
   fields.close();
   return out;
@@ -179,6 +180,7 @@ Value write_operation(const Operation& operation) {
   out.json("result", operation.result);
   out.json("error", operation.error);
   out.flag("safe", operation.safe);
+  out.flag("moves", operation.moves);
   out.text("doc", operation.doc);
   return out.done();
 }

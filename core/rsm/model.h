@@ -24,6 +24,7 @@ struct Operation {
   Value result, error;  // TYPE as JSON, or null; a declared `error` means: may answer with one
   bool safe = false;    // invoked when a run faults or is aborted
   std::string doc;
+  bool moves = false;  // may set something in the cell in motion; for people, who are asked before a run begins
   bool operator==(const Operation&) const = default;
 };
 

@@ -70,13 +70,21 @@ Expected<void> Cell::add_world(const std::string& scene_path, std::uint64_t seed
   ASSIGN_OR_RETURN(auto local_world, LocalWorld::load(scene_path));
   local_world_ = local_world.get();
   world_ = std::move(local_world);
-  world::World& world = local_world_->world();
-  auto& robot_host = host_.declare("robot", "robot", queue_);
-  ASSIGN_OR_RETURN(auto robot, robot::Robot::create(robot_host, world, static_cast<unsigned>(seed)));
+  seed_ = seed;
+  robot_host_ = &host_.declare("robot", "robot", queue_);
+  ASSIGN_OR_RETURN(auto robot, make_robot());
   host_.attach("robot", std::move(robot));
-  auto& gripper_host = host_.declare("gripper", "gripper", queue_);
-  host_.attach("gripper", std::make_unique<gripper::Gripper>(gripper_host, world));
+  gripper_host_ = &host_.declare("gripper", "gripper", queue_);
+  host_.attach("gripper", make_gripper());
   return {};
+}
+
+Expected<std::unique_ptr<services::Component>> Cell::make_robot() {
+  return robot::Robot::create(*robot_host_, local_world_->world(), static_cast<unsigned>(seed_));
+}
+
+std::unique_ptr<services::Component> Cell::make_gripper() {
+  return std::make_unique<gripper::Gripper>(*gripper_host_, local_world_->world());
 }
 
 Expected<void> Cell::add_vision(const CellSetup& setup) {
@@ -100,9 +108,17 @@ Expected<void> Cell::add_database(const CellSetup& setup) {
     database_queue_ = std::make_unique<services::WorkThread>("database");
     database_queue_->post(services::shorten_time_slice);
   }
-  auto& host = host_.declare("db", "database", database_queue_ ? *database_queue_ : queue_);
-  host_.attach("db", std::make_unique<database::Database>(std::move(store), host));
+  ASSIGN_OR_RETURN(start_values_, start_values(setup.folder));
+  auto database =
+      std::make_unique<database::Database>(std::move(store), host_.declare("db", "database", database_queue()));
+  database_ = database.get();
+  host_.attach("db", std::move(database));
   return {};
+}
+
+services::WorkQueue& Cell::database_queue() {
+  if (database_queue_) return *database_queue_;
+  return queue_;
 }
 
 Cell::~Cell() { stop(); }
@@ -132,7 +148,6 @@ void Cell::work_in_step() {
 
 // Commands wait for no calls of cores.
 void Cell::execute(const std::optional<PersonCommand>& command, Deadlines& deadlines, Done<Value> done) {
-  constexpr services::WorkQueue::Lane kPersonLane = 2;  // those of cores are odd
   const auto start = [&](CellWorld::Wanted wanted, CellWorld::Done executed) {
     auto work = [this, command, wanted = std::move(wanted), executed = std::move(executed)] {
       world_->execute(command, wanted, executed);

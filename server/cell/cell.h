@@ -18,6 +18,10 @@
 #include "services/host/host.h"
 #include "services/remote/remotes.h"
 
+namespace race::database {
+class Database;
+}
+
 namespace race::server {
 
 /// One more service of a cell, in its group, or in a process of its own if that is a group of CellSetup::remote.
@@ -64,6 +68,12 @@ class Cell {
   /// CellWorld::execute(), from any thread; the result goes to `done` (pending_commands.h). Only with a world, and
   /// after start_real_time(). Errors: `unavailable`, those of the command.
   void execute(const std::optional<PersonCommand>& command, Deadlines& deadlines, Done<Value> done);
+  /// Puts world, robot and gripper back to the scene of the start and lets all hands go, and, if `with_database`, makes
+  /// start_values() the only ones of the database, which comes first. What waits for an answer of robot or gripper is
+  /// answered `unavailable`. Gives what hands hold then to `done`; from any thread, as execute(). A core that executes
+  /// would not expect it: its caller knows of none. Errors: `conflict`, the world or the database is a process of its
+  /// own; those of execute() and of the database.
+  void reset(bool with_database, Deadlines& deadlines, Done<Value> done);
   /// Called at the beginning of each step(), on the group's thread. To be set before the first step.
   void before_step(std::function<void()> work) { before_step_ = std::move(work); }
 
@@ -78,7 +88,8 @@ class Cell {
   void stop();
 
  private:
-  static constexpr std::chrono::milliseconds kPeriod{1};  // of steps
+  static constexpr services::WorkQueue::Lane kPersonLane = 2;  // those of cores are odd
+  static constexpr std::chrono::milliseconds kPeriod{1};       // of steps
   static constexpr std::chrono::milliseconds kMostLate{100};
 
   explicit Cell(services::HostObserver& observer) : host_(clock_, observer) {}
@@ -86,6 +97,11 @@ class Cell {
   void work_in_step();
   Expected<void> add_remotes(const CellSetup& setup);
   Expected<void> add_world(const std::string& scene_path, std::uint64_t seed);
+  Expected<void> check_resettable(bool with_database) const;
+  Expected<Value> reset_world();
+  Expected<std::unique_ptr<services::Component>> make_robot();
+  std::unique_ptr<services::Component> make_gripper();
+  services::WorkQueue& database_queue();
   Expected<void> add_vision(const CellSetup& setup);
   Expected<void> add_database(const CellSetup& setup);
 
@@ -93,7 +109,11 @@ class Cell {
   services::WorkQueue queue_;
   std::unique_ptr<services::WorkThread> database_queue_;
   std::unique_ptr<CellWorld> world_;
-  LocalWorld* local_world_ = nullptr;  // world_, if it is in this process
+  LocalWorld* local_world_ = nullptr;                                      // world_, if it is in this process
+  services::ServiceHost *robot_host_ = nullptr, *gripper_host_ = nullptr;  // if it is
+  std::uint64_t seed_ = 0;                                                 // of the robot
+  database::Database* database_ = nullptr;                                 // the host's, if it is in this process
+  Dict start_values_;                                                      // of it
   PendingCommands pending_commands_;
   services::Host host_;
   std::unique_ptr<remote::Remotes> remotes_;

@@ -114,16 +114,22 @@ Expected<const ComponentGroup*> find_component_group(std::string_view name) {
                     std::string(name));
 }
 
+Expected<Dict> start_values(const std::string& folder) {
+  if (folder.empty()) return Dict{};
+  const fs::path file = fs::path(folder) / "database.json";
+  ASSIGN_OR_RETURN(const bool is_there, file_exists(file));
+  if (!is_there) return Dict{};
+  ASSIGN_OR_RETURN(const std::string text, read_file(file));
+  ASSIGN_OR_RETURN(Value values, parse_json(text));
+  if (!values.is_dict()) return unexpected(ErrorCode::type, "expected an object of key: value", file);
+  values.freeze();
+  return values.as_dict();
+}
+
 Expected<database::Store> open_store(const std::string& folder, const std::string& database) {
   ASSIGN_OR_RETURN(auto store, database::Store::open(database));
-  const fs::path seeds = fs::path(folder) / "database.json";
-  if (folder.empty()) return store;
-  ASSIGN_OR_RETURN(const bool has_seeds, file_exists(seeds));
-  if (!has_seeds) return store;
-  ASSIGN_OR_RETURN(const std::string text, read_file(seeds));
-  ASSIGN_OR_RETURN(const Value values, parse_json(text));
-  if (!values.is_dict()) return unexpected(ErrorCode::type, "expected an object of key: value", seeds);
-  for (const auto& [key, value] : values.as_dict()) {
+  ASSIGN_OR_RETURN(const Dict values, start_values(folder));
+  for (const auto& [key, value] : values) {
     if (store.get(key.as_string())) continue;
     if (auto put = store.put(key.as_string(), value); !put) return tl::unexpected(std::move(put).error());
   }

@@ -34,8 +34,10 @@ std::string component_group_names();
 /// The group of this name; error `not_found` names those that there are.
 Expected<const ComponentGroup*> find_component_group(std::string_view name);
 
-/// Opens the database of a cell: values of `folder`/database.json whose keys it does not have are added to it. Errors:
-/// `io`, and those of the file.
+/// The values of `folder`/database.json, frozen; none, if there is no such file. Errors: `io`, and those of the file.
+Expected<Dict> start_values(const std::string& folder);
+/// Opens the database of a cell: start_values() whose keys it does not have are added to it. Errors: those, and of the
+/// database.
 Expected<database::Store> open_store(const std::string& folder, const std::string& database);
 
 }  // namespace race::server

@@ -39,6 +39,11 @@ Expected<Value> LocalWorld::perform(const std::optional<PersonCommand>& command)
   return std::move(person.freeze());
 }
 
+void LocalWorld::reset() {
+  world_->reset();
+  person_.let_go();
+}
+
 void LocalWorld::step() {
   person_.step();
   world_->step();

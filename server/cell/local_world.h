@@ -36,6 +36,9 @@ class LocalWorld final : public CellWorld {
     if (wanted()) done(perform(command));
   }
 
+  /// World::reset(); hands let go.
+  void reset();
+
   /// World time goes on by 1 ms.
   void step();
   /// Publishes the pose if it is watched and one is due in this step.

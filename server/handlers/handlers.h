@@ -93,6 +93,7 @@ void compare_run(const Request& request, Respond respond, Runs& runs, Worker& re
 Handled get_cell(const Request& request, Cell& cell);
 void get_person(const Request& request, Respond respond, Cell& cell, Deadlines& deadlines);
 void execute_person_command(const Request& request, Respond respond, Cell& cell, Deadlines& deadlines);
+void reset_cell(const Request& request, Respond respond, Cell& cell, Cores& cores, Deadlines& deadlines);
 Handled get_cell_file(const Request& request, Cell& cell);
 Handled get_boot(const Request& request, BootList& boot);
 Handled put_boot(const Request& request, Documents& documents, BootList& boot);

@@ -93,6 +93,7 @@ constexpr std::array kRoutes = {
     Route{"GET", "/api/v1/cell", call<get_cell>},
     Route{"GET", "/api/v1/cell/person", call<get_person>},
     Route{"POST", "/api/v1/cell/person", call<execute_person_command>, kBody},
+    Route{"POST", "/api/v1/cell/reset", call<reset_cell>, kBody},
     Route{"GET", "/api/v1/cell/{file}", call<get_cell_file>},
 };
 

@@ -4,7 +4,7 @@
 
 namespace race::server {
 
-std::int64_t now_ms() {
+std::int64_t now_ms() noexcept {
   using namespace std::chrono;
   return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
 }

@@ -6,6 +6,6 @@
 namespace race::server {
 
 /// Milliseconds since 1970, UTC.
-std::int64_t now_ms();
+std::int64_t now_ms() noexcept;
 
 }  // namespace race::server

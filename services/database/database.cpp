@@ -12,6 +12,11 @@ constexpr std::size_t kMostLogged = 100;  // more damage is in the answers alone
 Database::Database(Store store, services::ServiceHost& host)
     : TableComponent(operations(), host), store_(std::move(store)) {}
 
+Expected<void> Database::reset(const Dict& values) {
+  logged_.clear();
+  return store_.replace_all(values);
+}
+
 void Database::get(const services::Call& call, const Dict& arguments) {
   answer(call, store_.get(arguments.find("key")->as_string()));
 }

@@ -28,6 +28,8 @@ class Database final : public services::TableComponent {
   Database(Store store, services::ServiceHost& host);
 
   static const services::OperationTable& operations();
+  /// These become its only values. Errors: Store::replace_all().
+  Expected<void> reset(const Dict& values);
 
  private:
   void get(const services::Call& call, const Dict& arguments);

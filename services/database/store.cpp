@@ -38,6 +38,18 @@ tl::unexpected<Error> no_such_key(std::string_view key) {
   return unexpected(ErrorCode::not_found, "the database has no " + quote(key), std::string(key));
 }
 
+/// The value as it is stored, if the key and the value are within their limits.
+Expected<std::string> json_of(std::string_view key, const Value& value) {
+  if (key.empty() || key.size() > Store::kKeyBytes)
+    return unexpected(ErrorCode::out_of_range, "a key has 1 to " + std::to_string(Store::kKeyBytes) + " bytes");
+  if (deeper_than(value, Store::kValueDepth))
+    return unexpected(ErrorCode::too_deep, "a value has at most " + std::to_string(Store::kValueDepth) + " levels");
+  std::string json = to_json(value);
+  if (json.size() > Store::kValueBytes)
+    return unexpected(ErrorCode::too_large, "a value has at most " + std::to_string(Store::kValueBytes) + " bytes");
+  return json;
+}
+
 }  // namespace
 
 /// One row, as it is stored.
@@ -131,16 +143,26 @@ Expected<Value> Store::get(std::string_view key) try {
 }
 
 Expected<void> Store::put(std::string_view key, const Value& value) try {
-  if (key.empty() || key.size() > kKeyBytes)
-    return unexpected(ErrorCode::out_of_range, "a key has 1 to " + std::to_string(kKeyBytes) + " bytes");
-  if (deeper_than(value, kValueDepth))
-    return unexpected(ErrorCode::too_deep, "a value has at most " + std::to_string(kValueDepth) + " levels");
-  const std::string json = to_json(value);
-  if (json.size() > kValueBytes)
-    return unexpected(ErrorCode::too_large, "a value has at most " + std::to_string(kValueBytes) + " bytes");
+  ASSIGN_OR_RETURN(const std::string json, json_of(key, value));
   return change(key, &json);
 } catch (const SQLite::Exception& exception) {
   return failure("cannot store " + quote(key), exception);
+}
+
+Expected<void> Store::replace_all(const Dict& values) try {
+  SQLite::Transaction transaction(*file_, SQLite::TransactionBehavior::IMMEDIATE);
+  file_->exec("DELETE FROM record");
+  sqlite::TableHash hash;
+  for (const auto& [key, value] : values) {
+    ASSIGN_OR_RETURN(const std::string json, json_of(key.as_string(), value));
+    hash.insert(write_row(*file_, key.as_string(), json));
+  }
+  hash.write(*file_, kRecords);
+  transaction.commit();
+  damaged_ = false;
+  return {};
+} catch (const SQLite::Exception& exception) {
+  return failure("cannot replace the values", exception);
 }
 
 Expected<void> Store::remove(std::string_view key) try {

@@ -43,6 +43,8 @@ class Store {
   /// Stores `value` under `key`, over an old one, also a damaged one. Errors: `out_of_range` (an empty or long key),
   /// `too_large` (the value, or the database is full), `too_deep`.
   Expected<void> put(std::string_view key, const Value& value);
+  /// These become the only keys, in one transaction. Errors: those of put().
+  Expected<void> replace_all(const Dict& values);
   /// A damaged one, too. `not_found`: no such key.
   Expected<void> remove(std::string_view key);
   /// The keys that begin with `prefix`, in order of their bytes. `corrupt`, naming damaged rows, while there are any;

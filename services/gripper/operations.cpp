@@ -31,6 +31,7 @@ services::OperationRow grasp_row(services::Handler handler) {
                          {.name = "force", .type = "number", .unit = "N", .min = 5, .max = 80, .value = 20}},
           .result = types::record({{"actual_width", "number"}, {"held", "bool"}}),
           .error = motion_error(),
+          .moves = true,
           .doc =
               "Closes until the fingers meet something, then holds it with the force; `no_part` if they come to the "
               "width and meet nothing."};
@@ -43,6 +44,7 @@ services::OperationRow release_row(services::Handler handler) {
       .parameters = {{.name = "width", .type = "number", .unit = "m", .min = 0, .max = 0.11, .value = 0.11}, speed()},
       .result = types::record({{"actual_width", "number"}}),
       .error = motion_error(),
+      .moves = true,
       .doc = "Moves the fingers to the width; `blocked` if something keeps them from it."};
 }
 

@@ -96,6 +96,9 @@ class Host {
   void disconnect(const std::string& key, const std::string& why = "unplugged") EXCLUDES(mutex_);
   /// The component is there again, in the initial state of its RSM.
   void reconnect(const std::string& key) EXCLUDES(mutex_);
+  /// Another component of the same model takes the place of the one that is there, in the initial state of its RSM. For
+  /// calls and what was on its way, that is disconnect() and reconnect(). On the thread of the queue.
+  void replace(const std::string& key, std::unique_ptr<Component> component, const std::string& why) EXCLUDES(mutex_);
   /// stop() of all components: queues are run no longer, or are those of this thread. Nothing is called afterwards.
   void stop() EXCLUDES(mutex_);
 
@@ -151,7 +154,7 @@ class Host {
 
   // What becomes of components.
   void make_available(ServiceEntry& entry) REQUIRES(mutex_);
-  void disconnect(ServiceEntry& entry, const std::string& why) REQUIRES(mutex_);
+  void disconnect(ServiceEntry& entry, const std::string& text) REQUIRES(mutex_);
   void post(ServiceEntry& entry, Work work, WorkQueue::Lane lane = WorkQueue::kNoLane);
   void run(std::size_t number, std::optional<std::uint64_t> disconnections, const Work& work) EXCLUDES(mutex_);
   std::vector<std::size_t> services_of(const WorkQueue& queue) const EXCLUDES(mutex_);

@@ -31,14 +31,27 @@ void Host::make_available(ServiceEntry& entry) {
 
 void Host::disconnect(const std::string& key, const std::string& why) {
   const MutexLock lock(mutex_);
-  if (ServiceEntry* entry = find(key)) disconnect(*entry, why);
+  if (ServiceEntry* entry = find(key)) disconnect(*entry, "lost: " + why);
 }
 
-void Host::disconnect(ServiceEntry& entry, const std::string& why) {
+void Host::replace(const std::string& key, std::unique_ptr<Component> component, const std::string& why) {
+  std::unique_ptr<Component> before;  // ends without the lock
+  {
+    const MutexLock lock(mutex_);
+    ServiceEntry& entry = *find(key);
+    disconnect(entry, "begins anew: " + why);
+    before = std::exchange(entry.component, std::move(component));
+    make_available(entry);
+  }
+  before->stop();
+}
+
+// `text`: for the log.
+void Host::disconnect(ServiceEntry& entry, const std::string& text) {
   if (!entry.status.available) return;
   entry.status.available = false;
   ++entry.disconnections;
-  observer_.logged(clock_.now(), entry.status.key, "lost: " + why);
+  observer_.logged(clock_.now(), entry.status.key, text);
   const Response unavailable = Response::unavailable();
   for (const auto& [id, call] : entry.ledger->reset()) deliver_response(entry, call, unavailable);
   flows_.traffic().reset(entry.status.key);
@@ -80,7 +93,7 @@ void Host::run(std::size_t number, std::optional<std::uint64_t> disconnections, 
     work(*component);
   } catch (const std::exception& failure) {
     const MutexLock lock(mutex_);
-    disconnect(*entries_[number], failure.what());
+    disconnect(*entries_[number], std::string("lost: ") + failure.what());
   }
 }
 

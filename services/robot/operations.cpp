@@ -66,6 +66,7 @@ OperationRow move_row(services::Handler handler) {
                                   {"message", "string"},
                                   {"argument", types::optional("string")},
                                   {"reaction", types::optional("string")}}),
+          .moves = true,
           .doc =
               "Moves the tool centre point and answers when it has arrived, or with the signal of the reflex that "
               "interrupted it."};
@@ -126,6 +127,7 @@ const services::OperationTable& Robot::operations() {
                .handler = &Robot::change_behavior,
                .parameters = {{.name = "behavior", .type = "any", .doc = "as of move, or the name of a mode"}},
                .error = error_type(),
+               .moves = true,
                .doc = "How it holds, or gives way, and reacts from now on."},
               {.name = "speed_override",
                .handler = &Robot::speed_override,

@@ -84,6 +84,12 @@ class Person {
   Expected<void> place(const std::string& part, const std::optional<Pose>& o_t_part);
   Expected<void> take(const std::string& part);
 
+  /// All hands let go, and pushes end.
+  void let_go() {
+    hands_.clear();
+    pushes_.clear();
+  }
+
   /// The forces of the world's next step.
   void step();
 

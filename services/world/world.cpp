@@ -198,6 +198,13 @@ void World::step() {
   ++steps_;
 }
 
+void World::reset() {
+  plant_ = std::make_unique<Plant>(scene_, model_);
+  torques_ = {};
+  gripper_force_ = 0;
+  torques_set_at_.reset();
+}
+
 JointArray World::q() const {
   JointArray q;
   for (std::size_t i = 0; i < kArmJoints; ++i) q[i] = plant_->robot->body().getJointPos(plant_->arm[i]);

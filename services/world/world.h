@@ -1,6 +1,6 @@
 // World: the plant of a cell, a Bullet multibody world with the robot, its gripper, the table and the parts. It is no
-// RACE service: control units read its sensors and set its torques and forces; nothing ever writes a position of the
-// robot. Parts may be put elsewhere by an experimenter, never into another body.
+// RACE service: control units read its sensors and set its torques and forces; nothing writes a position of the robot
+// but reset(). Parts may be put elsewhere by an experimenter, never into another body.
 //
 // Threads: one thread, its group's. It has no clock: its time is the number of steps its caller made.
 #pragma once
@@ -49,6 +49,11 @@ class World {
   /// Seconds since the start, exactly steps() * kStep.
   double time() const { return static_cast<double>(steps_) * kStep; }
   std::int64_t steps() const { return steps_; }
+
+  /// Everything is as the scene says again, at rest, without torques, forces and contacts: the plant is built anew.
+  /// Time goes on. What the control units of before know is no longer so; others are to take their place before the
+  /// next step.
+  void reset();
 
   // The robot's sensors and actuators. The drives saturate at the model's effort limits. What is not finite reaches no
   // drive: it throws std::domain_error, and counts as not set.

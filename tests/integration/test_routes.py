@@ -1,5 +1,6 @@
 """Every route of api/openapi.yaml is reachable and its answers are valid against their schemas."""
 import json
+import time
 import unittest
 
 import models
@@ -19,6 +20,7 @@ class Routes(unittest.TestCase):
     def test_server_health_rules_services_and_cell(self):
         health = self.server.get("/health", "health")
         self.assertTrue(health["cell"])
+        self.assertLess(abs(health["started"] / 1000 - time.time()), 600)
         names = [rule["rule"] for rule in self.server.get("/rules", "rules")["rules"]]
         self.assertIn("PTrans1", names)
         services = self.server.get("/services", "services")["services"]

@@ -50,7 +50,7 @@ export const kRead = [
 ];
 
 /** Messages that the pages write. */
-export const kWritten = ["breakpoints.json", "core_create.json", "document_branch.json", "document_restore.json", "edit.json", "force.json", "person_command.json", "step_request.json", "stream_request.json"];
+export const kWritten = ["breakpoints.json", "cell_reset.json", "core_create.json", "document_branch.json", "document_restore.json", "edit.json", "force.json", "person_command.json", "step_request.json", "stream_request.json"];
 
 /** Names of types that are not the names of their schemas. */
 const kNames = new Map([

@@ -2,6 +2,7 @@
 import type {
   Breakpoint,
   Breakpoints,
+  CellReset,
   Core,
   CoreCreate,
   DocumentBranch,
@@ -88,7 +89,7 @@ export interface Storing {
 
 /** Requests below `base` (`/api/v1`); `fetcher` is the browser's fetch, or a test's. */
 export function createApi(base: string, fetcher: typeof fetch) {
-  type Body = Breakpoints | DocumentBreakpoints | Exact<Force> | Exact<CoreCreate> | DocumentBranch | PersonCommand | StepRequest | { readonly live: boolean };
+  type Body = Breakpoints | CellReset | DocumentBreakpoints | Exact<Force> | Exact<CoreCreate> | DocumentBranch | PersonCommand | StepRequest | { readonly live: boolean };
   async function request<T>(method: string, path: string, validator: Validator<T>, body?: Body): Promise<T> {
     return send(path, body === undefined ? { method } : { method, body: writeExact(body), headers: { "content-type": "application/json" } }, validator);
   }
@@ -203,6 +204,8 @@ export function createApi(base: string, fetcher: typeof fetch) {
     cell: (): Promise<Scene> => get("/cell", schema.scene),
     person: (): Promise<Person> => get("/cell/person", schema.person),
     command: (body: PersonCommand): Promise<Person> => request("POST", "/cell/person", schema.person, body),
+    /** The cell as it was at the start; with `database`, that, too. */
+    resetCell: (database: boolean): Promise<Person> => request("POST", "/cell/reset", schema.person, { database }),
     /** Address of a file that the scene names. */
     cellFile: (file: string): string => `${base}/cell/${segment(file)}`,
   };

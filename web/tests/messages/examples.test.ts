@@ -44,7 +44,7 @@ const readers: Readonly<Record<string, (value: unknown) => unknown>> = {
 /** Messages that the pages write, and messages between other programs. */
 const unread = new Set([
   "backup", "backups", "boot", "breakpoints", "checkpoint", "component_message", "component_request",
-  "core_create", "core_load", "core_start", "document_branch", "document_entry", "document_restore", "edit_request",
+  "cell_reset", "core_create", "core_load", "core_start", "document_branch", "document_entry", "document_restore", "edit_request",
   "operator", "person_command", "revisions", "run_file",
   "server_config", "step_request", "stream_request",
 ]);

@@ -28,6 +28,7 @@ TEST(ReadService, ReadsWhatIsDeclared) {
   const Service robot = read_robot();
   EXPECT_EQ(robot.operations[0].parameters[1].value, Value(1.0));
   EXPECT_TRUE(robot.operations[1].safe);
+  EXPECT_TRUE(read_service_text(R"({"operations": [{"name": "f", "moves": true}]})", "").value().operations[0].moves);
   EXPECT_TRUE(robot.events[0].sampled);
   EXPECT_EQ(robot.events[0].rate_hz, 100.0);
   EXPECT_EQ(robot.transitions[0].defer, std::vector<std::string>{"arrive"});

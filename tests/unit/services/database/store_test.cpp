@@ -151,6 +151,21 @@ TEST_F(StoreTest, OfANewerVersionIsRefused) {
   EXPECT_EQ(store.error().code, ErrorCode::version);
 }
 
+TEST_F(StoreTest, ReplacesAllValuesOrNone) {
+  Dict values{{"b", 2}, {"c", 3}};
+  {
+    auto store = Store::open(path).value();
+    ASSERT_TRUE(store.put("a", 1) && store.put("b", 1));
+    ASSERT_TRUE(store.replace_all(values));
+    EXPECT_EQ(content_of(store), (Content{{"b", "2"}, {"c", "3"}}));
+    values.set("", 4);
+    EXPECT_EQ(store.replace_all(values).error().code, ErrorCode::out_of_range);
+  }
+  auto again = Store::open(path);
+  ASSERT_TRUE(again) << to_string(again.error());
+  EXPECT_EQ(content_of(*again), (Content{{"b", "2"}, {"c", "3"}}));
+}
+
 TEST_F(StoreTest, TakesNoMoreKeysThanItMay) {
   for (int i = 0; i < 2; ++i) {
     auto store = Store::open(path, {.keys = 2}).value();

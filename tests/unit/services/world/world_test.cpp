@@ -116,6 +116,24 @@ TEST(World, ClosesTheGripperWithinItsStroke) {
   EXPECT_NEAR(world->gripper_width(), 0.110, 1e-3);
 }
 
+TEST(World, IsAfterAResetAsANewOneButForItsTime) {
+  const auto used = make(demo_scene()), fresh = make(demo_scene());
+  used->set_torques({20, 20, 0, 0, 0, 0, 0});
+  used->set_gripper_force(20);
+  used->set_friction("cube_blue", 0.1);
+  run(*used, 0.3);
+  ASSERT_TRUE(used->take("cube_blue"));
+  used->push("cube_red", {5, 0, 0}, used->pose("cube_red").position);
+  used->reset();
+  EXPECT_EQ(used->steps(), 300);
+  EXPECT_TRUE(used->present("cube_blue"));
+  for (World* world : {used.get(), fresh.get()}) run(*world, 0.2);
+  EXPECT_EQ(used->q(), fresh->q());
+  EXPECT_EQ(used->gripper_width(), fresh->gripper_width());
+  EXPECT_FALSE(used->braked()) << "no torques were set in this plant";
+  for (const Body& body : used->scene().bodies) EXPECT_EQ(used->pose(body.name), fresh->pose(body.name)) << body.name;
+}
+
 TEST(World, RefusesWhatCannotBeBuilt) {
   const Scene scene = demo_scene();
   const RobotModel model = load_urdf(scene.robot.urdf).value();
