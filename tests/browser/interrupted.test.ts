@@ -75,6 +75,8 @@ describe("a run that its server has left", () => {
     await fixture.restart();
     await notice(page).waitFor(kSoon);
     expect(await page.getByRole("alert", { name: "Server lost" }).count()).toBe(0);
+    const restarted = page.getByRole("status", { name: "Server restarted" });
+    expect(await restarted.innerText()).toMatch(new RegExp(`^Server restarted\\s+One run was interrupted:\\s+Run ${run.id} of waiting, shown`));
     const text = await notice(page).innerText();
     expect(text).toContain(`Run ${run.id} is interrupted`);
     expect(text).toContain("Open calls were answered unavailable");
@@ -86,6 +88,8 @@ describe("a run that its server has left", () => {
     expect(await page.getByText("Connected", { exact: true }).count()).toBe(1);
     await settled(page);
     await fixture.screenshot("interrupted");
+    await restarted.getByRole("button", { name: "Dismiss" }).click();
+    expect(await restarted.count()).toBe(0);
   });
 
   it("is what a page shows that is opened now, also on a phone, where each way out has a name", async () => {

@@ -26,11 +26,14 @@ import { Drawer } from "./panels/Drawer";
 import { Interruption } from "./panels/Interruption";
 import { KeyHelp } from "./panels/KeyHelp";
 import { LostServer } from "./panels/LostServer";
+import { RestartedServer } from "./panels/RestartedServer";
 import { PersonWaitBar } from "./panels/PersonWaitBar";
 import { PastBanner } from "./past/PastBanner";
 import { move, toPresent } from "./past/past";
 import { PropertiesPanel } from "./panels/PropertiesPanel";
 import { RunBar } from "./panels/RunBar";
+import { leadByKey } from "./panels/startAsk";
+import { StartAskBar } from "./panels/StartAskBar";
 import { TaskPanel } from "./panels/TaskPanel";
 import { TopBar } from "./panels/TopBar";
 import { RunsPanel } from "./runs/RunsPanel";
@@ -89,7 +92,8 @@ function usePageKeys(): void {
     }
     if (!kOfRuns.has(shortcut)) return false;
     const wanted = mayMove(shortcut, held) ? commandOf(shortcut, commandable(session.get())) : undefined;
-    if (wanted !== undefined) void command(wanted);
+    if (wanted !== undefined && shortcut === "lead") leadByKey(wanted);
+    else if (wanted !== undefined) void command(wanted);
     // The keys of runs are never the browser's: F5 does not load the page anew.
     return true;
   });
@@ -108,6 +112,7 @@ export function App() {
   return (
     <div className={`app${lost ? " is-lost" : ""}`}>
       <LostServer />
+      <RestartedServer />
       <TopBar />
       <PastBanner />
       {page === "edit" ? <EditSide tree={tree} /> : <TaskPanel tree={tree} />}
@@ -132,6 +137,7 @@ export function App() {
         <PersonWaitBar />
         <ForceBar />
         <ReachedBar />
+        <StartAskBar />
         <RunBar />
         {page !== "edit" && <Drawer />}
       </footer>

@@ -123,7 +123,7 @@ function refreshModel(): void {
 
 async function loadLists(): Promise<void> {
   try {
-    session.dispatch({ type: "cell", present: (await api.health()).cell });
+    session.dispatch({ type: "server", ...(await api.health()) });
     session.dispatch({ type: "rules", rules: await api.rules() });
   } catch (error) {
     problem(error);

@@ -7,6 +7,8 @@ import { api } from "../client";
 import { listenToTheme } from "../theme/theme";
 import { CellScene } from "./CellScene";
 import { PartList } from "./PartList";
+import { useResetAsked } from "./reset";
+import { ResetButton, ResetCell } from "./ResetCell";
 import { shownPose, usePastCell } from "./shownPose";
 import { useWorld } from "./useWorld";
 import { messageOf } from "../../shared/messageOf";
@@ -36,6 +38,7 @@ export function CellView() {
   const [listed, setListed] = useState(false);
   const [absent, setAbsent] = useState<readonly string[]>([]);
   const isPast = usePastCell();
+  const asksReset = useResetAsked() && !isPast;
   useEffect(() => {
     const host = frame.current;
     if (host === null) return;
@@ -131,6 +134,7 @@ export function CellView() {
         <button type="button" disabled={isPast} aria-expanded={listed && !isPast} aria-controls="cell-parts" title="All parts, to take away or put back" onClick={() => setListed(!listed)}>
           Parts
         </button>
+        <ResetButton disabled={isPast} />
         {(listed || isPast ? [] : absent).map((part) => (
           <button key={part} type="button" onClick={() => act("place", part)}>
             Put back {part}
@@ -139,7 +143,8 @@ export function CellView() {
         {pulling && !listed && <p className="cell-hint">Drag the arm or a part; it gives way as the task allows. Right click a part, or press it long, to take it away.</p>}
         {refused !== undefined && <p role="alert">{refused}</p>}
       </div>
-      {listed && !isPast && world !== undefined && <PartList parts={world.bodies.filter((body) => !body.fixed)} absent={absent} act={act} />}
+      {asksReset && <ResetCell />}
+      {listed && !asksReset && !isPast && world !== undefined && <PartList parts={world.bodies.filter((body) => !body.fixed)} absent={absent} act={act} />}
       {menu !== undefined && (
         <div className="cell-menu" role="menu" style={{ left: `min(${menu.x}px, 100% - 180px)`, top: `min(${menu.y}px, 100% - 50px)` }} onPointerDown={(event) => event.stopPropagation()}>
           <button type="button" role="menuitem" onClick={() => act("take", menu.part)}>

@@ -50,6 +50,15 @@ export function interruptionText(core: Core): InterruptionText | undefined {
   };
 }
 
+/** What the page says once another process of the server answers: `interrupted`, the runs that it has found so. */
+export function restartText(interrupted: readonly Core[]): string {
+  if (interrupted.length === 0) return "No run was interrupted.";
+  return interrupted.length === 1 ? "One run was interrupted:" : `${interrupted.length} runs were interrupted:`;
+}
+
+/** Those that the end of the server has interrupted, newest first. */
+export const interruptedByRestart = (cores: readonly Core[]): readonly Core[] => cores.filter((core) => isInterrupted(core) && core.interruption?.reason === "restart").reverse();
+
 /** The interrupted cores that are not watched, newest first. */
 export function interruptedElsewhere(cores: readonly Core[], watched: string | undefined): readonly Core[] {
   return cores.filter((core) => isInterrupted(core) && core.id !== watched).reverse();

@@ -17,6 +17,10 @@ export interface Session {
   readonly connection: Connection;
   /** Whether the server has a cell to show. */
   readonly cell: boolean;
+  /** When the process of the server began [ms since 1970]; nothing: not known. */
+  readonly started: number | undefined;
+  /** Another process of the server has answered since the page was loaded; until the user dismisses it. */
+  readonly restarted: boolean;
   readonly documents: readonly DocumentSummary[];
   readonly rules: ReadonlyMap<string, Rule>;
   readonly cores: readonly Core[];
@@ -47,7 +51,9 @@ export interface Session {
 
 export type SessionEvent =
   | { readonly type: "connection"; readonly connection: Connection }
-  | { readonly type: "cell"; readonly present: boolean }
+  /** What the server is that answers now. */
+  | { readonly type: "server"; readonly cell: boolean; readonly started?: number | undefined }
+  | { readonly type: "restart_seen" }
   | { readonly type: "documents"; readonly documents: readonly DocumentSummary[] }
   | { readonly type: "rules"; readonly rules: readonly Rule[] }
   | { readonly type: "watched"; readonly id: string | undefined }
@@ -66,6 +72,8 @@ const kLogLines = 500;
 export const emptySession: Session = {
   connection: "connecting",
   cell: false,
+  started: undefined,
+  restarted: false,
   documents: [],
   rules: new Map(),
   cores: [],
@@ -112,8 +120,10 @@ export function applyEvent(session: Session, event: SessionEvent): Session {
     case "connection":
       // A server that was lost is lost until it answers.
       return session.connection === "lost" && event.connection === "connecting" ? session : { ...session, connection: event.connection };
-    case "cell":
-      return { ...session, cell: event.present };
+    case "server":
+      return { ...session, cell: event.cell, started: event.started, restarted: session.restarted || (session.started !== undefined && event.started !== undefined && event.started !== session.started) };
+    case "restart_seen":
+      return { ...session, restarted: false };
     case "documents":
       return { ...session, documents: event.documents };
     case "rules":

@@ -11,10 +11,10 @@ const event = (name: string): Input => ({ kind: "event", service: "robot", event
 describe("the entries of a macro step", () => {
   it("are what arrived, at its beginning, and what was called, after the micro step that called it", () => {
     const { entries } = loggedStep(step({ kind: "start" }, {
-      micro: [node("Micro"), node("Micro", { premises: [node("SAct1", { premises: [calls("robot", "move"), calls("timer", "start")] })] }), node("Micro", { premises: [calls("robot", "move")] })],
-      calls: [call("robot", "move", 1), call("timer", "start", 2), call("robot", "move", 3)],
+      micro: [node("Micro"), node("Micro", { premises: [node("SAct1", { premises: [calls("robot", "move"), calls("timer", "start")] })] }), node("Micro", { premises: [calls("robot", "move")] }), node("Micro", { premises: [calls("robot", "move")] })],
+      calls: [call("robot", "move", 1), call("timer", "start", 2), call("robot", "move", 3), call("robot", "move", 4)],
     }));
-    expect(entries.map(({ micro, kind, text }) => `7.${micro} ${kind} ${text}`)).toEqual(["7.0 run start", "7.2 call robot.move(1)", "7.2 call timer.start(2)", "7.3 call robot.move(3)"]);
+    expect(entries.map(({ micro, kind, text }) => `7.${micro} ${kind} ${text}`)).toEqual(["7.0 run start", "7.2 call robot.move(1)", "7.2 call timer.start(2)", "7.3 call robot.move(3)", "7.4 call robot.move(4)"]);
   });
   it("have a safe call, which no micro step made, at the end, and count from the first micro step that is there", () => {
     const part = loggedStep(step({ kind: "abort" }, { first: 4, micro: [node("Micro", { premises: [calls("a", "f")] }), node("Micro")], calls: [call("a", "f"), call("robot", "stop")] }));

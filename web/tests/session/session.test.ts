@@ -19,6 +19,13 @@ const delta = (fired: readonly string[], of: Partial<Core> = {}): CoreDelta => (
 });
 
 describe("session", () => {
+  it("knows that another process of the server answers, until the user has seen it", () => {
+    const server = (of: Session, started: number | undefined) => applyEvent(of, { type: "server", cell: true, started });
+    const first = server(emptySession, 100);
+    expect([first.restarted, server(first, 100).restarted, server(server(first, 200), 200).restarted]).toEqual([false, false, true]);
+    expect(applyEvent(server(first, 200), { type: "restart_seen" }).restarted).toBe(false);
+    expect(server(server(emptySession, undefined), 100).restarted).toBe(false);
+  });
   it("takes state updates of the watched core only", () => {
     expect(watchedCore(running)?.step).toBe(1);
     expect(receive(running, { type: "state_changed", id: "2", delta: delta([]) })).toBe(running);

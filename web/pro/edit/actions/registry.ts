@@ -1,4 +1,5 @@
 // All actions of the page that edits.
+import { cellActions } from "../../cell/reset";
 import { debuggerActions } from "../../debugger/actions";
 import { liveActions } from "../../live/liveActions";
 import type { Action } from "./action";
@@ -17,7 +18,7 @@ import { walkActions } from "./walkActions";
 
 const inMenus: readonly Action[] = [...editActions, ...clipboardActions, ...addActions, ...connectActions, ...structureActions, ...placingActions, ...commentActions, ...usageActions, ...debuggerActions, ...documentActions];
 
-export const actions: readonly Action[] = [...inMenus, ...walkActions, ...liveActions, ...pairingActions, menuAction(inMenus)];
+export const actions: readonly Action[] = [...inMenus, ...walkActions, ...liveActions, ...cellActions, ...pairingActions, menuAction(inMenus)];
 
 /** Requires the id of an action. */
 export function actionOf(id: string): Action {

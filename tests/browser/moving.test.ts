@@ -1,0 +1,116 @@
+// Before something moves: a key that starts a run asks, and the cell is put back to how it was at the start.
+import { findings } from "./axe";
+import { openFixture, settled, type Fixture } from "./fixture";
+
+let fixture: Fixture;
+beforeAll(async () => {
+  fixture = await openFixture();
+  fixture.page.setDefaultTimeout(20_000);
+});
+afterAll(() => fixture.close());
+
+const kSoon = { timeout: 20_000 };
+const status = () => fixture.page.getByRole("status", { name: "Run status" }).locator("strong").innerText();
+const question = () => fixture.page.getByRole("alertdialog", { name: "Before it moves" });
+const press = (key: string) => fixture.page.keyboard.press(key);
+const make = async (document: string) => ((await fixture.send("POST", "/cores", { document })) as { readonly id: string }).id;
+
+/** Moves the tool up by 2 cm, stores a value, and is over. */
+const lifting = {
+  state: "Root",
+  first: "Store",
+  children: [
+    { state: "Store", entry: 'svc.db.add("lifted", True)', ports: [{ name: "stored", when: "svc.db.add.result", to: "Lift" }] },
+    { state: "Lift", entry: 'svc.robot.move({"offset": [0, 0, 0.02]})', ports: [{ name: "done", when: "svc.robot.move.result" }] },
+  ],
+  ports: [{ name: "up", when: "chi.Lift.port.done" }],
+};
+
+describe("a key that starts a run", () => {
+  it("asks before the robot moves; Esc starts nothing, Enter starts", async () => {
+    const { page } = fixture;
+    await fixture.send("PUT", "/documents/lifting", { rcm: 1, name: "lifting", root: lifting });
+    await page.goto(`${fixture.url}/pro/?run=${await make("lifting")}`);
+    await settled(page);
+    await press("F5");
+    await question().waitFor();
+    expect(await question().innerText()).toContain("This moves robot. Start?");
+    await press("F5");
+    expect(await findings(page)).toEqual([]);
+    await fixture.screenshot("start-ask");
+    await press("Escape");
+    await question().waitFor({ state: "detached" });
+    expect(await status()).toBe("Ready");
+    await press("F5");
+    await question().waitFor();
+    await press("Enter");
+    await expect.poll(status, kSoon).toBe("Ended: up");
+  });
+
+  it("asks once for a document: another run of it starts at once, also by a page that is loaded anew", async () => {
+    const { page } = fixture;
+    const before = await page.getByRole("combobox", { name: "Watched run" }).inputValue();
+    await press("F5");
+    await expect.poll(() => page.getByRole("combobox", { name: "Watched run" }).inputValue(), kSoon).not.toBe(before);
+    await expect.poll(status, kSoon).toBe("Ended: up");
+    await page.goto(`${fixture.url}/pro/?run=${await make("lifting")}`);
+    await settled(page);
+    await press("F5");
+    await expect.poll(status, kSoon).toBe("Ended: up");
+    expect(await question().count()).toBe(0);
+  });
+
+  it("asks each time if a person wants that, and not for a task that moves nothing", async () => {
+    const { page } = fixture;
+    await page.evaluate(() => sessionStorage.clear());
+    await press("F5");
+    await question().getByRole("checkbox").uncheck();
+    await question().getByRole("button", { name: /^Run again/ }).click();
+    await expect.poll(status, kSoon).toBe("Ended: up");
+    await press("F5");
+    await question().waitFor();
+    await press("Escape");
+    await fixture.send("PUT", "/documents/resting", { rcm: 1, name: "resting", root: { state: "Root", entry: "svc.timer.start(0.05)", ports: [{ name: "rested", when: "svc.timer.start.result" }] } });
+    await page.goto(`${fixture.url}/pro/?run=${await make("resting")}`);
+    await settled(page);
+    await press("F5");
+    await expect.poll(status, kSoon).toBe("Ended: rested");
+  });
+});
+
+describe("the reset of the demo", () => {
+  const reset = () => fixture.page.getByRole("group", { name: "Reset the cell?" });
+  const absent = async () => ((await fixture.send("GET", "/cell/person")) as { readonly absent: readonly string[] }).absent;
+
+  it("is refused while a run is not over, which it names", async () => {
+    const { page } = fixture;
+    const id = await make("lifting");
+    await fixture.send("POST", `/cores/${id}/pause`);
+    await fixture.send("POST", `/cores/${id}/start`);
+    await page.getByRole("tab", { name: "Cell" }).click();
+    await page.getByRole("button", { name: "Reset demo" }).click();
+    await expect.poll(() => reset().innerText(), kSoon).toContain(`run ${id} of lifting is not over; stop it before the cell is reset`);
+    expect(await reset().getByRole("button", { name: "Reset", exact: true }).isDisabled()).toBe(true);
+    await fixture.send("POST", `/cores/${id}/stop`);
+    await expect.poll(() => reset().getByRole("button", { name: "Reset", exact: true }).isDisabled(), kSoon).toBe(false);
+    await fixture.screenshot("reset-ask");
+    expect(await findings(page)).toEqual([]);
+    await press("Escape");
+    await reset().waitFor({ state: "detached" });
+  });
+
+  it("puts parts and database back once a person has said so", async () => {
+    const { page } = fixture;
+    await fixture.send("POST", "/cell/person", { act: "take", part: "cube_red" });
+    await page.getByRole("button", { name: "Put back cube_red" }).waitFor();
+    await page.getByRole("button", { name: "Reset demo" }).click();
+    await reset().getByRole("button", { name: "Reset", exact: true }).click();
+    await reset().waitFor({ state: "detached" });
+    expect(await absent()).toEqual([]);
+    await expect.poll(() => page.getByRole("button", { name: /^Put back/ }).count(), kSoon).toBe(0);
+    await fixture.send("PUT", "/documents/reading", { rcm: 1, name: "reading", root: { state: "Root", entry: 'svc.db.get("lifted")', ports: [{ name: "there", when: "svc.db.get.result" }, { name: "gone", when: "svc.db.get.error" }] } });
+    const id = await make("reading");
+    await fixture.send("POST", `/cores/${id}/start`);
+    await expect.poll(async () => ((await fixture.send("GET", `/cores/${id}`)) as { readonly outcome?: string }).outcome, kSoon).toBe("gone");
+  });
+});
