@@ -4,7 +4,8 @@ import { commandable } from "../shared/session/session";
 import { commandOf, isMove, type Shortcut } from "../shared/session/shortcuts";
 import { isCovered } from "../shared/session/view";
 import { ModelCanvas } from "./canvas/ModelCanvas";
-import { CellInset } from "./cell/CellInset";
+import { ArrowHeads } from "./canvas/ModelLine";
+import { CellDock } from "./cell/CellDock";
 import { run as command, session, useSession, useView, view } from "./client";
 import { isDebugShortcut, runCommandOf } from "./debugger/actions";
 import { DebugMenu } from "./debugger/DebugMenu";
@@ -19,6 +20,9 @@ import { EditPage } from "./edit/EditPage";
 import { EditProperties } from "./edit/EditProperties";
 import { EditSide } from "./edit/EditSide";
 import { useEditedTree, useEditing } from "./edit/editing";
+import { FoldButton } from "./layout/FoldButton";
+import { toggleFolded, useFolded } from "./layout/panels";
+import { Splitter } from "./layout/Splitter";
 import { Carried } from "./live/Carried";
 import { useRunTree } from "./live/runTree";
 import { WaitingEdit } from "./live/WaitingEdit";
@@ -34,8 +38,10 @@ import { PropertiesPanel } from "./panels/PropertiesPanel";
 import { RunBar } from "./panels/RunBar";
 import { leadByKey } from "./panels/startAsk";
 import { StartAskBar } from "./panels/StartAskBar";
+import { focusSearch } from "./panels/SearchBox";
 import { TaskPanel } from "./panels/TaskPanel";
 import { TopBar } from "./panels/TopBar";
+import { showRuns } from "./runs/actions";
 import { RunsPanel } from "./runs/RunsPanel";
 import { PairPhone } from "./pairing/PairPhone";
 import { ServicesView } from "./services/ServicesView";
@@ -65,10 +71,23 @@ function usePageKeys(): void {
   useShortcuts((shortcut, held) => {
     switch (shortcut) {
       case "search":
-        document.getElementById("search")?.focus();
+        focusSearch();
         return true;
       case "documents":
         view.dispatch({ type: "documents", shown: true });
+        return true;
+      case "runs":
+        showRuns(true);
+        return true;
+      case "fold_left":
+      case "fold_right":
+        if (!held) toggleFolded(shortcut === "fold_left" ? "left" : "right");
+        return true;
+      case "fold_below":
+        if (!held) view.dispatch({ type: "toggle_drawer" });
+        return true;
+      case "follow":
+        if (!held && view.get().page === "task") view.dispatch({ type: "follow", on: !view.get().follow });
         return true;
       case "help":
         view.dispatch({ type: "help", shown: true });
@@ -108,16 +127,21 @@ export function App() {
   const places = useSession((s) => s.places);
   const lost = useSession((s) => s.connection === "lost");
   const tree = page === "edit" ? edited : run;
+  const isFolded = { left: useFolded("left"), right: useFolded("right") };
   usePageKeys();
   return (
     <div className={`app${lost ? " is-lost" : ""}`}>
+      <ArrowHeads />
       <LostServer />
       <RestartedServer />
       <TopBar />
       <PastBanner />
-      {page === "edit" ? <EditSide tree={tree} /> : <TaskPanel tree={tree} />}
+      {!isFolded.left && (page === "edit" ? <EditSide tree={tree} /> : <TaskPanel tree={tree} />)}
       <main className="workspace" id="workspace">
+        <Splitter panel="left" at="right" folds="left" />
+        <FoldButton panel="left" />
         {page === "task" && <ModelCanvas subject={`run ${watched ?? ""}`} tree={tree} places={places} nothing={watched === undefined ? <StartCards /> : "Loading the run…"} />}
+        {page === "task" && <CellDock at="half" />}
         {page === "edit" && <EditPage tree={tree} document={document} />}
         {page === "services" && <ServicesView />}
         {page === "cell" && (
@@ -126,11 +150,15 @@ export function App() {
           </Suspense>
         )}
         <Carried />
+        <Splitter panel="right" at="left" folds="right" />
+        <FoldButton panel="right" />
       </main>
-      <div className="right">
-        {page === "edit" ? <EditProperties tree={tree} /> : <PropertiesPanel tree={tree} />}
-        {page === "task" && <CellInset />}
-      </div>
+      {!isFolded.right && (
+        <div className="right">
+          {page === "edit" ? <EditProperties tree={tree} /> : <PropertiesPanel tree={tree} />}
+          {page === "task" && <CellDock at="column" />}
+        </div>
+      )}
       <footer className="foot">
         <WaitingEdit />
         <Interruption />

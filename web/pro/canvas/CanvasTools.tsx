@@ -2,7 +2,9 @@
 import type { ReactNode } from "react";
 import type { Detail } from "../../shared/drawing/measure";
 import type { ModelTree } from "../../shared/model/modelTree";
+import { keysOf } from "../../shared/session/shortcuts";
 import { useSession, useView, view } from "../client";
+import { hideCell, showCell, useCellPlace } from "../layout/panels";
 
 const choices: readonly { readonly detail: Detail; readonly name: string; readonly title: string }[] = [
   { detail: "slim", name: "Names", title: "States and ports by name" },
@@ -20,8 +22,9 @@ export function CanvasTools({ tree, detail, children }: Props) {
   const collapsed = useView((v) => v.collapsed.size > 0);
   const composites = [...tree.values()].filter((entry) => entry.depth > 0 && entry.children.length > 0).map((entry) => entry.path);
   const hasCell = useSession((s) => s.cell);
+  const follows = useView((v) => v.follow);
   const isRun = useView((v) => v.page === "task");
-  const inset = useView((v) => v.inset);
+  const isCellShown = useCellPlace() !== undefined;
   return (
     <div className="canvas-tools" role="toolbar" aria-label="Drawing">
       <div className="segments" role="group" aria-label="Detail">
@@ -43,8 +46,13 @@ export function CanvasTools({ tree, detail, children }: Props) {
         </button>
       )}
       {children}
+      {isRun && (
+        <button type="button" aria-pressed={follows} title={`The drawing goes to what becomes active, until you move it (${keysOf("follow")})`} onClick={() => view.dispatch({ type: "follow", on: !follows })}>
+          Follow
+        </button>
+      )}
       {hasCell && isRun && (
-        <button type="button" className="tool-cell" aria-pressed={inset} onClick={() => view.dispatch({ type: "inset", shown: !inset })}>
+        <button type="button" className="tool-cell" aria-pressed={isCellShown} onClick={() => (isCellShown ? hideCell() : showCell())}>
           Cell view
         </button>
       )}

@@ -6,6 +6,7 @@ import { kZoomLimits } from "../../shared/drawing/movement";
 import { view } from "../client";
 import { BarrierNode, type BarrierFlowNode } from "./BarrierNode";
 import { FlowView } from "./FlowView";
+import { takeOver } from "./moved";
 import { ModelLine, type LineFlowEdge } from "./ModelLine";
 import { StateNode, type StateFlowNode } from "./StateNode";
 import type { Laid } from "./useDrawing";
@@ -40,9 +41,6 @@ export const Flow = memo(function Flow({ laid, movedRef }: Props) {
       ),
     [laid],
   );
-  const move = () => {
-    movedRef.current = true;
-  };
   return (
     <ReactFlow
       nodes={nodes}
@@ -59,7 +57,7 @@ export const Flow = memo(function Flow({ laid, movedRef }: Props) {
       minZoom={0.08}
       maxZoom={kZoomLimits.most}
       proOptions={{ hideAttribution: true }}
-      onMoveStart={(event) => event !== null && move()}
+      onMoveStart={(event) => event !== null && takeOver(movedRef)}
       onPaneClick={() => view.dispatch({ type: "select", selection: undefined })}
     >
       <Background variant={BackgroundVariant.Dots} gap={22} size={1.2} color="var(--canvas-dots)" />

@@ -7,10 +7,12 @@ import { BreakpointMarks } from "../debugger/BreakpointMarks";
 import { Breadcrumb } from "./Breadcrumb";
 import { CanvasTools } from "./CanvasTools";
 import { Flow } from "./Flow";
+import { Following } from "./Following";
 import { LayoutProgress } from "./LayoutProgress";
-import { ArrowHeads } from "./ModelLine";
+import { Legend } from "./legend/Legend";
 import { PaintedCanvas } from "./painted/PaintedCanvas";
 import { usePreviewed } from "./placingPreview";
+import { ReadHint } from "./ReadHint";
 import { useDrawing } from "./useDrawing";
 import { useSize } from "./useSize";
 import { Viewport } from "./Viewport";
@@ -39,7 +41,6 @@ export function ModelCanvas({ subject, tree, places = kNoPlaces, nothing, childr
   const laid = usePreviewed(latest);
   return (
     <section className="canvas" aria-label="Model" aria-busy={busy} ref={frame}>
-      <ArrowHeads />
       {laid !== undefined && tree !== undefined && size !== undefined ? (
         <>
           <div className="canvas-bar">
@@ -56,8 +57,11 @@ export function ModelCanvas({ subject, tree, places = kNoPlaces, nothing, childr
             </ReactFlowProvider>
           )}
           <ZoomControls laid={laid} size={size} movedRef={movedRef} />
+          <ReadHint laid={laid} size={size} movedRef={movedRef} />
           <Viewport laid={laid} size={size} movedRef={movedRef} />
+          <Following laid={laid} size={size} />
           <BreakpointMarks />
+          <Legend about="drawing" />
           {progress !== undefined && <LayoutProgress progress={progress} laid={laid} />}
         </>
       ) : (

@@ -20,13 +20,23 @@ export function ModelLine({ id, data }: EdgeProps<LineFlowEdge>) {
         ? v.selection.address === line.from || v.selection.address === line.to
         : line.from.startsWith(`${v.selection.path}.`) || line.to === v.selection.path),
   );
-  if (line === undefined) return null;
-  const start = line.points[0];
-  const marker = line.kind === "exit" || line.kind === "nowhere" ? "open" : state === "fired" ? "fired" : "plain";
+  return line === undefined ? null : <LineShape key={fireCount} id={id} kind={line.kind} points={line.points} state={state} touched={touched} />;
+}
+
+interface Shape extends Pick<DrawnLine, "kind" | "points"> {
+  readonly id: string;
+  readonly state: ReturnType<typeof lineState>;
+  readonly touched: boolean;
+}
+
+/** How a line looks, in the drawing and in the legend. */
+export function LineShape({ id, kind, points, state, touched }: Shape) {
+  const start = points[0];
+  const marker = kind === "exit" || kind === "nowhere" ? "open" : state === "fired" ? "fired" : "plain";
   return (
-    <g className={`line line-${line.kind} is-${state}${touched ? " is-touched" : ""}`} key={fireCount}>
-      <BaseEdge id={id} path={roundedPath(line.points, 7)} markerEnd={`url(#arrow-${marker})`} interactionWidth={0} />
-      {line.kind === "first" && start !== undefined && <circle className="line-start" cx={start.x} cy={start.y} r={4} />}
+    <g className={`line line-${kind} is-${state}${touched ? " is-touched" : ""}`}>
+      <BaseEdge id={id} path={roundedPath(points, 7)} markerEnd={`url(#arrow-${marker})`} interactionWidth={0} />
+      {kind === "first" && start !== undefined && <circle className="line-start" cx={start.x} cy={start.y} r={4} />}
     </g>
   );
 }

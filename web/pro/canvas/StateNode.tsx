@@ -54,7 +54,7 @@ export function StateNode({ data: { drawn } }: NodeProps<StateFlowNode>) {
 }
 
 /** The signs of dispatchers: those of UML for histories. */
-const kSigns: Readonly<Record<Dispatcher, string>> = { history: "H", "deep history": "H*", choice: "?" };
+export const kSigns: Readonly<Record<Dispatcher, string>> = { history: "H", "deep history": "H*", choice: "?" };
 
 const titleOf = ({ dispatcher, name }: DrawnNode): string => (dispatcher === undefined ? name : `${name} of the oracle: which state is entered first`);
 

@@ -26,7 +26,11 @@ export function Viewport({ laid, size, movedRef }: Props) {
   const selection = useView((v) => v.selection);
   const seenRef = useRef(reveal);
 
+  /** Where it goes then is decided by Following.tsx. */
+  const follows = useView((v) => v.follow && v.page === "task");
+
   const show = useEffectEvent((duration: number) => {
+    if (follows) return;
     const view = laid.asked ? fitReadable : fit;
     shownCanvas()?.show(view(laid.drawing, size), duration);
   });

@@ -6,6 +6,8 @@ import { zoomedAt } from "../../shared/drawing/movement";
 import { keysOf } from "../../shared/session/shortcuts";
 import { useShortcuts } from "../useShortcuts";
 import { shownCanvas } from "./canvasView";
+import { showLegend, useLegend } from "./legend/Legend";
+import { takeOver } from "./moved";
 import { saveDrawing } from "./saveDrawing";
 import type { Laid } from "./useDrawing";
 
@@ -20,10 +22,11 @@ interface Props {
 }
 
 export function ZoomControls({ laid, size, movedRef }: Props) {
+  const legend = useLegend();
   const aimRef = useRef<{ readonly viewport: Viewport; readonly end: number }>(undefined);
   /** From where the step before leads to, if the drawing is still on the way. */
   const zoom = (factor: number) => {
-    movedRef.current = true;
+    takeOver(movedRef);
     const canvas = shownCanvas();
     if (canvas === undefined) return;
     const now = performance.now();
@@ -56,6 +59,7 @@ export function ZoomControls({ laid, size, movedRef }: Props) {
       <Control label="Zoom In" title={`Zoom in (${keysOf("zoom_in")})`} sign="+" act={() => zoom(kStep)} />
       <Control label="Zoom Out" title={`Zoom out (${keysOf("zoom_out")})`} sign="−" act={() => zoom(1 / kStep)} />
       <Control label="Fit" title={`Show the whole drawing (${keysOf("fit")})`} path="M2 6V2h4M10 2h4v4M14 10v4h-4M6 14H2v-4" act={fitAll} />
+      <Control label="Legend" title="What the signs mean" sign="?" pressed={legend} act={() => showLegend(!legend)} />
       <Control label="Save as SVG" title="Save the drawing as an SVG file" path="M8 2v8M4.5 6.5L8 10l3.5-3.5M2.5 13.5h11" act={() => saveDrawing(laid)} />
     </div>
   );
@@ -67,12 +71,14 @@ interface ControlProps {
   /** What stands on it: a character, or a drawing. */
   readonly sign?: string;
   readonly path?: string;
+  /** Whether what it shows is shown. */
+  readonly pressed?: boolean;
   readonly act: () => void;
 }
 
-function Control({ label, title, sign, path, act }: ControlProps) {
+function Control({ label, title, sign, path, pressed, act }: ControlProps) {
   return (
-    <button type="button" aria-label={label} title={title} onClick={act}>
+    <button type="button" aria-label={label} title={title} aria-pressed={pressed} onClick={act}>
       {sign}
       {path !== undefined && (
         <svg viewBox="0 0 16 16" aria-hidden="true">

@@ -11,6 +11,7 @@ import type { State } from "../../shared/model/model";
 import { stateAt, type ModelTree } from "../../shared/model/modelTree";
 import type { Shown } from "../../shared/session/view";
 import { problem, useView } from "../client";
+import { useCellPlace } from "../layout/panels";
 import { layoutInWorkers } from "./layoutEngine";
 
 export interface Laid {
@@ -44,10 +45,13 @@ export interface CanvasDrawing {
 
 const memory = layoutCache();
 
-/** The canvas' size when the focus was chosen: it decides the first arrangement, and later changes do not rearrange the drawing. */
+/** The canvas' size when the focus was chosen: it decides the first arrangement, and later changes do not rearrange the drawing, unless the
+ *  cell takes a half of the room, or gives it back. */
 function useFrame(canvas: Size | undefined, focus: string | undefined): Size | undefined {
-  const [frame, setFrame] = useState<{ readonly focus: string | undefined; readonly size: Size }>();
-  if (canvas !== undefined && (frame === undefined || frame.focus !== focus)) setFrame({ focus, size: canvas });
+  const halved = useCellPlace() === "half";
+  const [frame, setFrame] = useState<{ readonly focus: string | undefined; readonly halved: boolean; readonly size: Size }>();
+  const isNew = frame === undefined || frame.focus !== focus || (frame.halved !== halved && frame.size.width !== canvas?.width);
+  if (canvas !== undefined && isNew) setFrame({ focus, halved, size: canvas });
   return frame?.focus === focus ? frame?.size : undefined;
 }
 

@@ -40,6 +40,9 @@ function geometryOf(shape: Shape): BufferGeometry {
   return new CylinderGeometry(radius, radius, length, 40).rotateX(Math.PI / 2);
 }
 
+/** Distance after a key that zooms in, of the one before. */
+const kKeyZoom = 0.87;
+
 const isMesh = (object: Object3D): object is Mesh => object instanceof Mesh;
 
 function place(object: Object3D, pose: Pose): void {
@@ -77,7 +80,7 @@ export class CellScene {
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
     host.append(this.renderer.domElement);
-    this.renderer.domElement.setAttribute("aria-label", "3D view of the cell; drag to turn, wheel to zoom, Shift and drag to pull a link or a part");
+    this.renderer.domElement.setAttribute("aria-label", "3D view of the cell; drag to turn, wheel to zoom, Shift and drag to pull a link or a part; arrows move it, with Shift they turn it, + and − zoom, Home shows it as at first");
     this.hands = new HandLines(host);
     this.grabbing = new Grabbing(this.renderer.domElement, this.camera, this.contents, hand, (holding) => {
       this.controls.enabled = !holding;
@@ -91,6 +94,8 @@ export class CellScene {
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(host);
     this.controls.update();
+    this.controls.saveState();
+    this.listenToKeys();
   }
 
   /** Replaces the contents by these bodies and robots. */
@@ -101,6 +106,11 @@ export class CellScene {
     const lowest = new Box3().setFromObject(this.contents).min.z;
     this.surroundings.placeFloor(Number.isFinite(lowest) ? Math.min(0, lowest) - 0.002 : 0);
     this.throttle.request();
+  }
+
+  /** The view as at first. */
+  home(): void {
+    this.controls.reset();
   }
 
   /** Takes the colours of the theme that is shown, but for bodies, which have their own. */
@@ -135,6 +145,23 @@ export class CellScene {
     this.controls.dispose();
     this.renderer.dispose();
     this.renderer.domElement.remove();
+  }
+
+  /** While the view has the focus. */
+  private listenToKeys(): void {
+    const { domElement } = this.renderer;
+    domElement.tabIndex = 0;
+    domElement.setAttribute("role", "application");
+    this.controls.listenToKeyEvents(domElement);
+    domElement.addEventListener("keydown", (event) => {
+      if (event.ctrlKey || event.metaKey || event.altKey) return;
+      if (event.key === "Home") this.home();
+      else if (event.key === "+" || event.key === "=") this.controls.dollyIn(kKeyZoom);
+      else if (event.key === "-") this.controls.dollyOut(kKeyZoom);
+      else return;
+      event.preventDefault();
+      event.stopPropagation();
+    });
   }
 
   private empty(): void {

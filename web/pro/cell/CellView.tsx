@@ -3,7 +3,8 @@ import { useEffect, useEffectEvent, useRef, useState } from "react";
 import { absentParts } from "../../shared/cell/touch";
 import { createHand } from "../../shared/cell/hand";
 import { createLongPress, type LongPress } from "../../shared/cell/longPress";
-import { api } from "../client";
+import { Legend, showLegend, useLegend } from "../canvas/legend/Legend";
+import { api, useView } from "../client";
 import { listenToTheme } from "../theme/theme";
 import { CellScene } from "./CellScene";
 import { PartList } from "./PartList";
@@ -39,6 +40,8 @@ export function CellView() {
   const [absent, setAbsent] = useState<readonly string[]>([]);
   const isPast = usePastCell();
   const asksReset = useResetAsked() && !isPast;
+  const legend = useLegend();
+  const isPage = useView((v) => v.page === "cell");
   useEffect(() => {
     const host = frame.current;
     if (host === null) return;
@@ -135,6 +138,14 @@ export function CellView() {
           Parts
         </button>
         <ResetButton disabled={isPast} />
+        <button type="button" title="The view as at first (Home)" onClick={() => shown.current?.home()}>
+          Home
+        </button>
+        {isPage && (
+          <button type="button" aria-pressed={legend} title="What lines, dots and balls mean" onClick={() => showLegend(!legend)}>
+            Legend
+          </button>
+        )}
         {(listed || isPast ? [] : absent).map((part) => (
           <button key={part} type="button" onClick={() => act("place", part)}>
             Put back {part}
@@ -153,6 +164,7 @@ export function CellView() {
         </div>
       )}
       <CellClock />
+      {isPage && <Legend about="cell" />}
     </section>
   );
 }

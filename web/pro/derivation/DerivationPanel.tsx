@@ -7,6 +7,7 @@ import type { Derivation, TraceStep } from "../../generated/messages";
 import { stepsShown } from "../../shared/past/shown";
 import { callText, inputText } from "../../shared/run/inputText";
 import { useSession, useView, view } from "../client";
+import { Splitter } from "../layout/Splitter";
 import { toPresent, visitStep } from "../past/past";
 import { InferenceCard } from "./InferenceCard";
 import { ProofTree } from "./ProofTree";
@@ -30,6 +31,7 @@ export function DerivationPanel() {
   return (
     <section className="derivation" aria-label="Derivation">
       <StepList steps={steps} shown={shown.step} follows={wanted === undefined} />
+      <Splitter panel="steps" at="right" />
       <StepProofs key={shown.step} step={shown} />
     </section>
   );
@@ -159,7 +161,12 @@ function StepProofs({ step }: { readonly step: TraceStep }) {
           </p>
         )}
       </div>
-      {node !== undefined && <InferenceCard node={node} />}
+      {node !== undefined && (
+        <>
+          <Splitter panel="inference" at="left" />
+          <InferenceCard node={node} />
+        </>
+      )}
     </>
   );
 }

@@ -14,6 +14,7 @@ import { ErrorList } from "./ErrorList";
 import { DragLayer } from "./gestures/DragLayer";
 import { EditCanvas } from "./gestures/EditCanvas";
 import { Prompts } from "./prompts/Prompts";
+import { Splitter } from "../layout/Splitter";
 import { DifferenceMarks } from "../live/DifferenceMarks";
 import { useCompared } from "../live/executed";
 import { LiveBar } from "../live/LiveBar";
@@ -59,9 +60,12 @@ export function EditPage({ tree, document }: Props) {
         <CommentMarks />
         <Others />
       </EditCanvas>
-      {listed && <ErrorList />}
-      <CommentList />
-      <UsageList />
+      <div className="edit-lists">
+        <Splitter panel="list" at="top" />
+        {listed && <ErrorList />}
+        <CommentList />
+        <UsageList />
+      </div>
       <DragLayer />
       <Prompts />
     </div>

@@ -3,6 +3,7 @@ import { flushSync } from "react-dom";
 import type { Span } from "../../shared/code/tokens";
 import { cursorOf } from "../code/cursor";
 import { view } from "../client";
+import { unfold } from "../layout/panels";
 import { showTop } from "./editing";
 import { selectById } from "./forms/selectById";
 
@@ -19,6 +20,7 @@ function showElement(id: string): void {
 
 /** The first of `fields` that the form of the element has; empty `id`: the document. `span`: what is selected in its text. */
 export function goToField(id: string, fields: readonly string[], span?: Span): void {
+  unfold("right");
   flushSync(() => showElement(id));
   const found = fields.map((field) => fieldAt(`${id}/${field}`)).find((field) => field !== null);
   if (found === undefined) return;

@@ -1,6 +1,7 @@
 // What a topic of the help is made of.
 import { assertNever } from "../../shared/assertNever";
 import type { Block } from "../../shared/help/blocks";
+import { LegendLists } from "../canvas/legend/LegendLists";
 import { CodeText } from "../panels/CodeText";
 import { KeyLists } from "../panels/KeyHelp";
 import { Figure } from "./Figure";
@@ -54,6 +55,8 @@ function One({ block, marked }: { readonly block: Block; readonly marked: string
       );
     case "figure":
       return <Figure example={block.example} caption={block.caption} />;
+    case "legend":
+      return <LegendLists groups={block.groups} />;
     case "keys":
       return <KeyLists />;
     default:

@@ -3,6 +3,7 @@ import { CallLog } from "../calls/CallLog";
 import { DerivationPanel } from "../derivation/DerivationPanel";
 import type { Drawer as DrawerName } from "../../shared/session/view";
 import { useView } from "../client";
+import { Splitter } from "../layout/Splitter";
 import { TimelinePanel } from "../timeline/TimelinePanel";
 import { LogPanel } from "./LogPanel";
 
@@ -14,6 +15,7 @@ export function Drawer() {
   const Panel = panels[drawer];
   return (
     <div className="drawer">
+      <Splitter panel="drawer" at="top" />
       <Panel />
     </div>
   );

@@ -8,6 +8,9 @@ import { isOver } from "../../shared/run/controls";
 import { isInterrupted } from "../../shared/run/interruption";
 import { useCore, useSession, view } from "../client";
 
+/** More are not listed: there may be thousands, each of them lit in the tree. */
+const kMost = 12;
+
 function headingOf(core: Core | undefined, isPast: boolean): string {
   if (isPast) return "Active then";
   if (core !== undefined && isInterrupted(core)) return "Active when interrupted";
@@ -26,17 +29,15 @@ export function RunningNow({ tree }: { readonly tree: ModelTree | undefined }) {
         <p className="quiet">{past ? "Nothing was active." : "Nothing is active."}</p>
       ) : (
         <ul>
-          {paths.map((path) => (
+          {paths.slice(0, kMost).map((path) => (
             <li key={path}>
-              <button type="button" onClick={() => view.dispatch({ type: "jump", selection: { kind: "node", path } })}>
-                <i className="dot" aria-hidden="true" />
-                <span title={path}>{nameOf(path)}</span>
-                <small>
-                  <bdi>{path.slice(0, -nameOf(path).length - 1)}</bdi>
-                </small>
+              <button type="button" title={path} onClick={() => view.dispatch({ type: "jump", selection: { kind: "node", path } })}>
+                {nameOf(path)}
+                <small>{`\u200e${path.slice(0, -nameOf(path).length - 1)}`}</small>
               </button>
             </li>
           ))}
+          {paths.length > kMost && <li className="quiet">and {paths.length - kMost} more, lit in the tree</li>}
         </ul>
       )}
     </section>

@@ -131,7 +131,7 @@ const Row = memo(function Row({ row: { entry, position, siblings, open }, index,
   return (
     <li
       role="treeitem"
-      className="tree-row"
+      className={composite ? "tree-row" : node.kind === "barrier" ? "tree-row is-bar" : "tree-row is-leaf"}
       aria-label={path}
       aria-level={depth + 1}
       aria-posinset={position}
@@ -144,12 +144,10 @@ const Row = memo(function Row({ row: { entry, position, siblings, open }, index,
       style={{ top: index * kRow, paddingLeft: 8 + depth * 14 }}
       onPointerDown={(event) => drag(event, path)}
     >
-      {composite ? (
+      {composite && (
         <button type="button" className="tree-fold" tabIndex={-1} aria-label={`${open ? "Collapse" : "Expand"} ${node.name}`} onClick={() => view.dispatch({ type: "toggle", path })}>
           {open ? "▾" : "▸"}
         </button>
-      ) : (
-        <span className={node.kind === "barrier" ? "tree-bar" : "tree-leaf"} aria-hidden="true" />
       )}
       <button type="button" className="tree-name" tabIndex={-1} onClick={() => jump(path)}>
         {node.name}

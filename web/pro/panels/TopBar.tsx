@@ -40,7 +40,7 @@ export function TopBar() {
       <InterruptedElsewhere />
       <NewRun />
       <DocumentsButton />
-      <button type="button" className="documents-button" title="The runs that the server has stored" onClick={() => showRuns(true)}>
+      <button type="button" className="documents-button" title={`The runs that the server has stored (${keysOf("runs")})`} aria-keyshortcuts={keysOf("runs").replace("Ctrl", "Control")} onClick={() => showRuns(true)}>
         Runs
       </button>
       <PageTabs />

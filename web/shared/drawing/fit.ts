@@ -5,7 +5,7 @@ import type { Size } from "./measure";
 const kReadable = 0.68;
 const kLargest = 1.25;
 /** Kept free for the breadcrumb above, and around [px]. */
-const kTop = 50;
+export const kTop = 50;
 const kAround = 14;
 
 export interface Viewport {

@@ -15,6 +15,9 @@ export const kFar = 0.62;
 const kName = 13;
 const kPortName = 11;
 
+/** From this zoom on, the names of ports are 10 px high or higher. */
+export const kPortsLegible = 10 / kPortName;
+
 /** By how much names are enlarged at most, and how much is readable at least. */
 const growthAt = (zoom: number) => ({ grow: Math.min(3, 0.72 / zoom), least: 0.5 / zoom });
 

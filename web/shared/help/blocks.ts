@@ -1,5 +1,6 @@
 // What a topic of the help is made of. In texts, code stands in backquotes.
 import type { Example } from "./examples";
+import type { LegendGroup } from "./legend";
 
 export type Block =
   | { readonly kind: "text"; readonly text: string }
@@ -8,6 +9,8 @@ export type Block =
   /** Names with what they mean. */
   | { readonly kind: "terms"; readonly terms: readonly Term[] }
   | { readonly kind: "figure"; readonly example: Example; readonly caption: string }
+  /** The signs of the drawing and of the cell. */
+  | { readonly kind: "legend"; readonly groups: readonly LegendGroup[] }
   | { readonly kind: "heading"; readonly text: string }
   /** All keys and mouse actions of the page. */
   | { readonly kind: "keys" };

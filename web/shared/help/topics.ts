@@ -4,6 +4,7 @@ import { groups, text, type Block, type Topic } from "./blocks";
 import { concepts } from "./concepts";
 import { errorTopics } from "./errorCodes";
 import { language } from "./language";
+import { cellLegend, drawingLegend } from "./legend";
 import { running } from "./running";
 
 const first: Topic = {
@@ -15,9 +16,14 @@ const first: Topic = {
   ],
 };
 
+const signs: Topic = {
+  id: "signs", title: "Legend: signs of the drawing and of the cell", group: "Reference",
+  blocks: [text("Legend beside the drawing shows the same there."), { kind: "legend", groups: [...drawingLegend, ...cellLegend] }],
+};
+
 const keys: Topic = { id: "keys", title: "Keys and mouse", group: "Reference", blocks: [{ kind: "keys" }] };
 
-export const topics: readonly Topic[] = [first, ...concepts, ...running, ...language, ...errorTopics, keys];
+export const topics: readonly Topic[] = [first, ...concepts, ...running, ...language, ...errorTopics, signs, keys];
 
 export const topicOf = (id: string): Topic | undefined => topics.find((topic) => topic.id === id);
 
@@ -37,6 +43,8 @@ function wordsOf(block: Block): string {
       return block.terms.map(({ name, text: words }) => `${name} ${words}`).join("\n");
     case "figure":
       return block.caption;
+    case "legend":
+      return block.groups.flatMap(({ title, entries }) => [title, ...entries.map((entry) => entry.text)]).join("\n");
     case "keys":
       return "";
     default:

@@ -65,7 +65,7 @@ export function rowByName(rows: readonly TreeRow[], at: number, typed: string): 
 
 /** The rows of this height [px] that are between `top` and `bottom` of the list, and some more around. */
 export function rowsBetween(count: number, height: number, top: number, bottom: number): { readonly first: number; readonly end: number } {
-  const kMore = 4;
+  const kMore = 2;
   const first = Math.max(0, Math.min(count, Math.floor(top / height) - kMore));
   return { first, end: Math.max(first, Math.min(count, Math.ceil(bottom / height) + kMore)) };
 }

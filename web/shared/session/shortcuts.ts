@@ -5,7 +5,7 @@ import type { Core } from "../../generated/messages";
 
 /** Those of web/pro/debugger. */
 export type DebugShortcut = "step_mode" | "into" | "over" | "out" | "until_here" | "breakpoint";
-export type Shortcut = DebugShortcut | "lead" | "pause" | "stop" | "micro" | "macro" | Move | "search" | "documents" | "guide" | "zoom_in" | "zoom_out" | "fit" | "help" | "escape";
+export type Shortcut = DebugShortcut | "lead" | "pause" | "stop" | "micro" | "macro" | Move | "search" | "documents" | "runs" | "guide" | "fold_left" | "fold_right" | "fold_below" | "zoom_in" | "zoom_out" | "fit" | "follow" | "help" | "escape";
 
 export interface ShortcutEntry {
   readonly shortcut: Shortcut;
@@ -33,8 +33,13 @@ export const shortcuts: readonly ShortcutEntry[] = [
   { shortcut: "zoom_in", keys: ["Ctrl++", "Ctrl+="], does: "Zoom in" },
   { shortcut: "zoom_out", keys: ["Ctrl+-"], does: "Zoom out" },
   { shortcut: "fit", keys: ["Ctrl+0", "Ctrl+Space"], does: "Show the whole drawing" },
+  { shortcut: "follow", keys: ["Ctrl+Shift+Space"], does: "Follow the run: the drawing goes to what becomes active; until it is moved" },
   { shortcut: "search", keys: ["Ctrl+F"], does: "Search states, ports and code" },
   { shortcut: "documents", keys: ["Ctrl+O"], does: "Documents: new, open, upload, download, duplicate, delete" },
+  { shortcut: "runs", keys: ["Ctrl+Shift+O"], does: "Runs: open, search, compare, download, delete" },
+  { shortcut: "fold_left", keys: ["Ctrl+,"], does: "Fold the left panel away, or bring it back" },
+  { shortcut: "fold_right", keys: ["Ctrl+."], does: "Fold the right panel away, or bring it back" },
+  { shortcut: "fold_below", keys: ["Ctrl+J"], does: "Close the panel below a run, or open it again" },
   { shortcut: "guide", keys: ["F1"], does: "Help: tour, concepts, function language, error codes" },
   { shortcut: "help", keys: ["?"], does: "Show these keys" },
   { shortcut: "escape", keys: ["Esc"], does: "Close this panel, return to the present, or select nothing" },
@@ -90,7 +95,7 @@ export const gestures: readonly { readonly where: string; readonly list: readonl
       { gesture: "← and → on the slider over a past moment", does: "Go from macro step to macro step" },
     ],
   },
-  { where: "Search", list: [{ gesture: "Enter", does: "Go to the first result" }] },
+  { where: "Search", list: [{ gesture: "Enter", does: "Go to the first result" }, { gesture: "↑ and ↓", does: "Go through the results" }] },
   {
     where: "Cell",
     list: [
@@ -99,6 +104,16 @@ export const gestures: readonly { readonly where: string; readonly list: readonl
       { gesture: "Shift and drag, or drag after Pull", does: "Pull a link or a part" },
       { gesture: "Right click or long press on a part", does: "Take it away; Parts lists all of them" },
       { gesture: "Wheel", does: "Zoom" },
+      { gesture: "Arrows, with Shift, + and −, Home", does: "Move, turn, zoom, and the view as at first" },
+    ],
+  },
+  {
+    where: "Borders between panels",
+    list: [
+      { gesture: "Drag", does: "Make a panel larger or smaller; Esc gives it up" },
+      { gesture: "Arrows, Home and End", does: "The same, up to the bounds; with Shift in large steps" },
+      { gesture: "Double click", does: "The usual size" },
+      { gesture: "Enter", does: "Fold a side panel away, or bring it back" },
     ],
   },
 ];

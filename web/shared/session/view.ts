@@ -1,5 +1,6 @@
 // The view of the task (selection, folding, panels) as a value, and the function that applies a gesture to it.
 import { assertNever } from "../assertNever";
+import { commonLevel } from "../drawing/follow";
 import type { Detail } from "../drawing/measure";
 import { timedElement } from "../model/afters";
 import { carried, carriedPath, type Selection } from "../model/identity";
@@ -17,6 +18,9 @@ export function selectionAt(tree: ModelTree, address: string): Selection | undef
 
 /** `edit`: the document that is edited. */
 export type Page = "task" | "services" | "cell" | "edit";
+/** The page of this name that an address may ask for: that of a document is asked for by the document. */
+export const pageOf = (name: string | undefined): Page | undefined => (["task", "services", "cell"] as const).find((page) => page === name);
+
 export type Drawer = "derivation" | "timeline" | "calls" | "log" | "closed";
 
 /** What a view says of elements of the model that is shown. */
@@ -25,6 +29,8 @@ export type Places = Pick<View, "selection" | "also" | "focus" | "collapsed">;
 export interface View {
   readonly page: Page;
   readonly drawer: Drawer;
+  /** What the drawer showed last. */
+  readonly lastDrawer: Exclude<Drawer, "closed">;
   readonly selection: Selection | undefined;
   /** Nodes that are selected besides `selection`, by their paths; none unless that is a node. */
   readonly also: ReadonlySet<string>;
@@ -37,14 +43,14 @@ export interface View {
   readonly reveal: number;
   /** The macro step whose derivation is shown; none: the latest. */
   readonly step: number | undefined;
-  /** Whether the cell is shown beside the task. */
-  readonly inset: boolean;
   /** Whether the keys and mouse actions are shown over the page. */
   readonly help: boolean;
   /** Whether the documents are shown over the page. */
   readonly documents: boolean;
   /** Whether the stored runs are. */
   readonly runs: boolean;
+  /** Whether the drawing of a run goes to what becomes active. */
+  readonly follow: boolean;
   /** Whether a run of the document that is edited is shown on its drawing. */
   readonly runShown: boolean;
   /** The places of the other model: of the document that is edited while a run is shown, and the other way round. */
@@ -57,6 +63,8 @@ export type Shown = Pick<View, "focus" | "collapsed" | "detail">;
 export type Gesture =
   | { readonly type: "page"; readonly page: Page }
   | { readonly type: "drawer"; readonly drawer: Drawer }
+  /** Closes the drawer, or opens it with what it showed last. */
+  | { readonly type: "toggle_drawer" }
   | { readonly type: "select"; readonly selection: Selection | undefined }
   /** Selects a node besides the others, or no longer. */
   | { readonly type: "select_also"; readonly path: string }
@@ -64,6 +72,10 @@ export type Gesture =
   | { readonly type: "jump"; readonly selection: Selection }
   | { readonly type: "enter"; readonly path: string | undefined }
   | { readonly type: "toggle"; readonly path: string }
+  /** Whether the drawing of a run follows it; a user who goes elsewhere ends that. */
+  | { readonly type: "follow"; readonly on: boolean }
+  /** Shows the level, and opens the states, in which these nodes are drawn. */
+  | { readonly type: "show_active"; readonly paths: readonly string[] }
   | { readonly type: "collapse_all"; readonly paths: readonly string[] }
   | { readonly type: "expand_all" }
   | { readonly type: "detail"; readonly detail: View["detail"] }
@@ -71,7 +83,6 @@ export type Gesture =
   | { readonly type: "step"; readonly step: number | undefined }
   /** The same, and the drawer stays as it is. */
   | { readonly type: "turn_to_step"; readonly step: number | undefined }
-  | { readonly type: "inset"; readonly shown: boolean }
   | { readonly type: "help"; readonly shown: boolean }
   | { readonly type: "documents"; readonly shown: boolean }
   | { readonly type: "runs"; readonly shown: boolean }
@@ -90,14 +101,15 @@ const kNowhere: Places = { selection: undefined, also: kNone, focus: undefined, 
 export const initialView: View = {
   page: "task",
   drawer: "derivation",
+  lastDrawer: "derivation",
   ...kNowhere,
   detail: "auto",
   reveal: 0,
   step: undefined,
-  inset: true,
   help: false,
   documents: false,
   runs: false,
+  follow: false,
   runShown: true,
   aside: kNowhere,
 };
@@ -151,6 +163,14 @@ function within(path: string, focus: string | undefined): boolean {
   return focus === undefined || path === focus || path.startsWith(`${focus}/`);
 }
 
+function showActive(view: View, paths: readonly string[]): View {
+  const level = commonLevel(paths);
+  const focus = paths.every((path) => within(path, view.focus)) ? view.focus : level.includes("/") ? level : undefined;
+  const opened = new Set(paths.flatMap((path) => ancestry(path).slice(0, -1)));
+  const collapsed = [...view.collapsed].filter((path) => !opened.has(path));
+  return { ...view, focus, collapsed: collapsed.length === view.collapsed.size ? view.collapsed : new Set(collapsed) };
+}
+
 /** The page with a drawing that a place in the model is shown on: the one that is open, else the task. */
 const modelPage = ({ page }: View): Page => (page === "edit" ? "edit" : "task");
 
@@ -162,7 +182,9 @@ export function applyGesture(view: View, gesture: Gesture): View {
     case "page":
       return toPage(view, gesture.page);
     case "drawer":
-      return { ...view, drawer: gesture.drawer };
+      return { ...view, drawer: gesture.drawer, lastDrawer: gesture.drawer === "closed" ? view.lastDrawer : gesture.drawer };
+    case "toggle_drawer":
+      return { ...view, drawer: view.drawer === "closed" ? view.lastDrawer : "closed" };
     case "select":
       return { ...view, selection: gesture.selection, also: kNone };
     case "select_also":
@@ -180,17 +202,22 @@ export function applyGesture(view: View, gesture: Gesture): View {
         focus: within(path, view.focus) ? view.focus : undefined,
         collapsed: new Set([...view.collapsed].filter((entry) => !opened.has(entry))),
         reveal: view.reveal + 1,
+        follow: false,
       };
     }
     case "enter":
-      return { ...view, page: modelPage(view), focus: gesture.path, collapsed: new Set([...view.collapsed].filter((p) => p !== gesture.path)) };
+      return { ...view, page: modelPage(view), focus: gesture.path, collapsed: new Set([...view.collapsed].filter((p) => p !== gesture.path)), follow: false };
     case "toggle": {
       const collapsed = new Set(view.collapsed);
       if (!collapsed.delete(gesture.path)) collapsed.add(gesture.path);
-      return { ...view, collapsed };
+      return { ...view, collapsed, follow: false };
     }
+    case "follow":
+      return { ...view, follow: gesture.on };
+    case "show_active":
+      return showActive(view, gesture.paths);
     case "collapse_all":
-      return { ...view, collapsed: new Set(gesture.paths) };
+      return { ...view, collapsed: new Set(gesture.paths), follow: false };
     case "expand_all":
       return { ...view, collapsed: new Set() };
     case "detail":
@@ -198,11 +225,9 @@ export function applyGesture(view: View, gesture: Gesture): View {
     case "show_again":
       return { ...view, ...gesture.shown };
     case "step":
-      return { ...view, step: gesture.step, drawer: "derivation" };
+      return { ...view, step: gesture.step, drawer: "derivation", lastDrawer: "derivation" };
     case "turn_to_step":
       return { ...view, step: gesture.step };
-    case "inset":
-      return { ...view, inset: gesture.shown };
     case "help":
       return { ...view, help: gesture.shown };
     case "documents":

@@ -14,6 +14,7 @@ import { kBuiltins, kModules } from "../../shared/code/words";
 import { errorCodes, faultKinds, placeOfCode } from "../../shared/help/errorCodes";
 import { exampleState } from "../../shared/help/exampleState";
 import { barrier, examples } from "../../shared/help/examples";
+import { cellLegend, drawingLegend } from "../../shared/help/legend";
 import { findTopics, groupedTopics, topicOf, topics } from "../../shared/help/topics";
 import { stepsDone, tourSteps } from "../../shared/help/tour";
 
@@ -95,5 +96,13 @@ describe("the tour", () => {
   it("does not go on over an error, and comes back when something is taken back", () => {
     expect(done(ending, 1)).toBe(3);
     expect(done(speaking, 0, "ended")).toBe(2);
+  });
+});
+
+describe("the legend", () => {
+  it("has each sign once, and is found in the help", () => {
+    const signs = [...drawingLegend, ...cellLegend].flatMap(({ entries }) => entries.map(({ sign }) => sign));
+    expect(new Set(signs).size).toBe(signs.length);
+    expect(findTopics("deep history").map(({ id }) => id)).toContain("signs");
   });
 });

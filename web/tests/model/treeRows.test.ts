@@ -49,7 +49,7 @@ describe("rowByName", () => {
 
 describe("rowsBetween", () => {
   it("is what is in view and a few more, and never more than there are", () => {
-    expect(rowsBetween(2000, 26, 2600, 3120)).toEqual({ first: 96, end: 124 });
+    expect(rowsBetween(2000, 26, 2600, 3120)).toEqual({ first: 98, end: 122 });
     expect(rowsBetween(5, 26, 0, 500)).toEqual({ first: 0, end: 5 });
     expect(rowsBetween(5, 26, -900, -200)).toEqual({ first: 0, end: 0 });
     expect(rowsBetween(5, 26, 900, 1400)).toEqual({ first: 5, end: 5 });

@@ -3,6 +3,7 @@ import { useEffect, useLayoutEffect, useRef, type PointerEvent, type RefObject }
 import { areaOf, centredOn, wheelFactor, zoomedAt } from "../../../shared/drawing/movement";
 import type { Size } from "../../../shared/drawing/measure";
 import type { Scene } from "../../../shared/drawing/scene";
+import { takeOver } from "../moved";
 import type { Camera } from "./camera";
 import { listenToTheme, readTheme } from "./theme";
 
@@ -68,7 +69,7 @@ export function MiniMap({ scene, size, camera, movedRef }: Props) {
     const wheel = (event: WheelEvent) => {
       event.preventDefault();
       event.stopPropagation();
-      movedRef.current = true;
+      takeOver(movedRef);
       camera.show(zoomedAt(camera.viewport(), { x: size.width / 2, y: size.height / 2 }, wheelFactor(event)));
     };
     element?.addEventListener("wheel", wheel, { passive: false });
@@ -81,7 +82,7 @@ export function MiniMap({ scene, size, camera, movedRef }: Props) {
     event.currentTarget.setPointerCapture(event.pointerId);
     const { left, top } = event.currentTarget.getBoundingClientRect();
     const { x, y, zoom } = placeOf(drawing);
-    movedRef.current = true;
+    takeOver(movedRef);
     camera.show(centredOn({ x: (event.clientX - left - x) / zoom, y: (event.clientY - top - y) / zoom }, camera.viewport().zoom, size));
   };
   return (

@@ -10,6 +10,7 @@ import { selectedPaths } from "../../../shared/session/view";
 import { useView, view } from "../../client";
 import { useErrorCounts } from "../../edit/errors";
 import { canvasView, showCanvas, type CanvasView } from "../canvasView";
+import { takeOver } from "../moved";
 import type { Laid } from "../useDrawing";
 import { createCamera, type Camera } from "./camera";
 import { InUse } from "./InUse";
@@ -129,9 +130,7 @@ export const PaintedCanvas = memo(function PaintedCanvas({ laid, size, movedRef 
   const onHover = useEffectEvent((event: PointerEvent | undefined) => setHover(event && current()?.nodeAt({ x: event.clientX, y: event.clientY })));
   useEffect(() => {
     if (frame.current === null) return;
-    const onMove = () => {
-      movedRef.current = true;
-    };
+    const onMove = () => takeOver(movedRef);
     return listenToPointers(frame.current, camera, { onMove, onClick: (e) => onClick(e), onDoubleClick: (e) => onDoubleClick(e), onHover: (e) => onHover(e) });
   }, [camera, movedRef]);
 

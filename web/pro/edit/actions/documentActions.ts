@@ -1,10 +1,7 @@
-// Actions on the document as a whole, and on the page.
-import { allowed, type Command } from "../../../shared/run/controls";
+// Actions on the document as a whole.
 import { refusalToStart } from "../../../shared/session/draft";
-import { shortcuts, type Shortcut } from "../../../shared/session/shortcuts";
-import { watchedCore } from "../../../shared/session/session";
 import { requestRun } from "../../documents/asking";
-import { run, session, view } from "../../client";
+import { view } from "../../client";
 import { closeDocument, editing } from "../editing";
 import { ask } from "../prompt";
 import { refuse, tellDone } from "../say";
@@ -83,22 +80,4 @@ const closing: Action = {
   },
 };
 
-const keysOf = (shortcut: Shortcut): readonly string[] => shortcuts.find((entry) => entry.shortcut === shortcut)?.keys ?? [];
-
-const runCommand = (command: Command & Shortcut, name: string): Action => ({
-  id: command, name, keys: keysOf(command), group: "Page", where: "page",
-  when: () => (allowed(watchedCore(session.get())).has(command) ? undefined : "the watched run does not take this now"),
-  run: () => void run(command),
-});
-
-const searching: Action = {
-  id: "search", name: "Search states, ports and code", keys: keysOf("search"), group: "Page", where: "page", when: always,
-  run: () => document.getElementById("search")?.focus(),
-};
-
-const helping: Action = {
-  id: "help", name: "Show all keys", keys: keysOf("help"), group: "Page", where: "page", when: always,
-  run: () => view.dispatch({ type: "help", shown: true }),
-};
-
-export const documentActions: readonly Action[] = [saving, running, palette, versions, closing, runCommand("pause", "Pause the watched run"), runCommand("stop", "Stop the watched run"), searching, helping];
+export const documentActions: readonly Action[] = [saving, running, palette, versions, closing];

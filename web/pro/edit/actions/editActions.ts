@@ -3,6 +3,7 @@ import { nameOfElement } from "../../../shared/edit/commands/command";
 import { remove } from "../../../shared/edit/commands/remove";
 import { rename } from "../../../shared/edit/commands/rename";
 import { view } from "../../client";
+import { unfold } from "../../layout/panels";
 import { carryOut, selectIds } from "../carryOut";
 import { editing, perform } from "../editing";
 import { openStateEditor } from "../forms/stateEditor";
@@ -65,6 +66,7 @@ const selectAll: Action = {
 
 /** Where what is selected is shown and written. */
 function showProperties(): void {
+  unfold("right");
   const panel = document.querySelector('.side-right, [aria-label="Properties"]');
   panel?.querySelector<HTMLElement>("input, textarea, select, [contenteditable=true], button, a")?.focus();
 }
