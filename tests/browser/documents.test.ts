@@ -1,8 +1,7 @@
 // The documents of the server, from the page: new, open, upload, drop, download, duplicate, delete; and drafts, whose errors are shown where they are.
-import { readFileSync } from "node:fs";
 import type { Locator, Page } from "playwright-core";
 import { findings } from "./axe";
-import { openFixture, settled, type Fixture } from "./fixture";
+import { openFixture, settled, textOf, type Fixture } from "./fixture";
 
 let fixture: Fixture;
 beforeAll(async () => {
@@ -58,7 +57,7 @@ async function downloaded(name: string): Promise<{ readonly file: string; readon
   const saved = fixture.page.waitForEvent("download");
   await row(name).getByRole("button", { name: "Download" }).click();
   const download = await saved;
-  return { file: download.suggestedFilename(), text: readFileSync(await download.path(), "utf8") };
+  return { file: download.suggestedFilename(), text: await textOf(download) };
 }
 
 /** Numbers that JavaScript would write in another way. */

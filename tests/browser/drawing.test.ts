@@ -1,7 +1,6 @@
 // Drawings that fail, and long drawings that the user cancels. The test delays the workers of the page.
-import { readFileSync } from "node:fs";
 import type { Page } from "playwright-core";
-import { openFixture, settled, type Fixture } from "./fixture";
+import { openFixture, settled, textOf, type Fixture } from "./fixture";
 
 let fixture: Fixture;
 let page: Page;
@@ -77,7 +76,7 @@ describe("a drawing as a file", () => {
     await button("Save as SVG").click();
     const file = await saved;
     expect(file.suggestedFilename()).toBe("Pick.svg");
-    const text = readFileSync(await file.path(), "utf8");
+    const text = await textOf(file);
     const drawn = await page.locator(".canvas .state").count();
     const image = await page.evaluate((text) => {
       // Its style would be one of the page, which forbids such.

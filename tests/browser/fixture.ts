@@ -5,7 +5,7 @@ import { createServer } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import type { Browser, BrowserContext, BrowserContextOptions, Page, ViewportSize } from "playwright-core";
+import type { Browser, BrowserContext, BrowserContextOptions, Download, Page, ViewportSize } from "playwright-core";
 import { openBrowser } from "./chromium";
 import { ConsoleErrors } from "./consoleErrors";
 
@@ -134,4 +134,11 @@ export async function settled(page: Page): Promise<void> {
   // It moves to where it fits.
   const place = () => page.evaluate(() => JSON.stringify(document.querySelector(".canvas [data-path]")?.getBoundingClientRect()));
   for (let [before, now] = ["", await place()]; before !== now; [before, now] = [now, await place()]) await page.waitForTimeout(60);
+}
+
+/** What a page has given to be saved. */
+export async function textOf(download: Download): Promise<string> {
+  const parts: Buffer[] = [];
+  for await (const part of await download.createReadStream()) parts.push(part as Buffer);
+  return Buffer.concat(parts).toString("utf8");
 }

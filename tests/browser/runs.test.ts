@@ -1,8 +1,7 @@
 // Stored runs: listed, searched, opened after a restart of the server and scrubbed, downloaded and dropped on another page, deleted.
-import { readFileSync } from "node:fs";
 import type { Page } from "playwright-core";
 import { findings } from "./axe";
-import { openFixture, settled, type Fixture } from "./fixture";
+import { openFixture, settled, textOf, type Fixture } from "./fixture";
 
 let fixture: Fixture;
 let page: Page;
@@ -129,7 +128,7 @@ describe("a run of yesterday", () => {
     const row = list().getByRole("listitem", { name: `Run ${picked.id}`, exact: true });
     const [file] = await Promise.all([page.waitForEvent("download"), row.getByRole("link", { name: "Download" }).click()]);
     expect(file.suggestedFilename()).toBe(`run-${picked.id}.json`);
-    const text = readFileSync(await file.path(), "utf8");
+    const text = await textOf(file);
     await page.evaluate((content) => {
       const files = new DataTransfer();
       files.items.add(new File([content], "yesterday.json", { type: "application/json" }));

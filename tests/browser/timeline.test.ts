@@ -1,8 +1,7 @@
 // The time line of a run: bars of states and calls, a plot, values as a file; a click goes to that macro step. Two runs are compared.
-import { readFileSync } from "node:fs";
 import type { Page } from "playwright-core";
 import { findings } from "./axe";
-import { openFixture, settled, type Fixture } from "./fixture";
+import { openFixture, settled, textOf, type Fixture } from "./fixture";
 
 let fixture: Fixture;
 let page: Page;
@@ -82,7 +81,7 @@ describe("the time line", () => {
   it("gives the values as a file", async () => {
     const [file] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Values as CSV" }).click()]);
     expect(file.suggestedFilename()).toBe(`run-${long}.csv`);
-    const rows = readFileSync(await file.path(), "utf8").trim().split("\r\n").map((row) => row.split(","));
+    const rows = (await textOf(file)).trim().split("\r\n").map((row) => row.split(","));
     const n = rows[0]?.indexOf("Root.res.n") ?? -1;
     expect(rows[0]?.slice(0, 2)).toEqual(["step", "input"]);
     expect(rows.slice(1).map((row) => row[n])).toEqual(expect.arrayContaining(["0", "1", "2", "3", "4"]));
