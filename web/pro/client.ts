@@ -185,10 +185,7 @@ let last: LastShown | undefined;
 function turnTo(id: string | undefined, turn: () => void): void {
   const { watched: before } = session.get();
   if (view.get().page !== "edit") last = lastShown(session.get(), view.get(), last);
-  if (before !== undefined) {
-    stream?.unsubscribe(`core/${before}/state`);
-    stream?.unsubscribe(`core/${before}/derivation`);
-  }
+  if (before !== undefined) stream?.unsubscribe(`core/${before}/state`);
   if (id !== undefined) history.replaceState(null, "", addressWith(location.search, { run: id, ...(placeOfAddress(location.search).run !== id && { at: undefined }) }));
   turn();
   view.dispatch({ type: "forget_run" });
@@ -200,7 +197,6 @@ export function watch(id: string | undefined): void {
   turnTo(id, () => session.dispatch({ type: "watched", id }));
   if (id === undefined) return;
   stream?.subscribe(`core/${id}/state`);
-  stream?.subscribe(`core/${id}/derivation`);
   loadModel(id);
 }
 

@@ -1,0 +1,31 @@
+import { describe, expect, it } from "vitest";
+import type { Core, HostedService } from "../../generated/messages";
+import { derivationsWanted } from "../../shared/session/derivations";
+import { emptySession, type Session } from "../../shared/session/session";
+import type { View } from "../../shared/session/view";
+
+const core = (fields: Partial<Core> = {}) => ({ id: "3", status: "running", paused: false, ...fields }) as Core;
+const session = (one: Core, more: Partial<Session> = {}): Session => ({ ...emptySession, cores: [one], watched: "3", ...more });
+const closed: Pick<View, "drawer" | "selection"> = { drawer: "closed", selection: undefined };
+
+describe("derivations of a run", () => {
+  it("are not wanted while it runs and nothing shows them", () => {
+    expect(derivationsWanted(session(core()), closed)).toBeUndefined();
+    expect(derivationsWanted(session(core()), { ...closed, drawer: "log" })).toBeUndefined();
+    expect(derivationsWanted(session(core()), { ...closed, selection: { kind: "node", path: "Root" } })).toBeUndefined();
+  });
+  it("are wanted where they are shown, or a port is asked why it fired", () => {
+    expect(derivationsWanted(session(core()), { ...closed, drawer: "derivation" })).toBe("3");
+    expect(derivationsWanted(session(core()), { ...closed, selection: { kind: "port", address: "Root.done" } })).toBe("3");
+  });
+  it("are wanted while the run stands, as then few come", () => {
+    for (const one of [core({ paused: true }), core({ status: "ended" }), core({ status: "interrupted" }), core({ status: "ready" })]) expect(derivationsWanted(session(one), closed)).toBe("3");
+  });
+  it("are wanted while it waits for a person, whose question is in them", () => {
+    const display = { key: "display", type: "display", pending: [{ core: "3" }] } as unknown as HostedService;
+    expect(derivationsWanted(session(core(), { services: [display] }), closed)).toBe("3");
+    const others = { ...display, pending: [{ core: "4" }] } as unknown as HostedService;
+    expect(derivationsWanted(session(core(), { services: [others] }), closed)).toBeUndefined();
+  });
+  it("are not wanted of a run that no core hosts", () => expect(derivationsWanted({ ...session(core()), watched: "4" }, { ...closed, drawer: "derivation" })).toBeUndefined());
+});
