@@ -48,6 +48,8 @@ Expected<Past> past(Replay& replay, std::uint64_t step, int micro, const std::at
   past.json.set("events", list_of(run, "events"));
   past.json.set("open_calls", open_calls(list_of(run, "calls")));
   past.text = moment_text(then);
+  past.micro = done;
+  past.complete = complete;
   return past;
 }
 

@@ -15,6 +15,8 @@ std::string moment_text(const Execution& execution);
 struct Past {
   Dict json;         // schemas/past.json, without `digest`
   std::string text;  // moment_text
+  std::uint32_t micro = 0;
+  bool complete = false;  // as in `json`
 };
 
 /// After `micro` micro steps of macro step `step`. Requires as Replay::before. Errors: those of it.

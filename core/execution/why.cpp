@@ -89,4 +89,12 @@ Value why_json(Execution& execution, PortId port) {
   return json;
 }
 
+Expected<Value> why_before(Replay& replay, const std::string& port, std::uint64_t step, int micro,
+                           const std::atomic<bool>* stop) {
+  ASSIGN_OR_RETURN(Execution then, replay.before(step, micro, stop));
+  const auto id = then.run().program().find_port(port);
+  if (!id) return unexpected(ErrorCode::not_found, "there was no port of this path", port);
+  return why_json(then, *id);
+}
+
 }  // namespace race::execution

@@ -15,6 +15,7 @@ void ServicePublisher::delivered(const services::Delivery& delivery) {
 void ServicePublisher::changed(const services::ServiceStatus& status) {
   Value delta = Dict{{"services", List{service_state_json(status)}}};
   hub_.publish_delta(std::string(kServicesChannel), std::move(delta.freeze()));
+  if (cores_) cores_->service_changed(status.key, status.available ? status.state : std::nullopt);
 }
 
 void ServicePublisher::logged(services::Time time, const std::string& key, const std::string& text) {

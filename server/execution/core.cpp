@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "server/execution/core_internal.h"
+#include "server/wire/calendar.h"
 
 namespace race::server {
 
@@ -52,6 +53,7 @@ Core::Core(RunRecord run, execution::JournalHeader header, Execution execution, 
       model_(execution.model()),
       live_(live),
       record_(std::move(run)),
+      timing_(now_ms() - record_.created_ms, record_.steps),
       give_up_(std::move(give_up)),
       execution_(std::move(execution)),
       replay_(std::make_shared<execution::Replay>(header_, resources.runs.source(run_id_))) {
@@ -78,6 +80,7 @@ void Core::deliver(const services::Delivery& delivery) {
     }
     inbox_.units += delivery.units;
     inbox_.deliveries.push_back(delivery);
+    inbox_.times.push_back(TimingRecorder::Clock::now());
     if (std::exchange(inbox_.woken, true)) return;
   }
   try {
@@ -95,6 +98,7 @@ void Core::start(Done<Value> done) {
     if (started_) return conflict("core " + id_ + " was started before");
     if (closed_) return conflict("core " + id_ + " has another model now");
     started_ = true;
+    note_services();
     advance();
     publish_info();
     return info_json();

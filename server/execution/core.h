@@ -24,6 +24,7 @@
 #include "server/execution/breakpoint.h"
 #include "server/execution/held_outputs.h"
 #include "server/execution/live_edit.h"
+#include "server/execution/timing_recorder.h"
 #include "server/store/journal_writer.h"
 #include "server/store/runs.h"
 #include "server/threads/computing_share.h"
@@ -100,6 +101,11 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   /// A service said something that may concern this core. What waits is bounded: beyond that the run is interrupted, or
   /// what comes is dropped if it is already.
   void deliver(const services::Delivery& delivery) EXCLUDES(mutex_);
+
+  /// The state of a service is this from now on; nothing: it is not available.
+  void service_changed(const std::string& service, const std::optional<std::string>& state);
+  /// What is known of the times of the run that is not in the store yet (TimingRecorder::blocks).
+  std::vector<TimingBlock> timing() const { return timing_.blocks(); }
 
   static constexpr std::size_t kMostInputs = 10'000;         // that wait
   static constexpr std::size_t kMostInputUnits = 4U << 20U;  // of their data (Value::size_units), but for the last
@@ -291,6 +297,10 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   RunEnd run_end() const;
   Value delta_of(const execution::Progress& progress) const;
   Value steps_of(const execution::Progress& progress) const;
+  void note_times(const execution::Progress& progress);
+  void write_times_later();
+  void write_times();
+  void note_services();
   void publish_info();
   void publish_snapshot(void (CoreWatcher::*publish)(const std::string&, Value));
   void publish_next_derivation();
@@ -369,9 +379,10 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   mutable services::Mutex mutex_;
   struct Inbox {
     std::vector<services::Delivery> deliveries;
-    std::size_t units = 0;     // of their data
-    bool has_dropped = false;  // what came beyond the bounds
-    bool woken = false;        // its core will look
+    std::vector<TimingRecorder::Clock::time_point> times;  // when they came
+    std::size_t units = 0;                                 // of their data
+    bool has_dropped = false;                              // what came beyond the bounds
+    bool woken = false;                                    // its core will look
   };
   Inbox inbox_ GUARDED_BY(mutex_);
   Value info_ GUARDED_BY(mutex_);
@@ -387,10 +398,12 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   RunRecord record_;  // as it was stored when the core was made, or rebuilt; its number and document stay
   std::shared_ptr<RunJournal> journal_;
   HeldOutputs held_;
-  bool saying_ = false;             // work is posted that says more of what is durable
-  std::size_t waiting_units_ = 0;   // of the inputs that wait in the execution, or more
-  std::size_t received_units_ = 0;  // that the run keeps of inputs, or more
-  const Watchdog::Flag give_up_;    // what is computed takes too long: the execution stops, in a fault of nobody's
+  TimingRecorder timing_;
+  std::atomic<bool> times_due_{false};  // what is noted will be written
+  bool saying_ = false;                 // work is posted that says more of what is durable
+  std::size_t waiting_units_ = 0;       // of the inputs that wait in the execution, or more
+  std::size_t received_units_ = 0;      // that the run keeps of inputs, or more
+  const Watchdog::Flag give_up_;        // what is computed takes too long: the execution stops, in a fault of nobody's
   const Watchdog::Flag end_rebuild_ = std::make_shared<std::atomic<bool>>(false);    // the same, of what is read back
   const Watchdog::Flag end_last_step_ = std::make_shared<std::atomic<bool>>(false);  // and of the last step of that
   std::uint32_t part_ = 1;                 // micro steps until the time is looked at: few while they are slow

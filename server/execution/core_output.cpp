@@ -48,6 +48,7 @@ std::vector<T> part(const std::vector<T>& all, std::size_t first, std::size_t mo
 
 // What came of a part of a macro step: the one place where anything leaves a core.
 void Core::emit(const Progress& progress) {
+  note_times(progress);
   record(progress);
   const Value delta = execution_.is_watched() && !progress.edited ? delta_of(progress) : Value();
   const Value steps = progress.derivation ? steps_of(progress) : Value();
@@ -135,6 +136,7 @@ void Core::record(const Progress& progress) {
   if (!record.entry && !record.checkpoint && !record.end) return;
   if (record.checkpoint) record.checkpoint->freeze();
   record.ticket = held_.next_ticket();
+  if (record.end || timing_.is_due()) record.timing = timing_.take_block(execution_, record.ticket);
   resources_.writer.append(journal_, record);
 }
 

@@ -74,10 +74,11 @@ Expected<int> Core::told_micro(std::uint64_t step, int micro) const {
 void Core::past(std::uint64_t step, int micro, SharedStop gone, Done<Value> done) {
   const Expected<int> told = told_micro(step, micro);
   if (!told) return done(tl::unexpected(told.error()));
-  replayed(std::move(gone), std::move(done),
-           [step, micro = *told](execution::Replay& replay, const Stop* stop) -> Expected<Value> {
-             return past_json(replay, step, micro, stop);
-           });
+  replayed(
+      std::move(gone), std::move(done),
+      [self = shared_from_this(), step, micro = *told](execution::Replay& replay, const Stop* stop) -> Expected<Value> {
+        return past_json(replay, step, micro, {self->resources_.runs, self->run_id_, self->timing()}, stop);
+      });
 }
 
 void Core::why_before(const std::string& port, std::size_t step, int micro, SharedStop gone, Done<Value> done) {
@@ -85,10 +86,7 @@ void Core::why_before(const std::string& port, std::size_t step, int micro, Shar
   if (!told) return done(tl::unexpected(told.error()));
   replayed(std::move(gone), std::move(done),
            [step, micro = *told, port](execution::Replay& replay, const Stop* stop) -> Expected<Value> {
-             ASSIGN_OR_RETURN(execution::Execution past, replay.before(step, micro, stop));
-             const auto id = past.run().program().find_port(port);
-             if (!id) return unexpected(ErrorCode::not_found, "there was no port of this path", port);
-             return why_json(past, *id);
+             return execution::why_before(replay, port, step, micro, stop);
            });
 }
 

@@ -39,6 +39,7 @@ void Core::open_journal() {
 void Core::durable(std::uint64_t ticket) {
   strand_.post(measured([this, ticket] {
     held_.set_durable(ticket);
+    timing_.durable(ticket);
     if (!saying_ || held_.has_answers()) say_due();
   }));
 }
@@ -183,7 +184,10 @@ void Core::publish_interruption() {
 // The journal has its last entry, but not that it is the last.
 void Core::end_rebuilt_run() {
   interruption_.reset();
-  resources_.writer.append(journal_, {.ticket = held_.next_ticket(), .end = run_end()});
+  const std::uint64_t ticket = held_.next_ticket();
+  timing_.ended(execution_);
+  resources_.writer.append(journal_,
+                           {.ticket = ticket, .end = run_end(), .timing = timing_.take_block(execution_, ticket)});
   publish_info();
 }
 
@@ -249,6 +253,8 @@ void Core::take(Rebuilt rebuilt) {
   set_model(execution_.model());
   set_reached(reached_now());
   find_breakpoints();
+  timing_.rebuilt(execution_);
+  note_services();
   open_journal();
   started_ = record_.steps > 0;
   interruption_->rebuilt = true;

@@ -74,7 +74,8 @@ bool Core::take_inbox() {
   }
   if (!started_) return true;  // before the start, nothing is an input
   bool has_dropped = inbox.has_dropped;
-  for (services::Delivery& delivery : inbox.deliveries) {
+  for (std::size_t i = 0; i < inbox.deliveries.size(); ++i) {
+    services::Delivery& delivery = inbox.deliveries[i];
     if (!has_room()) {
       has_dropped = true;
       break;
@@ -82,11 +83,11 @@ bool Core::take_inbox() {
     const std::size_t units = delivery.units;
     waiting_units_ += units;
     received_units_ += units;
-    if (delivery.kind == services::Delivery::Kind::event) {
-      execution_.post_event(delivery.key, delivery.name, std::move(delivery.data));
-    } else {
-      execution_.post_response(delivery.caller.call, delivery.is_error, std::move(delivery.data));
-    }
+    const bool waits =
+        delivery.kind == services::Delivery::Kind::event
+            ? execution_.post_event(delivery.key, delivery.name, std::move(delivery.data))
+            : execution_.post_response(delivery.caller.call, delivery.is_error, std::move(delivery.data));
+    if (waits) timing_.arrived(execution_, inbox.times[i]);
   }
   has_dropped = has_dropped || !keeps_within_bounds();
   if (has_dropped && !interruption_ && !is_over()) {
@@ -122,7 +123,8 @@ std::uint32_t Core::do_part(std::uint32_t limit) {
   const std::uint32_t before = execution_.micro();
   const auto begin = Clock::now();
   const auto computed = services::thread_time();
-  if (!execution_.is_open()) step_time_ = {};
+  const bool begins = !execution_.is_open();
+  if (begins) step_time_ = {};
   const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(resources_.longest_step - step_time_);
   const Progress* progress = nullptr;
   {
@@ -131,6 +133,7 @@ std::uint32_t Core::do_part(std::uint32_t limit) {
   }
   part_ = services::thread_time() - computed > kTurnTime / 4 ? 1 : std::min(2 * part_, kPart);
   step_time_ += Clock::now() - begin;
+  if (begins) timing_.began(execution_, progress->entry, begin);
   if (gave_up()) return limit;
   const std::uint32_t used = std::max(progress->micro - before, 1U);
   take(*progress);

@@ -170,6 +170,11 @@ void Cores::deliver(const services::Delivery& delivery) {
   }
 }
 
+void Cores::service_changed(const std::string& service, const std::optional<std::string>& state) {
+  const services::MutexLock lock(mutex_);
+  for (const auto& [number, core] : cores_) core->service_changed(service, state);
+}
+
 void Cores::close() {
   ends_ = true;
   for (const auto& core : all()) core->end();

@@ -61,6 +61,8 @@ class Cores {
 
   /// An event goes to every core that names it, a response to the core whose call it answers.
   void deliver(const services::Delivery& delivery);
+  /// The state of a service is this from now on; nothing: it is not available.
+  void service_changed(const std::string& service, const std::optional<std::string>& state);
   /// No core goes on, and no run becomes one: the server ends.
   void close();
   /// Finishes loads and removals that are under way.

@@ -12,18 +12,18 @@ namespace race::server {
 
 namespace {
 
-struct Moment {
+struct AskedMoment {
   std::uint64_t step;
   int micro;
 };
 
 /// The query's `step` and, if it is there, `micro`; else the end of the macro step.
-Expected<Moment> moment_of(const Request& request) {
+Expected<AskedMoment> moment_of(const Request& request) {
   constexpr int kEnd = std::numeric_limits<int>::max();
   ASSIGN_OR_RETURN(const std::optional<std::int64_t> step, query_number(request, "step", {1, kEnd}));
   ASSIGN_OR_RETURN(const std::optional<std::int64_t> micro, query_number(request, "micro", {0, kEnd}));
   if (!step) return unexpected(ErrorCode::missing, "which macro step? ?step=7", "step");
-  return Moment{static_cast<std::uint64_t>(*step), static_cast<int>(micro.value_or(kEnd))};
+  return AskedMoment{static_cast<std::uint64_t>(*step), static_cast<int>(micro.value_or(kEnd))};
 }
 
 }  // namespace

@@ -22,6 +22,7 @@ Expected<std::string> write(const Request& request, Runs& runs, Samples& samples
   file.document = document_of(file.record, documents);
   ASSIGN_OR_RETURN(file.services, services_of(file.record.id, runs));
   ASSIGN_OR_RETURN(file.samples, samples.read(file.record.id));
+  ASSIGN_OR_RETURN(file.timing, timing_of(file.record.id, runs));
   return write_run_file(file);
 }
 

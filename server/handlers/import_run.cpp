@@ -28,7 +28,7 @@ Checked<SoundFile> read(const std::string& text, const Stop& stop) {
 Handled store(const SoundFile& sound, Runs& runs, Samples& samples) {
   const auto& [file, checkpoints] = sound;
   const Runs::NewRun run{file.record.document, file.record.revision, file.journal.header, file.services};
-  const auto record = runs.import(file.record, run, file.journal.entries, checkpoints);
+  const auto record = runs.import(file.record, run, file.journal.entries, checkpoints, file.timing);
   if (!record) return failed(record.error());
   if (auto stored = samples.append(record->id, file.samples); !stored) {
     std::ignore = runs.remove(record->id);  // whole or not at all

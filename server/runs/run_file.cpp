@@ -124,6 +124,24 @@ std::vector<Sample> read_samples(Fields& file, Errors& errors) {
   return samples;
 }
 
+/// What is said of times, which follows from nothing else.
+std::vector<TimingBlock> read_timing_blocks(Fields& file, std::uint64_t steps, Errors& errors) {
+  std::vector<TimingBlock> blocks;
+  const List& list = file.list("timing");
+  if (list.size() > TimingBlock::kMostBlocks) {
+    file.violation(ErrorCode::too_large, "at most " + std::to_string(TimingBlock::kMostBlocks) + " blocks", "timing");
+    return blocks;
+  }
+  for (const Value& json : list) {
+    const std::string path = "timing/" + std::to_string(blocks.size());
+    blocks.push_back(read_timing(json, path, errors));
+    if (!blocks.back().steps.empty() && blocks.back().last() > steps)
+      add_error(errors,
+                {ErrorCode::out_of_range, "the run has " + std::to_string(steps) + " macro steps", path + "/first"});
+  }
+  return blocks;
+}
+
 /// Budgets beyond ours would let a file keep a thread busy.
 Expected<void> check_budgets(const semantics::Budgets& budgets) {
   const semantics::Budgets ours;
@@ -223,7 +241,13 @@ Expected<std::string> write_run_file(const RunFile& file) {
   if (file.document) json.set("document", *file.document);
   json.set("services", std::move(services));
   json.set("samples", samples_json(file.samples));
-  return bounded_text(json);
+  if (file.timing.empty()) return bounded_text(json);
+  Dict with_times = json;
+  List timing;
+  for (const TimingBlock& block : file.timing) timing.push_back(timing_json(block));
+  with_times.set("timing", std::move(timing));
+  auto text = bounded_text(with_times);
+  return text ? text : bounded_text(json);
 }
 
 bool is_run_file(const Value& json) { return json.find("journal") != nullptr || json.find("run") != nullptr; }
@@ -253,6 +277,7 @@ Checked<RunFile> read_run_file(const Value& json, std::map<std::uint64_t, std::s
       append_below(errors, std::move(document).error(), "document");
   file.services = read_services(fields, errors);
   file.samples = read_samples(fields, errors);
+  file.timing = read_timing_blocks(fields, file.record.steps, errors);
   fields.close();
   if (journal) {
     auto read = execution::read_journal(*journal);

@@ -39,6 +39,9 @@ Expected<execution::Journal> journal_of(const RunRecord& run, Runs& runs);
 Expected<execution::Journal> journal_of(RunId run, execution::JournalHeader header, std::uint64_t steps, Runs& runs);
 /// The RSMs of a stored run. Errors: those of Runs; `corrupt`, at `services/KEY`: one of them is no RSM.
 Expected<std::map<std::string, rsm::Service>> services_of(RunId run, Runs& runs);
+/// All that is known of the times of a stored run; nothing if that is more than a file has room for. Errors: those of
+/// Runs.
+Expected<std::vector<TimingBlock>> timing_of(RunId run, Runs& runs);
 
 struct RunFile {
   RunRecord record;
@@ -46,9 +49,10 @@ struct RunFile {
   std::optional<Value> document;                 // schemas/document.json; none: that revision is not kept any more
   std::map<std::string, rsm::Service> services;  // the RSMs
   std::vector<Sample> samples;
+  std::vector<TimingBlock> timing;  // none is written if there is no room
 };
 
-/// The text. Error `too_large`.
+/// The text; without times if there is no room for them. Error `too_large`.
 Expected<std::string> write_run_file(const RunFile& file);
 
 /// Reads what write_run_file wrote, and holds it against itself: the journal against its chain, and the record against

@@ -6,6 +6,7 @@
 
 #include "core/execution/compare.h"
 #include "core/execution/journal_walk.h"
+#include "core/execution/why.h"
 #include "server/execution/past_json.h"
 #include "server/runs/run_json.h"
 
@@ -22,6 +23,16 @@ Expected<execution::JournalWalk> walk_from(Runs& runs, const RunRecord& run, std
   execution::Replay replay(std::move(header), source);
   ASSIGN_OR_RETURN(execution::Execution execution, replay.after(from - 1, stop));
   return execution::JournalWalk(std::move(execution), source, run.steps);
+}
+
+/// Of a run of which there is macro step `step`; 0 is the last one, as `step` is then.
+Expected<execution::Replay> replay_of(Runs& runs, RunId id, std::uint64_t& step) {
+  ASSIGN_OR_RETURN(const RunRecord run, runs.get(id));
+  if (step == 0) step = run.steps;
+  if (step < 1 || step > run.steps)
+    return unexpected(ErrorCode::out_of_range, "there are macro steps 1 to " + std::to_string(run.steps), "step");
+  ASSIGN_OR_RETURN(execution::JournalHeader header, runs.header(id));
+  return execution::Replay(std::move(header), runs.source(id));
 }
 
 }  // namespace
@@ -48,12 +59,14 @@ Expected<Value> run_derivations(Runs& runs, RunId id, std::uint64_t from, std::u
 }
 
 Expected<Value> run_past(Runs& runs, RunId id, std::uint64_t step, int micro, const std::atomic<bool>* stop) {
-  ASSIGN_OR_RETURN(const RunRecord run, runs.get(id));
-  if (step < 1 || step > run.steps)
-    return unexpected(ErrorCode::out_of_range, "there are macro steps 1 to " + std::to_string(run.steps), "step");
-  ASSIGN_OR_RETURN(execution::JournalHeader header, runs.header(id));
-  execution::Replay replay(std::move(header), runs.source(id));
-  return past_json(replay, step, micro, stop);
+  ASSIGN_OR_RETURN(execution::Replay replay, replay_of(runs, id, step));
+  return past_json(replay, step, micro, {runs, id, {}}, stop);
+}
+
+Expected<Value> run_why(Runs& runs, RunId id, const std::string& port, std::uint64_t step, int micro,
+                        const std::atomic<bool>* stop) {
+  ASSIGN_OR_RETURN(execution::Replay replay, replay_of(runs, id, step));
+  return execution::why_before(replay, port, step, micro, stop);
 }
 
 Expected<Value> compare_runs(Runs& runs, RunId first, RunId second, std::uint64_t from, std::uint64_t most,

@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <string>
 
 #include "core/execution/replay.h"
 #include "core/value/expected.h"
@@ -25,6 +26,11 @@ Expected<Value> run_derivations(Runs& runs, RunId id, std::uint64_t from, std::u
 /// schemas/past.json of the moment after micro step `micro` of macro step `step`, or of its end if it has fewer.
 /// Errors: as run_derivations.
 Expected<Value> run_past(Runs& runs, RunId id, std::uint64_t step, int micro, const std::atomic<bool>* stop = nullptr);
+
+/// schemas/why.json of a port, as things were before micro step `micro` of macro step `step`, or at the end of it if it
+/// has fewer; `step` 0: the last one. Errors: as run_derivations; `not_found`: there was no such port.
+Expected<Value> run_why(Runs& runs, RunId id, const std::string& port, std::uint64_t step, int micro,
+                        const std::atomic<bool>* stop = nullptr);
 
 /// schemas/run_comparison.json of two runs, from macro step `from` on (from 1), at most `most` macro steps. Errors: as
 /// run_derivations; `out_of_range`: one of them is shorter than `from`.

@@ -43,4 +43,18 @@ Expected<std::map<std::string, rsm::Service>> services_of(RunId run, Runs& runs)
   return services;
 }
 
+Expected<std::vector<TimingBlock>> timing_of(RunId run, Runs& runs) {
+  constexpr std::size_t kStep = 8, kChange = 30;  // bytes of text, at least
+  std::vector<TimingBlock> blocks;
+  std::size_t bytes = 0;
+  const auto read = runs.timing(run, 0, {}, [&](const TimingBlock& block) {
+    bytes += kStep * block.steps.size() + kChange * block.services.size();
+    blocks.push_back(block);
+    return bytes <= kRunFileLimits.bytes;
+  });
+  if (!read) return tl::unexpected(read.error());
+  if (bytes > kRunFileLimits.bytes) blocks.clear();
+  return blocks;
+}
+
 }  // namespace race::server

@@ -13,6 +13,7 @@
 #include "server/store/run_checkpoints.h"
 #include "server/store/run_entries.h"
 #include "server/store/run_row.h"
+#include "server/store/run_timing.h"
 #include "services/failures.h"
 #include "services/sqlite/file.h"
 #include "services/sqlite/write_transaction.h"
@@ -51,6 +52,7 @@ class Batch {
     for (const PreparedRecord* each : records_) {
       if (each->entry) write_entry(statements, run.id, *each->entry);
       if (each->checkpoint) write_checkpoint(statements, run.id, *each->checkpoint);
+      if (each->timing) write_timing(statements, run.id, *each->timing);
     }
     if (any(&PreparedRecord::checkpoint)) thin_checkpoints(statements, run);
     return {};

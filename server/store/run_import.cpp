@@ -14,6 +14,7 @@
 #include "server/store/run_removal.h"
 #include "server/store/run_row.h"
 #include "server/store/run_texts.h"
+#include "server/store/run_timing.h"
 #include "server/store/runs.h"
 #include "services/sqlite/file.h"
 #include "services/sqlite/write_transaction.h"
@@ -26,17 +27,20 @@ struct Runs::Import {
   RunTexts texts;
   std::vector<EntryRow> entries;
   std::vector<CheckpointRow> checkpoints;
+  std::vector<TimingRow> timing;
 };
 
 Expected<RunRecord> Runs::import(RunRecord record, const NewRun& run,
                                  const std::vector<execution::JournalEntry>& entries,
-                                 const std::map<std::uint64_t, std::string>& checkpoints) {
-  Import import{.record = std::move(record), .texts = {}, .entries = {}, .checkpoints = {}};
+                                 const std::map<std::uint64_t, std::string>& checkpoints,
+                                 const std::vector<TimingBlock>& timing) {
+  Import import{.record = std::move(record), .texts = {}, .entries = {}, .checkpoints = {}, .timing = {}};
   import.texts = describe(run, import.record);
   import.record.imported = true;
   import.record.steps = 0;
   import.record.bytes = 0;
   for (const execution::JournalEntry& entry : entries) import.entries.push_back(append_entry(import.record, entry));
+  for (const TimingBlock& block : timing) import.timing.push_back(timing_row(block));
   ASSIGN_OR_RETURN(import.record.id, begin_import());
   for (const auto& [position, text] : checkpoints) {
     import.record.bytes += text.size();
@@ -68,6 +72,8 @@ Expected<void> Runs::store(Import& import) {
   }
   for (const CheckpointRow& row : import.checkpoints)
     if (done) done = continue_import(run.id, [&](Statements& to) { write_checkpoint(to, run.id, row); });
+  for (const TimingRow& row : import.timing)
+    if (done) done = continue_import(run.id, [&](Statements& to) { write_timing(to, run.id, row); });
   if (!done) return done;
   return continue_import(run.id, [&](Statements& statements) {
     write_texts(statements, run, import.texts);

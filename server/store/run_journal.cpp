@@ -40,6 +40,7 @@ PreparedRecord RunJournal::prepare(const JournalRecord& record, std::uint64_t mo
       prepared.checkpoint = checkpoint_row(next.id, next.steps, std::move(text));
     }
   }
+  if (record.timing) prepared.timing = timing_row(*record.timing);
   if (record.end) end_run(next, *record.end);
   prepared.run = next;
   std::swap(record_, next);

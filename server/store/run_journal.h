@@ -14,6 +14,7 @@
 #include "server/store/disk_watch.h"
 #include "server/store/run_checkpoints.h"
 #include "server/store/run_entries.h"
+#include "server/store/run_timing.h"
 #include "server/store/runs.h"
 
 namespace race::server {
@@ -31,6 +32,7 @@ struct JournalRecord {
   std::optional<execution::JournalEntry> entry = {};
   std::optional<Value> checkpoint = {};  // schemas/checkpoint.json, frozen
   std::optional<RunEnd> end = {};
+  std::optional<TimingBlock> timing = {};  // only with one of these
   /// Alone: why the run does not go on. When all before is stored, its journal fails with this.
   std::optional<Error> failure = {};
 };
@@ -40,6 +42,7 @@ struct PreparedRecord {
   std::uint64_t ticket = 0;
   std::optional<EntryRow> entry;
   std::optional<CheckpointRow> checkpoint;
+  std::optional<TimingRow> timing;
   RunRecord run;         // after it
   bool is_full = false;  // before it
   std::optional<Error> failure;

@@ -1,7 +1,7 @@
-// Removal of a run: its row goes first, and with it the run; its entries, checkpoints and samples follow in short
-// transactions, as the journals of other runs wait for each. The table `removal` names the runs of which something may
-// be left, so that a removal that was interrupted is finished when the store is opened. A run that is imported is named
-// there until it is whole.
+// Removal of a run: its row goes first, and with it the run; its entries, checkpoints, samples and times follow in
+// short transactions, as the journals of other runs wait for each. The table `removal` names the runs of which
+// something may be left, so that a removal that was interrupted is finished when the store is opened. A run that is
+// imported is named there until it is whole.
 //
 // Threads: those of the connection. All may throw SQLite::Exception.
 #pragma once

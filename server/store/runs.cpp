@@ -14,6 +14,7 @@
 #include "server/store/run_removal.h"
 #include "server/store/run_row.h"
 #include "server/store/run_texts.h"
+#include "server/store/run_timing.h"
 #include "server/store/schema.h"
 #include "services/sqlite/file.h"
 #include "services/sqlite/write_transaction.h"
@@ -21,7 +22,7 @@
 namespace race::server {
 namespace {
 
-constexpr std::int64_t kMostSampleBytes = std::int64_t{1} << 28U;  // of a run; more is damage
+constexpr std::int64_t kMostOtherBytes = std::int64_t{1} << 29U;  // samples and times of a run; more is damage
 
 using execution::JournalEntry;
 using execution::JournalHeader;
@@ -205,6 +206,37 @@ Expected<std::vector<std::uint64_t>> Runs::checkpoints(RunId id) try {
   return failure(exception, "cannot read runs");
 }
 
+// What has been stored since is among the recent ones.
+Expected<void> Runs::timing(RunId id, std::uint64_t from, const std::vector<TimingBlock>& recent,
+                            const std::function<bool(const TimingBlock&)>& take) try {
+  bool more = true;
+  {
+    const services::MutexLock lock(mutex_);
+    const auto read = read_timing_rows(*file_, id, from, [&](const TimingBlock& block) {
+      if (!recent.empty() && block.ends > recent.front().begins) return false;
+      return more = take(block);
+    });
+    if (!read) return read;
+  }
+  for (const TimingBlock& block : recent)
+    if (more) more = take(block);
+  return {};
+} catch (const SQLite::Exception& exception) {
+  return failure(exception, "cannot read runs");
+}
+
+Expected<void> Runs::add_timing(RunId id, const TimingBlock& block) try {
+  const TimingRow row = timing_row(block);
+  const services::MutexLock lock(mutex_);
+  sqlite::WriteTransaction transaction(*file_);
+  if (!find_row(*file_, id)) return {};
+  write_timing(statements_, id, row);
+  transaction.commit();
+  return {};
+} catch (const SQLite::Exception& exception) {
+  return failure(exception, "cannot store times");
+}
+
 std::shared_ptr<execution::JournalSource> Runs::source(RunId id) { return std::make_shared<StoredJournal>(*this, id); }
 
 Expected<void> Runs::set_status(RunId id, const std::string& status) try {
@@ -223,9 +255,10 @@ Expected<void> Runs::set_status(RunId id, const std::string& status) try {
 Expected<std::vector<std::pair<RunId, std::uint64_t>>> Runs::sizes() try {
   const services::MutexLock lock(mutex_);
   SQLite::Statement select(*file_, "SELECT " + std::string(kRunColumns) +
-                                       ", coalesce((SELECT bytes FROM sampling WHERE run = id), 0) FROM run"
+                                       ", coalesce((SELECT bytes FROM sampling WHERE run = id), 0) +"
+                                       " coalesce((SELECT sum(bytes) FROM timing WHERE run = id), 0) FROM run"
                                        " WHERE status IN ('ended', 'faulted', 'aborted') OR imported ORDER BY id DESC");
-  const int sampled = 17;  // the column after those of read_row()
+  const int others = 17;  // the column after those of read_row()
   std::vector<std::pair<RunId, std::uint64_t>> found;
   while (select.executeStep()) {
     const auto run = read_row(select);
@@ -234,7 +267,7 @@ Expected<std::vector<std::pair<RunId, std::uint64_t>>> Runs::sizes() try {
       found.emplace_back(select.getColumn(0).getInt64(), 0);
       continue;
     }
-    const std::int64_t bytes = std::clamp<std::int64_t>(select.getColumn(sampled).getInt64(), 0, kMostSampleBytes);
+    const std::int64_t bytes = std::clamp<std::int64_t>(select.getColumn(others).getInt64(), 0, kMostOtherBytes);
     found.emplace_back(run->id, run->bytes + static_cast<std::uint64_t>(bytes));
   }
   return found;

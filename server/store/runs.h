@@ -20,6 +20,7 @@
 #include "core/rsm/model.h"
 #include "core/value/expected.h"
 #include "server/store/statements.h"
+#include "server/store/timing.h"
 #include "services/mutex.h"
 #include "services/sqlite/digest.h"
 
@@ -87,10 +88,12 @@ class Runs {
   /// The same run with another header: another model was loaded, or other arguments. Requires that it has not begun.
   Expected<RunRecord> replace(RunId id, const NewRun& run) EXCLUDES(mutex_);
   /// An executed run, whole: checked before by execution::read_journal. Gets a new number. `checkpoints`: position ->
-  /// text. Stored in short transactions, between which others write; the run is there after the last one. What a
-  /// failure leaves is removed when the store is opened. Error `conflict`: a backup was restored meanwhile.
+  /// text; `timing`: what is known of its times. Stored in short transactions, between which others write; the run is
+  /// there after the last one. What a failure leaves is removed when the store is opened. Error `conflict`: a backup
+  /// was restored meanwhile.
   Expected<RunRecord> import(RunRecord record, const NewRun& run, const std::vector<execution::JournalEntry>& entries,
-                             const std::map<std::uint64_t, std::string>& checkpoints = {}) EXCLUDES(mutex_);
+                             const std::map<std::uint64_t, std::string>& checkpoints = {},
+                             const std::vector<TimingBlock>& timing = {}) EXCLUDES(mutex_);
   /// `imported` is called after each import, on its thread; nothing: nobody. Not during an import.
   void on_import(std::function<void()> imported) EXCLUDES(mutex_);
 
@@ -112,18 +115,25 @@ class Runs {
   Expected<Value> checkpoint(RunId id, std::uint64_t position) EXCLUDES(mutex_);
   /// Positions of all checkpoints of a run, in order.
   Expected<std::vector<std::uint64_t>> checkpoints(RunId id) EXCLUDES(mutex_);
+  /// Shows what is known of the times of a run to `take`, in order, from the block on that has macro step `from`, until
+  /// it says false; `take` must be quick, and not use this. `recent`: what was not stored yet when it was read, before
+  /// this (TimingRecorder::blocks).
+  Expected<void> timing(RunId id, std::uint64_t from, const std::vector<TimingBlock>& recent,
+                        const std::function<bool(const TimingBlock&)>& take) EXCLUDES(mutex_);
+  /// The next of the times of a run. Nothing is kept of a run that is not there.
+  Expected<void> add_timing(RunId id, const TimingBlock& block) EXCLUDES(mutex_);
   /// For a Replay. The run outlives it or its questions are answered `not_found`; Runs outlives it.
   std::shared_ptr<execution::JournalSource> source(RunId id);
 
   /// Of a run that a crash or a failing disk has interrupted. `interrupted` changes none that is over: who rebuilds a
   /// run may be late.
   Expected<void> set_status(RunId id, const std::string& status) EXCLUDES(mutex_);
-  /// What each run that is over, or was imported, holds: bytes of its entries, checkpoints and samples. The newest
-  /// first.
+  /// What each run that is over, or was imported, holds: bytes of its entries, checkpoints, samples and times. The
+  /// newest first.
   Expected<std::vector<std::pair<RunId, std::uint64_t>>> sizes() EXCLUDES(mutex_);
-  /// The run, its journal, its samples and what no other run shares; also of one that is damaged. The run goes at once,
-  /// durably; the rest in short transactions, between which others write. What a failure leaves of the rest is removed
-  /// when the store is opened. `not_found`.
+  /// The run, its journal, its samples, its times and what no other run shares; also of one that is damaged. The run
+  /// goes at once, durably; the rest in short transactions, between which others write. What a failure leaves of the
+  /// rest is removed when the store is opened. `not_found`.
   Expected<void> remove(RunId id) EXCLUDES(mutex_);
 
  private:

@@ -72,9 +72,17 @@ void add_breakpoints(SQLite::Database& file) {
       " text TEXT NOT NULL, digest BLOB NOT NULL, PRIMARY KEY (document, author)) WITHOUT ROWID");
 }
 
-constexpr std::array<sqlite::Migration, 8> kMigrations = {
-    give_document_ids, add_runs,  add_revisions,         add_boot,
-    add_removals,      add_edits, add_removed_documents, add_breakpoints};
+// 9: the times of runs (run_timing.h). number: from 1, in order of time; last: the last macro step that a block has a
+// time of; text: an item of api/schemas/timing_block.json; bytes: of it.
+void add_timing(SQLite::Database& file) {
+  file.exec(
+      "CREATE TABLE timing (run INTEGER NOT NULL, number INTEGER NOT NULL, last INTEGER NOT NULL,"
+      " bytes INTEGER NOT NULL, text TEXT NOT NULL, digest BLOB NOT NULL, PRIMARY KEY (run, number)) WITHOUT ROWID");
+}
+
+constexpr std::array<sqlite::Migration, 9> kMigrations = {
+    give_document_ids,     add_runs,        add_revisions, add_boot, add_removals, add_edits,
+    add_removed_documents, add_breakpoints, add_timing};
 
 }  // namespace
 

@@ -255,6 +255,37 @@ TEST_F(FilesOfStoredRuns, NameAnRsmThatCannotBeRead) {
   EXPECT_EQ(read.error().path, "services/t");
 }
 
+TimingBlock timing_of_two() {
+  TimingBlock block;
+  block.steps = {{10, {}}, {20, Arrival{15, {1, Moment::kEnd}}}};
+  block.since = {0, 0};
+  block.until = {2, Moment::kEnd};
+  block.services = {{5, "t", "Idle"}};
+  return block;
+}
+
+TEST(RunFiles, HaveTheTimesOfTheirRun) {
+  RunFile file = file_of(counting({1}));
+  EXPECT_EQ(json_of(file).find("timing"), nullptr);
+  file.timing = {timing_of_two()};
+  EXPECT_EQ(read_run_file(json_of(file))->timing, file.timing);
+  EXPECT_EQ(refusal_of(changed(json_of(file), "timing/0/first", 2)),
+            (std::pair(ErrorCode::out_of_range, std::string("timing/0/first"))));
+  EXPECT_EQ(refusal_of(changed(json_of(file), "timing/0/steps", "x")).second, "timing/0/steps");
+  file.timing.resize(TimingBlock::kMostBlocks + 1, file.timing[0]);
+  EXPECT_EQ(refusal_of(json_of(file)), (std::pair(ErrorCode::too_large, std::string("timing"))));
+}
+
+TEST(RunFiles, LeaveTimesOutForWhichThereIsNoRoom) {
+  RunFile file = file_of(counting({1}));
+  file.timing = {timing_of_two()};
+  const std::size_t bytes = write_run_file(file)->size();
+  file.record.document = "task" + std::string(kRunFileLimits.bytes - bytes, 'x');
+  EXPECT_NE(json_of(file).find("timing"), nullptr);
+  file.record.document += 'x';
+  EXPECT_EQ(json_of(file).find("timing"), nullptr);
+}
+
 TEST(RunFiles, HaveABound) {
   RunFile file = file_of(counting({1}));
   Value pose = Dict{{"time", 0.2}, {"joints", Dict()}, {"bodies", Dict()}, {"hands", std::string(15 << 20, 'x')}};
