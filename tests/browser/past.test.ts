@@ -41,7 +41,7 @@ const meeting = {
 
 const banner = () => page.getByRole("region", { name: "Past" });
 const moment = () => new URL(page.url()).searchParams.get("at");
-const digest = () => page.getByRole("region", { name: "Moment" }).locator("dd code").getAttribute("title");
+const digest = () => page.getByRole("region", { name: "Moment" }).locator("dd code").first().getAttribute("title");
 const isActive = (path: string) => page.getByRole("treeitem", { name: path, exact: true }).getAttribute("data-active");
 /** Names of the active states and barriers, of the drawing and of the tree. */
 const active = async () => {
@@ -122,11 +122,13 @@ describe("going back", () => {
     await page.emulateMedia({ colorScheme: "light" });
   });
 
-  it("shows values, open calls, and why a port did not fire then", async () => {
+  it("shows values, what waited, open calls, and why a port did not fire then", async () => {
     await page.goto(`${fixture.url}/pro/?run=${id}&at=1.99`);
     await settled(page);
     const calls = page.getByRole("region", { name: "Open calls" });
     await soon(async () => (await calls.getByRole("listitem").allInnerTexts()).map((text) => text.replace(/\s+/g, " "))).toEqual(["timer.wait call 1 by Root/A", "timer.wait call 2 by Root/B"]);
+    const waiting = page.getByRole("region", { name: "Inputs waiting" });
+    await soon(async () => (await waiting.getByRole("listitem").allInnerTexts()).map((text) => text.replace(/\s+/g, " "))).toEqual([expect.stringMatching(/^response timer\.wait → .* delivered in step 2$/)]);
     await page.getByRole("button", { name: "Select Root", exact: true }).click();
     const values = page.getByRole("region", { name: "Variables" });
     await soon(() => values.innerText()).toMatch(/met\s+0/);

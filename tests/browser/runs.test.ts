@@ -33,7 +33,7 @@ async function runToEnd(document: string): Promise<CoreJson> {
 
 const banner = () => page.getByRole("region", { name: "Past" });
 const moment = () => new URL(page.url()).searchParams.get("at");
-const digest = () => page.getByRole("region", { name: "Moment" }).locator("dd code").getAttribute("title");
+const digest = () => page.getByRole("region", { name: "Moment" }).locator("dd code").first().getAttribute("title");
 const activeIn = (of: Page) => of.locator('[role="treeitem"][data-active="true"]').evaluateAll((all) => all.map((each) => each.getAttribute("data-path")).join(" "));
 const list = () => page.getByRole("list", { name: "Stored runs" });
 const status = () => page.getByRole("status", { name: "Run status" }).locator("strong").innerText();

@@ -46,13 +46,17 @@ describe("the time line", () => {
     await page.goto(`${fixture.url}/pro/?run=${long}`);
     await settled(page);
     await page.getByRole("tab", { name: "Time line" }).click();
-    const states = page.getByRole("list", { name: "States over macro steps" });
+    const states = page.getByRole("list", { name: "States over time" });
     await soon(() => states.getByRole("button").allInnerTexts()).toEqual(["Root", "Wait"]);
-    expect(await states.getByRole("img").nth(1).getAttribute("aria-label")).toMatch(/^Root\/Wait: active from step 1/);
-    const calls = page.getByRole("list", { name: "Calls over macro steps" });
-    expect((await calls.getByRole("button").allInnerTexts()).every((text) => text === "timer.wait(0.03)")).toBe(true);
-    expect(await calls.getByRole("listitem").count()).toBe(4);
-    const plot = page.getByRole("img", { name: "Root.res.n over macro steps" });
+    expect(await states.getByRole("img").nth(1).getAttribute("aria-label")).toMatch(/^Root\/Wait: active from step 1 to 5 \(0\.\d{3} s\)/);
+    const calls = page.getByRole("list", { name: "Calls over time" });
+    const rows = await calls.getByRole("button").allInnerTexts();
+    expect(rows.map((text) => text.split(/\s+/)[0])).toEqual(Array(4).fill("timer.wait(0.03)"));
+    for (const seconds of rows.map((text) => Number.parseFloat(text.split(/\s+/)[1] ?? ""))) {
+      expect(seconds).toBeGreaterThanOrEqual(0.029);
+      expect(seconds).toBeLessThan(5);
+    }
+    const plot = page.getByRole("img", { name: "Root.res.n over time" });
     await soon(() => plot.locator("canvas").count()).toBe(1);
     await settled(page);
     expect(await findings(page)).toEqual([]);
@@ -61,6 +65,35 @@ describe("the time line", () => {
     await soon(() => findings(page)).toEqual([]);
     await fixture.screenshot("timeline-dark");
     await page.emulateMedia({ colorScheme: "light" });
+  });
+
+  it("has the states of the services of the run", async () => {
+    await fixture.send("PUT", "/documents/stored", { rcm: 1, name: "stored", root: { state: "Root", entry: "svc.db.put('a', 1)", ports: [{ name: "done", when: "svc.db.put.result or svc.db.put.error" }] } });
+    const { id } = (await fixture.send("POST", "/cores", { document: "stored" })) as { readonly id: string };
+    await fixture.send("POST", `/cores/${id}/start`);
+    await soon(async () => ((await fixture.send("GET", `/cores/${id}`)) as { readonly status: string }).status).toBe("ended");
+    await page.goto(`${fixture.url}/pro/?run=${id}`);
+    await settled(page);
+    await page.getByRole("tab", { name: "Time line" }).click();
+    const services = page.getByRole("list", { name: "States of services over time" });
+    await soon(() => services.getByRole("button").allInnerTexts()).toEqual(["db"]);
+    expect(await services.getByRole("img").getAttribute("aria-label")).toMatch(/^db: \w+ for \d/);
+    await page.goto(`${fixture.url}/pro/?run=${long}`);
+    await settled(page);
+    await page.getByRole("tab", { name: "Time line" }).click();
+  });
+
+  it("counts seconds or macro steps, as the address says", async () => {
+    const axis = page.getByRole("combobox", { name: "Axis" });
+    expect(await axis.inputValue()).toBe("seconds");
+    await axis.selectOption("macro steps");
+    await page.getByRole("list", { name: "States over macro steps" }).waitFor();
+    expect(new URL(page.url()).searchParams.get("axis")).toBe("steps");
+    await page.reload();
+    await settled(page);
+    await page.getByRole("tab", { name: "Time line" }).click();
+    await page.getByRole("img", { name: "Root.res.n over macro steps" }).waitFor();
+    await fixture.screenshot("timeline-steps");
   });
 
   it("leads by a click to that macro step", async () => {
@@ -78,12 +111,24 @@ describe("the time line", () => {
     await soon(moment).toMatch(/^3\./);
   });
 
+  it("leads there also by seconds", async () => {
+    await page.getByRole("combobox", { name: "Axis" }).selectOption("seconds");
+    const bar = page.getByRole("list", { name: "States over time" }).getByRole("img").first();
+    await bar.waitFor();
+    const box = await bar.boundingBox();
+    await bar.click({ position: { x: 2, y: 5 } });
+    await soon(moment).toMatch(/^1\./);
+    await bar.click({ position: { x: (box?.width ?? 0) / 2, y: 5 } });
+    await soon(() => moment() ?? "present").not.toMatch(/^1\./);
+  });
+
   it("gives the values as a file", async () => {
     const [file] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Values as CSV" }).click()]);
     expect(file.suggestedFilename()).toBe(`run-${long}.csv`);
     const rows = (await textOf(file)).trim().split("\r\n").map((row) => row.split(","));
     const n = rows[0]?.indexOf("Root.res.n") ?? -1;
-    expect(rows[0]?.slice(0, 2)).toEqual(["step", "input"]);
+    expect(rows[0]?.slice(0, 3)).toEqual(["step", "input", "seconds"]);
+    expect(rows.slice(1).every((row) => /^\d+(\.\d+)?$/.test(row[2] ?? ""))).toBe(true);
     expect(rows.slice(1).map((row) => row[n])).toEqual(expect.arrayContaining(["0", "1", "2", "3", "4"]));
   });
 

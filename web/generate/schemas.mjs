@@ -46,6 +46,7 @@ export const kRead = [
   "stream_message.json#/$defs/envelope",
   "stream_message.json#/$defs/log_entries",
   "stream_message.json#/$defs/services_delta",
+  "timing.json",
   "why.json",
 ];
 

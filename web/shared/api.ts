@@ -29,6 +29,7 @@ import type {
   Scene,
   ServerError,
   StepRequest,
+  Timing,
   TraceStep,
   Why,
 } from "../generated/messages";
@@ -197,10 +198,12 @@ export function createApi(base: string, fetcher: typeof fetch) {
     runModel: async (id: string): Promise<RcmDocument> => readNative(await get(`/runs/${segment(id)}/native`, schema.native)),
     /** Where everything in the cell was while it ran. */
     samples: async (id: string): Promise<Samples> => (await get(`/runs/${segment(id)}/samples`, schema.runSamples)).samples,
+    /** When macro steps began, and which states services had. */
+    timing: (id: string, from: number, to: number): Promise<Timing> => get(`/runs/${segment(id)}/timing?from=${from}&to=${to}`, schema.timing),
     journal: (id: string): Promise<Journal> => get(`/runs/${segment(id)}/journal`, schema.journal),
     /** As things are now, or as they were before a past micro step. */
-    why: (id: string, port: string, before?: MicroStep): Promise<Why> =>
-      get(`/cores/${segment(id)}/why?port=${segment(port)}${before === undefined ? "" : `&step=${before.step}&micro=${before.micro}`}`, schema.why),
+    why: (of: RunSource, id: string, port: string, before?: MicroStep): Promise<Why> =>
+      get(`/${of}/${segment(id)}/why?port=${segment(port)}${before === undefined ? "" : `&step=${before.step}&micro=${before.micro}`}`, schema.why),
     cell: (): Promise<Scene> => get("/cell", schema.scene),
     person: (): Promise<Person> => get("/cell/person", schema.person),
     command: (body: PersonCommand): Promise<Person> => request("POST", "/cell/person", schema.person, body),

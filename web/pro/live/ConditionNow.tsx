@@ -24,7 +24,7 @@ function useTruth(core: string | undefined, address: string | undefined, moment:
     if (core === undefined || address === undefined || key === undefined) return;
     askedRef.current = performance.now();
     // A state that has been left meanwhile has nothing to say.
-    api.why(core, address, past).then(({ value }) => setTruth({ of: key, value }), () => setTruth(undefined));
+    api.why("cores", core, address, past).then(({ value }) => setTruth({ of: key, value }), () => setTruth(undefined));
   });
   useEffect(() => {
     if (key === undefined) return;

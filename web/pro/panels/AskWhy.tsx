@@ -1,13 +1,13 @@
 // The server's answers for a selected port: why it does not fire now, and why it fired when it last did.
 import { useEffect, useMemo, useState } from "react";
 import { lastFiring, type MicroStep } from "../../shared/derivation/proof";
-import type { Why } from "../../generated/messages";
+import type { Past, Why } from "../../generated/messages";
 import { momentText } from "../../shared/past/moment";
 import { stateShown, stepsShown, stepsUntil } from "../../shared/past/shown";
 import { inputText } from "../../shared/run/inputText";
 import { constantText } from "../../shared/run/whyText";
 import { isStored } from "../../shared/session/session";
-import { api, useCore, useSession, view } from "../client";
+import { api, sourceOf, useCore, useSession, view } from "../client";
 import { Atoms, WhyView } from "./WhyView";
 import { messageOf } from "../../shared/messageOf";
 
@@ -17,19 +17,19 @@ type Answer = { readonly why: Why } | { readonly failed: string } | undefined;
 /** Asks again when `moment` changes; the previous answer stays until the next one arrives. */
 function useWhy(address: string, moment: unknown, before?: MicroStep): Answer {
   const id = useCore()?.id;
-  const stored = useSession(isStored);
+  const source = useSession(sourceOf);
   const [answer, setAnswer] = useState<Answer>();
   useEffect(() => {
-    if (id === undefined || stored) return;
+    if (id === undefined) return;
     let current = true;
-    api.why(id, address, before).then(
+    api.why(source, id, address, before).then(
       (why) => current && setAnswer({ why }),
       (error: unknown) => current && setAnswer({ failed: messageOf(error) }),
     );
     return () => {
       current = false;
     };
-  }, [id, stored, address, moment, before]);
+  }, [id, source, address, moment, before]);
   return answer;
 }
 
@@ -46,15 +46,16 @@ export function AskWhy({ address }: { readonly address: string }) {
   );
 }
 
+const whenText = (past: Past | undefined, stored: boolean): string => (past !== undefined ? `at step ${momentText(past)}` : stored ? "at the end" : "now");
+
 /** For the state that is shown; a port that has fired is explained by its firing, if that is known. */
 function WhyNow({ address, known }: { readonly address: string; readonly known: boolean }) {
   const past = useSession((s) => s.past?.past);
   const stored = useSession(isStored);
   const answer = useWhy(address, useSession(stateShown), past);
-  if (stored) return <p className="quiet">The server explains ports of runs that a core hosts. What happened in this one is in its derivation.</p>;
   if (answer === undefined) return null;
   if ("failed" in answer) return <p className="quiet">No explanation: {answer.failed}</p>;
-  return answer.why.active && known ? null : <WhyView why={answer.why} then={past && momentText(past)} />;
+  return answer.why.active && known ? null : <WhyView why={answer.why} when={whenText(past, stored)} />;
 }
 
 /** The atoms of its condition as they were when it fired, with the way to the derivation. */

@@ -3,8 +3,8 @@ import type { Why } from "../../generated/messages";
 import { atomAdvice, readsText, truthText, whyHeadline, whySentences } from "../../shared/run/whyText";
 import { CodeText } from "./CodeText";
 
-/** `then`: the moment of the past that it is about. */
-export function WhyView({ why, then }: { readonly why: Why; readonly then?: string | undefined }) {
+/** `when`: the moment that it is about, such as `now`. */
+export function WhyView({ why, when }: { readonly why: Why; readonly when: string }) {
   return (
     <section className="why" aria-label="Why">
       <h3>{whyHeadline(why)}</h3>
@@ -15,8 +15,7 @@ export function WhyView({ why, then }: { readonly why: Why; readonly then?: stri
       ))}
       <Atoms why={why} />
       <p className="quiet">
-        {then === undefined ? "Condition now: " : `Condition at step ${then}: `}
-        <strong>{truthText(why.value)}</strong>
+        Condition {when}: <strong>{truthText(why.value)}</strong>
       </p>
     </section>
   );

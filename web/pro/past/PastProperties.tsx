@@ -1,9 +1,11 @@
-// The moment of the past that is shown, where the properties of the run stand: its status, the newest events, the open calls, and its digest.
+// The moment of the past that is shown, where the properties of the run stand: its status, what waited, the newest events, the open calls, and its digests.
 import type { Core, Past } from "../../generated/messages";
 import { valueText } from "../../shared/model/describe";
 import { momentText } from "../../shared/past/moment";
 import { pastStatus, placeText, shortDigest } from "../../shared/past/texts";
+import { inputText } from "../../shared/run/inputText";
 import { view } from "../client";
+import { visitStep } from "./past";
 
 interface Props {
   readonly core: Core;
@@ -27,11 +29,50 @@ export function PastProperties({ core, past }: Props) {
           <dd>
             <code title={`${past.digest}: equal for equal moments of this run, however they are reached`}>{shortDigest(past.digest)}</code>
           </dd>
+          {past.waiting !== undefined && (
+            <>
+              <dt>Digest of what waited</dt>
+              <dd>
+                <code title={`${past.waiting.digest}: equal if the same inputs waited`}>{shortDigest(past.waiting.digest)}</code>
+              </dd>
+            </>
+          )}
         </dl>
       </section>
+      <Waiting past={past} />
       <OpenCalls past={past} />
       <NewestEvents past={past} />
       <p className="quiet">Select a state, a barrier or a port to see the values that it had.</p>
+    </>
+  );
+}
+
+function Waiting({ past: { waiting } }: { readonly past: Past }) {
+  return (
+    <section aria-label="Inputs waiting">
+      <h3>Inputs waiting</h3>
+      {waiting === undefined && <p className="quiet">What waited then is not known.</p>}
+      {waiting?.count === 0 && <p className="quiet">None: nothing had come that was not delivered yet.</p>}
+      <ul className="past-list">
+        {waiting?.inputs.map(({ input, step }, i) => (
+          <li key={i}>
+            <code>{inputText(input)}</code>
+            <small>{step === undefined ? "not delivered" : <DeliveredIn step={step} />}</small>
+          </li>
+        ))}
+      </ul>
+      {waiting !== undefined && waiting.count > waiting.inputs.length && <p className="quiet">and {waiting.count - waiting.inputs.length} more</p>}
+    </section>
+  );
+}
+
+function DeliveredIn({ step }: { readonly step: number }) {
+  return (
+    <>
+      delivered in{" "}
+      <button type="button" className="link" onClick={() => visitStep(step)}>
+        step {step}
+      </button>
     </>
   );
 }

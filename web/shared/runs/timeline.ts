@@ -1,6 +1,7 @@
 // A run over its macro steps: when its states were active, what it called and how long that took, and the numbers that it had.
 import type { Input, RunState, TraceStep } from "../../generated/messages";
 import { callText } from "../run/inputText";
+import { secondsAt, type Times } from "./times";
 
 /** What a time line keeps of a macro step: its derivation is not. */
 export interface LineStep {
@@ -8,6 +9,8 @@ export interface LineStep {
   readonly input: Input;
   /** What was called in it, as texts by the numbers of the calls. */
   readonly calls: readonly (readonly [call: number, text: string])[];
+  /** Services that were called in it. */
+  readonly called: readonly string[];
   /** Paths that are active after it, in tree order. */
   readonly active: readonly string[];
   /** Numbers that names have after it, as `Root/A.res.width`. */
@@ -49,6 +52,7 @@ function numbersOf(state: RunState | undefined): ReadonlyMap<string, number> {
 
 export const lineStep = ({ step, input, calls, state }: TraceStep): LineStep => ({
   step, input, active: state?.active ?? [], numbers: numbersOf(state),
+  called: calls.map(({ service }) => service),
   calls: calls.flatMap((call) => (call.call === undefined ? [] : [[call.call, callText(call)] as const])),
 });
 
@@ -90,9 +94,10 @@ export const seriesOf = (steps: readonly LineStep[], name: string): readonly (nu
 
 const quoted = (text: string): string => (/[",\n\r]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
 
-/** All numbers that the run had, as comma-separated values (RFC 4180): a row for each macro step. */
-export function csvOf(steps: readonly LineStep[]): string {
+/** All numbers that the run had, as comma-separated values (RFC 4180): a row for each macro step, with the seconds at which it began. */
+export function csvOf(steps: readonly LineStep[], times: Times | undefined): string {
   const names = [...new Set(steps.flatMap(({ numbers }) => [...numbers.keys()]))];
-  const rows = steps.map(({ step, input, numbers }) => [String(step), input.kind, ...names.map((name) => numbers.get(name)?.toString() ?? "")]);
-  return [["step", "input", ...names], ...rows].map((row) => `${row.map(quoted).join(",")}\r\n`).join("");
+  const seconds = (step: number) => (times && secondsAt(times, step))?.toString() ?? "";
+  const rows = steps.map(({ step, input, numbers }) => [String(step), input.kind, seconds(step), ...names.map((name) => numbers.get(name)?.toString() ?? "")]);
+  return [["step", "input", "seconds", ...names], ...rows].map((row) => `${row.map(quoted).join(",")}\r\n`).join("");
 }

@@ -1,7 +1,8 @@
 // The place of the page in its address: `?run=ID` of the run that is shown, `at=STEP.MICRO` of the moment of it, if that is past,
 // `?edit=NAME` of the document that is edited, `page` where another is shown than that of the document or else of the run, `?runs=1` where the
 // stored runs are listed, `versions` if the history of the document is shown, with what is compared (../versions/range.ts), `help` of the topic
-// that is shown, `tour` of the document that the tour builds, `?follow=1` where the drawing of a run follows what becomes active.
+// that is shown, `tour` of the document that the tour builds, `?follow=1` where the drawing of a run follows what becomes active,
+// `axis=steps` if the time line counts macro steps.
 
 export interface Place {
   readonly run?: string | undefined;
@@ -13,13 +14,14 @@ export interface Place {
   readonly tour?: string | undefined;
   readonly page?: string | undefined;
   readonly follow?: string | undefined;
+  readonly axis?: string | undefined;
 }
 
 /** What the query of an address says; an empty entry says nothing. */
 export function placeOfAddress(search: string): Place {
   const query = new URLSearchParams(search);
   const entry = (key: keyof Place) => query.get(key) ?? undefined;
-  return { run: entry("run"), at: entry("at"), edit: entry("edit"), runs: entry("runs"), versions: entry("versions"), help: entry("help"), tour: entry("tour"), page: entry("page"), follow: entry("follow") };
+  return { run: entry("run"), at: entry("at"), edit: entry("edit"), runs: entry("runs"), versions: entry("versions"), help: entry("help"), tour: entry("tour"), page: entry("page"), follow: entry("follow"), axis: entry("axis") };
 }
 
 /** The query with these entries; those that are undefined are taken out of it. */

@@ -38,6 +38,7 @@ const readers: Readonly<Record<string, (value: unknown) => unknown>> = {
   scene: by(schema.scene),
   services: by(schema.services),
   stream_message: readStreamMessage,
+  timing: by(schema.timing),
   why: by(schema.why),
 };
 

@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Input, TraceStep } from "../../generated/messages";
+import { timesOf } from "../../shared/runs/times";
 import { csvOf, lineStep, seriesOf, timelineOf } from "../../shared/runs/timeline";
 
 const state = (active: readonly string[], n: number | string, other = 1) => ({ active, ports: [], activated: {}, parameters: { Root: { other } }, results: {}, variables: { "Root/A": { n } } });
@@ -14,6 +15,7 @@ const steps = [
   step(6, answer(2, { error: "late" }), ["Root", "Root/A"], "none", [call(3)]),
 ].map(lineStep);
 const line = timelineOf(steps);
+const times = timesOf({ steps: [{ step: 1, time: 500 }], services: [], until: 500 });
 
 describe("a time line", () => {
   it("has the spans of each state that was active, as often as it was", () => {
@@ -32,7 +34,7 @@ describe("a time line", () => {
     expect(seriesOf(steps, "Root/A.var.n")).toEqual([1, 2, null]);
   });
   it("is written as comma-separated values, a row for each macro step", () => {
-    expect(csvOf(steps)).toBe("step,input,Root.par.other,Root/A.var.n\r\n4,start,1,1\r\n5,response,1,2\r\n6,response,1,\r\n");
-    expect(csvOf([{ step: 1, input: start, calls: [], active: [], numbers: new Map([['R.par.a"b,c', 0.5]]) }])).toBe('step,input,"R.par.a""b,c"\r\n1,start,0.5\r\n');
+    expect(csvOf(steps, undefined)).toBe("step,input,seconds,Root.par.other,Root/A.var.n\r\n4,start,,1,1\r\n5,response,,1,2\r\n6,response,,1,\r\n");
+    expect(csvOf([{ step: 1, input: start, calls: [], called: [], active: [], numbers: new Map([['R.par.a"b,c', 0.5]]) }], times)).toBe('step,input,seconds,"R.par.a""b,c"\r\n1,start,0,0.5\r\n');
   });
 });
