@@ -59,8 +59,8 @@ export function ZoomControls({ laid, size, movedRef }: Props) {
       <Control label="Zoom In" title={`Zoom in (${keysOf("zoom_in")})`} sign="+" act={() => zoom(kStep)} />
       <Control label="Zoom Out" title={`Zoom out (${keysOf("zoom_out")})`} sign="−" act={() => zoom(1 / kStep)} />
       <Control label="Fit" title={`Show the whole drawing (${keysOf("fit")})`} path="M2 6V2h4M10 2h4v4M14 10v4h-4M6 14H2v-4" act={fitAll} />
-      <Control label="Legend" title="What the signs mean" sign="?" pressed={legend} act={() => showLegend(!legend)} />
-      <Control label="Save as SVG" title="Save the drawing as an SVG file" path="M8 2v8M4.5 6.5L8 10l3.5-3.5M2.5 13.5h11" act={() => saveDrawing(laid)} />
+      <Control label="Legend" title="Legend: what the signs mean" sign="i" pressed={legend} act={() => showLegend(!legend)} />
+      <Control label="Save as SVG" title="Save the drawing as an SVG file" sign="↓" act={() => saveDrawing(laid)} />
     </div>
   );
 }
