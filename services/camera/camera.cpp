@@ -20,10 +20,17 @@ Dict intrinsics_value(const Intrinsics& k) {
   return {{"width", k.width}, {"height", k.height}, {"fx", k.fx}, {"fy", k.fy}, {"cx", k.cx}, {"cy", k.cy}};
 }
 
-services::PacketPtr to_frame(const Measurement& picture, const Intrinsics& intrinsics, services::Time time) {
+Dict pose_value(const world::Pose& pose) {
+  return {{"position", List(pose.position.begin(), pose.position.end())},
+          {"orientation", List(pose.orientation.begin(), pose.orientation.end())}};
+}
+
+services::PacketPtr to_frame(const Measurement& picture, const Intrinsics& intrinsics, const world::Pose& o_t_c,
+                             services::Time time) {
   auto packet = std::make_shared<services::Packet>();
   packet->time = time;
   Dict header = intrinsics_value(intrinsics);
+  header.set("o_t_c", pose_value(o_t_c));
   header.set("encoding", services::kDepthAndColour);
   header.set("time", time);
   packet->header = std::move(header);
@@ -77,7 +84,7 @@ void Camera::take_picture() {
                                     with_cloud = wanted_.contains(kCloud), items = view(world_, mount_.o_t_c)] {
     const Measurement picture = measure(rasterize(items, intrinsics_), seed);
     services::PacketPtr frame, cloud;
-    if (with_frame) frame = to_frame(picture, intrinsics_, time);
+    if (with_frame) frame = to_frame(picture, intrinsics_, mount_.o_t_c, time);
     if (with_cloud) cloud = to_cloud(picture, intrinsics_, time);
     return [this, frame = std::move(frame), cloud = std::move(cloud)] {
       --under_way_;
