@@ -137,6 +137,14 @@ Value to_value(const Incident& incident, const ControlUnit& unit) {
   return data;
 }
 
+Value control_value(const ControlUnit& unit, const Value& collision) {
+  const Operational& operational = unit.behavior().operational;
+  Dict header{{"mode", Value(name(operational.mode))}, {"moving", unit.moving()}};
+  if (operational.mode == Mode::cartesian_impedance && operational.force) header.set("force", *operational.force);
+  if (!collision.is_null()) header.set("collision", collision);
+  return header;
+}
+
 Value to_value(const Refusal& refusal) {
   Dict error{{"code", Value(refusal.code)}, {"message", Value(refusal.message)}};
   if (!refusal.argument.empty()) error.set("argument", Value(refusal.argument));

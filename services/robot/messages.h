@@ -23,6 +23,8 @@ Value to_value(const Joints& joints);
 Value to_value(const RobotState& state);
 /// Data of the event of an incident, which has its signal's name.
 Value to_value(const Incident& incident, const ControlUnit& unit);
+/// Header of a packet of the flow `control`. `collision`: the last one, as its event had it, and its time; null: none.
+Value control_value(const ControlUnit& unit, const Value& collision);
 /// An error response: `code`, `message` and, where there is one, `argument`
 /// and `reaction`.
 Value to_value(const Refusal& refusal);

@@ -6,7 +6,9 @@
 namespace race::robot {
 namespace {
 
-constexpr std::int64_t kStepsPerSample = 10;  // robot_state at 100 Hz
+constexpr std::int64_t kStepsPerSample = 10;    // robot_state at 100 Hz
+constexpr std::int64_t kStepsPerControl = 200;  // packets of `control` at 5 Hz
+constexpr std::string_view kControl = "control";
 
 }  // namespace
 
@@ -94,10 +96,31 @@ void Robot::record_pose(const services::Call& call, const Dict&) {
 
 void Robot::step() {
   world_.set_torques(unit_.control(world_.q(), world_.dq()));
-  for (const Incident& incident : unit_.take_incidents())
-    host().event(name(incident.signal), to_value(incident, unit_));
+  for (const Incident& incident : unit_.take_incidents()) announce(incident);
   if (world_.steps() % kStepsPerSample == 0) host().event("robot_state", to_value(unit_.state()));
+  if (watched_ && world_.steps() % kStepsPerControl == 0) publish_control();
   if (const auto outcome = unit_.take_outcome(); outcome && moving_ != 0) finish_move(*outcome);
+}
+
+void Robot::demand_changed(std::string_view flow, bool on) {
+  if (flow == kControl) watched_ = on;
+}
+
+void Robot::announce(const Incident& incident) {
+  const Value data = to_value(incident, unit_);
+  host().event(name(incident.signal), data);
+  if (incident.signal != Signal::collision) return;
+  Dict collision = data.as_dict();
+  collision.set("time", host().now());
+  collision_ = std::move(collision);
+}
+
+void Robot::publish_control() {
+  auto packet = std::make_shared<services::Packet>();
+  packet->time = host().now();
+  packet->header = control_value(unit_, collision_);
+  packet->header.freeze();
+  host().publish(kControl, std::move(packet));
 }
 
 }  // namespace race::robot

@@ -24,6 +24,7 @@ class Robot final : public services::TableComponent {
 
   static const services::OperationTable& operations();
   void step() override;
+  void demand_changed(std::string_view flow, bool on) override;
 
  private:
   Robot(services::ServiceHost& host, world::World& world, ArmModel arm, unsigned seed);
@@ -36,12 +37,16 @@ class Robot final : public services::TableComponent {
   void record_pose(const services::Call& call, const Dict& arguments);
   Value place() const;
   void finish_move(const std::optional<Refusal>& failure);
+  void announce(const Incident& incident);
+  void publish_control();
 
   world::World& world_;
   world::Clearance clearance_;                              // of the arm without payload
   std::optional<world::Clearance> clearance_with_payload_;  // of the arm and the payload of the last move
   ControlUnit unit_;
   services::CallId moving_ = 0;  // the move that waits for its end; 0: none
+  Value collision_;              // the last one, as the flow `control` tells it; null: none yet
+  bool watched_ = false;         // somebody listens to the flow `control`
 };
 
 }  // namespace race::robot

@@ -319,6 +319,46 @@ TEST_F(RobotService, TellsACollisionAfterItReactedAndAnswersTheMoveWithIt) {
   EXPECT_EQ(host.state(), "Idle");
 }
 
+TEST_F(RobotService, PublishesHowItIsControlledOnlyWhileSomebodyListens) {
+  run(1);
+  EXPECT_THAT(host.packets, testing::IsEmpty());
+  robot->demand_changed("control", true);
+  run(1);
+  ASSERT_EQ(host.packets["control"].size(), 5U);
+  const auto now = [this] { return host.packets["control"].back()->header; };
+  EXPECT_EQ(to_json(now()), R"({"mode":"position","moving":false})");
+  call("change_behavior", R"([{"operational": {"mode": "cartesian_impedance", "limits": {"force": 20}}}])");
+  run(0.2);
+  EXPECT_EQ(now().find("mode")->as_string(), "cartesian_impedance");
+  EXPECT_EQ(now().find("force")->to_double(), 20);
+  call("move", kDownPose);
+  run(0.2);
+  EXPECT_TRUE(now().find("moving")->as_bool());
+  robot->demand_changed("control", false);
+  const auto before = host.packets["control"].size();
+  run(1);
+  EXPECT_EQ(host.packets["control"].size(), before);
+}
+
+TEST_F(RobotService, PublishesTheModeThatAReflexChoseAndTheCollision) {
+  robot->demand_changed("control", true);
+  const CallId id = call("move", R"([{"offset": [0, 0.3, 0]}, {"operational": {"mode": "position"},
+      "reflexes": [{"signal": "collision", "reaction": "gravity_compensation"}]}])");
+  run(0.5);
+  for (int i = 0; i < 100 && !host.answered(id); ++i) {
+    world->push("gripper", {0, -60, 0}, world->pose("tcp").position);
+    run(0.001);
+  }
+  const double felt = host.time;
+  run(0.3);
+  const Value& header = host.packets["control"].back()->header;
+  EXPECT_EQ(header.find("mode")->as_string(), "gravity_compensation");
+  const Value* collision = header.find("collision");
+  ASSERT_NE(collision, nullptr);
+  EXPECT_EQ(collision->find("link")->as_string(), host.events["collision"].find("link")->as_string());
+  EXPECT_NEAR(collision->find("time")->to_double(), felt, 0.002);
+}
+
 TEST_F(RobotService, TellsForceLimitsWallsAndJointLimitsWithWhatTheyAreAbout) {
   const auto interrupted = [&](const char* reflex, const Vec3& force) {
     const CallId id = call("move", R"([{"joints": [0.9, -0.35, 0, 1.6, 0, -2.05, 0]},

@@ -34,6 +34,7 @@ class Recorder final : public ServiceHost {
     ++counts[std::string(name)];
     events[std::string(name)] = std::move(data);
   }
+  void publish(std::string_view flow, PacketPtr packet) override { packets[std::string(flow)].push_back(std::move(packet)); }
   void log(std::string) override {}
 
   /// Calls an operation of `component`; arguments are JSON: a list by position or an object by name. Its call id.
@@ -64,6 +65,7 @@ class Recorder final : public ServiceHost {
   std::map<CallId, Value> results, errors;
   std::map<std::string, Value> events;  // the last data of each
   std::map<std::string, int> counts;
+  std::map<std::string, std::vector<PacketPtr>> packets;
   std::vector<std::string> violations;
 
  private:
