@@ -50,7 +50,7 @@ class DataFlows(unittest.TestCase):
         with Server("--demo", DEMO) as server:
             services = {s["key"]: s for s in server.get("/services", "services")["services"]}
             self.assertEqual({key: [f["flow"] for f in s["publishes"]] for key, s in services.items() if s["publishes"]},
-                             {"camera": ["frame", "cloud"]})
+                             {"camera": ["frame", "cloud"], "robot": ["control"]})
             self.assertEqual({key: s["subscribes"] for key, s in services.items() if s["subscribes"]},
                              {"obj_rec": [{"service": "camera", "flow": "frame", "listening": False}]})
             wait_idle(server)

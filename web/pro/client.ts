@@ -52,7 +52,7 @@ export function listenToStream(listener: StreamListener): { readonly stream: Str
   listeners.add(listener);
   return { stream, end: () => listeners.delete(listener) };
 }
-const flowWatchers = new Map<string, (packet: Packet) => void>();
+const flowWatchers = new Map<string, ReadonlySet<(packet: Packet) => void>>();
 
 /** Shows an error until the user dismisses it. */
 export function problem(error: unknown): void {
@@ -96,7 +96,7 @@ export function connect(): void {
     onMalformed: problem,
     onUpdate: (update) => {
       if (update.type === "cell") cellPose.dispatch(update.pose);
-      else if (update.type === "packet") flowWatchers.get(update.channel)?.(update.packet);
+      else if (update.type === "packet") flowWatchers.get(update.channel)?.forEach((came) => came(update.packet));
       else if (update.type === "derivations") gather(update.id, update.steps);
       else session.dispatchInFrame((frame) => ({ type: "update", update, frame }));
       if (update.type === "derivation_position") void loadPast(update.id, update.next);
@@ -267,12 +267,16 @@ export async function follow(live: boolean): Promise<void> {
   }
 }
 
-/** Watches a data flow; the result ends that. Its service produces packets meanwhile. A flow has at most one watcher here. */
+/** Watches a data flow; the result ends that. Its service produces packets while anybody does. Each call needs a function of its own. */
 export function watchFlow(service: string, flow: string, came: (packet: Packet) => void): () => void {
   const channel = `flow/${service}/${flow}`;
-  flowWatchers.set(channel, came);
-  stream?.subscribe(channel);
+  const others = flowWatchers.get(channel);
+  flowWatchers.set(channel, new Set([...(others ?? []), came]));
+  if (others === undefined) stream?.subscribe(channel);
   return () => {
+    const left = new Set(flowWatchers.get(channel));
+    left.delete(came);
+    if (left.size > 0) return void flowWatchers.set(channel, left);
     flowWatchers.delete(channel);
     stream?.unsubscribe(channel);
   };

@@ -17,13 +17,16 @@ import {
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import URDFLoader, { type URDFRobot } from "urdf-loader";
+import type { Cloud } from "../../shared/cell/cloud";
 import type { Hand } from "../../shared/cell/hand";
 import { looksDifferent } from "../../shared/cell/redraw";
 import type { Body, CellPose, Pose, Shape } from "../../generated/messages";
 import { tokenColour } from "../theme/tokenColour";
+import { CollisionMark } from "./CollisionMark";
 import { Grabbing } from "./Grabbing";
 import { HandLines } from "./HandLines";
 import { FrameThrottle } from "./FrameThrottle";
+import { PointCloud } from "./PointCloud";
 import { Surroundings } from "./Surroundings";
 
 export interface RobotModel {
@@ -60,12 +63,15 @@ export class CellScene {
   private readonly bodies = new Map<string, Object3D>();
   private readonly movable = new Set<string>();
   private readonly hands: HandLines;
+  private readonly collision: CollisionMark;
+  private readonly cloud = new PointCloud();
   /** Mouse and finger. */
   readonly grabbing: Grabbing;
   private robots: URDFRobot[] = [];
   private readonly observer: ResizeObserver;
   private shown: CellPose | undefined;
   private readonly throttle = new FrameThrottle(() => {
+    this.collision.follow(this.camera);
     this.renderer.render(this.scene, this.camera);
     this.hands.placeLabels(this.camera);
   });
@@ -82,6 +88,7 @@ export class CellScene {
     host.append(this.renderer.domElement);
     this.renderer.domElement.setAttribute("aria-label", "3D view of the cell; drag to turn, wheel to zoom, Shift and drag to pull a link or a part; arrows move it, with Shift they turn it, + and − zoom, Home shows it as at first");
     this.hands = new HandLines(host);
+    this.collision = new CollisionMark(host);
     this.grabbing = new Grabbing(this.renderer.domElement, this.camera, this.contents, hand, (holding) => {
       this.controls.enabled = !holding;
     });
@@ -89,8 +96,8 @@ export class CellScene {
     this.controls.target.set(0.25, 0, 0.3);
     this.controls.addEventListener("change", () => this.throttle.request());
     this.surroundings = new Surroundings(this.scene);
-    this.scene.add(this.contents, this.hands.group);
-    this.hands.paint(tokenColour("--hand"));
+    this.scene.add(this.contents, this.hands.group, this.collision.ball, this.cloud.points);
+    this.paintMarks();
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(host);
     this.controls.update();
@@ -116,7 +123,20 @@ export class CellScene {
   /** Takes the colours of the theme that is shown, but for bodies, which have their own. */
   paint(): void {
     this.surroundings.paint();
-    this.hands.paint(tokenColour("--hand"));
+    this.paintMarks();
+    this.throttle.request();
+  }
+
+  /** Draws these points; nothing: none. */
+  showCloud(cloud: Cloud | undefined): void {
+    this.cloud.show(cloud);
+    this.throttle.request();
+  }
+
+  /** Marks the link of a robot at which a collision was felt; nothing: none. A link that the scene does not have is not marked. */
+  showCollision(link: string | undefined, text?: string): void {
+    const found = link === undefined ? undefined : this.robots.map((robot) => robot.links[link]).find((each) => each !== undefined);
+    this.collision.show(found, text);
     this.throttle.request();
   }
 
@@ -141,6 +161,8 @@ export class CellScene {
     this.observer.disconnect();
     this.grabbing.dispose();
     this.hands.dispose();
+    this.collision.dispose();
+    this.cloud.dispose();
     this.surroundings.dispose();
     this.controls.dispose();
     this.renderer.dispose();
@@ -164,9 +186,15 @@ export class CellScene {
     });
   }
 
+  private paintMarks(): void {
+    this.hands.paint(tokenColour("--hand"));
+    this.collision.paint(tokenColour("--bad"));
+  }
+
   private empty(): void {
     this.grabbing.letGo();
     this.hands.show([]);
+    this.collision.show(undefined);
     this.shown = undefined;
     this.bodies.clear();
     this.movable.clear();

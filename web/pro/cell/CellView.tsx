@@ -1,6 +1,6 @@
 // The cell in 3D, moved by the poses of the server. The user pulls links and parts, removes parts and puts them back.
 import { useEffect, useEffectEvent, useRef, useState } from "react";
-import { absentParts } from "../../shared/cell/touch";
+import { absentParts, pulledLink } from "../../shared/cell/touch";
 import { createHand } from "../../shared/cell/hand";
 import { createLongPress, type LongPress } from "../../shared/cell/longPress";
 import { Legend, showLegend, useLegend } from "../canvas/legend/Legend";
@@ -11,6 +11,8 @@ import { PartList } from "./PartList";
 import { useResetAsked } from "./reset";
 import { ResetButton, ResetCell } from "./ResetCell";
 import { shownPose, usePastCell } from "./shownPose";
+import { useCamera, useCloud } from "./useCloud";
+import { useControl } from "./useControl";
 import { useWorld } from "./useWorld";
 import { messageOf } from "../../shared/messageOf";
 
@@ -38,10 +40,15 @@ export function CellView() {
   const [menu, setMenu] = useState<Menu>();
   const [listed, setListed] = useState(false);
   const [absent, setAbsent] = useState<readonly string[]>([]);
+  const [clouded, setClouded] = useState(false);
+  const [pulled, setPulled] = useState<string>();
   const isPast = usePastCell();
   const asksReset = useResetAsked() && !isPast;
   const legend = useLegend();
   const isPage = useView((v) => v.page === "cell");
+  const control = useControl(isPast);
+  const camera = useCamera();
+  const points = useCloud(clouded && !isPast ? camera : undefined, (cloud) => shown.current?.showCloud(cloud));
   useEffect(() => {
     const host = frame.current;
     if (host === null) return;
@@ -66,11 +73,13 @@ export function CellView() {
     setMenu(undefined);
     setRefused(undefined);
     setAbsent([]);
+    setPulled(undefined);
     if (world === undefined) return;
     const follow = () => {
       const pose = shownPose.get()?.pose;
       if (pose === undefined) return;
       scene.move(pose);
+      setPulled(pulledLink(world.bodies, pose));
       const gone = absentParts(world.bodies, pose);
       setAbsent((before) => (before.join() === gone.join() ? before : gone));
     };
@@ -80,6 +89,7 @@ export function CellView() {
   useEffect(() => {
     if (shown.current !== undefined) Object.assign(shown.current.grabbing, { always: pulling, isPast });
   }, [pulling, isPast]);
+  useEffect(() => shown.current?.showCollision(control.link, control.text), [world, control.link, control.text]);
   const act = (kind: "take" | "place", part: string) => {
     setMenu(undefined);
     setRefused(undefined);
@@ -146,12 +156,21 @@ export function CellView() {
             Legend
           </button>
         )}
+        {camera !== undefined && (
+          <button type="button" disabled={isPast} aria-pressed={clouded} title={`Draw what the ${camera} measures, as points`} onClick={() => setClouded(!clouded)}>
+            Cloud
+          </button>
+        )}
         {(listed || isPast ? [] : absent).map((part) => (
           <button key={part} type="button" onClick={() => act("place", part)}>
             Put back {part}
           </button>
         ))}
         {pulling && !listed && <p className="cell-hint">Drag the arm or a part; it gives way as the task allows. Right click a part, or press it long, to take it away.</p>}
+        {points !== undefined && <p className="cell-hint">{points} points that the {camera} measures now</p>}
+        <p role="status" className="cell-why">
+          {!isPast && pulled !== undefined && control.holds}
+        </p>
         {refused !== undefined && <p role="alert">{refused}</p>}
       </div>
       {asksReset && <ResetCell />}

@@ -14,3 +14,7 @@ export function lineEnd({ at, force, target }: Touch): Vector {
 /** Names of the movable bodies that are not in the cell. */
 export const absentParts = (bodies: readonly Body[], pose: CellPose): readonly string[] =>
   bodies.filter((body) => !body.fixed && !(body.name in pose.bodies)).map((body) => body.name);
+
+/** The link of a robot that a hand pulls, if there is one: whatever it holds that is no body of the scene. */
+export const pulledLink = (bodies: readonly Body[], { hands = [] }: CellPose): string | undefined =>
+  hands.find(({ body, target }) => target !== undefined && bodies.every(({ name }) => name !== body))?.body;

@@ -20,7 +20,8 @@ const kStops: readonly Rgb[] = [
   [40, 40, 110],
 ];
 
-function bytes(base64: string): Uint8Array {
+/** The bytes of a text in base64. */
+export function bytes(base64: string): Uint8Array {
   return Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
 }
 
