@@ -41,10 +41,11 @@ export function flowsOf(services: readonly HostedService[]): readonly Flow[] {
   );
 }
 
+/** What is drawn: the services of the flows that are read; where none is, all that publish one. */
 export function flowShape(services: readonly HostedService[]): FlowShape {
   const flows = flowsOf(services).map(({ id, from, flow, to }) => ({ id, from, flow, to }));
   const publishers = services.filter((service) => service.publishes.length > 0).map((service) => service.key);
-  return { keys: [...new Set([...publishers, ...flows.flatMap(({ from, to }) => [from, to])])], flows };
+  return { keys: flows.length === 0 ? publishers : [...new Set(flows.flatMap(({ from, to }) => [from, to]))], flows };
 }
 
 function flowGraph({ keys, flows }: FlowShape): ElkGraph {

@@ -47,5 +47,10 @@ describe("drawFlows", () => {
     expect(arrow.label.x).toBeGreaterThan(camera.x + camera.width);
     expect(arrow.label.x + arrow.label.width).toBeLessThan(reader.x);
   });
+  it("leaves out a service whose flows only pages read, unless no service reads any", () => {
+    const robot = service("robot", [{ flow: "control", watchers: 1, rate_hz: 5 }], []);
+    expect(flowShape([robot, ...services(10, true)]).keys).toEqual(["camera", "obj_rec"]);
+    expect(flowShape([robot]).keys).toEqual(["robot"]);
+  });
   it("keeps its shape while only the rate changes", () => expect(flowShape(services(10, true))).toEqual(flowShape(services(0, false))));
 });
