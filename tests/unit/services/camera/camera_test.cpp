@@ -73,8 +73,7 @@ TEST(Camera, ShowsTheWorldAsItIs) {
   // Where it stands, so that a reader of the picture alone knows where its points are.
   const auto& mount = cell.world->scene().camera->o_t_c;
   const Value* o_t_c = packet.header.find("o_t_c");
-  for (std::size_t i = 0; i < 3; ++i)
-    EXPECT_EQ(o_t_c->find("position")->as_list()[i].to_double(), mount.position[i]);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(o_t_c->find("position")->as_list()[i].to_double(), mount.position[i]);
   for (std::size_t i = 0; i < 4; ++i)
     EXPECT_EQ(o_t_c->find("orientation")->as_list()[i].to_double(), mount.orientation[i]);
   // The scene's camera looks from 0.9 m above at 45 degrees: at the table, here free of parts.

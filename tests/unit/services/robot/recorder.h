@@ -34,7 +34,9 @@ class Recorder final : public ServiceHost {
     ++counts[std::string(name)];
     events[std::string(name)] = std::move(data);
   }
-  void publish(std::string_view flow, PacketPtr packet) override { packets[std::string(flow)].push_back(std::move(packet)); }
+  void publish(std::string_view flow, PacketPtr packet) override {
+    packets[std::string(flow)].push_back(std::move(packet));
+  }
   void log(std::string) override {}
 
   /// Calls an operation of `component`; arguments are JSON: a list by position or an object by name. Its call id.
