@@ -1,6 +1,5 @@
 """The cell put back to how it was at the start: in the real world and database, never under a run."""
 import unittest
-from pathlib import Path
 
 import models
 from client import PROJECT, Server
@@ -35,7 +34,7 @@ class ResetCell(unittest.TestCase):
         for joint, value in others["joints"].items():
             self.assertAlmostEqual(poses["joints"][joint], value, delta=1e-3, msg=joint)
         for body, pose in others["bodies"].items():
-            for value, other in zip(poses["bodies"][body]["position"], pose["position"]):
+            for value, other in zip(poses["bodies"][body]["position"], pose["position"], strict=True):
                 self.assertAlmostEqual(value, other, delta=1e-3, msg=body)
 
     def run_to_end(self, document, arguments=None):
@@ -51,7 +50,7 @@ class ResetCell(unittest.TestCase):
         self.assert_near(self.pose(), before)
         again = self.run_to_end(lifting())
         self.assertEqual(again["outcome"], "up")
-        for value, other in zip(again["results"]["q"], first["results"]["q"]):
+        for value, other in zip(again["results"]["q"], first["results"]["q"], strict=True):
             self.assertAlmostEqual(value, other, delta=1e-4)
 
     def test_a_motion_that_a_stopped_run_has_left_ends_with_it(self):

@@ -16,15 +16,19 @@ WAIT = 0.3  # [s]
 
 def waiting_once(name="once"):
     """Waits once, and ends."""
-    return models.document(name, {"state": "Root", "entry": f"svc.timer.wait({WAIT})", "ports": [{"name": "done", "when": "svc.timer.wait.result"}]})
+    return models.document(name, {
+        "state": "Root", "entry": f"svc.timer.wait({WAIT})", "ports": [{"name": "done", "when": "svc.timer.wait.result"}]})
 
 
 def two_waits(name="both"):
     """Two calls whose answers come while the run is paused, each in a macro step of its own."""
-    wait = lambda me, seconds: {"state": me, "entry": f"svc.timer.wait({seconds})", "ports": [{"name": "done", "when": "svc.timer.wait.result", "to": "Join"}]}
+    def wait(me, seconds):
+        return {"state": me, "entry": f"svc.timer.wait({seconds})",
+                "ports": [{"name": "done", "when": "svc.timer.wait.result", "to": "Join"}]}
     return models.document(name, {
         "state": "Root", "first": "Split",
-        "children": [{"barrier": "Split", "to": ["A", "B"]}, wait("A", 0.1), wait("B", 0.2), {"barrier": "Join", "to": ["After"]}, {"state": "After"}]})
+        "children": [{"barrier": "Split", "to": ["A", "B"]}, wait("A", 0.1), wait("B", 0.2),
+                     {"barrier": "Join", "to": ["After"]}, {"state": "After"}]})
 
 
 class Timing(unittest.TestCase):
@@ -135,12 +139,14 @@ class Why(unittest.TestCase):
         with Server() as server:
             core = server.core(models.ticking("why", last=3))
             server.ended(core)
-            questions = [f"why?port=Root/{port}{at}" for port in ("Ping.next", "Pong.next") for at in ("", "&step=2&micro=0", "&step=3&micro=0")]
+            questions = [f"why?port=Root/{port}{at}" for port in ("Ping.next", "Pong.next")
+                         for at in ("", "&step=2&micro=0", "&step=3&micro=0")]
             answers = [server.get(f"/cores/{core}/{question}", "why") for question in [*questions, "why?port=Root.done"]]
             server.expect("DELETE", f"/cores/{core}", None, "core", 200)
             self.assertEqual([server.get(f"/runs/{core}/{question}", "why") for question in [*questions, "why?port=Root.done"]], answers)
             self.assertTrue(answers[-1]["active"])
-            for question, status in (("port=Root.other", 404), ("", 422), ("port=Root.done&step=1", 422), ("port=Root.done&step=99&micro=0", 400)):
+            for question, status in (("port=Root.other", 404), ("", 422), ("port=Root.done&step=1", 422),
+                                     ("port=Root.done&step=99&micro=0", 400)):
                 server.get(f"/runs/{core}/why?{question}", status=status)
             server.get("/runs/99/why?port=Root.done", status=404)
 

@@ -15,7 +15,7 @@ async function open(): Promise<UseStore> {
 }
 
 // A browser that keeps nothing (a private window) rejects it, each time.
-const inStore = async <T>(use: (store: UseStore) => Promise<T>): Promise<T> => use(await (opened ??= open()));
+const inStore = async <T>(request: (store: UseStore) => Promise<T>): Promise<T> => request(await (opened ??= open()));
 
 /** Another version of ELK may lay out otherwise. */
 const named = (key: string): string => `${version} ${key}`;
