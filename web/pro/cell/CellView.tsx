@@ -140,41 +140,43 @@ export function CellView() {
         onTouchEnd={(event) => long.current && event.preventDefault()}
       />
       {problem !== undefined && <p className="cell-note">The cell cannot be shown: {problem}</p>}
-      <div className="cell-tools">
-        <button type="button" disabled={isPast} aria-pressed={pulling} title="Pull links and parts with mouse or finger (or hold Shift)" onClick={() => setPulling(!pulling)}>
-          Pull
-        </button>
-        <button type="button" disabled={isPast} aria-expanded={listed && !isPast} aria-controls="cell-parts" title="All parts, to take away or put back" onClick={() => setListed(!listed)}>
-          Parts
-        </button>
-        <ResetButton disabled={isPast} />
-        <button type="button" title="The view as at first (Home)" onClick={() => shown.current?.home()}>
-          Home
-        </button>
-        {isPage && (
-          <button type="button" aria-pressed={legend} title="What lines, dots and balls mean" onClick={() => showLegend(!legend)}>
-            Legend
+      <div className="cell-over">
+        <div className="cell-tools">
+          <button type="button" disabled={isPast} aria-pressed={pulling} title="Pull links and parts with mouse or finger (or hold Shift)" onClick={() => setPulling(!pulling)}>
+            Pull
           </button>
-        )}
-        {camera !== undefined && (
-          <button type="button" disabled={isPast} aria-pressed={clouded} title={`Draw what the ${camera} measures, as points`} onClick={() => setClouded(!clouded)}>
-            Cloud
+          <button type="button" disabled={isPast} aria-expanded={listed && !isPast} aria-controls="cell-parts" title="All parts, to take away or put back" onClick={() => setListed(!listed)}>
+            Parts
           </button>
-        )}
-        {(listed || isPast ? [] : absent).map((part) => (
-          <button key={part} type="button" onClick={() => act("place", part)}>
-            Put back {part}
+          <ResetButton disabled={isPast} />
+          <button type="button" title="The view as at first (Home)" onClick={() => shown.current?.home()}>
+            Home
           </button>
-        ))}
-        {pulling && !listed && <p className="cell-hint">Drag the arm or a part; it gives way as the task allows. Right click a part, or press it long, to take it away.</p>}
-        {points !== undefined && <p className="cell-hint">{points} points that the {camera} measures now</p>}
-        <p role="status" className="cell-why">
-          {!isPast && pulled !== undefined && control.holds}
-        </p>
-        {refused !== undefined && <p role="alert">{refused}</p>}
+          {isPage && (
+            <button type="button" aria-pressed={legend} title="What lines, dots and balls mean" onClick={() => showLegend(!legend)}>
+              Legend
+            </button>
+          )}
+          {camera !== undefined && (
+            <button type="button" disabled={isPast} aria-pressed={clouded} title={`Draw what the ${camera} measures, as points`} onClick={() => setClouded(!clouded)}>
+              Cloud
+            </button>
+          )}
+          {(listed || isPast ? [] : absent).map((part) => (
+            <button key={part} type="button" onClick={() => act("place", part)}>
+              Put back {part}
+            </button>
+          ))}
+          {pulling && !listed && <p className="cell-hint">Drag the arm or a part; it gives way as the task allows. Right click a part, or press it long, to take it away.</p>}
+          {points !== undefined && <p className="cell-hint">{points} points that the {camera} measures now</p>}
+          <p role="status" className="cell-why">
+            {!isPast && pulled !== undefined && control.holds}
+          </p>
+          {refused !== undefined && <p role="alert">{refused}</p>}
+        </div>
+        {asksReset && <ResetCell />}
+        {listed && !asksReset && !isPast && world !== undefined && <PartList parts={world.bodies.filter((body) => !body.fixed)} absent={absent} act={act} />}
       </div>
-      {asksReset && <ResetCell />}
-      {listed && !asksReset && !isPast && world !== undefined && <PartList parts={world.bodies.filter((body) => !body.fixed)} absent={absent} act={act} />}
       {menu !== undefined && (
         <div className="cell-menu" role="menu" style={{ left: `min(${menu.x}px, 100% - 180px)`, top: `min(${menu.y}px, 100% - 50px)` }} onPointerDown={(event) => event.stopPropagation()}>
           <button type="button" role="menuitem" onClick={() => act("take", menu.part)}>

@@ -30,6 +30,8 @@ export class CollisionMark {
     this.link = link;
     this.ball.visible = link !== undefined;
     this.label.textContent = link === undefined ? "" : text;
+    // Until the next frame has placed it.
+    this.label.style.visibility = "hidden";
   }
 
   /** Follows the link, which moves. To be called with each frame. */
@@ -40,7 +42,9 @@ export class CollisionMark {
     const view = { width: this.host.clientWidth, height: this.host.clientHeight };
     const { offsetWidth: width, offsetHeight: height } = this.label;
     const [place] = apart([{ x: ((at.x + 1) / 2) * view.width - width / 2, y: ((1 - at.y) / 2) * view.height - kAbove - height, width, height }], view);
-    if (place !== undefined) this.label.style.setProperty("translate", `${place.x}px ${place.y}px`);
+    if (place === undefined) return;
+    this.label.style.setProperty("translate", `${place.x}px ${place.y}px`);
+    this.label.style.visibility = "visible";
   }
 
   dispose(): void {

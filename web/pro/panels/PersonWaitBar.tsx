@@ -1,19 +1,42 @@
 // The run waits for a person: what is asked, and the way to the page that takes the answer.
-import { useMemo } from "react";
-import { displayAddress, waitingForPerson, type PersonWait } from "../../shared/run/waitingForPerson";
-import { useCore, useSession } from "../client";
+import { useEffect, useMemo, useState } from "react";
+import type { TraceStep } from "../../generated/messages";
+import { displayAddress, stepThatAsked, waitingForPerson, type PersonWait } from "../../shared/run/waitingForPerson";
+import { api, useCore, useSession } from "../client";
 import { Icon } from "./Icon";
 
-/** What the watched run waits for; nothing, or a person. */
-export function usePersonWait(): PersonWait | undefined {
+/** What the watched run waits for; nothing, or a person. `asked`: a step that the page has besides those of the derivation. */
+export function usePersonWait(asked?: TraceStep): PersonWait | undefined {
   const core = useCore();
   const services = useSession((s) => s.services);
   const steps = useSession((s) => s.steps);
-  return useMemo(() => waitingForPerson(core, services, steps), [core, services, steps]);
+  return useMemo(() => waitingForPerson(core, services, asked === undefined ? steps : [...steps, asked]), [core, services, steps, asked]);
+}
+
+/** What waits for a person, and what is asked: of a run whose derivations are not sent, or that has gone on for long, the step that asked is loaded. */
+function useQuestion(): PersonWait | undefined {
+  const [asked, setAsked] = useState<TraceStep>();
+  const core = useCore();
+  const wait = usePersonWait(asked);
+  const [id, service, call] = [core?.id, wait?.service, wait?.call];
+  const isKnown = wait?.question !== undefined;
+  useEffect(() => {
+    if (id === undefined || service === undefined || wait === undefined || isKnown) return;
+    let current = true;
+    stepThatAsked(wait, core?.step ?? 0, (from, to) => api.derivations(id, from, to)).then(
+      (found) => current && setAsked(found),
+      () => undefined, // It is shown without its words.
+    );
+    return () => {
+      current = false;
+    };
+    // Once for each question.
+  }, [id, service, call, isKnown]);
+  return wait;
 }
 
 export function PersonWaitBar() {
-  const wait = usePersonWait();
+  const wait = useQuestion();
   if (wait === undefined) return null;
   return (
     <div className="interruption" role="alert" aria-label="Waiting for a person">

@@ -1,8 +1,8 @@
 // Asks, above the run bar, whether a run may move the robot that a key has started. Enter starts, Esc does not.
-import { useEffect, useRef, useState } from "react";
+import { useEffect, useMemo, useRef, useState } from "react";
 import { commandOf } from "../../shared/session/shortcuts";
 import { commandable } from "../../shared/session/session";
-import { namesText } from "../../shared/run/moving";
+import { movedBy, movesText } from "../../shared/run/moving";
 import { useSession } from "../client";
 import { CodeText } from "./CodeText";
 import { Icon } from "./Icon";
@@ -32,6 +32,13 @@ function Question({ asked }: { readonly asked: StartAsk }) {
   useEffect(() => {
     if (!holds) answerStart(asked, false, false);
   }, [holds, asked]);
+  const [model, services] = [useSession((s) => s.model), useSession((s) => s.services)];
+  const moved = useMemo(() => movedBy(model, services), [model, services]);
+  // The key came before the task was here: now it is, and nothing moves.
+  const isVoid = moved?.length === 0;
+  useEffect(() => {
+    if (holds && isVoid) answerStart(asked, true, false);
+  }, [holds, isVoid, asked]);
   const verb = kVerbs[asked.command] ?? "Start";
   return (
     <div
@@ -49,7 +56,7 @@ function Question({ asked }: { readonly asked: StartAsk }) {
       <Icon name="interrupted" />
       <div>
         <strong id="start-ask-text">
-          <CodeText text={`This moves ${namesText(asked.moved)}.`} /> {verb}?
+          <CodeText text={movesText(moved)} /> {verb}?
         </strong>
         <label>
           <input type="checkbox" checked={remember} onChange={(event) => setRemember(event.target.checked)} />

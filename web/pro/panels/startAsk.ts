@@ -11,8 +11,6 @@ export interface StartAsk {
   /** The run that was watched then, and its document. */
   readonly id: string;
   readonly document: string;
-  /** Keys of the services that it may let move something. */
-  readonly moved: readonly string[];
 }
 
 const store = createStore<StartAsk | undefined, StartAsk | undefined>(undefined, (_, asked) => asked);
@@ -42,9 +40,8 @@ export function leadByKey(command: Command): void {
   const now = session.get();
   const core = watchedCore(now);
   if (core === undefined || store.get() !== undefined) return;
-  const moved = movedBy(now.model, now.services);
-  if (moved.length === 0 || isAllowed(core.document)) void run(command);
-  else store.dispatch({ command, id: core.id, document: core.document, moved });
+  if (movedBy(now.model, now.services)?.length === 0 || isAllowed(core.document)) void run(command);
+  else store.dispatch({ command, id: core.id, document: core.document });
 }
 
 /** `remember`: this document is not asked for again in this tab. */

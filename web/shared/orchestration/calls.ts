@@ -1,5 +1,6 @@
 // The calls of operations in the code of a state, and what its conditions say about responses and about ports of children.
 // Texts are read loosely, in the safe direction: a call in a comment counts as a call, and a condition that is not plain says nothing.
+import type { State } from "../model/model";
 
 /** A call `svc.service.operation(...)`; without `service`: that is computed, so it may be any. */
 export interface Call {
@@ -18,6 +19,11 @@ export function callsIn(code: string): readonly Call[] {
     return [...code.slice(index + text.length).matchAll(kMethod)].map(([, name = ""]) => ({ service: undefined, operation: name }));
   });
 }
+
+const textsOf = ({ entry, exit, oracle, actions }: State): readonly string[] => [entry, exit, oracle, ...actions.map((action) => action.do)].filter((text) => text !== undefined);
+
+/** All calls of a state and of what is within it. */
+export const callsOf = (state: State): readonly Call[] => [...textsOf(state).flatMap(callsIn), ...state.children.flatMap((child) => (child.kind === "state" ? callsOf(child) : []))];
 
 /** Whether the order of the calls in the code may differ from that in its text. */
 export const repeats = (code: string): boolean => /\b(for|while)\b/.test(code);

@@ -1,22 +1,16 @@
 // What a run may set in motion: the services of which it calls an operation that moves (api/schemas/service.json).
 import type { HostedService } from "../../generated/messages";
-import type { RcmDocument, State } from "../model/model";
-import { callsIn, type Call } from "../orchestration/calls";
+import type { RcmDocument } from "../model/model";
+import { callsOf } from "../orchestration/calls";
 
 type Described = Pick<HostedService, "key" | "type" | "rsm">;
 
-const textsOf = ({ entry, exit, oracle, actions }: State): readonly string[] => [entry, exit, oracle, ...actions.map((action) => action.do)].filter((text) => text !== undefined);
-
-const callsOf = (state: State): readonly Call[] => [
-  ...textsOf(state).flatMap(callsIn),
-  ...state.children.flatMap((child) => (child.kind === "state" ? callsOf(child) : [])),
-];
-
 const moves = ({ rsm }: Described, operation: string): boolean => rsm.operations.some(({ name, moves }) => name === operation && moves === true);
 
-/** The keys of the services that the model may let move something, sorted. A computed service may be any; of a model that is not known yet, all may be. */
-export function movedBy(model: Pick<RcmDocument, "root" | "services"> | undefined, services: readonly Described[]): readonly string[] {
-  if (model === undefined) return services.filter(({ rsm }) => rsm.operations.some((each) => each.moves === true)).map(({ key }) => key).sort();
+/** The keys of the services that the model may let move something, sorted. A computed service may be any. Nothing: model or services are not known yet,
+ *  so it may move anything. */
+export function movedBy(model: Pick<RcmDocument, "root" | "services"> | undefined, services: readonly Described[]): readonly string[] | undefined {
+  if (model === undefined || services.length === 0) return undefined;
   const byKey = new Map(services.map((service) => [service.key, service]));
   const meant = (key: string): Described | undefined => byKey.get(key) ?? services.find(({ type }) => type === model.services[key]);
   const found = callsOf(model.root).flatMap(({ service, operation }): readonly string[] => {
@@ -26,5 +20,5 @@ export function movedBy(model: Pick<RcmDocument, "root" | "services"> | undefine
   return [...new Set(found)].sort();
 }
 
-/** "`robot`", "`gripper` and `robot`". */
-export const namesText = (keys: readonly string[]): string => keys.map((key) => `\`${key}\``).join(" and ");
+/** "This moves `gripper` and `robot`." */
+export const movesText = (keys: readonly string[] | undefined): string => (keys === undefined ? "This may move a robot: the task is not here yet." : `This moves ${keys.map((key) => `\`${key}\``).join(" and ")}.`);

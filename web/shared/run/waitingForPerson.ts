@@ -1,11 +1,15 @@
 // A run that waits for a person: its call of a display that is not answered yet, with the question in words.
-import type { Call, Core, HostedService, TraceStep } from "../../generated/messages";
+import type { Call, Core, HostedService, PendingCall, TraceStep } from "../../generated/messages";
 import type { JsonValue } from "../json";
+import type { RcmDocument } from "../model/model";
+import { callsOf } from "../orchestration/calls";
 
 export interface PersonWait {
   /** As in svc.<key>. */
   readonly service: string;
   readonly operation: string;
+  /** Of its core; nothing: the server itself has called. */
+  readonly call: number | undefined;
   /** Nothing, if the step that asked is not here. */
   readonly question: string | undefined;
   /** The displays that show it: one by its name, or `all`. */
@@ -17,9 +21,37 @@ const kAsking: ReadonlyMap<string, number> = new Map([["ask", 2], ["choose", 2],
 
 const textOf = (value: JsonValue | undefined): string | undefined => (typeof value === "string" ? value : undefined);
 
-function waitOf(service: string, operation: string, call: Call | undefined): PersonWait {
+function waitOf(service: string, { operation, core_call: number }: Pick<PendingCall, "operation" | "core_call">, call: Call | undefined): PersonWait {
   const display = textOf(call?.kwargs["display"]) ?? textOf(call?.args[kAsking.get(operation) ?? 0]) ?? "all";
-  return { service, operation, question: textOf(call?.kwargs["question"]) ?? textOf(call?.args[0]), display };
+  return { service, operation, call: number, question: textOf(call?.kwargs["question"]) ?? textOf(call?.args[0]), display };
+}
+
+const callIn = (steps: readonly TraceStep[], service: string, number: number | undefined): Call | undefined =>
+  steps.flatMap(({ calls }) => calls).filter((each) => each.service === service && each.call === number).at(-1);
+
+const known = new WeakMap<RcmDocument, boolean>();
+
+/** Whether a task may ask a person something. */
+export function asksPeople(model: RcmDocument): boolean {
+  const before = known.get(model);
+  if (before !== undefined) return before;
+  const asks = callsOf(model.root).some(({ operation }) => kAsking.has(operation));
+  known.set(model, asks);
+  return asks;
+}
+
+/** So many macro steps are looked through for the one that asked, in parts. */
+const kLooked = 1000;
+const kPart = 50;
+
+/** The macro step that asked, looked for from the step `last` back: the page may not have had it, or not any more. */
+export async function stepThatAsked({ service, call }: PersonWait, last: number, load: (from: number, to: number) => Promise<readonly TraceStep[]>): Promise<TraceStep | undefined> {
+  for (let to = last; to > Math.max(0, last - kLooked); to -= kPart) {
+    const steps = await load(Math.max(1, to - kPart + 1), to);
+    const found = steps.find((step) => callIn([step], service, call) !== undefined);
+    if (found !== undefined) return found;
+  }
+  return undefined;
 }
 
 /** The oldest question of this core that nobody has answered; nothing if it waits for no person. */
@@ -28,8 +60,7 @@ export function waitingForPerson(core: Core | undefined, services: readonly Host
   for (const { key, type, pending } of services) {
     const asked = type === "display" ? pending.find((each) => each.core === core.id && kAsking.has(each.operation)) : undefined;
     if (asked === undefined) continue;
-    const isIt = ({ service, call }: Call) => service === key && call === asked.core_call;
-    return waitOf(key, asked.operation, steps.flatMap(({ calls }) => calls).filter(isIt).at(-1));
+    return waitOf(key, asked, callIn(steps, key, asked.core_call));
   }
   return undefined;
 }

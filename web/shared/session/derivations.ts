@@ -1,5 +1,6 @@
 // Whether the page needs the derivations of the watched run as they are made: up to a megabyte a second.
 import { isStored, watchedCore, type Session } from "./session";
+import { asksPeople } from "../run/waitingForPerson";
 import type { View } from "./view";
 
 /** The id of the run whose derivations are to be sent; nothing while it runs and nothing shown depends on them. */
@@ -7,8 +8,8 @@ export function derivationsWanted(session: Session, view: Pick<View, "drawer" | 
   const core = watchedCore(session);
   if (core === undefined || isStored(session)) return undefined;
   const runs = core.status === "running" && !core.paused;
-  // The question to a person is in the call of the step that asked.
-  const asks = session.services.some(({ type, pending }) => type === "display" && pending.some((each) => each.core === core.id));
+  // A question to a person is in the call of the step that asked, and is shown at once.
+  const asks = session.model === undefined || asksPeople(session.model);
   const isShown = view.drawer === "derivation" || view.selection?.kind === "port" || session.past !== undefined;
   return !runs || asks || isShown ? core.id : undefined;
 }

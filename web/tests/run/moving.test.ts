@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { movedBy, namesText } from "../../shared/run/moving";
+import { movedBy, movesText } from "../../shared/run/moving";
 import type { State } from "../../shared/model/model";
 
 const state = (name: string, more: Partial<State> = {}): State => ({ kind: "state", name, parameters: [], results: [], variables: [], actions: [], children: [], ports: [], ...more });
@@ -26,8 +26,13 @@ describe("what a run moves", () => {
     expect(moved(state("Root", { entry: "svc.left.move(p)" }), { left: "robot" })).toEqual(["robot"]);
     expect(moved(state("Root", { entry: "svc.left.move(p)" }))).toEqual([]);
   });
-  it("may be all that moves, while the model is not here", () => {
-    expect(movedBy(undefined, services)).toEqual(["gripper", "robot"]);
+  it("is not known while the model, or the services, are not here", () => {
+    expect(movedBy(undefined, services)).toBeUndefined();
+    expect(movedBy({ root: state("Root"), services: {} }, [])).toBeUndefined();
+    expect(movedBy({ root: state("Root"), services: {} }, services)).toEqual([]);
   });
-  it("is named", () => expect(namesText(["gripper", "robot"])).toBe("`gripper` and `robot`"));
+  it("is told", () => {
+    expect(movesText(["gripper", "robot"])).toBe("This moves `gripper` and `robot`.");
+    expect(movesText(undefined)).toContain("may move");
+  });
 });

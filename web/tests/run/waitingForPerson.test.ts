@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Call, Core, HostedService, TraceStep } from "../../generated/messages";
-import { displayAddress, waitingForPerson } from "../../shared/run/waitingForPerson";
+import { displayAddress, stepThatAsked, waitingForPerson } from "../../shared/run/waitingForPerson";
 
 const core: Core = { id: "7", document: "pick", revision: 3, status: "running", paused: false, stepping: false, step: 12, micro: 0, waiting: 0, arguments: {}, breakpoints: [], live: false, model: 0 };
 const service = (key: string, type: string, pending: HostedService["pending"]): HostedService => ({
@@ -13,7 +13,7 @@ const pending = [{ call: 30, operation: "ask", time: 2, core: "7", core_call: 9 
 describe("a run that waits for a person", () => {
   it("says what is asked, and where", () => {
     const wait = waitingForPerson(core, [service("robot", "robot", []), service("phone", "display", pending)], [step({ ...ask, service: "robot" }, ask)]);
-    expect(wait).toEqual({ service: "phone", operation: "ask", question: "Is the table empty?", display: "arm" });
+    expect(wait).toEqual({ service: "phone", operation: "ask", call: 9, question: "Is the table empty?", display: "arm" });
     expect(wait && displayAddress(wait)).toBe("/display/?name=arm");
   });
   it("knows the displays as an argument by place, and the question by name", () => {
@@ -24,7 +24,22 @@ describe("a run that waits for a person", () => {
     expect(waitingForPerson(core, [service("phone", "display", pending)], [step(placed)])).toMatchObject({ display: "arm" });
   });
   it("waits also when the step that asked is not here", () => {
-    expect(waitingForPerson(core, [service("phone", "display", pending)], [])).toEqual({ service: "phone", operation: "ask", question: undefined, display: "all" });
+    expect(waitingForPerson(core, [service("phone", "display", pending)], [])).toEqual({ service: "phone", operation: "ask", call: 9, question: undefined, display: "all" });
+  });
+  it("finds the step that asked where the page has it not, going back in parts", async () => {
+    const wait = waitingForPerson(core, [service("phone", "display", pending)], []);
+    if (wait === undefined) throw new Error("it waits");
+    const parts: (readonly [number, number])[] = [];
+    const load = (from: number, to: number) => {
+      parts.push([from, to]);
+      return Promise.resolve(from <= 4 && 4 <= to ? [step({ ...ask, service: "robot" }), step(ask)] : []);
+    };
+    expect(await stepThatAsked(wait, 120, load)).toEqual(step(ask));
+    expect(parts).toEqual([[71, 120], [21, 70], [1, 20]]);
+    parts.length = 0;
+    expect(await stepThatAsked({ ...wait, call: 10 }, 9000, load)).toBeUndefined();
+    expect(parts.length).toBe(20);
+    expect(parts.at(-1)).toEqual([8001, 8050]);
   });
   it("is no run whose text is shown, of another core, or that is over", () => {
     const of = (entry: Partial<HostedService["pending"][number]>) => [service("phone", "display", [{ call: 30, operation: "ask", time: 2, core: "7", core_call: 9, ...entry }])];

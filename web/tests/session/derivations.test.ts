@@ -1,11 +1,13 @@
 import { describe, expect, it } from "vitest";
-import type { Core, HostedService } from "../../generated/messages";
+import type { Core } from "../../generated/messages";
+import type { RcmDocument } from "../../shared/model/model";
 import { derivationsWanted } from "../../shared/session/derivations";
 import { emptySession, type Session } from "../../shared/session/session";
 import type { View } from "../../shared/session/view";
 
 const core = (fields: Partial<Core> = {}) => ({ id: "3", status: "running", paused: false, ...fields }) as Core;
-const session = (one: Core, more: Partial<Session> = {}): Session => ({ ...emptySession, cores: [one], watched: "3", ...more });
+const task = (entry: string): RcmDocument => ({ name: "task", services: {}, library: [], root: { kind: "state", name: "Root", entry, parameters: [], results: [], variables: [], actions: [], children: [], ports: [] } });
+const session = (one: Core, more: Partial<Session> = {}): Session => ({ ...emptySession, cores: [one], watched: "3", model: task("svc.robot.move(p)"), ...more });
 const closed: Pick<View, "drawer" | "selection"> = { drawer: "closed", selection: undefined };
 
 describe("derivations of a run", () => {
@@ -21,11 +23,9 @@ describe("derivations of a run", () => {
   it("are wanted while the run stands, as then few come", () => {
     for (const one of [core({ paused: true }), core({ status: "ended" }), core({ status: "interrupted" }), core({ status: "ready" })]) expect(derivationsWanted(session(one), closed)).toBe("3");
   });
-  it("are wanted while it waits for a person, whose question is in them", () => {
-    const display = { key: "display", type: "display", pending: [{ core: "3" }] } as unknown as HostedService;
-    expect(derivationsWanted(session(core(), { services: [display] }), closed)).toBe("3");
-    const others = { ...display, pending: [{ core: "4" }] } as unknown as HostedService;
-    expect(derivationsWanted(session(core(), { services: [others] }), closed)).toBeUndefined();
+  it("are wanted of a task that may ask a person, whose question is in them, and while nothing is known of it", () => {
+    expect(derivationsWanted(session(core(), { model: task("svc.phone.ask('Go on?')") }), closed)).toBe("3");
+    expect(derivationsWanted(session(core(), { model: undefined }), closed)).toBe("3");
   });
   it("are not wanted of a run that no core hosts", () => expect(derivationsWanted({ ...session(core()), watched: "4" }, { ...closed, drawer: "derivation" })).toBeUndefined());
 });
