@@ -55,9 +55,10 @@ TEST(TimingBlocks, AreRefusedIfTheySayWhatCannotBe) {
   using Refusal = std::pair<ErrorCode, std::string>;
   const TimingBlock full = full_block();
   EXPECT_EQ(timing_refusal(changed(full, "first", 0)), Refusal(ErrorCode::out_of_range, "timing/0/first"));
-  EXPECT_EQ(timing_refusal(changed(full, "steps", List{List{-1}})),
+  EXPECT_EQ(timing_refusal(changed(full, "steps", List{Value(List{-1})})),
             Refusal(ErrorCode::out_of_range, "timing/0/steps/0"));
-  EXPECT_EQ(timing_refusal(changed(full, "steps", List{List{1, 2}})), Refusal(ErrorCode::type, "timing/0/steps/0"));
+  EXPECT_EQ(timing_refusal(changed(full, "steps", List{Value(List{1, 2})})),
+            Refusal(ErrorCode::type, "timing/0/steps/0"));
   EXPECT_EQ(timing_refusal(changed(full, "steps", List(TimingBlock::kMostSteps + 1, List{1}))),
             Refusal(ErrorCode::too_large, "timing/0/steps"));
   EXPECT_EQ(timing_refusal(changed(full, "since", 1)), Refusal(ErrorCode::type, "timing/0/since"));
