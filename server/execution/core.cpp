@@ -14,18 +14,13 @@ namespace {
 
 tl::unexpected<Error> conflict(std::string why) { return unexpected(ErrorCode::conflict, std::move(why)); }
 
-/// Of the program, or what is wrong with one of them.
-Expected<std::vector<Goal>> find_goals(const semantics::Program& program,
-                                       const std::vector<execution::GoalName>& names) {
-  std::vector<Goal> goals;
-  for (const execution::GoalName& name : names) {
-    const auto goal = find_goal(program, name);
-    if (!goal)
+/// Whether the program has them all, or what is wrong with the first that it has not.
+Expected<void> check_goals(const semantics::Program& program, const std::vector<execution::GoalName>& names) {
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (const auto goal = find_goal(program, names[i]); !goal)
       return unexpected(goal.error().code, goal.error().message,
-                        "breakpoints/" + std::to_string(goals.size()) + "/" + goal.error().path);
-    goals.push_back(*goal);
-  }
-  return goals;
+                        "breakpoints/" + std::to_string(i) + "/" + goal.error().path);
+  return {};
 }
 
 }  // namespace
@@ -229,7 +224,7 @@ void Core::set_breakpoints(std::vector<execution::GoalName> names, std::string a
       return unexpected(ErrorCode::too_large,
                         "there may be " + std::to_string(kMostBreakpoints) + " breakpoints, with those of others",
                         "breakpoints");
-    if (auto found = find_goals(program(), names); !found) return tl::unexpected(std::move(found).error());
+    if (auto found = check_goals(program(), names); !found) return tl::unexpected(std::move(found).error());
     breakpoints_ = std::move(all);
     find_breakpoints();
     publish_info();
