@@ -10,10 +10,10 @@ try {
   const page = await browser.newPage({ viewport: { width: 1600, height: 1000 } });
   await page.goto(`${url}/pro/`);
   await page.getByRole("combobox", { name: "Document" }).selectOption("pick");
-  await page.getByRole("button", { name: "Load" }).click();
+  await page.getByRole("button", { name: "Load", exact: true }).click();
   await page.getByRole("group", { name: "State Pick/Release" }).waitFor();
-  await page.getByRole("button", { name: "Start" }).click();
-  await page.locator('[data-path="Pick/Grasp"][data-active="true"]').waitFor({ timeout: 60_000 });
+  await page.getByRole("toolbar", { name: "Run" }).getByRole("button", { name: "Start", exact: true }).click();
+  await page.locator('.canvas [data-path="Pick/Grasp"][data-active="true"]').waitFor({ timeout: 60_000 });
   await page.waitForTimeout(400);
   await page.screenshot({ path: file });
   console.log(file);
