@@ -13,6 +13,8 @@ const kSoon = { timeout: 20_000 };
 const status = () => fixture.page.getByRole("status", { name: "Run status" }).locator("strong").innerText();
 const question = () => fixture.page.getByRole("alertdialog", { name: "Before it moves" });
 const press = (key: string) => fixture.page.keyboard.press(key);
+/** The id of the run that the page watches. */
+const watched = () => fixture.page.getByRole("combobox", { name: "Watched run" }).inputValue();
 const make = async (document: string) => ((await fixture.send("POST", "/cores", { document })) as { readonly id: string }).id;
 
 /** Moves the tool up by 2 cm, stores a value, and is over. */
@@ -49,9 +51,9 @@ describe("a key that starts a run", () => {
 
   it("asks once for a document: another run of it starts at once, also by a page that is loaded anew", async () => {
     const { page } = fixture;
-    const before = await page.getByRole("combobox", { name: "Watched run" }).inputValue();
+    const before = await watched();
     await press("F5");
-    await expect.poll(() => page.getByRole("combobox", { name: "Watched run" }).inputValue(), kSoon).not.toBe(before);
+    await expect.poll(watched, kSoon).not.toBe(before);
     await expect.poll(status, kSoon).toBe("Ended: up");
     await page.goto(`${fixture.url}/pro/?run=${await make("lifting")}`);
     await settled(page);
@@ -65,7 +67,9 @@ describe("a key that starts a run", () => {
     await page.evaluate(() => sessionStorage.clear());
     await press("F5");
     await question().getByRole("checkbox").uncheck();
+    const before = await watched();
     await question().getByRole("button", { name: /^Run again/ }).click();
+    await expect.poll(watched, kSoon).not.toBe(before);
     await expect.poll(status, kSoon).toBe("Ended: up");
     await press("F5");
     await question().waitFor();

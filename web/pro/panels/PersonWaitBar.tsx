@@ -1,5 +1,5 @@
 // The run waits for a person: what is asked, and the way to the page that takes the answer.
-import { useEffect, useMemo, useState } from "react";
+import { useEffect, useMemo, useRef, useState } from "react";
 import type { TraceStep } from "../../generated/messages";
 import { displayAddress, stepThatAsked, waitingForPerson, type PersonWait } from "../../shared/run/waitingForPerson";
 import { api, useCore, useSession } from "../client";
@@ -20,17 +20,19 @@ function useQuestion(): PersonWait | undefined {
   const wait = usePersonWait(asked);
   const [id, service, call] = [core?.id, wait?.service, wait?.call];
   const isKnown = wait?.question !== undefined;
+  // The step at which the question is first seen: later ones need not be looked through.
+  const last = useRef(0);
+  last.current = core?.step ?? 0;
   useEffect(() => {
-    if (id === undefined || service === undefined || wait === undefined || isKnown) return;
+    if (id === undefined || service === undefined || isKnown) return;
     let current = true;
-    stepThatAsked(wait, core?.step ?? 0, (from, to) => api.derivations(id, from, to)).then(
+    stepThatAsked({ service, call }, last.current, (from, to) => api.derivations(id, from, to)).then(
       (found) => current && setAsked(found),
       () => undefined, // It is shown without its words.
     );
     return () => {
       current = false;
     };
-    // Once for each question.
   }, [id, service, call, isKnown]);
   return wait;
 }

@@ -45,7 +45,7 @@ const kLooked = 1000;
 const kPart = 50;
 
 /** The macro step that asked, looked for from the step `last` back: the page may not have had it, or not any more. */
-export async function stepThatAsked({ service, call }: PersonWait, last: number, load: (from: number, to: number) => Promise<readonly TraceStep[]>): Promise<TraceStep | undefined> {
+export async function stepThatAsked({ service, call }: Pick<PersonWait, "service" | "call">, last: number, load: (from: number, to: number) => Promise<readonly TraceStep[]>): Promise<TraceStep | undefined> {
   for (let to = last; to > Math.max(0, last - kLooked); to -= kPart) {
     const steps = await load(Math.max(1, to - kPart + 1), to);
     const found = steps.find((step) => callIn([step], service, call) !== undefined);
