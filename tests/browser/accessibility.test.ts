@@ -2,6 +2,7 @@
 import type { Page } from "playwright-core";
 import { findings } from "./axe";
 import { openFixture, settled, type Fixture } from "./fixture";
+import { letMove } from "./hands";
 
 let fixture: Fixture;
 let page: Page;
@@ -53,6 +54,7 @@ describe("axe-core", () => {
     await settled(page);
     expect(await inBothThemes()).toEqual([]);
 
+    await letMove(page, "pick");
     await page.getByRole("button", { name: "Start" }).click();
     await expect.poll(() => page.getByRole("status", { name: "Run status" }).innerText(), { timeout: 90_000 }).toContain("Ended");
     await page.getByRole("list", { name: "Macro steps" }).getByRole("button").nth(1).click();

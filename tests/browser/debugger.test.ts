@@ -2,6 +2,7 @@
 import { findings } from "./axe";
 import { editPage } from "./editPage";
 import { openFixture, settled, type Fixture } from "./fixture";
+import { letMove } from "./hands";
 
 let fixture: Fixture;
 beforeAll(async () => {
@@ -45,6 +46,7 @@ describe("a breakpoint", () => {
   it("on a tested port, set in the drawing before the run, stops the run", async () => {
     const { page } = fixture;
     await page.goto(`${fixture.url}/pro/?edit=pick`);
+    await letMove(page, "pick");
     await settled(page);
     await soon(() => panel().innerText()).toContain("Ctrl+B");
     await editPage(fixture).port(kPort).click({ button: "right" });

@@ -3,6 +3,7 @@ import { join } from "node:path";
 import { devices, type Page } from "playwright-core";
 import { activations, noteActivations } from "./activations";
 import { demo, openFixture, settled, type Fixture } from "./fixture";
+import { letMove } from "./hands";
 
 let fixture: Fixture;
 let task: Page;
@@ -18,6 +19,7 @@ beforeAll(async () => {
   task = await fixture.openPage({ width: 1280, height: 800 });
   services = await fixture.openPage({ width: 1280, height: 800 });
   await services.getByRole("tab", { name: "Services" }).click();
+  await letMove(task, "demonstrator");
   await task.getByRole("combobox", { name: "Document" }).selectOption("demonstrator");
   await task.getByRole("button", { name: "Load" }).click();
   for (const composite of ["Table", "Table/Work"]) {

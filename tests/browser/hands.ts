@@ -206,3 +206,7 @@ export function keyboard(page: Page) {
     },
   };
 }
+
+/** As if a person had said that these documents may move something. Requires a page of the server. */
+export const letMove = (page: Page, ...documents: readonly string[]): Promise<void> =>
+  page.evaluate((names) => names.forEach((name) => sessionStorage.setItem(`race.moves.${name}`, "1")), documents);

@@ -1,4 +1,4 @@
-// Before something moves: a key that starts a run asks, and the cell is put back to how it was at the start.
+// Before something moves: what starts a run asks, and the cell is put back to how it was at the start.
 import { findings } from "./axe";
 import { openFixture, settled, type Fixture } from "./fixture";
 
@@ -28,10 +28,51 @@ const lifting = {
   ports: [{ name: "up", when: "chi.Lift.port.done" }],
 };
 
+const button = (name: string | RegExp) => fixture.page.getByRole("toolbar", { name: "Run" }).getByRole("button", { name, exact: true });
+
+describe("what starts a run", () => {
+  it("asks before the robot moves, if it is a card, a button or the key of a step: Esc starts nothing", async () => {
+    const { page } = fixture;
+    await fixture.send("PUT", "/documents/lifting", { rcm: 1, name: "lifting", root: lifting });
+    await page.goto(`${fixture.url}/pro/`);
+    await page.getByRole("listitem", { name: "lifting" }).getByRole("button", { name: "Start" }).click();
+    const refuse = async (asked: string) => {
+      await expect.poll(() => question().innerText()).toContain(`This moves robot. ${asked}?`);
+      await press("Escape");
+      await question().waitFor({ state: "detached" });
+    };
+    await refuse("Start");
+    await settled(page);
+    await button("Start").click();
+    await refuse("Start");
+    await button("Macro step").click();
+    await refuse("Make a macro step");
+    await press("F4");
+    await refuse("Make a micro step");
+    // It starts nothing.
+    await press("F6");
+    await expect.poll(status, kSoon).toBe("Ready, held before its start");
+    expect(await question().count()).toBe(0);
+  });
+
+  it("does, once a person has said so, what was asked for, and a step of a run that has begun is not asked about", async () => {
+    const { page } = fixture;
+    await press("F4");
+    await question().waitFor();
+    await press("Enter");
+    await expect.poll(status, kSoon).toContain("Paused");
+    await press("Shift+F4");
+    await expect.poll(() => page.getByRole("status", { name: "Run status" }).innerText(), kSoon).toMatch(/step [1-9]/);
+    expect(await question().count()).toBe(0);
+    await press("F8");
+    await expect.poll(status, kSoon).toBe("Stopped");
+    await page.evaluate(() => sessionStorage.clear());
+  });
+});
+
 describe("a key that starts a run", () => {
   it("asks before the robot moves; Esc starts nothing, Enter starts", async () => {
     const { page } = fixture;
-    await fixture.send("PUT", "/documents/lifting", { rcm: 1, name: "lifting", root: lifting });
     await page.goto(`${fixture.url}/pro/?run=${await make("lifting")}`);
     await settled(page);
     await press("F5");

@@ -7,6 +7,7 @@ import type { Page } from "playwright-core";
 import { activations, noteActivations } from "./activations";
 import { expectedCard, expectedLines, shownCard, shownLines, type RawNode, type RawStep } from "./proofText";
 import { binary, openFixture, type Fixture } from "./fixture";
+import { letMove } from "./hands";
 
 let fixture: Fixture;
 let page: Page;
@@ -21,6 +22,7 @@ afterAll(() => fixture.close());
 async function load(): Promise<string> {
   const runs = page.getByRole("combobox", { name: "Watched run" });
   const before = await runs.inputValue();
+  await letMove(page, "pick");
   await page.getByRole("combobox", { name: "Document" }).selectOption("pick");
   await page.getByRole("button", { name: "Load" }).click();
   await expect.poll(() => runs.inputValue()).not.toBe(before);

@@ -1,6 +1,7 @@
 // The light and the dark theme: chosen by a button, kept, or as the system has it.
 import type { Page } from "playwright-core";
 import { openFixture, settled, type Fixture } from "./fixture";
+import { letMove } from "./hands";
 
 let fixture: Fixture;
 let page: Page;
@@ -75,6 +76,7 @@ const kSizes = [
 
 describe("screenshots", () => {
   it("show every page in both themes", async () => {
+    await letMove(page, "pick");
     await page.getByRole("combobox", { name: "Document" }).selectOption("pick");
     await page.getByRole("button", { name: "Load" }).click();
     await page.getByRole("group", { name: "State Pick/Release" }).waitFor();

@@ -6,7 +6,7 @@ import { isCovered } from "../shared/session/view";
 import { ModelCanvas } from "./canvas/ModelCanvas";
 import { ArrowHeads } from "./canvas/ModelLine";
 import { CellDock } from "./cell/CellDock";
-import { run as command, session, useSession, useView, view } from "./client";
+import { session, useSession, useView, view } from "./client";
 import { isDebugShortcut, runCommandOf } from "./debugger/actions";
 import { DebugMenu } from "./debugger/DebugMenu";
 import { ForceBar } from "./debugger/ForceBar";
@@ -36,7 +36,7 @@ import { PastBanner } from "./past/PastBanner";
 import { move, toPresent } from "./past/past";
 import { PropertiesPanel } from "./panels/PropertiesPanel";
 import { RunBar } from "./panels/RunBar";
-import { leadByKey } from "./panels/startAsk";
+import { command } from "./panels/startAsk";
 import { StartAskBar } from "./panels/StartAskBar";
 import { focusSearch } from "./panels/SearchBox";
 import { TaskPanel } from "./panels/TaskPanel";
@@ -111,8 +111,7 @@ function usePageKeys(): void {
     }
     if (!kOfRuns.has(shortcut)) return false;
     const wanted = mayMove(shortcut, held) ? commandOf(shortcut, commandable(session.get())) : undefined;
-    if (wanted !== undefined && shortcut === "lead") leadByKey(wanted);
-    else if (wanted !== undefined) void command(wanted);
+    if (wanted !== undefined) command(wanted);
     // The keys of runs are never the browser's: F5 does not load the page anew.
     return true;
   });

@@ -290,13 +290,14 @@ export function armRunsBy(by: (core: Core) => Promise<void>): void {
 }
 
 /** Makes a core of a document, watches it (no longer the document, if that is being edited), and starts it if asked. Throws what the server refuses. */
-export async function makeRun(document: string, start: boolean, args: ExactArguments): Promise<void> {
+export async function makeRun(document: string, start: boolean, args: ExactArguments): Promise<Core> {
   const core = await api.createCore(document, args);
   session.dispatch({ type: "update", update: { type: "core", core } });
   watch(core.id);
   if (view.get().page === "edit") view.dispatch({ type: "page", page: "task" });
   await arm(core);
   if (start) await api.start(core.id);
+  return core;
 }
 
 /** The parameters of a run of the document, as it is now. Throws what the server refuses. */

@@ -9,10 +9,11 @@ import { stateAt } from "../../shared/model/modelTree";
 import { allowed, type Command } from "../../shared/run/controls";
 import type { DebugShortcut } from "../../shared/session/shortcuts";
 import { commandable } from "../../shared/session/session";
-import { attempt, api, run, session, view } from "../client";
+import { attempt, api, session, view } from "../client";
 import { editing } from "../edit/editing";
 import { ask, type MenuEntry } from "../edit/prompt";
 import { runTree } from "../live/runTree";
+import { command } from "../panels/startAsk";
 import { changeBreakpoints } from "./breakpoints";
 import { propose } from "./forcing";
 import { kept } from "./kept";
@@ -68,7 +69,7 @@ function step(found: StepOrReason): string | undefined {
 }
 
 function take(found: StepOrReason): void {
-  if (!("reason" in found)) void run("until", found.request);
+  if (!("reason" in found)) command("until", found.request);
 }
 
 function byState(way: StepWay): StepOrReason {
@@ -97,7 +98,7 @@ const stepMode: DebugCommand = {
   run: () => {
     const core = commandable(session.get());
     if (core?.status === "ready") void attempt(async () => void (await api.pause(core.id)));
-    else void run(allowed(core).has("pause") ? "pause" : "resume");
+    else command(allowed(core).has("pause") ? "pause" : "resume");
   },
 };
 

@@ -2,6 +2,7 @@
 import { useEffect, useRef, useState, type SyntheticEvent } from "react";
 import { readArguments } from "../../shared/arguments/entry";
 import { makeRun } from "../client";
+import { makeStarted } from "../panels/startAsk";
 import { ArgumentField } from "./ArgumentField";
 import { closeForm, type Asked } from "./asking";
 import { messageOf } from "../../shared/messageOf";
@@ -33,8 +34,9 @@ export function ArgumentsForm({ document, parameters }: Asked) {
     }
     setBusy(true);
     try {
-      await makeRun(document, start, read.values);
-      close();
+      // The question can have the focus only once this form is closed.
+      if (start) await makeStarted(document, read.values, close);
+      else await makeRun(document, false, read.values).then(close);
     } catch (error) {
       setRefusal(messageOf(error));
       setBusy(false);

@@ -1,6 +1,7 @@
 // The run that is to be made and needs arguments, or shall have some.
 import { areOptional, type RunParameter } from "../../shared/arguments/parameters";
 import { attempt, makeRun, parametersOf } from "../client";
+import { makeStarted } from "../panels/startAsk";
 import { createStore, useSelected } from "../store";
 
 export interface Asked {
@@ -21,5 +22,6 @@ export const requestRun = (document: string, always: boolean, start = false): Pr
   attempt(async () => {
     const parameters = await parametersOf(document);
     if (parameters.length > 0 && (always || !areOptional(parameters))) store.dispatch({ document, parameters });
-    else await makeRun(document, start, {});
+    else if (start) await makeStarted(document, {});
+    else await makeRun(document, false, {});
   });

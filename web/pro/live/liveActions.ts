@@ -2,8 +2,9 @@
 import { allowedBeside, runOfDocument } from "../../shared/live/shownRun";
 import { isOver, type Command } from "../../shared/run/controls";
 import { commandable, watchedCore } from "../../shared/session/session";
-import { follow, run, session, view } from "../client";
+import { follow, session, view } from "../client";
 import type { Action } from "../edit/actions/action";
+import { command as carryOut } from "../panels/startAsk";
 
 const runOf = (document: string) => runOfDocument(watchedCore(session.get()), document);
 
@@ -14,7 +15,7 @@ const runAction = (command: Command, name: string): Action => ({
     if (runOf(document) === undefined) return "no run of this document is watched";
     return allowedBeside(commandable(session.get()), document).has(command) ? undefined : "the watched run does not take this now";
   },
-  run: () => void run(command),
+  run: () => carryOut(command),
 });
 
 const following: Action = {

@@ -6,12 +6,13 @@ import { isInterrupted } from "../../shared/run/interruption";
 import { keysOf, type Shortcut } from "../../shared/session/shortcuts";
 import type { Drawer } from "../../shared/session/view";
 import { commandable } from "../../shared/session/session";
-import { run, useCore, useSession, useView, view } from "../client";
+import { useCore, useSession, useView, view } from "../client";
 import { openDocument, useEditing } from "../edit/editing";
 import { StepButtons } from "../debugger/StepButtons";
 import { PastButtons } from "../past/PastButtons";
 import { Icon, type IconName } from "./Icon";
 import { usePersonWait } from "./PersonWaitBar";
+import { command } from "./startAsk";
 
 interface ButtonSpec {
   readonly command: Command;
@@ -57,7 +58,7 @@ export function RunBar() {
           disabled={!commands.has(spec.command)}
           title={`${spec.name} (${keysOf(spec.key)})${spec.says === undefined ? "" : `: ${spec.says}`}`}
           aria-keyshortcuts={keysOf(spec.key)}
-          onClick={() => void run(spec.command)}
+          onClick={() => command(spec.command)}
         >
           <Icon name={spec.icon} />
           <span>{spec.name}</span>

@@ -1,26 +1,23 @@
-// Asks, above the run bar, whether a run may move the robot that a key has started. Enter starts, Esc does not.
+// Asks, above the run bar, whether a run may move the robot that shall start. Enter starts, Esc does not.
 import { useEffect, useMemo, useRef, useState } from "react";
-import { commandOf } from "../../shared/session/shortcuts";
-import { commandable } from "../../shared/session/session";
 import { movedBy, movesText } from "../../shared/run/moving";
 import { useSession } from "../client";
 import { CodeText } from "./CodeText";
 import { Icon } from "./Icon";
-import { answerStart, useStartAsk, type StartAsk } from "./startAsk";
+import { answerStart, stillHolds, useStartAsk, type StartAsk } from "./startAsk";
 
-const kVerbs: Readonly<Partial<Record<StartAsk["command"], string>>> = { start: "Start", resume: "Resume", again: "Run again" };
+const kVerbs: Readonly<Partial<Record<StartAsk["command"], string>>> = { start: "Start", resume: "Resume", again: "Run again", micro: "Make a micro step", macro: "Make a macro step", until: "Make this step" };
 
 export function StartAskBar() {
   const asked = useStartAsk();
-  return asked === undefined ? null : <Question key={asked.id} asked={asked} />;
+  return asked === undefined ? null : <Question key={asked.core.id} asked={asked} />;
 }
 
 function Question({ asked }: { readonly asked: StartAsk }) {
   const [remember, setRemember] = useState(true);
   const before = useRef<Element>(null);
   const start = useRef<HTMLButtonElement>(null);
-  // Another run is shown, or this one has been started meanwhile: the question is void.
-  const holds = useSession((s) => s.watched === asked.id && commandOf("lead", commandable(s)) === asked.command);
+  const holds = useSession((s) => stillHolds(s, asked));
   useEffect(() => {
     before.current = document.activeElement;
     start.current?.focus();
@@ -34,7 +31,7 @@ function Question({ asked }: { readonly asked: StartAsk }) {
   }, [holds, asked]);
   const [model, services] = [useSession((s) => s.model), useSession((s) => s.services)];
   const moved = useMemo(() => movedBy(model, services), [model, services]);
-  // The key came before the task was here: now it is, and nothing moves.
+  // It was asked before the task was here: now it is, and nothing moves.
   const isVoid = moved?.length === 0;
   useEffect(() => {
     if (holds && isVoid) answerStart(asked, true, false);
@@ -60,7 +57,7 @@ function Question({ asked }: { readonly asked: StartAsk }) {
         </strong>
         <label>
           <input type="checkbox" checked={remember} onChange={(event) => setRemember(event.target.checked)} />
-          Do not ask again for {asked.document} in this tab
+          Do not ask again for {asked.core.document} in this tab
         </label>
       </div>
       <button type="button" ref={start} onClick={() => answer(true)}>

@@ -5,10 +5,11 @@ import { allowed, until } from "../../shared/run/controls";
 import { portText, valueText } from "../../shared/model/describe";
 import { stateShown } from "../../shared/past/shown";
 import { commandable } from "../../shared/session/session";
-import { run, useSession, view } from "../client";
+import { useSession, view } from "../client";
 import { RunComments } from "../comments/RunComments";
 import { ActionBreakpoint, BreakpointChoices } from "../debugger/BreakpointChoices";
 import { Code } from "./Code";
+import { command } from "./startAsk";
 import { ValueTable } from "./ValueTable";
 
 export function StateProperties({ path, state }: { readonly path: string; readonly state: State }) {
@@ -50,10 +51,10 @@ function StepTo({ path, state }: { readonly path: string; readonly state: State 
   return (
     <div className="step-to" role="group" aria-label="Run until">
       {past && <span className="of-present">The present</span>}
-      <button type="button" onClick={() => void run("until", until(state, path, "entered"))}>
+      <button type="button" onClick={() => command("until", until(state, path, "entered"))}>
         Run until entered
       </button>
-      <button type="button" onClick={() => void run("until", until(state, path, "left"))}>
+      <button type="button" onClick={() => command("until", until(state, path, "left"))}>
         Run until left
       </button>
     </div>

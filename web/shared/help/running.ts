@@ -7,7 +7,7 @@ export const running: readonly Topic[] = [
   {
     id: "run", title: "Making and starting a run", group,
     blocks: [
-      text("A run executes a document as it is in one revision, with arguments for the parameters of its root. It is made by Load (or F5 in the editor) and started by Start (F5): only then anything moves. The key asks before that, once for a document; the button does not."),
+      text("A run executes a document as it is in one revision, with arguments for the parameters of its root. It is made by Load (or F5 in the editor) and started by Start (F5): only then anything moves. Whatever starts it, key or button, asks before that, once for a document."),
       list("Pause (F7) stops the task between two micro steps. What services do goes on: a robot that moves ends its motion.", "Stop (F8) ends the run. No exit function is executed; the safe operations of the services are called.", "A document with errors is a draft: it is stored, but cannot be run."),
       text("STOP of this program is not a safety function. The emergency stop of the robot is."),
     ],

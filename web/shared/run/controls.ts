@@ -24,6 +24,10 @@ export function primary(core: Core | undefined): Command | undefined {
   return (["start", "resume", "again"] as const).find((command) => commands.has(command));
 }
 
+/** Whether the command lets the task begin or go on by itself; a step of a run that has begun does not. */
+export const setsGoing = (command: Command, { status }: Pick<Core, "status">): boolean =>
+  command === "start" || command === "resume" || command === "again" || (status === "ready" && (command === "micro" || command === "macro" || command === "until"));
+
 export type UntilRequest = Extract<StepRequest, { readonly kind: "until" }>;
 
 /** Goes on until the state at `path` is entered or left. It is named by its id, if it has one: an edit may move it meanwhile. */

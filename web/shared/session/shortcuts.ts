@@ -15,7 +15,7 @@ export interface ShortcutEntry {
 }
 
 export const shortcuts: readonly ShortcutEntry[] = [
-  { shortcut: "lead", keys: ["F5"], does: "Start the run, resume it, or run again; asks first if that moves the robot" },
+  { shortcut: "lead", keys: ["F5"], does: "Start the run, resume it, or run again; what starts a run asks first if that moves the robot" },
   { shortcut: "pause", keys: ["F7"], does: "Pause" },
   { shortcut: "micro", keys: ["F4"], does: "Micro step" },
   { shortcut: "macro", keys: ["Shift+F4"], does: "Macro step" },

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import type { Core, CoreDelta, RunState, Values } from "../../generated/messages";
 import { buildTree, stateAt } from "../../shared/model/modelTree";
 import { applyDelta, runningNow } from "../../shared/run/applyDelta";
-import { allowed, primary, statusText, until } from "../../shared/run/controls";
+import { allowed, primary, setsGoing, statusText, until } from "../../shared/run/controls";
 import { callText, inputText } from "../../shared/run/inputText";
 import { atomAdvice, codePieces, constantText, readsText, whyHeadline, whySentences } from "../../shared/run/whyText";
 import { caseNames, modelOf, runOf } from "../conformance";
@@ -94,6 +94,12 @@ describe("controls", () => {
     expect(primary({ ...core, paused: true })).toBe("resume");
     expect(primary({ ...core, status: "ended" })).toBe("again");
     expect(primary(core)).toBeUndefined();
+  });
+  it("know which command sets a task going: a step only if it is the first", () => {
+    const ready = { status: "ready" } as const;
+    const going = (status: Pick<Core, "status">) => (["start", "pause", "resume", "again", "micro", "macro", "until", "stop"] as const).filter((command) => setsGoing(command, status));
+    expect(going(ready)).toEqual(["start", "resume", "again", "micro", "macro", "until"]);
+    expect(going(core)).toEqual(["start", "resume", "again"]);
   });
   it("name the state that a step goes to by its id, which survives an edit, else by its path", () => {
     const grasp = stateAt(buildTree(modelOf("thesis-pick").root), "Pick/Grasp");

@@ -2,10 +2,11 @@
 import { allowed, type Command } from "../../../shared/run/controls";
 import { watchedCore } from "../../../shared/session/session";
 import { shortcuts, type Shortcut } from "../../../shared/session/shortcuts";
-import { run, session, view } from "../../client";
+import { session, view } from "../../client";
 import { showLegend } from "../../canvas/legend/Legend";
 import { toggleFolded } from "../../layout/panels";
 import { focusSearch } from "../../panels/SearchBox";
+import { command as carryOut } from "../../panels/startAsk";
 import { showRuns } from "../../runs/actions";
 import type { Action } from "./action";
 
@@ -16,7 +17,7 @@ const pageAction = (shortcut: Shortcut, name: string, act: () => void): Action =
 });
 
 const runCommand = (command: Command & Shortcut, name: string): Action => ({
-  ...pageAction(command, name, () => void run(command)),
+  ...pageAction(command, name, () => carryOut(command)),
   when: () => (allowed(watchedCore(session.get())).has(command) ? undefined : "the watched run does not take this now"),
 });
 
