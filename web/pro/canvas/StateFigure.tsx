@@ -1,5 +1,6 @@
 // A state as a figure in the page, drawn as the canvas draws it.
 import { createElement, useEffect, useId, useMemo, useState, type ReactElement } from "react";
+import { aspectFor } from "../../shared/drawing/aspect";
 import type { Drawing } from "../../shared/drawing/drawing";
 import { layoutModel } from "../../shared/drawing/layout";
 import type { Detail } from "../../shared/drawing/measure";
@@ -14,6 +15,9 @@ function rendered({ tag, attributes, children }: SvgElement, key?: number): Reac
   const props = Object.fromEntries(Object.entries(attributes).map(([name, value]) => [kReactNames[name] ?? name, value]));
   return createElement(tag, { ...props, key }, ...children.map((child, i) => (typeof child === "string" ? child : rendered(child, i))));
 }
+
+/** Of a figure: one of those that layouts are kept for. */
+const kAspect = aspectFor({ width: 2, height: 1 });
 
 /** What is drawn. */
 export interface Pictured {
@@ -34,7 +38,7 @@ export function StateFigure({ of, title }: Props) {
   useEffect(() => {
     const end = new AbortController();
     const { signal } = end;
-    layoutModel(layoutInWorkers(signal), { ...of, path: of.state.name, aspect: 2, signal }).then(
+    layoutModel(layoutInWorkers(signal), { ...of, path: of.state.name, aspect: kAspect, signal }).then(
       (next) => !signal.aborted && setDrawing(next),
       () => undefined,
     );

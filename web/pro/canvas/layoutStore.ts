@@ -1,7 +1,8 @@
-// The layouts that this browser keeps from one visit to the next (IndexedDB).
+// The layouts that need no engine: those that this browser keeps from one visit to the next (IndexedDB), and those of the demo.
 import { clear, createStore, get, keys, set, type UseStore } from "idb-keyval";
 import { version } from "elkjs/package.json";
 import type { KeptLayout, LayoutStore } from "../../shared/drawing/keptLayouts";
+import { shippedLayout } from "./shippedLayouts";
 
 /** With more, all are forgotten when the page opens: those that are in use come again. */
 const kMost = 2000;
@@ -21,6 +22,6 @@ const inStore = async <T>(request: (store: UseStore) => Promise<T>): Promise<T> 
 const named = (key: string): string => `${version} ${key}`;
 
 export const layoutStore: LayoutStore = {
-  get: (key) => inStore((store) => get<KeptLayout>(named(key), store)),
+  get: async (key) => (await inStore((store) => get<KeptLayout>(named(key), store)).catch(() => undefined)) ?? shippedLayout(key),
   set: (key, kept) => inStore((store) => set(named(key), kept, store)),
 };

@@ -1,5 +1,6 @@
 // The drawing of what the view shows, laid out anew when the model, the focus, what is collapsed or the detail changes.
 import { useEffect, useMemo, useRef, useState } from "react";
+import { aspectFor } from "../../shared/drawing/aspect";
 import type { Drawing } from "../../shared/drawing/drawing";
 import { readable } from "../../shared/drawing/fit";
 import { layoutModel } from "../../shared/drawing/layout";
@@ -98,8 +99,7 @@ function detailsFor({ subject, shown }: Request, before: Of<Laid> | undefined): 
 async function drawAll(request: Request, wanted: readonly Detail[], signal: AbortSignal, take: (laid: Laid) => void, onProgress: (progress: Progress) => void): Promise<void> {
   const { path, state, frame, shown, places, tree } = request;
   const engine = layoutInWorkers(signal);
-  const aspect = Math.min(2.4, Math.max(0.6, frame.width / frame.height));
-  const common = { state, path, places, collapsed: shown.collapsed, aspect, signal };
+  const common = { state, path, places, collapsed: shown.collapsed, aspect: aspectFor(frame), signal };
   const isStale = () => signal.aborted;
   const [first, ...more] = wanted;
   if (first === undefined) return;
