@@ -85,7 +85,22 @@ describe("the 3D view", () => {
     await expect.poll(() => words().innerText(), kSoon).toBe("");
   });
 
-  it("says why an arm that is pulled holds", async () => {
+  it("has its tools in one row beside the task, too", async () => {
+    await fixture.page.getByRole("tab", { name: "Task" }).click();
+    for (const size of [{ width: 1366, height: 768 }, { width: 1600, height: 1000 }]) {
+      await fixture.page.setViewportSize(size);
+      const middles: number[] = [];
+      for (const name of ["Pull", "Parts", "Reset demo", "Home", "Cloud", "Close the cell view"]) {
+        const box = await tool(name).boundingBox();
+        middles.push(box === null ? Infinity : box.y + box.height / 2);
+      }
+      expect(Math.max(...middles) - Math.min(...middles), JSON.stringify(size)).toBeLessThan(14);
+    }
+    await fixture.screenshot("cell-tools-docked");
+    await fixture.page.getByRole("tab", { name: "Cell" }).click();
+  });
+
+  it("says at the hand why an arm that is pulled holds", async () => {
     await tool("Pull").click();
     const why = fixture.page.locator(".cell-why");
     expect(await why.innerText()).toBe("");
@@ -93,6 +108,13 @@ describe("the 3D view", () => {
     await fixture.page.mouse.down();
     await fixture.page.mouse.move(x + 40, y, { steps: 5 });
     await expect.poll(() => why.innerText(), kSoon).toMatch(/The arm holds its position: the task has not asked it to give way/);
+    // At the hand, below its force.
+    const force = fixture.page.locator(".cell-force").first();
+    await expect.poll(async () => {
+      const [reason, strength] = [await why.boundingBox(), await force.boundingBox()];
+      return reason !== null && strength !== null && Math.abs(reason.y - strength.y - strength.height) < 40 && Math.abs(reason.x - strength.x) < 320;
+    }, kSoon).toBe(true);
+    expect(await why.isVisible()).toBe(true);
     await fixture.screenshot("cell-why");
     await fixture.page.mouse.up();
     await expect.poll(() => why.innerText(), kSoon).toBe("");

@@ -140,6 +140,12 @@ export class CellScene {
     this.throttle.request();
   }
 
+  /** Says at the hand that pulls this link why the arm holds; nothing: it is not pulled, or goes with the hand. */
+  explain(link: string | undefined, reason: string | undefined): void {
+    this.hands.explain(link, reason);
+    this.throttle.request();
+  }
+
   /** Applies a pose; names that the scene does not have are ignored. */
   move(pose: CellPose): void {
     if (this.shown !== undefined && !looksDifferent(this.shown, pose)) return;

@@ -7,6 +7,7 @@ import { Legend, showLegend, useLegend } from "../canvas/legend/Legend";
 import { api, useView } from "../client";
 import { listenToTheme } from "../theme/theme";
 import { CellScene } from "./CellScene";
+import { CellTool } from "./CellTool";
 import { PartList } from "./PartList";
 import { useResetAsked } from "./reset";
 import { ResetButton, ResetCell } from "./ResetCell";
@@ -90,6 +91,7 @@ export function CellView() {
     if (shown.current !== undefined) Object.assign(shown.current.grabbing, { always: pulling, isPast });
   }, [pulling, isPast]);
   useEffect(() => shown.current?.showCollision(control.link, control.text), [world, control.link, control.text]);
+  useEffect(() => shown.current?.explain(isPast ? undefined : pulled, control.holds), [isPast, pulled, control.holds]);
   const act = (kind: "take" | "place", part: string) => {
     setMenu(undefined);
     setRefused(undefined);
@@ -142,25 +144,13 @@ export function CellView() {
       {problem !== undefined && <p className="cell-note">The cell cannot be shown: {problem}</p>}
       <div className="cell-over">
         <div className="cell-tools">
-          <button type="button" disabled={isPast} aria-pressed={pulling} title="Pull links and parts with mouse or finger (or hold Shift)" onClick={() => setPulling(!pulling)}>
-            Pull
-          </button>
-          <button type="button" disabled={isPast} aria-expanded={listed && !isPast} aria-controls="cell-parts" title="All parts, to take away or put back" onClick={() => setListed(!listed)}>
-            Parts
-          </button>
+          <CellTool name="Pull" icon="hand" hint="pull links and parts with mouse or finger (or hold Shift)" disabled={isPast} aria-pressed={pulling} onClick={() => setPulling(!pulling)} />
+          <CellTool name="Parts" icon="parts" hint="all parts, to take away or put back" disabled={isPast} aria-expanded={listed && !isPast} aria-controls="cell-parts" onClick={() => setListed(!listed)} />
           <ResetButton disabled={isPast} />
-          <button type="button" title="The view as at first (Home)" onClick={() => shown.current?.home()}>
-            Home
-          </button>
-          {isPage && (
-            <button type="button" aria-pressed={legend} title="What lines, dots and balls mean" onClick={() => showLegend(!legend)}>
-              Legend
-            </button>
-          )}
+          <CellTool name="Home" icon="home" hint="the view as at first (key Home)" onClick={() => shown.current?.home()} />
+          {isPage && <CellTool name="Legend" icon="legend" hint="what lines, dots and balls mean" aria-pressed={legend} onClick={() => showLegend(!legend)} />}
           {camera !== undefined && (
-            <button type="button" disabled={isPast} aria-pressed={clouded} title={`Draw what the ${camera} measures, as points`} onClick={() => setClouded(!clouded)}>
-              Cloud
-            </button>
+            <CellTool name="Cloud" icon="cloud" hint={`draw what the ${camera} measures, as points`} disabled={isPast} aria-pressed={clouded} onClick={() => setClouded(!clouded)} />
           )}
           {(listed || isPast ? [] : absent).map((part) => (
             <button key={part} type="button" onClick={() => act("place", part)}>
@@ -169,9 +159,6 @@ export function CellView() {
           ))}
           {pulling && !listed && <p className="cell-hint">Drag the arm or a part; it gives way as the task allows. Right click a part, or press it long, to take it away.</p>}
           {points !== undefined && <p className="cell-hint">{points} points that the {camera} measures now</p>}
-          <p role="status" className="cell-why">
-            {!isPast && pulled !== undefined && control.holds}
-          </p>
           {refused !== undefined && <p role="alert">{refused}</p>}
         </div>
         {asksReset && <ResetCell />}

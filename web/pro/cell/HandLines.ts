@@ -1,4 +1,4 @@
-// Draws hands and pushes: a line to the target, a dot at the contact point, the force beside it.
+// Draws hands and pushes: a line to the target, a dot at the contact point, the force beside it; and at a hand that pulls an arm that holds, why it does.
 import { BufferAttribute, BufferGeometry, Group, Line, LineBasicMaterial, Mesh, MeshBasicMaterial, SphereGeometry, Vector3, type Camera } from "three";
 import { apart } from "../../shared/cell/labels";
 import { forceText, lineEnd } from "../../shared/cell/touch";
@@ -6,6 +6,8 @@ import type { Touch } from "../../generated/messages";
 
 /** From the end of a line to its label [px]. */
 const kBeside = 8;
+/** From the end of a line to the reason below its force [px]. */
+const kBelow = 13;
 
 export class HandLines {
   readonly group = new Group();
@@ -13,9 +15,16 @@ export class HandLines {
   private readonly dotMaterial = new MeshBasicMaterial({ depthTest: false });
   private readonly dot = new SphereGeometry(0.008, 12, 8);
   private readonly drawn: { readonly line: Line; readonly dot: Mesh; readonly label: HTMLElement }[] = [];
+  private readonly why = document.createElement("span");
   private touches: readonly Touch[] = [];
+  /** The body about which `why` is. */
+  private held: string | undefined;
 
-  constructor(private readonly host: HTMLElement) {}
+  constructor(private readonly host: HTMLElement) {
+    this.why.className = "cell-why";
+    this.why.setAttribute("role", "status");
+    host.append(this.why);
+  }
 
   /** The colour of lines and dots from now on. */
   paint(colour: string): void {
@@ -38,17 +47,28 @@ export class HandLines {
     });
   }
 
+  /** Why this body does not go with the hand that pulls it. */
+  explain(body: string | undefined, reason: string | undefined): void {
+    this.held = body;
+    this.why.textContent = body === undefined ? "" : (reason ?? "");
+    // Until the next frame has placed it.
+    this.why.style.visibility = "hidden";
+  }
+
   /** Places the labels at the ends of the lines, without overlap. */
   placeLabels(camera: Camera): void {
     const view = { width: this.host.clientWidth, height: this.host.clientHeight };
     const shown = this.touches.flatMap((touch, i) => {
       const label = this.drawn[i]?.label;
-      return label === undefined ? [] : [{ label, end: new Vector3(...lineEnd(touch)).project(camera) }];
+      const end = new Vector3(...lineEnd(touch)).project(camera);
+      const force = label === undefined ? [] : [{ label, end, below: 0 }];
+      return touch.body === this.held && this.why.textContent !== "" ? [...force, { label: this.why, end, below: kBelow }] : force;
     });
-    const wanted = shown.map(({ label: { offsetWidth: width, offsetHeight: height }, end }) => {
-      return { x: ((end.x + 1) / 2) * view.width + kBeside, y: ((1 - end.y) / 2) * view.height - height / 2, width, height };
+    const wanted = shown.map(({ label: { offsetWidth: width, offsetHeight: height }, end, below }) => {
+      return { x: ((end.x + 1) / 2) * view.width + kBeside, y: ((1 - end.y) / 2) * view.height + (below > 0 ? below : -height / 2), width, height };
     });
     apart(wanted, view).forEach(({ x, y }, i) => shown[i]?.label.style.setProperty("translate", `${x}px ${y}px`));
+    this.why.style.visibility = shown.some(({ label }) => label === this.why) ? "visible" : "hidden";
   }
 
   dispose(): void {
@@ -56,6 +76,7 @@ export class HandLines {
       line.geometry.dispose();
       label.remove();
     }
+    this.why.remove();
     this.material.dispose();
     this.dotMaterial.dispose();
     this.dot.dispose();

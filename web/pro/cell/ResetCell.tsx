@@ -3,6 +3,7 @@ import { useEffect, useRef, useState } from "react";
 import { refusalToReset } from "../../shared/cell/reset";
 import { messageOf } from "../../shared/messageOf";
 import { api, useSession } from "../client";
+import { CellTool } from "./CellTool";
 import { askReset, useResetAsked } from "./reset";
 
 export function ResetCell() {
@@ -59,8 +60,6 @@ export function ResetCell() {
 export function ResetButton({ disabled }: { readonly disabled: boolean }) {
   const asked = useResetAsked();
   return (
-    <button type="button" disabled={disabled} aria-expanded={asked} title="Parts, robot and database as at the start" onClick={() => askReset(!asked)}>
-      Reset demo
-    </button>
+    <CellTool name="Reset demo" icon="again" hint="parts, robot and database as at the start" disabled={disabled} aria-expanded={asked} onClick={() => askReset(!asked)} />
   );
 }

@@ -1,4 +1,4 @@
-// The icons of the run bar, the top bar and of ports, drawn on a 16 px grid.
+// The icons of the run bar, the top bar, the 3D view and of ports, drawn on a 16 px grid.
 const shapes = {
   play: <path d="M4 2.5v11l9-5.5z" />,
   pause: <path d="M4 3h3v10H4zM9 3h3v10H9z" />,
@@ -17,6 +17,11 @@ const shapes = {
   half: <path fillRule="evenodd" d="M8 1.2a6.8 6.8 0 1 1 0 13.6A6.8 6.8 0 1 1 8 1.2zm0 1.6v10.4a5.2 5.2 0 1 0 0-10.4z" />,
   sun: <path d="M8 4.6a3.4 3.4 0 1 1 0 6.8 3.4 3.4 0 1 1 0-6.8zM7.2.8h1.6v2.4H7.2zM7.2 12.8h1.6v2.4H7.2zM.8 7.2h2.4v1.6H.8zM12.8 7.2h2.4v1.6h-2.4zM2.3 3.5l1.2-1.2 1.7 1.7L4 5.2zM10.8 12l1.2-1.2 1.7 1.7-1.2 1.2zM3.5 13.7l-1.2-1.2L4 10.8 5.2 12zM12 5.2L10.8 4l1.7-1.7 1.2 1.2z" />,
   moon: <path d="M6.4 1.4A6.7 6.7 0 1 0 14.6 9.6 5.7 5.7 0 0 1 6.4 1.4z" />,
+  hand: <path d="M5 8.4V3.2a.9.9 0 0 1 1.8 0v3.6h.5V1.9a.9.9 0 0 1 1.8 0v4.9h.5V2.7a.9.9 0 0 1 1.8 0v4.6h.5V4.5a.9.9 0 0 1 1.8 0v5.9c0 2.9-1.8 4.8-4.5 4.8-2.1 0-3.3-.9-4.3-2.7L2.5 9.3c-.6-1.1.8-2 1.6-1.1z" />,
+  parts: <path fillRule="evenodd" d="M1.5 2h4.4v4.4H1.5zM3 3.5v1.4h1.4V3.5zM7.5 3.4h7v1.6h-7zM1.5 9.4h4.4v4.4H1.5zM3 10.9v1.4h1.4v-1.4zM7.5 10.8h7v1.6h-7z" />,
+  home: <path d="M8 1.4l6.8 6.2-1.1 1.2-.8-.7v6H9.4v-4H6.6v4H3.1v-6l-.8.7-1.1-1.2z" />,
+  legend: <path fillRule="evenodd" d="M8 .8a7.2 7.2 0 1 1 0 14.4A7.2 7.2 0 1 1 8 .8zm0 1.6a5.6 5.6 0 1 0 0 11.2A5.6 5.6 0 1 0 8 2.4zM7.1 7h1.8v4.8H7.1zM7.1 4.1h1.8v1.8H7.1z" />,
+  cloud: <path d="M3 2.2h2v2H3zM8 1.2h2v2H8zM12 4h2v2h-2zM6 5.4h2v2H6zM1.6 7h2v2h-2zM10 8.2h2v2h-2zM5 10h2v2H5zM13 11h2v2h-2zM8.6 12.6h2v2h-2zM2 12.4h2v2H2z" />,
 } as const;
 
 export type IconName = keyof typeof shapes;
