@@ -7,7 +7,7 @@ export type Sign =
   | "oracle" | "choice" | "history" | "deep history"
   | "line" | "line_fired" | "line_touched" | "line_exit" | "first"
   | "running" | "breakpoint" | "breakpoint_off" | "errors"
-  | "hand" | "push" | "balls";
+  | "hand" | "push" | "collision" | "balls";
 
 export interface LegendEntry {
   readonly sign: Sign;
@@ -76,6 +76,7 @@ export const cellLegend: readonly LegendGroup[] = [
     entries: [
       entry("hand", "A hand that pulls: from the dot, where it holds, to where it pulls, with the force."),
       entry("push", "A push, the same: at the dot, in the direction of the line."),
+      entry("collision", "A red ball: a collision was felt at this link or beyond, in the last 10 s."),
       entry("balls", "Three balls at the gripper: by them the camera is calibrated. Nothing touches them."),
     ],
   },

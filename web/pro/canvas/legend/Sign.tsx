@@ -76,6 +76,12 @@ export function Sign({ sign }: { readonly sign: SignName }) {
       return <Touch force="25 N" dotted />;
     case "push":
       return <Touch force="25 N" />;
+    case "collision":
+      return (
+        <svg className="legend-collision" viewBox="0 0 60 24">
+          <circle cx={30} cy={12} r={9} />
+        </svg>
+      );
     case "balls":
       return (
         <svg className="legend-balls" viewBox="0 0 60 24">
