@@ -39,8 +39,24 @@ describe("the time line", () => {
   let short: string;
   let long: string;
 
-  it("has a bar for each state and call, and plots a number", async () => {
+  it("is there while the run goes on faster than the server answers", async () => {
     await fixture.send("PUT", "/documents/counting", { rcm: 1, name: "counting", root: counting });
+    const { id } = (await fixture.send("POST", "/cores", { document: "counting", arguments: { last: 100_000 } })) as { readonly id: string };
+    await fixture.send("POST", `/cores/${id}/start`);
+    const slow = /\/derivations/;
+    await page.route(slow, async (route) => {
+      await new Promise((resolve) => setTimeout(resolve, 400));
+      await route.continue();
+    });
+    await page.goto(`${fixture.url}/pro/?run=${id}`);
+    await settled(page);
+    await page.getByRole("tab", { name: "Time line" }).click();
+    await page.getByRole("heading", { name: /^Macro steps 1 to \d+$/ }).waitFor({ timeout: 8000 });
+    await fixture.send("POST", `/cores/${id}/stop`);
+    await page.unrouteAll({ behavior: "wait" });
+  });
+
+  it("has a bar for each state and call, and plots a number", async () => {
     short = await count(2);
     long = await count(4);
     await page.goto(`${fixture.url}/pro/?run=${long}`);

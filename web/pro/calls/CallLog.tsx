@@ -4,7 +4,7 @@ import { folded, kEntryKinds, loggedStep, matchingEntries, servicesOf, type Entr
 import { momentText } from "../../shared/past/moment";
 import { useSession, view } from "../client";
 import { visit } from "../past/past";
-import { useSteps } from "../timeline/loading";
+import { useSteps, useStepsToCome } from "../timeline/loading";
 
 /** So many entries are shown, the last ones. */
 const kMostEntries = 1000;
@@ -13,6 +13,7 @@ const kNames: Readonly<Record<EntryKind, string>> = { call: "Calls", response: "
 
 export function CallLog() {
   const loaded = useSteps(loggedStep);
+  const toCome = useStepsToCome(loaded);
   const [kind, setKind] = useState<EntryKind>();
   const [service, setService] = useState<string>();
   const [text, setText] = useState("");
@@ -39,7 +40,7 @@ export function CallLog() {
         <input type="search" placeholder="Filter" aria-label="Text of calls and events" value={text} onChange={(event) => setText(event.target.value)} />
         <span role="status">{loaded?.failed ?? (entries.length === 0 ? "" : `${shown.length} of ${entries.length}, newest last`)}</span>
       </div>
-      {shown.length > 0 ? <Entries entries={shown} /> : <p className="quiet pad">{entries.length === 0 ? "What the run calls, and the responses and events that come to it, appear here with its first step." : "No entry fits this filter."}</p>}
+      {shown.length > 0 ? <Entries entries={shown} /> : <p className="quiet pad">{entries.length > 0 ? "No entry fits this filter." : toCome ? "Loading the steps of the run…" : "What the run calls, and the responses and events that come to it, appear here with its first step."}</p>}
     </section>
   );
 }

@@ -8,7 +8,7 @@ import { watchedCore } from "../../shared/session/session";
 import { useSession } from "../client";
 import { saveText } from "../saveText";
 import { measureBy, useMeasure } from "./axis";
-import { useSteps, type LoadedSteps } from "./loading";
+import { useSteps, useStepsToCome, type LoadedSteps } from "./loading";
 import { ServiceBars } from "./ServiceBars";
 import { CallBars, StateBars } from "./StateBars";
 import { useTimes } from "./times";
@@ -17,10 +17,11 @@ const ValuePlot = lazy(() => import("./ValuePlot").then(({ ValuePlot }) => ({ de
 
 export function TimelinePanel() {
   const line = useSteps(lineStep);
+  const toCome = useStepsToCome(line);
   if (line === undefined || line.steps.length === 0) {
     return (
       <section className="timeline" aria-label="Time line">
-        <p className="quiet pad">{line?.failed ?? "The time line of a run appears here as soon as it has a macro step."}</p>
+        <p className="quiet pad">{line?.failed ?? (toCome ? "Loading the steps of the run…" : "The time line of a run appears here as soon as it has a macro step.")}</p>
       </section>
     );
   }

@@ -1,5 +1,5 @@
 // The macro steps of the shown run, loaded in parts of which only what is shown is kept.
-import { useEffect, useEffectEvent, useState } from "react";
+import { useEffect, useEffectEvent, useRef, useState } from "react";
 import type { TraceStep } from "../../generated/messages";
 import { watchedCore } from "../../shared/session/session";
 import { api, session, sourceOf, useSession } from "../client";
@@ -38,24 +38,32 @@ export function useSteps<T extends Kept>(keep: (step: TraceStep) => T): LoadedSt
   const [line, setLine] = useState<LoadedSteps<T>>();
   const shown = line?.id === id ? line : undefined;
   const have = shown?.steps.at(-1)?.step ?? 0;
-  const load = useEffectEvent(async (of: string, to: number, isCurrent: () => boolean) => {
+  /** One request at a time, and none is given up because the run goes on: it may go on faster than the server answers. `moment`: what is loaded. */
+  const asked = useRef({ busy: false, at: -kEvery, moment: "" });
+  const load = useEffectEvent(async (of: string, to: number, moment: string) => {
     const steps = shown?.steps ?? [];
-    try {
-      const all = await loadPart(of, steps, to, keep);
-      if (isCurrent()) setLine({ id: of, steps: all });
-    } catch (error) {
-      if (isCurrent()) setLine({ id: of, steps, failed: messageOf(error) });
-    }
+    Object.assign(asked.current, { busy: true, at: performance.now(), moment });
+    const next = await loadPart(of, steps, to, keep).then(
+      (all): LoadedSteps<T> => ({ id: of, steps: all }),
+      (error: unknown): LoadedSteps<T> => ({ id: of, steps, failed: messageOf(error) }),
+    );
+    asked.current.busy = false;
+    setLine(next);
   });
   useEffect(() => {
-    if (id === undefined || last === 0) return;
-    let current = true;
+    const moment = `${id}/${last}.${micro}`;
+    const { busy, at, moment: before } = asked.current;
+    const complete = before === moment && (have >= last || shown?.failed !== undefined);
+    if (id === undefined || last === 0 || busy || complete) return;
     // Parts that are missing come at once.
-    const timer = setTimeout(() => void load(id, last, () => current), have === 0 || last - have >= kPart ? 0 : kEvery);
-    return () => {
-      current = false;
-      clearTimeout(timer);
-    };
-  }, [id, last, micro, have]);
+    const wait = shown?.failed === undefined && (have === 0 || last - have >= kPart) ? 0 : Math.max(0, at + kEvery - performance.now());
+    const timer = setTimeout(() => void load(id, last, moment), wait);
+    return () => clearTimeout(timer);
+  }, [id, last, micro, have, shown]);
   return shown;
+}
+
+/** Whether steps are still to come: the run has some, and none is here. */
+export function useStepsToCome<T extends Kept>(loaded: LoadedSteps<T> | undefined): boolean {
+  return useSession((s) => (watchedCore(s)?.step ?? 0) > 0) && loaded === undefined;
 }
