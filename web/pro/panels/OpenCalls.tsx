@@ -1,5 +1,5 @@
 // What the run has called and not been answered, and since when.
-import { useEffect, useState } from "react";
+import { useEffect, useState, type ReactNode } from "react";
 import type { Core } from "../../generated/messages";
 import { calledText, openCallsOf } from "../../shared/run/openCalls";
 import { cellPose, useSession } from "../client";
@@ -17,24 +17,44 @@ function useCellTime(wanted: boolean): number | undefined {
   return time;
 }
 
-export function OpenCalls({ core }: { readonly core: Core }) {
-  const services = useSession((s) => s.services);
-  const calls = openCallsOf(core, services);
-  const now = useCellTime(calls.length > 0);
-  if (calls.length === 0) return null;
+export interface ListedCall {
+  readonly key: number;
+  readonly service: string;
+  readonly operation: string;
+  /** What more there is to say of it. */
+  readonly about: ReactNode;
+}
+
+interface CallListProps {
+  readonly calls: readonly ListedCall[];
+  /** What is said if there are none. */
+  readonly empty?: string;
+}
+
+/** Calls that are not answered, of the present or of a moment of the past. */
+export function CallList({ calls, empty }: CallListProps) {
   return (
     <section aria-label="Open calls">
       <h3>Open calls</h3>
+      {calls.length === 0 && empty !== undefined && <p className="quiet">{empty}</p>}
       <ul className="past-list">
-        {calls.map((call) => (
-          <li key={call.call}>
+        {calls.map(({ key, service, operation, about }) => (
+          <li key={key}>
             <code>
-              {call.service}.{call.operation}
+              {service}.{operation}
             </code>
-            <small>{calledText(call, now)}</small>
+            <small>{about}</small>
           </li>
         ))}
       </ul>
     </section>
   );
+}
+
+export function OpenCalls({ core }: { readonly core: Core }) {
+  const services = useSession((s) => s.services);
+  const calls = openCallsOf(core, services);
+  const now = useCellTime(calls.length > 0);
+  if (calls.length === 0) return null;
+  return <CallList calls={calls.map((call) => ({ key: call.call, service: call.service, operation: call.operation, about: calledText(call, now) }))} />;
 }

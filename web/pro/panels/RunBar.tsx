@@ -1,7 +1,7 @@
 // The run bar: start, pause, step, stop, and the status of the run.
 import type { Core } from "../../generated/messages";
 import { allowedBeside } from "../../shared/live/shownRun";
-import { primary, statusText, type Command } from "../../shared/run/controls";
+import { primary, statusLook, statusText, type Command } from "../../shared/run/controls";
 import { isInterrupted } from "../../shared/run/interruption";
 import { keysOf, type Shortcut } from "../../shared/session/shortcuts";
 import type { Drawer } from "../../shared/session/view";
@@ -56,6 +56,7 @@ export function RunBar() {
           type="button"
           className={`run-button run-${spec.command}`}
           disabled={!commands.has(spec.command)}
+          aria-label={spec.name}
           title={`${spec.name} (${keysOf(spec.key)})${spec.says === undefined ? "" : `: ${spec.says}`}`}
           aria-keyshortcuts={keysOf(spec.key)}
           onClick={() => command(spec.command)}
@@ -67,7 +68,7 @@ export function RunBar() {
       <StepButtons />
       <PastButtons />
       {core !== undefined && (
-        <p className={`run-status is-${asks || (core.paused && core.status === "running") ? "paused" : core.status}`} role="status" aria-label="Run status">
+        <p className={`run-status is-${asks ? "paused" : statusLook(core)}`} role="status" aria-label="Run status">
           {isInterrupted(core) ? <Icon name="interrupted" /> : <i aria-hidden="true" />}
           <strong>{lost ? `Not known; last: ${statusText(core)}` : asks && !core.paused ? "Waiting for a person" : statusText(core)}</strong>
           <span>

@@ -1,6 +1,6 @@
 // Properties when nothing is selected: the run as a whole.
 import type { ModelTree } from "../../shared/model/modelTree";
-import { isOver, statusText } from "../../shared/run/controls";
+import { isOver, statusLook, statusText } from "../../shared/run/controls";
 import { inputText } from "../../shared/run/inputText";
 import { selectionAt } from "../../shared/session/view";
 import { follow, useCore, useSession, view } from "../client";
@@ -30,7 +30,7 @@ export function RunProperties({ tree }: { readonly tree: ModelTree | undefined }
       <header className="prop-head">
         <small>Run {core.id}</small>
         <h2>{name === undefined || name === "" ? core.document : name}</h2>
-        <span className={`pill is-${core.status}`}>{statusText(core)}</span>
+        <span className={`pill is-${statusLook(core)}`}>{statusText(core)}</span>
       </header>
       {interruption !== undefined && (
         <section className="interrupted" aria-label="Interrupted">

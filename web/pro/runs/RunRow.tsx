@@ -1,9 +1,9 @@
 // A stored run in the list, with what can be done with it.
 import { useState } from "react";
 import type { Run } from "../../generated/messages";
-import { outcomeOf } from "../../shared/runs/list";
+import { coreOfRun } from "../../shared/runs/storedRun";
 import { outcomeText, runTime } from "../../shared/runs/texts";
-import { isOver } from "../../shared/run/controls";
+import { isOver, statusLook, statusText } from "../../shared/run/controls";
 import { api, useSession } from "../client";
 import { useAttempt } from "../documents/useAttempt";
 import { openRun } from "./actions";
@@ -34,7 +34,7 @@ export function RunRow({ run, offline }: Props) {
         <button type="button" className="document-name" disabled={disabled} onClick={() => void attempt(() => openRun(id))}>
           Run {id} of {document}
         </button>
-        <span className={`pill is-outcome-${outcomeOf(run)}`}>{outcomeText(run)}</span>
+        <span className={`pill is-${statusLook(hosted ?? coreOfRun(run))}`}>{hosted === undefined ? outcomeText(run) : statusText(hosted)}</span>
         <small>
           revision {revision} · <time dateTime={new Date(created).toISOString()}>{kDate.format(created)}</time>
           {took === undefined ? "" : ` · ${took}`} · {steps} {steps === 1 ? "step" : "steps"}

@@ -35,6 +35,17 @@ export function until({ id }: State, path: string, when: UntilRequest["when"]): 
   return id === undefined ? { kind: "until", path, when } : { kind: "until", id, when };
 }
 
+/** A port of the root of such a name tells that the task was not done. */
+const kBadPort = /^(error|fail|abort|cancel|lost|timeout|time_out)/i;
+
+export const isBadOutcome = (outcome: string | undefined): boolean => outcome !== undefined && kBadPort.test(outcome);
+
+/** The status of a core as far as colours tell it: a run that is paused waits, one that ended badly has failed. */
+export function statusLook({ status, paused, outcome }: Pick<Core, "status" | "paused"> & { readonly outcome?: string | undefined }): Core["status"] | "paused" | "failed" {
+  if (status === "running" && paused) return "paused";
+  return status === "ended" && isBadOutcome(outcome) ? "failed" : status;
+}
+
 /** The status of a core in one line. */
 export function statusText(core: Core): string {
   switch (core.status) {

@@ -1,6 +1,7 @@
 // The list of stored runs, the newest first, as it is loaded in parts; and what of it is wanted.
 import type { Run, Runs, ServerError } from "../../generated/messages";
 import { assertNever } from "../assertNever";
+import { isBadOutcome } from "../run/controls";
 import { outcomeText } from "./texts";
 
 export interface RunList {
@@ -43,16 +44,13 @@ export function applyRunList(list: RunList, event: RunListEvent): RunList {
   }
 }
 
-/** What a run came to, as far as colours and the filter tell it: `good` and `bad` ends, one that goes on, one that stands still, one that was not started. */
+/** What a run came to, as far as the filter tells it: `good` and `bad` ends, one that goes on, one that stands still, one that was not started. */
 export type Outcome = "good" | "bad" | "open" | "waits" | "ready";
 
-/** A port of the root of such a name tells that the task was not done. */
-const kBadPort = /^(error|fail|abort|cancel|lost|timeout|time_out)/i;
-
-export function outcomeOf({ status, outcome = "" }: Pick<Run, "status" | "outcome">): Outcome {
+export function outcomeOf({ status, outcome }: Pick<Run, "status" | "outcome">): Outcome {
   switch (status) {
     case "ended":
-      return kBadPort.test(outcome) ? "bad" : "good";
+      return isBadOutcome(outcome) ? "bad" : "good";
     case "faulted":
     case "aborted":
       return "bad";

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import type { Core, CoreDelta, RunState, Values } from "../../generated/messages";
 import { buildTree, stateAt } from "../../shared/model/modelTree";
 import { applyDelta, runningNow } from "../../shared/run/applyDelta";
-import { allowed, primary, setsGoing, statusText, until } from "../../shared/run/controls";
+import { allowed, primary, setsGoing, statusLook, statusText, until } from "../../shared/run/controls";
 import { callText, inputText } from "../../shared/run/inputText";
 import { atomAdvice, codePieces, constantText, readsText, whyHeadline, whySentences } from "../../shared/run/whyText";
 import { caseNames, modelOf, runOf } from "../conformance";
@@ -117,6 +117,11 @@ describe("controls", () => {
     expect(statusText({ ...core, paused: true })).toBe("Paused");
     expect(statusText({ ...core, paused: true, stepping: true })).toBe("Paused, its step waits for an input");
     expect(statusText({ ...core, stepping: true })).toBe("Running");
+  });
+
+  it("is told by colours: what is paused waits, and what ended badly has failed", () => {
+    expect([statusLook(core), statusLook({ ...core, paused: true }), statusLook({ ...core, status: "aborted", paused: true })]).toEqual(["running", "paused", "aborted"]);
+    expect(["success", "error"].map((outcome) => statusLook({ ...core, status: "ended", outcome }))).toEqual(["ended", "failed"]);
   });
 });
 
