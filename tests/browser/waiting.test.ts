@@ -1,4 +1,5 @@
 // What the expert page shows while a task waits: a barrier that lacks a port, a pending call, and the log.
+import { findings } from "./axe";
 import { openFixture, type Fixture } from "./fixture";
 
 let fixture: Fixture;
@@ -121,5 +122,37 @@ describe("waiting", () => {
     await panel.getByRole("button").first().click();
     await fixture.page.locator(".port.is-selected").waitFor(kSoon);
     await fixture.screenshot("waiting-edit-refused");
+  });
+
+  it("for a person is amber, with the answers in place", async () => {
+    const { page } = fixture;
+    const phone = await (await fixture.openContext({})).newPage();
+    await phone.goto(`${fixture.url}/display/?name=phone`);
+    await phone.getByRole("status", { name: "Connection" }).filter({ hasText: "Connected" }).waitFor();
+    const id = await start("asking", {
+      state: "Root", first: "Ask",
+      children: [
+        { state: "Ask", entry: "svc.display.ask('What is to be done?', ['Continue', 'Abort'])", ports: [{ name: "on", when: "svc.display.ask.result.answer == 'Continue'", to: "Count" }] },
+        { state: "Count", entry: "svc.display.ask_number('How many parts?', 1, 9)", ports: [{ name: "done", when: "svc.display.ask_number.result.answer == 3", to: "End" }] },
+        { state: "End" },
+      ],
+      ports: [never],
+    });
+    await page.goto(`${fixture.url}/pro/?run=${id}`);
+    const asked = page.getByRole("alert", { name: "Waiting for a person" });
+    await asked.getByText("Waiting for a person: What is to be done?").waitFor(kSoon);
+    await expect.poll(() => page.locator(".prop-head .pill").innerText(), kSoon).toBe("Waiting for a person");
+    const colour = (name: string) => asked.getByRole("button", { name }).evaluate((button) => getComputedStyle(button).backgroundColor);
+    expect(await colour("Abort")).not.toBe(await colour("Continue"));
+    expect(await findings(page)).toEqual([]);
+    await fixture.screenshot("waiting-person");
+    await asked.getByRole("button", { name: "Continue" }).click();
+    await asked.getByText("How many parts?").waitFor(kSoon);
+    await asked.getByRole("textbox", { name: "Number" }).fill("10");
+    expect(await asked.getByRole("button", { name: "Answer" }).isEnabled()).toBe(false);
+    await asked.getByRole("textbox", { name: "Number" }).fill("3");
+    await page.keyboard.press("Enter");
+    await asked.waitFor({ state: "detached" });
+    await expect.poll(() => page.locator('.canvas [data-path="Root/End"]').getAttribute("data-active"), kSoon).toBe("true");
   });
 });

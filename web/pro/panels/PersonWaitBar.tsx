@@ -1,8 +1,9 @@
-// The run waits for a person: what is asked, and the way to the page that takes the answer.
+// The run waits for a person: what is asked, the answers, and the way to the page of a display.
 import { useEffect, useMemo, useRef, useState } from "react";
 import type { TraceStep } from "../../generated/messages";
 import { displayAddress, stepThatAsked, waitingForPerson, type PersonWait } from "../../shared/run/waitingForPerson";
 import { api, useCore, useSession } from "../client";
+import { AnswerHere } from "./AnswerHere";
 import { Icon } from "./Icon";
 
 /** What the watched run waits for; nothing, or a person. `asked`: a step that the page has besides those of the derivation. */
@@ -41,7 +42,7 @@ export function PersonWaitBar() {
   const wait = useQuestion();
   if (wait === undefined) return null;
   return (
-    <div className="interruption" role="alert" aria-label="Waiting for a person">
+    <div className="interruption person-wait" role="alert" aria-label="Waiting for a person">
       <Icon name="interrupted" />
       <div>
         <strong>Waiting for a person{wait.question === undefined ? "" : `: ${wait.question}`}</strong>
@@ -52,6 +53,7 @@ export function PersonWaitBar() {
           </a>
         </p>
       </div>
+      {wait.answers !== undefined && <AnswerHere key={`${wait.service} ${wait.call}`} wait={wait} answers={wait.answers} />}
     </div>
   );
 }

@@ -8,6 +8,7 @@ import { PastProperties } from "../past/PastProperties";
 import { CodeText } from "./CodeText";
 import { EndCard } from "./EndCard";
 import { OpenCalls } from "./OpenCalls";
+import { usePersonWait } from "./PersonWaitBar";
 import { ValueTable } from "./ValueTable";
 
 export function RunProperties({ tree }: { readonly tree: ModelTree | undefined }) {
@@ -15,6 +16,7 @@ export function RunProperties({ tree }: { readonly tree: ModelTree | undefined }
   const last = useSession((s) => s.lastInput);
   const past = useSession((s) => s.past?.past);
   const name = useSession((s) => s.model?.name);
+  const asks = usePersonWait() !== undefined;
   if (core === undefined) {
     return (
       <div className="empty-note">
@@ -30,7 +32,7 @@ export function RunProperties({ tree }: { readonly tree: ModelTree | undefined }
       <header className="prop-head">
         <small>Run {core.id}</small>
         <h2>{name === undefined || name === "" ? core.document : name}</h2>
-        <span className={`pill is-${statusLook(core)}`}>{statusText(core)}</span>
+        <span className={`pill is-${asks ? "paused" : statusLook(core)}`}>{asks && !core.paused ? "Waiting for a person" : statusText(core)}</span>
       </header>
       {interruption !== undefined && (
         <section className="interrupted" aria-label="Interrupted">

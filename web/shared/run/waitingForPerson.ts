@@ -4,6 +4,11 @@ import type { JsonValue } from "../json";
 import type { RcmDocument } from "../model/model";
 import { callsOf } from "../orchestration/calls";
 
+/** What can be answered: one of these texts, or a number of a range. */
+export type Answers =
+  | { readonly buttons: readonly string[] }
+  | { readonly number: { readonly min: number; readonly max: number; readonly unit: string; readonly initial: number | undefined } };
+
 export interface PersonWait {
   /** As in svc.<key>. */
   readonly service: string;
@@ -12,6 +17,8 @@ export interface PersonWait {
   readonly call: number | undefined;
   /** Nothing, if the step that asked is not here. */
   readonly question: string | undefined;
+  /** Nothing, as before. */
+  readonly answers: Answers | undefined;
   /** The displays that show it: one by its name, or `all`. */
   readonly display: string;
 }
@@ -21,9 +28,22 @@ const kAsking: ReadonlyMap<string, number> = new Map([["ask", 2], ["choose", 2],
 
 const textOf = (value: JsonValue | undefined): string | undefined => (typeof value === "string" ? value : undefined);
 
+const numberOf = (value: JsonValue | undefined): number | undefined => (typeof value === "number" ? value : undefined);
+
+/** The answers that a call offers, by its arguments (services/display/README.md). */
+function answersOf(operation: string, { args, kwargs }: Call): Answers | undefined {
+  const argument = (name: string, place: number): JsonValue | undefined => kwargs[name] ?? args[place];
+  if (operation === "ask_number") {
+    const [min, max] = [numberOf(argument("min", 1)), numberOf(argument("max", 2))];
+    return min === undefined || max === undefined ? undefined : { number: { min, max, unit: textOf(argument("unit", 3)) ?? "", initial: numberOf(argument("initial", 4)) } };
+  }
+  const texts = operation === "choose" ? argument("choices", 1) : (argument("buttons", 1) ?? ["OK"]);
+  return Array.isArray(texts) ? { buttons: texts.filter((text) => typeof text === "string") } : undefined;
+}
+
 function waitOf(service: string, { operation, core_call: number }: Pick<PendingCall, "operation" | "core_call">, call: Call | undefined): PersonWait {
   const display = textOf(call?.kwargs["display"]) ?? textOf(call?.args[kAsking.get(operation) ?? 0]) ?? "all";
-  return { service, operation, call: number, question: textOf(call?.kwargs["question"]) ?? textOf(call?.args[0]), display };
+  return { service, operation, call: number, question: textOf(call?.kwargs["question"]) ?? textOf(call?.args[0]), answers: call && answersOf(operation, call), display };
 }
 
 const callIn = (steps: readonly TraceStep[], service: string, number: number | undefined): Call | undefined =>
@@ -64,6 +84,9 @@ export function waitingForPerson(core: Core | undefined, services: readonly Host
   }
   return undefined;
 }
+
+/** The name of the display as which the expert page answers what all displays show. */
+export const kOwnDisplay = "expert-page";
 
 /** The address of the page that shows it (web/display). */
 export const displayAddress = ({ display }: PersonWait): string => (display === "all" ? "/display/" : `/display/?name=${encodeURIComponent(display)}`);

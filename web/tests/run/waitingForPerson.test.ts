@@ -13,7 +13,7 @@ const pending = [{ call: 30, operation: "ask", time: 2, core: "7", core_call: 9 
 describe("a run that waits for a person", () => {
   it("says what is asked, and where", () => {
     const wait = waitingForPerson(core, [service("robot", "robot", []), service("phone", "display", pending)], [step({ ...ask, service: "robot" }, ask)]);
-    expect(wait).toEqual({ service: "phone", operation: "ask", call: 9, question: "Is the table empty?", display: "arm" });
+    expect(wait).toEqual({ service: "phone", operation: "ask", call: 9, question: "Is the table empty?", answers: { buttons: ["OK"] }, display: "arm" });
     expect(wait && displayAddress(wait)).toBe("/display/?name=arm");
   });
   it("knows the displays as an argument by place, and the question by name", () => {
@@ -24,7 +24,15 @@ describe("a run that waits for a person", () => {
     expect(waitingForPerson(core, [service("phone", "display", pending)], [step(placed)])).toMatchObject({ display: "arm" });
   });
   it("waits also when the step that asked is not here", () => {
-    expect(waitingForPerson(core, [service("phone", "display", pending)], [])).toEqual({ service: "phone", operation: "ask", call: 9, question: undefined, display: "all" });
+    expect(waitingForPerson(core, [service("phone", "display", pending)], [])).toEqual({ service: "phone", operation: "ask", call: 9, question: undefined, answers: undefined, display: "all" });
+  });
+  it("knows the answers by the arguments of the call", () => {
+    const answers = (operation: string, args: Call["args"], kwargs: Call["kwargs"] = {}) =>
+      waitingForPerson(core, [service("phone", "display", [{ call: 30, operation, time: 2, core: "7", core_call: 9 }])], [step({ ...ask, operation, args, kwargs })])?.answers;
+    expect(answers("ask", ["Go?", ["Continue", "Abort"]])).toEqual({ buttons: ["Continue", "Abort"] });
+    expect(answers("choose", ["Which?"], { choices: ["A", "B"] })).toEqual({ buttons: ["A", "B"] });
+    expect(answers("ask_number", ["How many?", 1, 9], { unit: "mm", initial: 2 })).toEqual({ number: { min: 1, max: 9, unit: "mm", initial: 2 } });
+    expect([answers("choose", ["Which?"]), answers("ask_number", ["How many?", 1])]).toEqual([undefined, undefined]);
   });
   it("finds the step that asked where the page has it not, going back in parts", async () => {
     const wait = waitingForPerson(core, [service("phone", "display", pending)], []);

@@ -1,0 +1,52 @@
+// The answers to a question that a run waits for, in place. A way out does not look like a way on.
+import { useState } from "react";
+import { isBadOutcome } from "../../shared/run/controls";
+import type { Answers, PersonWait } from "../../shared/run/waitingForPerson";
+import { useAttempt } from "../documents/useAttempt";
+import { giveAnswer } from "./answering";
+
+export function AnswerHere({ wait, answers }: { readonly wait: PersonWait; readonly answers: Answers }) {
+  const { attempt, reason, busy } = useAttempt();
+  const give = (answer: string | number) => void attempt(() => giveAnswer(wait, answer));
+  return (
+    <div className="answers" role="group" aria-label="Answers">
+      {"number" in answers ? (
+        <NumberAnswer number={answers.number} busy={busy} give={give} />
+      ) : (
+        answers.buttons.map((text) => (
+          <button key={text} type="button" className={isBadOutcome(text) ? "is-out" : ""} disabled={busy} onClick={() => give(text)}>
+            {text}
+          </button>
+        ))
+      )}
+      {reason !== undefined && <p role="alert">Not answered: {reason}</p>}
+    </div>
+  );
+}
+
+interface NumberProps {
+  readonly number: Extract<Answers, { readonly number: unknown }>["number"];
+  readonly busy: boolean;
+  readonly give: (answer: number) => void;
+}
+
+function NumberAnswer({ number: { min, max, unit, initial }, busy, give }: NumberProps) {
+  const [text, setText] = useState(initial === undefined ? "" : String(initial));
+  const value = text.trim() === "" ? Number.NaN : Number(text);
+  const isValid = value >= min && value <= max;
+  return (
+    <form
+      onSubmit={(event) => {
+        event.preventDefault();
+        if (isValid) give(value);
+      }}
+    >
+      <label>
+        {min} to {max} {unit} <input type="text" inputMode="decimal" value={text} aria-label="Number" aria-invalid={text !== "" && !isValid} onChange={(event) => setText(event.target.value)} />
+      </label>
+      <button type="submit" disabled={busy || !isValid}>
+        Answer
+      </button>
+    </form>
+  );
+}
