@@ -32,6 +32,33 @@ const colours = () =>
     return new Set(new Uint32Array(data.buffer)).size;
   });
 
+/** The share of pixels of what is seen of that bitmap that differ from those at the last call with `keep`. */
+const difference = (keep: boolean) =>
+  page.evaluate((keep) => {
+    const frame = document.querySelector(".painted")?.getBoundingClientRect();
+    const [shown] = [...document.querySelectorAll<HTMLCanvasElement>(".painted > canvas")].slice(1, 3).filter((each) => each.style.visibility === "visible");
+    const context = shown?.getContext("2d");
+    if (frame === undefined || shown === undefined || context === null || context === undefined) return 1;
+    const { left, top } = shown.getBoundingClientRect();
+    const { data } = context.getImageData(Math.round(frame.left - left), Math.round(frame.top - top), Math.round(frame.width), Math.round(frame.height));
+    const now = new Uint32Array(data.buffer);
+    const page = window as { keptPixels?: Uint32Array };
+    if (keep) page.keptPixels = now;
+    const { keptPixels } = page;
+    return keptPixels?.length !== now.length ? 1 : now.reduce((sum, pixel, i) => sum + (pixel === keptPixels[i] ? 0 : 1), 0) / now.length;
+  }, keep);
+
+/** What is copied of the bitmap before, after an edit or a movement, is as if all of it were painted: another theme and back paint all. `most`: the share of pixels that may differ. */
+async function isAsPaintedAnew(most: number): Promise<void> {
+  await settled(page);
+  await page.waitForTimeout(600);
+  await difference(true);
+  await page.emulateMedia({ colorScheme: "dark" });
+  await expect.poll(() => difference(false)).toBeGreaterThan(0.5);
+  await page.emulateMedia({ colorScheme: "light" });
+  await expect.poll(() => difference(false)).toBeLessThanOrEqual(most);
+}
+
 async function middle(): Promise<{ readonly x: number; readonly y: number }> {
   const box = await canvas().boundingBox();
   if (box === null) throw new Error("there is no canvas");
@@ -142,8 +169,15 @@ describe("a document of 2000 states", () => {
     await page.getByRole("group", { name: "State Large/Group1/Part1/Step2", exact: true }).waitFor();
     await fixture.send("POST", "/documents/large/edits", { compound: { kind: "rename", id: "g0-0-1", name: "Weld" }, author: "Ann", revision: 1 });
     await page.getByRole("group", { name: "State Large/Group1/Part1/Weld", exact: true }).waitFor();
-    await settled(page);
+    await isAsPaintedAnew(0);
     expect(await row("Large/Group1/Part1/Weld").getAttribute("aria-selected")).toBe("true");
+    const { x, y } = await middle();
+    await page.mouse.move(x, y);
+    await page.mouse.down({ button: "middle" });
+    await page.mouse.move(x - 420, y - 210, { steps: 12 });
+    await page.mouse.up({ button: "middle" });
+    // The edges of letters are painted a little otherwise from another corner.
+    await isAsPaintedAnew(0.004);
   });
 
   it("has a tree for the keyboard, of which only the rows in view are in the page", async () => {

@@ -19,6 +19,9 @@ function say(what: string, figure: string, goal = ""): void {
 
 const ms = (value: number): string => `${Math.round(value)} ms`;
 
+/** The document as it is at first: a part may have edited it. */
+const putLarge = (fixture: Fixture): Promise<unknown> => fixture.send("PUT", "/documents/large", largeDocument(kChanges));
+
 async function opened(fixture: Fixture, path: string): Promise<Page> {
   const context = await fixture.page.context().browser()?.newContext({ viewport: { width: 1600, height: 1000 } });
   if (context === undefined) throw new Error("there is no browser");
@@ -108,6 +111,7 @@ async function sayFirstPage(fixture: Fixture): Promise<void> {
 }
 
 async function sayEditor(fixture: Fixture): Promise<void> {
+  await putLarge(fixture);
   const page = await opened(fixture, "/pro/?edit=large");
   await sayOpening("2000 states, to edit", page, "<= 2000 ms");
   await sayMovement(page, "to edit");
@@ -117,6 +121,7 @@ async function sayEditor(fixture: Fixture): Promise<void> {
 }
 
 async function sayRun(fixture: Fixture): Promise<void> {
+  await putLarge(fixture);
   const { id } = (await fixture.send("POST", "/cores", { document: "large" })) as { readonly id: string };
   const page = await opened(fixture, `/pro/?run=${id}`);
   await sayOpening("2000 states, a run, folded", page, "<= 2000 ms");
@@ -140,7 +145,6 @@ const parts: Readonly<Record<string, (fixture: Fixture) => Promise<void>>> = { f
 const wanted = process.argv.slice(2).filter((name) => name in parts);
 const fixture = await openFixture();
 try {
-  await fixture.send("PUT", "/documents/large", largeDocument(kChanges));
   console.log(`load of the machine before: ${loadavg().map((load) => load.toFixed(1)).join(" ")}`);
   sayBundle();
   for (const name of wanted.length > 0 ? wanted : Object.keys(parts)) await parts[name]?.(fixture);

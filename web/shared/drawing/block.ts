@@ -1,4 +1,5 @@
-// A laid out subtree, and its copy at another path.
+// A laid out subtree, and its copy at another place or path. What is copied in the same way again is the same object, so that of a drawing in which
+// one node moves all others are known.
 import type { Box, DrawnLine, DrawnNode, Point } from "./drawing";
 import type { Size } from "./measure";
 
@@ -10,19 +11,50 @@ export interface Block {
   readonly lines: readonly DrawnLine[];
 }
 
+interface Shifted<T> extends Point {
+  readonly made: T;
+}
+const shiftedNodes = new WeakMap<DrawnNode, Shifted<DrawnNode>>();
+const shiftedLines = new WeakMap<DrawnLine, Shifted<DrawnLine>>();
+
+const moved = <T extends Point>(item: T, by: Point): T => ({ ...item, x: item.x + by.x, y: item.y + by.y });
+
+/** The last copy of an item, if it was moved by the same. */
+function shifted<T extends object>(item: T, by: Point, known: WeakMap<T, Shifted<T>>, make: () => T): T {
+  const last = known.get(item);
+  if (last?.x === by.x && last.y === by.y) return last.made;
+  const made = make();
+  known.set(item, { x: by.x, y: by.y, made });
+  return made;
+}
+
 export function shift(block: Block, by: Point): Block {
-  const move = <T extends Point>(item: T): T => ({ ...item, x: item.x + by.x, y: item.y + by.y });
   return {
     ...block,
-    nodes: block.nodes.map((node) => ({ ...move(node), ports: node.ports.map(move) })),
-    lines: block.lines.map((line) => ({ ...line, points: line.points.map(move) })),
+    nodes: block.nodes.map((node) => shifted(node, by, shiftedNodes, () => ({ ...moved(node, by), ports: node.ports.map((port) => moved(port, by)) }))),
+    lines: block.lines.map((line) => shifted(line, by, shiftedLines, () => ({ ...line, points: line.points.map((point) => moved(point, by)) }))),
   };
 }
+
+/** Copies of a block at other paths that are kept: as many as siblings look the same. */
+const kCopies = 64;
+const rebased = new WeakMap<Block, Map<string, Block>>();
 
 /** The same block at another path of the model: every path, address and id of a block begins with its root's path. */
 export function rebase(block: Block, path: string, depth: number): Block {
   const root = block.nodes[0];
   if (root === undefined || (root.path === path && root.depth === depth)) return block;
+  const copies = rebased.get(block) ?? new Map<string, Block>();
+  rebased.set(block, copies);
+  const known = copies.get(path);
+  if (known?.nodes[0]?.depth === depth) return known;
+  const made = copied(block, root, path, depth);
+  if (copies.size >= kCopies) copies.clear();
+  copies.set(path, made);
+  return made;
+}
+
+function copied(block: Block, root: DrawnNode, path: string, depth: number): Block {
   const from = root.path.length;
   const deeper = depth - root.depth;
   const at = (text: string) => path + text.slice(from);

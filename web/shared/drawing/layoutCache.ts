@@ -25,15 +25,27 @@ export interface LayoutCache {
   readonly keep: (look: string, block: Block) => void;
 }
 
+/** All that a layout depends on of the node alone. */
+function ownLook(node: Node, detail: Detail): readonly unknown[] {
+  if (node.kind === "barrier") return [node.name, keyOf(node), node.to];
+  const ports = node.ports.map((port) => [port.name, keyOf(port), port.when, port.after, port.to]);
+  return [node.name, keyOf(node), node.first, node.link, node.oracle, node.dispatcher, node.parameters.map(({ from }) => from), ports, detail, drawnLines(node, detail)];
+}
+
 export function layoutCache(most = kMost): LayoutCache {
   const words = new Map<string, number>();
   const blocks = new Map<string, Block>();
+  /** What nodes say themselves, in each detail: an edit makes anew only the nodes that it changes. */
+  let own = new WeakMap<Node, Map<Detail, number>>();
   let latest = 0;
   const word = (parts: unknown): number => {
     const text = JSON.stringify(parts);
     const known = words.get(text);
     if (known !== undefined) return known;
-    if (words.size >= most.words) words.clear();
+    if (words.size >= most.words) {
+      words.clear();
+      own = new WeakMap();
+    }
     words.set(text, ++latest);
     return latest;
   };
@@ -46,14 +58,21 @@ export function layoutCache(most = kMost): LayoutCache {
     known.set(path, found);
     return found;
   };
+  const ownWord = (node: Node, detail: Detail): number => {
+    const known = own.get(node)?.get(detail);
+    if (known !== undefined) return known;
+    const made = word(ownLook(node, detail));
+    // Not before: the table may have been cleared.
+    own.set(node, (own.get(node) ?? new Map<Detail, number>()).set(detail, made));
+    return made;
+  };
   const shapeOf = (node: Node, path: string, request: LookRequest): number => {
-    if (node.kind === "barrier") return word([node.name, keyOf(node), node.to]);
+    if (node.kind === "barrier" || node.children.length === 0) return ownWord(node, request.detail);
     const { collapsed, detail, aspect, places = kNoPlaces } = request;
-    const open = node.children.length > 0 && !collapsed.has(path);
-    const children = open ? node.children.map((child) => shape(child, childPath(path, child), request)) : node.children.length > 0;
-    const placed = open && places.size > 0 ? node.children.map((child) => placeOfChild(places, node, child)).map((place) => place && [place.x, place.y, place.side]) : [];
-    const ports = node.ports.map((port) => [port.name, keyOf(port), port.when, port.after, port.to]);
-    return word([node.name, keyOf(node), node.first, node.link, node.oracle, node.dispatcher, node.parameters.map(({ from }) => from), ports, children, detail, drawnLines(node, detail), open ? aspect : 0, placed.some((place) => place !== undefined) ? placed : 0]);
+    if (collapsed.has(path)) return word([ownWord(node, detail), true]);
+    const children = node.children.map((child) => shape(child, childPath(path, child), request));
+    const placed = places.size > 0 ? node.children.map((child) => placeOfChild(places, node, child)).map((place) => place && [place.x, place.y, place.side]) : [];
+    return word([ownWord(node, detail), children, aspect, placed.some((place) => place !== undefined) ? placed : 0]);
   };
   return {
     look: (node, path, side, levels, request) => `${side} ${levels} ${shape(node, path, request)}`,

@@ -89,8 +89,16 @@ function stateOf(tree: Tree, element: Element): State {
 
 const nodeOf = (tree: Tree, element: Element): Node => (element.kind === "barrier" ? once(barrierOf, element) : stateOf(tree, element));
 
-/** A state of the document, with all in it. Requires the id of a state. */
-export const editedState = (tree: Tree, id: string): State => stateOf(tree, elementOf(tree, id));
+const wholes = new WeakMap<Tree, Map<string, State>>();
+
+/** A state of the document, with all in it: looked for once in each tree. Requires the id of a state. */
+export function editedState(tree: Tree, id: string): State {
+  const known = wholes.get(tree) ?? new Map<string, State>();
+  wholes.set(tree, known);
+  const state = known.get(id) ?? stateOf(tree, elementOf(tree, id));
+  known.set(id, state);
+  return state;
+}
 
 /** The whole document. */
 export function editedModel(tree: Tree): RcmDocument {

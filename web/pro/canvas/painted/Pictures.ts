@@ -69,7 +69,11 @@ export class Pictures {
     if (canvas === undefined) return undefined;
     const around = { x: Math.round(width * kAround), y: Math.round(height * kAround) };
     const size = { width: width + 2 * around.x, height: height + 2 * around.y };
-    return new Raster(canvas, scene, theme, { x: view.x + around.x, y: view.y + around.y, zoom: view.zoom }, size, devicePixelRatio);
+    const before = this.front?.viewport.zoom === view.zoom ? this.front : undefined;
+    // In whole pixels from the bitmap before, so that what that shows can be copied.
+    const along = (at: number, from: number | undefined) => (from === undefined ? at : from + Math.round((at - from) * devicePixelRatio) / devicePixelRatio);
+    const viewport = { x: along(view.x + around.x, before?.viewport.x), y: along(view.y + around.y, before?.viewport.y), zoom: view.zoom };
+    return new Raster(canvas, scene, theme, viewport, size, devicePixelRatio, before);
   }
 
   private dropBack(): void {
@@ -94,7 +98,7 @@ export class Pictures {
       if (this.back !== undefined) return true;
       const { width, height } = subject.scene.drawing;
       const zoom = Math.min(1, kOverview / Math.max(width, height));
-      this.overview = new Raster(this.overviewCanvas, subject.scene, subject.theme, { x: 0, y: 0, zoom }, { width: width * zoom, height: height * zoom }, 1);
+      this.overview = new Raster(this.overviewCanvas, subject.scene, subject.theme, { x: 0, y: 0, zoom }, { width: width * zoom, height: height * zoom }, 1, this.overview);
     }
     if (!this.overview.paint(kBudget.moving)) return true;
     this.overviewCanvas.style.visibility = "visible";

@@ -1,6 +1,9 @@
-// A bitmap of a part of the drawing at one zoom, painted tile by tile, so that no frame of the page takes long.
+// A bitmap of a part of the drawing at one zoom, painted tile by tile, so that no frame of the page takes long. What the bitmap before it shows
+// already is copied.
 import type { Viewport } from "../../../shared/drawing/fit";
+import type { Box } from "../../../shared/drawing/drawing";
 import { showsInside } from "../../../shared/drawing/levels";
+import { looksSame } from "../../../shared/drawing/looksSame";
 import type { Scene } from "../../../shared/drawing/scene";
 import type { Size } from "../../../shared/drawing/measure";
 import { paintLine } from "./paintLine";
@@ -21,7 +24,7 @@ export class Raster {
   private readonly context: CanvasRenderingContext2D;
   private readonly tiles: Tile[];
 
-  /** `viewport`: of the drawing in the bitmap, whose size is in pixels of the page. */
+  /** `viewport`: of the drawing in the bitmap, whose size is in pixels of the page. `before`: it has some of this already. */
   constructor(
     readonly canvas: HTMLCanvasElement,
     readonly scene: Scene,
@@ -29,16 +32,43 @@ export class Raster {
     readonly viewport: Viewport,
     readonly size: Size,
     private readonly scale: number,
+    before?: Raster,
   ) {
-    canvas.width = Math.ceil(size.width * scale);
-    canvas.height = Math.ceil(size.height * scale);
-    canvas.style.width = `${canvas.width / scale}px`;
-    canvas.style.height = `${canvas.height / scale}px`;
+    const known = before?.goesOnIn(this) === true ? before : undefined;
+    if (known?.canvas !== canvas) {
+      canvas.width = Math.ceil(size.width * scale);
+      canvas.height = Math.ceil(size.height * scale);
+      canvas.style.width = `${canvas.width / scale}px`;
+      canvas.style.height = `${canvas.height / scale}px`;
+    }
     const context = canvas.getContext("2d", { alpha: false });
     if (context === null) throw new Error("the browser paints no canvas");
     this.context = context;
+    if (known !== undefined && known.canvas !== canvas) context.drawImage(known.canvas, (viewport.x - known.viewport.x) * scale, (viewport.y - known.viewport.y) * scale);
     this.tiles = [];
-    for (let top = 0; top < size.height; top += kTile) for (let left = 0; left < size.width; left += kTile) this.tiles.push({ left, top });
+    for (let top = 0; top < size.height; top += kTile)
+      for (let left = 0; left < size.width; left += kTile) if (known?.has({ left, top }, this) !== true) this.tiles.push({ left, top });
+  }
+
+  /** Whether `next` can take pixels of this one as they are. */
+  private goesOnIn({ canvas, theme, viewport, size, scale }: Raster): boolean {
+    const isWhole = (offset: number) => Number.isInteger(offset * scale);
+    const sameGrid = isWhole(viewport.x - this.viewport.x) && isWhole(viewport.y - this.viewport.y);
+    const sameCanvas = canvas !== this.canvas || (viewport.x === this.viewport.x && viewport.y === this.viewport.y && size.width === this.size.width && size.height === this.size.height);
+    return this.tiles.length === 0 && theme === this.theme && scale === this.scale && viewport.zoom === this.viewport.zoom && sameGrid && sameCanvas;
+  }
+
+  /** Whether this one shows a tile of `next` as a whole, and as it is there. */
+  private has({ left, top }: Tile, next: Raster): boolean {
+    const at = { left: left - next.viewport.x + this.viewport.x, top: top - next.viewport.y + this.viewport.y };
+    const [right, bottom] = [Math.min(kTile, next.size.width - left), Math.min(kTile, next.size.height - top)];
+    const isIn = at.left >= 0 && at.top >= 0 && at.left + right <= this.size.width && at.top + bottom <= this.size.height;
+    return isIn && looksSame(this.scene, next.scene, next.areaOf({ left, top }), next.viewport.zoom);
+  }
+
+  private areaOf({ left, top }: Tile): Box {
+    const { x, y, zoom } = this.viewport;
+    return { x: (left - x) / zoom, y: (top - y) / zoom, width: kTile / zoom, height: kTile / zoom };
   }
 
   /** Paints further tiles for `budget` [ms]; tells whether all are painted. */
@@ -61,7 +91,7 @@ export class Raster {
   private paintTile({ left, top }: Tile): void {
     const { context, scale, theme } = this;
     const { x, y, zoom } = this.viewport;
-    const area = { x: (left - x) / zoom, y: (top - y) / zoom, width: kTile / zoom, height: kTile / zoom };
+    const area = this.areaOf({ left, top });
     context.save();
     context.setTransform(scale, 0, 0, scale, 0, 0);
     context.beginPath();
