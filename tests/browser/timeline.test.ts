@@ -104,6 +104,7 @@ describe("the time line", () => {
     expect(await axis.inputValue()).toBe("seconds");
     await axis.selectOption("macro steps");
     await page.getByRole("list", { name: "States over macro steps" }).waitFor();
+    expect(await page.getByRole("list", { name: "States of services over time" }).getByRole("img").first().getAttribute("aria-label")).toMatch(/: \w+ for \d/);
     expect(new URL(page.url()).searchParams.get("axis")).toBe("steps");
     await page.reload();
     await settled(page);

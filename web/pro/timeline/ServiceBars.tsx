@@ -1,4 +1,4 @@
-// Rows of the states that services had, over time; a click goes to the macro step there.
+// Rows of the states that services had, over seconds or macro steps; a click goes to the macro step there.
 import type { Scale } from "../../shared/runs/scale";
 import { secondsText, type ServiceSpans } from "../../shared/runs/times";
 import { view } from "../client";
@@ -14,23 +14,26 @@ interface Props {
 const kMostTold = 20;
 /** A state narrower than this part of the row has no text. */
 const kText = 0.04;
+const kSecond = 1e6;
 
 type Piece = ServiceSpans["spans"][number] & { readonly left: number; readonly width: number };
 
 const nameOfState = (state: string | undefined): string => state ?? "not available";
 
 /** The states of which something is in the picture. */
-function piecesOf({ spans }: ServiceSpans, scale: Scale): readonly Piece[] {
+function piecesOf({ spans }: ServiceSpans, { atTime, width }: Scale): readonly Piece[] {
+  if (atTime === undefined) return [];
   return spans.flatMap((span) => {
-    const [left, right] = [scale.atTime(span.from), scale.atTime(span.to)];
-    return right <= left ? [] : [{ ...span, left: left / scale.width, width: (right - left) / scale.width }];
+    const [left, right] = [atTime(span.from), atTime(span.to)];
+    return right <= left ? [] : [{ ...span, left: left / width, width: (right - left) / width }];
   });
 }
 
 const percent = (part: number): string => `${100 * part}%`;
 
-function pieceText({ state, width }: Piece, scale: Scale): string {
-  return `${nameOfState(state)} for ${secondsText(width * scale.width)}`;
+/** By seconds, for as long as it is in the picture. */
+function pieceText({ state, from, to, width }: Piece, scale: Scale): string {
+  return `${nameOfState(state)} for ${secondsText(scale.measure === "seconds" ? width * scale.width : (to - from) / kSecond)}`;
 }
 
 export function ServiceBars({ services, scale, at }: Props) {

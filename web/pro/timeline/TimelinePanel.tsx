@@ -70,7 +70,7 @@ function Lines({ line: { id, steps, failed } }: { readonly line: LoadedSteps<Lin
           </Suspense>
         )}
         <StateBars timeline={timeline} times={times} scale={scale} at={at} />
-        {times !== undefined && scale.measure === "seconds" && <ServiceBars services={servicesShown(times, steps)} scale={scale} at={at} />}
+        {times !== undefined && <ServiceBars services={servicesShown(times, steps)} scale={scale} at={at} />}
         <CallBars timeline={timeline} times={times} scale={scale} at={at} />
       </div>
     </section>

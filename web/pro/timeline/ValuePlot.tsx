@@ -20,6 +20,9 @@ interface Props {
   readonly at: number | undefined;
 }
 
+/** A value holds until another one is set. */
+const kHold = UPlot.paths.stepped?.({ align: 1 });
+
 const kStepsApart = [1, 2, 5, 10, 20, 50, 100, 200, 500];
 
 /** Where the left end is: each macro step is plotted in the middle of its room. */
@@ -35,7 +38,7 @@ function optionsOf(width: number, scale: Scale, name: string): UPlot.Options {
     padding: [10, 0, 0, 0],
     // As in the rows of bars.
     scales: { x: { time: false, range: () => [leftOf(scale), leftOf(scale) + scale.width] } },
-    series: [{}, { label: name, stroke: line ?? "", width: 1.5, points: { show: false }, spanGaps: false }],
+    series: [{}, { label: name, stroke: line ?? "", width: 1.5, points: { show: false }, spanGaps: false, ...(kHold && { paths: kHold }) }],
     axes: [{ ...axis, size: 24, ...(scale.measure === "steps" && { incrs: kStepsApart }) }, { ...axis, size: kAxis }],
   };
 }

@@ -14,8 +14,8 @@ export interface Scale {
   readonly at: (step: number) => number;
   /** The macro step that is drawn at a place. */
   readonly stepAt: (place: number) => number;
-  /** Where a time is [us since the run was made]; only by seconds. */
-  readonly atTime: (time: number) => number;
+  /** Where a time is [us since the run was made]: by macro steps, between the two that it lies between. Nothing: no times are known. */
+  readonly atTime: ((time: number) => number) | undefined;
   /** How many macro steps have no time that is known, and stand at the next one that has. */
   readonly unknown: number;
 }
@@ -24,13 +24,25 @@ const kSecond = 1e6;
 /** What lasts for no time is drawn so wide [s]. */
 const kLeast = 0.001;
 
-function byStep({ first, last }: Timeline): Scale {
+/** Where times are among macro steps, each as wide as the others: what passes between two of them is as wide as a step. */
+function amongSteps(line: Timeline, times: Times): (time: number) => number {
+  const ends = [...timesInOrder(line, times), times.until];
+  return (time) => {
+    const next = ends.findIndex((end) => time < end);
+    if (next < 0) return ends.length - 1;
+    const [from, to] = [ends[next - 1], ends[next] ?? 0];
+    return from === undefined ? 0 : next - 1 + (time - from) / (to - from);
+  };
+}
+
+function byStep(line: Timeline, times: Times | undefined): Scale {
+  const { first, last } = line;
   const width = last - first + 1;
   return {
     measure: "steps", width, origin: first, unknown: 0,
     at: (step) => Math.min(width, Math.max(0, step - first)),
     stepAt: (place) => first + Math.min(width - 1, Math.max(0, Math.floor(place))),
-    atTime: () => 0,
+    atTime: times && amongSteps(line, times),
   };
 }
 
@@ -63,5 +75,5 @@ function byTime(line: Timeline, times: Times, isOver: boolean): Scale {
 /** By seconds if they are wanted and any is known, else by macro steps. `isOver`: nothing comes after the last one. */
 export function scaleOf(wanted: Measure, line: Timeline, times: Times | undefined, isOver: boolean): Scale {
   const isKnown = times !== undefined && [...times.began.keys()].some((step) => step >= line.first && step <= line.last);
-  return wanted === "seconds" && isKnown ? byTime(line, times, isOver) : byStep(line);
+  return wanted === "seconds" && isKnown ? byTime(line, times, isOver) : byStep(line, isKnown ? times : undefined);
 }

@@ -43,7 +43,7 @@ describe("the scale of a time line", () => {
     expect([scale.measure, scale.width, scale.unknown]).toEqual(["seconds", 6, 1]);
     expect([4, 5, 6, 7, 8].map(scale.at)).toEqual([0, 1, 4, 4, 6]);
     expect([0, 0.99, 1, 3.9, 4, 5.9].map(scale.stepAt)).toEqual([4, 4, 5, 5, 7, 7]);
-    expect(scale.atTime(2_500_000)).toBe(0.5);
+    expect(scale.atTime?.(2_500_000)).toBe(0.5);
     expect(scaleOf("seconds", line, times, true).width).toBe(4);
   });
   it("never goes back", () => {
@@ -56,5 +56,12 @@ describe("the scale of a time line", () => {
       expect(scale.at(scale.origin + 1)).toBe(1);
       expect(scale.stepAt(1.5)).toBe(scale.origin + 1);
     }
+  });
+  it("has a time between the macro steps that it lies between, if their times are known", () => {
+    const { atTime } = scaleOf("steps", line, times, false);
+    // Step 6 has no time, and stands at the next one.
+    expect([0, 2_000_000, 2_500_000, 3_000_000, 4_500_000, 6_000_000, 7_000_000, 9_000_000].map((time) => atTime?.(time))).toEqual([0, 0, 0.5, 1, 1.5, 3, 3.5, 4]);
+    expect(scaleOf("steps", line, undefined, false).atTime).toBe(undefined);
+    expect(scaleOf("steps", { ...line, first: 20, last: 23 }, times, false).atTime).toBe(undefined);
   });
 });
