@@ -6,8 +6,10 @@ import { portAddress } from "../../shared/model/model";
 import { truthText } from "../../shared/run/whyText";
 import type { Why } from "../../generated/messages";
 import type { MicroStep } from "../../shared/derivation/proof";
+import { whenText } from "../../shared/past/moment";
+import type { RunSource } from "../../shared/api";
 import { isStored } from "../../shared/session/session";
-import { api, useSession } from "../client";
+import { api, sourceOf, useSession } from "../client";
 import { useEditing } from "../edit/editing";
 import { useExecuted } from "./executed";
 import { useShownRun } from "./shownRun";
@@ -16,15 +18,15 @@ import { useShownRun } from "./shownRun";
 const kEvery = 400;
 
 /** The answer of the server for the state that is shown, asked for again when the run has gone on. */
-function useTruth(core: string | undefined, address: string | undefined, moment: unknown, past: MicroStep | undefined): Why["value"] | undefined {
+function useTruth(source: RunSource, core: string | undefined, address: string | undefined, moment: unknown, past: MicroStep | undefined): Why["value"] | undefined {
   const [truth, setTruth] = useState<{ readonly of: string; readonly value: Why["value"] }>();
-  const key = core === undefined || address === undefined ? undefined : `${core} ${address}`;
+  const key = core === undefined || address === undefined ? undefined : `${source} ${core} ${address}`;
   const askedRef = useRef(0);
   const ask = useEffectEvent(() => {
     if (core === undefined || address === undefined || key === undefined) return;
     askedRef.current = performance.now();
     // A state that has been left meanwhile has nothing to say.
-    api.why("cores", core, address, past).then(({ value }) => setTruth({ of: key, value }), () => setTruth(undefined));
+    api.why(source, core, address, past).then(({ value }) => setTruth({ of: key, value }), () => setTruth(undefined));
   });
   useEffect(() => {
     if (key === undefined) return;
@@ -44,7 +46,7 @@ export function ConditionNow({ id }: { readonly id: string }) {
   });
   const past = useSession((s) => s.past?.past);
   const stored = useSession(isStored);
-  const truth = useTruth(stored ? undefined : core?.id, address, run, past);
+  const truth = useTruth(useSession(sourceOf), core?.id, address, run, past);
   const edited = useEditing(({ session }) => session?.view?.elements.get(id)?.fields);
   const executed = useExecuted();
   if (core === undefined) return null;
@@ -54,8 +56,8 @@ export function ConditionNow({ id }: { readonly id: string }) {
   const isOther = before !== undefined && (entryOf(before, "when") !== entryOf(edited, "when") || entryOf(before, "after") !== entryOf(edited, "after"));
   return (
     <p className="row-now">
-      {isOther ? `in revision ${core.revision}, now: ` : "now: "}
-      {truthText(truth)}
+      {isOther && `in revision ${core.revision}, `}
+      {`${whenText(past, stored)}: ${truthText(truth)}`}
     </p>
   );
 }

@@ -1,8 +1,8 @@
 // The server's answers for a selected port: why it does not fire now, and why it fired when it last did.
 import { useEffect, useMemo, useState } from "react";
 import { lastFiring, type MicroStep } from "../../shared/derivation/proof";
-import type { Past, Why } from "../../generated/messages";
-import { momentText } from "../../shared/past/moment";
+import type { Why } from "../../generated/messages";
+import { whenText } from "../../shared/past/moment";
 import { stateShown, stepsShown, stepsUntil } from "../../shared/past/shown";
 import { inputText } from "../../shared/run/inputText";
 import { constantText } from "../../shared/run/whyText";
@@ -45,8 +45,6 @@ export function AskWhy({ address }: { readonly address: string }) {
     </>
   );
 }
-
-const whenText = (past: Past | undefined, stored: boolean): string => (past !== undefined ? `at step ${momentText(past)}` : stored ? "at the end" : "now");
 
 /** For the state that is shown; a port that has fired is explained by its firing, if that is known. */
 function WhyNow({ address, known }: { readonly address: string; readonly known: boolean }) {

@@ -15,6 +15,9 @@ export interface Wanted {
 
 export const momentText = ({ step, micro }: Moment): string => `${step}.${micro}`;
 
+/** When something is so: at a moment of the past that is shown, at the end of a run that is only stored, or now. */
+export const whenText = (past: Moment | undefined, stored: boolean): string => (past !== undefined ? `at step ${momentText(past)}` : stored ? "at the end" : "now");
+
 /** The moment that a text names: `12.3`, or `12` for the end of macro step 12; nothing if it names none. */
 export function momentOf(text: string | undefined): Wanted | undefined {
   const [, step, micro] = /^([1-9]\d{0,8})(?:\.(\d{1,9}))?$/.exec(text ?? "") ?? [];
