@@ -55,7 +55,7 @@ describe("the demonstrator with an operator by script", () => {
     await turns("Calibration", true);
     expect(await state("Table").getAttribute("data-active")).toBe("false");
     await phone.getByText(/Lead the arm/).waitFor();
-    await running().getByText(/Calibration\/CameraCalibration/).waitFor();
+    await running().getByTitle(/Calibration\/CameraCalibration/).waitFor();
     await fixture.screenshot("demonstrator-calibration", task);
   });
 

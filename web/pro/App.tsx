@@ -4,7 +4,6 @@ import { commandable } from "../shared/session/session";
 import { commandOf, isMove, type Shortcut } from "../shared/session/shortcuts";
 import { isCovered } from "../shared/session/view";
 import { ModelCanvas } from "./canvas/ModelCanvas";
-import { ArrowHeads } from "./canvas/ModelLine";
 import { CellDock } from "./cell/CellDock";
 import { session, useSession, useView, view } from "./client";
 import { isDebugShortcut, runCommandOf } from "./debugger/actions";
@@ -130,7 +129,6 @@ export function App() {
   usePageKeys();
   return (
     <div className={`app${lost ? " is-lost" : ""}`}>
-      <ArrowHeads />
       <LostServer />
       <RestartedServer />
       <TopBar />

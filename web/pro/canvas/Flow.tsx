@@ -7,7 +7,7 @@ import { view } from "../client";
 import { BarrierNode, type BarrierFlowNode } from "./BarrierNode";
 import { FlowView } from "./FlowView";
 import { takeOver } from "./moved";
-import { ModelLine, type LineFlowEdge } from "./ModelLine";
+import { ArrowHeads, ModelLine, type LineFlowEdge } from "./ModelLine";
 import { StateNode, type StateFlowNode } from "./StateNode";
 import type { Laid } from "./useDrawing";
 
@@ -63,6 +63,7 @@ export const Flow = memo(function Flow({ laid, movedRef }: Props) {
       <Background variant={BackgroundVariant.Dots} gap={22} size={1.2} color="var(--canvas-dots)" />
       {laid.drawing.nodes.length > 30 && <MiniMap pannable zoomable position="bottom-right" nodeColor={(node: StateFlowNode | BarrierFlowNode) => (node.data.drawn.depth === 0 ? "var(--minimap-outer)" : "var(--minimap-node)")} maskColor="var(--minimap-mask)" />}
       <FlowView laid={laid} />
+      <ArrowHeads />
     </ReactFlow>
   );
 });

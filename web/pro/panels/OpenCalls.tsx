@@ -17,6 +17,9 @@ function useCellTime(wanted: boolean): number | undefined {
   return time;
 }
 
+/** More are not listed: a run may have thousands. */
+const kMost = 8;
+
 export interface ListedCall {
   readonly key: number;
   readonly service: string;
@@ -37,15 +40,16 @@ export function CallList({ calls, empty }: CallListProps) {
     <section aria-label="Open calls">
       <h3>Open calls</h3>
       {calls.length === 0 && empty !== undefined && <p className="quiet">{empty}</p>}
-      <ul className="past-list">
-        {calls.map(({ key, service, operation, about }) => (
+      <ul className="open-calls">
+        {calls.slice(0, kMost).map(({ key, service, operation, about }) => (
           <li key={key}>
             <code>
               {service}.{operation}
             </code>
-            <small>{about}</small>
+            {about}
           </li>
         ))}
+        {calls.length > kMost && <li>and {calls.length - kMost} more</li>}
       </ul>
     </section>
   );

@@ -31,9 +31,8 @@ export function RunningNow({ tree }: { readonly tree: ModelTree | undefined }) {
         <ul>
           {paths.slice(0, kMost).map((path) => (
             <li key={path}>
-              <button type="button" title={path} onClick={() => view.dispatch({ type: "jump", selection: { kind: "node", path } })}>
+              <button type="button" title={path} data-inside={`\u200e${path.slice(0, -nameOf(path).length - 1)}`} onClick={() => view.dispatch({ type: "jump", selection: { kind: "node", path } })}>
                 {nameOf(path)}
-                <small>{`\u200e${path.slice(0, -nameOf(path).length - 1)}`}</small>
               </button>
             </li>
           ))}
