@@ -14,10 +14,15 @@ Flows::WatchId Host::watch(const std::string& service, const std::string& flow, 
   return id;
 }
 
+Flows::WatchId Host::overhear(const std::string& service, const std::string& flow, Flows::Watcher watcher) {
+  const MutexLock lock(mutex_);
+  return flows_.overhear(service, flow, std::move(watcher));
+}
+
 void Host::unwatch(Flows::WatchId watch) {
   const MutexLock lock(mutex_);
   const Flows::Subscription removed = flows_.unwatch(watch);
-  if (removed.watch == 0) return;
+  if (removed.watch == 0 || !removed.is_wanted) return;
   if (!flows_.has_demand(removed.key, removed.flow)) set_demand(removed.key, removed.flow, false);
   notify_traffic(removed.key);
 }

@@ -24,7 +24,8 @@ std::vector<std::string> offered(const rsm::Service& model) {
 }
 
 bool Flows::has_demand(std::string_view key, std::string_view flow) const {
-  return std::ranges::any_of(subscriptions_, [&](const Subscription& each) { return is_of(each, key, flow); });
+  return std::ranges::any_of(subscriptions_,
+                             [&](const Subscription& each) { return each.is_wanted && is_of(each, key, flow); });
 }
 
 bool Flows::is_subscribed(std::size_t service, std::string_view key, std::string_view flow) const {
@@ -35,7 +36,8 @@ bool Flows::is_subscribed(std::size_t service, std::string_view key, std::string
 std::vector<std::string> Flows::demanded(std::string_view key) const {
   std::vector<std::string> flows;
   for (const Subscription& each : subscriptions_)
-    if (each.key == key && std::ranges::find(flows, each.flow) == flows.end()) flows.push_back(each.flow);
+    if (each.key == key && each.is_wanted && std::ranges::find(flows, each.flow) == flows.end())
+      flows.push_back(each.flow);
   return flows;
 }
 
@@ -52,12 +54,20 @@ void Flows::set_subscription(std::size_t service, std::string_view key, std::str
     std::erase_if(subscriptions_, same);
     if (!has_demand(key, flow)) traffic_.reset(key, flow);
   } else if (std::ranges::none_of(subscriptions_, same)) {
-    subscriptions_.push_back({std::string(key), std::string(flow), service, {}, 0, {}});
+    subscriptions_.push_back({std::string(key), std::string(flow), service, {}, 0, true, {}});
   }
 }
 
 Flows::WatchId Flows::watch(std::string_view key, std::string_view flow, Watcher watcher) {
-  subscriptions_.push_back({std::string(key), std::string(flow), 0, {}, next_watch_, std::move(watcher)});
+  return add({std::string(key), std::string(flow), 0, {}, next_watch_, true, std::move(watcher)});
+}
+
+Flows::WatchId Flows::overhear(std::string_view key, std::string_view flow, Watcher watcher) {
+  return add({std::string(key), std::string(flow), 0, {}, next_watch_, false, std::move(watcher)});
+}
+
+Flows::WatchId Flows::add(Subscription watch) {
+  subscriptions_.push_back(std::move(watch));
   return next_watch_++;
 }
 
@@ -91,8 +101,9 @@ PacketPtr Flows::take(std::size_t service, std::string_view key, std::string_vie
 
 Published Flows::published(std::string_view key, std::string_view flow, Time now) const {
   Published published = traffic_.read(key, flow, now);
-  published.watchers = static_cast<std::size_t>(std::ranges::count_if(
-      subscriptions_, [&](const Subscription& each) { return each.watch != 0 && is_of(each, key, flow); }));
+  published.watchers = static_cast<std::size_t>(std::ranges::count_if(subscriptions_, [&](const Subscription& each) {
+    return each.watch != 0 && each.is_wanted && is_of(each, key, flow);
+  }));
   return published;
 }
 

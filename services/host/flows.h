@@ -36,6 +36,7 @@ class Flows {
     std::size_t service = 0;  // number of the subscriber
     PacketPtr waiting;        // on its way to it
     WatchId watch = 0;        // 0: a service
+    bool is_wanted = true;    // false: what passes because of others is enough
     Watcher watcher;
   };
 
@@ -51,6 +52,8 @@ class Flows {
   /// The service number `service` subscribes from now on, or no longer; nothing changes if that is so already.
   void set_subscription(std::size_t service, std::string_view key, std::string_view flow, bool on);
   WatchId watch(std::string_view key, std::string_view flow, Watcher watcher);
+  /// As watch(), but is no subscriber: the watcher gets what passes because of others.
+  WatchId overhear(std::string_view key, std::string_view flow, Watcher watcher);
   /// Removes a watch and returns it as it was; `watch` is 0: there was none.
   Subscription unwatch(WatchId id);
 
@@ -66,6 +69,8 @@ class Flows {
   Published published(std::string_view key, std::string_view flow, Time now) const;
 
  private:
+  WatchId add(Subscription watch);
+
   std::vector<Subscription> subscriptions_;  // the oldest first
   FlowTraffic traffic_;
   WatchId next_watch_ = 1;

@@ -104,6 +104,8 @@ class Host {
 
   /// Watches a data flow from outside, until unwatch(): nothing is called once that has returned.
   Flows::WatchId watch(const std::string& service, const std::string& flow, Flows::Watcher watcher) EXCLUDES(mutex_);
+  /// The same of what passes because of others: nobody publishes for this watcher.
+  Flows::WatchId overhear(const std::string& service, const std::string& flow, Flows::Watcher watcher) EXCLUDES(mutex_);
   void unwatch(Flows::WatchId watch) EXCLUDES(mutex_);
 
   std::vector<ServiceStatus> services() const EXCLUDES(mutex_);

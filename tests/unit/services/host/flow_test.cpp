@@ -253,5 +253,26 @@ TEST_F(FlowTest, ObserversAreToldWhoListensAndWhoWatches) {
   EXPECT_EQ(told(), 2U);
 }
 
+TEST_F(FlowTest, WhoOverhearsGetsWhatPassesBecauseOfOthersAndAsksForNothing) {
+  std::vector<Time> heard;
+  const auto id = bench.host.overhear("tap", "water", [&](const PacketPtr& packet) { heard.push_back(packet->time); });
+  bench.queue.run();
+  EXPECT_THAT(tap.wishes, IsEmpty());
+  EXPECT_EQ(water().watchers, 0u);
+  listen(true);
+  EXPECT_THAT(tap.wishes, ElementsAre("+water"));
+  tap.pour(1);
+  bench.queue.run();
+  EXPECT_THAT(heard, ElementsAre(1));
+  listen(false);
+  EXPECT_THAT(tap.wishes, ElementsAre("+water", "-water"));
+  bench.host.unwatch(id);
+  listen(true);
+  tap.pour(2);
+  bench.queue.run();
+  EXPECT_THAT(heard, ElementsAre(1));
+  EXPECT_THAT(tap.wishes, ElementsAre("+water", "-water", "+water"));
+}
+
 }  // namespace
 }  // namespace race::services
