@@ -55,13 +55,16 @@ Checked<void> Application::open_store(const Setup& setup) {
   documents_ = std::move(*documents);
   backups_ = std::make_unique<Backups>(
       folder_->path(),
-      Backups::Users{.flush = [this] { keeper_->flush(); }, .restored = [this] { return cores_->recover(); }});
+      Backups::Users{.flush = [this] { flush_recordings(); }, .restored = [this] { return cores_->recover(); }});
   auto runs = Runs::open(folder_->store());
   if (!runs) return of_store(std::move(runs).error(), *folder_);
   runs_ = std::move(*runs);
   auto samples = Samples::open(folder_->store());
   if (!samples) return of_store(std::move(samples).error(), *folder_);
   samples_ = std::move(*samples);
+  auto pictures = Pictures::open(folder_->store());
+  if (!pictures) return of_store(std::move(pictures).error(), *folder_);
+  pictures_ = std::move(*pictures);
   auto writer = JournalWriter::open(folder_->store());
   if (!writer) return of_store(std::move(writer).error(), *folder_);
   writer_ = std::move(*writer);
@@ -105,6 +108,11 @@ Checked<void> Application::create_cell(const Setup& setup) {
   return {};
 }
 
+void Application::flush_recordings() {
+  keeper_->flush();
+  picture_recorder_->flush();
+}
+
 // Damaged runs are named when the cores are made of them.
 void Application::name_damaged_documents() {
   const auto heads = documents_->heads();
@@ -120,6 +128,10 @@ Expected<void> Application::create_cores(const Setup& setup) {
   keeper_ = std::make_unique<RunKeeper>(*runs_, *samples_, setup.retention,
                                         [this](LogLevel level, const std::string& text) { log("store", text, level); });
   keeper_->connect(*cores_, cell_->world());
+  picture_recorder_ =
+      std::make_unique<PictureRecorder>(cell_->host(), *cores_, *pictures_,
+                                        [this](LogLevel level, const std::string& text) { log("store", text, level); });
+  picture_recorder_->connect();
   core_publisher_->on_change([this](const std::string& id, const Value& core) { keeper_->core_changed(id, core); });
   core_publisher_->connect(cell_->clock(), *cores_);
   service_publisher_->connect(*cores_);
@@ -183,8 +195,8 @@ ChannelSources Application::channel_sources() {
 }
 
 Resources Application::resources() {
-  return {*documents_,  *breakpoints_, *editing_,  *boot_list_, *backups_, *runs_, *samples_, *cores_,
-          *live_edits_, replays_,      deadlines_, restores_,   *cell_,    *log_,  answers_};
+  return {*documents_, *breakpoints_, *editing_, *boot_list_, *backups_, *runs_, *samples_, *pictures_,
+          *cores_,     *live_edits_,  replays_,  deadlines_,  restores_, *cell_, *log_,     answers_};
 }
 
 }  // namespace race::server

@@ -23,6 +23,7 @@
 #include "server/handlers/routes.h"
 #include "server/http/listener.h"
 #include "server/log/event_log.h"
+#include "server/runs/picture_recorder.h"
 #include "server/runs/run_keeper.h"
 #include "server/store/backup.h"
 #include "server/store/boot_list.h"
@@ -71,6 +72,7 @@ class Application {
   Expected<void> create_cores(const Setup& setup);
   void create_editing(const Setup& setup);
   void name_damaged_documents();
+  void flush_recordings();
   Checked<void> add_operator(const OperatorScript& script);
   void log(const std::string& source, const std::string& text, LogLevel level = LogLevel::info);
   ChannelSources channel_sources();
@@ -89,6 +91,7 @@ class Application {
   std::unique_ptr<Backups> backups_;
   std::unique_ptr<Runs> runs_;
   std::unique_ptr<Samples> samples_;
+  std::unique_ptr<Pictures> pictures_;
   std::unique_ptr<JournalWriter> writer_;
   std::unique_ptr<BootList> boot_list_;
   std::unique_ptr<DocumentBreakpoints> breakpoints_;
@@ -103,6 +106,7 @@ class Application {
   std::unique_ptr<Cores> cores_;
   std::unique_ptr<LiveEdits> live_edits_;
   std::unique_ptr<RunKeeper> keeper_;
+  std::unique_ptr<PictureRecorder> picture_recorder_;
   std::unique_ptr<DocumentPublisher> document_publisher_;
   DocumentWatchers document_watchers_;
   std::unique_ptr<Editing> editing_;

@@ -5,6 +5,7 @@
 #include "server/http/request_filter.h"
 #include "server/runs/run_file.h"
 #include "server/runs/run_json.h"
+#include "server/store/pictures.h"
 
 namespace race::server {
 
@@ -25,12 +26,14 @@ Checked<SoundFile> read(const std::string& text, const Stop& stop) {
   return sound;
 }
 
-Handled store(const SoundFile& sound, Runs& runs, Samples& samples) {
+Handled store(const SoundFile& sound, Runs& runs, Samples& samples, Pictures& pictures) {
   const auto& [file, checkpoints] = sound;
   const Runs::NewRun run{file.record.document, file.record.revision, file.journal.header, file.services};
   const auto record = runs.import(file.record, run, file.journal.entries, checkpoints, file.timing);
   if (!record) return failed(record.error());
-  if (auto stored = samples.append(record->id, file.samples); !stored) {
+  auto stored = samples.append(record->id, file.samples);
+  if (stored) stored = pictures.append(record->id, file.pictures);
+  if (!stored) {
     std::ignore = runs.remove(record->id);  // whole or not at all
     return failed(std::move(stored).error());
   }
@@ -39,11 +42,12 @@ Handled store(const SoundFile& sound, Runs& runs, Samples& samples) {
 
 }  // namespace
 
-void import_run(const Request& request, Respond respond, Runs& runs, Samples& samples, Worker& replays) {
+void import_run(const Request& request, Respond respond, Runs& runs, Samples& samples, Pictures& pictures,
+                Worker& replays) {
   replays.ask<SoundFile, std::vector<Error>>(
       [text = request.body](const Stop& stop) { return read(text, stop); }, kReplayLimit, request.gone,
-      [respond = std::move(respond), &runs, &samples](const Checked<SoundFile>& sound) {
-        respond(sound ? store(*sound, runs, samples) : Handled(tl::unexpected(sound.error())));
+      [respond = std::move(respond), &runs, &samples, &pictures](const Checked<SoundFile>& sound) {
+        respond(sound ? store(*sound, runs, samples, pictures) : Handled(tl::unexpected(sound.error())));
       });
 }
 

@@ -87,6 +87,8 @@ constexpr std::array kRoutes = {
     Route{"GET", "/api/v1/runs/{run}/journal", call<get_run_journal>},
     Route{"GET", "/api/v1/runs/{run}/script", call<get_run_script>},
     Route{"GET", "/api/v1/runs/{run}/samples", call<get_run_samples>},
+    Route{"GET", "/api/v1/runs/{run}/pictures", call<get_run_pictures>},
+    Route{"GET", "/api/v1/runs/{run}/pictures/{number}", call<get_run_picture>},
     Route{"GET", "/api/v1/runs/{run}/timing", call<get_run_timing>, kNoBody, "from to"},
     Route{"GET", "/api/v1/runs/{run}/export", call<get_run_export>},
     Route{"GET", "/api/v1/runs/{run}/compare", call<compare_run>, kNoBody, "with from"},

@@ -15,8 +15,9 @@ namespace race::server {
 class EventLog;
 
 /// What handlers use; each gets those that are its parameters. The pool is that of restores.
-using Resources = std::tuple<Documents&, DocumentBreakpoints&, Editing&, BootList&, Backups&, Runs&, Samples&, Cores&,
-                             LiveEdits&, Worker&, Deadlines&, Pool&, Cell&, EventLog&, IdempotentAnswers&>;
+using Resources =
+    std::tuple<Documents&, DocumentBreakpoints&, Editing&, BootList&, Backups&, Runs&, Samples&, Pictures&, Cores&,
+               LiveEdits&, Worker&, Deadlines&, Pool&, Cell&, EventLog&, IdempotentAnswers&>;
 
 struct Route {
   std::string_view method;

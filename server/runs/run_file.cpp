@@ -11,6 +11,7 @@
 #include "core/rcm/document.h"
 #include "core/rcm/ids.h"
 #include "core/rsm/document.h"
+#include "core/value/base64.h"
 #include "core/value/error_list.h"
 #include "core/value/fields.h"
 #include "core/value/json.h"
@@ -122,6 +123,38 @@ std::vector<Sample> read_samples(Fields& file, Errors& errors) {
     samples.push_back(std::move(sample));
   }
   return samples;
+}
+
+/// A picture as a browser can show it; whether it is one is for the browser to see.
+Picture read_picture(const Value& json, const std::string& path, Errors& errors) {
+  Fields fields(json, path, "a picture", errors, kByField);
+  Picture picture;
+  picture.service = fields.text("service", kRequired).value_or("");
+  if (picture.service.size() > Pictures::kLongestService)
+    fields.violation(ErrorCode::too_large, "a key has at most " + std::to_string(Pictures::kLongestService) + " bytes",
+                     "service");
+  picture.step = static_cast<std::uint64_t>(read_count(fields, "step"));
+  const std::optional<double> time = fields.number("time");
+  if (!time) fields.violation(ErrorCode::missing, "a picture has a `time`", "time");
+  picture.time = time.value_or(0);
+  picture.jpeg = fields.text("jpeg", kRequired).value_or("");
+  if (picture.jpeg.size() > Pictures::kLongest)
+    fields.violation(ErrorCode::too_large, "at most " + std::to_string(Pictures::kLongest) + " characters", "jpeg");
+  if (!is_base64(picture.jpeg)) fields.violation(ErrorCode::type, "`jpeg` must be base64", "jpeg");
+  fields.close();
+  return picture;
+}
+
+std::vector<Picture> read_pictures(Fields& file, Errors& errors) {
+  std::vector<Picture> pictures;
+  const List& list = file.list("pictures");
+  if (list.size() > Pictures::kMost) {
+    file.violation(ErrorCode::too_large, "at most " + std::to_string(Pictures::kMost) + " pictures", "pictures");
+    return pictures;
+  }
+  for (const Value& json : list)
+    pictures.push_back(read_picture(json, "pictures/" + std::to_string(pictures.size()), errors));
+  return pictures;
 }
 
 /// What is said of times, which follows from nothing else.
@@ -241,13 +274,21 @@ Expected<std::string> write_run_file(const RunFile& file) {
   if (file.document) json.set("document", *file.document);
   json.set("services", std::move(services));
   json.set("samples", samples_json(file.samples));
-  if (file.timing.empty()) return bounded_text(json);
-  Dict with_times = json;
-  List timing;
+  // What there may be no room for, the dearest last.
+  std::vector<Dict> richer{std::move(json)};
+  const auto add = [&](const char* field, List list) {
+    if (list.empty()) return;
+    richer.push_back(richer.back());
+    richer.back().set(field, std::move(list));
+  };
+  List timing, pictures;
   for (const TimingBlock& block : file.timing) timing.push_back(timing_json(block));
-  with_times.set("timing", std::move(timing));
-  auto text = bounded_text(with_times);
-  return text ? text : bounded_text(json);
+  for (const Picture& picture : file.pictures) pictures.push_back(picture_json(picture));
+  add("timing", std::move(timing));
+  add("pictures", std::move(pictures));
+  for (; richer.size() > 1; richer.pop_back())
+    if (auto text = bounded_text(richer.back())) return text;
+  return bounded_text(richer.back());
 }
 
 bool is_run_file(const Value& json) { return json.find("journal") != nullptr || json.find("run") != nullptr; }
@@ -278,6 +319,7 @@ Checked<RunFile> read_run_file(const Value& json, std::map<std::uint64_t, std::s
   file.services = read_services(fields, errors);
   file.samples = read_samples(fields, errors);
   file.timing = read_timing_blocks(fields, file.record.steps, errors);
+  file.pictures = read_pictures(fields, errors);
   fields.close();
   if (journal) {
     auto read = execution::read_journal(*journal);

@@ -15,6 +15,7 @@
 #include "core/execution/journal.h"
 #include "core/rsm/model.h"
 #include "core/value/expected.h"
+#include "server/store/pictures.h"
 #include "server/store/runs.h"
 #include "server/store/samples.h"
 
@@ -50,9 +51,10 @@ struct RunFile {
   std::map<std::string, rsm::Service> services;  // the RSMs
   std::vector<Sample> samples;
   std::vector<TimingBlock> timing;  // none is written if there is no room
+  std::vector<Picture> pictures;    // the same, before times
 };
 
-/// The text; without times if there is no room for them. Error `too_large`.
+/// The text; without pictures, then without times if there is no room for them. Error `too_large`.
 Expected<std::string> write_run_file(const RunFile& file);
 
 /// Reads what write_run_file wrote, and holds it against itself: the journal against its chain, and the record against

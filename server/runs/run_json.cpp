@@ -24,6 +24,12 @@ void set_status(const RunRecord& run, Dict& json) {
   if (run.status == "faulted") json.set("fault", run.fault);
 }
 
+Dict picture_json(const Picture& picture) {
+  Dict json{{"service", picture.service}, {"step", static_cast<std::int64_t>(picture.step)}, {"time", picture.time}};
+  if (!picture.jpeg.empty()) json.set("jpeg", picture.jpeg);
+  return json;
+}
+
 List samples_json(const std::vector<Sample>& samples) {
   List list;
   for (const Sample& sample : samples)

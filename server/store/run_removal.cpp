@@ -14,7 +14,8 @@
 namespace race::server {
 namespace {
 
-constexpr std::int64_t kTimingsAtOnce = 16;  // up to a hundred kilobytes each
+constexpr std::int64_t kPicturesAtOnce = 32;  // up to 64 kilobytes each
+constexpr std::int64_t kTimingsAtOnce = 16;   // up to a hundred kilobytes each
 
 struct Removal {
   const char* sql;
@@ -30,10 +31,14 @@ constexpr std::array kRemovals = {
     Removal{"DELETE FROM sample WHERE run = ?1 AND number IN"
             " (SELECT number FROM sample WHERE run = ?1 ORDER BY number LIMIT ?2)",
             kRunRowsAtOnce},
+    Removal{"DELETE FROM picture WHERE run = ?1 AND number IN"
+            " (SELECT number FROM picture WHERE run = ?1 ORDER BY number LIMIT ?2)",
+            kPicturesAtOnce},
     Removal{"DELETE FROM timing WHERE run = ?1 AND number IN"
             " (SELECT number FROM timing WHERE run = ?1 ORDER BY number LIMIT ?2)",
             kTimingsAtOnce},
-    Removal{"DELETE FROM sampling WHERE run IN (SELECT run FROM sampling WHERE run = ?1 LIMIT ?2)", 1}};
+    Removal{"DELETE FROM sampling WHERE run IN (SELECT run FROM sampling WHERE run = ?1 LIMIT ?2)", 1},
+    Removal{"DELETE FROM picturing WHERE run IN (SELECT run FROM picturing WHERE run = ?1 LIMIT ?2)", 1}};
 
 sqlite::Digest digest_of(RunId run) { return sqlite::sha256_of({"removal", std::to_string(run)}); }
 

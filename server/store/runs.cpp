@@ -22,7 +22,8 @@
 namespace race::server {
 namespace {
 
-constexpr std::int64_t kMostOtherBytes = std::int64_t{1} << 29U;  // samples and times of a run; more is damage
+constexpr std::int64_t kMostOtherBytes = std::int64_t{1}
+                                         << 29U;  // samples, pictures and times of a run; more is damage
 
 using execution::JournalEntry;
 using execution::JournalHeader;
@@ -256,6 +257,7 @@ Expected<std::vector<std::pair<RunId, std::uint64_t>>> Runs::sizes() try {
   const services::MutexLock lock(mutex_);
   SQLite::Statement select(*file_, "SELECT " + std::string(kRunColumns) +
                                        ", coalesce((SELECT bytes FROM sampling WHERE run = id), 0) +"
+                                       " coalesce((SELECT bytes FROM picturing WHERE run = id), 0) +"
                                        " coalesce((SELECT sum(bytes) FROM timing WHERE run = id), 0) FROM run"
                                        " WHERE status IN ('ended', 'faulted', 'aborted') OR imported ORDER BY id DESC");
   const int others = 17;  // the column after those of read_row()

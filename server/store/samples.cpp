@@ -3,46 +3,17 @@
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Statement.h>
 
-#include <algorithm>
-
 #include "core/value/json.h"
 #include "server/store/digest_column.h"
 #include "server/store/schema.h"
+#include "server/store/thinning.h"
 #include "services/sqlite/file.h"
 #include "services/sqlite/write_transaction.h"
 
 namespace race::server {
 namespace {
 
-// How far the samples of a run have come. `every` is a power of two; kept are those whose number it divides.
-struct Sampling {
-  std::int64_t seen = 0, every = 1, bytes = 0;
-  std::size_t kept() const { return static_cast<std::size_t>((seen + every - 1) / every); }
-};
-
-bool has_run(SQLite::Database& file, RunId run) {
-  SQLite::Statement select(file, "SELECT 1 FROM run WHERE id = ?");
-  select.bind(1, sqlite::integer(run));
-  return select.executeStep();
-}
-
-Sampling read_sampling(SQLite::Database& file, RunId run) {
-  SQLite::Statement select(file, "SELECT seen, every, bytes FROM sampling WHERE run = ?");
-  select.bind(1, sqlite::integer(run));
-  if (!select.executeStep()) return {};
-  // A damaged row costs samples, no more.
-  return {std::max<std::int64_t>(0, select.getColumn(0).getInt64()),
-          std::max<std::int64_t>(1, select.getColumn(1).getInt64()), select.getColumn(2).getInt64()};
-}
-
-void write_sampling(SQLite::Database& file, RunId run, const Sampling& sampling) {
-  SQLite::Statement insert(file, "INSERT OR REPLACE INTO sampling VALUES (?, ?, ?, ?)");
-  insert.bind(1, sqlite::integer(run));
-  insert.bind(2, sampling.seen);
-  insert.bind(3, sampling.every);
-  insert.bind(4, sampling.bytes);
-  insert.exec();
-}
+constexpr ThinnedTable kTable{"sampling", "sample", "pose"};
 
 sqlite::Digest digest_of(RunId run, std::int64_t number, std::uint64_t step, const std::string& pose) {
   return sqlite::sha256_of({std::to_string(run), std::to_string(number), std::to_string(step), pose});
@@ -56,19 +27,6 @@ void write_sample(SQLite::Database& file, RunId run, std::int64_t number, std::u
   insert.bind(4, pose);
   bind_digest(insert, 5, digest_of(run, number, step, pose));
   insert.exec();
-}
-
-// Drops every second one.
-void thin(SQLite::Database& file, RunId run, Sampling& sampling) {
-  sampling.every *= 2;
-  SQLite::Statement remove(file, "DELETE FROM sample WHERE run = ? AND number % ? <> 0");
-  remove.bind(1, sqlite::integer(run));
-  remove.bind(2, sampling.every);
-  remove.exec();
-  SQLite::Statement sum(file, "SELECT coalesce(sum(length(pose)), 0) FROM sample WHERE run = ?");
-  sum.bind(1, sqlite::integer(run));
-  sum.executeStep();
-  sampling.bytes = sum.getColumn(0).getInt64();
 }
 
 }  // namespace
@@ -88,16 +46,16 @@ Expected<void> Samples::append(RunId run, const std::vector<Sample>& samples) tr
   const services::MutexLock lock(mutex_);
   sqlite::WriteTransaction transaction(*file_);
   if (!has_run(*file_, run)) return {};
-  Sampling sampling = read_sampling(*file_, run);
+  Thinning thinning = read_thinning(*file_, kTable, run);
   for (const Sample& sample : samples) {
-    const std::int64_t number = sampling.seen++;
-    if (number % sampling.every != 0) continue;
+    const std::int64_t number = thinning.seen++;
+    if (number % thinning.every != 0) continue;
     const std::string pose = to_json(sample.pose);
     write_sample(*file_, run, number, sample.step, pose);
-    sampling.bytes += static_cast<std::int64_t>(pose.size());
-    if (sampling.kept() > kMost) thin(*file_, run, sampling);
+    thinning.bytes += static_cast<std::int64_t>(pose.size());
+    if (thinning.kept() > kMost) thin_out(*file_, kTable, run, thinning);
   }
-  write_sampling(*file_, run, sampling);
+  write_thinning(*file_, kTable, run, thinning);
   transaction.commit();
   return {};
 } catch (const SQLite::Exception& exception) {

@@ -80,9 +80,19 @@ void add_timing(SQLite::Database& file) {
       " bytes INTEGER NOT NULL, text TEXT NOT NULL, digest BLOB NOT NULL, PRIMARY KEY (run, number)) WITHOUT ROWID");
 }
 
-constexpr std::array<sqlite::Migration, 9> kMigrations = {
-    give_document_ids,     add_runs,        add_revisions, add_boot, add_removals, add_edits,
-    add_removed_documents, add_breakpoints, add_timing};
+// 10: what cameras saw (pictures.h), as samples are; jpeg: base64.
+void add_pictures(SQLite::Database& file) {
+  file.exec(
+      "CREATE TABLE picturing (run INTEGER PRIMARY KEY, seen INTEGER NOT NULL, every INTEGER NOT NULL,"
+      " bytes INTEGER NOT NULL);"
+      "CREATE TABLE picture (run INTEGER NOT NULL, number INTEGER NOT NULL, service TEXT NOT NULL,"
+      " step INTEGER NOT NULL, time REAL NOT NULL, jpeg TEXT NOT NULL, digest BLOB NOT NULL,"
+      " PRIMARY KEY (run, number)) WITHOUT ROWID;");
+}
+
+constexpr std::array<sqlite::Migration, 10> kMigrations = {
+    give_document_ids,     add_runs,        add_revisions, add_boot,    add_removals, add_edits,
+    add_removed_documents, add_breakpoints, add_timing,    add_pictures};
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 
 #include "core/execution/step_json.h"
 #include "core/value/json.h"
+#include "server/runs/run_json.h"
 #include "server/store/digest_column.h"
 #include "server/store/journal_chain.h"
 #include "server/store/run_row.h"
@@ -274,6 +275,33 @@ TEST(RunFiles, HaveTheTimesOfTheirRun) {
   EXPECT_EQ(refusal_of(changed(json_of(file), "timing/0/steps", "x")).second, "timing/0/steps");
   file.timing.resize(TimingBlock::kMostBlocks + 1, file.timing[0]);
   EXPECT_EQ(refusal_of(json_of(file)), (std::pair(ErrorCode::too_large, std::string("timing"))));
+}
+
+TEST(RunFiles, HaveThePicturesOfTheirRun) {
+  RunFile file = file_of(counting({1}));
+  EXPECT_EQ(json_of(file).find("pictures"), nullptr);
+  file.pictures = {{"camera", 1, 0.5, "AAAA"}, {"camera", 2, 1, "BBBB"}};
+  const Value json = json_of(file);
+  const auto read = read_run_file(json)->pictures;
+  ASSERT_EQ(read.size(), 2u);
+  EXPECT_EQ(Value(picture_json(read[1])), Value(picture_json(file.pictures[1])));
+  EXPECT_EQ(refusal_of(changed(json, "pictures/1/jpeg", "<svg>")).second, "pictures/1/jpeg");
+  EXPECT_EQ(refusal_of(changed(json, "pictures/1/jpeg", std::string(Pictures::kLongest + 4, 'A'))).second,
+            "pictures/1/jpeg");
+  EXPECT_EQ(refusal_of(changed(json, "pictures/0/service", std::string(101, 'a'))).second, "pictures/0/service");
+  EXPECT_EQ(refusal_of(changed(json, "pictures/0/step", -1)).second, "pictures/0/step");
+  file.pictures.resize(Pictures::kMost + 1, file.pictures[0]);
+  EXPECT_EQ(refusal_of(json_of(file)), (std::pair(ErrorCode::too_large, std::string("pictures"))));
+}
+
+TEST(RunFiles, LeavePicturesOutBeforeTimesIfThereIsNoRoom) {
+  RunFile file = file_of(counting({1}));
+  file.timing = {timing_of_two()};
+  const std::size_t bytes = write_run_file(file)->size();
+  file.pictures = {{"camera", 1, 0.5, "AAAA"}};
+  file.record.document = "task" + std::string(kRunFileLimits.bytes - bytes, 'x');
+  EXPECT_NE(json_of(file).find("timing"), nullptr);
+  EXPECT_EQ(json_of(file).find("pictures"), nullptr);
 }
 
 TEST(RunFiles, LeaveTimesOutForWhichThereIsNoRoom) {
