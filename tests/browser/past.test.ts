@@ -207,3 +207,42 @@ describe("going back in a run that was edited", () => {
     await page.locator('.canvas [data-path="Root/Later"]').waitFor();
   });
 });
+
+describe("the camera", () => {
+  /** It looks for parts until the recognition has seen some, and rests; then all is over. */
+  const looking = {
+    state: "Root", first: "Begin",
+    children: [
+      { state: "Begin", entry: "svc.timer.wait(0.05)", ports: [{ name: "done", when: "svc.timer.wait.result", to: "Look" }] },
+      { state: "Look", entry: "svc.obj_rec.start()", exit: "svc.obj_rec.stop()", ports: [{ name: "seen", when: "svc.obj_rec.recognized_objects", to: "Rest" }] },
+      { state: "Rest", entry: "svc.timer.wait(0.2)", ports: [{ name: "done", when: "svc.timer.wait.result" }] },
+    ],
+    ports: [{ name: "over", when: "chi.Rest.port.done" }],
+  };
+  const camera = () => page.getByRole("region", { name: "Camera" });
+
+  it("shows in the past what it saw then, and that it had seen nothing yet; also of a run that came as a file", async () => {
+    await send("PUT", "/documents/looking", { rcm: 1, name: "looking", root: looking });
+    const { id } = await send("POST", "/cores", { document: "looking" });
+    await send("POST", `/cores/${id}/start`);
+    await soon(async () => ((await fixture.send("GET", `/cores/${id}`)) as { readonly outcome?: string }).outcome).toBe("over");
+    const { pictures } = (await fixture.send("GET", `/runs/${id}/pictures`)) as { readonly pictures: readonly { readonly step: number }[] };
+    expect(pictures.length).toBeGreaterThan(0);
+    const { step: last } = await core(id);
+    // As text: numbers stay as they are.
+    const file = await (await fetch(`${fixture.url}/api/v1/runs/${id}/export`)).text();
+    const again = (await (await fetch(`${fixture.url}/api/v1/runs`, { method: "POST", body: file, headers: { "content-type": "application/json" } })).json()) as CoreJson;
+    for (const run of [id, again.id]) {
+      await page.goto(`${fixture.url}/pro/?run=${run}&at=${last}`);
+      const picture = camera().getByRole("img");
+      await picture.waitFor();
+      await soon(() => picture.evaluate((image: HTMLImageElement) => image.naturalWidth)).toBe(320);
+      await page.goto(`${fixture.url}/pro/?run=${run}&at=1`);
+      await camera().getByText("No picture had been taken yet.").waitFor();
+    }
+    await page.goto(`${fixture.url}/pro/?run=${id}&at=${last}`);
+    await camera().getByRole("img").waitFor();
+    await fixture.screenshot("past-camera");
+    expect(await findings(page)).toEqual([]);
+  });
+});

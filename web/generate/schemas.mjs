@@ -31,6 +31,8 @@ export const kRead = [
   "revisions.json",
   "rules.json",
   "run.json",
+  "run_picture.json",
+  "run_pictures.json",
   "run_comparison.json",
   "run_removed.json",
   "runs.json",

@@ -25,6 +25,8 @@ import type {
   Run,
   RunComparison,
   Runs,
+  RunPicture,
+  RunPictures,
   Samples,
   Scene,
   ServerError,
@@ -198,6 +200,9 @@ export function createApi(base: string, fetcher: typeof fetch) {
     runModel: async (id: string): Promise<RcmDocument> => readNative(await get(`/runs/${segment(id)}/native`, schema.native)),
     /** Where everything in the cell was while it ran. */
     samples: async (id: string): Promise<Samples> => (await get(`/runs/${segment(id)}/samples`, schema.runSamples)).samples,
+    /** Which pictures of cameras are kept of it, in order. */
+    pictures: async (id: string): Promise<RunPictures["pictures"]> => (await get(`/runs/${segment(id)}/pictures`, schema.runPictures)).pictures,
+    picture: (id: string, number: number): Promise<RunPicture> => get(`/runs/${segment(id)}/pictures/${number}`, schema.runPicture),
     /** When macro steps began, and which states services had. */
     timing: (id: string, from: number, to: number): Promise<Timing> => get(`/runs/${segment(id)}/timing?from=${from}&to=${to}`, schema.timing),
     journal: (id: string): Promise<Journal> => get(`/runs/${segment(id)}/journal`, schema.journal),

@@ -6,6 +6,7 @@ import { pastStatus, placeText, shortDigest } from "../../shared/past/texts";
 import { inputText } from "../../shared/run/inputText";
 import { view } from "../client";
 import { visitStep } from "./past";
+import { PastPicture } from "./PastPicture";
 
 interface Props {
   readonly core: Core;
@@ -39,6 +40,7 @@ export function PastProperties({ core, past }: Props) {
           )}
         </dl>
       </section>
+      <PastPicture run={core.id} step={past.step} />
       <Waiting past={past} />
       <OpenCalls past={past} />
       <NewestEvents past={past} />
@@ -112,7 +114,12 @@ function NewestEvents({ past: { events } }: { readonly past: Past }) {
             <code>
               {service}.{event}
             </code>
-            {data !== null && <code className="past-data">{valueText(data)}</code>}
+            {data !== null && (
+              // Long data scroll, by keyboard too.
+              <code className="past-data" tabIndex={0}>
+                {valueText(data)}
+              </code>
+            )}
           </li>
         ))}
       </ul>
