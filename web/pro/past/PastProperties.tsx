@@ -4,7 +4,9 @@ import { valueText } from "../../shared/model/describe";
 import { momentText } from "../../shared/past/moment";
 import { pastStatus, placeText, shortDigest } from "../../shared/past/texts";
 import { inputText } from "../../shared/run/inputText";
+import { statusLook } from "../../shared/run/controls";
 import { view } from "../client";
+import { CallList } from "../panels/OpenCalls";
 import { visitStep } from "./past";
 import { PastPicture } from "./PastPicture";
 
@@ -21,7 +23,7 @@ export function PastProperties({ core, past }: Props) {
           Run {core.id} of {core.document}, as it was
         </small>
         <h2>Step {momentText(past)}</h2>
-        <span className={`pill is-${past.status}`}>{pastStatus(past)}</span>
+        <span className={`pill is-${statusLook({ status: past.status, paused: false, outcome: past.outcome })}`}>{pastStatus(past)}</span>
       </header>
       <section aria-label="Moment">
         <p className="quiet">{placeText(past)}</p>
@@ -42,7 +44,7 @@ export function PastProperties({ core, past }: Props) {
       </section>
       <PastPicture run={core.id} step={past.step} />
       <Waiting past={past} />
-      <OpenCalls past={past} />
+      <CallList calls={past.open_calls.map(({ call, caller, service, operation }) => ({ key: call, service, operation, about: <CalledBy call={call} caller={caller} /> }))} empty="None: every call was answered." />
       <NewestEvents past={past} />
       <p className="quiet">Select a state, a barrier or a port to see the values that it had.</p>
     </>
@@ -79,27 +81,14 @@ function DeliveredIn({ step }: { readonly step: number }) {
   );
 }
 
-function OpenCalls({ past: { open_calls: calls } }: { readonly past: Past }) {
+function CalledBy({ call, caller }: { readonly call: number; readonly caller: string }) {
   return (
-    <section aria-label="Open calls">
-      <h3>Open calls</h3>
-      {calls.length === 0 && <p className="quiet">None: every call was answered.</p>}
-      <ul className="past-list">
-        {calls.map(({ call, caller, service, operation }) => (
-          <li key={call}>
-            <code>
-              {service}.{operation}
-            </code>
-            <small>
-              call {call} by{" "}
-              <button type="button" className="link" onClick={() => view.dispatch({ type: "jump", selection: { kind: "node", path: caller } })}>
-                {caller}
-              </button>
-            </small>
-          </li>
-        ))}
-      </ul>
-    </section>
+    <>
+      call {call} by{" "}
+      <button type="button" className="link" onClick={() => view.dispatch({ type: "jump", selection: { kind: "node", path: caller } })}>
+        {caller}
+      </button>
+    </>
   );
 }
 
