@@ -1,5 +1,6 @@
 // GET /api/v1/runs/{run}/pictures: which pictures of cameras there are of the time in which the run was running;
 // GET .../pictures/{number}: one of them.
+#include "server/handlers/query.h"
 #include "server/handlers/runs.h"
 #include "server/runs/run_json.h"
 #include "server/store/pictures.h"
@@ -23,8 +24,8 @@ Handled get_run_pictures(const Request& request, Runs& runs, Pictures& pictures)
 Handled get_run_picture(const Request& request, Runs& runs, Pictures& pictures) {
   const auto run = run_of(request, runs);
   if (!run) return failed(run.error());
-  const std::string& number = request.parameters.at("number");
-  const auto picture = pictures.read(run->id, run_number(number));
+  // What is no number names no picture.
+  const auto picture = pictures.read(run->id, whole_number(request.parameters.at("number")).value_or(-1));
   if (!picture) return failed(picture.error());
   return ok(picture_json(*picture));
 }

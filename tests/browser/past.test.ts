@@ -228,6 +228,7 @@ describe("the camera", () => {
     await soon(async () => ((await fixture.send("GET", `/cores/${id}`)) as { readonly outcome?: string }).outcome).toBe("over");
     const { pictures } = (await fixture.send("GET", `/runs/${id}/pictures`)) as { readonly pictures: readonly { readonly step: number }[] };
     expect(pictures.length).toBeGreaterThan(0);
+    for (const none of ["none", "1x", "-1", "400000", ""]) expect((await fetch(`${fixture.url}/api/v1/runs/${id}/pictures/${none}`)).status).toBe(404);
     const { step: last } = await core(id);
     // As text: numbers stay as they are.
     const file = await (await fetch(`${fixture.url}/api/v1/runs/${id}/export`)).text();

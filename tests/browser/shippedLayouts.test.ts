@@ -34,7 +34,7 @@ const kept = (page: Page): Promise<Kept> =>
     });
     const store = (await done(indexedDB.open("race-layouts"))).transaction("layouts").objectStore("layouts");
     const [keys, all] = [await done(store.getAllKeys()), await done(store.getAll())];
-    return keys.map((key, i) => [String(key), all[i]] as const);
+    return keys.map((key, i) => [typeof key === "string" ? key : "", all[i]] as const);
   });
 
 async function visit(page: Page, address: string): Promise<void> {

@@ -1,5 +1,5 @@
 // The run waits for a person: what is asked, the answers, and the way to the page of a display.
-import { useEffect, useMemo, useRef, useState } from "react";
+import { useEffect, useEffectEvent, useMemo, useState } from "react";
 import type { TraceStep } from "../../generated/messages";
 import { displayAddress, stepThatAsked, waitingForPerson, type PersonWait } from "../../shared/run/waitingForPerson";
 import { api, useCore, useSession } from "../client";
@@ -21,13 +21,12 @@ function useQuestion(): PersonWait | undefined {
   const wait = usePersonWait(asked);
   const [id, service, call] = [core?.id, wait?.service, wait?.call];
   const isKnown = wait?.question !== undefined;
-  // The step at which the question is first seen: later ones need not be looked through.
-  const last = useRef(0);
-  last.current = core?.step ?? 0;
+  // The question is first seen now: later steps need not be looked through.
+  const load = useEffectEvent((run: string, asking: string) => stepThatAsked({ service: asking, call }, core?.step ?? 0, (from, to) => api.derivations(run, from, to)));
   useEffect(() => {
     if (id === undefined || service === undefined || isKnown) return;
     let current = true;
-    stepThatAsked({ service, call }, last.current, (from, to) => api.derivations(id, from, to)).then(
+    load(id, service).then(
       (found) => current && setAsked(found),
       () => undefined, // It is shown without its words.
     );
