@@ -230,6 +230,24 @@ describe("following a run", () => {
   });
 });
 
+describe("the browser's Back", () => {
+  it("leads to the page before, and Forward to the one after, with the run", async () => {
+    const shown = () => page.getByRole("tablist", { name: "Pages" }).getByRole("tab", { selected: true }).innerText();
+    const run = new URL(page.url()).searchParams.get("run");
+    await page.getByRole("tab", { name: "Services" }).click();
+    await page.getByRole("tab", { name: "Cell", exact: true }).click();
+    await page.goBack();
+    await expect.poll(shown).toBe("Services");
+    await page.goBack();
+    await expect.poll(shown).toBe("Task");
+    expect(new URL(page.url()).searchParams.get("run")).toBe(run);
+    await page.goForward();
+    await expect.poll(shown).toBe("Services");
+    await page.goBack();
+    await settled(page);
+  });
+});
+
 describe("the legend", () => {
   it("is opened beside the drawing, draws its signs as the canvas does, and is closed by Esc", async () => {
     await page.getByRole("button", { name: "Legend" }).first().click();

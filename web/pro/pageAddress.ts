@@ -1,16 +1,28 @@
-// Which page is shown, in the address: nothing where it is that of the document that the address names, or else of the run.
+// Which page is shown, in the address: nothing where it is that of the document that the address names, or else of the run. The browser's Back leads to
+// the page before.
 import { addressWith, placeOfAddress } from "../shared/session/address";
 import { pageOf } from "../shared/session/view";
 import { view } from "./client";
+import { editing } from "./edit/editing";
 
 /** Lets the address and the page go together; to be called once, when the document of the address is opened. */
 export function followPage(): void {
   const wanted = pageOf(placeOfAddress(location.search).page);
   if (wanted !== undefined) view.dispatch({ type: "page", page: wanted });
+  let shown = view.get().page;
   view.listen(() => {
     const { page } = view.get();
+    // Something else has changed: the address may be ahead, by the browser's Back.
+    if (page === shown) return;
+    shown = page;
     const place = placeOfAddress(location.search);
     const written = page === "edit" || (page === "task" && place.edit === undefined) ? undefined : page;
-    if (place.page !== written) history.replaceState(null, "", addressWith(location.search, { page: written }));
+    if (place.page !== written) history.pushState(null, "", addressWith(location.search, { page: written }));
+  });
+  addEventListener("popstate", () => {
+    const place = placeOfAddress(location.search);
+    const page = pageOf(place.page) ?? (place.edit === undefined ? "task" : "edit");
+    // A document that was closed since is not opened by that.
+    if (page !== view.get().page && (page !== "edit" || place.edit === editing.get().document)) view.dispatch({ type: "page", page });
   });
 }

@@ -42,6 +42,6 @@ export function followRuns(): void {
   addEventListener("popstate", () => {
     read();
     const { run } = placeOfAddress(location.search);
-    if (run !== undefined) turnToRun(run).catch(problem);
+    if (run !== undefined && run !== session.get().watched) turnToRun(run).catch(problem);
   });
 }
