@@ -53,7 +53,10 @@ describe("a drawing whose worker cannot be loaded", () => {
   it("is reported as failed, and not as in progress", async () => {
     await page.goto(`${fixture.url}/pro/`);
     await page.evaluate(() => sessionStorage.setItem("lost", ""));
-    await load("pick");
+    // Layouts of the demo come with the pages.
+    await fixture.send("PUT", "/documents/new", { rcm: 1, name: "new", root: { state: "Root", children: [{ state: "A" }, { state: "B" }], first: "A" } });
+    await page.reload();
+    await load("new");
     await page.getByRole("alert").getByText("the layout does not start").waitFor();
     await page.getByText("The model could not be drawn.").waitFor();
     expect(await page.getByText("Drawing the model…").count()).toBe(0);
@@ -62,8 +65,8 @@ describe("a drawing whose worker cannot be loaded", () => {
   it("is made on a new request once the worker can be loaded", async () => {
     await page.evaluate(() => sessionStorage.clear());
     await button("Dismiss").click();
-    await load("pick");
-    await state("Pick/Release").waitFor();
+    await load("new");
+    await state("Root/A").waitFor();
     expect(await page.getByRole("alert").count()).toBe(0);
   });
 });

@@ -1,6 +1,6 @@
 // What the expert page shows while a task waits: a barrier that lacks a port, a pending call, and the log.
 import { findings } from "./axe";
-import { openFixture, type Fixture } from "./fixture";
+import { openFixture, settled, type Fixture } from "./fixture";
 
 let fixture: Fixture;
 
@@ -50,6 +50,7 @@ describe("waiting", () => {
     await bar().waitFor();
     await expect.poll(() => bar().getAttribute("aria-label"), kSoon).toBe("Barrier Root/Join, waits for Root/B.done");
     expect(await fixture.page.locator(".barrier-note").allInnerTexts()).toEqual(["1/2"]);
+    await settled(fixture.page);
     await bar().click();
     const list = fixture.page.getByRole("region", { name: "Waits for" });
     expect(await list.getByRole("heading").innerText()).toBe("1 of 2 inbound ports have arrived");
