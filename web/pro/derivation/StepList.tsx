@@ -58,11 +58,7 @@ function Rows({ rows, shown, onOpen }: RowsProps) {
   const { first, end } = rows.length <= kWhole ? { first: 0, end: rows.length } : inView;
   const at = rows.findIndex((row) => row.kind === "step" && row.step.step === shown);
   useEffect(() => {
-    const scroller = list.current?.parentElement;
-    if (at < 0 || scroller === null || scroller === undefined) return;
-    const top = at * kRow;
-    if (top < scroller.scrollTop) scroller.scrollTop = top;
-    else if (top + kRow > scroller.scrollTop + scroller.clientHeight) scroller.scrollTop = top + kRow - scroller.clientHeight;
+    if (at >= 0) showRow(list.current, at);
   }, [at, rows.length]);
   return (
     <div className="step-rows">
@@ -78,6 +74,15 @@ function Rows({ rows, shown, onOpen }: RowsProps) {
       </ol>
     </div>
   );
+}
+
+/** Scrolls so that the row is in view. */
+function showRow(list: HTMLElement | null, index: number): void {
+  const scroller = list?.parentElement;
+  if (scroller === null || scroller === undefined) return;
+  const top = index * kRow;
+  if (top < scroller.scrollTop) scroller.scrollTop = top;
+  else if (top + kRow > scroller.scrollTop + scroller.clientHeight) scroller.scrollTop = top + kRow - scroller.clientHeight;
 }
 
 /** Where in the whole list a row is. */

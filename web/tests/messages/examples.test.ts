@@ -34,6 +34,8 @@ const readers: Readonly<Record<string, (value: unknown) => unknown>> = {
   run: by(schema.run),
   run_comparison: by(schema.runComparison),
   runs: by(schema.runs),
+  run_picture: by(schema.runPicture),
+  run_pictures: by(schema.runPictures),
   samples: by(schema.runSamples),
   scene: by(schema.scene),
   services: by(schema.services),
