@@ -1,18 +1,15 @@
 // PictureRecorder: what a camera shows to others is kept while a run is running.
 #include "server/runs/picture_recorder.h"
 
+#include <SQLiteCpp/Database.h>
 #include <gmock/gmock.h>
 
-#include <chrono>
-#include <thread>
-
-#include "core/rcm/document.h"
 #include "server/runs/jpeg.h"
 #include "services/encodings.h"
 #include "services/host/work_queue.h"
 #include "services/sqlite/file.h"
 #include "services/sqlite/write_transaction.h"
-#include "tests/unit/server/run_store.h"
+#include "tests/unit/server/running_cores.h"
 #include "tests/unit/services/host/bench.h"
 
 namespace race::server {
@@ -36,32 +33,7 @@ class Camera final : public services::Component {
   services::ServiceHost& host_;
 };
 
-struct PictureRecorderTest : testing::Test, CoreWatcher {
-  // Not by the destructor: threads call this watcher until then.
-  void TearDown() override {
-    cores.close();
-    store.writer->close();
-    pool.reset();
-  }
-  void core_changed(const std::string&, Value) override {}
-  void core_removed(const std::string&) override {}
-  void state_replaced(const std::string&, Value) override {}
-  void state_snapshot(const std::string&, Value) override {}
-  void state_changed(const std::string&, Value) override {}
-  void derivation_snapshot(const std::string&, Value) override {}
-  void derived(const std::string&, Value) override {}
-  void printed(const std::string&, const std::string&) override {}
-  void run_lost(const std::string&, const std::string&) override {}
-
-  /// A core that is running and waits.
-  std::shared_ptr<Core> running_core() {
-    const auto document = rcm::read_document_text(R"({"rcm": 1, "root": {"state": "R"}})").value();
-    auto core = cores.create({"r", 1, document}, {}).value();
-    EXPECT_TRUE(core->start());
-    while (core->info().find("status")->as_string() != "running")
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    return core;
-  }
+struct PictureRecorderTest : RunningCores {
   Camera& camera() {
     services::ServiceHost& declared = host.declare("camera", "tap", queue);
     auto made = std::make_unique<Camera>(declared);
@@ -78,15 +50,7 @@ struct PictureRecorderTest : testing::Test, CoreWatcher {
   }
 
   services::WorkQueue queue;
-  services::WorldClock clock;
-  NoObserver observer;
-  services::Host host{clock, observer};
-  std::unique_ptr<Pool> pool = std::make_unique<Pool>(1);
-  TemporaryStore store;
   std::unique_ptr<Pictures> pictures = Pictures::open(store.folder.store()).value();
-  Deadlines deadlines;
-  Worker replays{deadlines};
-  Cores cores{*pool, host, *this, *store.runs, *store.writer, replays, deadlines};
   PictureRecorder::Log no_log = [](LogLevel, const std::string& text) { ADD_FAILURE() << text; };
 };
 
