@@ -23,9 +23,8 @@ const services::OperationTable& Camera::operations() {
       .states = {{"Ready", {}}},
       .init = "Ready",
       .transitions = {{.id = "info", .src = "Ready", .dst = "Ready", .operation = "info"}},
-      .meta = Dict{{"flows",
-                    Dict{{"frame", "depth and colour of 640x480 pixels (services/camera/README.md)"},
-                         {"cloud", "the points that were measured, with their colours (services/camera/README.md)"}}}},
+      .meta = Dict{{"flows", Dict{{"frame", "depth and colour of 640x480 pixels"},
+                                  {"cloud", "the points that were measured, with their colours"}}}},
   });
   return table;
 }

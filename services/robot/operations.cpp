@@ -157,9 +157,7 @@ const services::OperationTable& Robot::operations() {
               {.id = "override_moving", .src = "Moving", .dst = "Moving", .operation = "speed_override"},
               {.id = "record_pose", .src = "Idle", .dst = "Idle", .operation = "record_pose"},
           },
-      .meta = Dict{{"flows", Dict{{"control",
-                                   "how the arm holds or gives way, and the last collision it felt "
-                                   "(services/robot/README.md)"}}}},
+      .meta = Dict{{"flows", Dict{{"control", "how the arm holds or gives way, and the last collision it felt"}}}},
   });
   return table;
 }

@@ -36,6 +36,9 @@ constexpr int kSolverIterations = 30;
 constexpr double kRackStiffness = 2e4;  // N/m
 constexpr double kRackDamping = 40.0;   // Ns/m
 constexpr double kDriveDamping = 20.0;  // Ns/m
+// A part that is slower than this for 2 s (Bullet's time for all bodies) rests until something touches it.
+constexpr double kRestSpeed = 0.001;  // m/s
+constexpr double kRestTurn = 0.01;    // rad/s
 
 struct Part {
   std::string name;
@@ -81,6 +84,8 @@ struct World::Plant {
   std::string name_of(const btCollisionObject* collider, const RobotModel& model);
   const btCollisionObject* collider(std::string_view name, const RobotModel& model);
   void drive_jaws(double closing_force);
+  /// All parts move freely again: what they rested on may be gone. What touches one wakes it without that.
+  void wake();
 };
 
 World::Plant::Plant(const Scene& scene, const RobotModel& model) {
@@ -112,9 +117,13 @@ void World::Plant::add_part(const Body& body) {
   info.m_startWorldTransform = to_bullet(body.o_t_body);
   info.m_friction = body.friction;
   part.body = std::make_unique<btRigidBody>(info);
-  part.body->setActivationState(DISABLE_DEACTIVATION);
+  part.body->setSleepingThresholds(kRestSpeed, kRestTurn);
   world.addRigidBody(part.body.get());
   parts.push_back(std::move(part));
+}
+
+void World::Plant::wake() {
+  for (Part& part : parts) part.body->activate();
 }
 
 Part* World::Plant::part(std::string_view name) {
@@ -269,6 +278,7 @@ void World::set_friction(std::string_view body, double friction) {
   const Part* part = plant_->part(body);
   assert(part && friction >= 0);
   part->body->setFriction(friction);
+  plant_->wake();
   // Contacts that stick keep the coefficient they began with; they get the new one.
   for (int i = 0; i < plant_->dispatcher.getNumManifolds(); ++i) {
     btPersistentManifold* manifold = plant_->dispatcher.getManifoldByIndexInternal(i);
@@ -284,6 +294,7 @@ void World::push(std::string_view name, const Vec3& force, const Vec3& point) {
   const btVector3 f(force[0], force[1], force[2]);
   const btVector3 p(point[0], point[1], point[2]);
   if (const Part* part = plant_->part(name)) {
+    part->body->activate();
     part->body->applyForce(f, p - part->body->getCenterOfMassPosition());
     return;
   }
@@ -298,6 +309,7 @@ void World::push(std::string_view name, const Vec3& force, const Vec3& point) {
 void World::twist(std::string_view body, const Vec3& torque) {
   const Part* part = plant_->part(body);
   assert(part);
+  part->body->activate();
   part->body->applyTorque({torque[0], torque[1], torque[2]});
 }
 
@@ -335,6 +347,7 @@ Expected<void> World::place(std::string_view name, const Pose& o_t_part) {
   body.setInterpolationAngularVelocity({0, 0, 0});
   body.clearForces();
   plant_->world.addRigidBody(&body);
+  plant_->wake();
   part.present = true;
   return {};
 }
@@ -344,6 +357,7 @@ Expected<void> World::take(std::string_view name) {
   Part& part = *plant_->part(name);
   if (!part.present) return unexpected(ErrorCode::conflict, "`" + part.name + "` was taken away already", "part");
   plant_->world.removeRigidBody(part.body.get());
+  plant_->wake();
   part.present = false;
   return {};
 }

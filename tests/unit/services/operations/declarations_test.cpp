@@ -5,6 +5,7 @@
 
 #include "core/rsm/document.h"
 #include "core/rsm/rules.h"
+#include "core/value/json.h"
 #include "services/audio/audio.h"
 #include "services/camera/camera.h"
 #include "services/database/database.h"
@@ -33,6 +34,11 @@ TEST_P(Declarations, AcceptEachOperationInSomeState) {
     EXPECT_TRUE(std::ranges::any_of(model().states, [&](const rsm::ServiceState& state) {
       return rsm::taken_on(model(), {state.name, {}}, operation.name) != nullptr;
     })) << operation.name;
+}
+
+// Clients show the texts of an RSM to people, who do not have this repository.
+TEST_P(Declarations, NameNoFileOfTheRepository) {
+  EXPECT_EQ(to_json(rsm::write_service(model())).find(".md"), std::string::npos);
 }
 
 // A safe operation is called when a run faults: it must not be rejected.

@@ -70,6 +70,44 @@ TEST(World, SlidesAPushedPartBeyondFrictionOnly) {
   }
 }
 
+/// Two cubes of 4 cm, one on the other, at rest for so long that nothing is computed for them any more.
+std::unique_ptr<World> resting_pile() {
+  Scene scene = undisturbed_scene();
+  std::erase_if(scene.bodies, [](const Body& body) { return body.mass > 0; });
+  for (const auto& [name, z] : {std::pair{"lower", 0.02}, std::pair{"upper", 0.06}})
+    scene.bodies.push_back(
+        {name, {Shape::Kind::box, {0.04, 0.04, 0.04}}, {{0.5, 0.3, z}, {0, 0, 0, 1}}, 0.2, 0.7, "#000000"});
+  auto world = make(scene);
+  run(*world, 4);
+  const Pose at_rest = world->pose("upper");
+  run(*world, 1);
+  EXPECT_EQ(world->pose("upper").position, at_rest.position);
+  return world;
+}
+
+TEST(World, LetsARestingPartFallWhenWhatItRestsOnIsTaken) {
+  const auto world = resting_pile();
+  ASSERT_TRUE(world->take("lower"));
+  run(*world, 0.5);
+  EXPECT_NEAR(world->pose("upper").position[2], 0.02, 1e-3);
+}
+
+TEST(World, LetsARestingPartFallWhenWhatItRestsOnIsPlacedElsewhere) {
+  const auto world = resting_pile();
+  ASSERT_TRUE(world->place("lower", {{0.5, -0.3, 0.02}, {0, 0, 0, 1}}));
+  run(*world, 0.5);
+  EXPECT_NEAR(world->pose("upper").position[2], 0.02, 1e-3);
+}
+
+TEST(World, MovesARestingPartThatIsPushed) {
+  const auto world = resting_pile();
+  for (int i = 0; i < 300; ++i) {
+    world->push("lower", {0, 6, 0}, world->pose("lower").position);
+    world->step();
+  }
+  EXPECT_GT(world->pose("lower").position[1], 0.31);
+}
+
 TEST(World, StopsJointsAtTheirEnds) {
   Scene scene = demo_scene();
   scene.bodies.clear();
