@@ -57,7 +57,8 @@ const Progress& Execution::begin_with(Run&& run, std::optional<JournalEntry> ent
   progress_.entry = std::move(entry);
   progress_.position = run_.position();
   progress_.micro = 0;
-  return continue_step(limit);
+  progress_.begins = true;
+  return do_part(limit);
 }
 
 // A goal that the model does not have any more is given up: the execution stops after this macro step, as at one that

@@ -86,7 +86,7 @@ Expected<const Progress*> Execution::replay_entry(const JournalEntry& entry, Rec
 const Progress& Execution::abort() {
   assert(!open_);
   run_.abort();
-  progress_ = {.position = run_.position(), .entry = AbortEntry{}};
+  progress_ = {.position = run_.position(), .entry = AbortEntry{}, .begins = true};
   return finish();
 }
 
@@ -118,7 +118,8 @@ const Progress& Execution::begin(std::optional<Input>&& input, Recording recordi
   run_.begin(std::move(input));
   progress_.position = run_.position();
   progress_.micro = 0;
-  return continue_step(limit);
+  progress_.begins = true;
+  return do_part(limit);
 }
 
 inline void Execution::begin_part() {
@@ -132,6 +133,13 @@ inline void Execution::begin_part() {
 
 const Progress& Execution::continue_step(std::uint32_t limit) {
   assert(open_ && (limit > 0 || progress_.micro == 0));
+  // Each entry is one macro step (core/SEMANTICS.md, section 10): one that was held before its first micro step has
+  // told its entry with no micro step done.
+  if (!progress_.untold) progress_.begins = false;
+  return do_part(limit);
+}
+
+const Progress& Execution::do_part(std::uint32_t limit) {
   begin_part();
   if (recording_.derivation) {
     semantics::TreeRecorder trees;

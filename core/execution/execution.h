@@ -35,6 +35,7 @@ struct Recording {
 struct Progress {
   std::uint64_t position = 0;                       // of the macro step in the journal, from 1
   std::optional<JournalEntry> entry = {};           // none where it is not recorded, and of a step without an input
+  bool begins = false;                              // the first part of the macro step: no other one has its entry
   std::uint32_t first = 0;                          // micro steps of the macro step that were done before this part
   std::uint32_t micro = 0;                          // and with it
   std::vector<semantics::OutgoingCall> calls = {};  // of complete micro steps (R16); after a fault the safe calls, too
@@ -132,7 +133,13 @@ class Execution {
   const ExecutedModel& model() const { return model_; }
   bool is_edited() const { return is_edited_; }
   const semantics::Run& run() const { return run_; }
-  semantics::Run::Why why(semantics::PortId port) { return run_.why(port); }
+  /// Within a macro step, as things are when its turn comes in the next micro step (`turn`), if that comes to it; else
+  /// as they stand.
+  struct Explained {
+    semantics::Why why;
+    bool turn = false;
+  };
+  Explained why(const semantics::Subject& subject);
   bool is_over() const { return run_.status() != semantics::Status::running; }
 
  private:
@@ -154,6 +161,7 @@ class Execution {
   template <typename Asks>
   bool any_goal(Asks asks);
   void begin_part();
+  const Progress& do_part(std::uint32_t limit);
   const Progress& finish();
 
   semantics::Run run_;

@@ -12,15 +12,14 @@ using semantics::TreeRecorder;
 namespace {
 
 /// Records micro steps one by one, each for itself.
-class Facts {
+class Facts final : public semantics::TurnWatch {
  public:
   explicit Facts(TreeRecorder& trees)
       : trees_(trees), nodes_(trees.derivation.nodes.size()), calls_(trees.derivation.calls.size()) {
-    trees_.tested = &tested_;
+    trees_.watch = this;
   }
-  Facts(const Facts&) = delete;
-  Facts& operator=(const Facts&) = delete;
-  ~Facts() { trees_.tested = nullptr; }
+  ~Facts() override { trees_.watch = nullptr; }
+  void port(semantics::PortId p) override { tested_.push_back(p); }
 
   /// What was recorded since this was made.
   MicroStepFacts get(bool changed) const {
@@ -46,7 +45,7 @@ void Execution::do_watched_micro_steps(TreeRecorder& trees, std::uint32_t limit)
       progress_.reached_goal = true;
       return;
     }
-    const Facts facts(trees);
+    Facts facts(trees);
     const bool changed = run_.micro(trees, order_);
     if (changed) note_micro_step();
     const MicroStepFacts done = facts.get(changed);
@@ -62,7 +61,7 @@ bool Execution::stops_before_micro_step() {
   if (!(goal_ && is_before(*goal_)) && std::ranges::none_of(breakpoints_, is_before)) return false;
   Run ahead = run_;
   TreeRecorder trees;
-  const Facts facts(trees);
+  Facts facts(trees);
   const bool changed = ahead.micro(trees, order_);
   return any_goal([&, seen = facts.get(changed)](GoalWatch& goal) { return goal.stops_before(run_, ahead, seen); });
 }

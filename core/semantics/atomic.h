@@ -82,6 +82,7 @@ Value resolved_value(Step<R>& step, StateId s, const ParameterInfo& pa) {
 template <Recorder R>
 void Resolve(Step<R>& step, StateId s, std::uint32_t parameter, const Value* argument = nullptr) {
   const StateInfo& info = step.program[s];
+  step.recorder.turn(s, parameter);
   Value c = argument ? *argument : resolved_value(step, s, info.parameters[parameter]);
   auto rule = step.apply(Rule::Resolve, s);
   rule.resolved(parameter, c);

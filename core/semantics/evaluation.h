@@ -158,6 +158,7 @@ void Action3(Step<R>& step, StateId s, ActionId a, language::Truth cond, Refinem
 template <Recorder R>
 [[gnu::noinline]] void evaluate_action(Step<R>& step, StateId s, ActionId a) {
   const ActionInfo& action = step.program.actions[a];
+  step.recorder.turn(a);
   if (step.is_executed(a)) {
     step.recheck(s);
     return Action2(step, s, a, 0);

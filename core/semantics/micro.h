@@ -17,7 +17,7 @@ template <Recorder R>
   const bool sees_occurrence = step.ports_see_occurrence(s);
   for (const PortId p : ports(step, s)) {
     const PortInfo& port = step.program[p];
-    step.recorder.add_test(p);
+    step.recorder.turn(p);
     if (step.untraced_truth(port.when, s, sees_occurrence) != language::Truth::yes) continue;
     return step.is_held_back(s, p) ? kNoPort : p;
   }

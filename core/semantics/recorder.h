@@ -10,6 +10,21 @@
 
 namespace race::semantics {
 
+/// Told when a rule comes to a port, an action or a parameter, before it is evaluated: also of those that become no
+/// premise of any rule, and in a micro step that is discarded.
+class TurnWatch {
+ public:
+  TurnWatch() = default;
+  virtual ~TurnWatch() = default;
+  TurnWatch(const TurnWatch&) = delete;
+  TurnWatch& operator=(const TurnWatch&) = delete;
+  virtual void port(PortId) {}
+  /// Of the program.
+  virtual void action(ActionId) {}
+  /// By its number within the state.
+  virtual void parameter(StateId, std::uint32_t) {}
+};
+
 /// What a rule says about its node, where nodes are not kept.
 struct [[maybe_unused]] NoNode {
   void refinement(Refinement) {}
@@ -36,7 +51,9 @@ struct NoRecorder {
   void add_part(Rule, Flag, language::Truth) {}
   void add_part(Rule, Flag) {}
   void add_call(Flag, const OutgoingCall&) {}
-  void add_test(PortId) {}
+  void turn(PortId) {}
+  void turn(ActionId) {}
+  void turn(StateId, std::uint32_t) {}
   Mark mark() const { return {}; }
   void discard(Mark) {}
   NothingPostponed postpone(Mark) { return {}; }
@@ -59,7 +76,9 @@ struct NameRecorder {
   void add_part(Rule, Flag, language::Truth) {}
   void add_part(Rule, Flag) {}
   void add_call(Flag, const OutgoingCall&) {}
-  void add_test(PortId) {}
+  void turn(PortId) {}
+  void turn(ActionId) {}
+  void turn(StateId, std::uint32_t) {}
   Mark mark() const { return names.size(); }
   void discard(Mark mark) { names.resize(mark); }
   NothingPostponed postpone(Mark) { return {}; }
@@ -87,9 +106,17 @@ struct TreeRecorder {
   void add_part(Rule rule, Flag at);
   /// A statement that called an operation.
   void add_call(Flag at, const OutgoingCall& call);
-  /// The condition of a port was evaluated. No node: that it does not hold is no premise of any rule.
-  void add_test(PortId p) {
-    if (tested) tested->push_back(p);
+  /// The condition of a port is evaluated next. No node: that it does not hold is no premise of any rule.
+  void turn(PortId p) {
+    if (watch) watch->port(p);
+  }
+  /// It is the turn of an action.
+  void turn(ActionId a) {
+    if (watch) watch->action(a);
+  }
+  /// A parameter of `s` is resolved next.
+  void turn(StateId s, std::uint32_t parameter) {
+    if (watch) watch->parameter(s, parameter);
   }
 
   Mark mark() const { return derivation.nodes.size(); }
@@ -101,8 +128,8 @@ struct TreeRecorder {
   void complete_micro_step(Mark mark) { derivation.micro.push_back(static_cast<std::uint32_t>(mark)); }
 
   Derivation derivation;
-  /// Not owned, and may be null: gets the ports that were tested, also in a micro step that is discarded.
-  std::vector<PortId>* tested = nullptr;
+  /// Not owned, and may be null.
+  TurnWatch* watch = nullptr;
 };
 
 /// A node while its premises are recorded: it closes (its size is known) when this goes out of scope.

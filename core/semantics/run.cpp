@@ -219,17 +219,4 @@ language::Truth Run::truth(const Code& condition, StateId s) {
   return b.interpreter.condition(condition, b.environment);
 }
 
-Run::Why Run::why(PortId port) {
-  Body& b = *body_;
-  const PortInfo& info = (*b.program)[port];
-  Why why;
-  why.state_active = is_active(info.state);
-  why.occurrence_hidden = is_occurrence_hidden(info.state);
-  b.environment.enter(info.state, !why.occurrence_hidden);
-  why.explanation = language::explain(info.when, b.environment);
-  why.held_back =
-      info.svc && b.state.triggered[index(port)] == b.state.epoch && why.explanation.value == language::Truth::yes;
-  return why;
-}
-
 }  // namespace race::semantics

@@ -13,7 +13,6 @@
 #include <string_view>
 #include <vector>
 
-#include "core/language/evaluate/explain.h"
 #include "core/semantics/budgets.h"
 #include "core/semantics/carry_over.h"
 #include "core/semantics/context.h"
@@ -21,6 +20,7 @@
 #include "core/semantics/order.h"
 #include "core/semantics/program.h"
 #include "core/semantics/recorder.h"
+#include "core/semantics/why.h"
 
 namespace race::semantics {
 
@@ -143,15 +143,11 @@ class Run {
   static Checked<Run> read_checkpoint(std::shared_ptr<const Program> program, const Dict& arguments, Budgets budgets,
                                       const Value& json, const std::string& path);
 
-  /// The condition of a port, evaluated as it stands: its atoms and which of them would have to change for it to fire.
-  /// `held_back`: its condition is fulfilled, but R9 lets it fire only in the next macro step.
-  struct Why {
-    language::Explanation explanation;
-    bool state_active = false;
-    bool held_back = false;
-    bool occurrence_hidden = false;  // R21
-  };
-  Why why(PortId port);
+  /// As things stand. Changes nothing.
+  Why why(const Subject& subject);
+  /// As they are when its turn comes in the next micro step, after what that does before. Nothing: there is no next
+  /// one, or it does not come to it. Changes nothing.
+  std::optional<Why> why_at_turn(const Subject& subject) const;
   /// A condition of somebody who watches (scope.h), evaluated as it stands in the scope of `s`, as a port of it would.
   /// Changes nothing.
   language::Truth truth(const Code& condition, StateId s);
@@ -164,6 +160,10 @@ class Run {
   std::unique_ptr<Body> carried_body(std::shared_ptr<const Program> program, const Correspondence& same) const;
   void complete_micro_step();
   bool is_occurrence_hidden(StateId s) const;
+  WhyPort why_port(PortId port);
+  WhyAction why_action(ActionOf subject);
+  WhyParameter why_parameter(ParameterOf subject);
+  std::optional<language::Fault> unmet(ActionOf subject) const;
   void end();
   void fail(RunFault fault);
   void fail_at_root(language::FaultKind kind, std::string message);

@@ -20,6 +20,7 @@
 
 #include "core/execution/execution.h"
 #include "core/execution/replay.h"
+#include "core/execution/why.h"
 #include "core/value/expected.h"
 #include "server/execution/breakpoint.h"
 #include "server/execution/held_outputs.h"
@@ -160,17 +161,17 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   void state(Done<Value> done);
   /// schemas/native.json of what it executes.
   void native(Done<Value> done);
-  /// schemas/why.json; `not_found`: no such port.
-  void why(const std::string& port, Done<Value> done);
+  /// schemas/why.json. Errors: those of execution::find_subject.
+  void why(execution::WhyQuestion question, Done<Value> done);
 
   // Questions about the past: not to the strand, so a core that is busy answers them, too. They are about what was told
   // last. Error `storage`: the run cannot be read.
   /// How many entries its journal has.
   Expected<std::uint64_t> position() const EXCLUDES(mutex_);
-  /// why() as things were before micro step `micro` (from 0) of macro step `step` (from 1), recomputed on the thread of
+  /// why() as things were in micro step `micro` (from 0) of macro step `step` (from 1), recomputed on the thread of
   /// replays until nobody waits any more. `out_of_range`: no such macro step; `unavailable`: it takes long, and goes on
   /// from where it was when it is asked again.
-  void why_before(const std::string& port, std::size_t step, int micro, SharedStop gone, Done<Value> done);
+  void why_before(execution::WhyQuestion question, std::size_t step, int micro, SharedStop gone, Done<Value> done);
   /// schemas/derivations.json, recomputed likewise. `out_of_range`: no such macro steps; 0 = the last one.
   void derivations(std::size_t from, std::size_t to, SharedStop gone, Done<Value> done);
 
@@ -212,9 +213,6 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   }
   Expected<Value> native() {
     return wait_for<Value>([&](Done<Value> done) { native(std::move(done)); });
-  }
-  Expected<Value> why(const std::string& port) {
-    return wait_for<Value>([&](Done<Value> done) { why(port, std::move(done)); });
   }
   Expected<Value> derivations(std::size_t from, std::size_t to) {
     return wait_for<Value>(

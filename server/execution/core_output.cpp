@@ -56,7 +56,7 @@ void Core::emit(const Progress& progress) {
   auto printed = part(progress.printed, first_print);
   auto calls = part(progress.calls, first_call);
   std::size_t units = units_of(printed) + units_of(calls) + delta.size_units() + steps.size_units();
-  if (progress.entry && progress.first == 0) units += units_of(*progress.entry);
+  if (progress.entry && progress.begins) units += units_of(*progress.entry);
   held_.add(
       [this, reached = reached_now(), calls = std::move(calls), over = is_over(), printed = std::move(printed), delta,
        steps](const Error* failure) {
@@ -128,7 +128,7 @@ void Core::go_on_saying() {
 // The entry with the first part of its macro step; after the last part, the checkpoint that is due and the run's end.
 void Core::record(const Progress& progress) {
   JournalRecord record;
-  if (progress.first == 0) record.entry = progress.entry;
+  if (progress.begins) record.entry = progress.entry;
   if (progress.complete && is_over())
     record.end = run_end();
   else if (progress.complete && progress.position % RunJournal::interval_at(progress.position) == 0)

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/execution/step_json.h"
-#include "core/execution/why.h"
 #include "server/execution/core_internal.h"
 #include "server/execution/past_json.h"
 
@@ -17,12 +16,11 @@ void Core::state(Done<Value> done) {
   });
 }
 
-void Core::why(const std::string& port, Done<Value> done) {
-  on_strand<Value>(std::move(done), [this, port]() -> Expected<Value> {
-    const auto id = program().find_port(port);
-    if (!id) return unexpected(ErrorCode::not_found, "there is no port of this path", port);
+void Core::why(execution::WhyQuestion question, Done<Value> done) {
+  on_strand<Value>(std::move(done), [this, question = std::move(question)]() -> Expected<Value> {
+    ASSIGN_OR_RETURN(const semantics::Subject subject, execution::find_subject(program(), question));
     if (auto sound = readable(); !sound) return tl::unexpected(std::move(sound).error());
-    Value why = why_json(execution_, *id);
+    Value why = why_json(execution_, subject);
     return why.freeze();
   });
 }
@@ -81,12 +79,12 @@ void Core::past(std::uint64_t step, int micro, SharedStop gone, Done<Value> done
       });
 }
 
-void Core::why_before(const std::string& port, std::size_t step, int micro, SharedStop gone, Done<Value> done) {
+void Core::why_before(execution::WhyQuestion question, std::size_t step, int micro, SharedStop gone, Done<Value> done) {
   const Expected<int> told = told_micro(step, micro);
   if (!told) return done(tl::unexpected(told.error()));
   replayed(std::move(gone), std::move(done),
-           [step, micro = *told, port](execution::Replay& replay, const Stop* stop) -> Expected<Value> {
-             return execution::why_before(replay, port, step, micro, stop);
+           [step, micro = *told, question = std::move(question)](execution::Replay& replay, const Stop* stop) {
+             return execution::why_before(replay, question, step, micro, stop);
            });
 }
 

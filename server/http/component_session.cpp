@@ -129,8 +129,8 @@ class ComponentSession final : public Session {
     while (!over_) {
       while (auto encoded = link_.out().pop()) {
         socket_.binary(encoded->binary);
-        const asio::const_buffer message = asio::buffer(encoded->bytes);
-        const bool sent = co_await send(message);
+        std::vector<asio::const_buffer> message = {asio::buffer(encoded->bytes)};
+        const bool sent = co_await send(std::move(message));
         if (!sent || over_) co_return close();
       }
       if (link_.out().drained()) co_return close();

@@ -39,13 +39,13 @@ awaitable<void> Session::sleep() {
   co_await waker_.async_wait(kAsTuple);
 }
 
-awaitable<bool> Session::send(asio::const_buffer message) {
+awaitable<bool> Session::send(std::vector<asio::const_buffer> pieces) {
   deadline_.expires_after(kMessageTimeout);
   deadline_.async_wait([this, self = shared_from_this()](error_code cancelled) {
     if (!cancelled) reset();
   });
   sending_ = true;
-  const auto [error, bytes] = co_await socket_.async_write(message, kAsTuple);
+  const auto [error, bytes] = co_await socket_.async_write(pieces, kAsTuple);
   sending_ = false;
   deadline_.cancel();
   co_return !error;

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "server/http/beast.h"
 #include "server/http/connections.h"
@@ -35,8 +36,9 @@ class Session : public std::enable_shared_from_this<Session> {
   void spawn(std::function<awaitable<void>()> coroutine);
   /// Until somebody cancels waker_.
   awaitable<void> sleep();
-  /// Sends one message. False: it cannot be sent, or is not taken in time; the connection ends.
-  awaitable<bool> send(asio::const_buffer message);
+  /// Sends one message, whose pieces stay until it is sent. False: it cannot be sent, or is not taken in time; the
+  /// connection ends.
+  awaitable<bool> send(std::vector<asio::const_buffer> pieces);
   void close() { beast::get_lowest_layer(socket_).close(); }
   /// Closes; what has not been taken is dropped.
   void reset();

@@ -8,6 +8,9 @@
 namespace race::server {
 namespace {
 
+constexpr std::chrono::milliseconds kGathering{20};  // between two messages to a client that gathers
+constexpr std::size_t kTogether = 256 * 1024;        // bytes of what comes together
+
 // One client of the stream. Held by its two coroutines, and by the hub until it leaves.
 class StreamSession final : public Session, public Subscriber {
  public:
@@ -22,6 +25,8 @@ class StreamSession final : public Session, public Subscriber {
       self->waker_.cancel();
     });
   }
+
+  void gather() override { gathers_ = true; }
 
   awaitable<void> run(Upgrade request, Connections::Place& place) {
     socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
@@ -74,9 +79,10 @@ class StreamSession final : public Session, public Subscriber {
   awaitable<void> write() {
     while (!over_) {
       is_sending_ = true;
-      while (auto text = outbox_.pop()) {
-        const asio::const_buffer message = asio::buffer(**text);
-        const bool sent = co_await send(message);
+      for (;;) {
+        const std::vector<Text> texts = co_await next();
+        if (texts.empty()) break;
+        const bool sent = co_await send(pieces_of(texts));
         if (!sent || over_) co_return close();
       }
       for (const std::string& channel : outbox_.take_stale_channels()) {
@@ -88,10 +94,32 @@ class StreamSession final : public Session, public Subscriber {
     }
   }
 
+  // The next messages: one, or what has come within kGathering since the last ones; none: nothing waits.
+  awaitable<std::vector<Text>> next() {
+    if (!gathers_ || outbox_.size() == 0) co_return outbox_.pop_together(0);
+    waker_.expires_at(sent_ + kGathering);
+    co_await waker_.async_wait(kAsTuple);
+    sent_ = std::chrono::steady_clock::now();
+    co_return outbox_.pop_together(kTogether);
+  }
+
+  std::vector<asio::const_buffer> pieces_of(const std::vector<Text>& texts) const {
+    if (!gathers_) return {asio::buffer(*texts.front())};
+    std::vector<asio::const_buffer> pieces;
+    for (const Text& text : texts) {
+      pieces.push_back(asio::buffer(pieces.empty() ? "[" : ",", 1));
+      pieces.push_back(asio::buffer(*text));
+    }
+    pieces.push_back(asio::buffer("]", 1));
+    return pieces;
+  }
+
   const StreamTargets targets_;
   Hub& hub_;
   const WakeUp wake_up_;
   Outbox outbox_;
+  bool gathers_ = false;
+  std::chrono::steady_clock::time_point sent_;  // the last messages, together
   std::atomic<bool> is_sending_{false};  // what others push meanwhile needs no wake(): a slow client takes it later
 };
 

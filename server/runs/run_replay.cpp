@@ -6,7 +6,6 @@
 
 #include "core/execution/compare.h"
 #include "core/execution/journal_walk.h"
-#include "core/execution/why.h"
 #include "server/execution/past_json.h"
 #include "server/runs/run_json.h"
 
@@ -63,10 +62,10 @@ Expected<Value> run_past(Runs& runs, RunId id, std::uint64_t step, int micro, co
   return past_json(replay, step, micro, {runs, id, {}}, stop);
 }
 
-Expected<Value> run_why(Runs& runs, RunId id, const std::string& port, std::uint64_t step, int micro,
+Expected<Value> run_why(Runs& runs, RunId id, const execution::WhyQuestion& question, std::uint64_t step, int micro,
                         const std::atomic<bool>* stop) {
   ASSIGN_OR_RETURN(execution::Replay replay, replay_of(runs, id, step));
-  return execution::why_before(replay, port, step, micro, stop);
+  return execution::why_before(replay, question, step, micro, stop);
 }
 
 Expected<Value> compare_runs(Runs& runs, RunId first, RunId second, std::uint64_t from, std::uint64_t most,

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/execution/replay.h"
+#include "core/execution/why.h"
 #include "core/value/expected.h"
 #include "server/store/runs.h"
 
@@ -27,9 +28,9 @@ Expected<Value> run_derivations(Runs& runs, RunId id, std::uint64_t from, std::u
 /// Errors: as run_derivations.
 Expected<Value> run_past(Runs& runs, RunId id, std::uint64_t step, int micro, const std::atomic<bool>* stop = nullptr);
 
-/// schemas/why.json of a port, as things were before micro step `micro` of macro step `step`, or at the end of it if it
-/// has fewer; `step` 0: the last one. Errors: as run_derivations; `not_found`: there was no such port.
-Expected<Value> run_why(Runs& runs, RunId id, const std::string& port, std::uint64_t step, int micro,
+/// schemas/why.json of what is asked about, as things were in micro step `micro` of macro step `step`, or at the end of
+/// it if it has fewer; `step` 0: the last one. Errors: as run_derivations, and those of find_subject.
+Expected<Value> run_why(Runs& runs, RunId id, const execution::WhyQuestion& question, std::uint64_t step, int micro,
                         const std::atomic<bool>* stop = nullptr);
 
 /// schemas/run_comparison.json of two runs, from macro step `from` on (from 1), at most `most` macro steps. Errors: as

@@ -34,6 +34,8 @@ class Subscriber {
   virtual Outbox& outbox() = 0;
   /// The outbox has a new message, or was cut.
   virtual void wake() = 0;
+  /// From now on its messages come together, a few at a time.
+  virtual void gather() = 0;
 };
 
 /// Where the data of a channel comes from. Its functions run on the hub's strand and may be empty.

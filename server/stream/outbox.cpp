@@ -28,14 +28,21 @@ void Outbox::push(const std::string& channel, Text text, bool sampled) {
 }
 
 std::optional<Text> Outbox::pop() {
+  std::vector<Text> one = pop_together(0);
+  return one.empty() ? std::nullopt : std::optional(std::move(one.front()));
+}
+
+std::vector<Text> Outbox::pop_together(std::size_t limit) {
   const services::MutexLock lock(mutex_);
+  std::vector<Text> texts;
   sending_ = 0;
-  if (items_.empty()) return std::nullopt;
-  Text text = std::move(items_.front().text);
-  items_.pop_front();
-  sending_ = text->size();
+  while (!items_.empty() && (texts.empty() || sending_ + items_.front().text->size() <= limit)) {
+    sending_ += items_.front().text->size();
+    texts.push_back(std::move(items_.front().text));
+    items_.pop_front();
+  }
   bytes_ -= sending_;
-  return text;
+  return texts;
 }
 
 void Outbox::drop(const std::string& channel) {

@@ -30,6 +30,8 @@ class Outbox {
   void push(const std::string& channel, Text text, bool sampled) EXCLUDES(mutex_);
   /// The next message, if there is one.
   std::optional<Text> pop() EXCLUDES(mutex_);
+  /// The next messages, in their order: the first, however large it is, and as many as fit into `limit` bytes with it.
+  std::vector<Text> pop_together(std::size_t limit) EXCLUDES(mutex_);
   /// Drops all messages of a channel, and that it needs a snapshot: the next message pushed is one.
   void drop(const std::string& channel) EXCLUDES(mutex_);
   /// Once the queue is empty: the channels that need a snapshot, each once. Messages pushed to them are dropped until
@@ -42,7 +44,7 @@ class Outbox {
   bool is_empty() const EXCLUDES(mutex_);
   /// Number of queued messages.
   std::size_t size() const EXCLUDES(mutex_);
-  /// Bytes of queued messages and of the one that was taken last, which is on its way to the client.
+  /// Bytes of queued messages and of what was taken last, which is on its way to the client.
   std::size_t bytes() const EXCLUDES(mutex_);
 
  private:
@@ -56,7 +58,7 @@ class Outbox {
   mutable services::Mutex mutex_;
   std::deque<Item> items_ GUARDED_BY(mutex_);
   std::size_t bytes_ GUARDED_BY(mutex_) = 0;    // of items_
-  std::size_t sending_ GUARDED_BY(mutex_) = 0;  // bytes of the message that was taken last
+  std::size_t sending_ GUARDED_BY(mutex_) = 0;  // bytes of what was taken last
   bool is_cut_ GUARDED_BY(mutex_) = false;
   std::map<std::string, bool> needs_snapshot_ GUARDED_BY(mutex_);  // channel -> whether it was taken
 };

@@ -73,18 +73,24 @@ void played(Fields& fields, const Client& client, Errors& errors) {
   if (errors.empty()) report(client.to.displays.played(*client.subscriber, static_cast<std::uint64_t>(*sound)), errors);
 }
 
+void gather(Fields& fields, const Client& client, Errors& errors) {
+  fields.close();
+  if (errors.empty()) client.subscriber->gather();
+}
+
 struct Type {
   std::string_view name;
   void (*handle)(Fields& fields, const Client& client, Errors& errors);
 };
 
-constexpr std::array<Type, 6> kTypes = {{
+constexpr std::array<Type, 7> kTypes = {{
     {"subscribe", subscribe},
     {"unsubscribe", unsubscribe},
     {"display", announce},
     {"answer", answer},
     {"press", press},
     {"played", played},
+    {"gather", gather},
 }};
 
 /// Read by who executes them.

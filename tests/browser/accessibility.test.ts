@@ -3,6 +3,7 @@ import type { Page } from "playwright-core";
 import { findings } from "./axe";
 import { openFixture, settled, type Fixture } from "./fixture";
 import { letMove } from "./hands";
+import { reachNode, showStep } from "./proofText";
 
 let fixture: Fixture;
 let page: Page;
@@ -57,8 +58,8 @@ describe("axe-core", () => {
     await letMove(page, "pick");
     await page.getByRole("button", { name: "Start" }).click();
     await expect.poll(() => page.getByRole("status", { name: "Run status" }).innerText(), { timeout: 90_000 }).toContain("Ended");
-    await page.getByRole("list", { name: "Macro steps" }).getByRole("button").nth(1).click();
-    await page.getByRole("treeitem", { name: /^PTrans1/ }).first().locator(".proof-row").first().click();
+    await showStep(page, 1);
+    await (await reachNode(page, /^PTrans1/)).locator(".proof-row").first().click();
     expect(await inBothThemes()).toEqual([]);
 
     await page.getByRole("group", { name: "State Pick/Release" }).click({ position: { x: 20, y: 8 } });
@@ -72,6 +73,7 @@ describe("axe-core", () => {
 
     await tab("Cell");
     await page.getByRole("button", { name: "Parts" }).click();
+    await page.getByRole("list", { name: "Parts" }).waitFor();
     expect(await inBothThemes()).toEqual([]);
   });
 

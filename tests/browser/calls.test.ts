@@ -52,6 +52,19 @@ describe("the calls and events of a run", () => {
     expect(await findings(page)).toEqual([]);
   });
 
+  it("have what was forced in the log, too, with when and a way there", async () => {
+    const { page } = fixture;
+    await page.getByRole("tab", { name: "Log" }).click();
+    const forced = page.locator(".log-line").filter({ hasText: "forced: Root var.n = 3" });
+    await expect.poll(() => forced.locator("time").innerText(), kSoon).toMatch(/^\d+\.\d{3} s$/);
+    const lines = await page.locator(".log-line span").allInnerTexts();
+    expect(lines.findIndex((text) => text.startsWith("forced"))).toBe(lines.indexOf("asking: running") + 1);
+    await fixture.screenshot("log-forced");
+    await forced.getByRole("button").click();
+    await expect.poll(() => list().locator('[aria-current="step"]').innerText(), kSoon).toContain("Root var.n = 3");
+    await page.keyboard.press("Escape");
+  });
+
   it("are filtered by kind, service and text", async () => {
     const { page } = fixture;
     await list().getByLabel("Kind").selectOption("Calls");

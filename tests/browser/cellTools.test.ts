@@ -13,9 +13,9 @@ let seen: Cloud | undefined;
 
 const watch = (socket: WebSocket) =>
   socket.on("framereceived", ({ payload }) => {
-    if (!String(payload).startsWith('{"channel":"flow/camera/frame"')) return;
-    const { update } = readStreamMessage(JSON.parse(String(payload)));
-    if (update.type === "packet") seen = cloudOf(update.packet);
+    if (!String(payload).includes('{"channel":"flow/camera/frame"')) return;
+    // They come together, as arrays.
+    for (const { update } of (JSON.parse(String(payload)) as readonly unknown[]).map(readStreamMessage)) if (update.type === "packet") seen = cloudOf(update.packet);
   });
 
 beforeAll(async () => {

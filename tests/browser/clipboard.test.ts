@@ -64,4 +64,23 @@ describe("the left panel", () => {
     await expect.poll(inside).toEqual(["D", "State", "Barrier", "Pick"]);
     await fixture.screenshot("edit-library");
   });
+
+  it("gets a state that is extracted into the library, under the name that is asked; the state becomes a link, until that is undone", async () => {
+    const { open, node, stored, state } = editPage(fixture);
+    const { page } = fixture;
+    await open("extracted");
+    await settled(page);
+    await node("Root/C").click({ button: "right", position: { x: 20, y: 8 } });
+    await page.getByRole("menuitem", { name: /^Extract into the library/ }).click();
+    const name = page.getByRole("textbox", { name: "Name in the library" });
+    await name.fill("Part");
+    await name.press("Enter");
+    await expect.poll(async () => (await stored("extracted")).library?.map((each) => [each.state, each.children?.map((child) => child.state)])).toEqual([["Part", ["D"]]]);
+    expect((await stored("extracted")).root.children?.map((child) => [child.state ?? child.barrier, child.link])).toEqual([["A", undefined], ["B", undefined], ["C", "Part"], ["Both", undefined]]);
+    await expect.poll(() => page.getByRole("region", { name: "Library" }).getByRole("listitem").allInnerTexts()).toEqual([expect.stringMatching(/^Part\s+1 link/)]);
+    await settled(page);
+    await fixture.screenshot("edit-extracted");
+    await page.keyboard.press("Control+z");
+    await expect.poll(async () => [(await state("extracted", "C"))?.children?.map((child) => child.state), (await stored("extracted")).library ?? []]).toEqual([["D"], []]);
+  });
 });

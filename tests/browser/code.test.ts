@@ -219,3 +219,34 @@ describe("usages", () => {
     expect(await focused(page)).toMatch(/^Drawing of/);
   });
 });
+
+describe("F2 in a text", () => {
+  it("renames what the name under the cursor stands for, wherever it is named, with what was not sent yet", async () => {
+    const { page, send, screenshot } = fixture;
+    const root = async () => ((await send("GET", "/documents/code")) as { document: { root: { parameters: { name: string }[]; actions: { do: string }[] } } }).document.root;
+    await settled(page);
+    await page.locator('.react-flow [data-path="Root"]').click({ position: { x: 20, y: 8 } });
+    const text = page.getByRole("textbox", { name: "Function" }).first();
+    await write(text, "x = 2 * par.width");
+    await page.keyboard.press("F2");
+    const name = page.getByRole("textbox", { name: "Name of width" });
+    await name.waitFor();
+    await screenshot("code-rename");
+    await page.keyboard.type("breadth");
+    await page.keyboard.press("Enter");
+    await expect.poll(async () => [(await root()).parameters[0]?.name, (await root()).actions[0]?.do]).toEqual(["breadth", "x = 2 * par.breadth"]);
+    await expect.poll(() => text.innerText()).toBe("x = 2 * par.breadth");
+    expect(await text.evaluate((field) => field === document.activeElement)).toBe(true);
+    // Completions that are still computed open nothing over the field that asks.
+    await write(text, "x = par.bread");
+    await page.keyboard.type("th");
+    await page.keyboard.press("F2");
+    await page.getByRole("textbox", { name: "Name of breadth" }).waitFor();
+    await page.waitForTimeout(600);
+    expect(await page.locator(".cm-tooltip-autocomplete").count()).toBe(0);
+    await page.keyboard.press("Escape");
+    await write(text, "x = 2");
+    await page.keyboard.press("F2");
+    await page.getByRole("log", { name: "Refused edits" }).getByText("no name of the document is under the cursor").waitFor();
+  });
+});

@@ -129,6 +129,15 @@ describe("the command palette", () => {
     expect(await palette.count()).toBe(0);
     expect(await fixture.page.evaluate(() => document.activeElement?.id)).toBe("edit-canvas");
   });
+
+  it("leads to the oracle of a state", async () => {
+    const { select } = editPage(fixture);
+    await select("Root/C");
+    await keys("Control+Shift+p");
+    await fixture.page.getByRole("dialog", { name: "Commands" }).getByRole("combobox").fill("oracle");
+    await keys("Enter");
+    await expect.poll(() => fixture.page.getByRole("combobox", { name: "Chosen" }).evaluate((field) => field === document.activeElement)).toBe(true);
+  });
 });
 
 describe("the context menu", () => {

@@ -22,6 +22,7 @@ interface CoreJson {
   readonly status: string;
   readonly paused: boolean;
   readonly step: number;
+  readonly micro: number;
   readonly breakpoints: readonly Readonly<Record<string, unknown>>[];
   readonly reached?: readonly number[];
 }
@@ -53,6 +54,10 @@ describe("a breakpoint", () => {
     await choose(/^Breakpoint when/);
     await choose("the condition of the port is evaluated");
     await soon(() => rows().count()).toBe(1);
+    const condition = rows().getByRole("textbox", { name: "Condition" });
+    await condition.fill("par.kee == 1");
+    await soon(() => rows().innerText()).toContain("kee is not declared here");
+    await condition.press("Escape");
     await soon(() => dot(kPort).getAttribute("aria-label")).toBe("Breakpoint: GetPose.success, tested");
     await soon(() => page.getByRole("treeitem", { name: "Pick/GetPose" }).getByRole("img", { name: /^Breakpoint: / }).count()).toBe(1);
     await press("F5");
@@ -83,6 +88,11 @@ describe("a breakpoint", () => {
     await fixture.send("PUT", `/cores/${id}/breakpoints?author=Ann`, { breakpoints: [{ when: "entered", path: "Pick/Retreat" }] });
     expect((await core(id)).breakpoints).toEqual([ofGuest, others]);
     const condition = rows().getByRole("textbox", { name: "Condition" });
+    await condition.fill("parr.key == 1");
+    await soon(() => rows().innerText()).toContain("parr is not known here");
+    expect(await condition.getAttribute("aria-invalid")).toBe("true");
+    await condition.press("Escape");
+    await soon(() => rows().innerText()).not.toContain("parr");
     await condition.fill("par.");
     await condition.press("Enter");
     await soon(() => rows().innerText()).toMatch(/Not in the run: condition: /);
@@ -171,13 +181,17 @@ describe("a paused run", () => {
   it("steps over the active state, and out of the one around it, by keys", async () => {
     await press("F6");
     await soon(async () => (await core(id)).paused).toBe(true);
-    for (let i = 0; i < 4 && (await isActive("Root/A/A1")) !== "true"; ++i) {
-      const { step } = await core(id);
+    const place = async () => {
+      const { step, micro } = await core(id);
+      return `${step} ${micro}`;
+    };
+    const inA1 = async () => (await stateOf(id)).active.includes("Root/A/A1");
+    for (let i = 0; i < 4 && !(await inA1()); ++i) {
+      const before = await place();
       await press("F4");
-      await soon(async () => (await core(id)).step >= step).toBe(true);
-      await fixture.page.waitForTimeout(300);
+      await soon(place).not.toBe(before);
     }
-    expect(await isActive("Root/A/A1")).toBe("true");
+    await soon(() => isActive("Root/A/A1")).toBe("true");
     await press("F10");
     await soon(() => isActive("Root/A/A1")).toBe("false");
     expect(await isActive("Root/A/A2")).toBe("false");

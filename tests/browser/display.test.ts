@@ -121,6 +121,8 @@ describe("a phone as display", () => {
   it("takes a number from its keypad, within the limits only", async () => {
     page = await phone("main", "dark");
     const core = await run("display.ask_number('How wide is the part?', 0.0, 0.11, unit='m')");
+    // Not the question of the test before, whose run still waits.
+    await expect.poll(() => page.getByRole("status", { name: "Number" }).textContent()).toBe("0 to 0.11 m");
     await press("Point", "0.");
     await press("2", "0.2");
     await page.getByText("At most 0.11 m").waitFor();

@@ -111,6 +111,28 @@ describe("the documents", () => {
     expect(page.url()).toContain("?edit=pick");
   });
 
+  it("that the address names and that are not there can be made, or others be chosen", async () => {
+    const { page, screenshot, url } = fixture;
+    await page.goto(`${url}/pro/?edit=lost`);
+    const missing = page.getByRole("region", { name: "No such document" });
+    await missing.getByText("There is no document lost.").waitFor();
+    expect(await page.getByText("there is no channel").count()).toBe(0);
+    expect(await findings(page)).toEqual([]);
+    await screenshot("documents-missing");
+    await missing.getByRole("button", { name: "All documents" }).click();
+    await panel().waitFor();
+    await page.keyboard.press("Escape");
+    await missing.getByRole("button", { name: "New document of this name" }).click();
+    await node("lost").waitFor();
+    expect(await missing.count()).toBe(0);
+    expect(await names()).toContain("lost");
+    await page.goto(`${url}/pro/?edit=no%20name`);
+    await missing.getByText("A name is made of A-Z").waitFor();
+    expect(await missing.getByRole("button", { name: "New document of this name" }).isDisabled()).toBe(true);
+    await fixture.send("DELETE", "/documents/lost");
+    await page.goto(`${url}/pro/`);
+  });
+
   it("come from files as they are written, and go to files the same way", async () => {
     const { page } = fixture;
     await openPanel();

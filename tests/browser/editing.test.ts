@@ -1,6 +1,7 @@
 // Eight clients, each a process, edit one document on the real server, over connections that delay, lose and break: each computes the same
 // document from its own copy, which is the one that the server has, and has again after it was killed. RACE_SEED and RACE_CROWD_EDITS (how
 // many edits, undos and redos each makes), which are printed, repeat what they try; RACE_CROWD_SEEDS is how many seeds, from that one on.
+import { randomUUID } from "node:crypto";
 import { openEditor, type Editor } from "../../web/shared/edit/editor";
 import { readExact } from "../../web/shared/edit/exact";
 import { openStream } from "../../web/shared/stream";
@@ -84,7 +85,7 @@ it("numbers stay as they were written and typed", async () => {
       throw error;
     },
   });
-  const editor = openEditor(stream, "connecting", "exact", "Ann", { onSession: () => undefined, onNotice: () => undefined });
+  const editor = openEditor(stream, "connecting", "exact", "Ann", { onSession: () => undefined, onNotice: () => undefined }, randomUUID);
   later.editor = editor;
   await expect.poll(() => editor.session().view, { timeout: 30_000 }).toBeDefined();
   editor.edit({ operations: [{ op: "set", id: "typed", field: "value", value: readExact("2.0") }] });

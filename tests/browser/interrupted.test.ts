@@ -62,12 +62,18 @@ describe("a run that its server has left", () => {
     // Newer than the run, and waits for nobody.
     await send("POST", "/cores", { document: "waiting" });
     await fixture.kill();
-    await page.getByText("Connection lost, trying again").waitFor(kSoon);
+    await page.getByText("Connection lost", { exact: true }).waitFor(kSoon);
     const lost = await page.getByRole("alert", { name: "Server lost" }).innerText();
     expect(lost).toContain(`Server lost at step ${run.step} of run ${run.id}: pause and stop cannot reach the robot`);
     expect(await status(page)).toBe("Not known; last: Running");
+    expect(await watched(page).locator("option:checked").innerText()).toContain("Not known; last: Running");
     expect(await enabled()).toEqual([]);
     expect(await isActive("Root/Wait")).toBe("true");
+    expect(await page.getByRole("button", { name: "Load", exact: true }).isDisabled()).toBe(true);
+    expect(await page.getByRole("checkbox", { name: "Follow edits while it runs" }).isDisabled()).toBe(true);
+    expect(await page.locator(".prop-head .pill").innerText()).toBe("Not known; last: Running");
+    expect(await page.getByRole("heading", { name: "Active when last heard of" }).count()).toBe(1);
+    expect(await page.locator(".workspace").evaluate((part) => getComputedStyle(part).filter)).toBe("grayscale(1)");
     await fixture.screenshot("lost");
   });
 

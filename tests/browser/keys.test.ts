@@ -1,6 +1,6 @@
 // Keys: the help that lists them, and zooming.
 import type { Page } from "playwright-core";
-import { openFixture, type Fixture } from "./fixture";
+import { openFixture, settled, type Fixture } from "./fixture";
 
 let fixture: Fixture;
 let page: Page;
@@ -37,7 +37,7 @@ describe("the help", () => {
     await help().waitFor();
     const keys = await help().locator("kbd").allInnerTexts();
     expect(keys).toEqual(expect.arrayContaining(["F5", "F7", "F8", "F4", "Shift+F4", "Ctrl++", "Ctrl+-", "Ctrl+0", "Ctrl+Space", "Ctrl+F", "?", "Esc"]));
-    for (const gesture of ["Wheel", "Click a port", "Double click a composite state"]) expect(await help().innerText()).toContain(gesture);
+    for (const gesture of ["Wheel", "Click a port", "Ctrl and double click a composite state"]) expect(await help().innerText()).toContain(gesture);
     await fixture.screenshot("help");
     await page.keyboard.press("Escape");
     await expect.poll(() => help().count()).toBe(0);
@@ -71,6 +71,32 @@ describe("the help", () => {
     expect(await help().count()).toBe(0);
     await search.fill("");
     await search.blur();
+  });
+});
+
+describe("a double click in the drawing of a run", () => {
+  const at = { position: { x: 20, y: 8 } };
+  const path = () => page.getByRole("navigation", { name: "Breadcrumb" }).innerText();
+  const inProperties = () => page.evaluate(() => document.activeElement?.closest("aside")?.getAttribute("aria-label"));
+
+  it("goes to the properties, with Ctrl it enters, as in the editor", async () => {
+    const state = page.locator('.canvas .state[data-path="Pick"]');
+    await state.dblclick(at);
+    await expect.poll(inProperties).toBe("Properties");
+    expect(await page.getByRole("complementary", { name: "Properties" }).getByRole("heading", { level: 2 }).innerText()).toBe("Pick");
+    await page.locator('.canvas .state[data-path="Pick/Grasp"]').dblclick(at);
+    await expect.poll(() => page.getByRole("complementary", { name: "Properties" }).getByRole("heading", { level: 2 }).innerText()).toBe("Grasp");
+    const inner = page.locator('.canvas .state[data-path]:not([data-path="Pick"])').filter({ has: page.locator(".state-toggle") }).first();
+    const name = await inner.getAttribute("data-path");
+    await inner.dblclick(at);
+    await expect.poll(inProperties).toBe("Properties");
+    expect(await path()).toBe("Pick");
+    await inner.dblclick({ ...at, modifiers: ["Control"] });
+    await expect.poll(path).toContain(name?.slice("Pick/".length));
+    await settled(page);
+    await page.getByRole("navigation", { name: "Breadcrumb" }).getByRole("button", { name: "Pick", exact: true }).click();
+    await settled(page);
+    await page.keyboard.press("Escape");
   });
 });
 

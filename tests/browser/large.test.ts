@@ -26,8 +26,9 @@ const kMost = 300;
 const colours = () =>
   page.evaluate(() => {
     const [shown] = [...document.querySelectorAll<HTMLCanvasElement>(".painted > canvas")].slice(1, 3).filter((each) => each.style.visibility === "visible");
-    const context = shown?.getContext("2d");
+    const context = shown && new OffscreenCanvas(shown.width, shown.height).getContext("2d");
     if (shown === undefined || context === null || context === undefined) return 0;
+    context.drawImage(shown, 0, 0);
     const { data } = context.getImageData(0, 0, shown.width, shown.height);
     return new Set(new Uint32Array(data.buffer)).size;
   });
@@ -37,10 +38,11 @@ const difference = (keep: boolean) =>
   page.evaluate((keep) => {
     const frame = document.querySelector(".painted")?.getBoundingClientRect();
     const [shown] = [...document.querySelectorAll<HTMLCanvasElement>(".painted > canvas")].slice(1, 3).filter((each) => each.style.visibility === "visible");
-    const context = shown?.getContext("2d");
-    if (frame === undefined || shown === undefined || context === null || context === undefined) return 1;
+    const context = new OffscreenCanvas(Math.round(frame?.width ?? 1), Math.round(frame?.height ?? 1)).getContext("2d");
+    if (frame === undefined || shown === undefined || context === null) return 1;
     const { left, top } = shown.getBoundingClientRect();
-    const { data } = context.getImageData(Math.round(frame.left - left), Math.round(frame.top - top), Math.round(frame.width), Math.round(frame.height));
+    context.drawImage(shown, -Math.round(frame.left - left), -Math.round(frame.top - top));
+    const { data } = context.getImageData(0, 0, context.canvas.width, context.canvas.height);
     const now = new Uint32Array(data.buffer);
     const page = window as { keptPixels?: Uint32Array };
     if (keep) page.keptPixels = now;

@@ -248,6 +248,40 @@ describe("the browser's Back", () => {
   });
 });
 
+describe("room for what is drawn", () => {
+  const heightOf = (text: string) => page.getByRole("article", { name: "Service display" }).locator(".rsm-state text", { hasText: text }).evaluate((at) => at.getBoundingClientRect().height);
+
+  it("is used by the drawing of a large RSM on a wide screen, up to the size at which it was drawn", async () => {
+    await page.setViewportSize({ width: 2560, height: 1440 });
+    await page.getByRole("tab", { name: "Services" }).click();
+    await expect.poll(() => heightOf("Asking")).toBeGreaterThan(12);
+    await fixture.screenshot("layout-services-2560");
+    await page.goBack();
+    await page.setViewportSize({ width: 1600, height: 1000 });
+    await settled(page);
+  });
+
+  it("is shared with the cell in half of a small window: the tools stay in one row, and the detail is chosen from a list", async () => {
+    await page.setViewportSize({ width: 1366, height: 768 });
+    await page.getByRole("button", { name: "Cell view" }).click();
+    await page.getByRole("button", { name: "Beside the drawing" }).click();
+    await border("Width of the cell view").dblclick({ position: { x: 4, y: 30 } });
+    await settled(page);
+    const tools = page.getByRole("toolbar", { name: "Drawing" });
+    const tops = await tools.locator(":scope > :visible").evaluateAll((all) => all.map((each) => each.getBoundingClientRect()).map(({ top, height }) => Math.round(top + height / 2)));
+    expect(new Set(tops).size).toBe(1);
+    expect(await tools.evaluate((row) => row.scrollWidth - row.clientWidth)).toBe(0);
+    await tools.getByRole("combobox", { name: "Detail" }).selectOption("Conditions");
+    await settled(page);
+    expect(await page.getByRole("button", { name: "Zoom in to read the ports" }).count()).toBe(0);
+    await fixture.screenshot("layout-half-1366");
+    await page.getByRole("button", { name: "Below the properties" }).click();
+    await page.getByRole("button", { name: "Close the cell view" }).click();
+    await page.setViewportSize({ width: 1600, height: 1000 });
+    await settled(page);
+  });
+});
+
 describe("the legend", () => {
   it("is opened beside the drawing, draws its signs as the canvas does, and is closed by Esc", async () => {
     await page.getByRole("button", { name: "Legend" }).first().click();

@@ -141,6 +141,10 @@ describe("the run of the document that is edited", () => {
     await select("Root/B");
     await soon(() => rows(/^Ports/).locator(".row-now").first().innerText()).toBe("now: false");
     await fixture.screenshot("live-carried");
+    await rows(/^Ports/).getByRole("button", { name: "Why, in the run: this port" }).first().click();
+    await soon(() => fixture.page.getByRole("region", { name: "Why", exact: true }).innerText()).toMatch(/Does not fire|Never fires/);
+    await fixture.page.goBack();
+    await select("Root/B");
     await writeCondition("True");
     await soon(async () => (await stateOf(id)).active).toEqual(["Root", "Root/Approach"]);
     await soon(() => isActive("Root/Approach")).toBe("true");

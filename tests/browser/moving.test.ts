@@ -61,6 +61,9 @@ describe("what starts a run", () => {
     await question().waitFor();
     await press("Enter");
     await expect.poll(status, kSoon).toContain("Paused");
+    const said = await page.getByRole("complementary", { name: "Properties" }).innerText();
+    expect(said).toContain("Paused: the task takes no more inputs");
+    expect(said).toContain("Stop: the run ends, and its services are told to be safe: a robot brakes and stands.");
     await press("Shift+F4");
     await expect.poll(() => page.getByRole("status", { name: "Run status" }).innerText(), kSoon).toMatch(/step [1-9]/);
     expect(await question().count()).toBe(0);
@@ -120,6 +123,46 @@ describe("a key that starts a run", () => {
     await settled(page);
     await press("F5");
     await expect.poll(status, kSoon).toBe("Ended: rested");
+  });
+});
+
+describe("what lets a task go on by other ways", () => {
+  it("asks by F6 as well, which resumes in step mode", async () => {
+    const { page } = fixture;
+    await page.evaluate(() => sessionStorage.clear());
+    const id = await make("lifting");
+    await fixture.send("POST", `/cores/${id}/pause`);
+    await fixture.send("POST", `/cores/${id}/start`);
+    await page.goto(`${fixture.url}/pro/?run=${id}`);
+    await expect.poll(status, kSoon).toBe("Paused");
+    await settled(page);
+    await press("F6");
+    await expect.poll(() => question().innerText(), kSoon).toContain("This moves robot. Resume?");
+    await press("Escape");
+    await question().waitFor({ state: "detached" });
+    expect(await status()).toBe("Paused");
+    await press("F6");
+    await question().waitFor();
+    await press("Enter");
+    await expect.poll(status, kSoon).toBe("Ended: up");
+    await page.evaluate(() => sessionStorage.clear());
+  });
+
+  it("asks once a run is made with arguments and started at once, before anything moves", async () => {
+    const { page } = fixture;
+    await fixture.send("PUT", "/documents/lifting_as", { rcm: 1, name: "lifting_as", root: { ...lifting, parameters: [{ name: "note", type: "string", value: "" }] } });
+    await page.goto(`${fixture.url}/pro/`);
+    await page.getByRole("combobox", { name: "Document" }).selectOption("lifting_as");
+    await page.getByRole("button", { name: "Arguments…" }).click();
+    const form = page.getByRole("dialog", { name: "Arguments of lifting_as" });
+    await form.getByRole("button", { name: "Load and start" }).click();
+    await expect.poll(() => question().innerText(), kSoon).toContain("This moves robot. Start?");
+    expect(await form.count()).toBe(0);
+    const core = (await fixture.send("GET", `/cores/${await watched()}`)) as { readonly status: string; readonly document: string };
+    expect([core.document, core.status]).toEqual(["lifting_as", "ready"]);
+    expect(await page.evaluate(() => document.activeElement?.textContent)).toContain("Start");
+    await press("Enter");
+    await expect.poll(status, kSoon).toBe("Ended: up");
   });
 });
 

@@ -5,7 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { activations, noteActivations } from "./activations";
-import { expectedCard, expectedLines, shownCard, shownLines, type RawNode, type RawStep } from "./proofText";
+import { expectedCard, expectedLines, pickRow, proofCount, reachNode, reachProof, shownCard, shownLines, showStep, type RawNode, type RawStep } from "./proofText";
 import { binary, openFixture, type Fixture } from "./fixture";
 import { letMove } from "./hands";
 
@@ -73,10 +73,8 @@ describe("RACE Pro", () => {
   });
 
   it("opens the derivation of a micro step and finds PTrans1 (3.28) in it", async () => {
-    const steps = page.getByRole("list", { name: "Macro steps" }).getByRole("button");
-    await steps.nth(1).click();
-    const inference = page.getByRole("treeitem", { name: /^PTrans1 \(3\.28\) Pick/ }).first();
-    await inference.waitFor();
+    await showStep(page, 1);
+    const inference = await reachNode(page, /^PTrans1 \(3\.28\) Pick/);
     await inference.locator(".proof-row").first().click();
     const card = page.getByRole("region", { name: "Inference" });
     await expect.poll(() => card.innerText()).toContain("3.28");
@@ -91,19 +89,20 @@ describe("RACE Pro", () => {
     expect(await steps.count()).toBe(derived.length);
     const carded = new Set<string>();
     for (const [i, step] of derived.entries()) {
-      await steps.nth(i).click();
-      await expect.poll(() => page.getByRole("article").count()).toBe(step.micro.length);
+      await showStep(page, i);
+      await expect.poll(() => proofCount(page)).toBe(step.micro.length);
       for (const [m, micro] of step.micro.entries()) {
-        const where = `step ${i + 1}, micro step ${m}`;
-        const proof = page.getByRole("article", { name: `Micro step ${m}`, exact: true });
+        const where = `step ${i + 1}, micro step ${m + 1}`;
+        const proof = await reachProof(page, m);
         await proof.getByRole("button", { name: "Unfold all" }).click();
-        expect((await shownLines(proof)).join("\n"), where).toBe(expectedLines(micro).join("\n"));
+        // Rows come into the page some frames after they are scrolled to.
+        await expect.poll(async () => (await shownLines(proof)).join("\n"), { message: where }).toBe(expectedLines(micro).join("\n"));
         // One card for each kind of node: a rule with the fields that it has.
         for (const [n, node] of preorder(micro).entries()) {
           const kind = `${node.rule} ${Object.keys(node).join(" ")}`;
           if (carded.has(kind)) continue;
           carded.add(kind);
-          await proof.locator(".proof-row").nth(n).dispatchEvent("click");
+          await pickRow(proof, n);
           expect(await shownCard(page.getByRole("region", { name: "Inference" })), `${where}, node ${n}`).toEqual(expectedCard(node));
         }
       }

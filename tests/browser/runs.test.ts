@@ -1,6 +1,7 @@
 // Stored runs: listed, searched, opened after a restart of the server and scrubbed, downloaded and dropped on another page, deleted.
 import type { Page } from "playwright-core";
 import { findings } from "./axe";
+import { editPage } from "./editPage";
 import { openFixture, settled, textOf, type Fixture } from "./fixture";
 
 let fixture: Fixture;
@@ -47,6 +48,23 @@ async function seenAt(step: number): Promise<object> {
   const clock = page.locator(".cell-clock");
   await soon(() => clock.innerText()).toContain(`as it was in step ${step}, cell time`);
   return { moment: moment(), digest: await digest(), active: await activeIn(page), cell: await clock.innerText() };
+}
+
+/** Drops the file of a run onto a page. */
+const dropOnto = (of: Page, text: string): Promise<void> =>
+  of.evaluate((content) => {
+    const files = new DataTransfer();
+    files.items.add(new File([content], "yesterday.json", { type: "application/json" }));
+    const drop = { bubbles: true, cancelable: true, dataTransfer: files };
+    document.body.dispatchEvent(new DragEvent("dragenter", drop));
+    document.body.dispatchEvent(new DragEvent("drop", drop));
+  }, text);
+
+/** The digest of a run before macro step `step`, as a page shows it. */
+async function digestAt(of: Page, url: string, id: string, step: number): Promise<string | null> {
+  await of.goto(`${url}/pro/?run=${id}&at=${step}.0`);
+  await of.getByRole("heading", { level: 2, name: `Step ${step}.0`, exact: true }).waitFor();
+  return of.getByRole("region", { name: "Moment" }).locator("dd code").first().getAttribute("title");
 }
 
 describe("a run of yesterday", () => {
@@ -123,23 +141,53 @@ describe("a run of yesterday", () => {
     await soon(() => banner().innerText()).toContain("is stored");
   });
 
+  it("says beside the condition of a port what it was at the end, and at the moment that is looked at", async () => {
+    const seen = async (document: string, address: string, port: string) => {
+      await page.goto(`${fixture.url}/pro/?run=${address}&edit=${document}`);
+      await settled(page);
+      await editPage(fixture).port(port).click();
+      return page.locator(".row-now").innerText();
+    };
+    expect(await seen("pick", `${picked.id}&at=2`, "Pick/GetPose.success")).toMatch(/at step 2\.\d+: false$/);
+    await fixture.send("PUT", "/documents/halted", { rcm: 1, root: { state: "Root", entry: "svc.timer.start(3600)", ports: [{ name: "timed", when: "svc.timer.start.result" }] } });
+    const { id } = await send("POST", "/cores", { document: "halted" });
+    for (const command of ["start", "stop"]) await send("POST", `/cores/${id}/${command}`);
+    await fixture.send("DELETE", `/cores/${id}`);
+    expect(await seen("halted", id, "Root.timed"), "no response had come").toBe("at the end: unknown");
+    await fixture.send("DELETE", `/runs/${id}`);
+  });
+
   it("goes as one file to the disk, and from there onto the page again", async () => {
     await page.goto(`${fixture.url}/pro/?run=${picked.id}&runs=1`);
     const row = list().getByRole("listitem", { name: `Run ${picked.id}`, exact: true });
     const [file] = await Promise.all([page.waitForEvent("download"), row.getByRole("link", { name: "Download" }).click()]);
     expect(file.suggestedFilename()).toBe(`run-${picked.id}.json`);
     const text = await textOf(file);
-    await page.evaluate((content) => {
-      const files = new DataTransfer();
-      files.items.add(new File([content], "yesterday.json", { type: "application/json" }));
-      const drop = { bubbles: true, cancelable: true, dataTransfer: files };
-      document.body.dispatchEvent(new DragEvent("dragenter", drop));
-      document.body.dispatchEvent(new DragEvent("drop", drop));
-    }, text);
-    const copy = String(Number(picked.id) + 2);
+    await dropOnto(page, text);
+    const copy = String(Number(picked.id) + 3);
     await soon(() => banner().innerText()).toContain(`Run ${copy} of pick is stored`);
     expect(await status()).toBe("Ended: success");
     expect(await page.getByRole("dialog").count()).toBe(0);
+  });
+
+  it("is dropped onto another server, which shows the same moments", async () => {
+    const { step, digest: before } = { step: 4, digest: await digestAt(page, fixture.url, picked.id, 4) };
+    const text = await (await fetch(`${fixture.url}/api/v1/runs/${picked.id}/export`)).text();
+    const other = await openFixture();
+    try {
+      other.page.setDefaultTimeout(20_000);
+      await other.page.goto(`${other.url}/pro/`);
+      await other.page.getByRole("region", { name: "Start" }).waitFor();
+      await dropOnto(other.page, text);
+      await soon(() => other.page.getByRole("region", { name: "Past" }).innerText()).toContain("of pick is stored");
+      expect(await other.page.getByRole("status", { name: "Run status" }).locator("strong").innerText()).toBe("Ended: success");
+      const { runs } = (await other.send("GET", "/runs")) as { readonly runs: readonly { readonly id: string; readonly imported: boolean }[] };
+      expect(runs.map(({ imported }) => imported)).toEqual([true]);
+      expect(await digestAt(other.page, other.url, runs[0]?.id ?? "", step)).toBe(before);
+      await other.screenshot("run-on-another-server");
+    } finally {
+      await other.close();
+    }
   });
 
   it("is deleted for good when that is confirmed", async () => {

@@ -2,6 +2,7 @@
 import type { Page } from "playwright-core";
 import { openFixture, settled, type Fixture } from "./fixture";
 import { letMove } from "./hands";
+import { reachNode, showStep } from "./proofText";
 
 let fixture: Fixture;
 let page: Page;
@@ -102,8 +103,8 @@ async function turnTo(name: "active" | "ended" | "derivation" | "services" | "ce
       await page.getByRole("button", { name: "Resume" }).click();
       return expect.poll(() => page.getByRole("status", { name: "Run status" }).innerText(), { timeout: 90_000 }).toContain("Ended");
     case "derivation":
-      await page.getByRole("list", { name: "Macro steps" }).getByRole("button").nth(1).click();
-      return page.getByRole("treeitem", { name: /^PTrans1/ }).first().locator(".proof-row").first().click();
+      await showStep(page, 1);
+      return (await reachNode(page, /^PTrans1/)).locator(".proof-row").first().click();
     case "services":
     case "cell":
       return page.getByRole("tab", { name: name === "cell" ? "Cell" : "Services" }).click();

@@ -61,6 +61,12 @@ describe("the history of a document", () => {
     await soon(words).toEqual(["− removed state Root/B", "≠ changed state Root/C doc: 'waits'"]);
     // What was removed is marked where it was.
     await soon(marks).toEqual(["−", "≠"]);
+    const ghost = fixture.page.getByRole("img", { name: "Removed: state B" });
+    await ghost.waitFor();
+    expect(await ghost.locator("s").innerText()).toBe("B");
+    const [inner, outer] = [await ghost.boundingBox(), await editPage(fixture).node("Root").boundingBox()];
+    expect((inner?.width ?? 0) * (inner?.height ?? 0)).toBeGreaterThan(400);
+    expect(inner !== null && outer !== null && inner.x > outer.x && inner.y > outer.y && inner.y < outer.y + outer.height + 200).toBe(true);
     expect(await row("1").getAttribute("aria-pressed")).toBe("true");
     expect(query("versions")).toBe("1..");
     await fixture.screenshot("versions-light");

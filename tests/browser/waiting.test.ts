@@ -125,6 +125,68 @@ describe("waiting", () => {
     await fixture.screenshot("waiting-edit-refused");
   });
 
+  it("is shown of a run that is paused: each input that has come and is not delivered", async () => {
+    const { page } = fixture;
+    const id = await start("held", { state: "Root", entry: "svc.timer.wait(0.2)", actions: [{ when: "svc.timer.wait.result", do: "print('waited')" }], ports: [{ name: "done", when: "svc.timer.wait.result" }] });
+    await post(`/cores/${id}/pause`);
+    await page.goto(`${fixture.url}/pro/?run=${id}`);
+    const held = page.getByRole("region", { name: "Inputs waiting" });
+    await held.getByText(/response timer\.wait/).waitFor(kSoon);
+    expect((await held.getByRole("listitem").allInnerTexts()).map((text) => text.split(/\n+/)[1])).toEqual(["the next step delivers it"]);
+    await page.getByText("Paused: the task takes no more inputs; a motion that was called goes on to its end.").waitFor(kSoon);
+    await fixture.screenshot("waiting-held");
+    await settled(page);
+    await page.getByRole("button", { name: "Port Root.done", exact: true }).click();
+    await page.getByRole("region", { name: "Why" }).getByText("timer.wait: its response is queued; a step delivers it").waitFor(kSoon);
+    await page.getByText("Ends the task: the run is over when it fires.").waitFor();
+    await fixture.screenshot("waiting-held-why");
+    await page.keyboard.press("Escape");
+    await held.waitFor(kSoon);
+    await page.getByRole("button", { name: "Macro step" }).click();
+    await held.waitFor({ state: "detached" });
+  });
+
+  it("for a display that is not there is amber too, and this page can be one: its texts and questions are read here", async () => {
+    const { page } = fixture;
+    await post("/documents/unheard", { rcm: 1, name: "unheard", root: { state: "Root", entry: "svc.display.ask('Ready?')", ports: [never] } }, "PUT");
+    const id = await start("unseen", {
+      state: "Root", first: "Ask",
+      children: [
+        {
+          state: "Ask", entry: "svc.display.ask('Is the table empty?', ['Yes', 'No'])",
+          ports: [{ name: "on", when: "svc.display.ask.result.answer == 'Yes'", to: "Lead" }, { name: "again", when: "svc.display.ask.error", to: "Pause" }],
+        },
+        { state: "Pause", ports: [{ name: "over", after: "0.5", to: "Ask" }] },
+        { state: "Lead", entry: "svc.display.show_text('Lead the arm by hand')" },
+      ],
+      ports: [never],
+    });
+    await page.goto(`${fixture.url}/pro/?run=${id}`);
+    const unseen = page.getByRole("alert", { name: "Waiting for a display" });
+    await unseen.getByText("No display is connected: nobody was asked “Is the table empty?”").waitFor(kSoon);
+    expect(await page.getByRole("status", { name: "Run status" }).innerText()).toContain("Waiting for a display");
+    expect(await unseen.getByRole("link", { name: "Open a display" }).getAttribute("href")).toBe("/display/");
+    expect(await findings(page)).toEqual([]);
+    await fixture.screenshot("waiting-display");
+    await unseen.getByRole("button", { name: "Answer on this page" }).click();
+    const asked = page.getByRole("alert", { name: "Waiting for a person" });
+    await asked.getByText("Waiting for a person: Is the table empty?").waitFor(kSoon);
+    await page.getByRole("region", { name: "Open calls" }).getByText(/“Is the table empty\?”, called/).waitFor(kSoon);
+    expect(await unseen.count()).toBe(0);
+    await asked.getByRole("button", { name: "Yes" }).click();
+    await page.getByRole("status", { name: "On the displays" }).getByText("Told on every display: Lead the arm by hand").waitFor(kSoon);
+    expect(await findings(page)).toEqual([]);
+    await fixture.screenshot("waiting-instruction");
+    await page.getByText("This page is the display expert-page.").getByRole("button", { name: "End that" }).click();
+    await expect.poll(() => page.getByText("This page is the display").count()).toBe(0);
+    await post(`/cores/${id}/stop`);
+    await page.getByRole("status", { name: "On the displays" }).waitFor({ state: "detached" });
+    const deaf = await post("/cores", { document: "unheard", arguments: {} });
+    await page.goto(`${fixture.url}/pro/?run=${deaf.id}`);
+    await page.getByRole("button", { name: "Start", exact: true }).click();
+    await unseen.getByText("No display has taken the question “Ready?”").waitFor(kSoon);
+  });
+
   it("for a person is amber, with the answers in place", async () => {
     const { page } = fixture;
     const phone = await (await fixture.openContext({})).newPage();

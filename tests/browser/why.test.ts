@@ -55,3 +55,55 @@ describe("why, of a constant condition", () => {
     await told("Why").toMatch(/Never fires/);
   });
 });
+
+describe("why, of actions and parameters", () => {
+  const kPick = {
+    rcm: 1,
+    name: "asked",
+    root: {
+      state: "Root",
+      variables: [{ name: "n", initial: 0 }],
+      actions: [{ when: "var.n == 0", do: "var.n = 2" }, { when: "var.n > 5", do: "pass" }],
+      first: "A",
+      children: [
+        { state: "A", ports: [{ name: "go", when: "True", to: "B" }] },
+        { state: "B", parameters: [{ name: "width", from: "var.n * 3" }], ports: [{ name: "done", when: "par.width > 100" }] },
+      ],
+      ports: [{ name: "over", when: "chi.B.port.done" }],
+    },
+  };
+  const why = (name: string) => page.getByRole("button", { name: `Why ${name}`, exact: true });
+
+  it("says what an action waits for, and what the next activation would give a parameter", async () => {
+    await fixture.send("PUT", "/documents/asked", kPick);
+    await fixture.send("POST", "/cores", { document: "asked" });
+    await page.goto(`${fixture.url}/pro/?run=2&sel=Root`);
+    await why("action 2 is executed or not").click();
+    await told("Why").toMatch(/Not executed: its state is not active/);
+    await page.getByRole("button", { name: "Micro step" }).click();
+    await told("Why").toMatch(/Not executed\s+It is executed when var.n > 5 becomes true[^]*var.n is 2[^]*alone would execute this action[^]*now, when its turn comes in the next micro step/);
+    await expect.poll(() => new URL(page.url()).searchParams.get("why")).toBe("action.1");
+    await page.getByRole("treeitem", { name: "Root/B", exact: true }).click();
+    await why("width has its value").click();
+    await told("Why").toMatch(/An activation would give it 0[^]*var.n \* 3\s+var.n is 0/);
+    await fixture.screenshot("why_parameter");
+  });
+
+  it("tells where the value came from, as things were when its turn came", async () => {
+    await page.getByRole("button", { name: "Macro step" }).click();
+    await told("Where its value came from").toMatch(/Resolved in macro step 1, micro step \d[^]*Its expression gave 6[^]*var.n is 2/);
+    await page.getByRole("region", { name: "Where its value came from" }).getByRole("button", { name: "Show the derivation" }).click();
+    await expect.poll(() => page.getByRole("region", { name: "Inference" }).innerText()).toMatch(/Resolve/);
+  });
+
+  it("is at the same place when the page is opened again, and leads to the ports that a condition reads", async () => {
+    await page.reload();
+    await told("Where its value came from").toMatch(/Its expression gave 6/);
+    await page.goto(`${fixture.url}/pro/?run=2&sel=Root&why=action.0`);
+    await told("Why it was executed").toMatch(/Executed in macro step 1, micro step 2[^]*its condition was true[^]*var.n is 0/);
+    await fixture.screenshot("why_action");
+    await page.goto(`${fixture.url}/pro/?run=2&sel=Root.over`);
+    await page.getByRole("list", { name: "Atoms of the condition" }).getByRole("button", { name: "Root/B.done" }).click();
+    await expect.poll(() => new URL(page.url()).searchParams.get("sel")).toBe("Root/B.done");
+  });
+});

@@ -60,6 +60,7 @@ class Client final : public Subscriber {
  public:
   Outbox& outbox() override { return outbox_; }
   void wake() override {}
+  void gather() override {}
 
  private:
   Outbox outbox_;

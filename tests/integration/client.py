@@ -192,6 +192,12 @@ class Stream(WebSocketClient):
         """The next message."""
         return check("stream_message", self.receive())
 
+    def messages(self):
+        """The next messages of a client that has asked for `gather`."""
+        messages = self.receive()
+        assert isinstance(messages, list) and messages, messages
+        return [check("stream_message", message) for message in messages]
+
     def until(self, condition, timeout=6 * TIMEOUT):
         """All messages up to and including the first for which condition(message) holds."""
         messages, end = [], time.monotonic() + timeout

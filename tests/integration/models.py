@@ -26,6 +26,15 @@ def ticking(name="ticking", last=5):
         "ports": [{"name": "done", "when": "res.n >= par.last"}]})
 
 
+def hurrying(name="hurrying"):
+    """Goes to and fro between two states, each for 1 ms, without an end."""
+    brief = lambda me, other: {
+        "state": me, "entry": "svc.timer.wait(0.001)", "ports": [{"name": "done", "when": "svc.timer.wait.result", "to": other}]}
+    return document(name, {
+        "state": "Root", "children": [brief("Ping", "Pong"), brief("Pong", "Ping")], "first": "Ping",
+        "ports": [{"name": "never", "when": "False"}]})
+
+
 def storing(name="storing"):
     """Stores its argument in the database, reads it again and returns it as result."""
     return document(name, {

@@ -245,6 +245,19 @@ class Cores(unittest.TestCase):
         self.assertNotIn("reached", replaced)
         self.assertNotIn("reached", self.step(core, kind="until", path="Root/Ping", when="entered"))
 
+    def test_a_macro_step_that_is_held_before_its_first_micro_step_has_one_entry(self):
+        core = self.server.core(models.ticking("untouched"), start=False)
+        self.server.put(f"/cores/{core}/breakpoints", {"breakpoints": [{"when": "entered", "path": "Root/Ping", "before": True}]}, "core")
+        self.server.post(f"/cores/{core}/start", None, "core")
+        held = self.server.wait(core, lambda c: c["paused"])
+        self.assertEqual((held["step"], held["micro"]), (1, 0))
+        self.server.put(f"/cores/{core}/breakpoints", {"breakpoints": []}, "core")
+        self.server.post(f"/cores/{core}/resume", None, "core")
+        step = self.server.wait(core, lambda c: c["status"] != "running")["step"]
+        kinds = [entry["input"]["kind"] for entry in self.server.get(f"/cores/{core}/journal", "journal")["entries"]]
+        self.assertEqual((len(kinds), kinds.count("start")), (step, 1))
+        self.assertEqual(len(self.server.get(f"/cores/{core}/derivations?from=1&to={step}", "derivations")["steps"]), step)
+
     def test_a_run_is_seen_as_it_was_and_back_again(self):
         core = self.paused_core(models.ticking("past", last=6))
         self.server.get(f"/cores/{core}/past?step=1", status=400)
@@ -367,6 +380,41 @@ class Cores(unittest.TestCase):
         self.server.get(f"/cores/{core}/why?port=Root/A.go&step=0&micro=0", status=400)
         self.server.get(f"/cores/{core}/why?port=Root/A.go&step=1&micro=-1", status=400)
         self.server.get(f"/cores/{core}/why?port=Root/A.go&step=1", status=422)
+
+    def test_why_an_action_is_executed_and_what_gives_a_parameter_its_value(self):
+        document = models.document("asked", {
+            "state": "Root", "variables": [{"name": "n", "initial": 0}],
+            "actions": [{"when": "var.n == 0", "do": "var.n = 2"}, {"when": "svc.timer.elapsed", "do": "pass"}],
+            "children": [{"state": "A", "ports": [{"name": "go", "when": "True", "to": "B"}]},
+                         {"state": "B", "parameters": [{"name": "w", "from": "var.n * 3"}, {"name": "c", "value": 1}]}],
+            "first": "A"})
+        core = self.server.core(document)
+        self.server.wait(core, lambda c: c["step"] == 1)
+        ask = lambda query, **how: self.server.get(f"/cores/{core}/why?{query}", "why", **how)
+        self.assertEqual((ask("state=Root&action=0")["executed"], ask("state=Root&action=1")["value"]), (True, None))
+        w = ask("state=Root/B&parameter=w")
+        self.assertEqual((w["value"], w["gives"], w["expression"], w["reads"]), (6, 6, "var.n * 3", [{"text": "var.n", "value": 2}]))
+        self.assertNotIn("expression", ask("state=Root/B&parameter=c"))
+        # In the micro step in which the value came about, the variable had become 2 before its turn.
+        micro = self.server.get(f"/cores/{core}/derivations?from=1", "derivations")["steps"][0]["micro"]
+        resolves = lambda node: node.get("parameter") == "w" or any(resolves(p) for p in node["premises"])
+        then = ask(f"state=Root/B&parameter=w&step=1&micro={[resolves(node) for node in micro].index(True)}")
+        self.assertEqual((then["turn"], then["gives"], "value" in then), (True, 6, False))
+        # Of the stored run likewise.
+        self.server.expect("DELETE", f"/cores/{core}", None, "core", 200)
+        run = f"/runs/{core}/why?state=Root&action=0"
+        self.assertTrue(self.server.get(run, "why")["executed"])
+        self.assertEqual(self.server.get(f"{run}&step=1&micro=1", "why").get("turn"), True)
+
+    def test_why_asks_about_one_thing(self):
+        core = self.server.core(models.document("one", {"state": "Root", "parameters": [{"name": "p", "value": 1}]}))
+        for query, status, path in [("", 422, "port"), ("state=Root", 422, "action"), ("port=Root.x&state=Root&action=0", 409, "port"),
+                                    ("state=Root&action=0&parameter=p", 409, "parameter"), ("state=Root&action=0", 404, "action"),
+                                    ("state=Root&parameter=q", 404, "parameter"), ("state=Gone&parameter=p", 404, "state"),
+                                    ("port=Root.x", 404, "port"), ("state=Root&action=x", 400, "action")]:
+            with self.subTest(query):
+                problem = self.server.get(f"/cores/{core}/why?{query}", status=status)
+                self.assertEqual(problem["errors"][0]["path"], path)
 
     def test_the_log_reports_runs_and_unanswered_calls(self):
         core = self.server.core(models.document("calling", {

@@ -156,7 +156,7 @@ class Routes(unittest.TestCase):
 
     def test_check_listed_rejects_unlisted_answers(self):
         refused = {"errors": [{"path": "", "code": "conflict", "message": ""}]}
-        for method, target, status in (("GET", "/api/v1/health", 204), ("GET", "/api/v1/cores/1/why?port=R.p", 409),
+        for method, target, status in (("GET", "/api/v1/health", 204), ("GET", "/api/v1/cores/1/past?step=1", 409),
                                        ("POST", "/api/v1/cores", 200), ("GET", "/api/v1/health", 400),
                                        ("GET", "/api/v1/rules", 404), ("PATCH", "/api/v1/cores", 409)):
             with self.subTest(target=target, status=status), self.assertRaises(AssertionError):

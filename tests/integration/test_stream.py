@@ -102,6 +102,34 @@ class StreamTest(unittest.TestCase):
             self.assertEqual(state["core"], theirs[-1]["data"]["core"])
         self.server.expect("DELETE", f"/cores/{core}", None, "core", 200)
 
+    def test_messages_come_together_for_who_asks_for_it(self):
+        core = self.server.core(models.hurrying("together"))
+        channel = f"core/{core}/state"
+        with self.server.stream() as single, self.server.stream() as together:
+            together.send_checked({"type": "gather"})
+            for stream in (single, together):
+                stream.subscribe(channel)
+            arrays = [together.messages() for _ in range(20)]
+            messages = [message for array in arrays for message in array]
+            self.assertGreater(len(messages), 2 * len(arrays), "steps of 1 ms, arrays of 20 ms")
+            self.assertEqual([m["kind"] for m in messages[:2]], ["snapshot", "delta"])
+            numbers = [m["sequence"] for m in messages]
+            self.assertEqual(numbers, list(range(numbers[0], numbers[0] + len(numbers))))
+            theirs = single.until(lambda m: m["sequence"] == numbers[-1])[1:]
+            same = min(len(theirs), len(messages) - 1)
+            self.assertGreater(same, len(arrays))
+            self.assertEqual(messages[-same:], theirs[-same:])
+        self.server.expect("DELETE", f"/cores/{core}", None, "core", 200)
+
+    def test_who_gathers_gets_a_lone_message_as_an_array_too_and_errors(self):
+        with self.server.stream() as stream:
+            stream.send_checked({"type": "gather"})
+            stream.send({"type": "gather", "period": 1})
+            refused, = stream.messages()
+            self.assertEqual((refused["kind"], refused["data"]["errors"][0]["path"]), ("error", "period"))
+            stream.subscribe("cores")
+            self.assertEqual([m["kind"] for m in stream.messages()], ["snapshot"])
+
     def test_subscribing_within_a_macro_step_loses_no_change(self):
         core = self.server.core(models.chain("within"), start=False)
         self.server.post(f"/cores/{core}/pause", None, "core")

@@ -1,6 +1,6 @@
 // The whole page: message, question, and state of the connection.
 import { canAnswer, type DisplayPage } from "../shared/display/page";
-import { isBadOutcome } from "../shared/run/controls";
+import { isWayOut } from "../shared/display/answers";
 import type { DisplayMessage, Question } from "../generated/messages";
 import type { Actions } from "./client";
 import { NumberQuestion } from "./NumberQuestion";
@@ -68,7 +68,7 @@ function QuestionView({ question, page, actions }: QuestionProps) {
       ) : (
         <div className="choices">
           {question.buttons.map((button) => (
-            <button key={button} className={isBadOutcome(button) ? "choice is-out" : "choice"} disabled={!canAnswer(page)} onClick={() => actions.answer(question.id, button)}>
+            <button key={button} className={isWayOut(button) ? "choice is-out" : "choice"} disabled={!canAnswer(page)} onClick={() => actions.answer(question.id, button)}>
               {button}
             </button>
           ))}

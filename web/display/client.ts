@@ -3,7 +3,7 @@ import { applyDisplayEvent, canAnswer, firstPage, type DisplayEvent, type Displa
 import { schedule } from "../shared/display/sounds";
 import { keyOf, type Key } from "../shared/display/numberText";
 import type { Sound } from "../generated/messages";
-import { openStream } from "../shared/stream";
+import { openStream, streamUrl } from "../shared/stream";
 import { createPlayer } from "./player";
 
 /** What the user can do. */
@@ -35,8 +35,7 @@ export function connect(name: string, draw: (page: DisplayPage, actions: Actions
     key: (key) => dispatch({ type: "key", key }),
   };
 
-  const scheme = location.protocol === "https:" ? "wss" : "ws";
-  const stream = openStream(`${scheme}://${location.host}/api/v1/stream`, {
+  const stream = openStream(streamUrl(location), {
     onConnection: (connection) => dispatch({ type: "connection", connection }),
     onMalformed: (error) => dispatch({ type: "problem", text: error.message }),
     onUpdate: (update) => {

@@ -1,5 +1,5 @@
 // The expert page: task tree to the left, canvas in the middle, properties to the right, run bar and derivation below.
-import { lazy, Suspense } from "react";
+import { Suspense } from "react";
 import { commandable } from "../shared/session/session";
 import { commandOf, isMove, type Shortcut } from "../shared/session/shortcuts";
 import { isCovered } from "../shared/session/view";
@@ -30,7 +30,9 @@ import { Interruption } from "./panels/Interruption";
 import { KeyHelp } from "./panels/KeyHelp";
 import { LostServer } from "./panels/LostServer";
 import { RestartedServer } from "./panels/RestartedServer";
+import { OnDisplays } from "./panels/OnDisplays";
 import { PersonWaitBar } from "./panels/PersonWaitBar";
+import { ProblemBar } from "./panels/ProblemBar";
 import { PastBanner } from "./past/PastBanner";
 import { move, toPresent } from "./past/past";
 import { PropertiesPanel } from "./panels/PropertiesPanel";
@@ -41,13 +43,14 @@ import { focusSearch } from "./panels/SearchBox";
 import { TaskPanel } from "./panels/TaskPanel";
 import { TopBar } from "./panels/TopBar";
 import { showRuns } from "./runs/actions";
+import { lateCell } from "./cell/lateCell";
 import { RunsPanel } from "./runs/RunsPanel";
 import { PairPhone } from "./pairing/PairPhone";
 import { ServicesView } from "./services/ServicesView";
 import { StartCards } from "./start/StartCards";
 import { useShortcuts } from "./useShortcuts";
 
-const CellView = lazy(() => import("./cell/CellView").then(({ CellView }) => ({ default: CellView })));
+const CellView = lateCell(() => Promise.resolve());
 
 /** What moves a run on does so only on a page that shows it. */
 const kStarts: ReadonlySet<Shortcut> = new Set(["lead", "micro", "macro"]);
@@ -157,9 +160,11 @@ export function App() {
         </div>
       )}
       <footer className="foot">
+        <ProblemBar />
         <WaitingEdit />
         <Interruption />
         <PersonWaitBar />
+        <OnDisplays />
         <ForceBar />
         <ReachedBar />
         <StartAskBar />

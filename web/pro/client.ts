@@ -1,14 +1,11 @@
 // The page's one connection to the server: stores, requests and the stream, wired together.
 import { createApi } from "../shared/api";
-import type { CellPose, Core, Packet, StepRequest, TraceStep } from "../generated/messages";
-import type { ExactArguments, RunSource } from "../shared/api";
-import { runParameters, type ExactDocument, type RunParameter } from "../shared/arguments/parameters";
-import { readExact } from "../shared/edit/exact";
+import type { CellPose, Core, Packet, TraceStep } from "../generated/messages";
+import type { RunSource } from "../shared/api";
 import { kNoPlaces, type Places } from "../shared/drawing/places";
 import { runPlaces } from "../shared/drawing/runPlaces";
 import type { RcmDocument } from "../shared/model/model";
 import { buildTree } from "../shared/model/modelTree";
-import type { Command, UntilRequest } from "../shared/run/controls";
 import { modelKey } from "../shared/run/edits";
 import { firstShown, lastShown, type LastShown } from "../shared/session/firstShown";
 import { createModelLoader } from "../shared/session/modelLoader";
@@ -16,10 +13,11 @@ import { loadStoredRun } from "../shared/runs/storedRun";
 import { applyEvent, cellUnavailable, emptySession, isStored, watchedCore, type Session, type SessionEvent } from "../shared/session/session";
 import { applyGesture, firstView, type Gesture, type View } from "../shared/session/view";
 import { addressWith, placeOfAddress } from "../shared/session/address";
+import { isUrgent } from "../shared/session/urgent";
 import { coreToWatch } from "../shared/session/watched";
 import type { StreamUpdate } from "../shared/messages/stream";
-import { openStream, type Connection, type Stream } from "../shared/stream";
-import { createStore, useSelected } from "./store";
+import { openStream, streamUrl, type Connection, type Stream } from "../shared/stream";
+import { createStore, slowly, useSelected } from "./store";
 import { messageOf } from "../shared/messageOf";
 
 const kPastSteps = 40;
@@ -33,7 +31,9 @@ export const cellPose = createStore<CellPose | undefined, CellPose | undefined>(
 // After an interruption the old pose is not valid.
 session.listen(() => cellUnavailable(session.get()) !== undefined && cellPose.dispatch(undefined));
 
-export const useSession = <T>(select: (state: Session) => T): T => useSelected(session, select);
+/** For what is read: of a run that goes on by itself, late by a tenth of a second at most. */
+export const shownSession = slowly(session, isUrgent);
+export const useSession = <T>(select: (state: Session) => T): T => useSelected(shownSession, select);
 export const useView = <T>(select: (state: View) => T): T => useSelected(view, select);
 export const useCore = (): Core | undefined => useSession(watchedCore);
 
@@ -86,8 +86,7 @@ const kBringsCore: ReadonlySet<StreamUpdate["type"]> = new Set(["cores", "core",
 
 /** Opens the stream and loads what never changes; the connection stays until the page is closed. */
 export function connect(): void {
-  const scheme = location.protocol === "https:" ? "wss" : "ws";
-  stream = openStream(`${scheme}://${location.host}/api/v1/stream`, {
+  stream = openStream(streamUrl(location), {
     onConnection: (connection) => {
       session.dispatch({ type: "connection", connection });
       listeners.forEach((listener) => listener.connection(connection));
@@ -282,30 +281,6 @@ export function watchFlow(service: string, flow: string, came: (packet: Packet) 
   };
 }
 
-/** What a run gets before this page lets it go on. */
-let arm: (core: Core) => Promise<void> = () => Promise.resolve();
-/** To be called once. */
-export function armRunsBy(by: (core: Core) => Promise<void>): void {
-  arm = by;
-}
-
-/** Makes a core of a document, watches it (no longer the document, if that is being edited), and starts it if asked. Throws what the server refuses. */
-export async function makeRun(document: string, start: boolean, args: ExactArguments): Promise<Core> {
-  const core = await api.createCore(document, args);
-  session.dispatch({ type: "update", update: { type: "core", core } });
-  watch(core.id);
-  if (view.get().page === "edit") view.dispatch({ type: "page", page: "task" });
-  await arm(core);
-  if (start) await api.start(core.id);
-  return core;
-}
-
-/** The parameters of a run of the document, as it is now. Throws what the server refuses. */
-export async function parametersOf(document: string): Promise<readonly RunParameter[]> {
-  const entry = readExact(await api.documentText(document)) as unknown as { readonly document: ExactDocument };
-  return runParameters(entry.document);
-}
-
 /** Does something, and shows above the page why it has failed. */
 export async function attempt(action: () => Promise<void>): Promise<void> {
   try {
@@ -313,46 +288,6 @@ export async function attempt(action: () => Promise<void>): Promise<void> {
   } catch (error) {
     problem(error);
   }
-}
-
-/** Carries a command out on the watched core. */
-export async function run(command: Command, until?: UntilRequest): Promise<void> {
-  const core = watchedCore(session.get());
-  if (core === undefined) return;
-  try {
-    switch (command) {
-      case "start":
-      case "resume":
-        await arm(core);
-        await api[command](core.id);
-        return;
-      case "pause":
-      case "stop":
-        await api[command](core.id);
-        return;
-      case "again":
-        await makeRun(core.document, true, await api.runArguments(core.id, sourceOf(session.get())));
-        return;
-      case "micro":
-      case "macro":
-        await stepFrom(core, { kind: command });
-        return;
-      case "until":
-        if (until !== undefined) await stepFrom(core, until);
-    }
-  } catch (error) {
-    problem(error);
-  }
-}
-
-/** A core that was not started is paused first, so that it does this step and no more. */
-async function stepFrom(core: Core, step: StepRequest): Promise<void> {
-  await arm(core);
-  if (core.status === "ready") {
-    if (!core.paused) await api.pause(core.id);
-    await api.start(core.id);
-  }
-  await api.step(core.id, step);
 }
 
 export function dismissProblem(): void {

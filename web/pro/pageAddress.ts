@@ -1,6 +1,7 @@
 // Which page is shown, in the address: nothing where it is that of the document that the address names, or else of the run. The browser's Back leads to
 // the page before.
 import { addressWith, placeOfAddress } from "../shared/session/address";
+import { pageOfPlace } from "../shared/session/placeInAddress";
 import { pageOf } from "../shared/session/view";
 import { view } from "./client";
 import { editing } from "./edit/editing";
@@ -21,7 +22,7 @@ export function followPage(): void {
   });
   addEventListener("popstate", () => {
     const place = placeOfAddress(location.search);
-    const page = pageOf(place.page) ?? (place.edit === undefined ? "task" : "edit");
+    const page = pageOfPlace(place);
     // A document that was closed since is not opened by that.
     if (page !== view.get().page && (page !== "edit" || place.edit === editing.get().document)) view.dispatch({ type: "page", page });
   });

@@ -45,6 +45,7 @@ import { withAfters } from "./model/afters";
 import type { RcmDocument } from "./model/model";
 import { withOracles } from "./model/oracles";
 import { readModel } from "./model/readModel";
+import { subjectQuery, type Subject } from "./run/subject";
 
 /** The server refused a request: its errors, as it gave them. */
 export class RefusedError extends Error {
@@ -206,9 +207,9 @@ export function createApi(base: string, fetcher: typeof fetch) {
     /** When macro steps began, and which states services had. */
     timing: (id: string, from: number, to: number): Promise<Timing> => get(`/runs/${segment(id)}/timing?from=${from}&to=${to}`, schema.timing),
     journal: (id: string): Promise<Journal> => get(`/runs/${segment(id)}/journal`, schema.journal),
-    /** As things are now, or as they were before a past micro step. */
-    why: (of: RunSource, id: string, port: string, before?: MicroStep): Promise<Why> =>
-      get(`/${of}/${segment(id)}/why?port=${segment(port)}${before === undefined ? "" : `&step=${before.step}&micro=${before.micro}`}`, schema.why),
+    /** As things are now, or as they were in a past micro step. */
+    why: (of: RunSource, id: string, subject: Subject, before?: MicroStep): Promise<Why> =>
+      get(`/${of}/${segment(id)}/why?${subjectQuery(subject)}${before === undefined ? "" : `&step=${before.step}&micro=${before.micro}`}`, schema.why),
     cell: (): Promise<Scene> => get("/cell", schema.scene),
     person: (): Promise<Person> => get("/cell/person", schema.person),
     command: (body: PersonCommand): Promise<Person> => request("POST", "/cell/person", schema.person, body),

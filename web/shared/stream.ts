@@ -6,7 +6,7 @@ import { readStreamMessage, type StreamUpdate } from "./messages/stream";
 
 type DisplayRequest = Extract<StreamRequest, { readonly type: "display" }>;
 /** A request that the stream does not make by itself. */
-export type OwnRequest = Exclude<StreamRequest, { readonly type: "subscribe" | "unsubscribe" | "display" }>;
+export type OwnRequest = Exclude<StreamRequest, { readonly type: "subscribe" | "unsubscribe" | "display" | "gather" }>;
 
 export type Connection = "connecting" | "open" | "lost";
 
@@ -33,13 +33,17 @@ export function reconnectDelay(attempt: number): number {
   return Math.min(8000, 500 * 2 ** attempt);
 }
 
-/** The requests when the socket opens: each wanted channel, with the number of its last known message. */
+/** The requests when the socket opens: each wanted channel, with the number of its last known message; what they say shall come together. */
 export function resubscriptions(wanted: ReadonlySet<string>, seen: ReadonlyMap<string, number>): readonly StreamRequest[] {
-  return [...wanted].map((channel): StreamRequest => {
+  const subscriptions = [...wanted].map((channel): StreamRequest => {
     const since = seen.get(channel);
     return since === undefined ? { type: "subscribe", channel } : { type: "subscribe", channel, since };
   });
+  return [{ type: "gather" }, ...subscriptions];
 }
+
+/** The address of the stream of the server that a page came from. */
+export const streamUrl = ({ protocol, host }: Pick<Location, "protocol" | "host">): string => `${protocol === "https:" ? "wss" : "ws"}://${host}/api/v1/stream`;
 
 export function openStream(url: string, handlers: StreamHandlers): Stream {
   const wanted = new Set<string>();
@@ -61,9 +65,9 @@ export function openStream(url: string, handlers: StreamHandlers): Stream {
     return display !== undefined && (channel === `display/${display.name}` || channel === "");
   };
 
-  const receive = (text: string) => {
+  const receive = (value: unknown) => {
     try {
-      const message = readStreamMessage(JSON.parse(text));
+      const message = readStreamMessage(value);
       if (!isWanted(message.channel)) return;
       if (message.sequence !== undefined) seen.set(message.channel, message.sequence);
       handlers.onUpdate(message.update);
@@ -83,7 +87,7 @@ export function openStream(url: string, handlers: StreamHandlers): Stream {
       resubscriptions(wanted, seen).forEach(send);
       handlers.onConnection("open");
     };
-    opened.onmessage = (event: MessageEvent<unknown>) => receive(String(event.data));
+    opened.onmessage = (event: MessageEvent<unknown>) => [JSON.parse(String(event.data)) as unknown].flat().forEach(receive);
     opened.onclose = () => {
       if (closed) return;
       handlers.onConnection("lost");

@@ -31,6 +31,18 @@ class Explainer {
     return std::move(made_);
   }
 
+  ExplainedValue run_expression() {
+    EvaluationTrace* const trace = std::exchange(environment_.trace, nullptr);
+    ExplainedValue made;
+    if (std::optional<Value> value = machine_.expression(program_, environment_))
+      made.value = std::move(*value);
+    else
+      made.fault = machine_.fault();
+    made.reads = reads(0, program_.root);
+    environment_.trace = trace;
+    return made;
+  }
+
  private:
   std::vector<NodeId> parts(NodeId id) const {
     const Node& n = program_.nodes[id];
@@ -161,6 +173,10 @@ class Explainer {
 
 Explanation explain(const Code& condition, Environment& environment) {
   return Explainer(condition.program(), environment).run();
+}
+
+ExplainedValue explain_value(const Code& expression, Environment& environment) {
+  return Explainer(expression.program(), environment).run_expression();
 }
 
 }  // namespace race::language

@@ -1,12 +1,15 @@
 // Explanations of conditions: which atoms (maximal parts without and, or, not) they have, what each read, and which of
-// them would have to change for the condition to be fulfilled. For people: "why does this port not fire?"
+// them would have to change for the condition to be fulfilled; and of expressions: what they read, and come to. For
+// people: "why does this port not fire?"
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/language/compile/code.h"
 #include "core/language/interface/environment.h"
+#include "core/language/interface/fault.h"
 
 namespace race::language {
 
@@ -36,5 +39,13 @@ struct Explanation {
 
 /// Explains a condition in its present state. Atoms with the same text are one atom.
 Explanation explain(const Code& condition, Environment& environment);
+
+/// An expression in its present state.
+struct ExplainedValue {
+  Value value = Value::unknown();  // unknown if it has none
+  std::optional<Fault> fault;      // why it cannot be evaluated
+  std::vector<Explanation::Read> reads;
+};
+ExplainedValue explain_value(const Code& expression, Environment& environment);
 
 }  // namespace race::language

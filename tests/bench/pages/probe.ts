@@ -39,11 +39,13 @@ function install(): void {
   const isDrawn = () => document.querySelector('.canvas[aria-busy="false"]') !== null && (painted() !== undefined || document.querySelector(".canvas .react-flow [data-path]") !== null);
   const pixels = ({ x, y, width, height }: Region): string => {
     const canvas = painted();
-    const context = canvas?.getContext("2d");
-    if (canvas === undefined || context === null || context === undefined) return "";
+    if (canvas === undefined) return "";
     const box = canvas.getBoundingClientRect();
     const scale = canvas.width / box.width;
-    return context.getImageData(Math.round((x - box.left) * scale), Math.round((y - box.top) * scale), Math.round(width * scale), Math.round(height * scale)).data.join();
+    const [wide, high] = [Math.round(width * scale), Math.round(height * scale)];
+    const context = new OffscreenCanvas(wide, high).getContext("2d", { willReadFrequently: true });
+    context?.drawImage(canvas, -Math.round((x - box.left) * scale), -Math.round((y - box.top) * scale));
+    return context?.getImageData(0, 0, wide, high).data.join() ?? "";
   };
   const probe: Probe = {
     frames,

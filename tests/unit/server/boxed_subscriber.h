@@ -13,6 +13,7 @@ namespace race::server {
 struct BoxedSubscriber : Subscriber {
   Outbox& outbox() override { return box; }
   void wake() override {}
+  void gather() override {}
   /// The messages that came since.
   std::vector<Value> messages() {
     std::vector<Value> out;

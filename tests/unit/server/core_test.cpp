@@ -128,6 +128,12 @@ struct CoreTest : testing::Test, CoreWatcher {
     begin();
     return paused.get_future().get().value();
   }
+  Value wait_until_paused() {
+    Value info;
+    do info = *core->state()->find("core");
+    while (!info.find("paused")->as_bool());
+    return info;
+  }
   void wait_for_the_end_of_the_macro_step() {
     while (core->state()->find("core")->find("micro")->as_integer() > 0) {
     }
@@ -282,19 +288,13 @@ TEST_F(CoreTest, AStepThatWaitsForAnInputIsPausedAndCanBeReplaced) {
 TEST_F(CoreTest, ABreakpointPausesWithinAnyTurnOfAMacroStep) {
   hold_and_watch();
   const auto state = [](int i) { return "R/S" + std::to_string(i); };
-  const auto paused = [&] {
-    Value info;
-    do info = *core->state()->find("core");
-    while (!info.find("paused")->as_bool());
-    return info;
-  };
   using enum execution::Goal::Kind;
   const auto set =
       core->set_breakpoints({{entered, {}, state(1)}, {left, {}, state(200)}, {fired, {}, state(390) + ".next"}});
   ASSERT_TRUE(set) << set.error().message;
   for (const int micro : {3, 402, 782}) {
     ASSERT_TRUE(core->resume());
-    EXPECT_EQ(paused().find("micro")->as_integer(), micro);
+    EXPECT_EQ(wait_until_paused().find("micro")->as_integer(), micro);
     expect_that_all_have_the_state();
   }
   EXPECT_EQ(core->set_breakpoints({{entered, {}, state(1)}, {entered, {}, "R/S"}}).error().path, "breakpoints/1/path");
@@ -302,9 +302,12 @@ TEST_F(CoreTest, ABreakpointPausesWithinAnyTurnOfAMacroStep) {
 }
 
 TEST_F(CoreTest, StopsWithoutPausingAtABreakpoint) {
+  using execution::Goal;
   hold_and_watch();
-  ASSERT_TRUE(core->set_breakpoints({{execution::Goal::Kind::entered, {}, "R/S300"}}));
-  ASSERT_TRUE(core->step({execution::Goal::Kind::micro}));
+  // What is left of the macro step is little: a stop waits only a short time for it.
+  ASSERT_TRUE(core->step({Goal::Kind::entered, {}, "R/S" + std::to_string(kStates - 20)}));
+  wait_until_paused();
+  ASSERT_TRUE(core->set_breakpoints({{Goal::Kind::entered, {}, "R/S" + std::to_string(kStates - 10)}}));
   const auto stopped = core->stop();
   ASSERT_TRUE(stopped) << stopped.error().message;
   EXPECT_EQ(stopped->find("status")->as_string(), "aborted");

@@ -24,6 +24,23 @@ TEST(Outbox, KeepsTheOrder) {
   EXPECT_THAT(all(outbox), ElementsAre("1", "2", "3"));
 }
 
+TEST(Outbox, GivesTogetherWhatFitsAndTheFirstHoweverLargeItIs) {
+  Outbox outbox;
+  for (const char* each : {"12345", "6", "78", "9"}) outbox.push("a", text(each), false);
+  const auto together = [&](std::size_t limit) {
+    std::vector<std::string> texts;
+    for (const Text& each : outbox.pop_together(limit)) texts.push_back(*each);
+    return texts;
+  };
+  EXPECT_THAT(together(3), ElementsAre("12345"));
+  EXPECT_EQ(outbox.bytes(), 9U) << "with what is on its way";
+  EXPECT_THAT(together(3), ElementsAre("6", "78"));
+  EXPECT_EQ(outbox.bytes(), 4U);
+  EXPECT_THAT(together(3), ElementsAre("9"));
+  EXPECT_THAT(together(3), IsEmpty());
+  EXPECT_EQ(outbox.bytes(), 0U);
+}
+
 TEST(Outbox, OfASampledChannelOnlyTheNewestWaits) {
   Outbox outbox;
   for (int i = 0; i < 100; ++i) outbox.push("pose", text(std::to_string(i)), true);

@@ -24,9 +24,9 @@ class Camera final : public services::Component {
   const rsm::Service& model() const override { return services::tap_model(); }
   void call(const services::Call&) override {}
   void show(services::Time time, std::string_view encoding = services::kDepthAndColour) {
-    const Value header = Dict{{"width", 4}, {"height", 2}, {"encoding", std::string(encoding)}, {"time", time}};
-    host_.publish("water", std::make_shared<services::Packet>(
-                               services::Packet{time, header, std::vector<std::byte>(4 * 2 * 5, std::byte{90})}));
+    Value header = Dict{{"width", 4}, {"height", 2}, {"encoding", std::string(encoding)}, {"time", time}};
+    host_.publish("water", std::make_shared<services::Packet>(services::Packet{
+                               time, header.freeze(), std::vector<std::byte>(4 * 2 * 5, std::byte{90})}));
   }
 
  private:

@@ -2,7 +2,7 @@
 import { useEffect, useMemo, useRef, useState } from "react";
 import { folded, kEntryKinds, loggedStep, matchingEntries, servicesOf, type EntryKind, type RunEntry } from "../../shared/runs/callLog";
 import { momentText } from "../../shared/past/moment";
-import { useSession, view } from "../client";
+import { useSession } from "../client";
 import { visit } from "../past/past";
 import { useSteps, useStepsToCome } from "../timeline/loading";
 
@@ -66,7 +66,6 @@ function Entry({ entry }: { readonly entry: RunEntry }) {
   const isShown = useSession((s) => s.past?.past.step === entry.step && s.past.past.micro === entry.micro);
   const show = () => {
     visit({ step: entry.step, micro: entry.micro });
-    view.dispatch({ type: "turn_to_step", step: entry.step });
   };
   return (
     <li className={`is-${entry.kind}`}>

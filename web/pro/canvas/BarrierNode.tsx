@@ -5,6 +5,7 @@ import { errorsText } from "../../shared/run/errorsText";
 import { useView, view } from "../client";
 import { useErrorCount } from "../edit/errors";
 import { useLive } from "./useLive";
+import { counted } from "../../shared/counted";
 
 export type BarrierFlowNode = Node<{ readonly drawn: DrawnNode; readonly inbound: readonly string[] }, "barrier">;
 
@@ -15,7 +16,7 @@ export function BarrierNode({ data: { drawn, inbound } }: NodeProps<BarrierFlowN
   const errors = useErrorCount(drawn.path);
   const missing = inbound.filter((port) => !arrived.includes(port));
   const waiting = arrived.length > 0 && missing.length > 0;
-  const text = waiting ? `waits for ${missing.join(", ")}` : `${inbound.length} inbound ports`;
+  const text = waiting ? `waits for ${missing.join(", ")}` : counted(inbound.length, "inbound port");
   return (
     <div style={{ width: drawn.width, height: drawn.height }}>
       <Handle type="target" position={Position.Left} isConnectable={false} />

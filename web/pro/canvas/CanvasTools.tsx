@@ -12,6 +12,8 @@ const choices: readonly { readonly detail: Detail; readonly name: string; readon
   { detail: "full", name: "Everything", title: "Parameters, results, functions and conditions" },
 ];
 
+const detailOf = (value: string): Detail | undefined => choices.find(({ detail }) => detail === value)?.detail;
+
 interface Props {
   readonly tree: ModelTree;
   readonly detail: Detail;
@@ -40,6 +42,14 @@ export function CanvasTools({ tree, detail, children }: Props) {
           </button>
         ))}
       </div>
+      {/* Where there is no room for the buttons. */}
+      <select className="detail-choice" aria-label="Detail" value={detail} onChange={(event) => view.dispatch({ type: "detail", detail: detailOf(event.target.value) ?? detail })}>
+        {choices.map((choice) => (
+          <option key={choice.detail} value={choice.detail}>
+            {choice.name}
+          </option>
+        ))}
+      </select>
       {composites.length > 0 && (
         <button type="button" onClick={() => view.dispatch(collapsed ? { type: "expand_all" } : { type: "collapse_all", paths: composites })}>
           {collapsed ? "Expand all" : "Collapse all"}

@@ -1,4 +1,4 @@
-// The canvas of React Flow as the canvas that is shown.
+// The canvas of React Flow as the canvas that is shown. Its names are enlarged when it is zoomed out.
 import { useReactFlow, useStore, useStoreApi } from "@xyflow/react";
 import { useLayoutEffect, useMemo } from "react";
 import { canvasView, showCanvas } from "./canvasView";
@@ -22,5 +22,16 @@ export function FlowView({ laid }: { readonly laid: Laid }) {
     });
   }, [laid, element, setViewport, store]);
   useLayoutEffect(() => view && showCanvas(view), [view]);
+  useLayoutEffect(() => {
+    if (view === undefined) return;
+    const { style } = view.element;
+    const enlarge = () => {
+      const { zoom } = view.viewport();
+      style.setProperty("--least", String(0.5 / zoom));
+      style.setProperty("--grow", String(Math.min(3, 0.72 / zoom)));
+    };
+    enlarge();
+    return view.listen(enlarge);
+  }, [view]);
   return null;
 }

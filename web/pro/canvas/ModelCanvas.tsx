@@ -1,11 +1,12 @@
 // The canvas: the laid out model with zoom, pan, breadcrumb and the state of the run.
 import { ReactFlowProvider } from "@xyflow/react";
-import { useRef, type ReactNode } from "react";
+import { useEffect, useRef, type ReactNode } from "react";
 import { kNoPlaces, type Places } from "../../shared/drawing/places";
 import type { ModelTree } from "../../shared/model/modelTree";
 import { BreakpointMarks } from "../debugger/BreakpointMarks";
 import { Breadcrumb } from "./Breadcrumb";
 import { CanvasTools } from "./CanvasTools";
+import { noteDrawing } from "./firstDrawing";
 import { Flow } from "./Flow";
 import { Following } from "./Following";
 import { LayoutProgress } from "./LayoutProgress";
@@ -39,6 +40,10 @@ export function ModelCanvas({ subject, tree, places = kNoPlaces, nothing, childr
   const size = useSize(frame);
   const { laid: latest, progress, failed, busy } = useDrawing(subject, tree, places, size);
   const laid = usePreviewed(latest);
+  const complete = laid !== undefined && !busy;
+  useEffect(() => {
+    if (complete) noteDrawing();
+  }, [complete]);
   return (
     <section className="canvas" aria-label="Model" aria-busy={busy} ref={frame}>
       {laid !== undefined && tree !== undefined && size !== undefined ? (

@@ -11,6 +11,7 @@ import { errorsText } from "../../shared/run/errorsText";
 import { useView, view } from "../client";
 import { useErrorCount } from "../edit/errors";
 import { Icon } from "../panels/Icon";
+import { doubleClicked } from "./doubleClick";
 import { useLive } from "./useLive";
 
 export type StateFlowNode = Node<{ readonly drawn: DrawnNode }, "state">;
@@ -34,7 +35,7 @@ export function StateNode({ data: { drawn } }: NodeProps<StateFlowNode>) {
       aria-description={errors > 0 ? errorsText(errors) : undefined}
       style={withRoom({ width: drawn.width, height: drawn.height }, nameRoom(drawn))}
       onClick={select}
-      onDoubleClick={() => drawn.composite && view.dispatch({ type: "enter", path: drawn.path })}
+      onDoubleClick={(event) => doubleClicked(event, { kind: "node", path: drawn.path }, drawn.composite ? drawn.path : undefined)}
     >
       <Handle type="target" position={Position.Left} isConnectable={false} />
       <Handle type="source" position={Position.Right} isConnectable={false} />
@@ -77,6 +78,7 @@ function Toggle({ drawn }: { readonly drawn: DrawnNode }) {
         event.stopPropagation();
         view.dispatch({ type: "toggle", path: drawn.path });
       }}
+      onDoubleClick={(event) => event.stopPropagation()}
     >
       {drawn.open ? "−" : "+"}
     </button>
@@ -112,9 +114,10 @@ function PortBox({ port, origin }: { readonly port: DrawnPort; readonly origin: 
   const active = useLive((live) => live.ports.has(port.address));
   const waits = useLive((live) => port.timed && live.active.has(waitingState(port.address)));
   const faulted = useLive((live) => port.timed && live.faultAt === waitingState(port.address));
-  const fired = fireCount > 0;
+  const endsBadly = useLive((live) => live.badEnd === port.address);
+  const fired = fireCount > 0 && !endsBadly;
   const errors = useErrorCount(port.address);
-  const classes = ["port", active && "is-active", selected && "is-selected", fired && "is-fired", port.exits && "is-exit", waits && "is-waiting", faulted && "is-faulted"];
+  const classes = ["port", active && "is-active", selected && "is-selected", fired && "is-fired", port.exits && "is-exit", waits && "is-waiting", faulted && "is-faulted", endsBadly && "ends-badly"];
   return (
     <button
       key={fireCount}
@@ -132,7 +135,10 @@ function PortBox({ port, origin }: { readonly port: DrawnPort; readonly origin: 
         event.stopPropagation();
         view.dispatch({ type: "select", selection: { kind: "port", address: port.address } });
       }}
-      onDoubleClick={(event) => event.stopPropagation()}
+      onDoubleClick={(event) => {
+        event.stopPropagation();
+        doubleClicked(event, { kind: "port", address: port.address }, undefined);
+      }}
     >
       {origin.dispatcher === undefined && (
         <span className="port-name">

@@ -1,6 +1,6 @@
 // The visible part of the drawing: fits a new drawing and, unless the user has moved it, a resized canvas and a drawing that has grown out
-// of it; moves to the target of a jump; enlarges names when zoomed out.
-import { useEffect, useEffectEvent, useRef, type CSSProperties, type RefObject } from "react";
+// of it; moves to the target of a jump; tells styles when it is zoomed out.
+import { useEffect, useEffectEvent, useRef, type RefObject } from "react";
 import { fit, fitReadable, shows } from "../../shared/drawing/fit";
 import { hitIndex } from "../../shared/drawing/hit";
 import { kFar } from "../../shared/drawing/levels";
@@ -67,14 +67,9 @@ export function Viewport({ laid, size, movedRef }: Props) {
   useEffect(() => {
     if (canvas === undefined) return;
     const section = canvas.element.closest<HTMLElement>(".canvas");
-    let before = 0;
     const mark = () => {
-      const { zoom } = canvas.viewport();
-      if (zoom === before) return;
-      before = zoom;
-      section?.setAttribute("data-zoom", zoom < kFar ? "far" : "near");
-      section?.style.setProperty("--least", String(0.5 / zoom));
-      section?.style.setProperty("--grow", String(Math.min(3, 0.72 / zoom)) satisfies NonNullable<CSSProperties["width"]>);
+      const distance = canvas.viewport().zoom < kFar ? "far" : "near";
+      if (section !== null && section.dataset["zoom"] !== distance) section.dataset["zoom"] = distance;
     };
     mark();
     return canvas.listen(mark);

@@ -19,5 +19,10 @@ async function load(): Promise<Shipped["layouts"]> {
   return elk === version ? layouts : {};
 }
 
+/** Has them on their way before one is asked for. */
+export function fetchShipped(): void {
+  void (loading ??= load()).catch(() => undefined);
+}
+
 /** The layout that was shipped under this key. Rejected: they are not to be had. */
 export const shippedLayout = async (key: string): Promise<KeptLayout | undefined> => (await (loading ??= load()))[key];

@@ -2,11 +2,11 @@
 // edits it is that of a run of the document, in the addresses of the edited model.
 import { kNoRun, liveOf, type Live } from "../../shared/drawing/live";
 import { projectLive } from "../../shared/live/project";
-import { faultShown, firedShown, stateShown } from "../../shared/past/shown";
+import { badEndShown, faultShown, firedShown, stateShown } from "../../shared/past/shown";
 import { session, view } from "../client";
 import { editedTree, editing } from "../edit/editing";
 import { shownRun } from "../live/shownRun";
-import { createStore, useSelected } from "../store";
+import { createStore, slowly, useSelected } from "../store";
 
 const store = createStore<Live, Live>(kNoRun, (_, live) => live);
 
@@ -18,11 +18,11 @@ function refresh(): void {
   const isEdited = view.get().page === "edit";
   const shown = isEdited ? shownRun(now) : undefined;
   const onto = shown && editedTree();
-  const [run, fired, fault] = [stateShown(now), firedShown(now), faultShown(now)];
-  const of = isEdited && (shown === undefined || onto === undefined) ? [] : [run, fired, fault, shown?.tree, onto];
+  const [run, fired, fault, badEnd] = [stateShown(now), firedShown(now), faultShown(now), badEndShown(now)];
+  const of = isEdited && (shown === undefined || onto === undefined) ? [] : [run, fired, fault, badEnd, shown?.tree, onto];
   if (of.length === made.length && of.every((each, i) => each === made[i])) return;
   made = of;
-  const live = of.length === 0 ? kNoRun : liveOf(run, fired, fault);
+  const live = of.length === 0 ? kNoRun : liveOf(run, fired, { fault, badEnd });
   store.dispatch(shown === undefined || onto === undefined ? live : projectLive(live, shown.tree, onto));
 }
 session.listen(refresh);
@@ -31,6 +31,10 @@ editing.listen(refresh);
 
 /** What `select` reads of the run; it must give the same value while nothing that it shows has changed. */
 export const useLive = <T>(select: (live: Live) => T): T => useSelected(store, select);
+
+const shownSlowly = slowly(store, (before, now) => before.faultAt !== now.faultAt || (before.run === undefined) !== (now.run === undefined));
+/** As `useLive`, for what is beside the drawing or not seen: late by a tenth of a second at most. */
+export const useLiveSlowly = <T>(select: (live: Live) => T): T => useSelected(shownSlowly, select);
 
 /** The live state now, for what is painted. */
 export const liveNow = (): Live => store.get();

@@ -1,13 +1,15 @@
 // The cell beside the task: below the properties or in a half of the workspace, if there is room; from there also as the whole page, or in a
 // window of its own.
-import { lazy, Suspense, useSyncExternalStore } from "react";
+import { Suspense, useSyncExternalStore } from "react";
 import { addressWith } from "../../shared/session/address";
 import type { CellPlace } from "../../shared/layout/panels";
+import { afterFirstDrawing } from "../canvas/firstDrawing";
 import { useSession, view } from "../client";
 import { hideCell, showCell, useCellPlace } from "../layout/panels";
 import { Splitter } from "../layout/Splitter";
+import { lateCell } from "./lateCell";
 
-const CellView = lazy(() => import("./CellView").then(({ CellView }) => ({ default: CellView })));
+const CellView = lateCell(afterFirstDrawing);
 
 const kRoom: Readonly<Record<CellPlace, MediaQueryList>> = {
   column: matchMedia("(min-width: 1081px) and (min-height: 640px)"),

@@ -11,7 +11,7 @@ import { CellTool } from "./CellTool";
 import { PartList } from "./PartList";
 import { useResetAsked } from "./reset";
 import { ResetButton, ResetCell } from "./ResetCell";
-import { shownPose, usePastCell } from "./shownPose";
+import { readPose, shownPose, usePastCell } from "./shownPose";
 import { useCamera, useCloud } from "./useCloud";
 import { useControl } from "./useControl";
 import { useWorld } from "./useWorld";
@@ -182,12 +182,12 @@ function CellClock() {
   const isPast = usePastCell();
   useEffect(() => {
     const write = () => {
-      const shown = shownPose.get();
+      const shown = readPose.get();
       const time = shown === undefined ? "" : `cell time ${shown.pose.time.toFixed(2)} s`;
       if (text.current !== null) text.current.textContent = shown?.step === undefined ? time : `as it was in step ${shown.step}, ${time}`;
     };
     write();
-    return shownPose.listen(write);
+    return readPose.listen(write);
   }, []);
   return <p className={`cell-clock${isPast ? " is-past" : ""}`} ref={text} />;
 }

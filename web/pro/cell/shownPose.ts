@@ -2,7 +2,7 @@
 import type { CellPose, Samples } from "../../generated/messages";
 import { poseAt } from "../../shared/past/samples";
 import { api, cellPose, session } from "../client";
-import { createStore, useSelected } from "../store";
+import { createStore, slowly, useSelected } from "../store";
 
 export interface ShownPose {
   readonly pose: CellPose;
@@ -11,6 +11,9 @@ export interface ShownPose {
 }
 
 export const shownPose = createStore<ShownPose | undefined, ShownPose | undefined>(undefined, (_, shown) => shown);
+
+/** What is read of it, as text. */
+export const readPose = slowly(shownPose, (before, now) => before?.step !== now?.step);
 
 /** Whether the cell is shown as it was. */
 export const usePastCell = (): boolean => useSelected(shownPose, (shown) => shown?.step !== undefined);

@@ -81,6 +81,12 @@ const hoverTips: Extension = [
   }),
 ];
 
+/** Completions that are still computed would open over what has the focus now. */
+function leave(view: EditorView, props: () => CodeFieldProps): void {
+  closeCompletion(view);
+  props().onCommit("blur");
+}
+
 /** What may change while the editor is there. */
 const shown = new Compartment();
 
@@ -102,7 +108,7 @@ export function editorExtensions(props: () => CodeFieldProps): Extension {
     indentUnit.of(kIndent),
     indentation,
     shown.of(shownAs(props())),
-    EditorView.domEventHandlers({ blur: () => props().onCommit("blur"), focus: () => props().assistance?.prepare() }),
+    EditorView.domEventHandlers({ blur: (_, view) => leave(view, props), focus: () => props().assistance?.prepare() }),
     hoverTips,
     typedOver,
     EditorView.lineWrapping,

@@ -7,6 +7,7 @@ import { useEditing } from "../edit/editing";
 import { goToComments } from "./goToComments";
 import { listComments, toggleComments, useCommentsListed } from "./listed";
 import { carryOutNow } from "./perform";
+import { counted } from "../../shared/counted";
 
 /** More are not listed. */
 const kMost = 200;
@@ -53,7 +54,7 @@ function Line({ tree, thread: { comment, answers } }: { readonly tree: Tree; rea
   const said = (
     <span className="comment-line">
       <b>{comment.author}</b>: {comment.text}
-      {answers.length > 0 && <small> {answers.length === 1 ? "1 answer" : `${answers.length} answers`}</small>}
+      {answers.length > 0 && <small> {counted(answers.length, "answer")}</small>}
     </span>
   );
   if (tree.elements.has(comment.about))

@@ -1,5 +1,4 @@
 // One breakpoint of the list: enabled or not, its place as a link, before or after, its operation, its condition, and what is wrong with it.
-import { useState, type KeyboardEvent } from "react";
 import type { KeptBreakpoint } from "../../generated/messages";
 import { asSent, type Entry, type Fields } from "../../shared/debugger/breakpoints";
 import { breakpointKey } from "../../shared/debugger/onCore";
@@ -9,6 +8,7 @@ import type { ModelTree } from "../../shared/model/modelTree";
 import { view } from "../client";
 import { useKnownServices } from "../edit/forms/useKnownServices";
 import { changeBreakpoints } from "./breakpoints";
+import { ConditionInput } from "./ConditionInput";
 import { useKept } from "./kept";
 
 interface Props {
@@ -45,7 +45,7 @@ export function BreakpointRow({ entry: { number, breakpoint }, tree }: Props) {
         >
           {before ? "before" : "after"}
         </button>
-        <ConditionInput value={breakpoint.condition ?? ""} isRequired={when === "fulfilled"} wrong={refused !== undefined} onCommit={(condition) => set({ condition })} />
+        <ConditionInput breakpoint={breakpoint} value={breakpoint.condition ?? ""} isRequired={when === "fulfilled"} wrong={refused !== undefined} onCommit={(condition) => set({ condition })} />
       </div>
       {refused !== undefined && <p className="breakpoint-error">Not in the run: {refused}</p>}
     </li>
@@ -77,29 +77,4 @@ function OperationChoice({ breakpoint, onChoose }: { readonly breakpoint: KeptBr
       ))}
     </select>
   );
-}
-
-interface ConditionProps {
-  readonly value: string;
-  readonly isRequired: boolean;
-  readonly wrong: boolean;
-  readonly onCommit: (condition: string) => void;
-}
-
-/** Enter or leaving the field takes what is written, Esc does not. */
-function ConditionInput({ value, isRequired, wrong, onCommit }: ConditionProps) {
-  const [draft, setDraft] = useState<string>();
-  const commit = () => {
-    const text = draft?.trim();
-    setDraft(undefined);
-    if (text !== undefined && text !== value && !(isRequired && text === "")) onCommit(text);
-  };
-  const press = (event: KeyboardEvent) => {
-    if (event.key === "Enter") commit();
-    else if (event.key === "Escape") setDraft(undefined);
-    else return;
-    event.preventDefault();
-    event.stopPropagation();
-  };
-  return <input aria-label="Condition" aria-invalid={wrong} placeholder="if …" maxLength={500} spellCheck={false} value={draft ?? value} onChange={({ target }) => setDraft(target.value)} onBlur={commit} onKeyDown={press} />;
 }

@@ -1,20 +1,16 @@
 // The derivation of every micro step: macro steps to the left, their proof trees in the middle, the selected inference to the right.
 import { memo, useState } from "react";
-import { leading, nodeAt, size, summary, type ProofPath } from "../../shared/derivation/proof";
-import type { Derivation, TraceStep } from "../../generated/messages";
+import { inferenceOf, leading, nodeAt } from "../../shared/derivation/proof";
+import type { TraceStep } from "../../generated/messages";
 import { stepsShown } from "../../shared/past/shown";
 import { callText } from "../../shared/run/inputText";
+import type { WantedInference } from "../../shared/session/view";
 import { useSession, useView } from "../client";
 import { Splitter } from "../layout/Splitter";
 import { InferenceCard } from "./InferenceCard";
-import { ProofTree } from "./ProofTree";
+import { ProofList, type Foldings, type Picked } from "./ProofList";
 import { StepList } from "./StepList";
 import { useSlowly } from "./useSlowly";
-
-export interface Picked {
-  readonly micro: number;
-  readonly path: ProofPath;
-}
 
 /** Steps that come faster are shown together [ms]: nobody reads more, and drawing them would slow the page down. */
 const kPace = 250;
@@ -22,10 +18,17 @@ const kPace = 250;
 export function DerivationPanel() {
   const steps = useSlowly(useSession(stepsShown), kPace);
   const wanted = useView((v) => v.step);
-  return <Steps steps={steps} wanted={wanted} />;
+  const inference = useView((v) => v.inference);
+  return <Steps steps={steps} wanted={wanted} inference={inference} />;
 }
 
-const Steps = memo(function Steps({ steps, wanted }: { readonly steps: readonly TraceStep[]; readonly wanted: number | undefined }) {
+interface StepsProps {
+  readonly steps: readonly TraceStep[];
+  readonly wanted: number | undefined;
+  readonly inference: WantedInference | undefined;
+}
+
+const Steps = memo(function Steps({ steps, wanted, inference }: StepsProps) {
   const shown = steps.find((step) => step.step === wanted) ?? steps.at(-1);
   if (shown === undefined) {
     return (
@@ -38,57 +41,38 @@ const Steps = memo(function Steps({ steps, wanted }: { readonly steps: readonly 
     <section className="derivation" aria-label="Derivation">
       <StepList steps={steps} shown={shown.step} follows={wanted === undefined} />
       <Splitter panel="steps" at="right" />
-      <StepProofs key={shown.step} step={shown} />
+      <StepProofs step={shown} wanted={shown.step === wanted ? inference : undefined} />
     </section>
   );
 });
 
-interface ProofProps {
-  readonly micro: Derivation;
-  readonly number: number;
-  readonly picked: ProofPath | undefined;
-  readonly onPick: (path: ProofPath) => void;
+/** What a reader does with a macro step: forgotten with the next one that is shown, and when something of it is asked for. */
+interface Reading {
+  readonly step: number;
+  readonly wanted: WantedInference | undefined;
+  readonly picked: Picked;
+  readonly foldings: Foldings;
 }
 
-function Proof({ micro, number, picked, onPick }: ProofProps) {
-  const [unfolded, setUnfolded] = useState(false);
-  return (
-    <article className="proof" aria-label={`Micro step ${number}`}>
-      <header>
-        <h3>Micro step {number}</h3>
-        <span>{summary(micro)}</span>
-        <button type="button" className="link" onClick={() => setUnfolded(!unfolded)}>
-          {unfolded ? "Fold" : "Unfold all"}
-        </button>
-        <small>{size(micro)} nodes</small>
-      </header>
-      <ProofTree key={String(unfolded)} root={micro} micro={number} picked={picked} onPick={onPick} unfolded={unfolded} />
-    </article>
-  );
+/** At first that inference is picked at which something happens in the first micro step, or in the one that is wanted: there, that of what is asked about. */
+function begin({ step, micro: proofs, first = 0 }: TraceStep, wanted: WantedInference | undefined): Reading {
+  const micro = Math.max(0, (wanted?.micro ?? 0) - first);
+  const root = proofs[micro];
+  const asked = root === undefined || wanted?.of === undefined ? undefined : inferenceOf(root, wanted.of);
+  return { step, wanted, picked: { micro, path: asked ?? (root === undefined ? [] : leading(root)) }, foldings: new Map() };
 }
 
-function firstPick(step: TraceStep): Picked {
-  const root = step.micro[0];
-  return { micro: 0, path: root === undefined ? [] : leading(root) };
-}
-
-function StepProofs({ step }: { readonly step: TraceStep }) {
-  const [picked, setPicked] = useState<Picked>(() => firstPick(step));
+function StepProofs({ step, wanted }: { readonly step: TraceStep; readonly wanted: WantedInference | undefined }) {
+  // Not a key of React's: a fast run would make all rows anew four times a second.
+  const [kept, setReading] = useState(() => begin(step, wanted));
+  const reading = kept.step === step.step && kept.wanted === wanted ? kept : begin(step, wanted);
+  const { picked, foldings } = reading;
   const root = step.micro[picked.micro];
   const node = root === undefined ? undefined : nodeAt(root, picked.path);
   return (
     <>
       <div className="proofs">
-        {step.micro.length === 0 && <p className="quiet pad">Nothing changed: this macro step has no micro step that is not idle.</p>}
-        {step.micro.map((micro, i) => (
-          <Proof
-            key={i}
-            micro={micro}
-            number={(step.first ?? 0) + i}
-            picked={picked.micro === i ? picked.path : undefined}
-            onPick={(path) => setPicked({ micro: i, path })}
-          />
-        ))}
+        {step.micro.length === 0 ? <p className="quiet pad">Nothing changed: this macro step has no micro step that is not idle.</p> : <ProofList step={step} picked={picked} wanted={wanted} foldings={foldings} onPick={(next) => setReading({ ...reading, picked: next })} onFold={(next) => setReading({ ...reading, foldings: next })} />}
         {step.calls.length > 0 && (
           <p className="calls">
             {step.calls.map((call, i) => (

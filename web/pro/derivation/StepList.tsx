@@ -5,6 +5,7 @@ import { microCount } from "../../shared/derivation/steps";
 import type { TraceStep } from "../../generated/messages";
 import { inputText } from "../../shared/run/inputText";
 import { view } from "../client";
+import { showRow } from "../panels/showRow";
 import { useRowsInView } from "../panels/useRowsInView";
 import { toPresent, visitStep } from "../past/past";
 
@@ -58,7 +59,7 @@ function Rows({ rows, shown, onOpen }: RowsProps) {
   const { first, end } = rows.length <= kWhole ? { first: 0, end: rows.length } : inView;
   const at = rows.findIndex((row) => row.kind === "step" && row.step.step === shown);
   useEffect(() => {
-    if (at >= 0) showRow(list.current, at);
+    if (at >= 0) showRow(list.current, ".step-rows", at, kRow);
   }, [at, rows.length]);
   return (
     <div className="step-rows">
@@ -74,15 +75,6 @@ function Rows({ rows, shown, onOpen }: RowsProps) {
       </ol>
     </div>
   );
-}
-
-/** Scrolls so that the row is in view. */
-function showRow(list: HTMLElement | null, index: number): void {
-  const scroller = list?.parentElement;
-  if (scroller === null || scroller === undefined) return;
-  const top = index * kRow;
-  if (top < scroller.scrollTop) scroller.scrollTop = top;
-  else if (top + kRow > scroller.scrollTop + scroller.clientHeight) scroller.scrollTop = top + kRow - scroller.clientHeight;
 }
 
 /** Where in the whole list a row is. */

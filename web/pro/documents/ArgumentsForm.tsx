@@ -1,7 +1,7 @@
 // The form for the arguments of a run; the keys of the page do nothing meanwhile. What is wrong stands under its field, and what the server refuses under them all; then nothing is made.
 import { useEffect, useRef, useState, type SyntheticEvent } from "react";
 import { readArguments } from "../../shared/arguments/entry";
-import { makeRun } from "../client";
+import { makeRun } from "../runCommands";
 import { makeStarted } from "../panels/startAsk";
 import { ArgumentField } from "./ArgumentField";
 import { closeForm, type Asked } from "./asking";

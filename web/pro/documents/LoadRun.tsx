@@ -1,6 +1,7 @@
 // The buttons that make a run of a document: at once, or with arguments.
 import { useEffect, useState } from "react";
-import { parametersOf } from "../client";
+import { afterFirstDrawing } from "../canvas/firstDrawing";
+import { parametersOf } from "../runCommands";
 import { ArgumentsForm } from "./ArgumentsForm";
 import { requestRun, useAsked } from "./asking";
 
@@ -10,9 +11,11 @@ interface Props {
   /** Why no run can be made of it, and the id of the element that says so. */
   readonly refusal: string | undefined;
   readonly refusalId: string;
+  /** The server is not there. */
+  readonly offline: boolean;
 }
 
-export function LoadRun({ document, refusal, refusalId }: Props) {
+export function LoadRun({ document, refusal, refusalId, offline }: Props) {
   const [hasParameters, setHasParameters] = useState(false);
   const asked = useAsked();
   const possible = document !== undefined && refusal === undefined;
@@ -21,7 +24,8 @@ export function LoadRun({ document, refusal, refusalId }: Props) {
     if (document === undefined || !possible) return;
     let current = true;
     // A document that cannot be loaded now says so when it is asked for.
-    void parametersOf(document).then((parameters) => current && setHasParameters(parameters.length > 0), () => undefined);
+    const known = afterFirstDrawing().then(() => (current ? parametersOf(document) : []));
+    void known.then((parameters) => current && setHasParameters(parameters.length > 0), () => undefined);
     return () => void (current = false);
   }, [document, possible]);
 
@@ -29,7 +33,7 @@ export function LoadRun({ document, refusal, refusalId }: Props) {
     <>
       <button
         type="button"
-        disabled={!possible}
+        disabled={!possible || offline}
         title={refusal}
         aria-describedby={refusal === undefined ? undefined : refusalId}
         onClick={() => document !== undefined && void requestRun(document, false)}
@@ -37,7 +41,7 @@ export function LoadRun({ document, refusal, refusalId }: Props) {
         Load
       </button>
       {hasParameters && possible && (
-        <button type="button" aria-haspopup="dialog" title="Make a run with arguments" onClick={() => void requestRun(document, true)}>
+        <button type="button" aria-haspopup="dialog" disabled={offline} title="Make a run with arguments" onClick={() => void requestRun(document, true)}>
           Arguments…
         </button>
       )}

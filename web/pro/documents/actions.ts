@@ -33,10 +33,11 @@ export async function makeRun(name: string): Promise<void> {
   await requestRun(name, false);
 }
 
-/** An empty document, open in the editor. */
+/** An empty document, open in the editor: also one that is open there and did not exist. */
 export async function create(name: string): Promise<void> {
   await api.putDocument(name, newDocumentText(name), { author: author() });
   await loadDocuments();
+  if (editing.get().document === name) closeDocument();
   edit(name);
 }
 

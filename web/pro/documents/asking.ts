@@ -1,6 +1,7 @@
 // The run that is to be made and needs arguments, or shall have some.
 import { areOptional, type RunParameter } from "../../shared/arguments/parameters";
-import { attempt, makeRun, parametersOf } from "../client";
+import { attempt } from "../client";
+import { makeRun, parametersOf } from "../runCommands";
 import { makeStarted } from "../panels/startAsk";
 import { createStore, useSelected } from "../store";
 

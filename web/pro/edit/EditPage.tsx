@@ -1,5 +1,6 @@
 // The page that edits a document: its name and state, the drawing, and what was refused.
 import { useEffect, useState } from "react";
+import type { ServerError } from "../../generated/messages";
 import { errorsText } from "../../shared/run/errorsText";
 import type { ModelTree } from "../../shared/model/modelTree";
 import { ModelCanvas } from "../canvas/ModelCanvas";
@@ -13,6 +14,7 @@ import { perform, showTop, useEditing } from "./editing";
 import { ErrorList } from "./ErrorList";
 import { DragLayer } from "./gestures/DragLayer";
 import { EditCanvas } from "./gestures/EditCanvas";
+import { MissingDocument } from "./MissingDocument";
 import { Prompts } from "./prompts/Prompts";
 import { Splitter } from "../layout/Splitter";
 import { DifferenceMarks } from "../live/DifferenceMarks";
@@ -41,7 +43,7 @@ export function EditPage({ tree, document }: Props) {
   const [listed, list] = useState(true);
   const places = useEditedPlaces();
   const unreadable = useEditing((now) => now.session?.unreadable);
-  const nothing = document === undefined ? "No document is open." : unreadable === undefined ? `Loading ${document}…` : `${document} cannot be edited: ${unreadable.message}`;
+  const nothing = document === undefined ? "No document is open." : unreadable === undefined ? `Loading ${document}…` : <Unreadable document={document} error={unreadable} />;
   useActionKeys();
   // Where it cannot be loaded, the fields are plain ones.
   useEffect(() => void loadCodeEditor().catch(() => undefined), []);
@@ -72,6 +74,10 @@ export function EditPage({ tree, document }: Props) {
   );
 }
 
+function Unreadable({ document, error }: { readonly document: string; readonly error: ServerError }) {
+  return error.code === "not_found" ? <MissingDocument document={document} /> : `${document} cannot be edited: ${error.message}`;
+}
+
 /** Signs of what is compared in the history; else of what the run does not execute. */
 function ShownDifference() {
   const versions = useComparedVersions();
@@ -99,8 +105,8 @@ function EditHead({ document, listed, onList }: HeadProps) {
       <h2>{document}</h2>
       <LibraryPlace />
       <span className="quiet" role="status">
-        {revision === undefined ? "not here yet" : `revision ${revision}`}
-        {session?.connected === false ? " · connection lost, edits wait" : waiting > 0 ? ` · ${waiting} on the way` : " · saved"}
+        {revision === undefined ? (session?.unreadable === undefined ? "not here yet" : "cannot be edited") : `revision ${revision}`}
+        {session?.connected === false ? " · connection lost, edits wait" : waiting > 0 ? ` · ${waiting} on the way` : revision === undefined ? "" : " · saved"}
       </span>
       {errors > 0 && (
         <button type="button" className="edit-errors" aria-expanded={listed} title={`${listed ? "Hide" : "List"} the errors; a draft cannot be started`} onClick={onList}>

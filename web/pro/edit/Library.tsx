@@ -7,7 +7,7 @@ import type { Tree } from "../../shared/edit/tree";
 import { runAction } from "./actions/action";
 import { placeFor } from "./actions/addActions";
 import { newId } from "./actions/commandAction";
-import { askName } from "./actions/editActions";
+import { askName } from "./actions/nameActions";
 import { actionOf } from "./actions/registry";
 import { carryOut } from "./carryOut";
 import { editedDocument, showTop, useEditing } from "./editing";
@@ -15,6 +15,7 @@ import { followPointer } from "./gestures/drag";
 import { dropNew, type NewThing } from "./gestures/dropNew";
 import { ask, type MenuEntry } from "./prompt";
 import { situationNow } from "./situation";
+import { counted } from "../../shared/counted";
 
 export function Library() {
   const tree = useEditing((now) => now.session?.view);
@@ -78,7 +79,7 @@ function Row({ tree, id, shown }: { readonly tree: Tree; readonly id: string; re
         onPointerDown={(event) => event.button === 0 && followPointer(event, () => dropNew(linkTo(tree, id)))}
         onClick={() => showTop(id)}
       >
-        {name} <small>{uses === 0 ? "not used" : `${uses} ${uses === 1 ? "link" : "links"}`}</small>
+        {name} <small>{uses === 0 ? "not used" : counted(uses, "link")}</small>
       </button>
       <button
         type="button"

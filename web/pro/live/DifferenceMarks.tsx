@@ -6,6 +6,7 @@ import type { Box } from "../../shared/drawing/drawing";
 import { CanvasLayer } from "../canvas/CanvasLayer";
 import { useShownCanvas } from "../canvas/canvasView";
 import type { Laid } from "../canvas/useDrawing";
+import { Ghosts } from "../versions/Ghosts";
 import type { Compared } from "../../shared/edit/difference/compare";
 
 /** More signs would hide the drawing. */
@@ -34,6 +35,7 @@ export function DifferenceMarks({ compared }: { readonly compared: Compared }) {
   }, [laid, compared]);
   return (
     <CanvasLayer className="difference-marks">
+      {laid !== undefined && <Ghosts compared={compared} laid={laid} />}
       {marks.slice(0, kMost).map(({ id, box, kind, sign, text }) => (
         <span key={id} role="img" className={`difference-mark is-${kind}`} data-mark={id} aria-label={text} title={text} style={{ left: box.x + box.width, top: box.y }}>
           {sign}

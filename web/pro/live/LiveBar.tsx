@@ -18,6 +18,7 @@ export function LiveBar() {
 function Bar({ core }: { readonly core: Core }) {
   const revision = useEditing((now) => now.session?.confirmed?.revision);
   const shown = useView((v) => v.runShown);
+  const lost = useSession((s) => s.connection === "lost");
   if (revision === undefined) return null;
   return (
     <section className="live-bar" aria-label="Run of this document">
@@ -26,7 +27,7 @@ function Bar({ core }: { readonly core: Core }) {
       <span className="live-choices">
         {!isOver(core) && (
           <label className="follow" title="Each edit without errors changes the run between its macro steps. A new port or action may move the robot.">
-            <input type="checkbox" checked={core.live} onChange={(event) => void follow(event.target.checked)} /> Follow edits
+            <input type="checkbox" checked={core.live} disabled={lost} onChange={(event) => void follow(event.target.checked)} /> Follow edits
           </label>
         )}
         <label className="follow" title="Active states and values of the run, and what differs from it, on the drawing and in the forms">

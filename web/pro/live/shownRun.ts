@@ -1,8 +1,9 @@
 // The run that is shown on the drawing of the document that is edited: the watched one, if it is of this document and the user has not hidden it.
-import type { Core, RunState } from "../../generated/messages";
+import type { Core } from "../../generated/messages";
 import { runOfDocument } from "../../shared/live/shownRun";
 import type { ModelTree } from "../../shared/model/modelTree";
 import { stateShown } from "../../shared/past/shown";
+import type { LiveState } from "../../shared/run/liveState";
 import { watchedCore, type Session } from "../../shared/session/session";
 import { session, useSession, useView, view } from "../client";
 import { editing, useEditing } from "../edit/editing";
@@ -17,7 +18,7 @@ export function useRunOfDocument(): Core | undefined {
 /** What a form shows of a run. */
 export interface ShownRun {
   readonly core: Core;
-  readonly run: RunState;
+  readonly run: LiveState;
   readonly tree: ModelTree;
 }
 

@@ -1,12 +1,16 @@
 // The answers to a question that a run waits for, in place. A way out does not look like a way on.
 import { useState } from "react";
-import { isBadOutcome } from "../../shared/run/controls";
+import { isWayOut } from "../../shared/display/answers";
 import type { Answers, PersonWait } from "../../shared/run/waitingForPerson";
+import { useSession } from "../client";
 import { useAttempt } from "../documents/useAttempt";
 import { giveAnswer } from "./answering";
 
 export function AnswerHere({ wait, answers }: { readonly wait: PersonWait; readonly answers: Answers }) {
-  const { attempt, reason, busy } = useAttempt();
+  const attempts = useAttempt();
+  const { attempt, reason } = attempts;
+  const lost = useSession((s) => s.connection === "lost");
+  const busy = attempts.busy || lost;
   const give = (answer: string | number) => void attempt(() => giveAnswer(wait, answer));
   return (
     <div className="answers" role="group" aria-label="Answers">
@@ -14,7 +18,7 @@ export function AnswerHere({ wait, answers }: { readonly wait: PersonWait; reado
         <NumberAnswer number={answers.number} busy={busy} give={give} />
       ) : (
         answers.buttons.map((text) => (
-          <button key={text} type="button" className={isBadOutcome(text) ? "is-out" : ""} disabled={busy} onClick={() => give(text)}>
+          <button key={text} type="button" className={isWayOut(text) ? "is-out" : ""} disabled={busy} onClick={() => give(text)}>
             {text}
           </button>
         ))

@@ -4,6 +4,7 @@ import { stateShown } from "../../shared/past/shown";
 import { inboundPorts, type ModelTree } from "../../shared/model/modelTree";
 import { useSession, view } from "../client";
 import { RunComments } from "../comments/RunComments";
+import { counted } from "../../shared/counted";
 
 interface Props {
   readonly tree: ModelTree;
@@ -25,7 +26,7 @@ export function BarrierProperties({ tree, path, barrier }: Props) {
       </header>
       <section aria-label="Waits for">
         <h3>
-          {arrived.length} of {inbound.length} inbound ports have arrived
+          {arrived.length} of {counted(inbound.length, "inbound port has", "inbound ports have")} arrived
         </h3>
         <ul className="arrivals">
           {inbound.map((port) => (

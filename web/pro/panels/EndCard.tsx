@@ -1,9 +1,15 @@
-// How a run ended: the port of the root, the chain of ports that led there, what came from outside, and the results.
+// How a run ended: the port of the root, how long it took, the chain of ports that led there, what came from outside, and the results.
 import { useMemo } from "react";
-import { causes, type Cause } from "../../shared/run/causes";
+import type { Core } from "../../generated/messages";
+import { counted } from "../../shared/counted";
+import { causes } from "../../shared/run/causes";
+import { isOver, statusText } from "../../shared/run/controls";
 import { inputText } from "../../shared/run/inputText";
 import type { ModelTree } from "../../shared/model/modelTree";
-import { useCore, useSession, view } from "../client";
+import { useCore, useSession } from "../client";
+import { CauseList } from "./CauseList";
+import { showInput } from "./showInput";
+import { useDuration } from "./useDuration";
 import { ValueTable } from "./ValueTable";
 
 export function EndCard({ tree }: { readonly tree: ModelTree | undefined }) {
@@ -12,40 +18,39 @@ export function EndCard({ tree }: { readonly tree: ModelTree | undefined }) {
   const root = tree?.keys().next().value;
   const address = core?.outcome === undefined || root === undefined ? undefined : `${root}.${core.outcome}`;
   const chain = useMemo(() => (tree === undefined || address === undefined ? [] : causes(tree, steps, address)), [tree, steps, address]);
-  if (core?.outcome === undefined) return null;
+  const over = core !== undefined && isOver(core) ? core : undefined;
+  const duration = useDuration(over?.step === 0 ? undefined : over?.id);
+  if (over === undefined) return null;
   const last = chain.at(-1);
   return (
     <section className="end-card" aria-label="How it ended">
       <h3>
-        Left through <code>{core.outcome}</code>
+        {over.outcome === undefined ? (
+          endText(over)
+        ) : (
+          <>
+            Left through <code>{over.outcome}</code>
+          </>
+        )}
       </h3>
-      <ol aria-label="Causes">
-        {chain.map((cause) => (
-          <li key={cause.address}>
-            <CauseRow cause={cause} />
-          </li>
-        ))}
-      </ol>
-      {last?.input !== undefined && (
+      {duration !== undefined && (
         <p>
-          Upon <code>{inputText(last.input)}</code>
+          Took <b>{duration}</b>, {counted(over.step, "macro step")}
         </p>
       )}
-      {core.results !== undefined && <ValueTable title="Results" names={Object.keys(core.results)} values={core.results} />}
+      <CauseList chain={chain} />
+      {last?.input !== undefined && (
+        <p>
+          Upon{" "}
+          <button type="button" className="link" onClick={() => showInput(last.firing.step)}>
+            <code>{inputText(last.input)}</code>
+          </button>
+        </p>
+      )}
+      {over.results !== undefined && <ValueTable title="Results" names={Object.keys(over.results)} values={over.results} />}
     </section>
   );
 }
 
-function CauseRow({ cause: { address, condition, firing } }: { readonly cause: Cause }) {
-  return (
-    <>
-      <button type="button" className="link" onClick={() => view.dispatch({ type: "jump", selection: { kind: "port", address } })}>
-        {address}
-      </button>
-      <code>{condition}</code>
-      <button type="button" className="link" onClick={() => view.dispatch({ type: "step", step: firing.step })}>
-        macro step {firing.step}, micro step {firing.micro}
-      </button>
-    </>
-  );
-}
+/** Of a run that did not end through a port; what the fault was stands below. */
+const endText = (core: Core): string => (core.status === "faulted" ? "Ended by a fault" : statusText(core));

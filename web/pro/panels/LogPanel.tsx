@@ -1,32 +1,74 @@
-// The server's log, newest at the end, with a filter.
+// The server's log, newest at the end, with what was forced in the watched run, and a filter.
 import { useEffect, useMemo, useRef, useState } from "react";
+import type { LogEntry } from "../../generated/messages";
+import { momentText } from "../../shared/past/moment";
+import { loggedStep, type LoggedStep } from "../../shared/runs/callLog";
+import { forcedLines, matchingLines, runLog, type LogLine } from "../../shared/runs/runLog";
 import { useSession } from "../client";
+import { useSteps, type LoadedSteps } from "../timeline/loading";
+import { useTimes } from "../timeline/times";
+import { showInput } from "./showInput";
 
 export function LogPanel() {
   const log = useSession((s) => s.log);
+  const loaded = useSteps(loggedStep);
   const [filter, setFilter] = useState("");
-  const end = useRef<HTMLDivElement>(null);
-  const shown = useMemo(() => {
-    const wanted = filter.trim().toLowerCase();
-    return wanted === "" ? log : log.filter((entry) => `${entry.source} ${entry.text}`.toLowerCase().includes(wanted));
-  }, [log, filter]);
-  useEffect(() => {
-    end.current?.scrollIntoView({ block: "nearest" });
-  }, [shown]);
   return (
     <section className="log" aria-label="Log">
       <input type="search" placeholder="Filter" aria-label="Filter the log" value={filter} onChange={(event) => setFilter(event.target.value)} />
-      <div className="log-lines" role="log">
-        {shown.map((entry, i) => (
-          <div key={i} className="log-line">
-            <time>{entry.time.toFixed(3)} s</time>
-            <b>{entry.source}</b>
-            <span>{entry.text}</span>
-          </div>
-        ))}
-        {shown.length === 0 && <p className="quiet">No lines.</p>}
-        <div ref={end} />
-      </div>
+      {loaded?.steps.length === 0 || loaded === undefined ? <Lines lines={matchingLines(log, filter)} /> : <WithForced log={log} loaded={loaded} filter={filter} />}
     </section>
+  );
+}
+
+interface Props {
+  readonly log: readonly LogEntry[];
+  readonly loaded: LoadedSteps<LoggedStep>;
+  readonly filter: string;
+}
+
+function WithForced({ log, loaded: { id, steps }, filter }: Props) {
+  const entries = useMemo(() => steps.flatMap((step) => step.entries.filter(({ kind }) => kind === "force")), [steps]);
+  const [from, to] = [entries[0]?.step ?? 1, entries.at(-1)?.step ?? 1];
+  const { times: first } = useTimes(id, 1, 1);
+  const { times: forced } = useTimes(id, from, to);
+  const times = useMemo(() => first && forced && { ...forced, began: new Map([...first.began, ...forced.began]) }, [first, forced]);
+  const lines = useMemo(() => matchingLines(runLog(log, forcedLines(log, id, entries, times)), filter), [log, id, entries, times, filter]);
+  return <Lines lines={lines} />;
+}
+
+function Lines({ lines }: { readonly lines: readonly LogLine[] }) {
+  const end = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    end.current?.scrollIntoView({ block: "nearest" });
+  }, [lines]);
+  return (
+    <div className="log-lines" role="log">
+      {lines.map((line, i) => (
+        <Line key={i} line={line} />
+      ))}
+      {lines.length === 0 && <p className="quiet">No lines.</p>}
+      <div ref={end} />
+    </div>
+  );
+}
+
+function Line({ line: { time, source, text, forced } }: { readonly line: LogLine }) {
+  return (
+    <div className={forced === undefined ? "log-line" : "log-line is-forced"}>
+      <time>{time === undefined ? "" : `${time.toFixed(3)} s`}</time>
+      <b>{source}</b>
+      <span>
+        {text}
+        {forced !== undefined && (
+          <>
+            {", in "}
+            <button type="button" className="link" title="Show it among the calls and events" onClick={() => showInput(forced.step)}>
+              step {momentText({ step: forced.step, micro: 0 })}
+            </button>
+          </>
+        )}
+      </span>
+    </div>
   );
 }

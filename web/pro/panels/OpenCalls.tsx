@@ -1,27 +1,15 @@
 // What the run has called and not been answered, and since when.
-import { useEffect, useState, type ReactNode } from "react";
+import type { ReactNode } from "react";
 import type { Core } from "../../generated/messages";
 import { calledText, openCallsOf } from "../../shared/run/openCalls";
-import { cellPose, useSession } from "../client";
-
-/** The time of the cell, read some times a second while something depends on it. */
-function useCellTime(wanted: boolean): number | undefined {
-  const [time, setTime] = useState<number>();
-  useEffect(() => {
-    if (!wanted) return;
-    const read = () => setTime(cellPose.get()?.time);
-    read();
-    const timer = setInterval(read, 300);
-    return () => clearInterval(timer);
-  }, [wanted]);
-  return time;
-}
+import { useSession } from "../client";
+import { usePersonWait } from "./question";
+import { useCellTime } from "./useCellTime";
 
 /** More are not listed: a run may have thousands. */
 const kMost = 8;
 
 export interface ListedCall {
-  readonly key: number;
   readonly service: string;
   readonly operation: string;
   /** What more there is to say of it. */
@@ -41,8 +29,9 @@ export function CallList({ calls, empty }: CallListProps) {
       <h3>Open calls</h3>
       {calls.length === 0 && empty !== undefined && <p className="quiet">{empty}</p>}
       <ul className="open-calls">
-        {calls.slice(0, kMost).map(({ key, service, operation, about }) => (
-          <li key={key}>
+        {calls.slice(0, kMost).map(({ service, operation, about }, i) => (
+          // The rows stay while a run goes on, and say something else.
+          <li key={i}>
             <code>
               {service}.{operation}
             </code>
@@ -58,7 +47,8 @@ export function CallList({ calls, empty }: CallListProps) {
 export function OpenCalls({ core }: { readonly core: Core }) {
   const services = useSession((s) => s.services);
   const calls = openCallsOf(core, services);
+  const wait = usePersonWait();
   const now = useCellTime(calls.length > 0);
   if (calls.length === 0) return null;
-  return <CallList calls={calls.map((call) => ({ key: call.call, service: call.service, operation: call.operation, about: calledText(call, now) }))} />;
+  return <CallList calls={calls.map((call) => ({ service: call.service, operation: call.operation, about: calledText(call, now, wait) }))} />;
 }

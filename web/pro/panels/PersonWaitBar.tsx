@@ -1,45 +1,16 @@
-// The run waits for a person: what is asked, the answers, and the way to the page of a display.
-import { useEffect, useEffectEvent, useMemo, useState } from "react";
-import type { TraceStep } from "../../generated/messages";
-import { displayAddress, stepThatAsked, waitingForPerson, type PersonWait } from "../../shared/run/waitingForPerson";
-import { api, useCore, useSession } from "../client";
+// The run waits for a person: what is asked, the answers, and the way to the page of a display; or that no display is there to ask on.
+import { displayAddress, displayOf, isAsking, ownDisplayFor } from "../../shared/run/displayCalls";
+import { textOn, type Unseen } from "../../shared/run/onDisplays";
+import { askPairing } from "../pairing/pairing";
 import { AnswerHere } from "./AnswerHere";
 import { Icon } from "./Icon";
-
-/** What the watched run waits for; nothing, or a person. `asked`: a step that the page has besides those of the derivation. */
-export function usePersonWait(asked?: TraceStep): PersonWait | undefined {
-  const core = useCore();
-  const services = useSession((s) => s.services);
-  const steps = useSession((s) => s.steps);
-  return useMemo(() => waitingForPerson(core, services, asked === undefined ? steps : [...steps, asked]), [core, services, steps, asked]);
-}
-
-/** What waits for a person, and what is asked: of a run whose derivations are not sent, or that has gone on for long, the step that asked is loaded. */
-function useQuestion(): PersonWait | undefined {
-  const [asked, setAsked] = useState<TraceStep>();
-  const core = useCore();
-  const wait = usePersonWait(asked);
-  const [id, service, call] = [core?.id, wait?.service, wait?.call];
-  const isKnown = wait?.question !== undefined;
-  // The question is first seen now: later steps need not be looked through.
-  const load = useEffectEvent((run: string, asking: string) => stepThatAsked({ service: asking, call }, core?.step ?? 0, (from, to) => api.derivations(run, from, to)));
-  useEffect(() => {
-    if (id === undefined || service === undefined || isKnown) return;
-    let current = true;
-    load(id, service).then(
-      (found) => current && setAsked(found),
-      () => undefined, // It is shown without its words.
-    );
-    return () => {
-      current = false;
-    };
-  }, [id, service, call, isKnown]);
-  return wait;
-}
+import { becomeDisplay } from "./ownDisplay";
+import { useQuestion, useUnseen } from "./question";
 
 export function PersonWaitBar() {
   const wait = useQuestion();
-  if (wait === undefined) return null;
+  const unseen = useUnseen();
+  if (wait === undefined) return unseen !== undefined && isAsking(unseen.call.operation) ? <NoDisplay unseen={unseen} /> : null;
   return (
     <div className="interruption person-wait" role="alert" aria-label="Waiting for a person">
       <Icon name="interrupted" />
@@ -47,12 +18,43 @@ export function PersonWaitBar() {
         <strong>Waiting for a person{wait.question === undefined ? "" : `: ${wait.question}`}</strong>
         <p>
           Asked by <code>{`svc.${wait.service}.${wait.operation}`}</code> on {wait.display === "all" ? "every display" : `the display ${wait.display}`}.{" "}
-          <a href={displayAddress(wait)} target="_blank" rel="noreferrer">
+          <a href={displayAddress(wait.display)} target="_blank" rel="noreferrer">
             Open a display
           </a>
         </p>
       </div>
       {wait.answers !== undefined && <AnswerHere key={`${wait.service} ${wait.call}`} wait={wait} answers={wait.answers} />}
+    </div>
+  );
+}
+
+function NoDisplay({ unseen: { call, isHeard } }: { readonly unseen: Unseen }) {
+  const display = displayOf(call);
+  const question = textOn(call);
+  return (
+    <div className="interruption person-wait" role="alert" aria-label="Waiting for a display">
+      <Icon name="interrupted" />
+      <div>
+        <strong>
+          {!isHeard ? "No display has taken the question" : display === "all" ? "No display is connected: nobody was asked" : `The display ${display} is not connected: nobody was asked`}
+          {question === undefined ? "" : ` “${question}”`}
+        </strong>
+        <p>
+          The call of <code>{`svc.${call.service}.${call.operation}`}</code> was answered by an error{isHeard ? "" : ", which nothing in the task reads: no display is connected, or its arguments are wrong"}. A task that asks again does
+          so on the display that is there then.
+        </p>
+      </div>
+      <div className="answers" role="group" aria-label="Ways to a display">
+        <button type="button" title={`This page becomes the display ${ownDisplayFor(display)}`} onClick={() => becomeDisplay(ownDisplayFor(display))}>
+          Answer on this page
+        </button>
+        <a href={displayAddress(display)} target="_blank" rel="noreferrer">
+          Open a display
+        </a>
+        <button type="button" className="link" onClick={() => askPairing(true)}>
+          Pair a phone
+        </button>
+      </div>
     </div>
   );
 }

@@ -2,27 +2,19 @@
 import { kOfPort } from "../../shared/debugger/places";
 import { waitingState } from "../../shared/model/afters";
 import { portText, valueText } from "../../shared/model/describe";
-import { exitsThrough } from "../../shared/model/exitReferences";
+import { leadsText } from "../../shared/model/leadsText";
 import type { Port } from "../../shared/model/model";
-import { nameOf, splitAddress, stateAt, type ModelTree } from "../../shared/model/modelTree";
+import { nameOf, splitAddress, type ModelTree } from "../../shared/model/modelTree";
 import { firedShown, stateShown } from "../../shared/past/shown";
 import { useSession, view } from "../client";
 import { BreakpointChoices } from "../debugger/BreakpointChoices";
 import { AskWhy } from "./AskWhy";
-
-/** Where a port leads: to a sibling, out of the state around, which reads it, or nowhere. */
-function leadsText({ to }: Port, exits: readonly string[]): string {
-  const ends = exits.length === 0 ? "" : `The state around it is left through ${exits.join(" or ")}, which reads it.`;
-  if (to !== undefined) return `Leads to ${to}.${ends === "" ? "" : ` ${ends}`}`;
-  return ends === "" ? "Leads nowhere, and no port of the state around reads it." : ends;
-}
 
 export function PortProperties({ tree, address, port }: { readonly tree: ModelTree | undefined; readonly address: string; readonly port: Port }) {
   const run = useSession(stateShown);
   const fired = useSession((s) => firedShown(s).ports.includes(address));
   const active = run?.ports.includes(address) === true;
   const path = splitAddress(address)?.path ?? "";
-  const exits = exitsThrough(tree && stateAt(tree, path.slice(0, path.lastIndexOf("/"))), nameOf(path), port.name);
   return (
     <>
       <header className="prop-head">
@@ -41,10 +33,10 @@ export function PortProperties({ tree, address, port }: { readonly tree: ModelTr
           <code>{portText(port)}</code>
         </pre>
         {port.after !== undefined && <Waiting address={address} />}
-        <p className="quiet">{leadsText(port, exits)}</p>
+        <p className="quiet">{leadsText(port, path, tree)}</p>
       </section>
       <BreakpointChoices kinds={kOfPort} />
-      <AskWhy key={address} address={address} />
+      <AskWhy key={address} subject={{ port: address }} />
     </>
   );
 }
@@ -52,7 +44,7 @@ export function PortProperties({ tree, address, port }: { readonly tree: ModelTr
 /** What a port with a time-out waits for, and what it is in derivations and explanations. */
 function Waiting({ address }: { readonly address: string }) {
   const path = waitingState(address);
-  const seconds = useSession((s) => (stateShown(s)?.active.includes(path) === true ? stateShown(s)?.parameters[path]?.["seconds"] : undefined));
+  const seconds = useSession((s) => (stateShown(s)?.active.includes(path) === true ? stateShown(s)?.parameters.get(path)?.["seconds"] : undefined));
   return (
     <p className="quiet">
       Counted from the activation of its state{seconds === undefined ? "" : `, this time ${valueText(seconds)} s`}. In the derivation, the state <code>{nameOf(path)}</code> waits for it.

@@ -1,8 +1,9 @@
 // The run bar: start, pause, step, stop, and the status of the run.
 import type { Core } from "../../generated/messages";
 import { allowedBeside } from "../../shared/live/shownRun";
-import { primary, statusLook, statusText, type Command } from "../../shared/run/controls";
+import { kEffects, primary, statusLook, statusText, type Command } from "../../shared/run/controls";
 import { isInterrupted } from "../../shared/run/interruption";
+import { lastStatusText } from "../../shared/run/lostText";
 import { keysOf, type Shortcut } from "../../shared/session/shortcuts";
 import type { Drawer } from "../../shared/session/view";
 import { commandable } from "../../shared/session/session";
@@ -11,7 +12,7 @@ import { openDocument, useEditing } from "../edit/editing";
 import { StepButtons } from "../debugger/StepButtons";
 import { PastButtons } from "../past/PastButtons";
 import { Icon, type IconName } from "./Icon";
-import { usePersonWait } from "./PersonWaitBar";
+import { usePersonStatus } from "./question";
 import { command } from "./startAsk";
 
 interface ButtonSpec {
@@ -30,10 +31,10 @@ const firstButton: Readonly<Record<"start" | "resume" | "again", ButtonSpec>> = 
 };
 
 const buttons: readonly ButtonSpec[] = [
-  { command: "pause", name: "Pause", key: "pause", icon: "pause", says: "the task takes no more inputs; a motion that was called goes on to its end" },
+  { command: "pause", name: "Pause", key: "pause", icon: "pause", says: kEffects.pause },
   { command: "micro", name: "Micro step", key: "micro", icon: "micro" },
   { command: "macro", name: "Macro step", key: "macro", icon: "macro" },
-  { command: "stop", name: "Stop", key: "stop", icon: "stop", says: "the run ends, and its services are told to be safe: a robot brakes and stands" },
+  { command: "stop", name: "Stop", key: "stop", icon: "stop", says: kEffects.stop },
 ];
 
 export function RunBar() {
@@ -44,7 +45,7 @@ export function RunBar() {
   const commands = allowedBeside(useSession(commandable), edited);
   const lost = useSession((s) => s.connection === "lost");
   const past = useSession((s) => s.past !== undefined);
-  const asks = usePersonWait() !== undefined;
+  const asks = usePersonStatus();
   const lead = primary(core);
   const first = firstButton[lead === "resume" || lead === "again" ? lead : "start"];
   return (
@@ -52,7 +53,8 @@ export function RunBar() {
       {past && <span className="of-present">The present</span>}
       {[first, ...buttons].map((spec) => (
         <button
-          key={spec.command}
+          // One button, so that it keeps the focus.
+          key={spec.key}
           type="button"
           className={`run-button run-${spec.command}`}
           disabled={!commands.has(spec.command)}
@@ -68,9 +70,9 @@ export function RunBar() {
       <StepButtons />
       <PastButtons />
       {core !== undefined && (
-        <p className={`run-status is-${asks ? "paused" : statusLook(core)}`} role="status" aria-label="Run status">
+        <p className={`run-status is-${asks !== undefined ? "paused" : statusLook(core)}`} role="status" aria-label="Run status">
           {isInterrupted(core) ? <Icon name="interrupted" /> : <i aria-hidden="true" />}
-          <strong>{lost ? `Not known; last: ${statusText(core)}` : asks && !core.paused ? "Waiting for a person" : statusText(core)}</strong>
+          <strong>{lost ? lastStatusText(core) : asks !== undefined && !core.paused ? asks : statusText(core)}</strong>
           <span>
             step {core.step}
             {core.micro > 0 ? `, micro step ${core.micro}` : ""}

@@ -1,14 +1,17 @@
 // Properties when nothing is selected: the run as a whole.
 import type { ModelTree } from "../../shared/model/modelTree";
-import { isOver, statusLook, statusText } from "../../shared/run/controls";
+import { isOver, kEffects, statusLook, statusText } from "../../shared/run/controls";
 import { inputText } from "../../shared/run/inputText";
-import { selectionAt } from "../../shared/session/view";
-import { follow, useCore, useSession, view } from "../client";
+import { movedBy } from "../../shared/run/moving";
+import { lastStatusText } from "../../shared/run/lostText";
+import { follow, useCore, useSession } from "../client";
 import { PastProperties } from "../past/PastProperties";
 import { CodeText } from "./CodeText";
 import { EndCard } from "./EndCard";
+import { FaultCard } from "./FaultCard";
+import { HeldInputs } from "./HeldInputs";
 import { OpenCalls } from "./OpenCalls";
-import { usePersonWait } from "./PersonWaitBar";
+import { usePersonStatus } from "./question";
 import { ValueTable } from "./ValueTable";
 
 export function RunProperties({ tree }: { readonly tree: ModelTree | undefined }) {
@@ -16,7 +19,9 @@ export function RunProperties({ tree }: { readonly tree: ModelTree | undefined }
   const last = useSession((s) => s.lastInput);
   const past = useSession((s) => s.past?.past);
   const name = useSession((s) => s.model?.name);
-  const asks = usePersonWait() !== undefined;
+  const lost = useSession((s) => s.connection === "lost");
+  const asks = usePersonStatus();
+  const stops = useSession((s) => core?.status === "running" && s.model !== undefined && movedBy(s.model, s.services)?.length !== 0);
   if (core === undefined) {
     return (
       <div className="empty-note">
@@ -32,8 +37,10 @@ export function RunProperties({ tree }: { readonly tree: ModelTree | undefined }
       <header className="prop-head">
         <small>Run {core.id}</small>
         <h2>{name === undefined || name === "" ? core.document : name}</h2>
-        <span className={`pill is-${asks ? "paused" : statusLook(core)}`}>{asks && !core.paused ? "Waiting for a person" : statusText(core)}</span>
+        <span className={`pill is-${asks !== undefined ? "paused" : statusLook(core)}`}>{lost ? lastStatusText(core) : asks !== undefined && !core.paused ? asks : statusText(core)}</span>
       </header>
+      {core.status === "running" && core.paused && !lost && <p className="quiet">Paused: {kEffects.pause}.</p>}
+      {stops && !lost && <p className="quiet">Stop: {kEffects.stop}.</p>}
       {interruption !== undefined && (
         <section className="interrupted" aria-label="Interrupted">
           <h3>Interrupted</h3>
@@ -43,15 +50,7 @@ export function RunProperties({ tree }: { readonly tree: ModelTree | undefined }
         </section>
       )}
       <EndCard tree={tree} />
-      {fault !== undefined && (
-        <section className="fault" aria-label="Fault">
-          <h3>Fault: {fault.kind}</h3>
-          <p>{fault.message}</p>
-          <button type="button" className="link" onClick={() => view.dispatch({ type: "jump", selection: (tree && selectionAt(tree, fault.at)) ?? { kind: "node", path: fault.at } })}>
-            at {fault.at}
-          </button>
-        </section>
-      )}
+      {fault !== undefined && <FaultCard core={core} fault={fault} tree={tree} />}
       <section>
         <h3>Progress</h3>
         <dl className="pairs">
@@ -69,6 +68,7 @@ export function RunProperties({ tree }: { readonly tree: ModelTree | undefined }
           )}
         </dl>
       </section>
+      <HeldInputs core={core} />
       <OpenCalls core={core} />
       {!isOver(core) && (
         <section>
@@ -77,7 +77,7 @@ export function RunProperties({ tree }: { readonly tree: ModelTree | undefined }
             {core.document}, revision {core.revision}
           </p>
           <label className="follow">
-            <input type="checkbox" checked={core.live} onChange={(event) => void follow(event.target.checked)} /> Follow edits while it runs
+            <input type="checkbox" checked={core.live} disabled={lost} onChange={(event) => void follow(event.target.checked)} /> Follow edits while it runs
           </label>
           <p className="quiet">Each edit without errors then changes this run between its macro steps. A new port or action may move the robot.</p>
         </section>

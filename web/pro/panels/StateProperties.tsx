@@ -1,4 +1,5 @@
 // A selected state: its interface with live values, its functions in full, its ports, and stepping to it.
+import { Fragment } from "react";
 import { kOfState } from "../../shared/debugger/places";
 import type { State } from "../../shared/model/model";
 import { allowed, until } from "../../shared/run/controls";
@@ -11,6 +12,7 @@ import { ActionBreakpoint, BreakpointChoices } from "../debugger/BreakpointChoic
 import { Code } from "./Code";
 import { command } from "./startAsk";
 import { ValueTable } from "./ValueTable";
+import { WhyAnswer, WhyButton } from "./WhyOf";
 
 export function StateProperties({ path, state }: { readonly path: string; readonly state: State }) {
   const live = useSession(stateShown);
@@ -28,14 +30,18 @@ export function StateProperties({ path, state }: { readonly path: string; readon
       {state.doc !== undefined && <p className="doc">{state.doc}</p>}
       <StepTo path={path} state={state} />
       <BreakpointChoices kinds={kOfState} />
-      <ValueTable title="Parameters" names={state.parameters.map((p) => p.name)} values={live?.parameters[path]} notes={sources} forced={{ path, scope: "par" }} />
-      <ValueTable title="Results" names={state.results.map((r) => r.name)} values={live?.results[path]} forced={{ path, scope: "res" }} />
-      <ValueTable title="Variables" names={state.variables.map((v) => v.name)} values={live?.variables[path]} forced={{ path, scope: "var" }} />
+      <ValueTable title="Parameters" names={state.parameters.map((p) => p.name)} values={live?.parameters.get(path)} notes={sources} forced={{ path, scope: "par" }} parametersOf={path} />
+      <ValueTable title="Results" names={state.results.map((r) => r.name)} values={live?.results.get(path)} forced={{ path, scope: "res" }} />
+      <ValueTable title="Variables" names={state.variables.map((v) => v.name)} values={live?.variables.get(path)} forced={{ path, scope: "var" }} />
       {state.entry !== undefined && <Code title="Entry" code={state.entry} />}
       {state.actions.map((action, i) => (
-        <Code key={i} title={`Action ${i}`} condition={action.when} code={action.do}>
-          <ActionBreakpoint id={action.id} />
-        </Code>
+        <Fragment key={i}>
+          <Code title={`Action ${i + 1}`} condition={action.when} code={action.do}>
+            <ActionBreakpoint id={action.id} />
+            <WhyButton asked={{ action: i }} name={`action ${i + 1} is executed or not`} />
+          </Code>
+          <WhyAnswer path={path} asked={{ action: i }} />
+        </Fragment>
       ))}
       {state.exit !== undefined && <Code title="Exit" code={state.exit} />}
       <PortList path={path} state={state} />

@@ -1,8 +1,8 @@
 // The hierarchy as a tree: active states are lit, a click selects and shows. Of a large one only the rows in view are in the page.
-import { memo, useEffect, useMemo, useRef, useState, type KeyboardEvent, type PointerEvent } from "react";
+import { memo, useMemo, useRef, useState, type KeyboardEvent, type PointerEvent } from "react";
 import type { ModelTree } from "../../shared/model/modelTree";
 import { rowByName, treeMove, treeRows, type TreeRow } from "../../shared/model/treeRows";
-import { useLive } from "../canvas/useLive";
+import { useLiveSlowly } from "../canvas/useLive";
 import { useView, view } from "../client";
 import { TreeComments } from "../comments/TreeComments";
 import { BreakpointDot } from "../debugger/BreakpointDot";
@@ -10,6 +10,7 @@ import { ErrorMark } from "../edit/ErrorMark";
 import { followPointer } from "../edit/gestures/drag";
 import { dragRow } from "../edit/gestures/dragRow";
 import { TreeFaces } from "../presence/TreeFaces";
+import { showRow, useFocusWhenShown } from "./showRow";
 import { useRowsInView } from "./useRowsInView";
 
 /** Height of a row, as in panels.css [px]. */
@@ -44,30 +45,21 @@ function Rows({ tree }: { readonly tree: ModelTree }) {
   const collapsed = useView((v) => v.collapsed);
   const selection = useView((v) => v.selection);
   const also = useView((v) => v.also);
-  const active = useLive((live) => live.active);
+  const active = useLiveSlowly((live) => live.active);
   const rows = useMemo(() => treeRows(tree, collapsed), [tree, collapsed]);
   const selected = useMemo(() => new Set(selection?.kind === "node" ? [selection.path, ...also] : []), [selection, also]);
   const { at, setCursor } = useCursor(rows, selected);
   const inView = useRowsInView(list, ".side", rows.length, kRow);
   const { first, end } = rows.length <= kWhole ? { first: 0, end: rows.length } : inView;
-  /** The row that gets the focus when it is in the page. */
-  const wantedRef = useRef<string>(undefined);
+  const focusWhenShown = useFocusWhenShown(list);
   const typedRef = useRef({ text: "", at: -Infinity });
-
-  useEffect(() => {
-    const path = wantedRef.current;
-    const element = path === undefined ? null : list.current?.querySelector<HTMLElement>(`[data-path="${CSS.escape(path)}"]`);
-    if (element === null || element === undefined) return;
-    wantedRef.current = undefined;
-    element.focus({ preventScroll: true });
-  });
 
   const go = (to: number) => {
     const path = rows[to]?.entry.path;
     if (path === undefined) return;
-    wantedRef.current = path;
+    focusWhenShown(`[data-path="${CSS.escape(path)}"]`);
     setCursor(path);
-    showRow(list.current, to);
+    showRow(list.current, ".side", to, kRow, 1);
   };
   const press = (event: KeyboardEvent) => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.target instanceof HTMLButtonElement) return;
@@ -99,16 +91,6 @@ function Rows({ tree }: { readonly tree: ModelTree }) {
       })}
     </ul>
   );
-}
-
-/** Scrolls so that the row is in view. */
-function showRow(list: HTMLElement | null, index: number): void {
-  const scroller = list?.closest(".side");
-  if (list === null || scroller === null || scroller === undefined) return;
-  const top = list.getBoundingClientRect().top + index * kRow;
-  const frame = scroller.getBoundingClientRect();
-  if (top < frame.top) scroller.scrollTop += top - frame.top - kRow;
-  else if (top + kRow > frame.bottom) scroller.scrollTop += top + 2 * kRow - frame.bottom;
 }
 
 interface RowProps {

@@ -1,6 +1,7 @@
 // Top bar: the watched run, a new run, the tabs, the state of the connection, the theme, and the help.
 import { useMemo, useState } from "react";
 import { statusText } from "../../shared/run/controls";
+import { lastStatusText } from "../../shared/run/lostText";
 import { interruptedElsewhere, isInterrupted } from "../../shared/run/interruption";
 import { errorsText } from "../../shared/run/errorsText";
 import { documentText, errorCount, refusalToStart } from "../../shared/session/draft";
@@ -8,12 +9,13 @@ import { keysOf } from "../../shared/session/shortcuts";
 import { isStored } from "../../shared/session/session";
 import type { Page } from "../../shared/session/view";
 import { openDocument, useEditing } from "../edit/editing";
-import { dismissProblem, useCore, useSession, useView, view, watch } from "../client";
+import { useCore, useSession, useView, view, watch } from "../client";
 import { showHelp } from "../help/help";
 import { ThemeButton } from "../theme/ThemeButton";
 import { LoadRun } from "../documents/LoadRun";
 import { showRuns } from "../runs/actions";
 import { Icon } from "./Icon";
+import { counted } from "../../shared/counted";
 
 const pages: readonly { readonly page: Page; readonly name: string }[] = [
   { page: "task", name: "Task" },
@@ -25,7 +27,6 @@ const pages: readonly { readonly page: Page; readonly name: string }[] = [
 const kRefusal = "start-refusal";
 
 export function TopBar() {
-  const problem = useSession((s) => s.problem);
   return (
     <header className="topbar">
       <div className="brand">
@@ -48,14 +49,6 @@ export function TopBar() {
       <ThemeButton />
       <GuideButton />
       <HelpButton />
-      {problem !== undefined && (
-        <div className="problem" role="alert">
-          <span>{problem}</span>
-          <button type="button" aria-label="Dismiss" onClick={dismissProblem}>
-            ✕
-          </button>
-        </div>
-      )}
     </header>
   );
 }
@@ -63,6 +56,7 @@ export function TopBar() {
 function CoreChoice() {
   const cores = useSession((s) => s.cores);
   const watched = useSession((s) => s.watched);
+  const lost = useSession((s) => s.connection === "lost");
   const core = useCore();
   const stored = useSession((s) => (isStored(s) ? s.stored : undefined));
   return (
@@ -77,7 +71,7 @@ function CoreChoice() {
         )}
         {cores.map((core) => (
           <option key={core.id} value={core.id}>
-            {core.document} · {core.id} · {statusText(core)}
+            {core.document} · {core.id} · {lost ? lastStatusText(core) : statusText(core)}
           </option>
         ))}
       </select>
@@ -107,6 +101,7 @@ function NewRun() {
   const [chosen, setChosen] = useState<string>();
   const document = documents.find(({ name }) => name === chosen) ?? documents.find((entry) => errorCount(entry) === 0) ?? documents[0];
   const refusal = document === undefined ? undefined : refusalToStart(document);
+  const lost = useSession((s) => s.connection === "lost");
   return (
     <div className="field new-run">
       <span>New</span>
@@ -117,8 +112,8 @@ function NewRun() {
           </option>
         ))}
       </select>
-      <LoadRun key={document?.name} document={document?.name} refusal={refusal} refusalId={kRefusal} />
-      <button type="button" disabled={document === undefined} onClick={() => document !== undefined && openDocument(document.name)}>
+      <LoadRun key={document?.name} document={document?.name} refusal={refusal} refusalId={kRefusal} offline={lost} />
+      <button type="button" disabled={document === undefined || lost} onClick={() => document !== undefined && openDocument(document.name)}>
         Edit
       </button>
       {document !== undefined && refusal !== undefined && (
@@ -166,7 +161,7 @@ function PageTabs() {
           onClick={() => view.dispatch({ type: "page", page: entry.page })}
         >
           {entry.name}
-          {entry.page === "services" && broken > 0 && <span className="count" aria-label={`${broken} violations`}>{broken}</span>}
+          {entry.page === "services" && broken > 0 && <span className="count" aria-label={counted(broken, "violation")}>{broken}</span>}
         </button>
       ))}
     </div>
@@ -191,7 +186,7 @@ function HelpButton() {
 
 function ConnectionLight() {
   const connection = useSession((s) => s.connection);
-  const text = { connecting: "Connecting", open: "Connected", lost: "Connection lost, trying again" }[connection];
+  const text = { connecting: "Connecting", open: "Connected", lost: "Connection lost" }[connection];
   return (
     <div className={`connection is-${connection}`} role="status">
       <i aria-hidden="true" />

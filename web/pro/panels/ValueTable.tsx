@@ -1,8 +1,12 @@
 // Names with their live values; a name without a value is dimmed.
+import { Fragment } from "react";
 import type { Proposal } from "../../shared/debugger/force";
 import type { JsonValue } from "../../shared/json";
 import { valueText } from "../../shared/model/describe";
+import { isSameAsked } from "../../shared/run/subject";
+import { useView } from "../client";
 import { ForceValue } from "../debugger/ForceValue";
+import { WhyAnswer, WhyButton } from "./WhyOf";
 
 interface Props {
   readonly title: string;
@@ -12,9 +16,11 @@ interface Props {
   readonly notes?: Readonly<Record<string, string>>;
   /** Of which state they are, and what: they can be forced. */
   readonly forced?: Pick<Proposal, "path" | "scope">;
+  /** The parameters of which state they are, so that people can ask where each value comes from. */
+  readonly parametersOf?: string;
 }
 
-export function ValueTable({ title, names, values, notes, forced }: Props) {
+export function ValueTable({ title, names, values, notes, forced, parametersOf }: Props) {
   const all = [...new Set([...names, ...Object.keys(values ?? {})])];
   if (all.length === 0) return null;
   return (
@@ -25,7 +31,8 @@ export function ValueTable({ title, names, values, notes, forced }: Props) {
           {all.map((name) => {
             const value = values?.[name];
             return (
-              <tr key={name}>
+              <Fragment key={name}>
+              <tr>
                 <th scope="row">
                   {name}
                   {notes?.[name] !== undefined && <small>{notes[name]}</small>}
@@ -33,12 +40,28 @@ export function ValueTable({ title, names, values, notes, forced }: Props) {
                 <td className={value === undefined ? "unset" : ""}>
                   {forced !== undefined && <ForceValue {...forced} name={name} value={value} />}
                   <code>{value === undefined ? "no value yet" : valueText(value)}</code>
+                  {parametersOf !== undefined && <WhyButton asked={{ parameter: name }} name={`${name} has its value`} />}
                 </td>
               </tr>
+              {parametersOf !== undefined && <WhyRow path={parametersOf} name={name} />}
+              </Fragment>
             );
           })}
         </tbody>
       </table>
     </section>
+  );
+}
+
+/** The answer where a value comes from, below its row. */
+function WhyRow({ path, name }: { readonly path: string; readonly name: string }) {
+  const isOpen = useView((v) => isSameAsked(v.asked, { parameter: name }));
+  if (!isOpen) return null;
+  return (
+    <tr>
+      <td colSpan={2}>
+        <WhyAnswer path={path} asked={{ parameter: name }} />
+      </td>
+    </tr>
   );
 }

@@ -1,19 +1,19 @@
 // Answers the question of a display from the expert page, which is a display for as long as that takes.
-import { openStream, type Stream } from "../../shared/stream";
-import { kOwnDisplay, type PersonWait } from "../../shared/run/waitingForPerson";
+import { openStream, streamUrl, type Stream } from "../../shared/stream";
+import { ownDisplayFor } from "../../shared/run/displayCalls";
+import type { PersonWait } from "../../shared/run/waitingForPerson";
 
 /** [ms] */
 const kMostTime = 5000;
 
 /** Gives this answer, if the question is still the one that was seen. Throws what is in the way. */
 export function giveAnswer({ question, display }: Pick<PersonWait, "question" | "display">, answer: string | number): Promise<void> {
-  const scheme = location.protocol === "https:" ? "wss" : "ws";
   let stream: Stream | undefined;
   let timer: ReturnType<typeof setTimeout> | undefined;
   let sent = false;
   const given = new Promise<void>((resolve, reject) => {
     timer = setTimeout(() => reject(new Error("the server has not taken the answer")), kMostTime);
-    stream = openStream(`${scheme}://${location.host}/api/v1/stream`, {
+    stream = openStream(streamUrl(location), {
       onConnection: () => undefined,
       onMalformed: reject,
       onUpdate: (update) => {
@@ -25,7 +25,7 @@ export function giveAnswer({ question, display }: Pick<PersonWait, "question" | 
         else if (!sent) reject(new Error("the question is not asked any more"));
       },
     });
-    stream.announceDisplay(display === "all" ? kOwnDisplay : display, false);
+    stream.announceDisplay(ownDisplayFor(display), false);
   });
   return given.finally(() => {
     clearTimeout(timer);

@@ -5,7 +5,8 @@ import type { ExactArguments } from "../../shared/api";
 import { movedBy } from "../../shared/run/moving";
 import { allowed, setsGoing, type Command, type UntilRequest } from "../../shared/run/controls";
 import { commandable, watchedCore, type Session } from "../../shared/session/session";
-import { api, makeRun, run, session } from "../client";
+import { api, session } from "../client";
+import { makeRun, run } from "../runCommands";
 import { createStore, useSelected } from "../store";
 
 export interface StartAsk {

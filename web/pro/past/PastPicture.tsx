@@ -1,11 +1,11 @@
 // What the camera saw at the moment of the past that is shown.
 import { useEffect, useState } from "react";
-import type { RunPicture } from "../../generated/messages";
-import { pictureAt, type KeptPicture } from "../../shared/past/pictures";
+import type { Core, RunPicture } from "../../generated/messages";
+import { listedUpTo, pictureAt, type KeptPicture } from "../../shared/past/pictures";
 import { api, problem } from "../client";
 
 interface Props {
-  readonly run: string;
+  readonly core: Core;
   /** The macro step that is looked at. */
   readonly step: number;
 }
@@ -17,18 +17,20 @@ interface Listed {
   readonly pictures: readonly KeptPicture[];
 }
 
-/** The pictures of a run; a run that goes on may have further ones at a later step. */
-function usePictures(run: string, step: number): readonly KeptPicture[] | undefined {
+/** The pictures of a run. */
+function usePictures(core: Core, step: number): readonly KeptPicture[] | undefined {
+  const run = core.id;
   const [listed, setListed] = useState<Listed>();
+  const to = listedUpTo(core, step);
   const isKnown = listed?.run === run && listed.to >= step;
   useEffect(() => {
     if (isKnown) return;
     let current = true;
-    api.pictures(run).then((pictures) => current && setListed({ run, to: step, pictures }), problem);
+    api.pictures(run).then((pictures) => current && setListed({ run, to, pictures }), problem);
     return () => {
       current = false;
     };
-  }, [run, step, isKnown]);
+  }, [run, to, isKnown]);
   return listed?.run === run ? listed.pictures : undefined;
 }
 
@@ -49,10 +51,10 @@ function usePicture(run: string, number: number | undefined): RunPicture | undef
   return number !== undefined && loaded?.run === run ? loaded.picture : undefined;
 }
 
-export function PastPicture({ run, step }: Props) {
-  const pictures = usePictures(run, step);
+export function PastPicture({ core, step }: Props) {
+  const pictures = usePictures(core, step);
   const at = pictures && pictureAt(pictures, step);
-  const picture = usePicture(run, at?.number);
+  const picture = usePicture(core.id, at?.number);
   if (pictures === undefined || pictures.length === 0) return null;
   return (
     <section aria-label="Camera">

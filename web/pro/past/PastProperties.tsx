@@ -3,9 +3,9 @@ import type { Core, Past } from "../../generated/messages";
 import { valueText } from "../../shared/model/describe";
 import { momentText } from "../../shared/past/moment";
 import { pastStatus, placeText, shortDigest } from "../../shared/past/texts";
-import { inputText } from "../../shared/run/inputText";
 import { statusLook } from "../../shared/run/controls";
 import { view } from "../client";
+import { InputList } from "../panels/InputList";
 import { CallList } from "../panels/OpenCalls";
 import { visitStep } from "./past";
 import { PastPicture } from "./PastPicture";
@@ -42,31 +42,12 @@ export function PastProperties({ core, past }: Props) {
           )}
         </dl>
       </section>
-      <PastPicture run={core.id} step={past.step} />
-      <Waiting past={past} />
-      <CallList calls={past.open_calls.map(({ call, caller, service, operation }) => ({ key: call, service, operation, about: <CalledBy call={call} caller={caller} /> }))} empty="None: every call was answered." />
+      <PastPicture core={core} step={past.step} />
+      <InputList waiting={past.waiting} unknown="What waited then is not known." none="None: nothing had come that was not delivered yet." about={(step) => (step === undefined ? "not delivered" : <DeliveredIn step={step} />)} />
+      <CallList calls={past.open_calls.map(({ call, caller, service, operation }) => ({ service, operation, about: <CalledBy call={call} caller={caller} /> }))} empty="None: every call was answered." />
       <NewestEvents past={past} />
       <p className="quiet">Select a state, a barrier or a port to see the values that it had.</p>
     </>
-  );
-}
-
-function Waiting({ past: { waiting } }: { readonly past: Past }) {
-  return (
-    <section aria-label="Inputs waiting">
-      <h3>Inputs waiting</h3>
-      {waiting === undefined && <p className="quiet">What waited then is not known.</p>}
-      {waiting?.count === 0 && <p className="quiet">None: nothing had come that was not delivered yet.</p>}
-      <ul className="past-list">
-        {waiting?.inputs.map(({ input, step }, i) => (
-          <li key={i}>
-            <code>{inputText(input)}</code>
-            <small>{step === undefined ? "not delivered" : <DeliveredIn step={step} />}</small>
-          </li>
-        ))}
-      </ul>
-      {waiting !== undefined && waiting.count > waiting.inputs.length && <p className="quiet">and {waiting.count - waiting.inputs.length} more</p>}
-    </section>
   );
 }
 

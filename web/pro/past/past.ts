@@ -4,6 +4,7 @@ import { isSameMoment, momentOf, momentText, type Wanted } from "../../shared/pa
 import { moved, type Move } from "../../shared/past/moves";
 import { addressWith, placeOfAddress } from "../../shared/session/address";
 import { watchedCore } from "../../shared/session/session";
+import type { WantedInference } from "../../shared/session/view";
 import { api, problem, session, sourceOf, view } from "../client";
 import { createStore, useSelected } from "../store";
 import { modelThen } from "./pastModel";
@@ -56,16 +57,19 @@ export function toPresent(how: Written = "push"): void {
   view.dispatch({ type: "turn_to_step", step: undefined });
 }
 
+/** The micro step by which the moment came. */
+const doneLast = ({ micro }: Past): WantedInference | undefined => (micro === 0 ? undefined : { micro: micro - 1 });
+
 const ask = (id: string, wanted: Wanted): Promise<Past> => api.past(sourceOf(session.get()), id, wanted);
 
-/** `turn`: when it was asked for. */
-async function show(id: string, past: Past, how: Written, turn: number): Promise<void> {
+/** `turn`: when it was asked for. `inference`: shown of its derivation. */
+async function show(id: string, past: Past, how: Written, turn: number, inference: WantedInference | undefined): Promise<void> {
   const then = await modelThen(id, past.step);
   const now = session.get();
   if (now.watched !== id || turn !== turns) return;
   const steps = now.past?.steps ?? [];
   session.dispatch({ type: "moment", id, shown: { past, steps, model: then.model, doubt: then.doubt } });
-  view.dispatch({ type: "turn_to_step", step: past.step });
+  view.dispatch({ type: "turn_to_step", step: past.step, inference });
   write(momentText(past), how);
   if ([...now.steps, ...steps].every(({ step }) => step !== past.step)) void loadAround(id, past);
 }
@@ -81,15 +85,16 @@ async function loadAround(id: string, past: Past): Promise<void> {
   }
 }
 
-/** Shows this moment; moves that wait are given up. */
-export function visit(wanted: Wanted, how: Written = "push"): void {
+/** Shows this moment, with its derivation at the micro step before, or at `inference`; moves that wait are given up. */
+export function visit(wanted: Wanted, how: Written = "push", inference?: WantedInference): void {
   const { watched } = session.get();
   if (watched === undefined) return;
   asked.dispatch(wanted.step);
   const turn = ++turns;
   const task = async () => {
     try {
-      await show(watched, await ask(watched, wanted), how, turn);
+      const past = await ask(watched, wanted);
+      await show(watched, past, how, turn, inference ?? (wanted.micro === undefined ? undefined : doneLast(past)));
     } catch (error) {
       if (turn === turns && session.get().past === undefined) write(undefined, "replace");
       throw error;
@@ -117,10 +122,14 @@ async function moveOnce(move: Move, how: Written): Promise<void> {
   const from = past?.past ?? (await ask(watched, { step: core.step }));
   const target = moved(move, from, core.step);
   if (target === undefined) return;
-  const found = target === "present" ? undefined : await ask(watched, target);
+  if (target === "present") {
+    toPresent(how);
+    return;
+  }
+  const found = await ask(watched, target);
   // Of the macro step that is not complete, there may be no more than this: it is the present.
-  if (found === undefined || isSameMoment(found, from)) toPresent(how);
-  else await show(watched, found, how, turn);
+  if (isSameMoment(found, from)) toPresent(how);
+  else await show(watched, found, how, turn, target.micro === undefined ? undefined : doneLast(found));
 }
 
 /** `held`: by a key that is held, so that the browser's history does not get an entry of each. */

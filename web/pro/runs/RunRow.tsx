@@ -9,6 +9,7 @@ import { useAttempt } from "../documents/useAttempt";
 import { openRun } from "./actions";
 import { CompareRun } from "./CompareRun";
 import { removeRun } from "./runs";
+import { counted } from "../../shared/counted";
 
 const kDate = new Intl.DateTimeFormat(undefined, { dateStyle: "medium", timeStyle: "medium" });
 
@@ -37,7 +38,7 @@ export function RunRow({ run, offline }: Props) {
         <span className={`pill is-${statusLook(hosted ?? coreOfRun(run))}`}>{hosted === undefined ? outcomeText(run) : statusText(hosted)}</span>
         <small>
           revision {revision} · <time dateTime={new Date(created).toISOString()}>{kDate.format(created)}</time>
-          {took === undefined ? "" : ` · ${took}`} · {steps} {steps === 1 ? "step" : "steps"}
+          {took === undefined ? "" : ` · ${took}`} · {counted(steps, "step")}
           {imported ? " · from a file" : hosted === undefined ? "" : " · hosted by a core"}
         </small>
       </div>

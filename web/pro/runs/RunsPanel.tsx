@@ -6,6 +6,7 @@ import { useAttempt } from "../documents/useAttempt";
 import { showRuns } from "./actions";
 import { RunRow } from "./RunRow";
 import { loadOlder, loadRuns, useRuns } from "./runs";
+import { counted } from "../../shared/counted";
 
 export function RunsPanel() {
   const shown = useView((v) => v.runs);
@@ -81,7 +82,7 @@ function Panel() {
           ))}
         </ul>
         {found.length === 0 && !busy && <p className="documents-none">{list.runs.length === 0 ? "No run is stored yet. Start one with Load and F5, or drop the file of a run here." : "No run that is loaded is like that."}</p>}
-        {list.damaged.length > 0 && <p className="bad">{list.damaged.length} runs are damaged and cannot be listed.</p>}
+        {list.damaged.length > 0 && <p className="bad">{counted(list.damaged.length, "run is", "runs are")} damaged and cannot be listed.</p>}
         {list.next !== undefined && (
           <button type="button" className="runs-older" disabled={offline || busy} onClick={() => void attempt(() => loadOlder(document))}>
             Load older runs

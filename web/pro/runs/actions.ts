@@ -17,12 +17,13 @@ export async function openRun(id: string): Promise<void> {
   await turnToRun(id);
 }
 
-/** Shows a run as it was at a moment, with the derivation of that macro step; at the end of one that has no such macro step. */
+/** Shows a run as it was at a moment, with the derivation of the micro step that follows; at the end of one that has no such macro step. */
 export async function openRunAt(id: string, moment: Moment): Promise<void> {
   await openRun(id);
   const last = watchedCore(session.get())?.step ?? 0;
-  view.dispatch({ type: "step", step: Math.min(moment.step, last) });
-  if (moment.step <= last) visit(moment);
+  const inference = { micro: moment.micro };
+  view.dispatch({ type: "step", step: Math.min(moment.step, last), inference });
+  if (moment.step <= last) visit(moment, "push", inference);
 }
 
 /** Stores the file of a run, and shows it. Throws what the server refuses. */

@@ -1,8 +1,13 @@
 // The drawing of an RSM: present state lit, the transition taken last marked, deferrals dashed.
 import { useEffect, useState } from "react";
+import { roundedPath } from "../../shared/drawing/path";
 import type { Rsm } from "../../generated/messages";
-import { drawRsm, splinePath, type RsmDrawing } from "../../shared/service/rsmDrawing";
+import { drawRsm, kRsmLine, type RsmDrawing } from "../../shared/service/rsmDrawing";
 import { layoutInWorkers } from "../canvas/layoutEngine";
+
+const kCorner = 9;
+/** A wider drawing is not legible in one column of the page. */
+const kWide = 600;
 
 interface Props {
   readonly rsm: Rsm;
@@ -23,21 +28,25 @@ export function RsmFigure({ rsm, state, last }: Props) {
   if (drawing === undefined) return <p className="quiet">Drawing…</p>;
   return (
     <svg
-      className="rsm"
+      className={`rsm${drawing.width > kWide ? " is-wide" : ""}`}
       role="img"
       aria-label={`${rsm.name}, now in ${state ?? "no state"}`}
       viewBox={`0 0 ${drawing.width} ${drawing.height}`}
       style={{ maxWidth: drawing.width, aspectRatio: `${drawing.width} / ${drawing.height}` }}
     >
       {drawing.arrows.map((arrow) => (
-        <path key={arrow.id} className={`rsm-arrow${isLast(arrow.transitions) ? " is-last" : ""}`} d={splinePath(arrow.points)} markerEnd="url(#arrow-rsm)" />
+        <path key={arrow.id} className={`rsm-arrow${isLast(arrow.transitions) ? " is-last" : ""}`} d={roundedPath(arrow.points, kCorner)} markerEnd="url(#arrow-rsm)" />
       ))}
-      {drawing.start.length > 0 && <path className="rsm-arrow" d={splinePath(drawing.start)} markerEnd="url(#arrow-rsm)" />}
+      {drawing.start.length > 0 && <path className="rsm-arrow" d={roundedPath(drawing.start, kCorner)} markerEnd="url(#arrow-rsm)" />}
       {drawing.arrows.map((arrow) => (
         <g key={arrow.id} className={`rsm-label${arrow.label.spontaneous ? " is-spontaneous" : ""}${isLast(arrow.transitions) ? " is-last" : ""}`}>
           <rect x={arrow.label.x} y={arrow.label.y} width={arrow.label.width} height={arrow.label.height} rx={5} />
-          <text x={arrow.label.x + arrow.label.width / 2} y={arrow.label.y + 13}>
-            {arrow.label.text}
+          <text>
+            {arrow.label.lines.map((line, i) => (
+              <tspan key={line} x={arrow.label.x + arrow.label.width / 2} y={arrow.label.y + 13 + i * kRsmLine}>
+                {line}
+              </tspan>
+            ))}
           </text>
         </g>
       ))}

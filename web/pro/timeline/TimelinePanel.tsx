@@ -12,6 +12,7 @@ import { useSteps, useStepsToCome, type LoadedSteps } from "./loading";
 import { ServiceBars } from "./ServiceBars";
 import { CallBars, StateBars } from "./StateBars";
 import { useTimes } from "./times";
+import { counted } from "../../shared/counted";
 
 const ValuePlot = lazy(() => import("./ValuePlot").then(({ ValuePlot }) => ({ default: ValuePlot })));
 
@@ -90,9 +91,7 @@ function Axis({ measure, scale, isLoaded }: AxisProps) {
     <>
       {isMissing && <span className="quiet">The times of these steps are not known.</span>}
       {scale.unknown > 0 && (
-        <span className="quiet">
-          {scale.unknown} {scale.unknown === 1 ? "step has" : "steps have"} no known time.
-        </span>
+        <span className="quiet">{counted(scale.unknown, "step has", "steps have")} no known time.</span>
       )}
       <label>
         Axis{" "}

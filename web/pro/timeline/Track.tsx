@@ -1,6 +1,6 @@
 // One row of the time line: bars from where to where something lasted. A click goes to the macro step there.
 import type { MouseEvent, ReactNode } from "react";
-import type { Scale } from "../../shared/runs/scale";
+import { barOf, type Scale } from "../../shared/runs/scale";
 import type { Span } from "../../shared/runs/timeline";
 import { visitStep } from "../past/past";
 
@@ -13,28 +13,20 @@ interface Props {
   readonly spans: readonly Span[];
 }
 
-/** What is shorter than this part of the row is drawn as wide. */
-const kLeast = 0.002;
-
-export const atLeast = (scale: Scale, from: number, to: number): number => Math.max(to, from + scale.width * kLeast);
-
 /** Goes to the macro step at which a row was clicked. */
 export function visitAt(event: MouseEvent, scale: Scale): void {
   const box = event.currentTarget.getBoundingClientRect();
   visitStep(scale.stepAt(((event.clientX - box.left) / box.width) * scale.width));
 }
 
-/** The bars as one outline; by macro steps, what begins and ends in one is half of it. */
-function outline(spans: readonly Span[], scale: Scale): string {
-  const least = scale.measure === "steps" ? 0.5 : 0;
-  return spans
-    .map(({ from, to }) => {
-      const begin = scale.at(from);
-      const end = atLeast(scale, begin, Math.max(to === undefined ? scale.width : scale.at(to), begin + least));
+/** The bars as one outline. */
+const outline = (spans: readonly Span[], scale: Scale): string =>
+  spans
+    .map((span) => {
+      const [begin, end] = barOf(span, scale);
       return `M${begin} 0H${end}V1H${begin}Z`;
     })
     .join("");
-}
 
 export function Track({ scale, at, label, kind, spans }: Props) {
   return (

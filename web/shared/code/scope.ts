@@ -120,3 +120,11 @@ export function scopeOf(tree: Tree, place: CodePlace, services: readonly KnownSe
   const own = state === undefined ? (["par", "res", "var", "chi"] as const).map(open) : collections(tree, state, kind, services);
   return { kind, names: [...own, ...languageNames] };
 }
+
+/** The names for the condition of a breakpoint at an element, or of the whole task (`id` undefined). Without the document, or of what it does not
+ *  have, those of any state. */
+export function conditionScope(tree: Tree | undefined, id: string | undefined, services: readonly KnownService[]): Scope {
+  const at = id ?? tree?.root;
+  if (tree === undefined || at === undefined || !tree.elements.has(at)) return { kind: "condition", names: [...(["par", "res", "var", "chi", "port", "svc"] as const).map(open), ...languageNames] };
+  return scopeOf(tree, { id: at, field: "when" }, services);
+}

@@ -4,6 +4,8 @@ import type { Derivation, TraceStep } from "../../generated/messages";
 import { clip, valueText } from "../model/describe";
 import { literal } from "../model/literal";
 import { nameOf } from "../model/modelTree";
+import { counted } from "../counted";
+import type { Subject } from "../run/subject";
 
 /** Place of a node in its tree: the premise numbers from the root. */
 export type ProofPath = readonly number[];
@@ -125,7 +127,7 @@ export function summary(root: Derivation): string {
     if (node.rule === "PTrigger") found.push(`${nameOf(node.at)}.${node.port ?? ""} fires`);
     if (node.rule === "SAct1" || node.rule === "BAct1" || node.rule === "BAct2") found.push(`${nameOf(node.at)} entered`);
     if (node.rule === "FuncSC") found.push(`calls ${node.service ?? ""}.${node.operation ?? ""}`);
-    if (node.rule === "Action1") found.push(`${nameOf(node.at)} action ${node.action ?? 0}`);
+    if (node.rule === "Action1") found.push(`${nameOf(node.at)} action ${(node.action ?? 0) + 1}`);
     node.premises.forEach(visit);
   };
   visit(root);
@@ -140,18 +142,41 @@ export function leading(root: Derivation): ProofPath {
   return premise === undefined ? [] : [next, ...leading(premise)];
 }
 
-/** A micro step of a run: the macro step, counted from 1, and its number in it, counted from 0. */
+/** A micro step of a run: the macro step, counted from 1, and how many micro steps of it come before, as the server asks. */
 export interface MicroStep {
   readonly step: number;
   readonly micro: number;
 }
 
-/** The latest of these micro steps in which a port fired (PTrigger). */
-export function lastFiring(steps: readonly TraceStep[], address: string): MicroStep | undefined {
-  const fires = (node: Derivation): boolean =>
-    (node.rule === "PTrigger" && `${node.at}.${node.port ?? ""}` === address) || node.premises.some(fires);
-  const step = [...steps].reverse().find((each) => each.micro.some(fires));
-  return step === undefined ? undefined : { step: step.step, micro: (step.first ?? 0) + step.micro.map(fires).lastIndexOf(true) };
+export const isLater = (a: MicroStep, b: MicroStep): boolean => a.step > b.step || (a.step === b.step && a.micro > b.micro);
+
+/** Its number as people read it, from 1, so that moment 3.2 is the one after micro step 2. */
+export const microNumber = (before: number): number => before + 1;
+
+export const microStepText = ({ step, micro }: MicroStep): string => `macro step ${step}, micro step ${microNumber(micro)}`;
+
+/** Whether by this inference the port fires (PTrigger), the action is executed (Action1), or the parameter gets its value (Resolve). */
+function isOf({ rule, at, port, action, parameter }: Derivation, subject: Subject): boolean {
+  if ("port" in subject) return rule === "PTrigger" && `${at}.${port ?? ""}` === subject.port;
+  if ("action" in subject) return rule === "Action1" && at === subject.state && action === subject.action;
+  return rule === "Resolve" && at === subject.state && parameter === subject.parameter;
+}
+
+/** The inference of the subject, or undefined if there is none. */
+export function inferenceOf(root: Derivation, subject: Subject): ProofPath | undefined {
+  if (isOf(root, subject)) return [];
+  for (const [i, premise] of root.premises.entries()) {
+    const path = inferenceOf(premise, subject);
+    if (path !== undefined) return [i, ...path];
+  }
+  return undefined;
+}
+
+/** The latest of these micro steps with an inference of the subject. */
+export function lastInference(steps: readonly TraceStep[], subject: Subject): MicroStep | undefined {
+  const has = (root: Derivation): boolean => inferenceOf(root, subject) !== undefined;
+  const step = [...steps].reverse().find((each) => each.micro.some(has));
+  return step === undefined ? undefined : { step: step.step, micro: (step.first ?? 0) + step.micro.map(has).lastIndexOf(true) };
 }
 
 /** Of these steps, what was done before micro step `micro` of a macro step. */
@@ -163,7 +188,7 @@ export function stepsBefore(steps: readonly TraceStep[], { step, micro }: MicroS
 }
 
 export function premiseCount(node: Derivation): string {
-  return node.premises.length === 1 ? "1 premise" : `${node.premises.length} premises`;
+  return counted(node.premises.length, "premise");
 }
 
 export function size(node: Derivation): number {

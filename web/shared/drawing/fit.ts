@@ -1,4 +1,5 @@
 // How a drawing fits its canvas: the first view of it, and how much detail can be read there.
+import { kPortsLegible } from "./levels";
 import type { Size } from "./measure";
 
 /** Below this zoom the code in a drawing is too small to read. */
@@ -30,12 +31,12 @@ export function shows({ x, y, zoom }: Viewport, drawing: Size, canvas: Size): bo
   return x >= 0 && y >= 0 && x + drawing.width * zoom <= canvas.width && y + drawing.height * zoom <= canvas.height;
 }
 
-/** The first view when code was asked for: all of the drawing if its code can be read then, else its beginning, as wide as the canvas. */
+/** The first view when code was asked for: all of the drawing if its ports can be read then, else its beginning, as wide as the canvas. */
 export function fitReadable(drawing: Size, canvas: Size): Viewport {
   const whole = fit(drawing, canvas);
-  if (whole.zoom >= kReadable) return whole;
+  if (whole.zoom >= kPortsLegible) return whole;
   const room = { width: canvas.width - 2 * kAround, height: canvas.height - kTop - kAround };
-  const zoom = Math.min(1, Math.max(kReadable, room.width / drawing.width));
+  const zoom = Math.min(1, Math.max(kPortsLegible, room.width / drawing.width));
   const start = (length: number, space: number, edge: number) => edge + Math.max(0, (space - length * zoom) / 2);
   return { zoom, x: start(drawing.width, room.width, kAround), y: start(drawing.height, room.height, kTop) };
 }

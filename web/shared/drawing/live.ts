@@ -1,8 +1,9 @@
 // The live state of a run in a drawing: look-up tables, made once per change of the run.
-import type { Fault, RunState } from "../../generated/messages";
+import type { Fault } from "../../generated/messages";
 import type { JsonValue } from "../json";
 import type { DrawnLine } from "./drawing";
 import type { Line } from "../model/describe";
+import type { LiveState } from "../run/liveState";
 
 export interface Live {
   readonly active: ReadonlySet<string>;
@@ -11,15 +12,24 @@ export interface Live {
   /** Grows with every step in which a port fired. */
   readonly fireCount: number;
   readonly activated: Readonly<Record<string, readonly string[]>>;
-  readonly run: RunState | undefined;
+  readonly run: LiveState | undefined;
   readonly faultAt: string | undefined;
+  /** Address of the port of the root through which the run ended badly. */
+  readonly badEnd: string | undefined;
 }
 
 export const kNoRun: Live = {
-  active: new Set(), ports: new Set(), fired: new Set(), fireCount: 0, activated: {}, run: undefined, faultAt: undefined,
+  active: new Set(), ports: new Set(), fired: new Set(), fireCount: 0, activated: {}, run: undefined, faultAt: undefined, badEnd: undefined,
 };
 
-export function liveOf(run: RunState | undefined, fired: { readonly fireCount: number; readonly ports: readonly string[] }, fault: Fault | undefined): Live {
+/** How the run has ended, if it has. */
+export interface Ended {
+  readonly fault: Fault | undefined;
+  /** As Live.badEnd. */
+  readonly badEnd: string | undefined;
+}
+
+export function liveOf(run: LiveState | undefined, fired: { readonly fireCount: number; readonly ports: readonly string[] }, { fault, badEnd }: Ended): Live {
   if (run === undefined) return kNoRun;
   return {
     active: new Set(run.active),
@@ -29,6 +39,7 @@ export function liveOf(run: RunState | undefined, fired: { readonly fireCount: n
     activated: run.activated,
     run,
     faultAt: fault?.at,
+    badEnd,
   };
 }
 
@@ -37,11 +48,11 @@ export function liveValue(live: Live, path: string, line: Line): JsonValue | und
   if (line.name === undefined || live.run === undefined) return undefined;
   switch (line.label) {
     case "params":
-      return live.run.parameters[path]?.[line.name];
+      return live.run.parameters.get(path)?.[line.name];
     case "results":
-      return live.run.results[path]?.[line.name];
+      return live.run.results.get(path)?.[line.name];
     case "vars":
-      return live.run.variables[path]?.[line.name];
+      return live.run.variables.get(path)?.[line.name];
     default:
       return undefined;
   }

@@ -1,5 +1,6 @@
 // A drawing as a tree of SVG elements: for figures in a page, whose style sheet knows the classes (pro/styles/drawingSvg.css), and for files, which bring that.
 import type { DrawnLine, DrawnNode, DrawnPort, Drawing } from "./drawing";
+import { nameWidth } from "./measure";
 import { roundedPath } from "./path";
 import { stubs } from "./stubs";
 
@@ -12,10 +13,14 @@ export interface SvgElement {
 const element = (tag: SvgElement["tag"], attributes: SvgElement["attributes"], ...children: readonly (SvgElement | string)[]): SvgElement => ({ tag, attributes, children });
 
 const kHead = 30;
+/** Size of the name of a state, as in the style sheet. */
+const kName = 13;
 const kRow = 16;
 const kValueAt = 57;
 
-function portOf({ x, y, width, height, name, condition, timed, exits }: DrawnPort): SvgElement {
+/** A port of a dispatcher is too small for its name, as on the canvas. */
+function portOf({ x, y, width, height, name, condition, timed, exits }: DrawnPort, isOfDispatcher: boolean): SvgElement {
+  if (isOfDispatcher) return element("g", { class: "svg-port" }, element("rect", { x, y, width, height, rx: Math.min(width, height) / 2 }, element("title", {}, name)));
   const lines = condition === "" ? [y + height / 2 + 4] : [y + height / 2 - 2, y + height / 2 + 10];
   return element(
     "g",
@@ -34,14 +39,15 @@ function nodeOf(node: DrawnNode): SvgElement {
   if (kind === "barrier") return element("rect", { class: "svg-barrier", x, y, width, height, rx: 2 }, element("title", {}, name));
   const sign = dispatcher === undefined ? undefined : kSigns[dispatcher];
   const box = element("rect", { x, y, width, height, rx: sign === undefined ? 12 : height / 2 });
-  const head = sign === undefined ? element("text", { class: "svg-name", x: x + 11, y: y + 20 }, badge === undefined ? name : `${name}  (${badge})`) : element("text", { class: "svg-name", x: x + width / 2 - 5, y: y + height / 2 + 4 }, sign);
+  const head = sign === undefined ? element("text", { class: "svg-name", x: x + 11, y: y + 20 }, name) : element("text", { class: "svg-name", x: x + width / 2 - 5, y: y + height / 2 + 4 }, sign);
   const texts = lines.flatMap((line, i) => {
     const at = y + kHead + 16 + i * kRow;
     const isSame = lines[i - 1]?.label === line.label;
     return [...(isSame ? [] : [element("text", { class: "svg-label", x: x + 11, y: at }, line.label)]), element("text", { class: "svg-code", x: x + kValueAt, y: at }, line.text)];
   });
   const rule = lines.length === 0 ? [] : [element("line", { x1: x + 1, y1: y + kHead, x2: x + width - 1, y2: y + kHead })];
-  return element("g", { class: `svg-state${open ? " is-open" : ""}${sign === undefined ? "" : " is-dispatcher"}` }, box, ...rule, head, ...texts, ...ports.map(portOf));
+  const beside = badge === undefined || sign !== undefined ? [] : [element("text", { class: "svg-badge", x: x + 19 + nameWidth(name, kName), y: y + 20 }, badge)];
+  return element("g", { class: `svg-state${open ? " is-open" : ""}${sign === undefined ? "" : " is-dispatcher"}` }, box, ...rule, head, ...beside, ...texts, ...ports.map((port) => portOf(port, sign !== undefined)));
 }
 
 function lineOf(line: DrawnLine, prefix: string): SvgElement {

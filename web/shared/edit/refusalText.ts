@@ -20,7 +20,7 @@ const withName = (message: string, author: string): string => message.replaceAll
 
 /** Why, and through whose edit. */
 export function reasonText({ change, errors, author, revision }: Notice): string {
-  const why = errors.map(({ path, message }) => (path === "" || "operations" in change ? message : `${path}: ${message}`)).join("; ");
+  const why = errors.map(({ path, message }) => (path === "" || "operations" in change || path.startsWith("compound/") ? message : `${path}: ${message}`)).join("; ");
   if (author !== undefined && why.includes(`\`${author}\``)) return withName(why, author);
   const by = author === undefined ? "" : ` (${nameOfAuthor(author)} was faster${revision === undefined ? "" : `, revision ${revision}`})`;
   return `${why}${by}`;

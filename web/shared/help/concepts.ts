@@ -18,7 +18,7 @@ export const concepts: readonly Topic[] = [
         ["Actions", "functions with a condition: executed whenever that holds while the state is active"],
         ["Ports", "the ways out, each with a condition"],
       ),
-      text("A state is active from the moment in which something leads to it until one of its ports fires or the state around it is left. In the editor a double click shows its properties, Shift+Enter its state editor."),
+      text("A state is active from the moment in which something leads to it until one of its ports fires or the state around it is left. A double click shows its properties, in the editor as the state editor."),
     ],
   },
   {
@@ -38,7 +38,7 @@ export const concepts: readonly Topic[] = [
       text("Ports are tested in the order in which they stand, from top to bottom; the first that is fulfilled fires. The order is shown where two can conflict, and changed by dragging the rows."),
       heading("True, False and unknown"),
       text("What is not there yet is unknown: a result without a value, a response that has not come. A condition with something unknown is unknown, unless the rest decides it: `False and x` is False whatever x is. A port fires only if its condition is True. `available(x)` is True or False, never unknown."),
-      text("Click a port to see why it fires, or does not."),
+      text("Click a port to see why it fires, or does not; a state to ask the same of its actions, and where its parameters come from."),
     ],
   },
   {

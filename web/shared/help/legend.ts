@@ -2,7 +2,7 @@
 
 export type Sign =
   | "state" | "active" | "open" | "closed" | "faulted" | "selected" | "link"
-  | "port" | "port_active" | "port_timed" | "port_exit"
+  | "port" | "port_active" | "port_bad" | "port_timed" | "port_exit"
   | "barrier" | "barrier_waiting"
   | "oracle" | "choice" | "history" | "deep history"
   | "line" | "line_fired" | "line_touched" | "line_exit" | "first"
@@ -27,7 +27,7 @@ export const drawingLegend: readonly LegendGroup[] = [
     entries: [
       entry("state", "A state. Its ports are on its border."),
       entry("active", "Green: it is active now."),
-      entry("open", "An open composite: its children are drawn in it. A double click enters it."),
+      entry("open", "An open composite: its children are drawn in it. A double click with Ctrl enters it."),
       entry("closed", "A composite whose children are not drawn; + opens it."),
       entry("link", "A badge: it is a copy of that state of the library."),
       entry("selected", "Blue: it is selected."),
@@ -40,6 +40,7 @@ export const drawingLegend: readonly LegendGroup[] = [
     entries: [
       entry("port", "A port: it fires when its condition is true."),
       entry("port_active", "Green: it has fired."),
+      entry("port_bad", "Red: through it the run has ended badly."),
       entry("port_timed", "A clock: it fires so long after its state was entered."),
       entry("port_exit", "A port at the border of the state around: the way out of it."),
       entry("line", "Solid: from a port to the state that is entered."),

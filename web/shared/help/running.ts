@@ -24,7 +24,7 @@ export const running: readonly Topic[] = [
   {
     id: "derivation", title: "Why: derivations", group,
     blocks: [
-      text("Every micro step is an inference by the rules of the semantics. The drawer Derivation shows them as trees: what holds stands below, why it holds above. Select a port to read in words why it fires or does not. Calls and events lists what was called and what came, each a way to its micro step."),
+      text("Every micro step is an inference by the rules of the semantics. The drawer Derivation shows them as trees: what holds stands below, why it holds above. Select a port to read in words why it fires or does not; at the actions and parameters of a state, Why? tells why one is executed or not, and what gives a value. Calls and events lists what was called and what came, each a way to its micro step."),
       text("The rules have the numbers of the thesis' equations; refinements (R1 to R26) are named where they decide."),
     ],
   },

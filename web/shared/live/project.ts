@@ -1,11 +1,12 @@
 // The state of a run in the addresses of the model that is edited: its elements are found by their ids, wherever an edit has put them and whatever
 // it has called them. What the edited model does not have is left out.
-import type { Values } from "../../generated/messages";
 import { kNoRun, type Live } from "../drawing/live";
 import { timedElement, waitingState } from "../model/afters";
 import { selectionsOf } from "../model/identity";
 import { portAddress, type Identified, type State } from "../model/model";
 import { stateAt, type ModelTree } from "../model/modelTree";
+import type { ValueTable } from "../run/liveState";
+import { Table } from "../run/table";
 
 type Names = ReadonlyMap<string, string>;
 
@@ -63,9 +64,9 @@ function placesOf(of: ModelTree, onto: ModelTree): Places {
   return found;
 }
 
-function valuesIn({ addresses, names }: Places, scope: Scope, all: Values): Values {
-  return Object.fromEntries(
-    Object.entries(all).flatMap(([path, values]) => {
+function valuesIn({ addresses, names }: Places, scope: Scope, all: ValueTable): ValueTable {
+  return Table.of(
+    [...all.entries()].flatMap(([path, values]) => {
       const at = addresses.get(path);
       const others = names.get(path)?.[scope];
       if (at === undefined) return [];
@@ -97,5 +98,6 @@ export function projectLive(live: Live, of: ModelTree, onto: ModelTree): Live {
       parameters: valuesIn(places, "parameters", run.parameters), results: valuesIn(places, "results", run.results), variables: valuesIn(places, "variables", run.variables),
     },
     faultAt: live.faultAt === undefined ? undefined : at(live.faultAt),
+    badEnd: live.badEnd === undefined ? undefined : at(live.badEnd),
   };
 }

@@ -4,10 +4,11 @@ import type { JsonValue } from "../json";
 import { valueText } from "../model/describe";
 import { isOver } from "../run/controls";
 import { isSame } from "../edit/difference/same";
+import { counted } from "../counted";
 
 const executes = (core: Core): string => (core.status === "ready" ? "will execute" : isOver(core) ? "is over; it executed" : "executes");
 
-export const changesText = (count: number): string => `${count} ${count === 1 ? "change" : "changes"}`;
+export const changesText = (count: number): string => counted(count, "change");
 
 /** What runs and what is edited: `revision` is the document's last one that is here. The number of changes follows. */
 export function executesText(core: Core, revision: number): string {

@@ -22,8 +22,17 @@ export function callsIn(code: string): readonly Call[] {
 
 const textsOf = ({ entry, exit, oracle, actions }: State): readonly string[] => [entry, exit, oracle, ...actions.map((action) => action.do)].filter((text) => text !== undefined);
 
+/** Asked for with each change of a run; a state is never changed, another takes its place. */
+const kKnown = new WeakMap<State, readonly Call[]>();
+
 /** All calls of a state and of what is within it. */
-export const callsOf = (state: State): readonly Call[] => [...textsOf(state).flatMap(callsIn), ...state.children.flatMap((child) => (child.kind === "state" ? callsOf(child) : []))];
+export function callsOf(state: State): readonly Call[] {
+  const known = kKnown.get(state);
+  if (known !== undefined) return known;
+  const calls = [...textsOf(state).flatMap(callsIn), ...state.children.flatMap((child) => (child.kind === "state" ? callsOf(child) : []))];
+  kKnown.set(state, calls);
+  return calls;
+}
 
 /** Whether the order of the calls in the code may differ from that in its text. */
 export const repeats = (code: string): boolean => /\b(for|while)\b/.test(code);

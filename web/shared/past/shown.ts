@@ -1,8 +1,10 @@
 // What the page shows of a run: as it was, while it looks at a moment of the past, else as it is.
-import type { Fault, Past, RunState, TraceStep } from "../../generated/messages";
+import type { Fault, Past, TraceStep } from "../../generated/messages";
 import { stepsBefore } from "../derivation/proof";
 import type { RcmDocument } from "../model/model";
+import { isBadOutcome } from "../run/controls";
 import { noneFired, type Fired } from "../run/fired";
+import { liveState, type LiveState } from "../run/liveState";
 import { watchedCore, type Session } from "../session/session";
 
 /** A moment of the past that the page looks at. */
@@ -16,11 +18,18 @@ export interface ShownPast {
   readonly doubt: string | undefined;
 }
 
-export const stateShown = ({ past, run }: Session): RunState | undefined => past?.past.state ?? run;
+export const stateShown = ({ past, run }: Session): LiveState | undefined => (past === undefined ? run : liveState(past.past.state));
 
 export const modelShown = ({ past, model }: Session): RcmDocument | undefined => past?.model ?? model;
 
 export const faultShown = (session: Session): Fault | undefined => (session.past === undefined ? watchedCore(session)?.fault : session.past.past.fault);
+
+/** The port of the root through which the run ended badly (isBadOutcome), as its address. */
+export function badEndShown(session: Session): string | undefined {
+  const { outcome } = (session.past === undefined ? watchedCore(session) : session.past.past) ?? {};
+  const root = modelShown(session)?.root.name;
+  return root === undefined || !isBadOutcome(outcome) ? undefined : `${root}.${outcome}`;
+}
 
 /** Which ports have just fired is only known of the present. */
 export const firedShown = ({ past, fired }: Session): Fired => (past === undefined ? fired : noneFired);

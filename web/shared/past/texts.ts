@@ -1,6 +1,7 @@
 // What the page says while it looks at the past of a run.
 import type { Core, Past } from "../../generated/messages";
 import { momentText } from "./moment";
+import { counted } from "../counted";
 
 export interface PastText {
   readonly title: string;
@@ -13,8 +14,9 @@ const presentText = ({ step, micro }: Core): string => (micro > 0 ? momentText({
 /** `isStored`: no core hosts the run any more. */
 export function pastText(past: Past, core: Core, isStored: boolean): PastText {
   const title = `You look at step ${momentText(past)}.`;
-  if (isStored) return { title, holds: `The run has ${core.step} steps and is over.` };
-  return { title, holds: `The run is at ${presentText(core)}. Robots do not move back.` };
+  if (isStored) return { title, holds: `The run has ${counted(core.step, "step")} and is over.` };
+  const now = core.status === "ready" || core.status === "running" ? `The run is at ${presentText(core)}` : `The run is over, at ${presentText(core)}`;
+  return { title, holds: `${now}. Robots do not move back.` };
 }
 
 const kMoves = { running: "Running", ended: "Ended", faulted: "Faulted", aborted: "Stopped" } as const;
@@ -25,7 +27,7 @@ export function pastStatus({ status, outcome, fault }: Past): string {
   return detail === undefined ? kMoves[status] : `${kMoves[status]}: ${detail}`;
 }
 
-const microSteps = (count: number): string => (count === 1 ? "one micro step" : `${count} micro steps`);
+const microSteps = (count: number): string => counted(count, "micro step");
 
 /** Between which micro steps the moment is. */
 export function placeText({ step, micro, complete }: Past): string {

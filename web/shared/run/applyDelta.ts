@@ -1,6 +1,8 @@
 // Δ after a step: the snapshot and the delta that the server sends.
-import type { CoreDelta, Names, RunState, Values } from "../../generated/messages";
+import type { CoreDelta, Names, Values } from "../../generated/messages";
+import type { JsonValue } from "../json";
 import type { ModelTree } from "../model/modelTree";
+import type { LiveState, ValueTable } from "./liveState";
 
 const isEmpty = (changes: object): boolean => Object.keys(changes).length === 0;
 
@@ -11,29 +13,26 @@ function mergeFlags(now: readonly string[], changes: Readonly<Record<string, boo
   return [...kept, ...Object.keys(changes).filter((entry) => changes[entry] === true && !known.has(entry))];
 }
 
-/** The table with these changes; an entry that they leave empty goes. What did not change is the same object. */
-function mergeTable<T extends object>(now: Readonly<Record<string, T>>, changes: Readonly<Record<string, T>>): Readonly<Record<string, T>> {
+/** What has arrived at barriers, with these changes; a barrier at which nothing has arrived any more goes. */
+function mergeArrived(now: LiveState["activated"], changes: LiveState["activated"]): LiveState["activated"] {
   if (isEmpty(changes)) return now;
-  const merged: Record<string, T> = { ...now, ...changes };
-  // A table without them, made of its entries, would cost three times as much.
-  for (const key of Object.keys(changes)) if (isEmpty(changes[key] ?? {})) Reflect.deleteProperty(merged, key);
-  return merged;
+  return Object.fromEntries(Object.entries({ ...now, ...changes }).filter(([, arrived]) => arrived.length > 0));
 }
 
-function mergeValues(now: Values, set: Values, unset: Names = {}): Values {
-  const changes: Record<string, Values[string]> = {};
-  for (const [path, values] of Object.entries(set)) changes[path] = { ...now[path], ...values };
+function mergeValues(now: ValueTable, set: Values, unset: Names = {}): ValueTable {
+  const changes = new Map<string, Readonly<Record<string, JsonValue>>>();
+  for (const [path, values] of Object.entries(set)) changes.set(path, { ...now.get(path), ...values });
   for (const [path, names] of Object.entries(unset)) {
-    changes[path] = Object.fromEntries(Object.entries(changes[path] ?? now[path] ?? {}).filter(([name]) => !names.includes(name)));
+    changes.set(path, Object.fromEntries(Object.entries(changes.get(path) ?? now.get(path) ?? {}).filter(([name]) => !names.includes(name))));
   }
-  return mergeTable(now, changes);
+  return now.with([...changes].map(([path, values]) => [path, isEmpty(values) ? undefined : values]));
 }
 
-export function applyDelta(state: RunState, delta: CoreDelta): RunState {
+export function applyDelta(state: LiveState, delta: CoreDelta): LiveState {
   return {
     active: mergeFlags(state.active, delta.active),
     ports: mergeFlags(state.ports, delta.ports),
-    activated: mergeTable(state.activated, delta.activated),
+    activated: mergeArrived(state.activated, delta.activated),
     parameters: mergeValues(state.parameters, delta.parameters, delta.unset.parameters),
     results: mergeValues(state.results, delta.results, delta.unset.results),
     variables: mergeValues(state.variables, delta.variables, delta.unset.variables),
@@ -41,7 +40,7 @@ export function applyDelta(state: RunState, delta: CoreDelta): RunState {
 }
 
 /** What is running now, for the list with a jump: the active nodes without an active child, in tree order. */
-export function runningNow(state: RunState, tree: ModelTree): readonly string[] {
+export function runningNow(state: Pick<LiveState, "active">, tree: ModelTree): readonly string[] {
   const active = new Set(state.active);
   return [...tree.values()]
     .filter((entry) => active.has(entry.path) && !entry.children.some((child) => active.has(child.path)))

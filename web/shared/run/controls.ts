@@ -8,6 +8,12 @@ export function isOver(core: Pick<Core, "status">): boolean {
   return core.status === "ended" || core.status === "faulted" || core.status === "aborted";
 }
 
+/** What services and robots do upon a command. */
+export const kEffects = {
+  pause: "the task takes no more inputs; a motion that was called goes on to its end",
+  stop: "the run ends, and its services are told to be safe: a robot brakes and stands",
+} as const;
+
 /** The commands that this core accepts; none without a core. */
 export function allowed(core: Core | undefined): ReadonlySet<Command> {
   if (core === undefined) return new Set();
@@ -45,6 +51,9 @@ export function statusLook({ status, paused, outcome }: Pick<Core, "status" | "p
   if (status === "running" && paused) return "paused";
   return status === "ended" && isBadOutcome(outcome) ? "failed" : status;
 }
+
+/** Whether a run is held while something has come for it. */
+export const holdsInputs = ({ status, paused, waiting, step }: Pick<Core, "status" | "paused" | "waiting" | "step">): boolean => status === "running" && paused && waiting > 0 && step > 0;
 
 /** The status of a core in one line. */
 export function statusText(core: Core): string {

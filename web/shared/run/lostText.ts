@@ -1,6 +1,6 @@
 // What the page says while its server does not answer.
 import type { Core } from "../../generated/messages";
-import { isOver } from "./controls";
+import { isOver, statusText } from "./controls";
 
 export interface LostText {
   readonly title: string;
@@ -14,3 +14,6 @@ export function lostText(core: Core | undefined): LostText {
   const micro = core.micro > 0 ? `, micro step ${core.micro}` : "";
   return { title: `Server lost at step ${core.step}${micro} of run ${core.id}: pause and stop cannot reach the robot`, holds: `Stop the robot at the robot itself, if it must stop. ${shown}` };
 }
+
+/** The status of a run that may have gone on since it was last heard of. */
+export const lastStatusText = (core: Core): string => (isOver(core) ? statusText(core) : `Not known; last: ${statusText(core)}`);

@@ -5,7 +5,8 @@ import { callsOf } from "../orchestration/calls";
 
 type Described = Pick<HostedService, "key" | "type" | "rsm">;
 
-const moves = ({ rsm }: Described, operation: string): boolean => rsm.operations.some(({ name, moves }) => name === operation && moves === true);
+/** Whether an operation of a service may set something in motion. */
+export const moves = ({ rsm }: Pick<Described, "rsm">, operation: string): boolean => rsm.operations.some(({ name, moves }) => name === operation && moves === true);
 
 /** The keys of the services that the model may let move something, sorted. A computed service may be any. Nothing: model or services are not known yet,
  *  so it may move anything. */

@@ -3,6 +3,7 @@ import type { Call, Core, HostedService, PendingCall, TraceStep } from "../../ge
 import type { JsonValue } from "../json";
 import type { RcmDocument } from "../model/model";
 import { callsOf } from "../orchestration/calls";
+import { argumentOf, displayOf, isAsking, textArgument } from "./displayCalls";
 
 /** What can be answered: one of these texts, or a number of a range. */
 export type Answers =
@@ -23,27 +24,20 @@ export interface PersonWait {
   readonly display: string;
 }
 
-/** The operations of a display that a person answers, and the place of `display` among their arguments (services/display/README.md). */
-const kAsking: ReadonlyMap<string, number> = new Map([["ask", 2], ["choose", 2], ["ask_number", 5]]);
-
-const textOf = (value: JsonValue | undefined): string | undefined => (typeof value === "string" ? value : undefined);
-
 const numberOf = (value: JsonValue | undefined): number | undefined => (typeof value === "number" ? value : undefined);
 
-/** The answers that a call offers, by its arguments (services/display/README.md). */
-function answersOf(operation: string, { args, kwargs }: Call): Answers | undefined {
-  const argument = (name: string, place: number): JsonValue | undefined => kwargs[name] ?? args[place];
+/** The answers that a call offers, by its arguments. */
+function answersOf(operation: string, call: Call): Answers | undefined {
   if (operation === "ask_number") {
-    const [min, max] = [numberOf(argument("min", 1)), numberOf(argument("max", 2))];
-    return min === undefined || max === undefined ? undefined : { number: { min, max, unit: textOf(argument("unit", 3)) ?? "", initial: numberOf(argument("initial", 4)) } };
+    const [min, max] = [numberOf(argumentOf(call, "min", 1)), numberOf(argumentOf(call, "max", 2))];
+    return min === undefined || max === undefined ? undefined : { number: { min, max, unit: textArgument(call, "unit", 3) ?? "", initial: numberOf(argumentOf(call, "initial", 4)) } };
   }
-  const texts = operation === "choose" ? argument("choices", 1) : (argument("buttons", 1) ?? ["OK"]);
+  const texts = operation === "choose" ? argumentOf(call, "choices", 1) : (argumentOf(call, "buttons", 1) ?? ["OK"]);
   return Array.isArray(texts) ? { buttons: texts.filter((text) => typeof text === "string") } : undefined;
 }
 
 function waitOf(service: string, { operation, core_call: number }: Pick<PendingCall, "operation" | "core_call">, call: Call | undefined): PersonWait {
-  const display = textOf(call?.kwargs["display"]) ?? textOf(call?.args[kAsking.get(operation) ?? 0]) ?? "all";
-  return { service, operation, call: number, question: textOf(call?.kwargs["question"]) ?? textOf(call?.args[0]), answers: call && answersOf(operation, call), display };
+  return { service, operation, call: number, question: call && textArgument(call, "question", 0), answers: call && answersOf(operation, call), display: call === undefined ? "all" : displayOf(call) };
 }
 
 const callIn = (steps: readonly TraceStep[], service: string, number: number | undefined): Call | undefined =>
@@ -55,7 +49,7 @@ const known = new WeakMap<RcmDocument, boolean>();
 export function asksPeople(model: RcmDocument): boolean {
   const before = known.get(model);
   if (before !== undefined) return before;
-  const asks = callsOf(model.root).some(({ operation }) => kAsking.has(operation));
+  const asks = callsOf(model.root).some(({ operation }) => isAsking(operation));
   known.set(model, asks);
   return asks;
 }
@@ -78,15 +72,9 @@ export async function stepThatAsked({ service, call }: Pick<PersonWait, "service
 export function waitingForPerson(core: Core | undefined, services: readonly HostedService[], steps: readonly TraceStep[]): PersonWait | undefined {
   if (core?.status !== "running") return undefined;
   for (const { key, type, pending } of services) {
-    const asked = type === "display" ? pending.find((each) => each.core === core.id && kAsking.has(each.operation)) : undefined;
+    const asked = type === "display" ? pending.find((each) => each.core === core.id && isAsking(each.operation)) : undefined;
     if (asked === undefined) continue;
     return waitOf(key, asked, callIn(steps, key, asked.core_call));
   }
   return undefined;
 }
-
-/** The name of the display as which the expert page answers what all displays show. */
-export const kOwnDisplay = "expert-page";
-
-/** The address of the page that shows it (web/display). */
-export const displayAddress = ({ display }: PersonWait): string => (display === "all" ? "/display/" : `/display/?name=${encodeURIComponent(display)}`);

@@ -1,5 +1,6 @@
 // Two runs compared: where they first did different things.
 import type { RunComparison } from "../../generated/messages";
+import { microStepText } from "../derivation/proof";
 import type { Moment } from "../past/moment";
 
 /** The server compares so many macro steps in an answer at most; so often it is asked to go on. */
@@ -21,7 +22,7 @@ export function comparisonText({ same, step, micro, first, second, compared, nex
     return `The same up to macro step ${compared}, where run ${shorter} ends; run ${longer} goes on.`;
   }
   if (step !== undefined && micro === undefined) return `They first differ in macro step ${step}: its derivations are the same, what it calls or leaves is not.`;
-  if (step !== undefined) return `They first differ in macro step ${step}, micro step ${micro ?? 0}.`;
+  if (step !== undefined && micro !== undefined) return `They first differ in ${microStepText({ step, micro })}.`;
   if (next !== undefined) return `The same up to macro step ${compared}; further ones were not compared.`;
   return same ? `The same: derivations, calls and states of all ${steps[0]} macro steps.` : `The same up to macro step ${compared}.`;
 }

@@ -3,6 +3,7 @@ import type { Run, Runs, ServerError } from "../../generated/messages";
 import { assertNever } from "../assertNever";
 import { isBadOutcome } from "../run/controls";
 import { outcomeText } from "./texts";
+import { counted } from "../counted";
 
 export interface RunList {
   readonly runs: readonly Run[];
@@ -81,7 +82,7 @@ export function matchingRuns(runs: readonly Run[], { text, outcome }: RunQuery):
 
 /** What a search has found, as a line over the list. */
 export function countText(found: number, { runs, next }: RunList): string {
-  const all = `${runs.length} ${runs.length === 1 ? "run" : "runs"}`;
+  const all = counted(runs.length, "run");
   const loaded = next === undefined ? all : `the newest ${all}`;
   return found === runs.length ? (next === undefined ? all : `The newest ${all}`) : `${found} of ${loaded}`;
 }

@@ -1,5 +1,5 @@
 // Where a time line draws a macro step: each as wide as the others, or by the time at which it began.
-import type { Timeline } from "./timeline";
+import type { Span, Timeline } from "./timeline";
 import type { Times } from "./times";
 
 export type Measure = "seconds" | "steps";
@@ -18,6 +18,16 @@ export interface Scale {
   readonly atTime: ((time: number) => number) | undefined;
   /** How many macro steps have no time that is known, and stand at the next one that has. */
   readonly unknown: number;
+}
+
+/** What is shorter than this part of a row is drawn as wide. */
+const kLeastPart = 0.002;
+
+/** From where to where a span is drawn, within the row; by macro steps, what begins and ends in one is half of it. */
+export function barOf({ from, to }: Span, { measure, width, at }: Scale): readonly [number, number] {
+  const begin = Math.min(at(from), width * (1 - kLeastPart));
+  const least = measure === "steps" ? 0.5 : width * kLeastPart;
+  return [begin, Math.max(to === undefined ? width : at(to), begin + Math.max(least, width * kLeastPart))];
 }
 
 const kSecond = 1e6;

@@ -1,11 +1,12 @@
 // Stored runs in words.
-import type { Core, Run } from "../../generated/messages";
+import type { Core, Run, Timing } from "../../generated/messages";
 import { statusText } from "../run/controls";
 import { coreOfRun } from "./storedRun";
+import { counted } from "../counted";
 
 /** What the page says over a stored run that it shows at its end. */
 export function storedText(core: Core): { readonly title: string; readonly holds: string } {
-  const steps = core.step === 1 ? "1 macro step" : `${core.step} macro steps`;
+  const steps = counted(core.step, "macro step");
   return { title: `Run ${core.id} of ${core.document} is stored; no core hosts it.`, holds: `${statusText(core)}, after ${steps}.` };
 }
 
@@ -29,3 +30,10 @@ export function durationText(ms: number): string {
 
 /** How long a run took; nothing if it is not over. */
 export const runTime = ({ created, ended }: Run): string | undefined => (ended === undefined ? undefined : durationText(Math.max(0, ended - created)));
+
+/** How long a run was under way, from its first macro step, whose time is among `timing` if it is known, else from when it was made; nothing if it
+ *  is not over. */
+export function underWay({ created, ended }: Pick<Run, "created" | "ended">, { steps }: Pick<Timing, "steps">): string | undefined {
+  const first = steps.find(({ step }) => step === 1)?.time ?? 0;
+  return ended === undefined ? undefined : durationText(Math.max(0, ended - created - first / 1000));
+}

@@ -14,7 +14,7 @@ export interface RsmArrow {
   /** The transitions that it stands for: several where they differ in their operation only. */
   readonly transitions: readonly string[];
   readonly points: readonly Point[];
-  readonly label: Box & { readonly text: string; readonly spontaneous: boolean };
+  readonly label: Box & { readonly text: string; readonly lines: readonly string[]; readonly spontaneous: boolean };
 }
 
 export interface RsmDrawing {
@@ -31,9 +31,15 @@ const kInit = "#init";
 const kAny = "#any";
 const kCharacter = 6.6;
 const kMargin = 30;
-const kArc = 34;
+/** How far an arc beside labels is from them: more for those that are farther apart, so that the arcs of one call lie in each other. */
+const kArc = 26;
+const kArcGrowth = 0.25;
 /** Labels that are farther apart than this [px] have another one between them. */
 const kFar = 44;
+/** A line of a label is not longer, unless by one name. */
+const kLine = 22;
+/** From line to line of a label [px]. */
+export const kRsmLine = 15;
 
 /** The label of an arrow: the operation, or the name of a spontaneous transition; codes of errors after a slash. */
 export function transitionText(transition: RsmTransition): string {
@@ -49,15 +55,14 @@ interface Group {
   readonly text: string;
 }
 
-/** Operations that lead from a state, or from all, to where they came from share an arrow, unless a deferral or an error tells them apart. */
+/** Operations that lead from the same state, or from all, to the same one, and are answered alike, share an arrow, unless an error tells them apart. */
 function groups(rsm: Rsm): readonly Group[] {
   const transitions = rsm.transitions ?? [];
   const answers = new Set(transitions.flatMap((t) => t.defer ?? []));
   const found = new Map<string, RsmTransition[]>();
   for (const t of transitions) {
-    const returns = t.src === t.dst || (t.src === undefined && rsm.states?.length === 1);
-    const plain = returns && (t.defer ?? []).length === 0 && t.error === undefined && t.operation !== undefined && !answers.has(t.id);
-    const key = plain ? `${t.src ?? kAny} to ${t.dst}` : t.id;
+    const plain = t.error === undefined && t.operation !== undefined && !answers.has(t.id);
+    const key = plain ? `${t.src ?? kAny} to ${t.dst}, ${(t.defer ?? []).join(" ")}` : t.id;
     found.set(key, [...(found.get(key) ?? []), t]);
   }
   return [...found.values()].flatMap((group) => {
@@ -68,6 +73,22 @@ function groups(rsm: Rsm): readonly Group[] {
   });
 }
 
+/** The names of a label in lines. */
+export function labelLines(text: string): readonly string[] {
+  const lines: string[] = [];
+  for (const name of text.split(/(?<=,) /)) {
+    const last = lines.at(-1);
+    if (last === undefined || last.length + 1 + name.length > kLine) lines.push(name);
+    else lines[lines.length - 1] = `${last} ${name}`;
+  }
+  return lines;
+}
+
+function labelOf({ id, text }: Group) {
+  const lines = labelLines(text);
+  return { id: `${id}:label`, text, width: Math.max(...lines.map(({ length }) => length)) * kCharacter + 14, height: lines.length * kRsmLine + 3 };
+}
+
 export function rsmGraph(rsm: Rsm): ElkGraph {
   const any = (rsm.transitions ?? []).some((t) => t.src === undefined);
   const states = (rsm.states ?? []).map((s) => ({ id: s.name, width: Math.max(78, s.name.length * 8 + 30), height: 38 }));
@@ -75,7 +96,7 @@ export function rsmGraph(rsm: Rsm): ElkGraph {
     id: group.id,
     sources: [group.src],
     targets: [group.dst],
-    labels: [{ id: `${group.id}:label`, text: group.text, width: group.text.length * kCharacter + 14, height: 18 }],
+    labels: [labelOf(group)],
   }));
   if (rsm.init !== undefined) edges.push({ id: kInit, sources: [kInit], targets: [rsm.init] });
   return {
@@ -83,7 +104,7 @@ export function rsmGraph(rsm: Rsm): ElkGraph {
     layoutOptions: {
       "elk.algorithm": "layered",
       "elk.direction": "RIGHT",
-      "elk.edgeRouting": "SPLINES",
+      "elk.edgeRouting": "ORTHOGONAL",
       "elk.edgeLabels.inline": "true",
       "elk.layered.considerModelOrder.strategy": "NODES_AND_EDGES",
       "elk.layered.cycleBreaking.strategy": "MODEL_ORDER",
@@ -117,13 +138,16 @@ export async function drawRsm(engine: LayoutEngine, rsm: Rsm): Promise<RsmDrawin
     const box = { x: (label?.x ?? 0) + kMargin, y: (label?.y ?? 0) + kMargin, width: label?.width ?? 0, height: label?.height ?? 0 };
     const spontaneous = group.transitions.every((t) => t.operation === undefined);
     const transitions = group.transitions.map((t) => t.id);
-    return { id: group.id, transitions, points: pointsOf(edges.get(group.id)), label: { ...box, text: group.text, spontaneous } };
+    return { id: group.id, transitions, points: pointsOf(edges.get(group.id)), label: { ...box, text: group.text, lines: labelLines(group.text), spontaneous } };
   });
   return {
     states: boxes.map(({ id, ...box }) => ({ ...box, name: id === kAny ? "any state" : id, kind: id === kInit ? "init" : id === kAny ? "any" : "state" })),
     arrows,
     start: pointsOf(edges.get(kInit)),
-    deferrals: (rsm.transitions ?? []).flatMap((t) => (t.defer ?? []).flatMap((answer) => deferral(t.id, answer, arrows, (graph.height ?? 0) / 2 + kMargin))),
+    deferrals: arrows.flatMap((arrow) => {
+      const answers = rsm.transitions?.find(({ id }) => id === arrow.id)?.defer ?? [];
+      return answers.flatMap((answer) => deferral(arrow.id, answer, arrows, (graph.height ?? 0) / 2 + kMargin));
+    }),
     width: (graph.width ?? 0) + 2 * kMargin,
     height: (graph.height ?? 0) + 2 * kMargin,
   };
@@ -137,39 +161,26 @@ function pointsOf(edge: ElkEdge | undefined): readonly Point[] {
 
 function deferral(from: string, to: string, arrows: readonly RsmArrow[], middle: number): RsmDrawing["deferrals"] {
   const source = arrows.find((arrow) => arrow.id === from)?.label;
-  const target = arrows.find((arrow) => arrow.id === to)?.label;
+  const target = arrows.find((arrow) => arrow.transitions.includes(to))?.label;
   if (source === undefined || target === undefined) return [];
-  return [{ id: `${from}:${to}`, path: deferralPath(source, target, middle) }];
+  return [{ id: `${from}:${to}`, path: deferralPath(source, target, arrows.map(({ label }) => label), middle) }];
 }
 
 /** Straight where the labels stand one above the other, beside what stands between them; else an arc around it. */
-function deferralPath(source: Box, target: Box, middle: number): string {
+function deferralPath(source: Box, target: Box, labels: readonly Box[], middle: number): string {
   const [a, b] = [source.x + source.width / 2, target.x + target.width / 2];
   if (Math.abs(a - b) < (source.width + target.width) / 2) {
     const down = target.y > source.y;
     if (Math.abs(target.y - source.y) > kFar) {
-      const [y, z, left] = [source.y + source.height / 2, target.y + target.height / 2, Math.min(source.x, target.x)];
-      return `M ${source.x} ${y} C ${left - kArc} ${y}, ${left - kArc} ${z}, ${target.x} ${z}`;
+      const [y, z] = [source.y + source.height / 2, target.y + target.height / 2];
+      const between = labels.filter((label) => label.y >= Math.min(source.y, target.y) && label.y <= Math.max(source.y, target.y) && label.x < source.x + source.width && label.x + label.width > source.x);
+      const left = Math.min(source.x, target.x, ...between.map(({ x }) => x)) - kArc - kArcGrowth * Math.abs(z - y);
+      return `M ${source.x} ${y} C ${left} ${y}, ${left} ${z}, ${target.x} ${z}`;
     }
     return `M ${a} ${down ? source.y + source.height : source.y} L ${b} ${down ? target.y : target.y + target.height}`;
   }
   const above = source.y + source.height / 2 <= middle;
   const [from, to] = above ? [source.y, target.y] : [source.y + source.height, target.y + target.height];
-  const bend = above ? Math.min(from, to) - kArc : Math.max(from, to) + kArc;
+  const bend = above ? Math.min(from, to) - kArc - 8 : Math.max(from, to) + kArc + 8;
   return `M ${a} ${from} C ${a} ${bend}, ${b} ${bend}, ${b} ${to}`;
-}
-
-/** The SVG path of an arrow: ELK's splines come as groups of three points of cubic curves. */
-export function splinePath(points: readonly Point[]): string {
-  const [start, ...rest] = points;
-  if (start === undefined) return "";
-  const at = (p: Point | undefined) => `${p?.x ?? 0} ${p?.y ?? 0}`;
-  const parts = [`M ${at(start)}`];
-  for (let i = 0; i < rest.length; i += 3) {
-    const left = rest.length - i;
-    if (left >= 3) parts.push(`C ${at(rest[i])}, ${at(rest[i + 1])}, ${at(rest[i + 2])}`);
-    else if (left === 2) parts.push(`Q ${at(rest[i])}, ${at(rest[i + 1])}`);
-    else parts.push(`L ${at(rest[i])}`);
-  }
-  return parts.join(" ");
 }

@@ -2,7 +2,8 @@
 // `?edit=NAME` of the document that is edited, `page` where another is shown than that of the document or else of the run, `?runs=1` where the
 // stored runs are listed, `versions` if the history of the document is shown, with what is compared (../versions/range.ts), `help` of the topic
 // that is shown, `tour` of the document that the tour builds, `?follow=1` where the drawing of a run follows what becomes active,
-// `axis=steps` if the time line counts macro steps.
+// `axis=steps` if the time line counts macro steps; `in` of the state whose inside is drawn, `sel` of what is selected, `why` of its action or parameter that is asked about, `top` of the state of the
+// library that is edited, `below` of what is shown below, where that is not what the window begins with (placeInAddress.ts).
 
 export interface Place {
   readonly run?: string | undefined;
@@ -15,13 +16,21 @@ export interface Place {
   readonly page?: string | undefined;
   readonly follow?: string | undefined;
   readonly axis?: string | undefined;
+  readonly in?: string | undefined;
+  readonly sel?: string | undefined;
+  readonly why?: string | undefined;
+  readonly top?: string | undefined;
+  readonly below?: string | undefined;
 }
 
 /** What the query of an address says; an empty entry says nothing. */
 export function placeOfAddress(search: string): Place {
   const query = new URLSearchParams(search);
   const entry = (key: keyof Place) => query.get(key) ?? undefined;
-  return { run: entry("run"), at: entry("at"), edit: entry("edit"), runs: entry("runs"), versions: entry("versions"), help: entry("help"), tour: entry("tour"), page: entry("page"), follow: entry("follow"), axis: entry("axis") };
+  return {
+    run: entry("run"), at: entry("at"), edit: entry("edit"), runs: entry("runs"), versions: entry("versions"), help: entry("help"), tour: entry("tour"), page: entry("page"), follow: entry("follow"),
+    axis: entry("axis"), in: entry("in"), sel: entry("sel"), why: entry("why"), top: entry("top"), below: entry("below"),
+  };
 }
 
 /** The query with these entries; those that are undefined are taken out of it. */
@@ -31,5 +40,6 @@ export function addressWith(search: string, place: Place): string {
     if (value === undefined) query.delete(key);
     else query.set(key, value);
   }
-  return `?${query.toString()}`;
+  // As paths are read.
+  return `?${query.toString().replaceAll("%2F", "/")}`;
 }

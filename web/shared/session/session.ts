@@ -1,15 +1,17 @@
 // The state of the expert page as a value, and the function that applies an event to it.
 import { assertNever } from "../assertNever";
 import { mergeSteps } from "../derivation/steps";
-import type { Core, DocumentSummary, HostedService, Input, LogEntry, Rule, RunState, TraceStep } from "../../generated/messages";
+import type { Core, DocumentSummary, HostedService, Input, LogEntry, Rule, TraceStep } from "../../generated/messages";
 import type { StreamUpdate } from "../messages/stream";
 import { kNoPlaces, type Places } from "../drawing/places";
 import type { RcmDocument } from "../model/model";
 import type { ShownPast } from "../past/shown";
 import { applyDelta } from "../run/applyDelta";
+import { liveState, type LiveState } from "../run/liveState";
 import { isOver } from "../run/controls";
 import { modelKey } from "../run/edits";
 import { applyFired, noneFired, type Fired } from "../run/fired";
+import { kNothingTold, tellDisplays, type OnDisplays } from "../run/onDisplays";
 import type { StoredRun } from "../runs/storedRun";
 import type { Connection } from "../stream";
 
@@ -37,11 +39,13 @@ export interface Session {
   readonly places: Places;
   /** Of which edit of the run `model` is (modelKey). */
   readonly modelKey: string | undefined;
-  readonly run: RunState | undefined;
+  readonly run: LiveState | undefined;
   /** The moment of the past that is shown instead (past/shown.ts). */
   readonly past: ShownPast | undefined;
   readonly fired: Fired;
   readonly lastInput: Input | undefined;
+  /** What the watched run has told the displays since the page watches it. */
+  readonly onDisplays: OnDisplays;
   readonly steps: readonly TraceStep[];
   readonly services: readonly HostedService[];
   readonly log: readonly LogEntry[];
@@ -88,6 +92,7 @@ export const emptySession: Session = {
   past: undefined,
   fired: noneFired,
   lastInput: undefined,
+  onDisplays: kNothingTold,
   steps: [],
   services: [],
   log: [],
@@ -142,11 +147,12 @@ export function applyEvent(session: Session, event: SessionEvent): Session {
         fired: noneFired,
         steps: [],
         lastInput: undefined,
+        onDisplays: kNothingTold,
       };
     case "stored": {
       const { core, model, places, state, steps } = event.run;
       const turned = applyEvent(session, { type: "watched", id: core.id });
-      return { ...turned, stored: core, document: core.document, model, places, modelKey: modelKey(core), run: state, steps };
+      return { ...turned, stored: core, document: core.document, model, places, modelKey: modelKey(core), run: state && liveState(state), steps };
     }
     case "moment":
       return event.id === session.watched ? { ...session, past: event.shown } : session;
@@ -186,12 +192,13 @@ function applyUpdate(session: Session, update: StreamUpdate, frame?: number): Se
       return { ...session, cores: session.cores.filter((core) => core.id !== update.id) };
     case "state":
       if (update.id !== session.watched) return session;
-      return { ...session, cores: withCounters(session.cores, update.state.core), run: update.state.state };
+      return { ...session, cores: withCounters(session.cores, update.state.core), run: liveState(update.state.state) };
     case "state_changed": {
       if (update.id !== session.watched || session.run === undefined) return session;
       const fired = applyFired(session.fired, update.delta, frame);
       const cores = withCore(session.cores, update.delta.core);
-      return { ...session, cores, run: applyDelta(session.run, update.delta), fired, lastInput: update.delta.input ?? session.lastInput };
+      const onDisplays = tellDisplays(session.onDisplays, update.delta, session.services);
+      return { ...session, cores, run: applyDelta(session.run, update.delta), fired, lastInput: update.delta.input ?? session.lastInput, onDisplays };
     }
     case "derivations":
       return update.id === session.watched ? { ...session, steps: mergeSteps(session.steps, update.steps) } : session;
@@ -205,8 +212,8 @@ function applyUpdate(session: Session, update: StreamUpdate, frame?: number): Se
     case "log":
       return { ...session, log: [...(update.whole ? [] : session.log), ...update.entries].slice(-kLogLines) };
     case "refused":
-      // That more are at a document than are shown is told there.
-      if (update.channel.startsWith("presence/")) return session;
+      // That more are at a document than are shown is told there, as is that there is no such document.
+      if (update.channel.startsWith("presence/") || update.channel.startsWith("document/")) return session;
       return { ...session, problem: update.errors.map((error) => error.message).join("; ") };
     case "derivation_position":
     case "cell":

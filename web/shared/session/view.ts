@@ -4,6 +4,7 @@ import { commonLevel } from "../drawing/follow";
 import type { Detail } from "../drawing/measure";
 import { timedElement } from "../model/afters";
 import { carried, carriedPath, type Selection } from "../model/identity";
+import type { Asked, Subject } from "../run/subject";
 import { ancestry, portAt, splitAddress, type ModelTree } from "../model/modelTree";
 
 export type { Selection };
@@ -34,6 +35,8 @@ export interface View {
   readonly selection: Selection | undefined;
   /** Nodes that are selected besides `selection`, by their paths; none unless that is a node. */
   readonly also: ReadonlySet<string>;
+  /** What is asked about of the state that is selected, in a run. */
+  readonly asked: Asked | undefined;
   /** The state whose inside fills the canvas; none: the root. */
   readonly focus: string | undefined;
   readonly collapsed: ReadonlySet<string>;
@@ -43,6 +46,8 @@ export interface View {
   readonly reveal: number;
   /** The macro step whose derivation is shown; none: the latest. */
   readonly step: number | undefined;
+  /** What is shown of that derivation; none: its beginning. */
+  readonly inference: WantedInference | undefined;
   /** Whether the keys and mouse actions are shown over the page. */
   readonly help: boolean;
   /** Whether the documents are shown over the page. */
@@ -55,6 +60,13 @@ export interface View {
   readonly runShown: boolean;
   /** The places of the other model: of the document that is edited while a run is shown, and the other way round. */
   readonly aside: Places;
+}
+
+/** A micro step of the derivation that is shown, and what the inference is of that is picked in it. */
+export interface WantedInference {
+  /** Micro steps of the macro step that come before. */
+  readonly micro: number;
+  readonly of?: Subject;
 }
 
 /** The part of a view on which a drawing depends. */
@@ -70,6 +82,10 @@ export type Gesture =
   | { readonly type: "select_also"; readonly path: string }
   | { readonly type: "select_all"; readonly paths: readonly string[] }
   | { readonly type: "jump"; readonly selection: Selection }
+  /** Why an action of the state that is selected is executed or not, or what gives a parameter its value. */
+  | { readonly type: "ask"; readonly asked: Asked | undefined }
+  /** Shows a place in the model, and what is below. */
+  | { readonly type: "place"; readonly focus: string | undefined; readonly selection: Selection | undefined; readonly asked: Asked | undefined; readonly drawer: Drawer }
   | { readonly type: "enter"; readonly path: string | undefined }
   | { readonly type: "toggle"; readonly path: string }
   /** Whether the drawing of a run follows it; a user who goes elsewhere ends that. */
@@ -80,9 +96,9 @@ export type Gesture =
   | { readonly type: "expand_all" }
   | { readonly type: "detail"; readonly detail: View["detail"] }
   | { readonly type: "show_again"; readonly shown: Shown }
-  | { readonly type: "step"; readonly step: number | undefined }
+  | { readonly type: "step"; readonly step: number | undefined; readonly inference?: WantedInference }
   /** The same, and the drawer stays as it is. */
-  | { readonly type: "turn_to_step"; readonly step: number | undefined }
+  | { readonly type: "turn_to_step"; readonly step: number | undefined; readonly inference?: WantedInference | undefined }
   | { readonly type: "help"; readonly shown: boolean }
   | { readonly type: "documents"; readonly shown: boolean }
   | { readonly type: "runs"; readonly shown: boolean }
@@ -103,9 +119,11 @@ export const initialView: View = {
   drawer: "derivation",
   lastDrawer: "derivation",
   ...kNowhere,
+  asked: undefined,
   detail: "auto",
   reveal: 0,
   step: undefined,
+  inference: undefined,
   help: false,
   documents: false,
   runs: false,
@@ -132,7 +150,7 @@ export function pathOf(selection: Selection): string {
 export const selectedPaths = ({ selection, also }: Pick<View, "selection" | "also">): readonly string[] => (selection?.kind === "node" ? [selection.path, ...also] : []);
 
 function selectAll(view: View, [first, ...others]: readonly string[]): View {
-  return { ...view, selection: first === undefined ? undefined : { kind: "node", path: first }, also: new Set(others) };
+  return { ...view, selection: first === undefined ? undefined : { kind: "node", path: first }, also: new Set(others), asked: undefined };
 }
 
 function selectAlso(view: View, path: string): View {
@@ -157,6 +175,11 @@ function carry(view: Places, before: ModelTree, after: ModelTree): Places {
     focus: view.focus === undefined ? undefined : carriedPath(before, after, view.focus),
     collapsed: view.collapsed.size === 0 ? view.collapsed : paths(view.collapsed),
   };
+}
+
+function toPlace(view: View, { focus, selection, asked }: Pick<View, "focus" | "selection" | "asked">): View {
+  const opened = new Set([...(selection === undefined ? [] : ancestry(pathOf(selection)).slice(0, -1)), focus]);
+  return { ...view, focus, selection, asked, also: kNone, collapsed: new Set([...view.collapsed].filter((path) => !opened.has(path))), reveal: selection === undefined ? view.reveal : view.reveal + 1 };
 }
 
 function within(path: string, focus: string | undefined): boolean {
@@ -186,7 +209,9 @@ export function applyGesture(view: View, gesture: Gesture): View {
     case "toggle_drawer":
       return { ...view, drawer: view.drawer === "closed" ? view.lastDrawer : "closed" };
     case "select":
-      return { ...view, selection: gesture.selection, also: kNone };
+      return { ...view, selection: gesture.selection, also: kNone, asked: undefined };
+    case "ask":
+      return { ...view, asked: gesture.asked };
     case "select_also":
       return selectAlso(view, gesture.path);
     case "select_all":
@@ -199,12 +224,15 @@ export function applyGesture(view: View, gesture: Gesture): View {
         page: modelPage(view),
         selection: gesture.selection,
         also: kNone,
+        asked: undefined,
         focus: within(path, view.focus) ? view.focus : undefined,
         collapsed: new Set([...view.collapsed].filter((entry) => !opened.has(entry))),
         reveal: view.reveal + 1,
         follow: false,
       };
     }
+    case "place":
+      return toPlace(applyGesture(view, { type: "drawer", drawer: gesture.drawer }), gesture);
     case "enter":
       return { ...view, page: modelPage(view), focus: gesture.path, collapsed: new Set([...view.collapsed].filter((p) => p !== gesture.path)), follow: false };
     case "toggle": {
@@ -225,9 +253,9 @@ export function applyGesture(view: View, gesture: Gesture): View {
     case "show_again":
       return { ...view, ...gesture.shown };
     case "step":
-      return { ...view, step: gesture.step, drawer: "derivation", lastDrawer: "derivation" };
+      return { ...view, step: gesture.step, inference: gesture.inference, drawer: "derivation", lastDrawer: "derivation" };
     case "turn_to_step":
-      return { ...view, step: gesture.step };
+      return { ...view, step: gesture.step, inference: gesture.inference };
     case "help":
       return { ...view, help: gesture.shown };
     case "documents":
@@ -238,13 +266,13 @@ export function applyGesture(view: View, gesture: Gesture): View {
       return { ...view, runShown: gesture.shown };
     case "escape":
       if (isCovered(view)) return { ...view, help: false, documents: false, runs: false };
-      return { ...view, selection: undefined, also: kNone };
+      return { ...view, selection: undefined, also: kNone, asked: undefined };
     case "carry":
       return view.page === "edit" ? { ...view, ...carry(view, gesture.before, gesture.after) } : { ...view, aside: carry(view.aside, gesture.before, gesture.after) };
     case "forget":
-      return { ...view, ...kNowhere, step: undefined };
+      return { ...view, ...kNowhere, asked: undefined, step: undefined, inference: undefined };
     case "forget_run":
-      return view.page === "edit" ? { ...view, aside: kNowhere, step: undefined } : { ...view, ...kNowhere, step: undefined };
+      return view.page === "edit" ? { ...view, aside: kNowhere, step: undefined, inference: undefined } : { ...view, ...kNowhere, asked: undefined, step: undefined, inference: undefined };
     default:
       return assertNever(gesture);
   }

@@ -6,6 +6,7 @@ import { errorsText } from "../run/errorsText";
 import { timeText } from "../timeText";
 import type { RevisionGroup } from "./groups";
 import type { Range } from "./range";
+import { counted } from "../counted";
 
 /** Where the text of a revision comes from. */
 export function originText({ origin }: DocumentRevision): string {
@@ -38,7 +39,7 @@ export function groupText({ last, revisions }: RevisionGroup): string {
   if (last.message !== "") return last.message;
   if (revisions.length === 1) return originText(last);
   const undone = revisions.filter(({ origin }) => origin.kind === "undo").length;
-  return `${revisions.length} edits${undone > 0 ? `, ${undone} of them undo` : ""}`;
+  return `${counted(revisions.length, "edit")}${undone > 0 ? `, ${undone} of them undo` : ""}`;
 }
 
 export const numbersText = ({ first, last }: RevisionGroup): string => (first === last ? `${last.revision}` : `${first.revision} to ${last.revision}`);

@@ -3,7 +3,7 @@ import { describe, expect, it } from "vitest";
 import { completionAt } from "../../shared/code/completion";
 import { hoverAt } from "../../shared/code/hover";
 import { mistakesIn } from "../../shared/code/mistakes";
-import { scopeOf, type CodePlace } from "../../shared/code/scope";
+import { conditionScope, scopeOf, type CodePlace } from "../../shared/code/scope";
 import type { KnownService } from "../../shared/code/services";
 import type { JsonValue } from "../../shared/json";
 import { statesOf, textsInScope } from "../../shared/code/texts";
@@ -46,6 +46,17 @@ function offered(text: string, of = entry): readonly string[] {
   const position = text.indexOf("|");
   return completionAt(text.replace("|", ""), position, of)?.items.map(({ insert }) => insert) ?? [];
 }
+
+describe("the condition of a breakpoint", () => {
+  const wrong = (id: string | undefined, text: string) => mistakesIn(text, conditionScope(tree, id, [gripper])).map(({ message }) => message);
+  it("uses the names of its state: of a port and an action the one that has it, of the whole task the root", () => {
+    for (const id of ["root", "act", "out", undefined]) expect([wrong(id, "par.size > 1 and port.out"), wrong(id, "par.width > 1")]).toEqual([[], ["width is not declared here"]]);
+    expect(wrong("lib", "par.width > 1")).toEqual([]);
+  });
+  it("may name anything of a state that is not known, but nothing that no state has", () => {
+    for (const [id, of] of [["gone", tree], ["root", undefined]] as const) expect([mistakesIn("par.x and svc.y.z.result", conditionScope(of, id, [])), mistakesIn("parr.x", conditionScope(of, id, []))[0]?.message]).toEqual([[], "parr is not known here"]);
+  });
+});
 
 describe("completion", () => {
   it("offers what is declared", () => {

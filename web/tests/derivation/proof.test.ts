@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
-import { facts, judgement, lastFiring, leading, nodeAt, notable, rowParts, size, subjectText, summary } from "../../shared/derivation/proof";
+import { facts, inferenceOf, judgement, lastInference, leading, microNumber, microStepText, nodeAt, notable, rowParts, size, subjectText, summary } from "../../shared/derivation/proof";
 import type { Derivation, TraceStep } from "../../generated/messages";
+import { momentText } from "../../shared/past/moment";
 import { caseNames, runOf } from "../conformance";
 
 const all = (node: Derivation): readonly Derivation[] => [node, ...node.premises.flatMap(all)];
@@ -27,18 +28,49 @@ describe("judgement", () => {
   });
 });
 
-describe("lastFiring", () => {
+describe("lastInference", () => {
   const fires = (port: string): Derivation => ({
     rule: "Micro", equation: "3.31", at: "R", premises: [{ rule: "PTrigger", equation: "3.27", at: "R/A", port, premises: [] }],
   });
   it("finds the latest micro step in which the port fired, also in a part of a macro step", () => {
     const steps = [step(1, 0, [fires("p")]), step(2, 0, [fires("q"), fires("p"), fires("q")]), step(3, 2, [fires("q")])];
-    expect(lastFiring(steps, "R/A.p")).toEqual({ step: 2, micro: 1 });
-    expect(lastFiring(steps, "R/A.q")).toEqual({ step: 3, micro: 2 });
+    expect(lastInference(steps, { port: "R/A.p" })).toEqual({ step: 2, micro: 1 });
+    expect(lastInference(steps, { port: "R/A.q" })).toEqual({ step: 3, micro: 2 });
   });
   it("is undefined for a port that did not fire", () => {
-    expect(lastFiring([step(1, 0, [fires("p")])], "R/B.p")).toBeUndefined();
-    expect(lastFiring([], "R/A.p")).toBeUndefined();
+    expect(lastInference([step(1, 0, [fires("p")])], { port: "R/B.p" })).toBeUndefined();
+    expect(lastInference([], { port: "R/A.p" })).toBeUndefined();
+  });
+});
+
+describe("the inference of an action or a parameter", () => {
+  const executes: Derivation = { rule: "Action1", equation: "4.17", at: "R/A", action: 1, premises: [] };
+  const resolves: Derivation = { rule: "Resolve", equation: "3.13", at: "R/B", parameter: "w", value: 6, premises: [] };
+  const steps = [step(1, 0, [executes, resolves]), step(2, 0, [{ ...executes, rule: "Action3" }])];
+  it("is the last execution, not one that did not come", () => {
+    expect(lastInference(steps, { state: "R/A", action: 1 })).toEqual({ step: 1, micro: 0 });
+    expect(lastInference(steps, { state: "R/A", action: 0 })).toBeUndefined();
+  });
+  it("is that by which the parameter got its value", () => {
+    expect(lastInference(steps, { state: "R/B", parameter: "w" })).toEqual({ step: 1, micro: 1 });
+    expect(lastInference(steps, { state: "R/A", parameter: "w" })).toBeUndefined();
+  });
+});
+
+describe("a micro step", () => {
+  it("is counted from 1, as by moments and by race derive", () => {
+    expect(microStepText({ step: 3, micro: 0 })).toBe("macro step 3, micro step 1");
+    expect(momentText({ step: 3, micro: microNumber(0) })).toBe("3.1");
+  });
+});
+
+describe("inferenceOf", () => {
+  it("leads to the inference by which the port fired, among others", () => {
+    const fires = (at: string, port: string): Derivation => ({ rule: "PTrigger", equation: "3.27", at, port, premises: [] });
+    const root: Derivation = { rule: "Micro", equation: "3.31", at: "R", premises: [fires("R/A", "p"), { rule: "SProp", equation: "3.30", at: "R", premises: [fires("R/B", "q"), fires("R/B", "p")] }] };
+    expect(inferenceOf(root, { port: "R/B.p" })).toEqual([1, 1]);
+    expect(inferenceOf(root, { port: "R/A.p" })).toEqual([0]);
+    expect(inferenceOf(root, { port: "R/C.p" })).toBeUndefined();
   });
 });
 

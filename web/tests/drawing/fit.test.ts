@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { fit, fitReadable, shows } from "../../shared/drawing/fit";
+import { kPortsLegible } from "../../shared/drawing/levels";
 import { roundedPath } from "../../shared/drawing/path";
 
 const canvas = { width: 1000, height: 640 };
@@ -35,13 +36,14 @@ describe("fitReadable", () => {
     expect(fitReadable(drawing, canvas)).toEqual(fit(drawing, canvas));
   });
   it("is as wide as the canvas where that makes code larger, and no larger than written", () => {
-    const wide = fitReadable({ width: 1200, height: 3000 }, canvas);
-    expect(wide.x + 1200 * wide.zoom).toBeCloseTo(canvas.width - wide.x);
+    const wide = fitReadable({ width: 1020, height: 3000 }, canvas);
+    expect(wide.zoom).toBeGreaterThan(kPortsLegible);
+    expect(wide.x + 1020 * wide.zoom).toBeCloseTo(canvas.width - wide.x);
     expect(fitReadable({ width: 300, height: 3000 }, canvas).zoom).toBe(1);
   });
   it("does not make code smaller than it can be read to show the whole width", () => {
     const view = fitReadable({ width: 9000, height: 3000 }, canvas);
-    expect([view.zoom, view.x, view.y]).toEqual([0.68, 14, 50]);
+    expect([view.zoom, view.x, view.y]).toEqual([kPortsLegible, 14, 50]);
   });
   it("shows the beginning of a larger one, at a size at which its code can be read", () => {
     const view = fitReadable({ width: 700, height: 9000 }, canvas);

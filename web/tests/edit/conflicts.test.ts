@@ -111,6 +111,8 @@ describe("why an edit was refused", () => {
   it("names people as they are known", () => {
     expect(refusalText(notice("it was set by `Bob~x1` (revision 7)", "Bob~x1"))).toBe("Undo was refused: it was set by Bob (revision 7).");
     expect(refusalText(notice("it is gone", "Bob~x1"))).toBe("Undo was refused: it is gone (Bob was faster, revision 7).");
+    const grouping: Notice = { request: "t", change: { compound: { kind: "group", ids: ["a"], name: "G" } }, errors: [{ path: "compound/a", code: "conflict", message: "it would be entered twice" }] };
+    expect(refusalText(grouping)).toBe("Grouping was refused: it would be entered twice.");
     expect(refusalText(notice("there is nothing to undo"))).toBe("Undo was refused: there is nothing to undo.");
   });
 });

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Core, RunState } from "../../generated/messages";
+import type { Core } from "../../generated/messages";
 import { apply, type Operation } from "../../shared/edit/apply";
 import { difference } from "../../shared/edit/difference/difference";
 import { differenceRows } from "../../shared/edit/difference/rows";
@@ -11,11 +11,12 @@ import { markOf, placeOfRow, rowsByPlace } from "../../shared/live/marks";
 import { projectLive } from "../../shared/live/project";
 import { allowedBeside, newestRun, runOfDocument, runToTurnTo } from "../../shared/live/shownRun";
 import { executesText, parameterText } from "../../shared/live/texts";
-import { askableAddress, isActiveNow, valueNow } from "../../shared/live/values";
+import { askableAddress, explainedAt, isActiveNow, valueNow } from "../../shared/live/values";
 import { waitingState } from "../../shared/model/afters";
 import { buildTree } from "../../shared/model/modelTree";
 import { carriedText } from "../../shared/run/edits";
 import { treeOf } from "../edit/documents";
+import { liveState, type ValueTable } from "../../shared/run/liveState";
 
 const meta = (id: string) => ({ meta: { id } });
 const document = treeOf({
@@ -36,12 +37,13 @@ function edited(...operations: readonly Operation[]): Tree {
   if (result instanceof Refusal) throw result;
   return result.tree;
 }
+const entries = (values: ValueTable | undefined) => Object.fromEntries(values?.entries() ?? []);
 const modelOf = (tree: Tree) => buildTree(editedModel(tree).root);
-const run: RunState = {
+const run = liveState({
   active: ["Root", "Root/A", waitingState("Root/A.late")], ports: ["Root/B.done"], activated: { "Root/Join": ["Root/B.done"] },
   parameters: { "Root/A": { speed: 0.3 } }, results: { "Root/B": { r: 7 } }, variables: { "Root/A": { n: 4 } },
-};
-const live = liveOf(run, { fireCount: 3, ports: ["Root/B.done"] }, { kind: "type", at: "Root/A", message: "" });
+});
+const live = liveOf(run, { fireCount: 3, ports: ["Root/B.done"] }, { fault: { kind: "type", at: "Root/A", message: "" }, badEnd: "Root/B.done" });
 const of = modelOf(document);
 
 describe("a run on the drawing of an edited document", () => {
@@ -63,16 +65,16 @@ describe("a run on the drawing of an edited document", () => {
     expect([...shown.active]).toEqual(["Root", "Root/Group/Approach", waitingState("Root/Group/Approach.late")]);
     expect([...shown.fired]).toEqual(["Root/B.ready"]);
     expect(shown.activated).toEqual({ "Root/Meet": ["Root/B.ready"] });
-    expect(shown.run?.variables).toEqual({ "Root/Group/Approach": { count: 4 } });
-    expect(shown.run?.parameters).toEqual({ "Root/Group/Approach": { speed: 0.3 } });
-    expect(shown.faultAt).toBe("Root/Group/Approach");
+    expect(entries(shown.run?.variables)).toEqual({ "Root/Group/Approach": { count: 4 } });
+    expect(entries(shown.run?.parameters)).toEqual({ "Root/Group/Approach": { speed: 0.3 } });
+    expect([shown.faultAt, shown.badEnd]).toEqual(["Root/Group/Approach", "Root/B.ready"]);
   });
 
   it("does not fall to what has come in the place of something else", () => {
     const onto = modelOf(edited({ op: "remove", id: "a" }, { op: "insert", parent: "root", list: "children", node: { state: "A", ...meta("other"), variables: [{ name: "n", ...meta("other-n") }] } }));
     const shown = projectLive(live, of, onto);
     expect([...shown.active]).toEqual(["Root"]);
-    expect([shown.run?.variables, shown.faultAt]).toEqual([{}, undefined]);
+    expect([entries(shown.run?.variables), shown.faultAt]).toEqual([{}, undefined]);
   });
 });
 
@@ -83,6 +85,13 @@ describe("the value of an element in the run", () => {
   });
   it("is asked for of ports whose state is active alone", () => {
     expect([askableAddress(of, run, "a-done"), askableAddress(of, run, "b-done"), askableAddress(of, run, "a")]).toEqual(["Root/A.done", undefined, undefined]);
+  });
+  it("is explained on the page of the run, of ports, parameters and actions", () => {
+    expect(explainedAt(of, "b-done")).toEqual({ selection: { kind: "port", address: "Root/B.done" }, asked: undefined });
+    expect(explainedAt(of, "speed")).toEqual({ selection: { kind: "node", path: "Root/A" }, asked: { parameter: "speed" } });
+    const acting = buildTree(editedModel(treeOf({ rcm: 1, root: { state: "R", ...meta("r"), actions: [{ when: "True", do: "pass", ...meta("one") }, { when: "True", do: "pass", ...meta("two") }] } })).root);
+    expect(explainedAt(acting, "two")).toEqual({ selection: { kind: "node", path: "R" }, asked: { action: 1 } });
+    expect([explainedAt(of, "n"), explainedAt(of, "a"), explainedAt(of, "nobody")]).toEqual([undefined, undefined, undefined]);
   });
 });
 

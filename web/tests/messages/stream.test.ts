@@ -39,6 +39,7 @@ describe("readStreamMessage", () => {
 describe("the stream after a lost connection", () => {
   it("asks for what it missed of the channels it knows, and for the whole of the others", () => {
     expect(resubscriptions(new Set(["cores", "log"]), new Map([["log", 41]]))).toEqual([
+      { type: "gather" },
       { type: "subscribe", channel: "cores" },
       { type: "subscribe", channel: "log", since: 41 },
     ]);

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Derivation, TraceStep } from "../../generated/messages";
-import { lastFiring, type MicroStep } from "../../shared/derivation/proof";
+import { lastInference, type MicroStep } from "../../shared/derivation/proof";
 import type { Port, State } from "../../shared/model/model";
 import { buildTree } from "../../shared/model/modelTree";
 import { causes } from "../../shared/run/causes";
@@ -51,7 +51,7 @@ describe("the causes of an end", () => {
         const outer = chain[i];
         expect(address.startsWith(`${outer?.address.slice(0, outer.address.lastIndexOf(".")) ?? "none"}/`)).toBe(true);
         expect(order(firing)).toBeLessThanOrEqual(order(outer?.firing ?? { step: 0, micro: 0 }));
-        expect(lastFiring(steps, address)).toEqual(firing);
+        expect(lastInference(steps, { port: address })).toEqual(firing);
       });
     }
   });

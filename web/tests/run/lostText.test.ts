@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Core } from "../../generated/messages";
-import { lostText } from "../../shared/run/lostText";
+import { lastStatusText, lostText } from "../../shared/run/lostText";
 import { applyEvent, commandable, emptySession } from "../../shared/session/session";
 
 const core: Core = { id: "7", document: "pick", revision: 3, status: "running", paused: false, stepping: false, step: 12, micro: 0, waiting: 0, arguments: {}, breakpoints: [], live: false, model: 0 };
@@ -13,6 +13,10 @@ describe("a lost server", () => {
   it("says nothing of the robot where no run may move it", () => {
     for (const status of ["ready", "ended", "faulted", "aborted"] as const) expect(lostText({ ...core, status }).title).toBe("Server lost");
     expect(lostText(undefined).title).toBe("Server lost");
+  });
+  it("leaves the status open of a run that may have gone on", () => {
+    expect(lastStatusText(core)).toBe("Not known; last: Running");
+    expect(lastStatusText({ ...core, status: "ended", outcome: "done" })).toBe("Ended: done");
   });
   it("is lost until it answers, and takes no commands meanwhile", () => {
     const watching = { ...emptySession, connection: "open", cores: [core], watched: "7" } as const;

@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Core, HostedService } from "../../generated/messages";
 import { calledText, openCallsOf } from "../../shared/run/openCalls";
+import type { PersonWait } from "../../shared/run/waitingForPerson";
 
 const core = { id: "2" } as Core;
 const service = (key: string, pending: readonly object[]) => ({ key, pending }) as unknown as HostedService;
@@ -14,5 +15,11 @@ describe("the open calls of a run", () => {
     expect(calledText(call, 15.24)).toBe("called 3.2 s ago");
     expect(calledText(call, undefined)).toBe("called, not answered yet");
     expect(calledText(call, 11)).toBe("called, not answered yet");
+  });
+  it("say what a person is asked by them", () => {
+    const wait: PersonWait = { service: "phone", operation: "ask", call: 4, question: "Ready?", answers: undefined, display: "all" };
+    const calls = openCallsOf(core, [service("phone", [{ call: 9, operation: "ask", time: 1, core: "2", core_call: 4 }, { call: 10, operation: "ask", time: 2, core: "2", core_call: 5 }])]);
+    expect(calls.map((call) => calledText(call, 3, wait))).toEqual(["“Ready?”, called 2.0 s ago", "called 1.0 s ago"]);
+    expect(calls.map((call) => calledText(call, 3, { ...wait, service: "screen" }))).toEqual(["called 2.0 s ago", "called 1.0 s ago"]);
   });
 });

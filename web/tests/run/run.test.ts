@@ -2,9 +2,10 @@ import { describe, expect, it } from "vitest";
 import type { Core, CoreDelta, RunState, Values } from "../../generated/messages";
 import { buildTree, stateAt } from "../../shared/model/modelTree";
 import { applyDelta, runningNow } from "../../shared/run/applyDelta";
-import { allowed, primary, setsGoing, statusLook, statusText, until } from "../../shared/run/controls";
+import { allowed, holdsInputs, primary, setsGoing, statusLook, statusText, until } from "../../shared/run/controls";
+import { liveState, type LiveState } from "../../shared/run/liveState";
 import { callText, inputText } from "../../shared/run/inputText";
-import { atomAdvice, codePieces, constantText, readsText, whyHeadline, whySentences } from "../../shared/run/whyText";
+import { atomAdvice, codePieces, constantText, parameterHeadline, readsText, whyHeadline, whySentences } from "../../shared/run/whyText";
 import { caseNames, modelOf, runOf } from "../conformance";
 import { checkExample } from "../schemas";
 
@@ -42,29 +43,36 @@ function deltaBetween(before: RunState, after: RunState): CoreDelta {
   };
 }
 
+const plain = (state: LiveState): RunState => ({
+  ...state,
+  parameters: Object.fromEntries(state.parameters.entries()), results: Object.fromEntries(state.results.entries()), variables: Object.fromEntries(state.variables.entries()),
+});
 const sorted = (state: RunState) => ({ ...state, active: [...state.active].sort(), ports: [...state.ports].sort() });
 
 describe("applyDelta", () => {
   it.each(caseNames)("follows the recorded run of %s", (name) => {
-    let state = empty;
+    let before = empty;
+    let state = liveState(empty);
     for (const step of runOf(name).steps) {
-      state = applyDelta(state, deltaBetween(state, step.state));
-      expect(sorted(state)).toEqual(sorted(step.state));
+      state = applyDelta(state, deltaBetween(before, step.state));
+      expect(sorted(plain(state))).toEqual(sorted(step.state));
+      before = step.state;
     }
   });
   it("copies no more than what changes: a thousand steps of a large run are cheap", () => {
     const values = Object.fromEntries(Array.from({ length: 1000 }, (_, i) => [`Root/S${i}`, { x: i }]));
-    const before: RunState = { ...empty, active: ["Root"], activated: { "Root/Join": ["Root/A.p"] }, parameters: values, results: values };
+    const before = liveState({ ...empty, active: ["Root"], activated: { "Root/Join": ["Root/A.p"] }, parameters: values, results: values });
     const nothing = { core, active: {}, ports: {}, activated: {}, parameters: {}, results: {}, variables: {}, unset: { parameters: {}, results: {}, variables: {} }, fired: [], calls: [] };
     const after = applyDelta(before, { ...nothing, results: { "Root/S7": { y: 1 } } });
     for (const part of ["active", "ports", "activated", "parameters", "variables"] as const) expect(after[part]).toBe(before[part]);
-    expect(Object.keys(after.results).filter((path) => after.results[path] !== before.results[path])).toEqual(["Root/S7"]);
-    expect(after.results["Root/S7"]).toEqual({ x: 7, y: 1 });
+    expect(Object.keys(values).filter((path) => after.results.get(path) !== before.results.get(path))).toEqual(["Root/S7"]);
+    expect(after.results.get("Root/S7")).toEqual({ x: 7, y: 1 });
+    expect(before.results.get("Root/S7")).toEqual({ x: 7 });
   });
   it("removes a value that is unset, and nothing else", () => {
     const before: RunState = { ...empty, results: { A: { x: 1, y: null } } };
-    const after = applyDelta(before, { ...deltaBetween(before, before), results: {}, unset: { parameters: {}, results: { A: ["x"] }, variables: {} } });
-    expect(after.results).toEqual({ A: { y: null } });
+    const after = applyDelta(liveState(before), { ...deltaBetween(before, before), results: {}, unset: { parameters: {}, results: { A: ["x"] }, variables: {} } });
+    expect(plain(after).results).toEqual({ A: { y: null } });
   });
 });
 
@@ -88,6 +96,10 @@ describe("controls", () => {
   });
   it("offer nothing but another run when a core is over", () => {
     for (const status of ["ended", "faulted", "aborted"] as const) expect([...allowed({ ...core, status })]).toEqual(["again"]);
+  });
+  it("hold inputs while a run is paused and something has come for it", () => {
+    const held = { ...core, paused: true, waiting: 2 };
+    expect([held, { ...held, waiting: 0 }, { ...held, paused: false }, { ...held, status: "interrupted" } as const, { ...held, step: 0 }].map(holdsInputs)).toEqual([true, false, false, false, false]);
   });
   it("give the first button its command", () => {
     expect(primary({ ...core, status: "ready" })).toBe("start");
@@ -140,6 +152,29 @@ describe("texts", () => {
     expect(atomAdvice(why, { ...atom, blocks: false, together: true })).toBe("becoming true would fire it, with the others marked so");
     expect(atomAdvice(why, { ...atom, blocks: false })).toBeUndefined();
     expect(readsText(atom)).toBe("res.w is 0, par.x has no value yet");
+  });
+  it("say of an action what it waits for", () => {
+    const atom = { text: "svc.t.a", value: null, service: true, requires: ["svc.t.a"], reads: [{ text: "svc.t.a" }], blocks: true, wanted: true };
+    const why = { state: "R", action: 0, condition: "svc.t.a", value: null, executed: false, state_active: true, reason: "", atoms: [atom] } as const;
+    expect(whyHeadline(why)).toBe("Not executed");
+    expect(atomAdvice(why, atom)).toBe("becoming true alone would execute this action");
+    expect(whyHeadline({ ...why, executed: true })).toBe("Executed in this macro step");
+    expect(atomAdvice({ ...why, executed: true }, atom)).toBeUndefined();
+    expect(whyHeadline({ ...why, state_active: false })).toBe("Not executed: its state is not active");
+    expect(whyHeadline({ ...why, value: true })).toBe("Executed in the next micro step");
+    expect(whyHeadline({ ...why, value: true, held: "R3" })).toBe("Not executed: its function reads what is not there yet");
+    expect(whyHeadline({ ...why, value: true, held: "R19" })).toBe("Not executed again: it waits for something new");
+    expect(whyHeadline({ ...why, value: false, atoms: [{ ...atom, reads: [], requires: [], service: false }] })).toBe("Never executed");
+  });
+  it("say of a parameter what gives it its value, or would", () => {
+    const why = { state: "R/A", parameter: "w", state_active: false, reason: "", reads: [], expression: "var.n" } as const;
+    expect(parameterHeadline(why)).toBe("Would have no value");
+    expect(parameterHeadline({ ...why, gives: 3 })).toBe("An activation would give it 3");
+    expect(parameterHeadline({ ...why, gives: 3, state_active: true, value: 2 })).toBe("The next activation would give it 3");
+    expect(parameterHeadline({ ...why, gives: 3, turn: true })).toBe("Its expression gave 3");
+    const { expression: _, ...constant } = why;
+    expect(parameterHeadline({ ...constant, gives: 3 })).toBe("A constant of the model");
+    expect(parameterHeadline({ ...constant, gives: 3, argument: true })).toBe("Given with the start of the run");
   });
   it("give no effect for a port that cannot fire now or has fired, and none for a constant", () => {
     const atom = { text: "res.w", value: false, service: false, requires: [], reads: [{ text: "res.w" }], blocks: true, wanted: true, together: false };

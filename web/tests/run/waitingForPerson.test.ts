@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Call, Core, HostedService, TraceStep } from "../../generated/messages";
-import { displayAddress, stepThatAsked, waitingForPerson } from "../../shared/run/waitingForPerson";
+import { displayAddress } from "../../shared/run/displayCalls";
+import { stepThatAsked, waitingForPerson } from "../../shared/run/waitingForPerson";
 
 const core: Core = { id: "7", document: "pick", revision: 3, status: "running", paused: false, stepping: false, step: 12, micro: 0, waiting: 0, arguments: {}, breakpoints: [], live: false, model: 0 };
 const service = (key: string, type: string, pending: HostedService["pending"]): HostedService => ({
@@ -14,7 +15,7 @@ describe("a run that waits for a person", () => {
   it("says what is asked, and where", () => {
     const wait = waitingForPerson(core, [service("robot", "robot", []), service("phone", "display", pending)], [step({ ...ask, service: "robot" }, ask)]);
     expect(wait).toEqual({ service: "phone", operation: "ask", call: 9, question: "Is the table empty?", answers: { buttons: ["OK"] }, display: "arm" });
-    expect(wait && displayAddress(wait)).toBe("/display/?name=arm");
+    expect(wait && displayAddress(wait.display)).toBe("/display/?name=arm");
   });
   it("knows the displays as an argument by place, and the question by name", () => {
     const number: Call = { service: "phone", operation: "ask_number", args: [], kwargs: { question: "How many?" }, call: 9 };

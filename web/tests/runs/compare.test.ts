@@ -28,7 +28,7 @@ describe("two runs", () => {
   });
   it("are said to be the same, or to differ in a derivation, in a result, or in their length", () => {
     const step = differs.first ?? null;
-    expect(text({ same: false, steps: [20, 20], compared: 11, step: 12, micro: 3, first: step, second: step })).toBe("They first differ in macro step 12, micro step 3.");
+    expect(text({ same: false, steps: [20, 20], compared: 11, step: 12, micro: 3, first: step, second: step })).toBe("They first differ in macro step 12, micro step 4.");
     expect(text({ same: false, steps: [20, 20], compared: 11, step: 12, first: step, second: step })).toContain("its derivations are the same");
     expect(text({ same: false, steps: [11, 20], compared: 11, step: 12, first: null, second: step })).toBe("The same up to macro step 11, where run 7 ends; run 9 goes on.");
     expect(text({ same: true, steps: [20, 20], compared: 20 })).toBe("The same: derivations, calls and states of all 20 macro steps.");

@@ -5,7 +5,7 @@ import { buildTree } from "../../shared/model/modelTree";
 import { readModel } from "../../shared/model/readModel";
 import { allowed } from "../../shared/run/controls";
 import { coreOfRun } from "../../shared/runs/storedRun";
-import { durationText, outcomeText, runTime, storedText } from "../../shared/runs/texts";
+import { durationText, outcomeText, runTime, storedText, underWay } from "../../shared/runs/texts";
 import { applyEvent, commandable, emptySession, isStored, watchedCore } from "../../shared/session/session";
 import { checkExample } from "../schemas";
 import { readJson } from "../files";
@@ -36,6 +36,9 @@ describe("a stored run", () => {
     expect([outcomeText(run), runTime(run)]).toEqual(["Ended: done", "0.0 s"]);
     expect(runTime({ ...run, ended: run.created + 90_500 })).toBe("1 min 31 s");
     expect([0.04, 9.94, 10, 59.4, 60, 3600, 90_061].map((seconds) => durationText(seconds * 1000))).toEqual(["0.0 s", "9.9 s", "10 s", "59 s", "1 min", "1 h", "1 d 1 h"]);
+    expect(underWay({ created: 1000, ended: 13_400 }, { steps: [{ step: 1, time: 2_400_000 }] })).toBe("10 s");
+    expect(underWay({ created: 1000, ended: 13_400 }, { steps: [] })).toBe("12 s");
+    expect(underWay({ created: 1000 }, { steps: [] })).toBeUndefined();
     expect(storedText(core).title).toContain("is stored");
   });
 });

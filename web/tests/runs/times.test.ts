@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Input, Timing } from "../../generated/messages";
-import { scaleOf } from "../../shared/runs/scale";
+import { barOf, scaleOf } from "../../shared/runs/scale";
 import { durationOf, secondsAt, secondsText, servicesShown, timesOf } from "../../shared/runs/times";
 import type { LineStep, Timeline } from "../../shared/runs/timeline";
 
@@ -38,6 +38,12 @@ describe("the times of a run", () => {
 });
 
 describe("the scale of a time line", () => {
+  it("draws what was active for no time at the very end within its row", () => {
+    const scale = scaleOf("seconds", line, times, true);
+    const [begin, end] = barOf({ from: line.last, to: line.last }, scale);
+    expect(end).toBeLessThanOrEqual(scale.width);
+    expect(end - begin).toBeCloseTo(scale.width * 0.002);
+  });
   it("has each macro step where it began, and those without a time at the next one", () => {
     const scale = scaleOf("seconds", line, times, false);
     expect([scale.measure, scale.width, scale.unknown]).toEqual(["seconds", 6, 1]);

@@ -2,7 +2,7 @@ import ELK from "elkjs/lib/elk.bundled.js";
 import { describe, expect, it } from "vitest";
 import type { ElkGraph, LayoutEngine } from "../../shared/drawing/elk";
 import type { Rsm } from "../../generated/messages";
-import { drawRsm, splinePath } from "../../shared/service/rsmDrawing";
+import { drawRsm, labelLines } from "../../shared/service/rsmDrawing";
 
 const elk = new ELK();
 const engine: LayoutEngine = async (graph) => (await elk.layout(graph as Parameters<typeof elk.layout>[0])) as ElkGraph;
@@ -55,9 +55,26 @@ describe("drawRsm", async () => {
   });
 });
 
-describe("splinePath", () => {
-  it("takes points in groups of three as cubic curves", () => {
-    const points = [0, 1, 2, 3].map((x) => ({ x, y: 0 }));
-    expect(splinePath(points)).toBe("M 0 0 C 1 0, 2 0, 3 0");
+describe("a service that answers several operations in several ways", async () => {
+  const answers = ["answered", "refused", "replaced"];
+  const asks = ["ask", "choose", "ask_number"].map((operation) => ({ id: operation, src: "Idle", dst: "Asking", operation, defer: answers }));
+  const display: Rsm = {
+    rsm: 1, name: "display", operations: asks.map(({ operation }) => ({ name: operation })), events: [], states: [{ name: "Idle" }, { name: "Asking" }], init: "Idle",
+    transitions: [...asks, ...answers.map((id) => ({ id, src: "Asking", dst: "Idle" }))],
+  };
+  const { arrows, deferrals } = await drawRsm(engine, display);
+  it("has an arrow for operations that are answered alike, with one dashed line to each answer", () => {
+    expect(arrows.map(({ label, transitions }) => [label.text, transitions.length])).toEqual([["ask, choose, ask_number", 3], ["answered", 1], ["refused", 1], ["replaced", 1]]);
+    expect(deferrals.map(({ id }) => id)).toEqual(["ask:answered", "ask:refused", "ask:replaced"]);
+  });
+  it("has arrows that do not cross", () => {
+    const pieces = arrows.flatMap(({ id, points }) => points.slice(1).map((to, i) => ({ id, from: points[i] ?? to, to })));
+    const spans = (from: number, to: number, at: number) => Math.min(from, to) < at && at < Math.max(from, to);
+    const crossing = pieces.flatMap((a) => pieces.filter((b) => a.id !== b.id && a.from.y === a.to.y && b.from.x === b.to.x && spans(a.from.x, a.to.x, b.to.x) && spans(b.from.y, b.to.y, a.to.y)).map((b) => `${a.id} ${b.id}`));
+    expect(crossing).toEqual([]);
+  });
+  it("has long labels in lines", () => {
+    expect(labelLines("show_text, show_image, clear, ask")).toEqual(["show_text, show_image,", "clear, ask"]);
+    expect(labelLines("a_name_that_is_longer_than_a_line")).toEqual(["a_name_that_is_longer_than_a_line"]);
   });
 });

@@ -23,7 +23,7 @@ const kProText: Pairs = {
   "active-hover": ["active-ink", "soft"],
   "wait-soft": ["ink", "soft", "wait-ink", "bad"],
   "wait-hover": ["wait-ink"],
-  "bad-soft": ["ink", "soft", "bad"],
+  "bad-soft": ["ink", "soft", "bad", "accent"],
   "oracle-soft": ["ink", "oracle"],
   brand: ["on-fill"],
   "brand-hover": ["on-fill"],
@@ -31,7 +31,6 @@ const kProText: Pairs = {
   bad: ["on-fill"],
   hand: ["on-fill"],
   fired: ["on-fired"],
-  "fired-flash": ["on-fired"],
 };
 
 const kProGraphics: Pairs = {

@@ -79,7 +79,10 @@ TEST_F(WatchedStepsTest, StopsBeforeATestWithNothingDone) {
   EXPECT_EQ(before.micro, 0U);
   EXPECT_TRUE(execution.is_open());
   EXPECT_EQ(count(), Value(0));
-  EXPECT_EQ(execution.continue_step().micro, 1U) << "the same stop does not come twice";
+  EXPECT_TRUE(before.begins);
+  const Progress after = execution.continue_step();
+  EXPECT_EQ(after.micro, 1U) << "the same stop does not come twice";
+  EXPECT_FALSE(after.begins) << "its entry would be told, and stored, twice";
   EXPECT_EQ(count(), Value(1));
 }
 

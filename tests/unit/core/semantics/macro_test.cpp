@@ -120,7 +120,7 @@ TEST(Run, ShowsTheResponsesOfTheLastCompleteStepAfterAFault) {
   run.result(1, 5);
   run.event("a");
   ASSERT_EQ(run->status(), Status::faulted);
-  const Run::Why why = run->why(PortId{0});
+  const auto why = std::get<WhyPort>(run->why(PortId{0}));
   ASSERT_EQ(why.explanation.atoms.size(), 2u);
   EXPECT_EQ(why.explanation.atoms[0].value, language::Truth::yes);
 }

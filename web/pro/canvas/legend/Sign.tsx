@@ -42,6 +42,8 @@ export function Sign({ sign }: { readonly sign: SignName }) {
       return <Port />;
     case "port_active":
       return <Port look="is-active" />;
+    case "port_bad":
+      return <Port look="is-active ends-badly" />;
     case "port_timed":
       return <Port timed />;
     case "port_exit":

@@ -5,8 +5,9 @@ import { errorsText } from "../../../shared/run/errorsText";
 import { useView, view } from "../../client";
 import { useErrorCount } from "../../edit/errors";
 import { CanvasLayer } from "../CanvasLayer";
-import { useLive } from "../useLive";
+import { useLiveSlowly } from "../useLive";
 import { toggleBox } from "./paintNode";
+import { counted } from "../../../shared/counted";
 
 interface Props {
   readonly scene: Scene;
@@ -32,7 +33,7 @@ const kinds = { state: "State", dispatcher: "Dispatcher" };
 
 function StateInUse({ node, zoom }: { readonly node: DrawnNode; readonly zoom: number }) {
   const { path, x, y, width, height } = node;
-  const active = useLive((live) => live.active.has(path));
+  const active = useLiveSlowly((live) => live.active.has(path));
   const selected = useView((v) => v.selection?.kind === "node" && v.selection.path === path);
   const errors = useErrorCount(path, node.composite && !node.open);
   const toggle = toggleBox(node, zoom);
@@ -50,7 +51,7 @@ function StateInUse({ node, zoom }: { readonly node: DrawnNode; readonly zoom: n
 
 function PortInUse({ port, of }: { readonly port: DrawnPort; readonly of: DrawnNode }) {
   const { address } = port;
-  const active = useLive((live) => live.ports.has(address));
+  const active = useLiveSlowly((live) => live.ports.has(address));
   return (
     <button
       type="button"
@@ -65,9 +66,9 @@ function PortInUse({ port, of }: { readonly port: DrawnPort; readonly of: DrawnN
 }
 
 function BarrierInUse({ node: { path, x, y, width, height }, inbound }: { readonly node: DrawnNode; readonly inbound: readonly string[] }) {
-  const active = useLive((live) => live.active.has(path));
-  const arrived = useLive((live) => live.activated[path]) ?? [];
+  const active = useLiveSlowly((live) => live.active.has(path));
+  const arrived = useLiveSlowly((live) => live.activated[path]) ?? [];
   const missing = inbound.filter((port) => !arrived.includes(port));
-  const text = arrived.length > 0 && missing.length > 0 ? `waits for ${missing.join(", ")}` : `${inbound.length} inbound ports`;
+  const text = arrived.length > 0 && missing.length > 0 ? `waits for ${missing.join(", ")}` : counted(inbound.length, "inbound port");
   return <button type="button" aria-label={`Barrier ${path}, ${text}`} data-path={path} data-active={active} style={{ left: x, top: y, width, height }} onClick={() => select(path)} />;
 }

@@ -10,6 +10,7 @@ import { selectedPaths } from "../../../shared/session/view";
 import { useView, view } from "../../client";
 import { useErrorCounts } from "../../edit/errors";
 import { canvasView, showCanvas, type CanvasView } from "../canvasView";
+import { doubleClicked } from "../doubleClick";
 import { takeOver } from "../moved";
 import type { Laid } from "../useDrawing";
 import { createCamera, type Camera } from "./camera";
@@ -125,7 +126,9 @@ export const PaintedCanvas = memo(function PaintedCanvas({ laid, size, movedRef 
   });
   const onDoubleClick = useEffectEvent((event: MouseEvent) => {
     const hit = current()?.nodeAt({ x: event.clientX, y: event.clientY });
-    if (hit !== undefined && hit.port === undefined && scene.node(hit.path)?.node.composite === true) view.dispatch({ type: "enter", path: hit.path });
+    if (hit === undefined) return;
+    const inside = hit.port === undefined && scene.node(hit.path)?.node.composite === true ? hit.path : undefined;
+    doubleClicked(event, hit.port === undefined ? { kind: "node", path: hit.path } : { kind: "port", address: hit.port }, inside);
   });
   const onHover = useEffectEvent((event: PointerEvent | undefined) => setHover(event && current()?.nodeAt({ x: event.clientX, y: event.clientY })));
   useEffect(() => {

@@ -2,6 +2,7 @@
 // around. While the view moves, the browser's compositor moves and scales them; a new bitmap is painted aside and shown when it is whole.
 import type { Box } from "../../../shared/drawing/drawing";
 import type { Viewport } from "../../../shared/drawing/fit";
+import { kRest } from "../../../shared/drawing/livePace";
 import type { Size } from "../../../shared/drawing/measure";
 import { areaOf } from "../../../shared/drawing/movement";
 import type { Scene } from "../../../shared/drawing/scene";
@@ -11,8 +12,6 @@ import type { Theme } from "./theme";
 /** How much is painted around what is seen, as a share of its size; less than `reserve` left: a new bitmap is painted. */
 const kAround = 0.3;
 const kReserve = 0.08;
-/** The view is at rest when it has not moved for so long [ms]. */
-export const kRest = 120;
 /** A bitmap is not shown larger or smaller than by this factor while zooming. */
 const kStretch = 1.9;
 /** Time for painting in a frame while the view moves, and after the drawing has changed [ms]. */

@@ -1,13 +1,16 @@
 // A bitmap of a part of the drawing at one zoom, painted tile by tile, so that no frame of the page takes long. What the bitmap before it shows
-// already is copied.
+// already is copied. It is painted aside, and handed to its element when it is whole: without a graphics card the browser copies a canvas that can be
+// painted on in each frame in which anything moves.
 import type { Viewport } from "../../../shared/drawing/fit";
 import type { Box } from "../../../shared/drawing/drawing";
 import { showsInside } from "../../../shared/drawing/levels";
 import { looksSame } from "../../../shared/drawing/looksSame";
 import type { Scene } from "../../../shared/drawing/scene";
 import type { Size } from "../../../shared/drawing/measure";
+import type { Context } from "./context";
 import { paintLine } from "./paintLine";
 import { kIdle, paintNode } from "./paintNode";
+import { placeAt } from "./placeAt";
 import type { Theme } from "./theme";
 
 /** Side of a tile [px]. */
@@ -20,9 +23,16 @@ interface Tile {
   readonly top: number;
 }
 
+function contextOf(canvas: OffscreenCanvas): Context {
+  const context = canvas.getContext("2d", { alpha: false });
+  if (context === null) throw new Error("the browser paints no canvas");
+  return context;
+}
+
 export class Raster {
-  private readonly context: CanvasRenderingContext2D;
   private readonly tiles: Tile[];
+  /** What is painted, until it is handed over. */
+  private aside: OffscreenCanvas | undefined;
 
   /** `viewport`: of the drawing in the bitmap, whose size is in pixels of the page. `before`: it has some of this already. */
   constructor(
@@ -35,19 +45,12 @@ export class Raster {
     before?: Raster,
   ) {
     const known = before?.goesOnIn(this) === true ? before : undefined;
-    if (known?.canvas !== canvas) {
-      canvas.width = Math.ceil(size.width * scale);
-      canvas.height = Math.ceil(size.height * scale);
-      canvas.style.width = `${canvas.width / scale}px`;
-      canvas.style.height = `${canvas.height / scale}px`;
-    }
-    const context = canvas.getContext("2d", { alpha: false });
-    if (context === null) throw new Error("the browser paints no canvas");
-    this.context = context;
-    if (known !== undefined && known.canvas !== canvas) context.drawImage(known.canvas, (viewport.x - known.viewport.x) * scale, (viewport.y - known.viewport.y) * scale);
     this.tiles = [];
     for (let top = 0; top < size.height; top += kTile)
       for (let left = 0; left < size.width; left += kTile) if (known?.has({ left, top }, this) !== true) this.tiles.push({ left, top });
+    if (known?.canvas === canvas && this.tiles.length === 0) return;
+    this.aside = new OffscreenCanvas(Math.max(1, Math.ceil(size.width * scale)), Math.max(1, Math.ceil(size.height * scale)));
+    if (known !== undefined) contextOf(this.aside).drawImage(known.canvas, (viewport.x - known.viewport.x) * scale, (viewport.y - known.viewport.y) * scale);
   }
 
   /** Whether `next` can take pixels of this one as they are. */
@@ -55,7 +58,7 @@ export class Raster {
     const isWhole = (offset: number) => Number.isInteger(offset * scale);
     const sameGrid = isWhole(viewport.x - this.viewport.x) && isWhole(viewport.y - this.viewport.y);
     const sameCanvas = canvas !== this.canvas || (viewport.x === this.viewport.x && viewport.y === this.viewport.y && size.width === this.size.width && size.height === this.size.height);
-    return this.tiles.length === 0 && theme === this.theme && scale === this.scale && viewport.zoom === this.viewport.zoom && sameGrid && sameCanvas;
+    return this.aside === undefined && theme === this.theme && scale === this.scale && viewport.zoom === this.viewport.zoom && sameGrid && sameCanvas;
   }
 
   /** Whether this one shows a tile of `next` as a whole, and as it is there. */
@@ -71,25 +74,41 @@ export class Raster {
     return { x: (left - x) / zoom, y: (top - y) / zoom, width: kTile / zoom, height: kTile / zoom };
   }
 
-  /** Paints further tiles for `budget` [ms]; tells whether all are painted. */
+  /** Paints further tiles for `budget` [ms]; tells whether all are painted, and then its element shows them. */
   paint(budget: number): boolean {
+    if (this.aside === undefined) return true;
+    const context = contextOf(this.aside);
     const end = performance.now() + budget;
     while (this.tiles.length > 0 && performance.now() < end) {
       const tile = this.tiles.pop();
-      if (tile !== undefined) this.paintTile(tile);
+      if (tile !== undefined) this.paintTile(context, tile);
     }
-    return this.tiles.length === 0;
+    if (this.tiles.length > 0) {
+      // The browser only notes what is to be painted; asked for a pixel, it paints, so that not all of it comes in the last frame.
+      context.getImageData(0, 0, 1, 1);
+      return false;
+    }
+    this.handOver(this.aside);
+    this.aside = undefined;
+    return true;
+  }
+
+  private handOver(aside: OffscreenCanvas): void {
+    const { canvas, scale } = this;
+    const { width, height } = aside;
+    if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
+    canvas.style.width = `${width / scale}px`;
+    canvas.style.height = `${height / scale}px`;
+    canvas.getContext("bitmaprenderer", { alpha: false })?.transferFromImageBitmap(aside.transferToImageBitmap());
   }
 
   /** Places the bitmap for this view of the drawing. */
   place(view: Viewport): void {
-    const ratio = view.zoom / this.viewport.zoom;
-    const whole = (value: number) => (ratio === 1 ? Math.round(value * this.scale) / this.scale : value);
-    this.canvas.style.transform = `translate(${whole(view.x - this.viewport.x * ratio)}px, ${whole(view.y - this.viewport.y * ratio)}px) scale(${ratio})`;
+    placeAt(this.canvas, this.viewport, view, this.scale);
   }
 
-  private paintTile({ left, top }: Tile): void {
-    const { context, scale, theme } = this;
+  private paintTile(context: Context, { left, top }: Tile): void {
+    const { scale, theme } = this;
     const { x, y, zoom } = this.viewport;
     const area = this.areaOf({ left, top });
     context.save();
@@ -100,7 +119,7 @@ export class Raster {
     context.fillStyle = theme.colours.paper;
     context.fillRect(left, top, kTile, kTile);
     context.setTransform(scale * zoom, 0, 0, scale * zoom, scale * x, scale * y);
-    this.paintDots(area);
+    this.paintDots(context, area);
     for (const item of this.scene.items.within(area)) {
       if (item.inside !== undefined && !showsInside(item.inside, zoom)) continue;
       if (item.kind === "node") paintNode(context, item.node, zoom, theme, kIdle);
@@ -109,10 +128,10 @@ export class Raster {
     context.restore();
   }
 
-  private paintDots({ x, y, width, height }: { x: number; y: number; width: number; height: number }): void {
+  private paintDots(context: Context, { x, y, width, height }: { x: number; y: number; width: number; height: number }): void {
     if (kDots.gap * this.viewport.zoom < kDots.least) return;
-    this.context.fillStyle = this.theme.colours["canvas-dots"];
+    context.fillStyle = this.theme.colours["canvas-dots"];
     const first = (from: number) => Math.floor(from / kDots.gap) * kDots.gap;
-    for (let row = first(y); row < y + height; row += kDots.gap) for (let column = first(x); column < x + width; column += kDots.gap) this.context.fillRect(column, row, 1.2, 1.2);
+    for (let row = first(y); row < y + height; row += kDots.gap) for (let column = first(x); column < x + width; column += kDots.gap) context.fillRect(column, row, 1.2, 1.2);
   }
 }

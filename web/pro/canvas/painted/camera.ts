@@ -1,4 +1,5 @@
-// The view of the painted canvas: where it is, and its gradual movements.
+// The view of the painted canvas: where it is, and its gradual movements. Who listens is told in a frame of the page, once of all that has happened
+// since: what they write is not read before the frame is made, else the browser would compute styles for each event of the pointer.
 import type { Viewport } from "../../../shared/drawing/fit";
 import { between } from "../../../shared/drawing/movement";
 
@@ -13,26 +14,25 @@ const eased = (share: number): number => 1 - (1 - share) ** 3;
 
 export function createCamera(): Camera {
   let now: Viewport = { x: 0, y: 0, zoom: 1 };
-  let moving = 0;
+  let next = 0;
   const listeners = new Set<() => void>();
-  const set = (viewport: Viewport) => {
-    now = viewport;
-    listeners.forEach((listener) => listener());
-  };
+  const tell = () => listeners.forEach((listener) => listener());
   const show = (to: Viewport, duration = 0) => {
-    cancelAnimationFrame(moving);
+    cancelAnimationFrame(next);
     if (duration === 0 || matchMedia("(prefers-reduced-motion: reduce)").matches) {
-      set(to);
+      now = to;
+      next = requestAnimationFrame(tell);
       return;
     }
     const from = now;
     const begun = performance.now();
     const step = () => {
       const share = Math.min(1, (performance.now() - begun) / duration);
-      set(between(from, to, eased(share)));
-      if (share < 1) moving = requestAnimationFrame(step);
+      now = between(from, to, eased(share));
+      if (share < 1) next = requestAnimationFrame(step);
+      tell();
     };
-    moving = requestAnimationFrame(step);
+    next = requestAnimationFrame(step);
   };
   const listen = (listener: () => void) => {
     listeners.add(listener);

@@ -3,6 +3,7 @@ import { showsInside, showsPorts } from "../../../shared/drawing/levels";
 import type { Box } from "../../../shared/drawing/drawing";
 import type { Scene, SceneNode } from "../../../shared/drawing/scene";
 import { ancestry } from "../../../shared/model/modelTree";
+import type { Context } from "./context";
 import type { Theme } from "./theme";
 
 /** Numbers of errors by path of a node, with its ports, and by address of a port. */
@@ -26,13 +27,15 @@ export function errorsShown(scene: Scene, errors: ErrorCounts, zoom: number): Re
   return shown;
 }
 
-function outline(context: CanvasRenderingContext2D, { x, y, width, height }: Box, radius: number, pixel: number): void {
+function outline(context: Context, { x, y, width, height }: Box, radius: number, pixel: number): void {
   context.beginPath();
   context.roundRect(x - pixel, y - pixel, width + 2 * pixel, height + 2 * pixel, radius);
   context.stroke();
 }
 
-export function paintErrors(context: CanvasRenderingContext2D, scene: Scene, errors: ErrorCounts, zoom: number, { colours, sans }: Theme): void {
+export function paintErrors(context: Context, scene: Scene, errors: ErrorCounts, zoom: number, { colours, sans }: Theme): void {
+  // Also a font that is set and not used costs time, in each frame.
+  if (errors.size === 0) return;
   const pixel = 1 / Math.min(1, zoom);
   context.setLineDash([]);
   context.strokeStyle = colours.bad;

@@ -1,5 +1,6 @@
 // A line of the drawing on a canvas, as ModelLine draws it.
 import type { DrawnLine, Point } from "../../../shared/drawing/drawing";
+import type { Context } from "./context";
 import type { Theme } from "./theme";
 
 export type LineLook = "idle" | "active" | "fired" | "touched";
@@ -9,7 +10,7 @@ const kFine = 0.25;
 const kRadius = 7;
 const kHead = 9;
 
-function head(context: CanvasRenderingContext2D, from: Point, tip: Point, open: boolean): void {
+function head(context: Context, from: Point, tip: Point, open: boolean): void {
   const along = Math.atan2(tip.y - from.y, tip.x - from.x);
   const at = (back: number, aside: number): [number, number] => [tip.x - back * Math.cos(along) - aside * Math.sin(along), tip.y - back * Math.sin(along) + aside * Math.cos(along)];
   context.setLineDash([]);
@@ -34,7 +35,7 @@ function colourOf({ kind }: DrawnLine, look: LineLook, { colours }: Theme): stri
 }
 
 /** `flash`: how strongly it flashes, 1 to 0. */
-export function paintLine(context: CanvasRenderingContext2D, line: DrawnLine, zoom: number, theme: Theme, look: LineLook, flash = 0): void {
+export function paintLine(context: Context, line: DrawnLine, zoom: number, theme: Theme, look: LineLook, flash = 0): void {
   const [start, ...rest] = line.points;
   const tip = rest.at(-1);
   if (start === undefined || tip === undefined) return;

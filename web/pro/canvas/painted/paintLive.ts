@@ -6,6 +6,7 @@ import type { Box } from "../../../shared/drawing/drawing";
 import type { Scene, SceneItem, SceneLine, SceneNode } from "../../../shared/drawing/scene";
 import { waitingState } from "../../../shared/model/afters";
 import { clip, valueText } from "../../../shared/model/describe";
+import type { Context } from "./context";
 import { paintErrors, type ErrorCounts } from "./paintErrors";
 import { paintLine, type LineLook } from "./paintLine";
 import { paintNode, type NodeLook } from "./paintNode";
@@ -22,7 +23,7 @@ export interface Marks {
 }
 
 export interface LivePicture {
-  readonly context: CanvasRenderingContext2D;
+  readonly context: Context;
   readonly scene: Scene;
   readonly theme: Theme;
   readonly view: Viewport;
@@ -49,6 +50,7 @@ function lookOf({ scene, live }: LivePicture, { node }: SceneNode): NodeLook {
     },
     port: (address) => ({
       active: live.ports.has(address),
+      endsBadly: live.badEnd === address,
       waits: live.active.has(waitingState(address)),
       faulted: live.faultAt !== undefined && live.faultAt === waitingState(address),
     }),

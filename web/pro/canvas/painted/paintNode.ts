@@ -3,6 +3,7 @@ import type { Box, DrawnNode } from "../../../shared/drawing/drawing";
 import { fittingName, headHeight, nameSize, showsCode, showsInside, showsPorts } from "../../../shared/drawing/levels";
 import type { Line } from "../../../shared/model/describe";
 import type { Dispatcher } from "../../../shared/model/model";
+import type { Context } from "./context";
 import { paintPort, type PortLook } from "./paintPort";
 import type { Theme } from "./theme";
 
@@ -17,7 +18,7 @@ export interface NodeLook {
   readonly port: (address: string) => PortLook;
 }
 
-export const kIdle: NodeLook = { active: false, faulted: false, value: () => undefined, port: () => ({ active: false, waits: false, faulted: false }) };
+export const kIdle: NodeLook = { active: false, faulted: false, value: () => undefined, port: () => ({ active: false, endsBadly: false, waits: false, faulted: false }) };
 
 /** The signs of dispatchers: those of UML for histories. */
 export const kSigns: Readonly<Record<Dispatcher, string>> = { history: "H", "deep history": "H*", choice: "?" };
@@ -28,7 +29,7 @@ export function toggleBox({ x, y, width, side, open, ports }: DrawnNode, zoom: n
   return { x: x + width - covered - 8 - 17, y: y + (headHeight(zoom) - 17) / 2, width: 17, height: 17 };
 }
 
-function frame(context: CanvasRenderingContext2D, { x, y, width, height, dispatcher }: DrawnNode, zoom: number): void {
+function frame(context: Context, { x, y, width, height, dispatcher }: DrawnNode, zoom: number): void {
   context.beginPath();
   const radius = dispatcher === undefined ? 12 : Math.min(width, height) / 2;
   if (radius * zoom < 1.5) context.rect(x, y, width, height);
@@ -43,7 +44,7 @@ function surface({ dispatcher, open }: DrawnNode, { active, faulted }: NodeLook,
   return open ? { fill: colours.inset, border: colours["edge-strong"] } : { fill: colours.panel, border: colours.outline };
 }
 
-function paintHead(context: CanvasRenderingContext2D, node: DrawnNode, zoom: number, theme: Theme, look: NodeLook): void {
+function paintHead(context: Context, node: DrawnNode, zoom: number, theme: Theme, look: NodeLook): void {
   const size = nameSize(node, zoom);
   if (size === 0) return;
   const { colours, sans } = theme;
@@ -92,7 +93,7 @@ function paintHead(context: CanvasRenderingContext2D, node: DrawnNode, zoom: num
   context.textAlign = "left";
 }
 
-function paintText(context: CanvasRenderingContext2D, node: DrawnNode, theme: Theme, look: NodeLook): void {
+function paintText(context: Context, node: DrawnNode, theme: Theme, look: NodeLook): void {
   const { colours, sans, mono } = theme;
   const top = node.y + 30;
   context.strokeStyle = look.active ? colours["active-edge"] : colours.edge;
@@ -120,7 +121,7 @@ function paintText(context: CanvasRenderingContext2D, node: DrawnNode, theme: Th
   });
 }
 
-function paintBarrier(context: CanvasRenderingContext2D, { x, y, width, height }: DrawnNode, zoom: number, theme: Theme, { active, waiting }: NodeLook): void {
+function paintBarrier(context: Context, { x, y, width, height }: DrawnNode, zoom: number, theme: Theme, { active, waiting }: NodeLook): void {
   const { colours, sans } = theme;
   if (active) {
     context.fillStyle = colours["active-glow"];
@@ -141,7 +142,7 @@ function paintBarrier(context: CanvasRenderingContext2D, { x, y, width, height }
 }
 
 /** The node without what is in it: of an open composite that is painted over its inside (`above`), the frame and the row of its name. */
-export function paintNode(context: CanvasRenderingContext2D, node: DrawnNode, zoom: number, theme: Theme, look: NodeLook, above = false): void {
+export function paintNode(context: Context, node: DrawnNode, zoom: number, theme: Theme, look: NodeLook, above = false): void {
   context.setLineDash([]);
   if (node.kind === "barrier") {
     paintBarrier(context, node, zoom, theme, look);

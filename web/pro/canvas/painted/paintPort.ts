@@ -1,17 +1,20 @@
 // A port on a canvas, as PortBox draws it.
 import type { DrawnNode, DrawnPort } from "../../../shared/drawing/drawing";
 import { fittingName, portNameSize, showsCode } from "../../../shared/drawing/levels";
+import type { Context } from "./context";
 import type { Theme } from "./theme";
 
 /** How a port looks now. */
 export interface PortLook {
   readonly active: boolean;
+  /** The run ended through it, and badly. */
+  readonly endsBadly: boolean;
   /** Its time runs. */
   readonly waits: boolean;
   readonly faulted: boolean;
 }
 
-function paintClock(context: CanvasRenderingContext2D, x: number, y: number, size: number, colour: string): void {
+function paintClock(context: Context, x: number, y: number, size: number, colour: string): void {
   const radius = size * 0.42;
   context.strokeStyle = colour;
   context.lineWidth = size * 0.1;
@@ -23,15 +26,15 @@ function paintClock(context: CanvasRenderingContext2D, x: number, y: number, siz
   context.stroke();
 }
 
-export function paintPort(context: CanvasRenderingContext2D, port: DrawnPort, { dispatcher }: DrawnNode, zoom: number, theme: Theme, look: PortLook): void {
+export function paintPort(context: Context, port: DrawnPort, { dispatcher }: DrawnNode, zoom: number, theme: Theme, look: PortLook): void {
   const { colours, sans, mono } = theme;
   const { x, y, width, height, condition, timed } = port;
   context.beginPath();
   if (dispatcher === undefined) context.rect(x, y, width, height);
   else context.roundRect(x, y, width, height, Math.min(width, height) / 2);
-  context.fillStyle = look.active ? colours.fired : look.faulted ? colours["bad-soft"] : port.exits ? colours.inset : colours.panel;
+  context.fillStyle = look.endsBadly ? colours.bad : look.active ? colours.fired : look.faulted ? colours["bad-soft"] : port.exits ? colours.inset : colours.panel;
   context.fill();
-  context.strokeStyle = look.active ? colours.active : look.faulted ? colours.bad : colours.outline;
+  context.strokeStyle = look.endsBadly ? colours.bad : look.active ? colours.active : look.faulted ? colours.bad : colours.outline;
   context.lineWidth = Math.max(1.3, 0.5 / zoom);
   context.stroke();
   if (dispatcher !== undefined) return;
@@ -42,14 +45,15 @@ export function paintPort(context: CanvasRenderingContext2D, port: DrawnPort, { 
   const clock = timed ? size * 1.25 : 0;
   const both = near && condition !== "";
   const middle = y + height / 2 - (both ? 6 : 0);
-  const text = look.active ? colours["on-fired"] : colours.ink;
-  if (timed) paintClock(context, x + margin, middle, size, look.active ? text : look.waits ? colours.wait : colours.soft);
+  const isFilled = look.active || look.endsBadly;
+  const text = look.endsBadly ? colours["on-fill"] : look.active ? colours["on-fired"] : colours.ink;
+  if (timed) paintClock(context, x + margin, middle, size, isFilled ? text : look.waits ? colours.wait : colours.soft);
   context.textBaseline = "middle";
   context.font = `600 ${size}px ${sans}`;
   context.fillStyle = text;
   context.fillText(fittingName(port.name, size, width - margin - 3 - clock), x + margin + clock, middle);
   if (!both) return;
   context.font = `10px ${mono}`;
-  context.fillStyle = look.active ? text : colours.soft;
+  context.fillStyle = isFilled ? text : colours.soft;
   context.fillText(condition, x + margin, middle + 12.5);
 }

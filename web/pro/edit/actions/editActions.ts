@@ -1,16 +1,11 @@
 // Actions on what is selected, and undo.
-import { nameOfElement } from "../../../shared/edit/commands/command";
 import { remove } from "../../../shared/edit/commands/remove";
-import { rename } from "../../../shared/edit/commands/rename";
 import { view } from "../../client";
-import { unfold } from "../../layout/panels";
-import { carryOut, selectIds } from "../carryOut";
+import { showProperties } from "../../panels/showProperties";
+import { selectIds } from "../carryOut";
 import { editing, perform } from "../editing";
 import { openStateEditor } from "../forms/stateEditor";
 import { focusSelected } from "../gestures/focused";
-import { placeOfSelection } from "../gestures/onScreen";
-import { ask } from "../prompt";
-import type { Situation } from "../situation";
 import type { Action } from "./action";
 import { selectionAction } from "./commandAction";
 
@@ -32,27 +27,6 @@ const redo: Action = {
   run: () => perform({ redo: true }),
 };
 
-/** Asks another name where the element is: at what is selected, or at another place of the screen. */
-export function askName({ tree }: Situation, id: string, at: Pick<DOMRect, "x" | "y" | "width"> = placeOfSelection()): void {
-  const value = nameOfElement(tree, id);
-  const commit = (name: string): string | undefined => {
-    if (name === value) return undefined;
-    const now = editing.get().session?.view;
-    if (now === undefined) return "the document is not here";
-    const command = rename(now, id, name);
-    if ("reason" in command) return command.reason;
-    carryOut(command);
-    return undefined;
-  };
-  ask({ kind: "name", label: `Name of ${value}`, at, value, commit });
-}
-
-const renaming: Action = {
-  id: "rename", name: "Rename", keys: ["F2"], group: "Edit", where: "model",
-  when: ({ one, ids }) => (one !== undefined ? undefined : ids.length > 1 ? "several are selected" : "nothing is selected"),
-  run: (situation) => situation.one !== undefined && askName(situation, situation.one),
-};
-
 const removing = selectionAction({ id: "delete", name: "Delete", keys: ["Delete", "Backspace"], group: "Edit" }, ({ tree }, ids) => remove(tree, ids));
 
 const selectAll: Action = {
@@ -63,13 +37,6 @@ const selectAll: Action = {
     selectIds(tree.elements.get(parent)?.lists.children ?? []);
   },
 };
-
-/** Where what is selected is shown and written. */
-function showProperties(): void {
-  unfold("right");
-  const panel = document.querySelector('.side-right, [aria-label="Properties"]');
-  panel?.querySelector<HTMLElement>("input, textarea, select, [contenteditable=true], button, a")?.focus();
-}
 
 const properties: Action = {
   id: "properties", name: "Properties", keys: ["Enter"], group: "Edit", where: "model",
@@ -91,7 +58,7 @@ const selectNothing: Action = {
 };
 
 export const editActions: readonly Action[] = [
-  undo, redo, renaming,
+  undo, redo,
   { ...removing, run: (situation) => { removing.run(situation); focusSelected(); } },
   properties, stateEditor, selectAll, selectNothing,
 ];

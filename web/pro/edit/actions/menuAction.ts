@@ -7,7 +7,7 @@ import { menuEntry, type Action } from "./action";
 
 const kForPort = ["rename", "usages", "note", "breakpoint", "breakpoint_kind", "connect", "disconnect", "earlier", "later", "duplicate", "copy", "cut", "delete"];
 const kForBarrier = ["rename", "usages", "note", "connect", "disconnect", "set_first", "earlier", "later", "group", "move_into", "move_out", "duplicate", "copy", "cut", "delete"];
-const kForState = ["properties", "enter", "rename", "usages", "note", "breakpoint", "breakpoint_kind", "add_inside", "add_port", "connect", "set_first", "earlier", "later", "group", "ungroup", "extract", "move_into", "move_out", "duplicate", "copy", "cut", "paste", "delete"];
+const kForState = ["properties", "enter", "rename", "usages", "note", "breakpoint", "breakpoint_kind", "add_inside", "add_port", "connect", "set_first", "oracle", "earlier", "later", "group", "ungroup", "extract", "move_into", "move_out", "duplicate", "copy", "cut", "paste", "delete"];
 const kForSeveral = ["group", "move_into", "move_out", "duplicate", "copy", "cut", "delete"];
 const kForNothing = ["add_state", "add_barrier", "add_port", "paste", "select_all", "lay_out_anew", "keep_layout", "leave", "undo", "redo"];
 

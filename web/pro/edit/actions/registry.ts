@@ -10,14 +10,14 @@ import { connectActions } from "./connectActions";
 import { documentActions } from "./documentActions";
 import { editActions } from "./editActions";
 import { menuAction } from "./menuAction";
+import { nameActions } from "./nameActions";
 import { pageActions } from "./pageActions";
 import { pairingActions } from "../../pairing/pairing";
 import { placingActions } from "./placingActions";
 import { structureActions } from "./structureActions";
-import { usageActions } from "./usageActions";
 import { walkActions } from "./walkActions";
 
-const inMenus: readonly Action[] = [...editActions, ...clipboardActions, ...addActions, ...connectActions, ...structureActions, ...placingActions, ...commentActions, ...usageActions, ...debuggerActions, ...documentActions, ...pageActions];
+const inMenus: readonly Action[] = [...editActions, ...clipboardActions, ...addActions, ...connectActions, ...structureActions, ...placingActions, ...commentActions, ...nameActions, ...debuggerActions, ...documentActions, ...pageActions];
 
 export const actions: readonly Action[] = [...inMenus, ...walkActions, ...liveActions, ...cellActions, ...pairingActions, menuAction(inMenus)];
 

@@ -4,10 +4,11 @@ import { extract, group, nameForGroup, nameInLibrary, reasonAgainstGroup, ungrou
 import { moveInOrder, moveInto, moveOut } from "../../../shared/edit/commands/move";
 import { nameOfElement, type Command } from "../../../shared/edit/commands/command";
 import { outermost } from "../../../shared/edit/commands/references";
-import { elementOf, type Tree } from "../../../shared/edit/tree";
+import { elementOf, listOf, type Tree } from "../../../shared/edit/tree";
 import { view } from "../../client";
 import { carryOut } from "../carryOut";
 import { editedDocument } from "../editing";
+import { goToField } from "../goToField";
 import { placeOfSelection } from "../gestures/onScreen";
 import { ask } from "../prompt";
 import type { Action } from "./action";
@@ -34,6 +35,12 @@ const grouping: Action = {
 const extracting: Action = {
   ...elementAction({ id: "extract", name: "Extract into the library", group: "Structure" }, ({ tree }, id) => extract(tree, id, nameInLibrary(tree, id))),
   run: ({ tree, one }) => one !== undefined && askNameFor("Name in the library", nameInLibrary(tree, one), (now, name) => extract(now, one, name)),
+};
+
+const deciding: Action = {
+  id: "oracle", name: "Let an oracle decide where it begins", keys: [], group: "Structure", where: "untyped",
+  when: ({ tree, one }) => (one === undefined ? "no state is selected" : listOf(tree, one, "children").length === 0 ? "it has no states inside" : undefined),
+  run: ({ one }) => one !== undefined && goToField(one, ["oracle"]),
 };
 
 /** The states into which all of these can move. */
@@ -66,6 +73,7 @@ export const structureActions: readonly Action[] = [
   elementAction({ id: "ungroup", name: "Ungroup", keys: ["Ctrl+Shift+G"], group: "Structure" }, ({ tree }, id) => ungroup(tree, id)),
   extracting,
   elementAction({ id: "set_first", name: "Begin here", group: "Structure" }, ({ tree }, id) => setFirst(tree, id)),
+  deciding,
   moving,
   selectionAction({ id: "move_out", name: "Move out of its state", group: "Structure" }, ({ tree }, ids) => moveOut(tree, ids)),
   elementAction({ id: "earlier", name: "Evaluate earlier", keys: ["Alt+ArrowUp"], group: "Structure", repeats: true }, ({ tree }, id) => moveInOrder(tree, id, "earlier")),

@@ -38,7 +38,7 @@ function press(event: KeyboardEvent): void {
   if (action === undefined) return;
   event.preventDefault();
   if (event.repeat && action.repeats !== true) return;
-  if (action.where === "model") takeFocused();
+  if (isInModel(event.target)) takeFocused();
   runAction(action);
 }
 

@@ -5,6 +5,7 @@ import { setOperation } from "../../../shared/edit/commands/setField";
 import { entryOf } from "../../../shared/json";
 import type { State } from "../../../shared/model/model";
 import { ParameterNow, ValueNow } from "../../live/ValueNow";
+import { WhyLink } from "../../live/WhyLink";
 import { perform, useEditing } from "../editing";
 import { ElementRows } from "./ElementRows";
 import { ElementText } from "./ElementText";
@@ -36,7 +37,15 @@ function ParameterRow({ id }: { readonly id: string }) {
     if (hasFrom && typeof from === "string") perform({ operations: [setOperation(id, "from", undefined), setOperation(id, "value", constantOf(from))] });
   };
   return (
-    <Datum id={id} now={<ParameterNow id={id} />}>
+    <Datum
+      id={id}
+      now={
+        <>
+          <ParameterNow id={id} />
+          <WhyLink id={id} name="this parameter" />
+        </>
+      }
+    >
       <button
         type="button"
         className="row-kind"

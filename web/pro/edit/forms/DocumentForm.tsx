@@ -5,6 +5,7 @@ import { useEditing } from "../editing";
 import { FieldErrors } from "./FieldErrors";
 import { ServiceRows } from "./ServiceRows";
 import { TextField } from "./TextField";
+import { counted } from "../../../shared/counted";
 
 const textOf = (value: unknown): string => (typeof value === "string" ? value : "");
 
@@ -16,7 +17,7 @@ export function DocumentForm() {
   return (
     <div className="form">
       <header className="form-head">
-        <small>Document, {count} elements</small>
+        <small>Document, {counted(count, "element")}</small>
         <TextField id="" field="name" label="Name" isBare className="form-title" placeholder="name" now={textOf(entryOf(fields, "name"))} change={(name) => setField("", "name", name === "" ? undefined : name)} />
         <FieldErrors id="" field="" />
       </header>

@@ -7,6 +7,7 @@ import { copyWritten } from "../copyWritten";
 import { editedDocument, useEditing } from "../editing";
 import { goToField } from "../goToField";
 import { drafts, useDrafts } from "./drafts";
+import { counted } from "../../../shared/counted";
 
 function whereOf({ id, field: key }: DraftText): string {
   const tree = editedDocument();
@@ -30,7 +31,7 @@ export function DraftList() {
   };
   return (
     <details className="draft-list" ref={menu}>
-      <summary>{unsent.length === 1 ? "1 unsent text" : `${unsent.length} unsent texts`}</summary>
+      <summary>{counted(unsent.length, "unsent text")}</summary>
       <ul>
         {unsent.map((draft) => (
           <li key={`${draft.id}/${draft.field}`}>

@@ -6,6 +6,7 @@ import { setOperation } from "../../../shared/edit/commands/setField";
 import { entryOf } from "../../../shared/json";
 import type { State } from "../../../shared/model/model";
 import { ConditionNow } from "../../live/ConditionNow";
+import { WhyLink } from "../../live/WhyLink";
 import { perform, useEditing } from "../editing";
 import { ChoiceField } from "./ChoiceField";
 import { ElementRows } from "./ElementRows";
@@ -53,6 +54,7 @@ export function ConditionField({ id }: { readonly id: string }) {
         <ElementText id={id} field="when" label="Condition" kind="expression" isBare isRequired placeholder="condition" className="row-value" />
       )}
       <ConditionNow id={id} />
+      <WhyLink id={id} name="this port" />
     </div>
   );
 }

@@ -19,3 +19,9 @@ export function rename(tree: Tree, id: string, name: string): Command {
   if (siblings.some((sibling) => nameOfElement(tree, sibling) === name)) return { reason: `there is a ${name} already` };
   return { change: { compound: { kind: "rename", id: elementOf(tree, id).id, name } } };
 }
+
+/** Another key for a service of the document, also wherever it is used. */
+export function renameService(key: string, name: string): Command {
+  const reason = reasonAgainstName(name);
+  return reason === undefined ? { change: { compound: { kind: "rename_service", key, name } } } : { reason };
+}

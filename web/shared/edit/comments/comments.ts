@@ -1,6 +1,7 @@
 // The comments of a document, read from its `meta` as threads.
 import { entryOf, isObject, type JsonObject, type JsonValue } from "../../json";
 import type { Tree } from "../tree";
+import { counted } from "../../counted";
 
 export interface Comment {
   readonly id: string;
@@ -114,4 +115,4 @@ export const threadsOn = (tree: Tree, element: string): readonly Thread[] => com
 
 export const isOpen = ({ resolved }: Thread): boolean => resolved === undefined;
 
-export const openComments = (count: number): string => (count === 1 ? "1 open comment" : `${count} open comments`);
+export const openComments = (count: number): string => counted(count, "open comment");

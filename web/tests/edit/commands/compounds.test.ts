@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { addTarget, connect, disconnect, reasonAgainstTarget, targetsOf } from "../../../shared/edit/commands/connect";
 import { duplicate, extract, group, nameForGroup, nameInLibrary, ungroup } from "../../../shared/edit/commands/group";
-import { rename } from "../../../shared/edit/commands/rename";
+import { rename, renameService } from "../../../shared/edit/commands/rename";
 import { after, childrenOf, compoundOf, document, field, newIds, reasonOf } from "./fixture";
 
 describe("connecting", () => {
@@ -57,6 +57,10 @@ describe("what the server makes", () => {
 
 describe("renaming", () => {
   it("names the element anew, wherever it is named", () => expect(compoundOf(rename(document, "a", "Approach"))).toEqual({ kind: "rename", id: "a", name: "Approach" }));
+  it("gives a service another key", () => {
+    expect(compoundOf(renameService("gripper", "hand"))).toEqual({ kind: "rename_service", key: "gripper", name: "hand" });
+    expect(reasonOf(renameService("gripper", "the hand"))).toContain("a name has letters");
+  });
   it("says why a name is none", () => {
     expect(reasonOf(rename(document, "a", "2nd"))).toContain("begins with no digit");
     expect(reasonOf(rename(document, "a", "B"))).toBe("there is a B already");

@@ -1,0 +1,79 @@
+// The condition of a breakpoint: names that mean nothing are told while it is typed; cores tell the rest when they take it.
+import { useEffect, useId, useMemo, useState, type KeyboardEvent } from "react";
+import type { KeptBreakpoint } from "../../generated/messages";
+import { mistakesIn, type Mistake } from "../../shared/code/mistakes";
+import { conditionScope, type Scope } from "../../shared/code/scope";
+import { useView } from "../client";
+import { useEditing } from "../edit/editing";
+import { useKnownServices } from "../edit/forms/useKnownServices";
+
+/** The word that is being written is not told of until it is whole [ms]. */
+const kPause = 400;
+
+/** On the page of the run, the document is not here: its names are not known. */
+function useScope({ id, path }: KeptBreakpoint): Scope {
+  const isEdited = useView((v) => v.page === "edit");
+  const edited = useEditing(({ session }) => session?.view);
+  const services = useKnownServices();
+  // Of a place that is named by a path, the element is not known.
+  const tree = isEdited && path === undefined ? edited : undefined;
+  return useMemo(() => conditionScope(tree, id, services), [tree, id, services]);
+}
+
+/** The first mistake of a text that has rested. */
+function useMistake(text: string, scope: Scope): Mistake | undefined {
+  const [rested, setRested] = useState(text);
+  useEffect(() => {
+    const timer = setTimeout(() => setRested(text), kPause);
+    return () => clearTimeout(timer);
+  }, [text]);
+  return useMemo(() => (rested === text ? mistakesIn(text, scope)[0] : undefined), [rested, text, scope]);
+}
+
+interface Props {
+  readonly breakpoint: KeptBreakpoint;
+  readonly value: string;
+  readonly isRequired: boolean;
+  /** A core has refused it. */
+  readonly wrong: boolean;
+  readonly onCommit: (condition: string) => void;
+}
+
+/** Enter or leaving the field takes what is written, Esc does not. */
+export function ConditionInput({ breakpoint, value, isRequired, wrong, onCommit }: Props) {
+  const [draft, setDraft] = useState<string>();
+  const told = useId();
+  const text = draft ?? value;
+  const mistake = useMistake(text, useScope(breakpoint));
+  const commit = () => {
+    const written = draft?.trim();
+    setDraft(undefined);
+    if (written !== undefined && written !== value && !(isRequired && written === "")) onCommit(written);
+  };
+  const press = (event: KeyboardEvent) => {
+    if (event.key === "Enter") commit();
+    else if (event.key === "Escape") setDraft(undefined);
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  };
+  return (
+    <>
+      <input
+        aria-label="Condition"
+        aria-invalid={wrong || mistake?.severity === "error"}
+        aria-describedby={told}
+        placeholder="if …"
+        maxLength={500}
+        spellCheck={false}
+        value={text}
+        onChange={({ target }) => setDraft(target.value)}
+        onBlur={commit}
+        onKeyDown={press}
+      />
+      <small id={told} role="status" className={`condition-told ${mistake?.severity === "error" ? "bad" : "quiet"}`}>
+        {mistake?.message}
+      </small>
+    </>
+  );
+}
