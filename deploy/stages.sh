@@ -7,11 +7,13 @@ readonly out=$PWD/build/test
 readonly ended=$out/stages.txt
 rm -rf "$out" && mkdir -p "$out" && : >"$ended" || exit 1
 
-# tally: `PASSED FAILED` of all reports so far. Before the first one Python need not be there.
+# The folder for the reports of tests of the stage that runs; a stage that runs beside others has its own.
+reports=$out
+
+# tally FOLDER: `PASSED FAILED` of the reports in it. Before the first one Python need not be there.
 tally() {
-  if [[ $(find "$out" -name '*.xml' -print -quit) ]]; then /usr/bin/python3 deploy/tally.py "$out"; else echo 0 0; fi
+  if [[ $(find "$1" -name '*.xml' -print -quit) ]]; then /usr/bin/python3 deploy/tally.py "$1"; else echo 0 0; fi
 }
-failures() { tally | cut -d' ' -f2; }
 
 # timed LOG COMMAND...: runs it with its output in the log, and its time of processors in LOG.cpu.
 timed() {
@@ -20,27 +22,36 @@ timed() {
   { time "$@" >"$log" 2>&1; } 2>"$log.cpu"
 }
 
-# stage NAME COMMAND...: runs it with its output in a log; says how it went and how long it took. A build that broke or a
-# program that never reported is one failure by itself. Stages that run beside others must not report tests.
+# What tests and sanitizers say of what went wrong, of long logs.
+readonly findings='(^|[^a-z])(FAILED|FAIL:|Failure|ERROR: |SUMMARY: |runtime error|AssertionError|error:)'
+
+# stage NAME COMMAND...: runs it with its output in a log and its reports in a folder of its own; says how it went and how
+# long it took. A build that broke or a program that never reported is one failure by itself.
 stage() {
-  local name=$1 log=$out/$1.log started=$SECONDS failures_before status seconds cpu result=ok
+  local name=$1 log=$out/$1.log started=$SECONDS status seconds cpu result=ok
   shift
-  failures_before=$(failures)
+  reports=$out/$name && mkdir -p "$reports"
   printf '[%4d s] %s ...\n' "$SECONDS" "$name"
   timed "$log" "$@"
   status=$? seconds=$((SECONDS - started))
   cpu=$(awk '{ printf "%d", $1 + $2 }' "$log.cpu")
   if ((status != 0)); then
     result=failed
-    [[ $(failures) == "$failures_before" ]] && result=broken
+    [[ $(tally "$reports" | cut -d' ' -f2) == 0 ]] && result=broken
   fi
   printf '%s %d %d %s\n' "$name" "$seconds" "$cpu" "$result" >>"$ended"
   if ((status == 0)); then
     printf '[%4d s] %s: ok (%d s)\n' "$SECONDS" "$name" "$seconds"
     return 0
   fi
-  printf '[%4d s] %s: FAILED (%d s); the end of its log, %s:\n' "$SECONDS" "$name" "$seconds" "${log#"$PWD/"}"
-  tail -n 80 "$log" | sed 's/^/    /'
+  # At once, as other stages may print, too.
+  {
+    printf '[%4d s] %s: FAILED (%d s); what its log says, %s:\n' "$SECONDS" "$name" "$seconds" "${log#"$PWD/"}"
+    grep -E -B 2 -A 6 -m 8 "$findings" "$log" | cut -c1-300 | head -n 60 | sed 's/^/    /'
+    printf '    ... and its end:\n'
+    tail -n 40 "$log" | sed 's/^/    /'
+  } >"$log.said"
+  cat "$log.said"
   return 1
 }
 
@@ -67,7 +78,7 @@ wait_beside() {
 # finish: the table of stages and the sum of all reports; leaves with status 0 if all passed.
 finish() {
   local passed failed
-  read -r passed failed < <(tally)
+  read -r passed failed < <(tally "$out")
   ((failed += $(grep -c ' broken$' "$ended")))
   awk '{ printf "%-20s %5d s %6d s of processors\n", $1, $2, $3 }' "$ended"
   printf '%-20s %5d s\n' total "$SECONDS"
