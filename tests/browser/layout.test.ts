@@ -228,6 +228,16 @@ describe("following a run", () => {
     await expect.poll(() => letters(`${kActive}.done`)).toBeGreaterThanOrEqual(9.9);
     expect(await follow().getAttribute("aria-pressed")).toBe("true");
   });
+
+  it("begins while the drawing still moves to where its ports cannot be read", async () => {
+    await follow().click();
+    await expect.poll(() => follow().getAttribute("aria-pressed")).toBe("false");
+    await page.keyboard.press("Control+0");
+    await page.keyboard.press("Control+Shift+Space");
+    await page.waitForTimeout(800);
+    await expect.poll(() => letters(`${kActive}.done`)).toBeGreaterThanOrEqual(9.9);
+    expect(await isInView(kActive)).toBe(true);
+  });
 });
 
 describe("the browser's Back", () => {

@@ -29,7 +29,7 @@ export function Following({ laid, size }: Props) {
     const index = hitIndex(laid.drawing);
     const boxes = paths.map((path) => index.node(path)).filter((node) => node !== undefined);
     if (boxes.length < paths.length) view.dispatch({ type: "show_active", paths });
-    const next = followView(boxes, canvas.viewport(), laid.drawing, size);
+    const next = followView(boxes, canvas.target(), laid.drawing, size);
     if (next !== undefined) canvas.show(next, 300);
   });
 

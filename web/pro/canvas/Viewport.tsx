@@ -48,7 +48,7 @@ export function Viewport({ laid, size, movedRef }: Props) {
   const { drawing } = laid;
   const isDragged = isPreview(laid);
   const followGrowth = useEffectEvent(() => {
-    const now = shownCanvas()?.viewport();
+    const now = shownCanvas()?.target();
     if (now !== undefined && !shows(now, drawing, size)) show(250);
   });
   useEffect(() => {

@@ -1,6 +1,6 @@
 // Zooming by button and key: in, out, and the whole drawing; and the drawing as a file.
-import { useRef, type RefObject } from "react";
-import { fit, type Viewport } from "../../shared/drawing/fit";
+import type { RefObject } from "react";
+import { fit } from "../../shared/drawing/fit";
 import type { Size } from "../../shared/drawing/measure";
 import { zoomedAt } from "../../shared/drawing/movement";
 import { keysOf } from "../../shared/session/shortcuts";
@@ -23,17 +23,11 @@ interface Props {
 
 export function ZoomControls({ laid, size, movedRef }: Props) {
   const legend = useLegend();
-  const aimRef = useRef<{ readonly viewport: Viewport; readonly end: number }>(undefined);
-  /** From where the step before leads to, if the drawing is still on the way. */
   const zoom = (factor: number) => {
     takeOver(movedRef);
     const canvas = shownCanvas();
     if (canvas === undefined) return;
-    const now = performance.now();
-    const from = aimRef.current !== undefined && now < aimRef.current.end ? aimRef.current.viewport : canvas.viewport();
-    const viewport = zoomedAt(from, { x: size.width / 2, y: size.height / 2 }, factor);
-    aimRef.current = { viewport, end: now + kMoment };
-    canvas.show(viewport, kMoment);
+    canvas.show(zoomedAt(canvas.target(), { x: size.width / 2, y: size.height / 2 }, factor), kMoment);
   };
   const fitAll = () => {
     movedRef.current = false;

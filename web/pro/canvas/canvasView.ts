@@ -24,6 +24,8 @@ export interface CanvasView {
    *  (in the capture phase) does not move the drawing. */
   readonly element: HTMLElement;
   readonly viewport: () => Viewport;
+  /** Where a movement that is under way leads to, else the viewport: what is decided while the drawing moves is decided for where it will rest. */
+  readonly target: () => Viewport;
   /** Shows another part of the drawing, gradually over `duration` [ms]. */
   readonly show: (viewport: Viewport, duration?: number) => void;
   /** The port or innermost node at a point of the page; none beside the drawing. */
@@ -36,6 +38,15 @@ export interface CanvasView {
 
 /** How a canvas is moved: what its two ways of painting do each in their way. */
 export type Movable = Pick<CanvasView, "laid" | "element" | "viewport" | "show" | "listen">;
+
+interface Movement {
+  readonly to: Viewport;
+  /** By `performance.now()` [ms]. */
+  readonly end: number;
+}
+
+/** The latest movement of each element's drawing; it outlives the views, of which each drawing makes one. */
+const movements = new WeakMap<HTMLElement, Movement>();
 
 /** `seen`: what is painted for what lies at a point; a painted canvas leaves out what would be too small. */
 export function canvasView(canvas: Movable, seen: (hit: Hit) => Hit = (hit) => hit): CanvasView {
@@ -57,7 +68,15 @@ export function canvasView(canvas: Movable, seen: (hit: Hit) => Hit = (hit) => h
     const { path, port } = hit;
     return { ...hit, id: idAt(laid.tree, port === undefined ? { kind: "node", path } : { kind: "port", address: port }) };
   };
-  return { ...canvas, toModel, toScreen, nodeAt };
+  const target = (): Viewport => {
+    const movement = movements.get(element);
+    return movement !== undefined && performance.now() < movement.end ? movement.to : viewport();
+  };
+  const show = (to: Viewport, duration = 0) => {
+    movements.set(element, { to, end: performance.now() + duration });
+    canvas.show(to, duration);
+  };
+  return { ...canvas, show, target, toModel, toScreen, nodeAt };
 }
 
 const shown = createStore<CanvasView | undefined, CanvasView | undefined>(undefined, (_, next) => next);
