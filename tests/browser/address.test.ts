@@ -16,10 +16,22 @@ const kDeep = {
   },
   library: [{ state: "Look", first: "Turn", children: [{ state: "Turn" }] }],
 };
+/** Makes forty macro steps a second. */
+const kTicking = {
+  rcm: 1,
+  root: {
+    state: "Root", first: "Tick",
+    children: [
+      { state: "Tick", ports: [{ name: "next", after: "0.025", to: "Tock" }] },
+      { state: "Tock", ports: [{ name: "next", after: "0.025", to: "Tick" }] },
+    ],
+  },
+};
 beforeAll(async () => {
   fixture = await openFixture();
   page = fixture.page;
   await fixture.send("PUT", "/documents/deep", kDeep);
+  await fixture.send("PUT", "/documents/ticking", kTicking);
 });
 afterAll(() => fixture.close());
 
@@ -70,7 +82,58 @@ describe("a run", () => {
   });
 });
 
+describe("a run that goes on", () => {
+  it("has what is selected in its address within a moment, however many steps it makes", async () => {
+    const { id } = (await fixture.send("POST", "/cores", { document: "ticking" })) as { readonly id: string };
+    await fixture.send("POST", `/cores/${id}/start`);
+    await page.goto(`${fixture.url}/pro/?run=${id}`);
+    await settled(page);
+    await page.getByRole("treeitem", { name: "Root/Tock" }).click();
+    await expect.poll(() => query()["sel"], { timeout: 2000 }).toBe("Root/Tock");
+    // At once, where another entry of the history follows.
+    await page.getByRole("treeitem", { name: "Root/Tick" }).click();
+    await page.getByRole("tab", { name: "Services" }).click();
+    expect(query()["sel"]).toBe("Root/Tick");
+    await page.goBack();
+    await page.getByRole("treeitem", { name: "Root/Tick", selected: true }).waitFor();
+    await fixture.send("POST", `/cores/${id}/stop`);
+  });
+
+  it("stays in the state that was entered when an edit of its document renames that", async () => {
+    const { id } = (await fixture.send("POST", "/cores", { document: "deep" })) as { readonly id: string };
+    await fixture.send("PUT", `/cores/${id}/live`, { live: true });
+    await page.goto(`${fixture.url}/pro/?run=${id}&in=Root/Pick`);
+    await page.locator('.canvas [data-path="Root/Pick/Reach"]').first().waitFor();
+    const { revision, document } = (await fixture.send("GET", "/documents/deep")) as { readonly revision: number; readonly document: { readonly root: { readonly children: readonly { readonly meta: { readonly id: string } }[] } } };
+    const [pick] = document.root.children;
+    const edit = (at: number, compound: object) => fixture.send("POST", "/documents/deep/edits", { compound, author: "Ann", revision: at });
+    await edit(revision, { kind: "rename", id: pick?.meta.id ?? "", name: "Fetch" });
+    await page.locator('.canvas [data-path="Root/Fetch/Reach"]').first().waitFor();
+    await expect.poll(() => query()["in"]).toBe("Root/Fetch");
+    await page.getByRole("navigation", { name: "Breadcrumb" }).getByRole("button", { name: "Fetch" }).waitFor();
+    await edit(revision + 1, { kind: "rename", id: pick?.meta.id ?? "", name: "Pick" });
+    await page.locator('.canvas [data-path="Root/Pick/Reach"]').first().waitFor();
+    await page.getByRole("navigation", { name: "Breadcrumb" }).getByRole("button", { name: "Root" }).click();
+    await settled(page);
+  });
+});
+
 describe("a document", () => {
+  it("is a page of its own: Back leads to the run from which it was opened, and Forward to the document", async () => {
+    const { id } = (await fixture.send("POST", "/cores", { document: "deep" })) as { readonly id: string };
+    await page.goto(`${fixture.url}/pro/?run=${id}`);
+    await settled(page);
+    await page.getByRole("button", { name: "Edit", exact: true }).first().click();
+    await expect.poll(() => query()["edit"]).toBeTruthy();
+    const edited = query()["edit"];
+    await page.goBack();
+    await page.getByRole("tab", { name: "Task", selected: true }).waitFor();
+    expect([query()["run"], query()["edit"]]).toEqual([id, undefined]);
+    await page.goForward();
+    await page.getByRole("tab", { name: "Edit", selected: true }).waitFor();
+    expect(query()["edit"]).toBe(edited);
+  });
+
   it("keeps its place when the state is renamed, and a link leads there", async () => {
     const edit = editPage(fixture);
     await page.goto(`${fixture.url}/pro/?edit=deep&in=Root/Pick&sel=Root/Pick/Reach`);

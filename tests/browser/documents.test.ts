@@ -1,6 +1,7 @@
 // The documents of the server, from the page: new, open, upload, drop, download, duplicate, delete; and drafts, whose errors are shown where they are.
 import type { Locator, Page } from "playwright-core";
 import { findings } from "./axe";
+import { editPage } from "./editPage";
 import { openFixture, settled, textOf, type Fixture } from "./fixture";
 
 let fixture: Fixture;
@@ -274,6 +275,9 @@ describe("a draft", () => {
     await send("POST", "/documents/faulty/edits", { revision: 2, author: "Ann", operations: [set(action, "do", "x = 1")] });
     await page.getByRole("region", { name: "Errors" }).waitFor({ state: "detached" });
     expect(await page.locator("[data-error], .error-mark, .edit-errors").count()).toBe(0);
+    // The list that the top bar offers knows it, too.
+    const listed = page.getByRole("combobox", { name: "Document" }).locator("option", { hasText: /^faulty/ });
+    await expect.poll(() => listed.innerText()).not.toContain("draft");
     await page.keyboard.press("F5");
     await page.getByRole("status", { name: "Run status" }).getByText("Ready").waitFor();
     await node("Faulty/Park").waitFor();
@@ -307,5 +311,24 @@ describe("without the server", () => {
     await screenshot("documents-offline");
     await fixture.restart();
     await expect.poll(() => row("pick").getByRole("button", { name: "Delete" }).isDisabled(), { timeout: 15_000 }).toBe(false);
+  });
+
+  it("a document stays open while edits of it wait, and they are made when the server is there again", async () => {
+    const { page } = fixture;
+    const { open, select, node, children } = editPage(fixture);
+    await open("kept");
+    await select("Root/A");
+    await fixture.kill();
+    await page.getByText(/Server lost/).first().waitFor();
+    await page.keyboard.press("Alt+s");
+    await node("Root/State").waitFor();
+    await page.keyboard.press("Escape");
+    await page.keyboard.press("Control+Shift+P");
+    await page.keyboard.type("Close the document");
+    await page.keyboard.press("Enter");
+    await page.getByText("kept stays open: the server is lost, and has not taken 1 edit of this page.").waitFor();
+    await node("Root/State").waitFor();
+    await fixture.restart();
+    await expect.poll(() => children("kept"), { timeout: 15_000 }).toContain("State");
   });
 });

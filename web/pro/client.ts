@@ -1,5 +1,5 @@
 // The page's one connection to the server: stores, requests and the stream, wired together.
-import { createApi } from "../shared/api";
+import { createApi, RefusedError } from "../shared/api";
 import type { CellPose, Core, Packet, TraceStep } from "../generated/messages";
 import type { RunSource } from "../shared/api";
 import { kNoPlaces, type Places } from "../shared/drawing/places";
@@ -99,7 +99,7 @@ export function connect(): void {
       else if (update.type === "derivations") gather(update.id, update.steps);
       else session.dispatchInFrame((frame) => ({ type: "update", update, frame }));
       if (update.type === "derivation_position") void loadPast(update.id, update.next);
-      if (update.type === "cores" || update.type === "core") watchSomething();
+      if (update.type === "cores" || update.type === "core" || update.type === "core_removed") watchSomething();
       if (kBringsCore.has(update.type)) refreshModel();
       listeners.forEach((listener) => listener.update(update));
     },
@@ -162,14 +162,18 @@ function watchSomething(): void {
 /** The run of the address that is being loaded from the store. */
 let opening: string | undefined;
 
-/** Where there is no such run, another one is watched. */
+/** Where there is no such run, another one is watched; what cannot be had now is asked for again with the next message about cores. */
 async function openFromAddress(id: string): Promise<void> {
   opening = id;
   const { watched } = session.get();
   try {
     await watchStored(id);
-  } catch {
+  } catch (error) {
     if (session.get().watched !== watched) return;
+    if (!(error instanceof RefusedError && error.status < 500)) {
+      if (session.get().connection !== "lost") problem(error);
+      return;
+    }
     history.replaceState(null, "", addressWith(location.search, { run: undefined, at: undefined }));
     watchSomething();
   } finally {
@@ -219,11 +223,15 @@ export async function turnToRun(id: string): Promise<void> {
 /** The list of documents, when it came first. */
 let listed: Promise<void> | undefined;
 
+const isListed = (core: Core): boolean => session.get().documents.some(({ name, revision }) => name === core.document && revision >= core.revision);
+
 /** Where people have placed what a run executes; nowhere, if its document is not there any more. */
 async function placesOf(core: Core | undefined, model: RcmDocument | Promise<RcmDocument>): Promise<Places> {
+  if (core === undefined) return kNoPlaces;
   await listed;
-  const isThere = core !== undefined && session.get().documents.some(({ name, revision }) => name === core.document && revision >= core.revision);
-  if (!isThere) return kNoPlaces;
+  // It may have been edited since.
+  if (!isListed(core)) await loadDocuments();
+  if (!isListed(core)) return kNoPlaces;
   const { document, places } = await api.modelAt(core.document, core.revision);
   return runPlaces(document, (await model).root, places);
 }

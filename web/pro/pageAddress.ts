@@ -4,7 +4,8 @@ import { addressWith, placeOfAddress } from "../shared/session/address";
 import { pageOfPlace } from "../shared/session/placeInAddress";
 import { pageOf } from "../shared/session/view";
 import { view } from "./client";
-import { editing } from "./edit/editing";
+import { editing, openDocument } from "./edit/editing";
+import { writePlace } from "./placeAddress";
 
 /** Lets the address and the page go together; to be called once, when the document of the address is opened. */
 export function followPage(): void {
@@ -17,13 +18,16 @@ export function followPage(): void {
     if (page === shown) return;
     shown = page;
     const place = placeOfAddress(location.search);
-    const written = page === "edit" || (page === "task" && place.edit === undefined) ? undefined : page;
-    if (place.page !== written) history.pushState(null, "", addressWith(location.search, { page: written }));
+    const edit = page === "edit" ? editing.get().document : place.edit;
+    const written = page === "edit" || (page === "task" && edit === undefined) ? undefined : page;
+    if (place.page === written && place.edit === edit) return;
+    writePlace();
+    history.pushState(null, "", addressWith(location.search, { page: written, edit }));
   });
   addEventListener("popstate", () => {
     const place = placeOfAddress(location.search);
     const page = pageOfPlace(place);
-    // A document that was closed since is not opened by that.
-    if (page !== view.get().page && (page !== "edit" || place.edit === editing.get().document)) view.dispatch({ type: "page", page });
+    if (page === "edit" && place.edit !== undefined && place.edit !== editing.get().document) openDocument(place.edit);
+    else if (page !== view.get().page) view.dispatch({ type: "page", page });
   });
 }

@@ -2,7 +2,8 @@
 // once it rests, a panel at once; a state that is entered is a further entry of the browser's history.
 import type { ModelTree } from "../shared/model/modelTree";
 import { addressWith, placeOfAddress, type Place } from "../shared/session/address";
-import { isElsewhere, isSamePlace, pageOfPlace, placeInModel, toPlace } from "../shared/session/placeInAddress";
+import { isElsewhere, isSamePlace, pageOfPlace, placeInModel, toPlace, type PlaceInModel } from "../shared/session/placeInAddress";
+import { momentOf } from "../shared/past/moment";
 import { session, shownSession, view } from "./client";
 import { editedTree, editing, showTop } from "./edit/editing";
 import { runTree } from "./live/runTree";
@@ -13,11 +14,19 @@ const kRest = 200;
 const first = view.get().drawer;
 /** What the address asks for and the page does not show yet. */
 let wanted: Place | undefined;
-let timer: ReturnType<typeof setTimeout> | undefined;
+/** What is written once it has rested. */
+let resting: { readonly place: PlaceInModel; readonly timer: ReturnType<typeof setTimeout> } | undefined;
 let isDue = false;
 
 const shownTree = (): ModelTree | undefined => (view.get().page === "edit" ? editedTree() : runTree());
 const isOfSame = (a: Place, b: Place): boolean => pageOfPlace(a) === pageOfPlace(b) && a.edit === b.edit && (a.run === undefined || a.run === b.run);
+
+/** Whether the run is shown, at the moment that the address names: its model is that of the moment. */
+function isRunThere({ run }: Place): boolean {
+  const { watched, model, past } = session.get();
+  const isAtMoment = past !== undefined || momentOf(placeOfAddress(location.search).at) === undefined;
+  return (run === undefined || run === watched) && model !== undefined && isAtMoment;
+}
 
 /** Shows what is wanted, once what it is in is there. Whether nothing is wanted any more. */
 function arrive(): boolean {
@@ -26,7 +35,7 @@ function arrive(): boolean {
     wanted = undefined;
     return true;
   }
-  const isThere = pageOfPlace(wanted) === view.get().page && (view.get().page === "edit" ? wanted.edit === editing.get().document : wanted.run === undefined || wanted.run === session.get().watched);
+  const isThere = pageOfPlace(wanted) === view.get().page && (view.get().page === "edit" ? wanted.edit === editing.get().document : isRunThere(wanted));
   if (!isThere || shownTree() === undefined) return false;
   const place = wanted;
   wanted = undefined;
@@ -40,15 +49,31 @@ function arrive(): boolean {
 let last: Place = placeOfAddress(location.search);
 
 function write(): void {
-  clearTimeout(timer);
   const before = placeOfAddress(location.search);
   const now = placeInModel(view.get(), first, editing.get().top);
   const isStep = isOfSame(last, before) && !view.get().follow && isElsewhere(shownTree(), before, now);
   last = before;
+  // What changes elsewhere does not begin its time anew.
+  if (resting !== undefined && isSamePlace(resting.place, now)) return;
+  giveUp();
   if (isSamePlace(before, now)) return;
-  const put = () => history[isStep ? "pushState" : "replaceState"](null, "", addressWith(location.search, now));
-  if (isStep || before.below !== now.below) put();
-  else timer = setTimeout(() => wanted === undefined && put(), kRest);
+  if (isStep) history.pushState(null, "", addressWith(location.search, now));
+  else if (before.below !== now.below) put(now);
+  else resting = { place: now, timer: setTimeout(writePlace, kRest) };
+}
+
+const put = (place: PlaceInModel): void => history.replaceState(null, "", addressWith(location.search, place));
+
+function giveUp(): void {
+  clearTimeout(resting?.timer);
+  resting = undefined;
+}
+
+/** Writes a selection that rests, before another entry of the browser's history begins. */
+export function writePlace(): void {
+  const place = resting?.place;
+  giveUp();
+  if (place !== undefined && wanted === undefined) put(place);
 }
 
 /** Looks once for all that changes at a time. */
@@ -72,7 +97,7 @@ export function followPlace(): void {
   addEventListener(
     "popstate",
     () => {
-      clearTimeout(timer);
+      giveUp();
       last = wanted = placeOfAddress(location.search);
       look();
     },

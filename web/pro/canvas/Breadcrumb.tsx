@@ -5,7 +5,7 @@ import { useView, view } from "../client";
 export function Breadcrumb({ tree }: { readonly tree: ModelTree }) {
   const focus = useView((v) => v.focus);
   const root = tree.keys().next().value ?? "";
-  const parts = ancestry(focus ?? root);
+  const parts = ancestry(focus !== undefined && tree.has(focus) ? focus : root);
   return (
     <nav className="breadcrumb" aria-label="Breadcrumb">
       <ol>

@@ -75,7 +75,8 @@ interface Of<T> {
 
 function requestOf(subject: string, tree: ModelTree | undefined, places: Places, frame: Size | undefined, shown: Shown): Request | undefined {
   if (tree === undefined || frame === undefined) return undefined;
-  const path = shown.focus ?? tree.keys().next().value;
+  // What the model does not have any more is not entered.
+  const path = shown.focus !== undefined && tree.has(shown.focus) ? shown.focus : tree.keys().next().value;
   const state = path === undefined ? undefined : stateAt(tree, path);
   return path === undefined || state === undefined ? undefined : { subject, tree, places, path, state, frame, shown };
 }

@@ -2,11 +2,12 @@
 import type { Command } from "../../shared/edit/commands/command";
 import type { By } from "../../shared/edit/comments/write";
 import type { Tree } from "../../shared/edit/tree";
+import { newId } from "../../shared/newId";
 import { carryOut } from "../edit/carryOut";
 import { editedDocument } from "../edit/editing";
 import { ownName } from "../presence/ownName";
 
-export const newCommentId = (): string => crypto.randomUUID().slice(0, 13);
+export const newCommentId = (): string => newId().slice(0, 13);
 
 const me = (): By => ({ author: ownName(), time: new Date().toISOString() });
 

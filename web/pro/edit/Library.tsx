@@ -6,7 +6,7 @@ import { linksTo, remove } from "../../shared/edit/commands/remove";
 import type { Tree } from "../../shared/edit/tree";
 import { runAction } from "./actions/action";
 import { placeFor } from "./actions/addActions";
-import { newId } from "./actions/commandAction";
+import { newId } from "../../shared/newId";
 import { askName } from "./actions/nameActions";
 import { actionOf } from "./actions/registry";
 import { carryOut } from "./carryOut";

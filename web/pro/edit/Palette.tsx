@@ -2,7 +2,7 @@
 import { addBarrier, addPort, addState } from "../../shared/edit/commands/add";
 import { placeIn } from "../../shared/edit/commands/place";
 import { runAction } from "./actions/action";
-import { newId } from "./actions/commandAction";
+import { newId } from "../../shared/newId";
 import { actionOf } from "./actions/registry";
 import { followPointer } from "./gestures/drag";
 import { dropNew, type NewThing } from "./gestures/dropNew";

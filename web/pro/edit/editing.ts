@@ -12,7 +12,8 @@ import type { State } from "../../shared/model/model";
 import { addressWith, placeOfAddress } from "../../shared/session/address";
 import type { StreamUpdate } from "../../shared/messages/stream";
 import { watchedCore } from "../../shared/session/session";
-import { listenToStream, session, view, watch } from "../client";
+import { listenToStream, problem, session, view, watch } from "../client";
+import { counted } from "../../shared/counted";
 import { createStore, useSelected } from "../store";
 import { listenToOwnName } from "../presence/ownName";
 import { author } from "./author";
@@ -75,8 +76,8 @@ function takeUp(next: EditSession): void {
   else editing.dispatch({ type: "session", session: next });
   const after = editedTree();
   if (before === undefined || after === undefined || before === after) return;
-  if (arriving) view.dispatchInFrame(() => ({ type: "carry", before, after }));
-  else view.dispatch({ type: "carry", before, after });
+  if (arriving) view.dispatchInFrame(() => ({ type: "carry", of: "document", before, after }));
+  else view.dispatch({ type: "carry", of: "document", before, after });
 }
 
 function receive(update: StreamUpdate): void {
@@ -95,6 +96,7 @@ function receive(update: StreamUpdate): void {
 /** Opens a document for editing; the page shows it. */
 export function openDocument(name: string): void {
   if (editing.get().document !== name) {
+    if (!mayClose()) return;
     closeDocument();
     editing.dispatch({ type: "open", document: name });
     const { stream, end } = listenToStream({ update: receive, connection: (now) => open?.editor.connection(now) });
@@ -108,13 +110,30 @@ export function openDocument(name: string): void {
     turnToRunOf(name);
   }
   view.dispatch({ type: "page", page: "edit" });
-  history.replaceState(null, "", addressWith(location.search, { edit: name }));
+  // A further document is a page of its own; that the first one is shown has been written with the page.
+  if (placeOfAddress(location.search).edit !== name) history.pushState(null, "", addressWith(location.search, { edit: name }));
 }
 
 /** A run of the document is shown with it. */
 function turnToRunOf(name: string): void {
   const run = runToTurnTo(session.get().cores, watchedCore(session.get()), name);
   if (run !== undefined) watch(run.id);
+}
+
+/** Edits of this page that the server has not taken yet. */
+const waitingEdits = (): number => open?.editor.session().pending.length ?? 0;
+
+/** Whether the document can be closed and nothing is lost by that; says why not. */
+export function mayClose(): boolean {
+  const waiting = waitingEdits();
+  if (waiting === 0 || session.get().connection !== "lost") return true;
+  problem(`${editing.get().document} stays open: the server is lost, and has not taken ${counted(waiting, "edit")} of this page. To give them up, reload the page.`);
+  return false;
+}
+
+/** The browser asks before it leaves edits that wait; to be called once. */
+export function keepEdits(): void {
+  addEventListener("beforeunload", (event) => waitingEdits() > 0 && event.preventDefault());
 }
 
 /** Leaves the document; edits that are on their way still arrive at the server. */

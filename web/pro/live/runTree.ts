@@ -2,7 +2,7 @@
 import type { RcmDocument } from "../../shared/model/model";
 import { modelShown } from "../../shared/past/shown";
 import { buildTree, type ModelTree } from "../../shared/model/modelTree";
-import { session, useSession } from "../client";
+import { session, useSession, view } from "../client";
 
 const trees = new WeakMap<RcmDocument, ModelTree>();
 
@@ -19,3 +19,15 @@ export const runTree = (): ModelTree | undefined => treeOf(modelShown(session.ge
 
 /** The same, for components. */
 export const useRunTree = (): ModelTree | undefined => useSession((now) => treeOf(modelShown(now)));
+
+/** What the view says of elements of a run stays with them while an edit, or a moment before it, has them elsewhere or not at all; to be called once. */
+export function carryPlaces(): void {
+  let [run, before] = [session.get().watched, runTree()];
+  session.listen(() => {
+    const { watched } = session.get();
+    const after = runTree();
+    if (watched === run && after === before) return;
+    if (watched === run && before !== undefined && after !== undefined) view.dispatch({ type: "carry", of: "run", before, after });
+    if (watched !== run || after !== undefined) [run, before] = [watched, after];
+  });
+}

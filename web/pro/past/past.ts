@@ -6,6 +6,7 @@ import { addressWith, placeOfAddress } from "../../shared/session/address";
 import { watchedCore } from "../../shared/session/session";
 import type { WantedInference } from "../../shared/session/view";
 import { api, problem, session, sourceOf, view } from "../client";
+import { writePlace } from "../placeAddress";
 import { createStore, useSelected } from "../store";
 import { modelThen } from "./pastModel";
 
@@ -42,6 +43,7 @@ export const useAsked = (): number | undefined => useSelected(asked, (step) => s
 
 function write(at: string | undefined, how: Written): void {
   if (how === "there" || placeOfAddress(location.search).at === at) return;
+  if (how === "push") writePlace();
   history[how === "push" ? "pushState" : "replaceState"](null, "", addressWith(location.search, { at }));
 }
 

@@ -90,13 +90,13 @@ export function followHistory(): void {
 
 /** Makes an earlier revision the next one. */
 export async function restore(revision: number): Promise<void> {
-  const stored = await whenStored();
   const { document } = store.get();
+  const stored = await whenStored();
   if ("reason" in stored) {
     refuse(stored.reason);
     return;
   }
-  if (document === undefined) return;
+  if (document === undefined || store.get().document !== document) return;
   try {
     const entry = await api.restoreDocument(document, revision, { onto: stored.revision, author: author() });
     const isNew = entry.revision > stored.revision;

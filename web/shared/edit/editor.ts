@@ -1,4 +1,5 @@
 // The adapter between the session of a document and the stream: passes messages on, and gives each edit its token.
+import { newId } from "../newId";
 import type { Connection, Stream } from "../stream";
 import type { StreamUpdate } from "../messages/stream";
 import { channelOf, newSession, step, type Change, type EditSession, type Notice, type SessionInput } from "./session";
@@ -63,7 +64,7 @@ export function openEditor(
   document: string,
   author: string,
   handlers: EditorHandlers,
-  newToken: () => string = () => crypto.randomUUID(),
+  newToken: () => string = newId,
 ): Editor {
   let session: EditSession = { ...newSession(document, author), connected: connection === "open" };
   let retrying: ReturnType<typeof setTimeout> | undefined;

@@ -108,8 +108,9 @@ export type Gesture =
   | { readonly type: "forget" }
   /** Another run is watched. */
   | { readonly type: "forget_run" }
-  /** The shown model was edited: what the view says of the elements of `before` it says of the same ones in `after`. */
-  | { readonly type: "carry"; readonly before: ModelTree; readonly after: ModelTree };
+  /** The model of the edited document, or of the run, is another now: what the view says of the elements of `before` it says of the same ones in
+   *  `after`. */
+  | { readonly type: "carry"; readonly of: "document" | "run"; readonly before: ModelTree; readonly after: ModelTree };
 
 const kNone: ReadonlySet<string> = new Set();
 const kNowhere: Places = { selection: undefined, also: kNone, focus: undefined, collapsed: kNone };
@@ -267,8 +268,10 @@ export function applyGesture(view: View, gesture: Gesture): View {
     case "escape":
       if (isCovered(view)) return { ...view, help: false, documents: false, runs: false };
       return { ...view, selection: undefined, also: kNone, asked: undefined };
-    case "carry":
-      return view.page === "edit" ? { ...view, ...carry(view, gesture.before, gesture.after) } : { ...view, aside: carry(view.aside, gesture.before, gesture.after) };
+    case "carry": {
+      const isShown = (view.page === "edit") === (gesture.of === "document");
+      return isShown ? { ...view, ...carry(view, gesture.before, gesture.after) } : { ...view, aside: carry(view.aside, gesture.before, gesture.after) };
+    }
     case "forget":
       return { ...view, ...kNowhere, asked: undefined, step: undefined, inference: undefined };
     case "forget_run":

@@ -58,15 +58,24 @@ describe("the view of a document", () => {
     expect(carriedPath(before, now, "Root/B")).toBe("Root/Grasp/B");
     expect(carried(before, now, { kind: "port", address: "Root/B.late" })).toEqual({ kind: "port", address: "Root/Grasp/B.late" });
     const view = { ...initialView, page: "edit", selection: { kind: "node", path: "Root/A" }, also: new Set(["Root/B"]), collapsed: new Set(["Root/A"]) } as const;
-    expect(applyGesture(view, { type: "carry", before, after: now })).toMatchObject({ selection: { path: "Root/Grasp" }, also: new Set(["Root/Grasp/B"]), collapsed: new Set(["Root/Grasp"]) });
+    expect(applyGesture(view, { type: "carry", of: "document", before, after: now })).toMatchObject({ selection: { path: "Root/Grasp" }, also: new Set(["Root/Grasp/B"]), collapsed: new Set(["Root/Grasp"]) });
   });
   it("forgets what is removed, and keeps the places of the run", () => {
     const without = modelTree(edited(document, { op: "remove", id: "a" }));
     const editing = applyGesture({ ...initialView, focus: "Root/Run" }, { type: "page", page: "edit" });
     const view = applyGesture(editing, { type: "select", selection: { kind: "node", path: "Root/A" } });
-    const gone = applyGesture(view, { type: "carry", before, after: without });
+    const gone = applyGesture(view, { type: "carry", of: "document", before, after: without });
     expect(gone.selection).toBeUndefined();
     expect(applyGesture(gone, { type: "page", page: "task" }).focus).toBe("Root/Run");
+  });
+  it("carries the places of the run when its model changes, and keeps those of the document", () => {
+    const shown = applyGesture({ ...initialView, focus: "Root/B", selection: { kind: "node", path: "Root/A" } }, { type: "carry", of: "run", before, after: now });
+    expect(shown).toMatchObject({ focus: "Root/Grasp/B", selection: { kind: "node", path: "Root/Grasp" } });
+    const editing = applyGesture({ ...initialView, focus: "Root/B" }, { type: "page", page: "edit" });
+    const selected = applyGesture(editing, { type: "select", selection: { kind: "node", path: "Root/A" } });
+    const both = applyGesture(selected, { type: "carry", of: "run", before, after: now });
+    expect(both.selection).toEqual({ kind: "node", path: "Root/A" });
+    expect(applyGesture(both, { type: "page", page: "task" }).focus).toBe("Root/Grasp/B");
   });
   it("selects several nodes, and takes them out again", () => {
     const first = applyGesture(initialView, { type: "select_also", path: "Root/A" });

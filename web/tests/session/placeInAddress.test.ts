@@ -26,7 +26,7 @@ describe("the place in the model", () => {
     expect(show("?sel=Root/A&why=action.x").asked).toBeUndefined();
     expect(written(applyGesture(view, { type: "select", selection: { kind: "node", path: "Root" } }))).toBe("?sel=Root");
     // It is of the run: an edit of the document, which others may make, leaves it.
-    expect(applyGesture(view, { type: "carry", before: tree, after: tree }).asked).toEqual({ action: 1 });
+    expect(applyGesture(view, { type: "carry", of: "document", before: tree, after: tree }).asked).toEqual({ action: 1 });
   });
   it("is shown with what is in collapsed states, and brought into view", () => {
     const folded = applyGesture(initialView, { type: "collapse_all", paths: ["Root/A", "Root/A/B"] });

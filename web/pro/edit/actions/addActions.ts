@@ -2,7 +2,8 @@
 import { addBarrier, addLibraryState, addPort, addState } from "../../../shared/edit/commands/add";
 import { placeAt, placeIn, type PlaceOrReason } from "../../../shared/edit/commands/place";
 import type { Situation } from "../situation";
-import { commandAction, newId } from "./commandAction";
+import { newId } from "../../../shared/newId";
+import { commandAction } from "./commandAction";
 
 /** Where what is added goes: by the selection, else into the state that is shown. */
 export const placeFor = ({ tree, node, focus }: Situation): PlaceOrReason => (node === undefined || node === focus.id ? placeIn(tree, focus.id) : placeAt(tree, node));

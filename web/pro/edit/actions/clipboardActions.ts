@@ -14,7 +14,7 @@ import { refuse, tellDone } from "../say";
 import { situationNow, type Situation } from "../situation";
 import { whenStored } from "../whenStored";
 import type { Action } from "./action";
-import { newId } from "./commandAction";
+import { newId } from "../../../shared/newId";
 
 /** The document as the server stores it, with all edits of this page. */
 async function storedDocument(name: string): Promise<{ readonly document: ExactJson; readonly tree: Tree } | { readonly reason: string }> {

@@ -9,8 +9,6 @@ export type ActionSpec = Pick<Action, "id" | "name" | "group"> & Partial<Pick<Ac
 
 const kNothing: Command = { reason: "nothing is selected" };
 
-export const newId = (): string => crypto.randomUUID();
-
 const reasonOf = (command: Command): string | undefined => ("reason" in command ? command.reason : undefined);
 
 /** `make`: the command in a situation. */

@@ -8,7 +8,7 @@ import { placeOfSelection } from "../gestures/onScreen";
 import { ask, type MenuEntry } from "../prompt";
 import type { Situation } from "../situation";
 import type { Action } from "./action";
-import { newId } from "./commandAction";
+import { newId } from "../../../shared/newId";
 
 /** The ports and barriers from which the selection can lead somewhere: a port, a barrier, all ports of a state. */
 function sourcesOf({ tree, one }: Situation): readonly string[] {

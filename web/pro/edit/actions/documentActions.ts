@@ -2,7 +2,7 @@
 import { refusalToStart } from "../../../shared/session/draft";
 import { requestRun } from "../../documents/asking";
 import { view } from "../../client";
-import { closeDocument, editing } from "../editing";
+import { closeDocument, editing, mayClose } from "../editing";
 import { ask } from "../prompt";
 import { refuse, tellDone } from "../say";
 import { whenStored } from "../whenStored";
@@ -75,6 +75,7 @@ const versions: Action = {
 const closing: Action = {
   id: "close", name: "Close the document", keys: [], group: "Document", where: "untyped", when: always,
   run: () => {
+    if (!mayClose()) return;
     view.dispatch({ type: "page", page: "task" });
     closeDocument();
   },

@@ -4,11 +4,11 @@ import { addRow, moveRow, removeRow, type RowList } from "../../../shared/edit/c
 import { nameOfElement } from "../../../shared/edit/commands/command";
 import type { Conflicts } from "../../../shared/edit/order";
 import { listOf } from "../../../shared/edit/tree";
+import { newId } from "../../../shared/newId";
 import { editedDocument, perform, useEditing } from "../editing";
 import { Rows } from "./Rows";
 
 const kNone: readonly string[] = [];
-const newId = (): string => crypto.randomUUID();
 
 interface Props {
   readonly state: string;

@@ -4,7 +4,7 @@ import { elementOf } from "../../../shared/edit/tree";
 import { idAt, selectionsOf, type Selection } from "../../../shared/model/identity";
 import { ancestry } from "../../../shared/model/modelTree";
 import { pathOf } from "../../../shared/session/view";
-import { newId } from "../actions/commandAction";
+import { newId } from "../../../shared/newId";
 import { carryOut } from "../carryOut";
 import { editedDocument } from "../editing";
 import { ask, type ScreenPoint } from "../prompt";

@@ -7,7 +7,7 @@ import { entryOf } from "../../json";
 /** A change; `select`: the id of the element to select when it is there. Or why there is none. */
 export type Command = { readonly change: Change; readonly select?: string } | { readonly reason: string };
 
-/** Makes ids of new elements (`crypto.randomUUID`): 1 to 64 of A-Z a-z 0-9 _ -, each time others. */
+/** Makes ids of new elements (shared/newId.ts): 1 to 64 of A-Z a-z 0-9 _ -, each time others. */
 export type NewId = () => string;
 
 const kNameFields: Readonly<Partial<Record<ElementKind, string>>> = { state: "state", barrier: "barrier" };
