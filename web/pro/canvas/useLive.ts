@@ -3,6 +3,7 @@
 import { kNoRun, liveOf, type Live } from "../../shared/drawing/live";
 import { projectLive } from "../../shared/live/project";
 import { badEndShown, faultShown, firedShown, stateShown } from "../../shared/past/shown";
+import { watchedCore } from "../../shared/session/session";
 import { session, view } from "../client";
 import { editedTree, editing } from "../edit/editing";
 import { shownRun } from "../live/shownRun";
@@ -32,8 +33,15 @@ editing.listen(refresh);
 /** What `select` reads of the run; it must give the same value while nothing that it shows has changed. */
 export const useLive = <T>(select: (live: Live) => T): T => useSelected(store, select);
 
-const shownSlowly = slowly(store, (before, now) => before.faultAt !== now.faultAt || (before.run === undefined) !== (now.run === undefined));
-/** As `useLive`, for what is beside the drawing or not seen: late by a tenth of a second at most. */
+/** Whether the run goes on by itself as one looks at it; at a moment of the past, and while it is paused, each step is one that a person wants to see. */
+function goesOn(): boolean {
+  const now = session.get();
+  const core = watchedCore(now);
+  return now.past === undefined && core?.status === "running" && !core.paused;
+}
+
+const shownSlowly = slowly(store, (before, now) => !goesOn() || before.faultAt !== now.faultAt || (before.run === undefined) !== (now.run === undefined));
+/** As `useLive`, for what is beside the drawing or not seen: of a run that goes on, late by a tenth of a second at most. */
 export const useLiveSlowly = <T>(select: (live: Live) => T): T => useSelected(shownSlowly, select);
 
 /** The live state now, for what is painted. */
