@@ -209,7 +209,7 @@ export async function watchStored(id: string): Promise<void> {
   const run = await loadStoredRun(api, id, (core, model) => placesOf(core, model).catch(() => kNoPlaces));
   if (session.get().watched !== watched) return;
   turnTo(id, () => session.dispatch({ type: "stored", run }));
-  if (view.get().page !== "edit") showModel(run.model);
+  showModel(run.model);
 }
 
 /** Shows a run: the core of this number, else what is stored of it. Throws what the server refuses. */
@@ -245,14 +245,14 @@ async function loadRun(id: string): Promise<{ readonly model: RcmDocument; reado
 
 /** The model of a run is shown for the first time: as that of the run before, if both are of one document. */
 function showModel({ root }: RcmDocument): void {
-  view.dispatch({ type: "show_again", shown: firstShown(buildTree(root), session.get().document, last, view.get().detail) });
+  view.dispatch({ type: "show_run", shown: firstShown(buildTree(root), session.get().document, last, view.get().detail) });
 }
 
 const models = createModelLoader(loadRun, {
   onModel: (id, key, { model, places }) => {
     const now = session.get();
     if (now.watched !== id || now.modelKey === key) return;
-    if (now.model === undefined && view.get().page !== "edit") showModel(model);
+    if (now.model === undefined) showModel(model);
     session.dispatch({ type: "model", id, key, model, places });
   },
   onError: problem,

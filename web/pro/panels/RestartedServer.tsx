@@ -1,6 +1,7 @@
 // Another process of the server answers than before: what became of the runs, each a way to it.
 import { interruptedByRestart, restartText } from "../../shared/run/interruption";
-import { session, useSession, watch } from "../client";
+import { attempt, session, useSession } from "../client";
+import { openRun } from "../runs/actions";
 
 /** So many runs are named; all of them are in the list of runs. */
 const kMostNamed = 5;
@@ -16,7 +17,7 @@ export function RestartedServer() {
       <strong>Server restarted</strong>
       <span>{restartText(interrupted)}</span>
       {interrupted.slice(0, kMostNamed).map(({ id, document }) => (
-        <button key={id} type="button" className="link" aria-current={id === watched ? "true" : undefined} onClick={() => watch(id)}>
+        <button key={id} type="button" className="link" aria-current={id === watched ? "true" : undefined} onClick={() => void attempt(() => openRun(id))}>
           Run {id} of {document}
           {id === watched ? ", shown" : ""}
         </button>

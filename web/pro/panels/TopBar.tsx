@@ -9,11 +9,11 @@ import { keysOf } from "../../shared/session/shortcuts";
 import { isStored } from "../../shared/session/session";
 import type { Page } from "../../shared/session/view";
 import { openDocument, useEditing } from "../edit/editing";
-import { useCore, useSession, useView, view, watch } from "../client";
+import { attempt, useCore, useSession, useView, view, watch } from "../client";
 import { showHelp } from "../help/help";
 import { ThemeButton } from "../theme/ThemeButton";
 import { LoadRun } from "../documents/LoadRun";
-import { showRuns } from "../runs/actions";
+import { openRun, showRuns } from "../runs/actions";
 import { Icon } from "./Icon";
 import { counted } from "../../shared/counted";
 
@@ -89,7 +89,7 @@ function InterruptedElsewhere() {
   if (first === undefined) return null;
   const more = core !== undefined && isInterrupted(core);
   return (
-    <button type="button" className="interrupted-elsewhere" title={`Show run ${first.id}`} onClick={() => watch(first.id)}>
+    <button type="button" className="interrupted-elsewhere" title={`Show run ${first.id}`} onClick={() => void attempt(() => openRun(first.id))}>
       <Icon name="interrupted" />
       {interrupted.length} {more ? "more " : ""}interrupted
     </button>

@@ -96,6 +96,8 @@ export type Gesture =
   | { readonly type: "expand_all" }
   | { readonly type: "detail"; readonly detail: View["detail"] }
   | { readonly type: "show_again"; readonly shown: Shown }
+  /** Of a run, also while a document is edited: then it is seen on the other pages. */
+  | { readonly type: "show_run"; readonly shown: Shown }
   | { readonly type: "step"; readonly step: number | undefined; readonly inference?: WantedInference }
   /** The same, and the drawer stays as it is. */
   | { readonly type: "turn_to_step"; readonly step: number | undefined; readonly inference?: WantedInference | undefined }
@@ -253,6 +255,10 @@ export function applyGesture(view: View, gesture: Gesture): View {
       return { ...view, detail: gesture.detail };
     case "show_again":
       return { ...view, ...gesture.shown };
+    case "show_run": {
+      const { detail, ...places } = gesture.shown;
+      return view.page === "edit" ? { ...view, aside: { ...view.aside, ...places } } : { ...view, detail, ...places };
+    }
     case "step":
       return { ...view, step: gesture.step, inference: gesture.inference, drawer: "derivation", lastDrawer: "derivation" };
     case "turn_to_step":

@@ -77,6 +77,12 @@ describe("the view of a document", () => {
     expect(both.selection).toEqual({ kind: "node", path: "Root/A" });
     expect(applyGesture(both, { type: "page", page: "task" }).focus).toBe("Root/Grasp/B");
   });
+  it("leaves what is shown of a run that comes meanwhile to the page of the run", () => {
+    const editing = applyGesture({ ...initialView, focus: "Root/Run" }, { type: "page", page: "edit" });
+    const view = applyGesture({ ...editing, focus: "Root/A" }, { type: "show_run", shown: { focus: undefined, collapsed: new Set(["Root/Large"]), detail: "auto" } });
+    expect(view.focus).toBe("Root/A");
+    expect(applyGesture(view, { type: "page", page: "task" })).toMatchObject({ focus: undefined, collapsed: new Set(["Root/Large"]) });
+  });
   it("selects several nodes, and takes them out again", () => {
     const first = applyGesture(initialView, { type: "select_also", path: "Root/A" });
     const both = applyGesture(first, { type: "select_also", path: "Root/B" });
