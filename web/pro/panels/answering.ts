@@ -1,5 +1,6 @@
 // Answers the question of a display from the expert page, which is a display for as long as that takes.
 import { openStream, streamUrl, type Stream } from "../../shared/stream";
+import { giving } from "../../shared/display/giving";
 import { ownDisplayFor } from "../../shared/run/displayCalls";
 import type { PersonWait } from "../../shared/run/waitingForPerson";
 
@@ -10,7 +11,7 @@ const kMostTime = 5000;
 export function giveAnswer({ question, display }: Pick<PersonWait, "question" | "display">, answer: string | number): Promise<void> {
   let stream: Stream | undefined;
   let timer: ReturnType<typeof setTimeout> | undefined;
-  let sent = false;
+  let sent: number | undefined;
   const given = new Promise<void>((resolve, reject) => {
     timer = setTimeout(() => reject(new Error("the server has not taken the answer")), kMostTime);
     stream = openStream(streamUrl(location), {
@@ -20,9 +21,18 @@ export function giveAnswer({ question, display }: Pick<PersonWait, "question" | 
         if (update.type === "refused") reject(new Error(update.errors.map(({ message }) => message).join("; ")));
         if (update.type !== "display") return;
         const asked = update.content.question;
-        if (sent && asked?.text !== question) resolve();
-        else if (!sent && asked !== undefined && asked.text === question) sent = stream?.send({ type: "answer", question: asked.id, answer }) ?? false;
-        else if (!sent) reject(new Error("the question is not asked any more"));
+        switch (giving(asked, question, sent)) {
+          case "send":
+            if (asked !== undefined && stream?.send({ type: "answer", question: asked.id, answer }) === true) sent = asked.id;
+            return;
+          case "given":
+            resolve();
+            return;
+          case "gone":
+            reject(new Error("the question is not asked any more"));
+            return;
+          case "wait":
+        }
       },
     });
     stream.announceDisplay(ownDisplayFor(display), false);
