@@ -1,8 +1,9 @@
 // Actions on the structure: groups, the library, the order, and where things are.
 import { setFirst } from "../../../shared/edit/commands/first";
+import { homesFor } from "../../../shared/edit/commands/homes";
 import { extract, group, nameForGroup, nameInLibrary, reasonAgainstGroup, ungroup } from "../../../shared/edit/commands/group";
 import { moveInOrder, moveInto, moveOut } from "../../../shared/edit/commands/move";
-import { nameOfElement, type Command } from "../../../shared/edit/commands/command";
+import type { Command } from "../../../shared/edit/commands/command";
 import { outermost } from "../../../shared/edit/commands/references";
 import { elementOf, listOf, type Tree } from "../../../shared/edit/tree";
 import { view } from "../../client";
@@ -10,7 +11,7 @@ import { carryOut } from "../carryOut";
 import { editedDocument } from "../editing";
 import { goToField } from "../goToField";
 import { placeOfSelection } from "../gestures/onScreen";
-import { ask } from "../prompt";
+import { ask, type MenuEntry } from "../prompt";
 import type { Action } from "./action";
 import { elementAction, selectionAction } from "./commandAction";
 
@@ -43,16 +44,19 @@ const deciding: Action = {
   run: ({ one }) => one !== undefined && goToField(one, ["oracle"]),
 };
 
-/** The states into which all of these can move. */
-const homesFor = (tree: Tree, ids: readonly string[]): readonly string[] =>
-  [...tree.elements.values()].filter(({ kind, id }) => kind === "state" && !("reason" in moveInto(tree, ids, id))).map(({ id }) => id);
+/** The states to move into; the last entry says how many others there are, and how to reach them. */
+function homeEntries(tree: Tree, ids: readonly string[]): readonly MenuEntry[] {
+  const { shown, more } = homesFor(tree, ids);
+  if (shown.length === 0) return [{ name: "No other state", reason: "there is none to move into", run: () => undefined }];
+  const entries = shown.map(({ id, path }) => ({ name: path, run: () => void carryOut(moveInto(tree, ids, id)) }));
+  return more === 0 ? entries : [...entries, { name: `${more} more`, reason: "cut it, and paste it where you want it", run: () => undefined }];
+}
 
 const moving: Action = {
   id: "move_into", name: "Move into …", keys: [], group: "Structure", where: "model",
   when: ({ tree, ids }) => (ids.length === 0 ? "nothing is selected" : ids.some((id) => elementOf(tree, id).list !== "children") ? "only states and barriers inside of a state move" : undefined),
   run: ({ tree, ids }) => {
-    const entries = homesFor(tree, outermost(tree, ids)).map((id) => ({ name: nameOfElement(tree, id), run: () => void carryOut(moveInto(tree, ids, id)) }));
-    ask({ kind: "menu", label: "Move into", at: placeOfSelection(), entries: entries.length > 0 ? entries : [{ name: "No other state", reason: "there is none to move into", run: () => undefined }] });
+    ask({ kind: "menu", label: "Move into", at: placeOfSelection(), entries: homeEntries(tree, outermost(tree, ids)) });
   },
 };
 

@@ -52,6 +52,13 @@ function moveTo(tree: Tree, selected: readonly string[], place: PlaceOrReason): 
   return { change: { operations: [...cut, ...named, ...moves, ...firstOf(tree, names, parent)] } };
 }
 
+/** Why these do not move into the state `parent`; whether names stand in the way is known when they do. */
+export function reasonAgainstMovingInto(tree: Tree, ids: readonly string[], parent: string): string | undefined {
+  if (ids.every((id) => tree.elements.get(id)?.parent === parent)) return "it is there already";
+  const place = placeIn(tree, parent);
+  return "reason" in place ? place.reason : reasonAgainst(tree, ids, parent);
+}
+
 /** Moves states and barriers into the state `parent`, behind what is there. What led to them from where they were is taken out, and the other way round. */
 export function moveInto(tree: Tree, ids: readonly string[], parent: string): Command {
   if (ids.every((id) => tree.elements.get(id)?.parent === parent)) return { reason: "it is there already" };
