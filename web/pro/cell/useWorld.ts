@@ -1,6 +1,7 @@
-// The scene of the cell: loaded when its world is available, and again after each interruption, as it may be another world.
+// The scene of the cell: loaded when its world is available, and again after each interruption, as it may be another world; what fails is tried again.
 import { useEffect, useState } from "react";
 import type { Body } from "../../generated/messages";
+import { loadInAttempts } from "../../shared/cell/attempts";
 import { cellUnavailable } from "../../shared/session/session";
 import { api, useSession } from "../client";
 import type { RobotModel } from "./CellScene";
@@ -29,13 +30,15 @@ export function useWorld(): { readonly world: World | undefined; readonly proble
   const [refused, setRefused] = useState<string>();
   useEffect(() => {
     if (away !== undefined) return;
-    let current = true;
-    load().then(
-      (loaded) => current && setWorld(loaded),
-      (error: unknown) => current && setRefused(messageOf(error)),
-    );
+    const end = loadInAttempts(load, {
+      onLoaded(loaded) {
+        setWorld(loaded);
+        setRefused(undefined);
+      },
+      onFailed: (error) => setRefused(messageOf(error)),
+    });
     return () => {
-      current = false;
+      end();
       setWorld(undefined);
       setRefused(undefined);
     };
