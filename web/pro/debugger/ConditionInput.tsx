@@ -2,22 +2,43 @@
 import { useEffect, useId, useMemo, useState, type KeyboardEvent } from "react";
 import type { KeptBreakpoint } from "../../generated/messages";
 import { mistakesIn, type Mistake } from "../../shared/code/mistakes";
+import { runScope } from "../../shared/code/runScope";
 import { conditionScope, type Scope } from "../../shared/code/scope";
-import { useView } from "../client";
+import { selectionOf } from "../../shared/debugger/places";
+import type { State } from "../../shared/model/model";
+import { ownerOf, stateAt } from "../../shared/model/modelTree";
+import { useSession, useView } from "../client";
 import { useEditing } from "../edit/editing";
 import { useKnownServices } from "../edit/forms/useKnownServices";
+import { useRunTree } from "../live/runTree";
 
 /** The word that is being written is not told of until it is whole [ms]. */
 const kPause = 400;
 
-/** On the page of the run, the document is not here: its names are not known. */
-function useScope({ id, path }: KeptBreakpoint): Scope {
+/** The state whose names a breakpoint in the run may use; nothing: the run has none such. */
+function useRunState(breakpoint: KeptBreakpoint): State | undefined {
+  const tree = useRunTree();
+  return useMemo(() => {
+    if (tree === undefined) return undefined;
+    const { id, path } = breakpoint;
+    if (id === undefined && path === undefined) return stateAt(tree, tree.keys().next().value ?? "");
+    const at = selectionOf(tree, breakpoint);
+    return at && stateAt(tree, at.kind === "port" ? ownerOf(at.address) : at.path);
+  }, [tree, breakpoint]);
+}
+
+/** On the page of the run the document is not here: the names are those of the model that the run executes. */
+function useScope(breakpoint: KeptBreakpoint): Scope {
+  const { id, path } = breakpoint;
   const isEdited = useView((v) => v.page === "edit");
   const edited = useEditing(({ session }) => session?.view);
   const services = useKnownServices();
   // Of a place that is named by a path, the element is not known.
   const tree = isEdited && path === undefined ? edited : undefined;
-  return useMemo(() => conditionScope(tree, id, services), [tree, id, services]);
+  const state = useRunState(breakpoint);
+  const declared = useSession((s) => s.model?.services);
+  const inRun = isEdited ? undefined : state;
+  return useMemo(() => (inRun === undefined ? conditionScope(tree, id, services) : runScope(inRun, declared ?? {}, services)), [inRun, declared, tree, id, services]);
 }
 
 /** The first mistake of a text that has rested. */

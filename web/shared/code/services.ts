@@ -37,11 +37,18 @@ function serviceName(key: string, { type, rsm }: KnownService): Name {
 /** A service by its key in code; one that is not there now has a type alone. */
 type NamedService = KnownService | { readonly key: string; readonly type: string; readonly rsm?: undefined };
 
-/** Those that the document declares, by key, else by type, and the others that the server has. */
-function servicesFor(tree: Tree, known: readonly KnownService[]): readonly NamedService[] {
+/** What a document declares: types by keys. */
+type Declared = Readonly<Record<string, unknown>>;
+
+const declaredIn = (tree: Tree): Declared => {
   const services = entryOf(tree.fields, "services");
+  return isObject(services) ? services : {};
+};
+
+/** Those that the document declares, by key, else by type, and the others that the server has. */
+function servicesFor(declared: Declared, known: readonly KnownService[]): readonly NamedService[] {
   const found = new Map<string, NamedService>(known.map((service) => [service.key, service]));
-  for (const [key, type] of isObject(services) ? Object.entries(services) : []) {
+  for (const [key, type] of Object.entries(declared)) {
     const service = known.find((each) => each.key === key) ?? known.find((each) => each.type === type);
     found.set(key, service === undefined ? { key, type: typeof type === "string" ? type : "?" } : { ...service, key });
   }
@@ -49,11 +56,13 @@ function servicesFor(tree: Tree, known: readonly KnownService[]): readonly Named
 }
 
 /** Of a service that is not there now, nothing more is known. */
-export const serviceNames = (tree: Tree, known: readonly KnownService[]): readonly Name[] =>
-  servicesFor(tree, known).map((service) =>
+export const namesOfServices = (declared: Declared, known: readonly KnownService[]): readonly Name[] =>
+  servicesFor(declared, known).map((service) =>
     service.rsm === undefined ? { name: service.key, kind: "service", doc: `A service of the type ${service.type}, which is not there now.`, isOpen: true } : serviceName(service.key, service),
   );
 
+export const serviceNames = (tree: Tree, known: readonly KnownService[]): readonly Name[] => namesOfServices(declaredIn(tree), known);
+
 /** The services that code can name and that are there, with their RSMs. */
 export const knownServices = (tree: Tree, known: readonly KnownService[]): readonly KnownService[] =>
-  servicesFor(tree, known).filter((service): service is KnownService => service.rsm !== undefined);
+  servicesFor(declaredIn(tree), known).filter((service): service is KnownService => service.rsm !== undefined);
