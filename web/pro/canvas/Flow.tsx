@@ -1,10 +1,11 @@
 // The canvas of a small drawing: an element for each node and line, with zoom and pan by React Flow.
-import { Background, BackgroundVariant, MiniMap, ReactFlow, type NodeTypes, type EdgeTypes } from "@xyflow/react";
+import { Background, BackgroundVariant, ReactFlow, type NodeTypes, type EdgeTypes } from "@xyflow/react";
 import { memo, useMemo, type RefObject } from "react";
 import { flowLines, flowNodes } from "../../shared/drawing/flow";
 import { kZoomLimits } from "../../shared/drawing/movement";
 import { view } from "../client";
 import { BarrierNode, type BarrierFlowNode } from "./BarrierNode";
+import { FlowMiniMap } from "./FlowMiniMap";
 import { FlowView } from "./FlowView";
 import { takeOver } from "./moved";
 import { ArrowHeads, ModelLine, type LineFlowEdge } from "./ModelLine";
@@ -61,7 +62,7 @@ export const Flow = memo(function Flow({ laid, movedRef }: Props) {
       onPaneClick={() => view.dispatch({ type: "select", selection: undefined })}
     >
       <Background variant={BackgroundVariant.Dots} gap={22} size={1.2} color="var(--canvas-dots)" />
-      {laid.drawing.nodes.length > 30 && <MiniMap pannable zoomable position="bottom-right" nodeColor={(node: StateFlowNode | BarrierFlowNode) => (node.data.drawn.depth === 0 ? "var(--minimap-outer)" : "var(--minimap-node)")} maskColor="var(--minimap-mask)" />}
+      <FlowMiniMap drawing={laid.drawing} />
       <FlowView laid={laid} />
       <ArrowHeads />
     </ReactFlow>

@@ -1,7 +1,8 @@
-// The overview of a painted drawing in a corner, with the part that is seen; a press or drag moves there, the wheel zooms.
-import { useEffect, useLayoutEffect, useRef, type PointerEvent, type RefObject } from "react";
+// The overview of a painted drawing in a corner, while it is needed, with the part that is seen; a press or drag moves there, the wheel zooms.
+import { useEffect, useLayoutEffect, useRef, useSyncExternalStore, type PointerEvent, type RefObject } from "react";
 import { areaOf, centredOn, wheelFactor, zoomedAt } from "../../../shared/drawing/movement";
 import type { Size } from "../../../shared/drawing/measure";
+import { needsMiniMap } from "../../../shared/drawing/miniMap";
 import type { Scene } from "../../../shared/drawing/scene";
 import { takeOver } from "../moved";
 import type { Camera } from "./camera";
@@ -39,7 +40,13 @@ function paint(canvas: HTMLCanvasElement, { drawing }: Scene): void {
   }
 }
 
-export function MiniMap({ scene, size, camera, movedRef }: Props) {
+export function MiniMap(props: Props) {
+  const { scene, size, camera } = props;
+  const isNeeded = useSyncExternalStore(camera.listen, () => needsMiniMap(camera.viewport(), scene.drawing, size));
+  return isNeeded ? <Overview {...props} /> : null;
+}
+
+function Overview({ scene, size, camera, movedRef }: Props) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const seen = useRef<HTMLDivElement>(null);
   const frame = useRef<HTMLDivElement>(null);
