@@ -19,12 +19,12 @@ function stored(): string | undefined {
   }
 }
 
-/** Of who has chosen no name: it stays when the page is loaded again, as it is a part of the author of edits, who can undo them. */
+/** Of who has chosen no name: it stays in this browser, as the breakpoints that the server keeps are those of the name, and edits are undone by it. */
 function guest(): string {
   const fresh = guestName(Math.random());
   try {
-    const name = sessionStorage.getItem(kGuest) ?? fresh;
-    sessionStorage.setItem(kGuest, name);
+    const name = localStorage.getItem(kGuest) ?? fresh;
+    localStorage.setItem(kGuest, name);
     return name;
   } catch {
     return fresh;
