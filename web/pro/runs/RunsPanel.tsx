@@ -76,6 +76,9 @@ function Panel() {
         <p className="quiet" role="status" aria-label="Found">
           {countText(found.length, list)}
         </p>
+        <p className="quiet">
+          The oldest runs that are over are removed when there are more, or larger ones, than the server keeps (its settings <code>keep_runs</code> and <code>keep_mb</code>).
+        </p>
         <ul className="document-list" aria-label="Stored runs">
           {found.map((run) => (
             <RunRow key={run.id} run={run} offline={offline} />
