@@ -99,4 +99,11 @@ it("one that faulted says in which macro step, and upon what, which is shown amo
   expect((await look(status.locator("strong"))).size).toBeGreaterThanOrEqual(16);
   expect((await look(status)).background).not.toBe((await look(page.locator(".runbar"))).background);
   await screenshot("end-fault");
+  // The word in the run bar leads to the card, also while something is selected.
+  await page.getByRole("treeitem", { name: "Root/Divide", exact: true }).getByRole("button").last().click();
+  await expect.poll(() => fault.count()).toBe(0);
+  await status.getByRole("button", { name: /^Faulted/ }).focus();
+  await page.keyboard.press("Enter");
+  await fault.waitFor();
+  expect(await page.locator(".state.is-selected").count()).toBe(0);
 });

@@ -51,7 +51,7 @@ describe("what starts a run", () => {
     await refuse("Make a micro step");
     // It starts nothing.
     await press("F6");
-    await expect.poll(status, kSoon).toBe("Ready, held before its start");
+    await expect.poll(status, kSoon).toBe("Ready, paused before its start");
     expect(await question().count()).toBe(0);
   });
 

@@ -133,7 +133,7 @@ describe("waiting", () => {
     const held = page.getByRole("region", { name: "Inputs waiting" });
     await held.getByText(/response timer\.wait/).waitFor(kSoon);
     expect((await held.getByRole("listitem").allInnerTexts()).map((text) => text.split(/\n+/)[1])).toEqual(["the next step delivers it"]);
-    await page.getByText("Paused: the task takes no more inputs; a motion that was called goes on to its end.").waitFor(kSoon);
+    await page.getByText("Paused: the task takes no more inputs; a motion that was called goes on to its end, and the time-outs of open calls run on.").waitFor(kSoon);
     await fixture.screenshot("waiting-held");
     await settled(page);
     await page.getByRole("button", { name: "Port Root.done", exact: true }).click();
@@ -177,8 +177,8 @@ describe("waiting", () => {
     await page.getByRole("status", { name: "On the displays" }).getByText("Told on every display: Lead the arm by hand").waitFor(kSoon);
     expect(await findings(page)).toEqual([]);
     await fixture.screenshot("waiting-instruction");
-    await page.getByText("This page is the display expert-page.").getByRole("button", { name: "End that" }).click();
-    await expect.poll(() => page.getByText("This page is the display").count()).toBe(0);
+    await page.getByText("This page acts as the display expert-page.").getByRole("button", { name: "Disconnect" }).click();
+    await expect.poll(() => page.getByText("This page acts as the display").count()).toBe(0);
     await post(`/cores/${id}/stop`);
     await page.getByRole("status", { name: "On the displays" }).waitFor({ state: "detached" });
     const deaf = await post("/cores", { document: "unheard", arguments: {} });

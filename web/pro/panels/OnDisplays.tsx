@@ -19,7 +19,7 @@ export function OnDisplays() {
     <div className="on-displays">
       {call !== undefined && text !== undefined && (
         <p role="status" aria-label="On the displays">
-          {call === unseen?.call ? "No display is connected, so nobody reads" : displayOf(call) === "all" ? "Told on every display" : `Told on the display ${displayOf(call)}`}: <strong>{text}</strong>{" "}
+          {call === unseen?.call ? "No display is connected, so this is shown nowhere" : displayOf(call) === "all" ? "Told on every display" : `Told on the display ${displayOf(call)}`}: <strong>{text}</strong>{" "}
           <a href={displayAddress(displayOf(call))} target="_blank" rel="noreferrer">
             Open a display
           </a>
@@ -27,9 +27,9 @@ export function OnDisplays() {
       )}
       {own.map((name) => (
         <p key={name}>
-          This page is the display {name}.{" "}
+          This page acts as the display {name}.{" "}
           <button type="button" className="link" onClick={() => endDisplay(name)}>
-            End that
+            Disconnect
           </button>
         </p>
       ))}

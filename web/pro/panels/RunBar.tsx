@@ -1,9 +1,8 @@
 // The run bar: start, pause, step, stop, and the status of the run.
 import type { Core } from "../../generated/messages";
 import { allowedBeside } from "../../shared/live/shownRun";
-import { kEffects, primary, statusLook, statusText, type Command } from "../../shared/run/controls";
+import { goesOnMeanwhile, kEffects, primary, statusLook, type Command } from "../../shared/run/controls";
 import { isInterrupted } from "../../shared/run/interruption";
-import { lastStatusText } from "../../shared/run/lostText";
 import { keysOf, type Shortcut } from "../../shared/session/shortcuts";
 import type { Drawer } from "../../shared/session/view";
 import { commandable } from "../../shared/session/session";
@@ -13,6 +12,7 @@ import { StepButtons } from "../debugger/StepButtons";
 import { PastButtons } from "../past/PastButtons";
 import { Icon, type IconName } from "./Icon";
 import { usePersonStatus } from "./question";
+import { StatusWord } from "./StatusWord";
 import { command } from "./startAsk";
 
 interface ButtonSpec {
@@ -32,8 +32,8 @@ const firstButton: Readonly<Record<"start" | "resume" | "again", ButtonSpec>> = 
 
 const buttons: readonly ButtonSpec[] = [
   { command: "pause", name: "Pause", key: "pause", icon: "pause", says: kEffects.pause },
-  { command: "micro", name: "Micro step", key: "micro", icon: "micro" },
-  { command: "macro", name: "Macro step", key: "macro", icon: "macro" },
+  { command: "micro", name: "Micro step", key: "micro", icon: "micro", says: kEffects.step },
+  { command: "macro", name: "Macro step", key: "macro", icon: "macro", says: kEffects.step },
   { command: "stop", name: "Stop", key: "stop", icon: "stop", says: kEffects.stop },
 ];
 
@@ -70,9 +70,9 @@ export function RunBar() {
       <StepButtons />
       <PastButtons />
       {core !== undefined && (
-        <p className={`run-status is-${asks !== undefined ? "paused" : statusLook(core)}`} role="status" aria-label="Run status">
+        <p className={`run-status is-${asks !== undefined ? "paused" : statusLook(core)}`} role="status" aria-label="Run status" title={lost ? undefined : goesOnMeanwhile(core)}>
           {isInterrupted(core) ? <Icon name="interrupted" /> : <i aria-hidden="true" />}
-          <strong>{lost ? lastStatusText(core) : asks !== undefined && !core.paused ? asks : statusText(core)}</strong>
+          <StatusWord core={core} lost={lost} asks={asks} />
           <span>
             step {core.step}
             {core.micro > 0 ? `, micro step ${core.micro}` : ""}

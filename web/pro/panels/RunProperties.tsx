@@ -1,6 +1,6 @@
 // Properties when nothing is selected: the run as a whole.
 import type { ModelTree } from "../../shared/model/modelTree";
-import { isOver, kEffects, statusLook, statusText } from "../../shared/run/controls";
+import { goesOnMeanwhile, isOver, kEffects, statusLook, statusText } from "../../shared/run/controls";
 import { inputText } from "../../shared/run/inputText";
 import { movedBy } from "../../shared/run/moving";
 import { lastStatusText } from "../../shared/run/lostText";
@@ -32,6 +32,7 @@ export function RunProperties({ tree }: { readonly tree: ModelTree | undefined }
   }
   if (past !== undefined) return <PastProperties core={core} past={past} />;
   const { fault, interruption } = core;
+  const meanwhile = goesOnMeanwhile(core);
   return (
     <>
       <header className="prop-head">
@@ -39,7 +40,7 @@ export function RunProperties({ tree }: { readonly tree: ModelTree | undefined }
         <h2>{name === undefined || name === "" ? core.document : name}</h2>
         <span className={`pill is-${asks !== undefined ? "paused" : statusLook(core)}`}>{lost ? lastStatusText(core) : asks !== undefined && !core.paused ? asks : statusText(core)}</span>
       </header>
-      {core.status === "running" && core.paused && !lost && <p className="quiet">Paused: {kEffects.pause}.</p>}
+      {meanwhile !== undefined && !lost && <p className="quiet">{meanwhile}.</p>}
       {stops && !lost && <p className="quiet">Stop: {kEffects.stop}.</p>}
       {interruption !== undefined && (
         <section className="interrupted" aria-label="Interrupted">

@@ -10,7 +10,8 @@ export function isOver(core: Pick<Core, "status">): boolean {
 
 /** What services and robots do upon a command. */
 export const kEffects = {
-  pause: "the task takes no more inputs; a motion that was called goes on to its end",
+  pause: "the task takes no more inputs; a motion that was called goes on to its end, and the time-outs of open calls run on",
+  step: "the task stops again after it; meanwhile, calls that are open go on, and their time-outs run",
   stop: "the run ends, and its services are told to be safe: a robot brakes and stands",
 } as const;
 
@@ -52,6 +53,9 @@ export function statusLook({ status, paused, outcome }: Pick<Core, "status" | "p
   return status === "ended" && isBadOutcome(outcome) ? "failed" : status;
 }
 
+/** What goes on while the task of a core is paused; nothing if it is not, or has not begun. */
+export const goesOnMeanwhile = ({ status, paused }: Pick<Core, "status" | "paused">): string | undefined => (status === "running" && paused ? `Paused: ${kEffects.pause}` : undefined);
+
 /** Whether a run is held while something has come for it. */
 export const holdsInputs = ({ status, paused, waiting, step }: Pick<Core, "status" | "paused" | "waiting" | "step">): boolean => status === "running" && paused && waiting > 0 && step > 0;
 
@@ -59,7 +63,7 @@ export const holdsInputs = ({ status, paused, waiting, step }: Pick<Core, "statu
 export function statusText(core: Core): string {
   switch (core.status) {
     case "ready":
-      return core.paused ? "Ready, held before its start" : "Ready";
+      return core.paused ? "Ready, paused before its start" : "Ready";
     case "running":
       if (!core.paused) return "Running";
       return core.stepping ? "Paused, its step waits for an input" : "Paused";

@@ -71,7 +71,7 @@ export const gestures: readonly { readonly where: string; readonly list: readonl
       { gesture: "Double click", does: "The state editor; of anything else, the properties" },
       { gesture: "Ctrl and double click", does: "Enter the state" },
       { gesture: "Right click", does: "What can be done with it" },
-      { gesture: "Esc while dragging", does: "Give it up" },
+      { gesture: "Esc while dragging", does: "Cancel the drag" },
     ],
   },
   {

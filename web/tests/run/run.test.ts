@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import type { Core, CoreDelta, RunState, Values } from "../../generated/messages";
 import { buildTree, stateAt } from "../../shared/model/modelTree";
 import { applyDelta, runningNow } from "../../shared/run/applyDelta";
-import { allowed, holdsInputs, primary, setsGoing, statusLook, statusText, until } from "../../shared/run/controls";
+import { allowed, goesOnMeanwhile, holdsInputs, primary, setsGoing, statusLook, statusText, until } from "../../shared/run/controls";
 import { liveState, type LiveState } from "../../shared/run/liveState";
 import { callText, inputText } from "../../shared/run/inputText";
 import { atomAdvice, codePieces, constantText, parameterHeadline, readsText, whyHeadline, whySentences } from "../../shared/run/whyText";
@@ -129,6 +129,10 @@ describe("controls", () => {
     expect(statusText({ ...core, paused: true })).toBe("Paused");
     expect(statusText({ ...core, paused: true, stepping: true })).toBe("Paused, its step waits for an input");
     expect(statusText({ ...core, stepping: true })).toBe("Running");
+  });
+  it("say of a pause that time-outs run on, while it lasts", () => {
+    expect(goesOnMeanwhile({ ...core, paused: true })).toMatch(/^Paused: .*the time-outs of open calls run on$/);
+    expect([core, { ...core, status: "ready", paused: true } as const, { ...core, status: "ended", paused: true } as const].map(goesOnMeanwhile)).toEqual([undefined, undefined, undefined]);
   });
 
   it("is told by colours: what is paused waits, and what ended badly has failed", () => {

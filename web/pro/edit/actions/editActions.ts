@@ -30,7 +30,7 @@ const redo: Action = {
 const removing = selectionAction({ id: "delete", name: "Delete", keys: ["Delete", "Backspace"], group: "Edit" }, ({ tree }, ids) => remove(tree, ids));
 
 const selectAll: Action = {
-  id: "select_all", name: "Select all beside it", keys: ["Ctrl+A"], group: "Edit", where: "model",
+  id: "select_all", name: "Select all in the same state", keys: ["Ctrl+A"], group: "Edit", where: "model",
   when: () => undefined,
   run: ({ tree, node, focus }) => {
     const parent = node === undefined || node === focus.id ? focus.id : (tree.elements.get(node)?.parent ?? focus.id);

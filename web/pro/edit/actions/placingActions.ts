@@ -29,7 +29,7 @@ const nudge = (name: string, key: string, x: number, y: number): Action =>
   });
 
 const noting: Action = {
-  id: "note", name: "Note something about it", keys: ["Shift+F2"], group: "Place", where: "model",
+  id: "note", name: "Write a note beside it", keys: ["Shift+F2"], group: "Place", where: "model",
   when: () => (shownCanvas() === undefined ? kNotDrawn : undefined),
   run: ({ view }) => {
     const laid = shownCanvas()?.laid;

@@ -43,7 +43,7 @@ export function DraftList() {
             <button type="button" aria-label={`Copy ${whereOf(draft)}`} onClick={() => copyWritten(draft.text)}>
               Copy
             </button>
-            <button type="button" aria-label={`Give up ${whereOf(draft)}`} title="Give it up" onClick={() => drafts.dispatch({ type: "given_up", place: draft })}>
+            <button type="button" aria-label={`Discard ${whereOf(draft)}`} title="Discard this text" onClick={() => drafts.dispatch({ type: "given_up", place: draft })}>
               ✕
             </button>
           </li>
