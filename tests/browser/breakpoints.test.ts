@@ -80,9 +80,12 @@ describe("a breakpoint", () => {
     { at: "Root/B", kind: "an action is executed", told: "B, executed", is: "Root Root/B", n: 2 },
     { at: "Root/B", kind: "the condition becomes fulfilled", condition: "var.n == 1", told: "B, fulfilled", is: "Root Root/B", n: 1 },
     { at: "Root/B", kind: "the state is left", told: "B, left", is: "Root" },
+    { at: "Root/B", kind: "the state is entered", told: "B, entered", is: "Root Root/B" },
+    { at: "Root/B", kind: "the state is entered", before: true, told: "B, before: entered", is: "Root" },
+    { at: "Root/C.go", kind: "the port fires", before: true, told: "C.go, before: fired", is: "Root Root/C" },
     { at: "Root/C.go", kind: "the port fires", told: "C.go, fired", is: "Root" },
     { at: "Root/D", kind: "the run faults there", told: "D, faults", is: "Root" },
-  ])("stops when $kind at $at", async ({ at, kind, condition, told, is, n }) => {
+  ])("stops when $kind at $at: $told", async ({ at, kind, condition, before = false, told, is, n }) => {
     const { page } = fixture;
     const id = await make("kinds");
     await set(at, kind);
@@ -91,8 +94,12 @@ describe("a breakpoint", () => {
       await field.fill(condition);
       await field.press("Enter");
     }
-    const sent = async () => ((await fixture.send("GET", `/cores/${id}`)) as { readonly breakpoints: readonly { readonly condition?: string }[] }).breakpoints;
+    const sent = async () => ((await fixture.send("GET", `/cores/${id}`)) as { readonly breakpoints: readonly { readonly condition?: string; readonly before?: boolean }[] }).breakpoints;
     await soon(async () => (await sent()).map((each) => each.condition)).toEqual([condition]);
+    if (before) {
+      await rows().getByRole("button", { name: /make it before/ }).click();
+      await soon(async () => (await sent()).map((each) => each.before)).toEqual([true]);
+    }
     await page.getByRole("toolbar", { name: "Run" }).getByRole("button", { name: "Start", exact: true }).click();
     await soon(() => reached().innerText()).toContain(`Paused: breakpoint at ${told}`);
     const { core, state } = await seen(id);
@@ -106,13 +113,34 @@ describe("a breakpoint", () => {
   });
 });
 
+describe("the list of breakpoints, on the page of a run", () => {
+  it("says of a condition which name the state does not have, before it is sent", async () => {
+    await make("kinds");
+    await set("Root/B", "the state is left");
+    const field = rows().getByRole("textbox", { name: "Condition" });
+    await field.fill("par.kee == 1");
+    await soon(() => rows().innerText()).toContain("kee is not declared here");
+    await field.fill("var.n == 1");
+    await soon(() => rows().innerText()).not.toContain("not declared");
+    await field.press("Escape");
+  });
+
+  it("is the same in another tab of the browser, also of who has chosen no name", async () => {
+    await set("Root/B", "the state is entered");
+    const other = await fixture.page.context().newPage();
+    await other.goto(fixture.page.url());
+    await soon(() => other.getByRole("region", { name: "Breakpoints" }).getByRole("listitem").count()).toBe(1);
+    await other.close();
+  });
+});
+
 describe("a step", () => {
   let id = "";
 
   it("into goes to what is entered next, and out of a state without any", async () => {
     id = await make("ways");
     await press("F6");
-    await soon(() => fixture.page.getByRole("status", { name: "Run status" }).innerText()).toContain("held before its start");
+    await soon(() => fixture.page.getByRole("status", { name: "Run status" }).innerText()).toContain("paused before its start");
     await press("F4");
     await soon(active).toBe("Root Root/Begin");
     await press("F4");

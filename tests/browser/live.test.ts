@@ -9,8 +9,8 @@ beforeAll(async () => {
   fixture = await openFixture();
   fixture.page.setDefaultTimeout(20_000);
   await fixture.page.setViewportSize({ width: 1366, height: 768 });
-  // A port may be gone while its condition is asked for.
-  fixture.allowError(/\/why\?/);
+  // A port may be gone while its condition is asked for: it is not found.
+  fixture.allowError(/ 404 .*\/why\?/);
 });
 afterAll(() => fixture.close());
 

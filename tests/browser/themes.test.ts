@@ -73,6 +73,7 @@ describe("the theme", () => {
 const kSizes = [
   { width: 1366, height: 768 },
   { width: 1600, height: 1000 },
+  { width: 2560, height: 1440 },
 ] as const;
 
 describe("screenshots", () => {
