@@ -39,6 +39,16 @@ const activeIn = (of: Page) => of.locator('[role="treeitem"][data-active="true"]
 const list = () => page.getByRole("list", { name: "Stored runs" });
 const status = () => page.getByRole("status", { name: "Run status" }).locator("strong").innerText();
 
+/** What is active, once that does not change any more: the tree follows the moment at its pace. */
+async function activeAtRest(): Promise<string> {
+  let [before, now] = ["?", await activeIn(page)];
+  while (before !== now) {
+    await page.waitForTimeout(100);
+    [before, now] = [now, await activeIn(page)];
+  }
+  return now;
+}
+
 /** What the page shows at macro step `step`. */
 async function seenAt(step: number): Promise<object> {
   const slider = banner().getByRole("slider", { name: "Macro step" });
@@ -47,7 +57,7 @@ async function seenAt(step: number): Promise<object> {
   await soon(() => page.getByRole("heading", { level: 2, name: `Step ${moment() ?? ""}`, exact: true }).count()).toBe(1);
   const clock = page.locator(".cell-clock");
   await soon(() => clock.innerText()).toContain(`as it was in step ${step}, cell time`);
-  return { moment: moment(), digest: await digest(), active: await activeIn(page), cell: await clock.innerText() };
+  return { moment: moment(), digest: await digest(), active: await activeAtRest(), cell: await clock.innerText() };
 }
 
 /** Drops the file of a run onto a page. */

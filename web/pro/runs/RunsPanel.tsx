@@ -77,7 +77,7 @@ function Panel() {
           {countText(found.length, list)}
         </p>
         <p className="quiet">
-          The oldest runs that are over are removed when there are more, or larger ones, than the server keeps (its settings <code>keep_runs</code> and <code>keep_mb</code>).
+          The server removes the oldest runs that are over when they are more than its settings <code>keep_runs</code> or <code>keep_mb</code> allow.
         </p>
         <ul className="document-list" aria-label="Stored runs">
           {found.map((run) => (
