@@ -59,7 +59,8 @@ export function useSteps<T extends Kept>(keep: (step: TraceStep) => T): LoadedSt
     const wait = shown?.failed === undefined && (have === 0 || last - have >= kPart) ? 0 : Math.max(0, at + kEvery - performance.now());
     const timer = setTimeout(() => void load(id, last, moment), wait);
     return () => clearTimeout(timer);
-  }, [id, last, micro, have, shown]);
+    // Also with the answer of a run from which the page has turned away, which is not shown: until then the one it turned to could not be asked for.
+  }, [id, last, micro, have, shown, line]);
   return shown;
 }
 
