@@ -37,18 +37,20 @@ function WithForced({ log, loaded: { id, steps }, filter }: Props) {
   return <Lines lines={lines} />;
 }
 
+/** The end stays in view while it is: who scrolled back reads on there. */
 function Lines({ lines }: { readonly lines: readonly LogLine[] }) {
-  const end = useRef<HTMLDivElement>(null);
+  const list = useRef<HTMLDivElement>(null);
+  const follows = useRef(true);
   useEffect(() => {
-    end.current?.scrollIntoView({ block: "nearest" });
+    if (follows.current && list.current !== null) list.current.scrollTop = list.current.scrollHeight;
   }, [lines]);
+  const noteEnd = ({ currentTarget: { scrollHeight, scrollTop, clientHeight } }: React.UIEvent) => void (follows.current = scrollHeight - scrollTop - clientHeight < 40);
   return (
-    <div className="log-lines" role="log">
+    <div ref={list} className="log-lines" role="log" onScroll={noteEnd}>
       {lines.map((line, i) => (
         <Line key={i} line={line} />
       ))}
       {lines.length === 0 && <p className="quiet">No lines.</p>}
-      <div ref={end} />
     </div>
   );
 }
