@@ -1,38 +1,44 @@
 // What the watched run waits for, of people, as every part of the page sees it.
 import { useEffect, useEffectEvent, useMemo } from "react";
-import type { TraceStep } from "../../generated/messages";
+import type { Call } from "../../generated/messages";
 import { isOver } from "../../shared/run/controls";
 import { isAsking } from "../../shared/run/displayCalls";
 import { unseenOf, type Unseen } from "../../shared/run/onDisplays";
-import { stepThatAsked, waitingForPerson, type PersonWait } from "../../shared/run/waitingForPerson";
+import { callThatAsked, waitingForPerson, type PersonWait } from "../../shared/run/waitingForPerson";
 import { api, useCore, useSession } from "../client";
 import { createStore, useSelected } from "../store";
 
-/** The step that asked, where the page has it not among the derivations. */
-const asked = createStore<TraceStep | undefined, TraceStep | undefined>(undefined, (_, step) => step);
+interface Asked {
+  /** The run. */
+  readonly id: string;
+  readonly call: Call;
+}
+
+/** The call that asked, where the page was not there yet. */
+const asked = createStore<Asked | undefined, Asked | undefined>(undefined, (_, call) => call);
 
 /** Nothing, or the question that a person has to answer. */
 export function usePersonWait(): PersonWait | undefined {
   const core = useCore();
   const services = useSession((s) => s.services);
-  const steps = useSession((s) => s.steps);
-  const before = useSelected(asked, (step) => step);
-  return useMemo(() => waitingForPerson(core, services, before === undefined ? steps : [...steps, before]), [core, services, steps, before]);
+  const questions = useSession((s) => s.questions);
+  const before = useSelected(asked, (call) => call);
+  return useMemo(() => waitingForPerson(core, services, before === undefined || before.id !== core?.id ? questions : [...questions, before.call]), [core, services, questions, before]);
 }
 
-/** Loads the step that asked, of a run whose derivations are not sent, or that has gone on for long. To be used once. */
+/** Loads the question that was asked before the page was there. To be used once. */
 export function useQuestion(): PersonWait | undefined {
   const core = useCore();
   const wait = usePersonWait();
   const [id, service, call] = [core?.id, wait?.service, wait?.call];
   const isKnown = wait?.question !== undefined;
   // The question is first seen now: later steps need not be looked through.
-  const load = useEffectEvent((run: string, asking: string) => stepThatAsked({ service: asking, call }, core?.step ?? 0, (from, to) => api.derivations(run, from, to)));
+  const load = useEffectEvent((run: string, asking: string) => callThatAsked({ service: asking, call }, core?.step ?? 0, (from, to) => api.derivations(run, from, to)));
   useEffect(() => {
     if (id === undefined || service === undefined || isKnown) return;
     let current = true;
     load(id, service).then(
-      (found) => current && asked.dispatch(found),
+      (found) => current && asked.dispatch(found && { id, call: found }),
       () => undefined, // It is shown without its words.
     );
     return () => {

@@ -1,8 +1,6 @@
 // A run that waits for a person: its call of a display that is not answered yet, with the question in words.
 import type { Call, Core, HostedService, PendingCall, TraceStep } from "../../generated/messages";
 import type { JsonValue } from "../json";
-import type { RcmDocument } from "../model/model";
-import { callsOf } from "../orchestration/calls";
 import { argumentOf, displayOf, isAsking, textArgument } from "./displayCalls";
 
 /** What can be answered: one of these texts, or a number of a range. */
@@ -16,7 +14,7 @@ export interface PersonWait {
   readonly operation: string;
   /** Of its core; nothing: the server itself has called. */
   readonly call: number | undefined;
-  /** Nothing, if the step that asked is not here. */
+  /** Nothing, if the call that asked is not here. */
   readonly question: string | undefined;
   /** Nothing, as before. */
   readonly answers: Answers | undefined;
@@ -40,41 +38,39 @@ function waitOf(service: string, { operation, core_call: number }: Pick<PendingC
   return { service, operation, call: number, question: call && textArgument(call, "question", 0), answers: call && answersOf(operation, call), display: call === undefined ? "all" : displayOf(call) };
 }
 
-const callIn = (steps: readonly TraceStep[], service: string, number: number | undefined): Call | undefined =>
-  steps.flatMap(({ calls }) => calls).filter((each) => each.service === service && each.call === number).at(-1);
+const callIn = (calls: readonly Call[], service: string, number: number | undefined): Call | undefined =>
+  calls.filter((each) => each.service === service && each.call === number).at(-1);
 
-const known = new WeakMap<RcmDocument, boolean>();
+/** So many questions are kept, the last ones: more are not open at the same time. */
+const kQuestions = 50;
 
-/** Whether a task may ask a person something. */
-export function asksPeople(model: RcmDocument): boolean {
-  const before = known.get(model);
-  if (before !== undefined) return before;
-  const asks = callsOf(model.root).some(({ operation }) => isAsking(operation));
-  known.set(model, asks);
-  return asks;
+/** The questions that a run has asked, with those among the calls that it has made now. */
+export function withQuestions(known: readonly Call[], calls: readonly Call[]): readonly Call[] {
+  const added = calls.filter(({ operation }) => isAsking(operation));
+  return added.length === 0 ? known : [...known, ...added].slice(-kQuestions);
 }
 
 /** So many macro steps are looked through for the one that asked, in parts. */
 const kLooked = 1000;
 const kPart = 50;
 
-/** The macro step that asked, looked for from the step `last` back: the page may not have had it, or not any more. */
-export async function stepThatAsked({ service, call }: Pick<PersonWait, "service" | "call">, last: number, load: (from: number, to: number) => Promise<readonly TraceStep[]>): Promise<TraceStep | undefined> {
+/** The call that asked, looked for from the step `last` back: the page may not have had it, or not any more. */
+export async function callThatAsked({ service, call }: Pick<PersonWait, "service" | "call">, last: number, load: (from: number, to: number) => Promise<readonly TraceStep[]>): Promise<Call | undefined> {
   for (let to = last; to > Math.max(0, last - kLooked); to -= kPart) {
     const steps = await load(Math.max(1, to - kPart + 1), to);
-    const found = steps.find((step) => callIn([step], service, call) !== undefined);
+    const found = callIn(steps.flatMap(({ calls }) => calls), service, call);
     if (found !== undefined) return found;
   }
   return undefined;
 }
 
-/** The oldest question of this core that nobody has answered; nothing if it waits for no person. */
-export function waitingForPerson(core: Core | undefined, services: readonly HostedService[], steps: readonly TraceStep[]): PersonWait | undefined {
+/** The oldest question of this core that nobody has answered; nothing if it waits for no person. `questions`: that it has asked, as far as they are here. */
+export function waitingForPerson(core: Core | undefined, services: readonly HostedService[], questions: readonly Call[]): PersonWait | undefined {
   if (core?.status !== "running") return undefined;
   for (const { key, type, pending } of services) {
     const asked = type === "display" ? pending.find((each) => each.core === core.id && isAsking(each.operation)) : undefined;
     if (asked === undefined) continue;
-    return waitOf(key, asked, callIn(steps, key, asked.core_call));
+    return waitOf(key, asked, callIn(questions, key, asked.core_call));
   }
   return undefined;
 }

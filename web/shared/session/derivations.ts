@@ -1,6 +1,5 @@
 // Whether the page needs the derivations of the watched run as they are made: up to a megabyte a second.
 import { isStored, watchedCore, type Session } from "./session";
-import { asksPeople } from "../run/waitingForPerson";
 import type { View } from "./view";
 
 /** The id of the run whose derivations are to be sent; nothing while it runs and nothing shown depends on them. */
@@ -8,8 +7,6 @@ export function derivationsWanted(session: Session, view: Pick<View, "drawer" | 
   const core = watchedCore(session);
   if (core === undefined || isStored(session)) return undefined;
   const runs = core.status === "running" && !core.paused;
-  // A question to a person is in the call of the step that asked, and is shown at once.
-  const asks = session.model === undefined || asksPeople(session.model);
   const isShown = view.drawer === "derivation" || view.selection?.kind === "port" || view.asked !== undefined || session.past !== undefined;
-  return !runs || asks || isShown ? core.id : undefined;
+  return !runs || isShown ? core.id : undefined;
 }

@@ -1,7 +1,7 @@
 // The state of the expert page as a value, and the function that applies an event to it.
 import { assertNever } from "../assertNever";
 import { mergeSteps } from "../derivation/steps";
-import type { Core, DocumentSummary, HostedService, Input, LogEntry, Rule, TraceStep } from "../../generated/messages";
+import type { Call, Core, DocumentSummary, HostedService, Input, LogEntry, Rule, TraceStep } from "../../generated/messages";
 import type { StreamUpdate } from "../messages/stream";
 import { kNoPlaces, type Places } from "../drawing/places";
 import type { RcmDocument } from "../model/model";
@@ -12,6 +12,7 @@ import { isOver } from "../run/controls";
 import { modelKey } from "../run/edits";
 import { applyFired, noneFired, type Fired } from "../run/fired";
 import { kNothingTold, tellDisplays, type OnDisplays } from "../run/onDisplays";
+import { withQuestions } from "../run/waitingForPerson";
 import type { StoredRun } from "../runs/storedRun";
 import type { Connection } from "../stream";
 
@@ -46,6 +47,8 @@ export interface Session {
   readonly lastInput: Input | undefined;
   /** What the watched run has told the displays since the page watches it. */
   readonly onDisplays: OnDisplays;
+  /** What it has asked people since then, the last questions. */
+  readonly questions: readonly Call[];
   readonly steps: readonly TraceStep[];
   readonly services: readonly HostedService[];
   readonly log: readonly LogEntry[];
@@ -93,6 +96,7 @@ export const emptySession: Session = {
   fired: noneFired,
   lastInput: undefined,
   onDisplays: kNothingTold,
+  questions: [],
   steps: [],
   services: [],
   log: [],
@@ -148,6 +152,7 @@ export function applyEvent(session: Session, event: SessionEvent): Session {
         steps: [],
         lastInput: undefined,
         onDisplays: kNothingTold,
+        questions: [],
       };
     case "stored": {
       const { core, model, places, state, steps } = event.run;
@@ -198,7 +203,8 @@ function applyUpdate(session: Session, update: StreamUpdate, frame?: number): Se
       const fired = applyFired(session.fired, update.delta, frame);
       const cores = withCore(session.cores, update.delta.core);
       const onDisplays = tellDisplays(session.onDisplays, update.delta, session.services);
-      return { ...session, cores, run: applyDelta(session.run, update.delta), fired, lastInput: update.delta.input ?? session.lastInput, onDisplays };
+      const questions = withQuestions(session.questions, update.delta.calls);
+      return { ...session, cores, run: applyDelta(session.run, update.delta), fired, lastInput: update.delta.input ?? session.lastInput, onDisplays, questions };
     }
     case "derivations":
       return update.id === session.watched ? { ...session, steps: mergeSteps(session.steps, update.steps) } : session;

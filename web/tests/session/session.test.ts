@@ -36,6 +36,12 @@ describe("session", () => {
     const late: Core = { ...core, step: 9, waiting_edit: { revision: 3, waits: [] } };
     expect(watchedCore(receive(listed, { type: "state", id: "1", state: { core: late, state: first.state } }))).toEqual({ ...refused, step: 9 });
   });
+  it("keeps what the watched run asks people, until the page turns to another one", () => {
+    const ask = { service: "phone", operation: "ask", args: ["Go on?"], kwargs: {}, call: 4 };
+    const asked = receive(running, { type: "state_changed", id: "1", delta: { ...delta([]), calls: [ask] } }, { type: "state_changed", id: "1", delta: delta([]) });
+    expect(asked.questions).toEqual([ask]);
+    expect(applyEvent(asked, { type: "watched", id: "2" }).questions).toEqual([]);
+  });
   it("ignores a delta before the snapshot", () => {
     expect(receive(watching, { type: "state_changed", id: "1", delta: delta(["A.p"]) })).toBe(watching);
   });
