@@ -2,34 +2,41 @@
 import { useEffect, useMemo, useRef, useState } from "react";
 import type { LogEntry } from "../../generated/messages";
 import { momentText } from "../../shared/past/moment";
-import { loggedStep, type LoggedStep } from "../../shared/runs/callLog";
+import type { Forced } from "../../shared/run/forced";
+import { inputEntry } from "../../shared/runs/callLog";
 import { forcedLines, matchingLines, runLog, type LogLine } from "../../shared/runs/runLog";
 import { useSession } from "../client";
-import { useSteps, type LoadedSteps } from "../timeline/loading";
 import { useTimes } from "../timeline/times";
 import { showInput } from "./showInput";
+import { useForced } from "./useForced";
 
 export function LogPanel() {
   const log = useSession((s) => s.log);
-  const loaded = useSteps(loggedStep);
+  const id = useSession((s) => s.watched);
+  const forced = useForced();
   const [filter, setFilter] = useState("");
   return (
     <section className="log" aria-label="Log">
       <input type="search" placeholder="Filter" aria-label="Filter the log" value={filter} onChange={(event) => setFilter(event.target.value)} />
-      {loaded?.steps.length === 0 || loaded === undefined ? <Lines lines={matchingLines(log, filter)} /> : <WithForced log={log} loaded={loaded} filter={filter} />}
+      {id === undefined || forced.length === 0 ? <Lines lines={matchingLines(log, filter)} /> : <WithForced id={id} log={log} forced={forced} filter={filter} />}
     </section>
   );
 }
 
 interface Props {
   readonly log: readonly LogEntry[];
-  readonly loaded: LoadedSteps<LoggedStep>;
+  readonly id: string;
+  readonly forced: readonly Forced[];
   readonly filter: string;
 }
 
-function WithForced({ log, loaded: { id, steps }, filter }: Props) {
-  const entries = useMemo(() => steps.flatMap((step) => step.entries.filter(({ kind }) => kind === "force")), [steps]);
-  const [from, to] = [entries[0]?.step ?? 1, entries.at(-1)?.step ?? 1];
+/** The server tells the times of so many macro steps at once: what was forced before them is not shown. */
+const kMostTimes = 1000;
+
+function WithForced({ log, id, forced: all, filter }: Props) {
+  const to = all.at(-1)?.step ?? 1;
+  const entries = useMemo(() => all.filter(({ step }) => step > to - kMostTimes).map(({ step, input }) => inputEntry(input, step)), [all, to]);
+  const from = entries[0]?.step ?? 1;
   const { times: first } = useTimes(id, 1, 1);
   const { times: forced } = useTimes(id, from, to);
   const times = useMemo(() => first && forced && { ...forced, began: new Map([...first.began, ...forced.began]) }, [first, forced]);

@@ -23,7 +23,7 @@ export interface LoggedStep {
   readonly entries: readonly RunEntry[];
 }
 
-function inputEntry(input: Input, step: number): RunEntry {
+export function inputEntry(input: Input, step: number): RunEntry {
   const entry = { step, micro: 0, count: 1, text: inputText(input) };
   switch (input.kind) {
     case "event":

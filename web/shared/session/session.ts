@@ -10,6 +10,7 @@ import { applyDelta } from "../run/applyDelta";
 import { liveState, type LiveState } from "../run/liveState";
 import { isOver } from "../run/controls";
 import { modelKey } from "../run/edits";
+import { withForced, type Forced } from "../run/forced";
 import { applyFired, noneFired, type Fired } from "../run/fired";
 import { kNothingTold, tellDisplays, type OnDisplays } from "../run/onDisplays";
 import { withQuestions } from "../run/waitingForPerson";
@@ -49,6 +50,10 @@ export interface Session {
   readonly onDisplays: OnDisplays;
   /** What it has asked people since then, the last questions. */
   readonly questions: readonly Call[];
+  /** What was forced in it since then. */
+  readonly forced: readonly Forced[];
+  /** How often its whole state came: what was before is in no delta. */
+  readonly snapshots: number;
   readonly steps: readonly TraceStep[];
   readonly services: readonly HostedService[];
   readonly log: readonly LogEntry[];
@@ -97,6 +102,8 @@ export const emptySession: Session = {
   lastInput: undefined,
   onDisplays: kNothingTold,
   questions: [],
+  forced: [],
+  snapshots: 0,
   steps: [],
   services: [],
   log: [],
@@ -153,6 +160,7 @@ export function applyEvent(session: Session, event: SessionEvent): Session {
         lastInput: undefined,
         onDisplays: kNothingTold,
         questions: [],
+        forced: [],
       };
     case "stored": {
       const { core, model, places, state, steps } = event.run;
@@ -197,14 +205,14 @@ function applyUpdate(session: Session, update: StreamUpdate, frame?: number): Se
       return { ...session, cores: session.cores.filter((core) => core.id !== update.id) };
     case "state":
       if (update.id !== session.watched) return session;
-      return { ...session, cores: withCounters(session.cores, update.state.core), run: liveState(update.state.state) };
+      return { ...session, cores: withCounters(session.cores, update.state.core), snapshots: session.snapshots + 1, run: liveState(update.state.state) };
     case "state_changed": {
       if (update.id !== session.watched || session.run === undefined) return session;
       const fired = applyFired(session.fired, update.delta, frame);
       const cores = withCore(session.cores, update.delta.core);
       const onDisplays = tellDisplays(session.onDisplays, update.delta, session.services);
       const questions = withQuestions(session.questions, update.delta.calls);
-      return { ...session, cores, run: applyDelta(session.run, update.delta), fired, lastInput: update.delta.input ?? session.lastInput, onDisplays, questions };
+      return { ...session, cores, run: applyDelta(session.run, update.delta), fired, lastInput: update.delta.input ?? session.lastInput, onDisplays, questions, forced: withForced(session.forced, update.delta) };
     }
     case "derivations":
       return update.id === session.watched ? { ...session, steps: mergeSteps(session.steps, update.steps) } : session;

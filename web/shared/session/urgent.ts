@@ -4,7 +4,7 @@ import { isAsking } from "../run/displayCalls";
 import { watchedCore, type Session } from "./session";
 
 /** What each step of a run, its calls and the log of the server change. */
-const kOften: ReadonlySet<string> = new Set<keyof Session>(["cores", "run", "fired", "lastInput", "onDisplays", "questions", "steps", "services", "log"]);
+const kOften: ReadonlySet<string> = new Set<keyof Session>(["cores", "run", "fired", "lastInput", "onDisplays", "questions", "forced", "snapshots", "steps", "services", "log"]);
 const kCounters: ReadonlySet<string> = new Set<keyof Core>(["step", "micro", "waiting"]);
 
 const differing = <T extends object>(before: T, now: T): readonly string[] =>
