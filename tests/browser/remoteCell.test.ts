@@ -78,7 +78,7 @@ describe("a cell that is a process", () => {
     await end();
     await away().waitFor(kSoon);
     expect(await listed()).toEqual([]);
-    expect(await clock().count()).toBe(0);
+    await clock().waitFor({ ...kSoon, state: "detached" });
     await fixture.screenshot("cell-away");
   });
 

@@ -28,7 +28,8 @@ export const api = createApi("/api/v1", (input, init) => fetch(input, init));
 
 /** The newest pose of the cell. It changes many times a second, so it bypasses the session. */
 export const cellPose = createStore<CellPose | undefined, CellPose | undefined>(undefined, (_, pose) => pose);
-// After an interruption the old pose is not valid.
+/** After an interruption the old pose is not valid, nor is one that was still on its way. */
+const takePose = (pose: CellPose): void => cellPose.dispatch(cellUnavailable(session.get()) === undefined ? pose : undefined);
 session.listen(() => cellUnavailable(session.get()) !== undefined && cellPose.dispatch(undefined));
 
 /** For what is read: of a run that goes on by itself, late by a tenth of a second at most. */
@@ -94,7 +95,7 @@ export function connect(): void {
     },
     onMalformed: problem,
     onUpdate: (update) => {
-      if (update.type === "cell") cellPose.dispatch(update.pose);
+      if (update.type === "cell") takePose(update.pose);
       else if (update.type === "packet") flowWatchers.get(update.channel)?.forEach((came) => came(update.packet));
       else if (update.type === "derivations") gather(update.id, update.steps);
       else session.dispatchInFrame((frame) => ({ type: "update", update, frame }));
