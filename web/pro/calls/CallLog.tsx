@@ -1,8 +1,9 @@
 // What the watched run has called and what has come to it: newest last, each entry a way to its micro step.
-import { useEffect, useMemo, useRef, useState } from "react";
+import { useMemo, useState } from "react";
 import { folded, kEntryKinds, loggedStep, matchingEntries, servicesOf, type EntryKind, type RunEntry } from "../../shared/runs/callLog";
 import { momentText } from "../../shared/past/moment";
 import { useSession } from "../client";
+import { useEndInView } from "../panels/useEndInView";
 import { visit } from "../past/past";
 import { useSteps, useStepsToCome } from "../timeline/loading";
 
@@ -45,16 +46,10 @@ export function CallLog() {
   );
 }
 
-/** The end stays in view while it is. */
 function Entries({ entries }: { readonly entries: readonly RunEntry[] }) {
-  const list = useRef<HTMLOListElement>(null);
-  const follows = useRef(true);
-  useEffect(() => {
-    if (follows.current && list.current !== null) list.current.scrollTop = list.current.scrollHeight;
-  }, [entries]);
-  const noteEnd = ({ currentTarget: { scrollHeight, scrollTop, clientHeight } }: React.UIEvent) => void (follows.current = scrollHeight - scrollTop - clientHeight < 40);
+  const end = useEndInView<HTMLOListElement>(entries);
   return (
-    <ol ref={list} aria-label="Entries" onScroll={noteEnd}>
+    <ol aria-label="Entries" {...end}>
       {entries.map((entry, i) => (
         <Entry key={`${momentText(entry)}/${i}`} entry={entry} />
       ))}

@@ -1,5 +1,5 @@
 // The server's log, newest at the end, with what was forced in the watched run, and a filter.
-import { useEffect, useMemo, useRef, useState } from "react";
+import { useMemo, useState } from "react";
 import type { LogEntry } from "../../generated/messages";
 import { momentText } from "../../shared/past/moment";
 import type { Forced } from "../../shared/run/forced";
@@ -8,6 +8,7 @@ import { forcedLines, matchingLines, runLog, type LogLine } from "../../shared/r
 import { useSession } from "../client";
 import { useTimes } from "../timeline/times";
 import { showInput } from "./showInput";
+import { useEndInView } from "./useEndInView";
 import { useForced } from "./useForced";
 
 export function LogPanel() {
@@ -44,16 +45,10 @@ function WithForced({ log, id, forced: all, filter }: Props) {
   return <Lines lines={lines} />;
 }
 
-/** The end stays in view while it is: who scrolled back reads on there. */
 function Lines({ lines }: { readonly lines: readonly LogLine[] }) {
-  const list = useRef<HTMLDivElement>(null);
-  const follows = useRef(true);
-  useEffect(() => {
-    if (follows.current && list.current !== null) list.current.scrollTop = list.current.scrollHeight;
-  }, [lines]);
-  const noteEnd = ({ currentTarget: { scrollHeight, scrollTop, clientHeight } }: React.UIEvent) => void (follows.current = scrollHeight - scrollTop - clientHeight < 40);
+  const end = useEndInView<HTMLDivElement>(lines);
   return (
-    <div ref={list} className="log-lines" role="log" onScroll={noteEnd}>
+    <div className="log-lines" role="log" {...end}>
       {lines.map((line, i) => (
         <Line key={i} line={line} />
       ))}
