@@ -1,6 +1,9 @@
 // Ids of elements, edits and comments.
-import { describe, expect, it } from "vitest";
+import { webcrypto } from "node:crypto";
+import { describe, expect, it, vi } from "vitest";
 import { newId } from "../shared/newId";
+
+vi.stubGlobal("crypto", webcrypto); // Node 18 has none by itself
 
 describe("a new id", () => {
   it("is of what the server takes, and never the same", () => {
