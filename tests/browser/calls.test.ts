@@ -68,12 +68,12 @@ describe("the calls and events of a run", () => {
   it("are filtered by kind, service and text", async () => {
     const { page } = fixture;
     await list().getByLabel("Kind").selectOption("Calls");
-    expect(await list().getByRole("listitem").count()).toBe(2);
+    await expect.poll(() => list().getByRole("listitem").count(), kSoon).toBe(2);
     await list().getByLabel("Service", { exact: true }).selectOption("db");
-    expect(await list().getByRole("listitem").count()).toBe(1);
+    await expect.poll(() => list().getByRole("listitem").count(), kSoon).toBe(1);
     await list().getByLabel("Kind").selectOption("All kinds");
     await list().getByRole("searchbox").fill("not_found");
-    expect(await entries()).toEqual([expect.stringContaining("response")]);
+    await expect.poll(entries, kSoon).toEqual([expect.stringContaining("response")]); // an entry is drawn, and has a text, a frame later
     await list().getByRole("searchbox").fill("nobody");
     await page.getByText("No entry fits this filter.").waitFor();
     await list().getByRole("searchbox").fill("");
