@@ -15,8 +15,8 @@ constexpr std::array kNames = {"json",         "version",        "missing",     
                                "reference",    "keep",           "syntax",         "forbidden",    "scope",
                                "effect",       "service_call",   "unknown_name",   "too_large",    "too_deep",
                                "out_of_range", "not_found",      "conflict",       "io",           "unavailable",
-                               "not_accepted", "storage",        "corrupt"};
-static_assert(kNames.size() == static_cast<std::size_t>(ErrorCode::corrupt) + 1);
+                               "not_accepted", "storage",        "corrupt",        "rights"};
+static_assert(kNames.size() == static_cast<std::size_t>(ErrorCode::rights) + 1);
 
 }  // namespace
 

@@ -53,6 +53,7 @@ enum class ErrorCode {
   not_accepted,
   storage,  // cannot be stored now (the disk is full or fails); nothing is changed
   corrupt,  // what is stored is damaged
+  rights,   // who asks may not do that
 };
 
 /// The code as documents, messages and command lines show it, such as "port_target".

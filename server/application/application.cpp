@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "server/application/boot.h"
+#include "server/cell/component_groups.h"
 #include "server/cell/screen_services.h"
 #include "server/wire/calendar.h"
 #include "server/wire/channel_names.h"
@@ -33,6 +34,7 @@ Checked<std::unique_ptr<Application>> Application::create(const Setup& setup) {
   std::unique_ptr<Application> app(new Application());
   if (auto opened = app->open_store(setup); !opened) return tl::unexpected(std::move(opened).error());
   app->create_stream(setup);
+  if (auto opened = app->open_accounts(setup); !opened) return one(std::move(opened).error());
   if (auto created = app->create_cell(setup); !created) return tl::unexpected(std::move(created).error());
   services::set_failure_handler(
       [raw = app.get()](const std::string& text) { raw->log("server", text, LogLevel::error); });
@@ -76,6 +78,26 @@ Checked<void> Application::open_store(const Setup& setup) {
   breakpoints_ = std::move(*breakpoints);
   if (setup.demo.empty()) return {};
   return documents_->put_demo(setup.demo, now_ms());
+}
+
+Expected<void> Application::open_accounts(const Setup& setup) {
+  const auto named = [](Error error, const std::string& path) {
+    if (error.path.empty()) error.path = path;
+    return tl::unexpected(std::move(error));
+  };
+  auto accounts = Accounts::open(folder_->accounts());
+  if (!accounts) return named(std::move(accounts).error(), folder_->accounts());
+  accounts_ = std::move(*accounts);
+  ASSIGN_OR_RETURN(process_key_, LocalKey::open(folder_->process_token(), names_of_component_groups()));
+  auto audit =
+      AuditLog::open(folder_->audit(), [this](const Error& error) { log("audit", to_string(error), LogLevel::error); });
+  if (!audit) return named(std::move(audit).error(), folder_->audit());
+  audit_ = std::move(*audit);
+  passwords_ = std::make_unique<Passwords>(setup.password_cost);
+  gate_.emplace(*accounts_, *process_key_, tickets_);
+  access_ = std::make_unique<Access>(*gate_, *audit_, pattern_of,
+                                     [this](const std::string& text) { log("server", text, LogLevel::warning); });
+  return {};
 }
 
 void Application::create_stream(const Setup& setup) {
@@ -144,7 +166,7 @@ Expected<void> Application::create_cores(const Setup& setup) {
 void Application::create_editing(const Setup& setup) {
   document_publisher_ = std::make_unique<DocumentPublisher>(*hub_);
   editing_ = std::make_unique<Editing>(*documents_, *document_publisher_, document_watchers_);
-  edits_ = std::make_unique<EditQueue>(*editing_, *hub_);
+  edits_ = std::make_unique<EditQueue>(*editing_, *hub_, *access_);
   presence_ = std::make_unique<PresenceChannels>(*hub_, deadlines_, setup.first_sequence);
 }
 
@@ -164,6 +186,7 @@ Application::~Application() {
   if (cores_) cores_->close();
   restores_.end();  // one that is under way waits for the cores
   // What is asked is answered by nobody from here on, and what it would use may go.
+  passwords_.reset();
   deadlines_.close();
   replays_.end();
   edits_.reset();
@@ -177,12 +200,17 @@ Application::~Application() {
 }
 
 Backend Application::make_backend() {
-  return {[this](Request request, const Answer& answer) { handle(std::move(request), resources(), answer); },
+  return {[this](const Request& request) { return access_->admit(request); },
+          [this](Request request, const Answer& answer) {
+            const Answer audited = access_->audited(request, answer);
+            handle(std::move(request), resources(), audited);
+          },
           [this] { return *get_health({}, *cell_); },
           *hub_,
           *displays_,
           *edits_,
           *presence_,
+          *access_,
           cell_->remotes()};
 }
 
@@ -195,8 +223,9 @@ ChannelSources Application::channel_sources() {
 }
 
 Resources Application::resources() {
-  return {*documents_, *breakpoints_, *editing_, *boot_list_, *backups_, *runs_, *samples_, *pictures_,
-          *cores_,     *live_edits_,  replays_,  deadlines_,  restores_, *cell_, *log_,     answers_};
+  return {*documents_, *breakpoints_, *editing_,    *boot_list_, *backups_,  *runs_,    *samples_,
+          *pictures_,  *cores_,       *live_edits_, replays_,    deadlines_, restores_, *cell_,
+          *log_,       answers_,      *accounts_,   *passwords_, attempts_,  tickets_,  *audit_};
 }
 
 }  // namespace race::server

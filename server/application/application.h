@@ -8,6 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "server/accounts/accounts.h"
+#include "server/accounts/attempts.h"
+#include "server/accounts/audit_log.h"
+#include "server/accounts/gate.h"
+#include "server/accounts/local_key.h"
+#include "server/accounts/passwords.h"
+#include "server/accounts/tickets.h"
+#include "server/application/access.h"
 #include "server/cell/cell.h"
 #include "server/cell/operator.h"
 #include "server/channels/channels.h"
@@ -54,6 +62,7 @@ class Application {
     std::vector<std::string> remote = {};       // as of CellSetup
     std::chrono::milliseconds heartbeat{1000};  // of their processes
     RetentionLimits retention = {};
+    PasswordCost password_cost = {};
     LineLog* lines = nullptr;  // gets the lines of the log; outlives the application
   };
   static Checked<std::unique_ptr<Application>> create(const Setup& setup);
@@ -67,6 +76,7 @@ class Application {
  private:
   Application() = default;
   Checked<void> open_store(const Setup& setup);
+  Expected<void> open_accounts(const Setup& setup);
   void create_stream(const Setup& setup);
   Checked<void> create_cell(const Setup& setup);
   Expected<void> create_cores(const Setup& setup);
@@ -87,6 +97,13 @@ class Application {
   std::unique_ptr<Displays> displays_;
   std::unique_ptr<CorePublisher> core_publisher_;
   std::unique_ptr<ServicePublisher> service_publisher_;
+  std::unique_ptr<Accounts> accounts_;
+  std::optional<LocalKey> process_key_;
+  std::unique_ptr<AuditLog> audit_;
+  Attempts attempts_;
+  Tickets tickets_;
+  std::optional<Gate> gate_;
+  std::unique_ptr<Access> access_;
   std::unique_ptr<Documents> documents_;
   std::unique_ptr<Backups> backups_;
   std::unique_ptr<Runs> runs_;
@@ -99,7 +116,8 @@ class Application {
   MemoryReturn memory_return_;
   Deadlines deadlines_;
   Worker replays_{deadlines_};
-  Pool restores_{1};           // of backups, which wait for cores and edits
+  Pool restores_{1};  // of backups, which wait for cores and edits
+  std::unique_ptr<Passwords> passwords_;
   IdempotentAnswers answers_;  // outlives the cores: some of what was asked of them may be dropped with them
   std::unique_ptr<Cell> cell_;
   std::unique_ptr<FlowChannels> flows_;

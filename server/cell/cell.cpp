@@ -61,7 +61,7 @@ Expected<void> Cell::add_remotes(const CellSetup& setup) {
       world = &proxy->end();
       world_ = std::move(proxy);
     }
-    remotes_->add(services, world);
+    remotes_->add(name, services, world);
   }
   return {};
 }

@@ -107,6 +107,12 @@ std::string component_group_names() {
   return names;
 }
 
+std::vector<std::string> names_of_component_groups() {
+  std::vector<std::string> names;
+  for (const ComponentGroup& group : component_groups()) names.emplace_back(group.name);
+  return names;
+}
+
 Expected<const ComponentGroup*> find_component_group(std::string_view name) {
   for (const ComponentGroup& group : component_groups())
     if (group.name == name) return &group;

@@ -31,6 +31,7 @@ struct ComponentGroup {
 std::span<const ComponentGroup> component_groups();
 /// "cell, recognition, ..."
 std::string component_group_names();
+std::vector<std::string> names_of_component_groups();
 /// The group of this name; error `not_found` names those that there are.
 Expected<const ComponentGroup*> find_component_group(std::string_view name);
 

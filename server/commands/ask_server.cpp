@@ -1,8 +1,10 @@
 #include "server/commands/ask_server.h"
 
 #include <cstdio>
+#include <cstdlib>
 
 #include "core/value/json.h"
+#include "server/accounts/local_key.h"
 #include "server/commands/command.h"
 #include "server/http/client.h"
 
@@ -30,18 +32,28 @@ void print_errors(const HttpClient::Answer& answer, bool json) {
 
 }  // namespace
 
+Expected<std::string> token_of(const std::optional<std::string>& file) {
+  if (file) return read_token_file(*file);
+  const char* const given = std::getenv("RACE_TOKEN");
+  return std::string(given ? given : "");
+}
+
 void ServerOptions::declare(Arguments& arguments, const std::string& json_help) {
   arguments.text("--server", "URL", url, "where the server is");
+  arguments.text("--token-file", "FILE", token_file, "the token of your account; else that in RACE_TOKEN");
   arguments.flag("--json", json, json_help);
 }
 
 tl::expected<Value, int> ask_server(const ServerOptions& server, std::string_view method, const std::string& target,
                                     const std::optional<Value>& body) {
-  const auto client = HttpClient::create(server.url);
+  auto client = HttpClient::create(server.url);
   if (!client) {
     const Error& error = client.error();
     return tl::unexpected(refuse(Error{error.code, error.message, "--server"}, server.json));
   }
+  const auto token = token_of(server.token_file);
+  if (!token) return tl::unexpected(refuse(token.error(), server.json));
+  client->set_token(*token);
   auto answer = client->request(method, target, body);
   if (!answer) return tl::unexpected(refuse(answer.error(), server.json));
   if (answer->status >= 200 && answer->status < 300) return std::move(answer->body);

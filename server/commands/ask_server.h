@@ -18,9 +18,14 @@ class Arguments;
 struct ServerOptions {
   std::string url = kDefaultServer;
   bool json = false;  // also as JSON to stdout
-  /// Declares `--server` and `--json`; `json_help` says what is printed then.
+  std::optional<std::string> token_file;
+  /// Declares `--server`, `--token-file` and `--json`; `json_help` says what is printed then.
   void declare(Arguments& arguments, const std::string& json_help);
 };
+
+/// The token in this file, else in the variable RACE_TOKEN of the environment; empty: there is none. Errors: those of
+/// read_token_file().
+Expected<std::string> token_of(const std::optional<std::string>& file);
 
 /// Sends a request and returns the body of its answer. Otherwise prints why not, and gives the exit code:
 /// kExitFindings if the server refuses, with its errors; kExitBadInput if no server answers at the URL.

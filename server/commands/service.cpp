@@ -3,9 +3,14 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
 #include <thread>
 
+#include "server/accounts/local_key.h"
 #include "server/cell/component_groups.h"
+#include "server/commands/ask_server.h"
 #include "server/commands/command.h"
 #include "server/log/line_log.h"
 #include "services/mutex.h"
@@ -88,7 +93,16 @@ Expected<void> serve(remote::ProcessHost& process, Session& session) {
 
 struct Options {
   std::string group, server, folder, database = ":memory:";
+  std::optional<std::string> token_file;
 };
+
+// Empty: there is none.
+Expected<std::string> token_of_process(const std::optional<std::string>& file) {
+  constexpr const char* kUsual = "data/processes.token";
+  if (file || std::getenv("RACE_TOKEN")) return token_of(file);
+  if (!std::filesystem::exists(kUsual)) return std::string();
+  return read_token_file(kUsual);
+}
 
 int run_service(const Options& options) {
   const std::string& name = options.group;
@@ -112,8 +126,10 @@ int run_service(const Options& options) {
     Session session;
     std::unique_ptr<remote::SocketClient> socket;
     while (!stop_requested && !socket) {
+      const auto token = token_of_process(options.token_file);  // the server may have made it meanwhile
+      if (!token) return refuse(token.error());
       auto connected = remote::SocketClient::connect(
-          *address, out,
+          *address, *token, out,
           {[&](const remote::EncodedMessage& encoded) { handle_message(encoded, process, session, log); },
            [&](std::string why) { session.end(std::move(why)); }});
       if (connected) {
@@ -146,6 +162,9 @@ std::function<int()> declare(Arguments& arguments) {
   arguments.positional("GROUP", options->group, component_group_names());
   arguments.required_text("--server", "URL", options->server,
                           "http://127.0.0.1:8080, where it runs; waits for it, and reconnects");
+  arguments.text("--token-file", "FILE", options->token_file,
+                 "the token of the process: processes.token in the server's data folder, or that of an account; else "
+                 "that in RACE_TOKEN, else data/processes.token");
   arguments.text("--folder", "DIR", options->folder,
                  "the cell: scene.json, parts.json, database.json, pictures, as its group needs them");
   arguments.text("--database", "FILE", options->database, "of the group database: where its values are kept");

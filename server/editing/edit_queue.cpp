@@ -4,6 +4,7 @@
 
 #include "core/rcm/ids.h"
 #include "core/value/fields.h"
+#include "server/accounts/gate.h"
 #include "server/wire/channel_names.h"
 #include "server/wire/path_pattern.h"
 
@@ -12,6 +13,7 @@ namespace race::server {
 struct EditQueue::Message {
   std::string document;
   EditRequest request;
+  Identity identity;  // whose it is
 };
 
 void EditQueue::request_edit(const std::shared_ptr<Subscriber>& sender, const Value& message) {
@@ -23,8 +25,12 @@ void EditQueue::request_edit(const std::shared_ptr<Subscriber>& sender, const Va
     fields.violation(ErrorCode::name, "a document's name is 1 to 64 of A-Z a-z 0-9 _ -", "document");
   fields.find("request", Fields::Need::required);
   fields.find("revision", Fields::Need::required);
-  auto read = std::make_shared<Message>(Message{document, read_edit_request(fields, errors)});
+  auto read = std::make_shared<Message>(Message{document, read_edit_request(fields, errors), sender->identity()});
   fields.close();
+  if (auto author = author_for(read->identity, std::move(read->request.author)))
+    read->request.author = std::move(*author);
+  else
+    errors.push_back(std::move(author).error());
   const std::string& token = read->request.token;
   if (!rcm::is_id(document) || !rcm::is_id(token)) return hub_.refuse(sender, "", std::move(errors));
   if (errors.empty() && !post(sender, read))
@@ -51,9 +57,11 @@ bool EditQueue::begin_edit() {
 }
 
 void EditQueue::execute(const Sender& sender, const Message& message) {
-  const auto& [document, request] = message;
+  const auto& [document, request, identity] = message;
   const std::string channel = fill(kDocumentChannel, {document});
   auto edited = editing_.edit(document, request);
+  const std::string outcome = edited ? "accepted" : std::string(name(edited.error().errors.front().code));
+  records_.record(identity, "edit " + document, outcome);
   if (!edited)
     hub_.send(sender, channel, "edit_refused", edit_refusal_json(document, request.token, edited.error()));
   else if (edited->was_there)

@@ -22,8 +22,9 @@ class EditQueue final : public EditRequests {
  public:
   static constexpr std::size_t kMost = 256;  // edits that wait; and as many documents
 
-  /// Both outlive this.
-  EditQueue(Editing& editing, Hub& hub, std::size_t most = kMost) : editing_(editing), hub_(hub), most_(most) {}
+  /// All outlive this.
+  EditQueue(Editing& editing, Hub& hub, ClientRecords& records, std::size_t most = kMost)
+      : editing_(editing), hub_(hub), records_(records), most_(most) {}
   ~EditQueue() override { stop(); }
 
   /// Does what a message `edit` asks for, and tells its sender. Beyond the bound: `unavailable`.
@@ -47,6 +48,7 @@ class EditQueue final : public EditRequests {
 
   Editing& editing_;
   Hub& hub_;
+  ClientRecords& records_;
   const std::size_t most_;
   services::Mutex mutex_;
   std::size_t edits_ GUARDED_BY(mutex_) = 0;                      // that wait

@@ -32,8 +32,9 @@ Handled put_document(const Request& request, Editing& editing) {
   if (*seen && *match && *seen != *match)
     return failed({ErrorCode::out_of_range, "`revision` and If-Match name different revisions", "revision"});
   const Documents::Put options{*draft, *match ? *match : *seen, *is_new};
-  return answer_changed(editing.put(request.parameters.at("name"), request.body, change_of(request), options),
-                        *match || *is_new);
+  const auto change = change_of(request);
+  if (!change) return failed(change.error());
+  return answer_changed(editing.put(request.parameters.at("name"), request.body, *change, options), *match || *is_new);
 }
 
 }  // namespace race::server

@@ -6,7 +6,7 @@
 #include "core/rcm/ids.h"
 #include "server/execution/goal_json.h"
 #include "server/handlers/breakpoint_list.h"
-#include "server/handlers/query.h"
+#include "server/handlers/document_requests.h"
 
 namespace race::server {
 
@@ -34,7 +34,9 @@ Value read_kept(Fields& fields) {
 }  // namespace
 
 Handled get_document_breakpoints(const Request& request, DocumentBreakpoints& breakpoints) {
-  auto found = breakpoints.get(request.parameters.at("name"), query_text(request, "author"));
+  const auto author = author_of(request);
+  if (!author) return failed(author.error());
+  auto found = breakpoints.get(request.parameters.at("name"), *author);
   if (!found) return failed(std::move(found).error());
   return ok(Dict{{"breakpoints", std::move(*found)}});
 }
@@ -42,7 +44,9 @@ Handled get_document_breakpoints(const Request& request, DocumentBreakpoints& br
 Handled put_document_breakpoints(const Request& request, DocumentBreakpoints& breakpoints) {
   auto read = read_breakpoint_list(request.body, read_kept);
   if (!read) return tl::unexpected(std::move(read).error());
-  auto set = breakpoints.set(request.parameters.at("name"), query_text(request, "author"), *read);
+  const auto author = author_of(request);
+  if (!author) return failed(author.error());
+  auto set = breakpoints.set(request.parameters.at("name"), *author, *read);
   if (!set) return failed(std::move(set).error());
   return ok(Dict{{"breakpoints", std::move(*read)}});
 }

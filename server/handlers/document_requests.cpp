@@ -1,5 +1,6 @@
 #include "server/handlers/document_requests.h"
 
+#include "server/accounts/gate.h"
 #include "server/handlers/preconditions.h"
 #include "server/handlers/query.h"
 #include "server/http/field_list.h"
@@ -28,12 +29,19 @@ Dict with_change(Dict json, const Revision& revision) {
 
 }  // namespace
 
-Change change_of(const Request& request) {
-  return {query_text(request, "author"), query_text(request, "message"), now_ms()};
+Expected<std::string> author_of(const Request& request) {
+  return author_for(request.identity, query_text(request, "author"));
 }
 
-Change read_change(Fields& fields) {
-  const auto author = fields.text("author"), message = fields.text("message");
+Expected<Change> change_of(const Request& request) {
+  ASSIGN_OR_RETURN(std::string author, author_of(request));
+  return Change{std::move(author), query_text(request, "message"), now_ms()};
+}
+
+Change read_change(Fields& fields, const Request& request) {
+  const auto author = author_for(request.identity, fields.text("author").value_or(""));
+  const auto message = fields.text("message");
+  if (!author) fields.violation(author.error().code, author.error().message, "author");
   return {author.value_or(""), message.value_or(""), now_ms()};
 }
 

@@ -10,10 +10,12 @@
 
 namespace race::server {
 
-/// Who changes a document now, and why, by the query (`author`, `message`).
-Change change_of(const Request& request);
-/// The same, by the fields of a body.
-Change read_change(Fields& fields);
+/// Who changes a document now, and why, by the query (`author`, `message`). Error `rights`: it is not who says so.
+Expected<Change> change_of(const Request& request);
+/// The same, by the fields of a body; the error is a violation.
+Change read_change(Fields& fields, const Request& request);
+/// Who it is, by the query (`author`) and the account.
+Expected<std::string> author_of(const Request& request);
 
 /// The field `revision`, a number from 1; a violation otherwise.
 std::optional<std::int64_t> read_revision_number(Fields& fields, Fields::Need need);

@@ -1,6 +1,7 @@
 // POST /api/v1/documents/{name}/edits: edits a document as it is now, whatever others have done since its author saw
 // it.
 #include "core/value/json.h"
+#include "server/accounts/gate.h"
 #include "server/editing/editing.h"
 #include "server/handlers/handlers.h"
 #include "server/handlers/preconditions.h"
@@ -29,6 +30,10 @@ Handled edit_document(const Request& request, Editing& editing) {
   EditRequest edit = read_edit_request(fields, errors);
   fields.close();
   edit.if_match = *precondition;
+  if (auto author = author_for(request.identity, std::move(edit.author)))
+    edit.author = std::move(*author);
+  else
+    errors.push_back(std::move(author).error());
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   if (!edit.revision) edit.revision = edit.if_match;
   if (!edit.revision) {

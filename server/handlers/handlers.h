@@ -16,6 +16,9 @@
 
 namespace race::server {
 
+class Accounts;
+class Attempts;
+class AuditLog;
 class Backups;
 class BootList;
 class Cell;
@@ -28,10 +31,12 @@ class Documents;
 class Editing;
 class IdempotentAnswers;
 class LiveEdits;
+class Passwords;
 class Pictures;
 class Pool;
 class Runs;
 class Samples;
+class Tickets;
 class Worker;
 
 using Handled = Checked<Reply>;
@@ -39,6 +44,20 @@ using Handled = Checked<Reply>;
 using Respond = std::function<void(Handled)>;
 
 Handled get_health(const Request& request, Cell& cell);
+Handled get_me(const Request& request, Accounts& accounts);
+void change_password(const Request& request, Respond respond, Accounts& accounts, Passwords& passwords,
+                     Attempts& attempts);
+void log_in(const Request& request, Respond respond, Accounts& accounts, Passwords& passwords, Attempts& attempts);
+Handled log_out(const Request& request, Accounts& accounts);
+Handled create_ticket(const Request& request, Tickets& tickets);
+Handled list_accounts(const Request& request, Accounts& accounts);
+void create_account(const Request& request, Respond respond, Accounts& accounts, Passwords& passwords);
+void change_account(const Request& request, Respond respond, Accounts& accounts, Passwords& passwords);
+Handled remove_account(const Request& request, Accounts& accounts);
+Handled list_tokens(const Request& request, Accounts& accounts);
+Handled create_token(const Request& request, Accounts& accounts);
+Handled revoke_token(const Request& request, Accounts& accounts);
+Handled get_audit(const Request& request, AuditLog& audit);
 Handled get_rules(const Request& request);
 Handled list_documents(const Request& request, Documents& documents);
 Handled get_document(const Request& request, Documents& documents);

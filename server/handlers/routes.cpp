@@ -37,6 +37,19 @@ constexpr bool kBody = true, kNoBody = false, kCreates = true;
 
 constexpr std::array kRoutes = {
     Route{"GET", "/api/v1/health", call<get_health>},
+    Route{"GET", "/api/v1/me", call<get_me>},
+    Route{"PUT", "/api/v1/me/password", call<change_password>, kBody},
+    Route{"POST", "/api/v1/login", call<log_in>, kBody},
+    Route{"POST", "/api/v1/logout", call<log_out>},
+    Route{"POST", "/api/v1/tickets", call<create_ticket>},
+    Route{"GET", "/api/v1/accounts", call<list_accounts>},
+    Route{"POST", "/api/v1/accounts", call<create_account>, kBody},
+    Route{"PUT", "/api/v1/accounts/{name}", call<change_account>, kBody},
+    Route{"DELETE", "/api/v1/accounts/{name}", call<remove_account>},
+    Route{"GET", "/api/v1/accounts/{name}/tokens", call<list_tokens>},
+    Route{"POST", "/api/v1/accounts/{name}/tokens", call<create_token>, kBody},
+    Route{"DELETE", "/api/v1/accounts/{name}/tokens/{digest}", call<revoke_token>},
+    Route{"GET", "/api/v1/audit", call<get_audit>, kNoBody, "before limit"},
     Route{"GET", "/api/v1/rules", call<get_rules>},
     Route{"GET", "/api/v1/documents", call<list_documents>, kNoBody, "after limit"},
     Route{"GET", "/api/v1/documents/{name}", call<get_document>},
@@ -101,6 +114,9 @@ constexpr std::array kRoutes = {
     Route{"GET", "/api/v1/cell/{file}", call<get_cell_file>},
 };
 
+// Served by the sockets themselves.
+constexpr std::array<std::string_view, 2> kSockets = {"/api/v1/stream", "/api/v1/components"};
+
 bool has_parameter(const Route& route, std::string_view name) {
   const std::string wanted = " " + std::string(name) + " ";
   return (" " + std::string(route.query) + " ").find(wanted) != std::string::npos;
@@ -156,6 +172,14 @@ void call_route(const Route& route, const Request& request, const Resources& res
 }  // namespace
 
 std::span<const Route> routes() { return kRoutes; }
+
+std::string_view pattern_of(std::string_view method, std::string_view path) {
+  for (const std::string_view socket : kSockets)
+    if (method == "GET" && path == socket) return socket;
+  for (const Route& route : kRoutes)
+    if (route.method == method && match(route.pattern, path)) return route.pattern;
+  return {};
+}
 
 void handle(Request request, const Resources& resources, const Answer& answer) {
   std::string allowed;

@@ -15,9 +15,9 @@ namespace race::server {
 class EventLog;
 
 /// What handlers use; each gets those that are its parameters. The pool is that of restores.
-using Resources =
-    std::tuple<Documents&, DocumentBreakpoints&, Editing&, BootList&, Backups&, Runs&, Samples&, Pictures&, Cores&,
-               LiveEdits&, Worker&, Deadlines&, Pool&, Cell&, EventLog&, IdempotentAnswers&>;
+using Resources = std::tuple<Documents&, DocumentBreakpoints&, Editing&, BootList&, Backups&, Runs&, Samples&,
+                             Pictures&, Cores&, LiveEdits&, Worker&, Deadlines&, Pool&, Cell&, EventLog&,
+                             IdempotentAnswers&, Accounts&, Passwords&, Attempts&, Tickets&, AuditLog&>;
 
 struct Route {
   std::string_view method;
@@ -30,6 +30,9 @@ struct Route {
 
 /// All of them. The listener serves the WebSockets itself (GET /api/v1/stream and /api/v1/components).
 std::span<const Route> routes();
+
+/// The pattern of the route of a request, also of the WebSockets; empty: there is none.
+std::string_view pattern_of(std::string_view method, std::string_view path);
 
 /// Answers a request by its route, at once or later; 405 for a path with other methods, 404 for none; 400 for a
 /// parameter that the route does not have, 422 for a body that it does not have. What a GET finds damaged is logged,

@@ -2,7 +2,7 @@
 #include "server/execution/cores.h"
 #include "server/execution/goal_json.h"
 #include "server/handlers/breakpoint_list.h"
-#include "server/handlers/query.h"
+#include "server/handlers/document_requests.h"
 #include "server/store/document_breakpoints.h"
 
 namespace race::server {
@@ -12,10 +12,11 @@ void set_breakpoints(const Request& request, Respond respond, Cores& cores) {
   if (!core) return respond(tl::unexpected(core.error()));
   auto goals = read_breakpoint_list(request.body, read_goal_name);
   if (!goals) return respond(tl::unexpected(std::move(goals).error()));
-  std::string author = query_text(request, "author");
+  auto author = author_of(request);
+  if (!author) return respond(failed(std::move(author).error()));
   if (request.query.contains("author"))
-    if (auto fits = DocumentBreakpoints::check_author(author); !fits) return respond(failed(std::move(fits).error()));
-  (*core)->set_breakpoints(std::move(*goals), std::move(author), answer_to(std::move(respond)));
+    if (auto fits = DocumentBreakpoints::check_author(*author); !fits) return respond(failed(std::move(fits).error()));
+  (*core)->set_breakpoints(std::move(*goals), std::move(*author), answer_to(std::move(respond)));
 }
 
 }  // namespace race::server

@@ -17,11 +17,12 @@ using boost::system::error_code;
 
 using ClientRequest = http::request<http::string_body>;
 
-ClientRequest make_request(const remote::Address& address, std::string_view method, std::string_view target,
-                           const std::optional<Value>& body) {
+ClientRequest make_request(const remote::Address& address, const std::string& token, std::string_view method,
+                           std::string_view target, const std::optional<Value>& body) {
   ClientRequest request(http::string_to_verb(method), target, 11);
   request.set(http::field::host, address.host + ":" + std::to_string(address.port));
   request.set(http::field::accept, "application/json");
+  if (!token.empty()) request.set(http::field::authorization, "Bearer " + token);
   request.keep_alive(false);
   if (body) {
     request.set(http::field::content_type, "application/json");
@@ -78,7 +79,7 @@ Expected<HttpClient> HttpClient::create(std::string url, Timeouts timeouts) {
 
 Expected<HttpClient::Answer> HttpClient::request(std::string_view method, std::string_view target,
                                                  const std::optional<Value>& body) const {
-  const ClientRequest request = make_request(address_, method, target, body);
+  const ClientRequest request = make_request(address_, token_, method, target, body);
   Exchange exchange;
   Expected<Answer> answer = unexpected(ErrorCode::unavailable, "the connection failed");
   asio::co_spawn(exchange.io, exchange.run(address_, request, timeouts_),

@@ -33,6 +33,8 @@ class HttpClient {
   /// Of the server at `url`, as remote::read_address takes it. Connects to nothing yet. Error `syntax`.
   static Expected<HttpClient> create(std::string url, Timeouts timeouts);
   static Expected<HttpClient> create(std::string url) { return create(std::move(url), Timeouts()); }
+  /// Sends the token of an account with each request.
+  void set_token(std::string token) { token_ = std::move(token); }
 
   /// Sends a request and waits for its answer, whatever its status. `method`: of HTTP, "GET"; `target`: path and query,
   /// encoded (message.h, encode_part). Errors, with the URL as path: `unavailable` (nothing listens there, or no answer
@@ -48,6 +50,7 @@ class HttpClient {
   std::string url_;
   remote::Address address_;
   Timeouts timeouts_;
+  std::string token_;  // empty: none
 };
 
 }  // namespace race::server

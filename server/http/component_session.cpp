@@ -15,8 +15,11 @@ constexpr std::chrono::seconds kHelloTimeout{5};  // for a process to say who it
 // One process of components. Held by its coroutines.
 class ComponentSession final : public Session {
  public:
-  ComponentSession(beast::tcp_stream stream, const ComponentTargets& targets, ByteBudget::Share unknown)
+  ComponentSession(beast::tcp_stream stream, Identity identity, const ComponentTargets& targets,
+                   ByteBudget::Share unknown)
       : Session(std::move(stream)),
+        identity_(std::move(identity)),
+        records_(targets.records),
         hub_(targets.hub),
         handlers_(targets.handlers),
         unknown_(std::move(unknown)),
@@ -26,7 +29,7 @@ class ComponentSession final : public Session {
         hello_timer_(executor_),
         heartbeat_timer_(executor_),
         heartbeat_check_(targets.remotes.heartbeat() / remote::ProcessLink::kPingsPerHeartbeat),
-        link_(targets.remotes) {}
+        link_(targets.remotes, identity_.groups) {}
 
   awaitable<void> run(Upgrade request, Connections::Place& place) {
     if (!co_await accept(request, remote::ProcessLink::kHelloBytes, place)) co_return;
@@ -82,6 +85,7 @@ class ComponentSession final : public Session {
       return link_.accepted();
     };
     const bool accepted = co_await on_pool(handlers_, std::move(check));
+    if (link_.refusal()) records_.refused(identity_, *link_.refusal());
     if (!accepted) co_return;
     unknown_ = {};
     socket_.read_message_max(remote::kMessageBytes);
@@ -144,6 +148,7 @@ class ComponentSession final : public Session {
       co_await heartbeat_timer_.async_wait(kAsTuple);
       if (over_) co_return;
       link_.check_heartbeat();
+      if (!records_.is_current(identity_)) link_.disconnect("its account may do that no more");
       if (!link_.disconnected()) continue;
       handled_.cancel();
       co_return close();
@@ -152,6 +157,8 @@ class ComponentSession final : public Session {
 
   static constexpr int kMostInHub = 256;
 
+  const Identity identity_;
+  ClientRecords& records_;
   Hub& hub_;
   Pool& handlers_;
   ByteBudget::Share unknown_;
@@ -166,9 +173,10 @@ class ComponentSession final : public Session {
 
 }  // namespace
 
-awaitable<void> serve_components(beast::tcp_stream stream, Upgrade request, ComponentTargets targets,
+awaitable<void> serve_components(beast::tcp_stream stream, Upgrade request, Identity identity, ComponentTargets targets,
                                  Connections::Place& place, ByteBudget::Share unknown) {
-  auto session = std::make_shared<ComponentSession>(std::move(stream), targets, std::move(unknown));
+  auto session =
+      std::make_shared<ComponentSession>(std::move(stream), std::move(identity), targets, std::move(unknown));
   co_await session->run(std::move(request), place);
 }
 

@@ -21,9 +21,8 @@ void admit(tcp::socket socket, Context& context) {
   if (gone) return;
   socket.set_option(tcp::no_delay(true), gone);
   const asio::any_io_executor executor = socket.get_executor();
-  auto client = std::make_unique<Client>(std::move(socket));
-  client->place =
-      context.connections.admit(address.address().to_string(), [raw = client.get()] { raw->stream.close(); });
+  auto client = std::make_unique<Client>(std::move(socket), address.address().to_string());
+  client->place = context.connections.admit(client->address, [raw = client.get()] { raw->stream.close(); });
   if (!client->place) return;
   asio::co_spawn(executor, serve(std::move(client), context), asio::detached);
 }

@@ -25,12 +25,16 @@ namespace race::server {
 /// throws ends the request (503 without memory, else 500). It may answer later, on any thread, also when there are no
 /// sockets any more.
 struct Backend {
+  /// Who sends a request to /api/, from its header alone; or why it is refused. On the sockets' thread: it waits for
+  /// nothing.
+  std::function<tl::expected<Identity, Reply>(const Request&)> admit;
   std::function<void(Request, const Answer&)> handle;  // requests to /api/
   std::function<Reply()> health;  // GET /api/v1/health, on the sockets' thread: it waits for nothing
   Hub& hub;
   Displays& displays;
   EditRequests& edits;
   PresenceRequests& presence;
+  ClientRecords& records;
   remote::Remotes& remotes;
 };
 

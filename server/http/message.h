@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -9,6 +10,7 @@
 
 #include "core/value/expected.h"
 #include "core/value/value.h"
+#include "server/accounts/role.h"
 #include "server/threads/stop.h"
 #include "server/wire/path_pattern.h"
 
@@ -22,6 +24,7 @@ struct Request {
   std::vector<std::pair<std::string, std::string>> headers;
   std::string body;
   Parameters parameters;  // of the route, such as `id`
+  Identity identity;      // who sends it; before it is admitted, its address alone
   /// Whether the client has closed the connection before it is answered, or its half of it: for what takes long.
   SharedStop gone = std::make_shared<Stop>(false);
 
@@ -36,6 +39,9 @@ struct Reply {
   Value body;
   std::string text, type;  // if `type` is not empty, the answer is `text`
   std::vector<std::pair<std::string, std::string>> headers;
+  // For the audit log: one of so many that it would hold little else; and the name of who tried to log in.
+  bool is_routine = false;
+  std::optional<std::string> logged_in = {};
 };
 
 /// The path and query of a request target, decoded. Error `syntax`: it is not of the form /path?query, or is

@@ -6,6 +6,8 @@ namespace race::server {
 
 int status_of(const std::vector<Error>& errors) {
   switch (errors.front().code) {
+    case ErrorCode::rights:
+      return 403;
     case ErrorCode::not_found:
       return 404;
     case ErrorCode::conflict:

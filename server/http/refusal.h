@@ -9,8 +9,8 @@
 
 namespace race::server {
 
-/// 404 for `not_found`, 409 `conflict`, 413 `too_large`, 503 `unavailable` and `io`, 400 what is not JSON or out of
-/// range, else 422: a body that was understood and breaks a rule. The first error decides.
+/// 403 for `rights`, 404 for `not_found`, 409 `conflict`, 413 `too_large`, 503 `unavailable` and `io`, 400 what is not
+/// JSON or out of range, else 422: a body that was understood and breaks a rule. The first error decides.
 int status_of(const std::vector<Error>& errors);
 
 Reply refusal(const std::vector<Error>& errors);

@@ -111,6 +111,16 @@ std::optional<Reply> refuse_busy(const Client& client, const Request& request, s
   return std::nullopt;
 }
 
+// Why who sends it may not; else the request knows who that is. The pages are for everybody: one of them logs in.
+std::optional<Reply> refuse_unknown(const Client& client, Request& request, Context& context) {
+  if (!request.path.starts_with("/api/")) return std::nullopt;
+  request.identity.address = client.address;
+  auto identity = context.backend.admit(request);
+  if (!identity) return std::move(identity).error();
+  request.identity = std::move(*identity);
+  return std::nullopt;
+}
+
 // What is refused of a request for a WebSocket; nothing: it may begin.
 std::optional<Reply> refuse_websocket(Client& client) {
   if (!client.place->begin_websocket()) return overload("there are too many WebSockets");
@@ -118,19 +128,20 @@ std::optional<Reply> refuse_websocket(Client& client) {
   return std::nullopt;
 }
 
-awaitable<bool> serve_websocket(Client& client, const std::string& path, Upgrade request, Context& context) {
-  const bool is_stream = path == kStream;
+awaitable<bool> serve_websocket(Client& client, Request header, Upgrade request, Context& context) {
+  const bool is_stream = header.path == kStream;
   auto unknown = is_stream ? ByteBudget::Share() : context.budget.take(remote::ProcessLink::kHelloBytes);
   auto refused = unknown ? refuse_websocket(client) : overload("there are too many processes that nobody knows yet");
   if (refused) co_return co_await refuse(client, std::move(*refused), ResponseOptions(), context);
   Backend& backend = context.backend;
   if (is_stream) {
-    const StreamTargets targets{backend.hub, backend.displays, backend.edits, backend.presence};
-    co_await serve_stream(std::move(client.stream), std::move(request), targets, *client.place);
+    const StreamTargets targets{backend.hub, backend.displays, backend.edits, backend.presence, backend.records};
+    co_await serve_stream(std::move(client.stream), std::move(request), std::move(header.identity), targets,
+                          *client.place);
   } else {
-    const ComponentTargets targets{backend.remotes, backend.hub, context.handlers};
-    co_await serve_components(std::move(client.stream), std::move(request), targets, *client.place,
-                              std::move(*unknown));
+    const ComponentTargets targets{backend.remotes, backend.hub, context.handlers, backend.records};
+    co_await serve_components(std::move(client.stream), std::move(request), std::move(header.identity), targets,
+                              *client.place, std::move(*unknown));
   }
   co_return false;
 }
@@ -146,6 +157,7 @@ awaitable<bool> serve_one(Client& client, Context& context, std::chrono::millise
   if (options.head) request->method = "GET";
   ByteBudget::Share body;
   auto refused = context.filter.refuse(*request, upgrade);
+  if (!refused) refused = refuse_unknown(client, *request, context);
   if (!refused) refused = refuse_busy(client, *request, parser.content_length().value_or(0), body, context);
   if (refused) co_return co_await refuse(client, std::move(*refused), options, context);
   const bool reserved = client.place->is_reserved();
@@ -159,9 +171,8 @@ awaitable<bool> serve_one(Client& client, Context& context, std::chrono::millise
     co_return false;
   }
   if (request->path == kStream || request->path == kComponents) {
-    const std::string path = request->path;
     if (upgrade && request->method == "GET")
-      co_return co_await serve_websocket(client, path, parser.release(), context);
+      co_return co_await serve_websocket(client, std::move(*request), parser.release(), context);
     Reply reply = no_upgrade();
     co_return co_await refuse(client, std::move(reply), ResponseOptions(), context);
   }

@@ -34,9 +34,11 @@ struct Context {
 
 /// A connection, until its coroutine ends.
 struct Client {
-  explicit Client(asio::ip::tcp::socket socket) : stream(std::move(socket)) {}
+  Client(asio::ip::tcp::socket socket, std::string its_address)
+      : stream(std::move(socket)), address(std::move(its_address)) {}
   beast::tcp_stream stream;
   beast::flat_buffer buffer{RequestFilter::kHeaderBytes + 64 * 1024};
+  std::string address;  // "127.0.0.1"
   std::unique_ptr<Connections::Place> place;
 };
 

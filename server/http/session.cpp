@@ -21,7 +21,7 @@ awaitable<bool> Session::accept(const Upgrade& request, std::size_t limit, Conne
   const auto [failed] = co_await socket_.async_accept(request, kAsTuple);
   if (failed) co_return false;
   place.on_end([weak = weak_from_this()] {
-    if (const auto self = weak.lock()) self->end();
+    if (const auto self = weak.lock()) self->end(websocket::close_code::going_away);
   });
   co_return true;
 }
@@ -57,11 +57,9 @@ void Session::reset() {
   close();
 }
 
-// The server ends: a close frame says so, after what is being sent.
-void Session::end() {
+void Session::end(websocket::close_code why) {
   if (std::exchange(ending_, true)) return;
-  socket_.async_close(websocket::close_reason(websocket::close_code::going_away),
-                      [self = shared_from_this()](error_code) {});
+  socket_.async_close(websocket::close_reason(why), [self = shared_from_this()](error_code) {});
 }
 
 // Beast answers each code from 3000 on with itself. Those from 5000 on are none: a protocol error, which is said at

@@ -42,6 +42,8 @@ class Session : public std::enable_shared_from_this<Session> {
   void close() { beast::get_lowest_layer(socket_).close(); }
   /// Closes; what has not been taken is dropped.
   void reset();
+  /// A close frame says why, after what is being sent.
+  void end(websocket::close_code why);
 
   websocket::stream<beast::tcp_stream> socket_;
   asio::any_io_executor executor_;
@@ -49,7 +51,6 @@ class Session : public std::enable_shared_from_this<Session> {
   bool over_ = false;
 
  private:
-  void end();
   void check_close_code();
 
   bool sending_ = false, ending_ = false;

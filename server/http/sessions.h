@@ -9,8 +9,8 @@
 
 namespace race::server {
 
-/// Serves one client of the stream until it leaves.
-awaitable<void> serve_stream(beast::tcp_stream stream, Upgrade request, StreamTargets targets,
+/// Serves one client of the stream until it leaves, or is not `identity` any more.
+awaitable<void> serve_stream(beast::tcp_stream stream, Upgrade request, Identity identity, StreamTargets targets,
                              Connections::Place& place);
 
 /// Where what processes of components say goes; their first messages are read on `handlers`.
@@ -18,10 +18,11 @@ struct ComponentTargets {
   remote::Remotes& remotes;
   Hub& hub;
   Pool& handlers;
+  ClientRecords& records;
 };
 /// Serves one process of components until it is lost. `unknown`: its share of what such processes may make the server
 /// hold (ProcessLink::kHelloBytes), until its hello is accepted.
-awaitable<void> serve_components(beast::tcp_stream stream, Upgrade request, ComponentTargets targets,
+awaitable<void> serve_components(beast::tcp_stream stream, Upgrade request, Identity identity, ComponentTargets targets,
                                  Connections::Place& place, ByteBudget::Share unknown);
 
 }  // namespace race::server

@@ -9,15 +9,22 @@ namespace race::server {
 namespace {
 
 constexpr std::chrono::milliseconds kGathering{20};  // between two messages to a client that gathers
+constexpr std::chrono::seconds kIdentityCheck{1};    // between two questions whether a client still is who it was
 constexpr std::size_t kTogether = 256 * 1024;        // bytes of what comes together
 
 // One client of the stream. Held by its two coroutines, and by the hub until it leaves.
 class StreamSession final : public Session, public Subscriber {
  public:
-  StreamSession(beast::tcp_stream stream, const StreamTargets& targets)
-      : Session(std::move(stream)), targets_(targets), hub_(targets.hub), wake_up_(executor_) {}
+  StreamSession(beast::tcp_stream stream, Identity identity, const StreamTargets& targets)
+      : Session(std::move(stream)),
+        identity_(std::move(identity)),
+        targets_(targets),
+        hub_(targets.hub),
+        wake_up_(executor_),
+        identity_timer_(executor_) {}
 
   Outbox& outbox() override { return outbox_; }
+  const Identity& identity() const override { return identity_; }
   void wake() override {
     if (is_sending_ && !outbox_.is_cut()) return;  // it looks again before it sleeps
     wake_up_.post([self = self()] {
@@ -33,6 +40,7 @@ class StreamSession final : public Session, public Subscriber {
     if (!co_await accept(request, RequestFilter::kMessageBytes, place)) co_return;
     try {
       spawn([self = self()] { return self->write(); });
+      spawn([self = self()] { return self->check_identity(); });
       co_await read();
     } catch (...) {
       services::report_failure("a client of the stream");
@@ -63,7 +71,17 @@ class StreamSession final : public Session, public Subscriber {
     services::run_reporting("a person that leaves", [this] { targets_.presence.disconnected(*this); });
     services::run_reporting("a client that leaves", [this] { hub_.disconnect(self()); });
     waker_.cancel();
+    identity_timer_.cancel();
     close();
+  }
+
+  // An account that is removed or changed, a logout, a token that expires: whoever it was connects again, or does not.
+  awaitable<void> check_identity() {
+    while (!over_) {
+      identity_timer_.expires_after(kIdentityCheck);
+      co_await identity_timer_.async_wait(kAsTuple);
+      if (!over_ && !targets_.records.is_current(identity_)) co_return end(websocket::close_code::policy_error);
+    }
   }
 
   // Until the hub has done what this client has asked for: what it says meanwhile stays in its socket.
@@ -114,9 +132,11 @@ class StreamSession final : public Session, public Subscriber {
     return pieces;
   }
 
+  const Identity identity_;
   const StreamTargets targets_;
   Hub& hub_;
   const WakeUp wake_up_;
+  asio::steady_timer identity_timer_;
   Outbox outbox_;
   bool gathers_ = false;
   std::chrono::steady_clock::time_point sent_;  // the last messages, together
@@ -125,9 +145,9 @@ class StreamSession final : public Session, public Subscriber {
 
 }  // namespace
 
-awaitable<void> serve_stream(beast::tcp_stream stream, Upgrade request, StreamTargets targets,
+awaitable<void> serve_stream(beast::tcp_stream stream, Upgrade request, Identity identity, StreamTargets targets,
                              Connections::Place& place) {
-  auto session = std::make_shared<StreamSession>(std::move(stream), targets);
+  auto session = std::make_shared<StreamSession>(std::move(stream), std::move(identity), targets);
   co_await session->run(std::move(request), place);
 }
 

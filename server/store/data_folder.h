@@ -2,6 +2,9 @@
 //
 //   race.sqlite      documents with their revisions, runs with their journals (schema.h)
 //   database.sqlite  values of the service `db` (services/database), unless its process has a file of its own
+//   accounts.sqlite  accounts and tokens (server/accounts); not in backups
+//   audit.sqlite     who has changed what (server/accounts); not in backups
+//   processes.token  the token of processes of services (server/accounts/local_key.h)
 //   backups/         one folder each (backup.h)
 //   lock             held while a server runs
 //
@@ -29,6 +32,9 @@ class DataFolder {
   const std::filesystem::path& path() const { return path_; }
   std::string store() const { return path_ / "race.sqlite"; }
   std::string database() const { return path_ / "database.sqlite"; }
+  std::string accounts() const { return path_ / "accounts.sqlite"; }
+  std::string audit() const { return path_ / "audit.sqlite"; }
+  std::string process_token() const { return path_ / "processes.token"; }
 
  private:
   DataFolder(std::filesystem::path path, int lock) : path_(std::move(path)), lock_(lock) {}

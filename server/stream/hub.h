@@ -21,6 +21,7 @@
 
 #include "core/value/expected.h"
 #include "core/value/value.h"
+#include "server/accounts/role.h"
 #include "server/stream/outbox.h"
 #include "server/stream/publications.h"
 #include "server/threads/strand.h"
@@ -32,6 +33,8 @@ class Subscriber {
  public:
   virtual ~Subscriber() = default;
   virtual Outbox& outbox() = 0;
+  /// Who it is.
+  virtual const Identity& identity() const = 0;
   /// The outbox has a new message, or was cut.
   virtual void wake() = 0;
   /// From now on its messages come together, a few at a time.

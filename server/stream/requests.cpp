@@ -5,12 +5,14 @@
 
 #include "core/value/fields.h"
 #include "core/value/json.h"
+#include "server/accounts/gate.h"
 
 namespace race::server {
 namespace {
 
 struct Client {
   const std::shared_ptr<Subscriber>& subscriber;
+  const Value& message;
   const StreamTargets& to;
 };
 
@@ -35,6 +37,8 @@ void subscribe(Fields& fields, const Client& client, Errors& errors) {
   const std::string channel = fields.text("channel", Fields::Need::required).value_or("");
   const auto since = read_number(fields, "since", Fields::Need::optional);
   fields.close();
+  if (auto may = check_channel(client.subscriber->identity(), channel); !may && errors.empty())
+    return client.to.hub.refuse(client.subscriber, channel, {std::move(may).error()});
   if (errors.empty()) client.to.hub.subscribe(client.subscriber, channel, since);
 }
 
@@ -78,34 +82,47 @@ void gather(Fields& fields, const Client& client, Errors& errors) {
   if (errors.empty()) client.subscriber->gather();
 }
 
+// Read by who executes them.
+
+void edit(Fields&, const Client& client, Errors&) { client.to.edits.request_edit(client.subscriber, client.message); }
+
+void presence(Fields&, const Client& client, Errors&) {
+  client.to.presence.request_presence(client.subscriber, client.message);
+}
+
 struct Type {
   std::string_view name;
   void (*handle)(Fields& fields, const Client& client, Errors& errors);
+  bool is_recorded = false;  // in the audit log; edits are, when they are made
 };
 
-constexpr std::array<Type, 7> kTypes = {{
+constexpr std::array<Type, 9> kTypes = {{
     {"subscribe", subscribe},
     {"unsubscribe", unsubscribe},
     {"display", announce},
-    {"answer", answer},
-    {"press", press},
+    {"answer", answer, true},
+    {"press", press, true},
     {"played", played},
     {"gather", gather},
+    {"edit", edit},
+    {"presence", presence},
 }};
 
-/// Read by who executes them.
-constexpr std::string_view kEdit = "edit", kPresence = "presence";
-
-void handle(const Value& json, const Client& client, Errors& errors) {
-  Fields fields(json, "", "the message", errors, Fields::Paths::field);
+void handle(const Client& client, Errors& errors) {
+  Fields fields(client.message, "", "the message", errors, Fields::Paths::field);
   const std::string name = fields.text("type", Fields::Need::required).value_or("");
-  if (name == kEdit) return client.to.edits.request_edit(client.subscriber, json);
-  if (name == kPresence) return client.to.presence.request_presence(client.subscriber, json);
   const auto type = std::ranges::find(kTypes, name, &Type::name);
-  if (type != kTypes.end()) return type->handle(fields, client, errors);
-  std::string known = quote(kEdit) + ", " + quote(kPresence);
-  for (const Type& each : kTypes) known += ", " + quote(each.name);
-  if (errors.empty()) fields.violation(ErrorCode::type, "`type` must be one of " + known, "type");
+  if (type == kTypes.end()) {
+    std::string known;
+    for (const Type& each : kTypes) known += (known.empty() ? "" : ", ") + quote(each.name);
+    if (errors.empty()) fields.violation(ErrorCode::type, "`type` must be one of " + known, "type");
+    return;
+  }
+  const Identity& identity = client.subscriber->identity();
+  if (auto may = check_message(identity, name); !may) return errors.push_back(std::move(may).error());
+  type->handle(fields, client, errors);
+  if (!type->is_recorded) return;
+  client.to.records.record(identity, name, errors.empty() ? "accepted" : std::string(race::name(errors.front().code)));
 }
 
 }  // namespace
@@ -115,7 +132,7 @@ void handle_stream_request(std::string_view message, const std::shared_ptr<Subsc
   const auto json = parse_json(message);
   if (!json) return targets.hub.refuse(subscriber, "", {json.error()});
   Errors errors;
-  handle(*json, {subscriber, targets}, errors);
+  handle({subscriber, *json, targets}, errors);
   if (!errors.empty()) targets.hub.refuse(subscriber, "", std::move(errors));
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string_view>
 
+#include "server/accounts/role.h"
 #include "server/stream/displays.h"
 #include "server/stream/hub.h"
 
@@ -28,12 +29,25 @@ class PresenceRequests {
   virtual void disconnected(const Subscriber& subscriber) = 0;
 };
 
+/// What is known of clients beyond their connection. Must be quick.
+class ClientRecords {
+ public:
+  virtual ~ClientRecords() = default;
+  /// Whether a client still is who it was when it connected: it is cut otherwise.
+  virtual bool is_current(const Identity& identity) const = 0;
+  /// A client has changed something: "press 3".
+  virtual void record(const Identity& identity, std::string action, std::string outcome) = 0;
+  /// A process of services is refused when it says what it is.
+  virtual void refused(const Identity& identity, const Error& why) = 0;
+};
+
 /// Where the messages of clients go.
 struct StreamTargets {
   Hub& hub;
   Displays& displays;
   EditRequests& edits;
   PresenceRequests& presence;
+  ClientRecords& records;
 };
 
 /// Does what the message asks for, or tells the client why not.

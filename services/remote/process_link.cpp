@@ -79,7 +79,8 @@ struct ProcessLink::Process {
   }
 };
 
-ProcessLink::ProcessLink(Remotes& remotes) : remotes_(remotes), process_(std::make_shared<Process>()) {}
+ProcessLink::ProcessLink(Remotes& remotes, std::vector<std::string> groups)
+    : remotes_(remotes), groups_(std::move(groups)), process_(std::make_shared<Process>()) {}
 
 ProcessLink::~ProcessLink() {
   process_->out->on_change({});
@@ -94,6 +95,7 @@ void ProcessLink::received(EncodedMessage message) {
   if (!accepted_) {
     if (auto good = accept_hello(message); !good) {
       process_->refuse(good.error());
+      refusal_ = std::move(good).error();
       disconnected_ = true;
     }
     return;
@@ -117,7 +119,7 @@ Expected<void> ProcessLink::accept_hello(const EncodedMessage& message) {
   if (hello.kind != Kind::hello) return unexpected(ErrorCode::type, "the first message is `hello`", "type");
   if (hello.number != kProtocol)
     return unexpected(ErrorCode::version, "this server speaks protocol " + std::to_string(kProtocol), "protocol");
-  ASSIGN_OR_RETURN(const Remotes::Claim claim, remotes_.claim(hello.value, hello.world));
+  ASSIGN_OR_RETURN(const Remotes::Claim claim, remotes_.claim(hello.value, hello.world, groups_));
   process_->group = claim.places.front()->group;
   process_->world = claim.remote_world;
   for (const Remotes::Place* place : claim.places) {

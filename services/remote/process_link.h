@@ -8,7 +8,9 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "services/remote/remotes.h"
 #include "services/remote/send_queue.h"
@@ -20,7 +22,8 @@ class ProcessLink {
   static constexpr int kPingsPerHeartbeat = 4;
   static constexpr std::size_t kHelloBytes = 4 * 1024 * 1024;  // of the first message, at most
 
-  explicit ProcessLink(Remotes& remotes);
+  /// Of a process that may bring what is of these groups, by name (Remotes::add).
+  ProcessLink(Remotes& remotes, std::vector<std::string> groups);
   ~ProcessLink();
   ProcessLink(const ProcessLink&) = delete;
   ProcessLink& operator=(const ProcessLink&) = delete;
@@ -32,6 +35,8 @@ class ProcessLink {
   void received(EncodedMessage message);
   /// Whether the hello was.
   bool accepted() const { return accepted_; }
+  /// Why it was not; nothing: it was, or has not come.
+  const std::optional<Error>& refusal() const { return refusal_; }
   /// Whether what has come is not handled yet: what the process says meanwhile is to stay in its socket.
   bool is_behind() const;
   /// `handled` is called, on any thread, whenever something was handled; not any more when this returns with another.
@@ -50,6 +55,8 @@ class ProcessLink {
   Expected<void> accept_hello(const EncodedMessage& message);
 
   Remotes& remotes_;
+  const std::vector<std::string> groups_;
+  std::optional<Error> refusal_;
   std::shared_ptr<Process> process_;  // held by work on its way to the group too
   bool accepted_ = false, disconnected_ = false;
   int unanswered_ = 0;  // pings since the last pong

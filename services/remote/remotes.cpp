@@ -23,8 +23,9 @@ Remotes::Remotes(services::Host& host, const services::Clock& clock, std::chrono
 
 Remotes::~Remotes() { stop(); }
 
-void Remotes::add(const std::vector<RemoteService>& services, RemoteWorld* world) {
+void Remotes::add(std::string name, const std::vector<RemoteService>& services, RemoteWorld* world) {
   const services::MutexLock lock(mutex_);
+  names_.push_back(std::move(name));
   worlds_.push_back(world);
   groups_.push_back(std::make_unique<services::WorkThread>("processes", kShare));
   groups_.back()->post(services::shorten_time_slice);
@@ -84,9 +85,13 @@ Expected<std::vector<const Remotes::Place*>> Remotes::find(const Value& componen
 }
 
 // What the process says is read before the lock is taken: a thread that posts to a group does not wait for that.
-Expected<Remotes::Claim> Remotes::claim(const Value& components, const Value& world) {
+Expected<Remotes::Claim> Remotes::claim(const Value& components, const Value& world,
+                                        const std::vector<std::string>& groups) {
   Claim claim;
   ASSIGN_OR_RETURN(claim.places, find(components));
+  if (const std::string& name = names_[claim.places.front()->group]; std::ranges::find(groups, name) == groups.end())
+    return unexpected(ErrorCode::rights, "this account may not bring the group `" + name + '`',
+                      claim.places.front()->service.key);
   if (!world.is_null()) {
     claim.remote_world = worlds_[claim.places.front()->group];
     if (!claim.remote_world) return unexpected(ErrorCode::not_found, "these services have no world here", "world");

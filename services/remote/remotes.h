@@ -37,9 +37,9 @@ class Remotes {
   Remotes(services::Host& host, const services::Clock& clock, std::chrono::milliseconds heartbeat);
   ~Remotes();
 
-  /// Declares services that one process brings together, and the world that it may bring with them, which outlives
-  /// this. Before anything is called.
-  void add(const std::vector<RemoteService>& services, RemoteWorld* world = nullptr) EXCLUDES(mutex_);
+  /// Declares the group `name`: services that one process brings together, and the world that it may bring with them,
+  /// which outlives this. Before anything is called.
+  void add(std::string name, const std::vector<RemoteService>& services, RemoteWorld* world = nullptr) EXCLUDES(mutex_);
   /// Sends `news` to processes where something has changed for their host functions. By one thread.
   void step() EXCLUDES(mutex_);
   /// The threads of the groups end: what was said so far is still done. Links may remain and do nothing any more.
@@ -64,7 +64,9 @@ class Remotes {
   };
 
   Expected<std::vector<const Place*>> find(const Value& components) const;
-  Expected<Claim> claim(const Value& components, const Value& world) EXCLUDES(mutex_);
+  /// Of a process that may bring `groups`.
+  Expected<Claim> claim(const Value& components, const Value& world, const std::vector<std::string>& groups)
+      EXCLUDES(mutex_);
   void release(const std::vector<std::string>& keys, const RemoteWorld* world) EXCLUDES(mutex_);
   void post(std::size_t group, services::WorkQueue::Work work) EXCLUDES(mutex_);
 
@@ -72,6 +74,7 @@ class Remotes {
   const services::Clock& clock_;
   const std::chrono::milliseconds heartbeat_;
   std::map<std::string, Place> places_;            // by key; fixed after the start
+  std::vector<std::string> names_;                 // of the groups; fixed after the start
   std::vector<RemoteWorld*> worlds_;               // of each group, or none; fixed after the start
   std::map<std::string, std::uint64_t> versions_;  // of host functions in the last step()
   services::Mutex mutex_;

@@ -28,7 +28,7 @@ struct SocketClient::Socket {
   Socket(SendQueue& its_out, Handlers its_handlers) : out(its_out), handlers(std::move(its_handlers)) {}
 
   // Errors of the network; of what is there if it is no server of ours.
-  asio::awaitable<Expected<void>> open(const Address& address) {
+  asio::awaitable<Expected<void>> open(const Address& address, const std::string& token) {
     const std::string port = std::to_string(address.port), name = address.host + ":" + port;
     tcp::resolver resolver(io);
     const auto [unknown, endpoints] = co_await resolver.async_resolve(address.host, port, kAsTuple);
@@ -41,10 +41,15 @@ struct SocketClient::Socket {
     lowest.socket().set_option(tcp::no_delay(true), ignored);
     stream.read_message_max(kMessageBytes);
     stream.auto_fragment(false);
+    stream.set_option(websocket::stream_base::decorator([token](websocket::request_type& request) {
+      if (!token.empty()) request.set(beast::http::field::authorization, "Bearer " + token);
+    }));
     websocket::response_type answer;
     const auto [refused] = co_await stream.async_handshake(answer, name, kTarget, kAsTuple);
     if (answer.result() == beast::http::status::service_unavailable)
       co_return unexpected(ErrorCode::unavailable, "has no room for another connection");
+    if (answer.result() == beast::http::status::unauthorized || answer.result() == beast::http::status::forbidden)
+      co_return unexpected(ErrorCode::rights, "does not accept this token for a process of services");
     if (refused == websocket::error::upgrade_declined)
       co_return unexpected(ErrorCode::conflict,
                            "answers " + std::to_string(answer.result_int()) + " where components are let in");
@@ -108,11 +113,11 @@ struct SocketClient::Socket {
 
 SocketClient::SocketClient(std::unique_ptr<Socket> socket) : socket_(std::move(socket)) {}
 
-Expected<std::unique_ptr<SocketClient>> SocketClient::connect(const Address& address, SendQueue& out,
-                                                              Handlers handlers) {
+Expected<std::unique_ptr<SocketClient>> SocketClient::connect(const Address& address, const std::string& token,
+                                                              SendQueue& out, Handlers handlers) {
   auto socket = std::make_unique<Socket>(out, std::move(handlers));
   Expected<void> opened;
-  asio::co_spawn(socket->io, socket->open(address), [&](std::exception_ptr failure, Expected<void> result) {
+  asio::co_spawn(socket->io, socket->open(address, token), [&](std::exception_ptr failure, Expected<void> result) {
     if (!failure)
       opened = std::move(result);
     else

@@ -21,9 +21,11 @@ class SocketClient {
     std::function<void(std::string why)> closed;  // once, unless the client is destroyed before
   };
 
-  /// Connects within three seconds. Sends what `out` has until that is drained or overflows, or the connection ends; it
-  /// outlives the client. Errors: `unavailable` (no server answers), `conflict` (the server accepts no components).
-  static Expected<std::unique_ptr<SocketClient>> connect(const Address& address, SendQueue& out, Handlers handlers);
+  /// Connects within three seconds, as the account of `token`, if it is not empty. Sends what `out` has until that is
+  /// drained or overflows, or the connection ends; it outlives the client. Errors: `unavailable` (no server answers),
+  /// `conflict` (the server accepts no components), `rights` (it does not accept this account).
+  static Expected<std::unique_ptr<SocketClient>> connect(const Address& address, const std::string& token,
+                                                         SendQueue& out, Handlers handlers);
   /// Ends the connection.
   ~SocketClient();
 

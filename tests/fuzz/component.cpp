@@ -91,21 +91,21 @@ class Server {
  public:
   Server() {
     const auto revision = [this] { return screens_.revision(); };
-    remotes_.add({{"lamp", "lamp", &lamp_model()}}, &world_.end());
-    remotes_.add({{"display",
-                   "display",
-                   &display::model(),
-                   {[this](const std::string& function, const Dict& arguments) {
-                      return display::answer_display_request(screens_, function, arguments);
-                    },
-                    revision, [this] { screens_.withdraw(); }}},
-                  {"audio",
-                   "audio",
-                   &audio::model(),
-                   {[this](const std::string& function, const Dict& arguments) {
-                      return audio::answer_audio_request(screens_, function, arguments);
-                    },
-                    revision, [this] { screens_.silence(); }}}});
+    remotes_.add("cell", {{"lamp", "lamp", &lamp_model()}}, &world_.end());
+    remotes_.add("display", {{"display",
+                              "display",
+                              &display::model(),
+                              {[this](const std::string& function, const Dict& arguments) {
+                                 return display::answer_display_request(screens_, function, arguments);
+                               },
+                               revision, [this] { screens_.withdraw(); }}},
+                             {"audio",
+                              "audio",
+                              &audio::model(),
+                              {[this](const std::string& function, const Dict& arguments) {
+                                 return audio::answer_audio_request(screens_, function, arguments);
+                               },
+                               revision, [this] { screens_.silence(); }}}});
     screens_.connect("main", true);
     world_.watch_pose(true);
   }
@@ -144,7 +144,7 @@ class Server {
   server::RemoteWorldProxy world_{clock_};
   services::Host host_{clock_, observer_};
   Remotes remotes_{host_, clock_, std::chrono::hours(1)};
-  ProcessLink link_{remotes_};
+  ProcessLink link_{remotes_, {"cell", "display"}};
   bool greeted_ = false;
   std::uint64_t calls_ = 0;
 };

@@ -56,14 +56,23 @@ class Edits final : public EditRequests {
   }
 };
 
+class Records final : public ClientRecords {
+ public:
+  bool is_current(const Identity&) const override { return true; }
+  void record(const Identity&, std::string, std::string) override {}
+  void refused(const Identity&, const Error&) override {}
+};
+
 class Client final : public Subscriber {
  public:
   Outbox& outbox() override { return outbox_; }
+  const Identity& identity() const override { return identity_; }
   void wake() override {}
   void gather() override {}
 
  private:
   Outbox outbox_;
+  const Identity identity_;
 };
 
 // A server with a display, a channel of each kind, and one client.
@@ -77,7 +86,7 @@ class Stream {
   }
 
   void say(std::string_view message) {
-    handle_stream_request(message, client_, {hub_, displays_, edits_, presence_});
+    handle_stream_request(message, client_, {hub_, displays_, edits_, presence_, records_});
     hub_.after([this] { read(); });
   }
   // The client leaves; what was asked for is done.
@@ -112,6 +121,7 @@ class Stream {
   display::Screens screens_;
   Displays displays_{screens_, hub_};
   Edits edits_;
+  Records records_;
   Deadlines deadlines_;
   PresenceChannels presence_{hub_, deadlines_, 1};
   std::shared_ptr<Client> client_ = std::make_shared<Client>();

@@ -57,6 +57,8 @@ def check(name, value):
 class Server:
     """`race serve` on a free port with its own data folder. As a context manager it stops at the end of the block."""
 
+    token = None  # of an account, which every request has
+
     def __init__(self, *options, data=None, program=None, stderr=None):
         self.own = data is None
         self.data = data or tempfile.mkdtemp(prefix="race-test-")
@@ -95,6 +97,8 @@ class Server:
         """(status, parsed JSON or text); openapi.yaml must list the status for this route."""
         connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=TIMEOUT)
         headers = dict(headers or {})
+        if self.token is not None:
+            headers.setdefault("Authorization", f"Bearer {self.token}")
         if body is not None and not isinstance(body, (str, bytes)):
             body = json.dumps(body)
         if body is not None:
@@ -159,7 +163,7 @@ class Server:
             time.sleep(0.05)
 
     def stream(self):
-        return Stream(self.port)
+        return Stream(self.port, token=self.token)
 
     def send_raw(self, data):
         """For a hostile client: the server's answer to these bytes on a bare socket, until it closes the connection."""
@@ -175,8 +179,9 @@ class Server:
 class Stream(WebSocketClient):
     """A client of /api/v1/stream; every message is held against stream_message.json."""
 
-    def __init__(self, port, origin=None):
-        super().__init__(port, "/api/v1/stream", TIMEOUT, origin)
+    def __init__(self, port, origin=None, token=None, ticket=None):
+        path = "/api/v1/stream" if ticket is None else f"/api/v1/stream?ticket={ticket}"
+        super().__init__(port, path, TIMEOUT, origin, token)
 
     def send_checked(self, message):
         """Sends a message that is of stream_request.json."""

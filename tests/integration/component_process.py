@@ -1,6 +1,7 @@
 """Components outside the server: real processes (`race service`), and the test itself in the role of one."""
 import subprocess
 import time
+from pathlib import Path
 
 from client import PROGRAM, TIMEOUT, check
 from websocket_client import WebSocketClient
@@ -8,11 +9,17 @@ from websocket_client import WebSocketClient
 LONG_HEARTBEAT = ("--heartbeat", "30")  # for tests in which nothing hangs: a machine under load may be slow
 
 
+def token_file(server):
+    """The token of processes of the user that the server has."""
+    return Path(server.data) / "processes.token"
+
+
 class ComponentProcess:
     """`race service NAME` for a server. As a context manager it is killed at the end of the block."""
 
     def __init__(self, server, name, *options):
-        command = [PROGRAM, "service", name, "--server", f"http://127.0.0.1:{server.port}", *options]
+        command = [PROGRAM, "service", name, "--server", f"http://127.0.0.1:{server.port}",
+                   "--token-file", str(token_file(server)), *options]
         self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
     def __enter__(self):
@@ -34,8 +41,9 @@ class ComponentProcess:
 class ComponentClient(WebSocketClient):
     """The test in the role of a component process; every message of the server is held against component_message.json."""
 
-    def __init__(self, port, origin=None):
-        super().__init__(port, "/api/v1/components", TIMEOUT, origin)
+    def __init__(self, server, origin=None, token=None):
+        token = token or token_file(server).read_text().strip()
+        super().__init__(server.port, "/api/v1/components", TIMEOUT, origin, token)
 
     def send_checked(self, message):
         """Sends a message that is of component_request.json."""
@@ -58,7 +66,7 @@ class ComponentClient(WebSocketClient):
 
 def component_client(server, key):
     """The test in the role of the process with the service `key`, whose type is named alike; the server has welcomed it."""
-    client = ComponentClient(server.port)
+    client = ComponentClient(server)
     client.send_checked({"type": "hello", "protocol": 1, "components": [
         {"key": key, "type": key, "rsm": service(server, key)["rsm"]}]})
     client.next("welcome")

@@ -10,7 +10,8 @@ import unittest
 import models
 import test_displays
 from client import PROGRAM, PROJECT, TIMEOUT, Server
-from component_process import LONG_HEARTBEAT, ComponentClient, ComponentProcess, component_client, service, wait_available
+from component_process import (LONG_HEARTBEAT, ComponentClient, ComponentProcess, component_client, service, token_file,
+                               wait_available)
 from traced_server import LOG_LINE
 
 DEMO = str(PROJECT / "deploy/demo")
@@ -25,7 +26,7 @@ class ComponentProtocol(unittest.TestCase):
     """The protocol of components, with this test in the role of the process."""
 
     def connect(self, server):
-        client = ComponentClient(server.port)
+        client = ComponentClient(server)
         self.addCleanup(client.close)
         return client
 
@@ -128,9 +129,10 @@ class ComponentProtocol(unittest.TestCase):
 
     def test_a_foreign_origin_is_refused(self):
         with Server("--remote", "database", *LONG_HEARTBEAT) as server:
-            with ComponentClient(server.port, origin="http://foreign.example") as foreign:
+            with ComponentClient(server, origin="http://foreign.example") as foreign:
                 self.assertEqual(foreign.status, 403)
-            self.assertEqual(server.request("GET", "/api/v1/components")[0], 426)
+            own = {"Authorization": f"Bearer {token_file(server).read_text().strip()}"}
+            self.assertEqual(server.request("GET", "/api/v1/components", headers=own)[0], 426)
 
 
 class RemoteDisplayServer:
@@ -323,7 +325,8 @@ class Processes(unittest.TestCase):
                                   (["database", "--server", "ftp://x"], "http://HOST:PORT"),
                                   (["database"], "cell, recognition, database, display, audio"),
                                   (["cell", "--server", url, "--folder", "/nowhere"], "/nowhere")):
-                ended = subprocess.run([PROGRAM, "service", *words], capture_output=True, text=True, timeout=TIMEOUT, check=False)
+                token = ("--token-file", str(token_file(server)))
+                ended = subprocess.run([PROGRAM, "service", *words, *token], capture_output=True, text=True, timeout=TIMEOUT, check=False)
                 self.assertEqual(ended.returncode, 2, words)
                 self.assertIn(reason, ended.stderr)
         ended = subprocess.run([PROGRAM, "serve", "--port", "0", "--remote", "oven"], capture_output=True, text=True,

@@ -170,7 +170,7 @@ class Memory(Case):
 
     def test_processes_that_nobody_knows_share_it_too_and_have_five_seconds(self):
         before, begun = resident(self.server), time.monotonic()
-        strangers = [ComponentClient(self.server.port) for _ in range(60)]
+        strangers = [ComponentClient(self.server) for _ in range(60)]
         self.connections += [each.socket for each in strangers]
         known = [each for each in strangers if each.status == 101]
         self.assertEqual(len(known), BUDGET // HELLO)
@@ -184,15 +184,15 @@ class Memory(Case):
         self.server.wait_for(lambda: not any(is_open(each.socket) for each in known))
         self.assertGreater(time.monotonic() - begun, 4)
         self.assertLess(time.monotonic() - begun, 12)
-        with ComponentClient(self.server.port) as later:
+        with ComponentClient(self.server) as later:
             self.assertEqual(later.status, 101)
 
     def test_a_hello_has_at_most_four_mib(self):
-        with ComponentClient(self.server.port) as stranger:
+        with ComponentClient(self.server) as stranger:
             with self.assertRaises(ConnectionError):
                 stranger.send(json.dumps({"type": "hello", "protocol": 1, "components": ["x" * HELLO]}))
                 stranger.receive()
-        with ComponentClient(self.server.port) as stranger:
+        with ComponentClient(self.server) as stranger:
             stranger.send(json.dumps({"type": "hello", "protocol": 1, "components": ["x" * (HELLO - 1000)]}))
             self.assertEqual(check("component_message", stranger.receive())["type"], "refused")
 
@@ -208,7 +208,7 @@ class End(Case):
         return time.monotonic() - begun
 
     def test_websockets_get_a_close_frame(self):
-        clients = [Stream(self.server.port), ComponentClient(self.server.port)]
+        clients = [Stream(self.server.port), ComponentClient(self.server)]
         self.hold(f"GET /api/v1/health HTTP/1.1\r\n{self.host}\r\n", 50)
         clients[0].subscribe("log")
         clients[0].message()

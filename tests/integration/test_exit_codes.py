@@ -48,13 +48,16 @@ TABLE = (
     (0, ("core", "list", "--server", "SERVER")), (1, ("core", "show", "9", "--server", "SERVER")),
     (2, ("core", "list", *NOWHERE)), (2, ("core", "dance")), (2, ("core", "list", "--server", "ftp://x")),
     (0, ("boot", "list", "--server", "SERVER")), (1, ("boot", "remove", "a", "--server", "SERVER")), (2, ("boot", "list", *NOWHERE)),
+    (0, ("account", "list", "--data", "accounts")), (2, ("account", "add", "ada", "--data", "accounts")), (2, ("account", "dance")),
+    (2, ("account", "list", "--data", "SERVER_DATA")),
     (2, ("service", "oven", *NOWHERE)), (2, ("service", "database")), (2, ("service", "database", "--server", "ftp://x")),
     (2, ("serve", "--remote", "oven")), (2, ("serve", "--data", "/proc/no")), (2, ("serve", "--operator", "no.json")),
 )
-COMMANDS = ("serve", "service", "run", "runs", "replay", "backup", "restore", "core", "boot", "derive", "check", "translate", "fmt")
+COMMANDS = ("serve", "service", "run", "runs", "replay", "backup", "restore", "core", "boot", "account", "derive", "check", "translate", "fmt")
 # What a command needs at least.
 WORDS = {"service": ("database", *NOWHERE), "run": ("fine.rcm.json",), "replay": ("no.json",), "runs": ("--data", "none"),
-         "restore": ("none",), "core": ("list",), "boot": ("list",), "derive": ("fine.rcm.json", "script.json"),
+         "restore": ("none",), "core": ("list",), "boot": ("list",),
+         "account": ("list", "--data", "accounts"), "derive": ("fine.rcm.json", "script.json"),
          "check": ("fine.rcm.json",), "translate": ("fine.rcm.json",), "fmt": ("fine.rcm.json",)}
 
 
@@ -73,7 +76,8 @@ class CommandCase(unittest.TestCase):
 
     def race(self, *words, text=""):
         """(status, stdout, stderr), in the folder of FILES, with `text` as standard input."""
-        places = {"DATA": f"{self.folder}/data", "SERVER": f"http://127.0.0.1:{self.server.port}"}
+        places = {"DATA": f"{self.folder}/data", "SERVER": f"http://127.0.0.1:{self.server.port}",
+                  "SERVER_DATA": self.server.data}
         out = subprocess.run([PROGRAM, *(places.get(word, word) for word in words)], input=text, capture_output=True, text=True,
                              timeout=60, check=False, cwd=self.folder)
         return out.returncode, out.stdout, out.stderr
@@ -99,7 +103,7 @@ class Codes(CommandCase):
         for command in ("serve", "service", "run", "runs", "replay", "derive", "translate"):
             status, _, errors = self.race(command, *WORDS.get(command, ()), "one-more")
             self.assertEqual((status, errors.splitlines()[0]), (2, "one-more: syntax: is a word too many"), command)
-        for command in ("service", "run", "replay", "restore", "core", "boot", "derive", "check", "translate", "fmt"):
+        for command in ("service", "run", "replay", "restore", "core", "boot", "account", "derive", "check", "translate", "fmt"):
             status, _, errors = self.race(command)
             self.assertEqual(status, 2)
             self.assertRegex(errors, r"\A[A-Z]+: missing: ")

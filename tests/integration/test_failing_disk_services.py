@@ -50,7 +50,7 @@ class Services(unittest.TestCase):
 
     def test_safe_operations_are_called_when_the_journal_fails(self):
         server = self.server(FULL, "--remote", "audio", *LONG_HEARTBEAT)
-        with ComponentClient(server.port) as audio:
+        with ComponentClient(server) as audio:
             rsm, = (s["rsm"] for s in self.connection.get("/services")["services"] if s["key"] == "audio")
             audio.send_checked({"type": "hello", "protocol": 1, "components": [{"key": "audio", "type": "audio", "rsm": rsm}]})
             audio.next("welcome")

@@ -151,7 +151,7 @@ class CellProtocol(RemoteCellTest):
     """The protocol, with this test in the role of the cell process."""
 
     def hello(self, world):
-        client = ComponentClient(self.server.port)
+        client = ComponentClient(self.server)
         self.addCleanup(client.close)
         component = {"key": "gripper", "type": "gripper", "rsm": service(self.server, "gripper")["rsm"]}
         client.send(json.dumps({"type": "hello", "protocol": 1, "components": [component], "world": world}))

@@ -15,11 +15,14 @@ from websockets.uri import parse_uri
 class WebSocketClient:
     """One connection. `status` is the HTTP status of the handshake: 101, or why the server refuses the connection."""
 
-    def __init__(self, port, path, timeout, origin=None):
+    def __init__(self, port, path, timeout, origin=None, token=None):
         self.protocol = ClientConnection(parse_uri(f"ws://127.0.0.1:{port}{path}"), origin=origin, max_size=None)
         self.socket = socket.create_connection(("127.0.0.1", port), timeout=timeout)
         self.events = []
-        self.protocol.send_request(self.protocol.connect())
+        request = self.protocol.connect()
+        if token is not None:
+            request.headers["Authorization"] = f"Bearer {token}"
+        self.protocol.send_request(request)
         self.flush()
         self.status = self.event().status_code
 

@@ -12,6 +12,7 @@ namespace race::server {
 
 struct BoxedSubscriber : Subscriber {
   Outbox& outbox() override { return box; }
+  const Identity& identity() const override { return who; }
   void wake() override {}
   void gather() override {}
   /// The messages that came since.
@@ -28,6 +29,7 @@ struct BoxedSubscriber : Subscriber {
     }
   }
   Outbox box;
+  Identity who;
 };
 
 }  // namespace race::server

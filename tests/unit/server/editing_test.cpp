@@ -312,7 +312,8 @@ TEST_F(EditingTest, QueuesTheEditsOfTheStreamInOrderAndWithABound) {
   Pool pool{1};
   Hub hub(pool, 1, [](const std::string&) { return std::nullopt; });
   const auto client = std::make_shared<BoxedSubscriber>();
-  EditQueue queue(*editing_, hub, 3);
+  NoRecords records;
+  EditQueue queue(*editing_, hub, records, 3);
   std::promise<void> begun, done;
   recorder_.during = [&] {
     begun.set_value();

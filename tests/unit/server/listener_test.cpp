@@ -143,8 +143,10 @@ struct ListenerTest : testing::Test {
     });
   }
   void serve_later(const HttpServer::Limits& limits, std::function<void(Request, const Answer&)> handle) {
-    server = HttpServer::listen(
-                 0, "", {std::move(handle), [] { return Reply(); }, hub, displays, edits, presence, remotes}, limits)
+    server = HttpServer::listen(0, "",
+                                {admit_all, std::move(handle), [] { return Reply(); }, hub, displays, edits, presence,
+                                 records, remotes},
+                                limits)
                  .value();
     thread = std::thread([this] { server->run(); });
   }
@@ -227,6 +229,7 @@ struct ListenerTest : testing::Test {
   display::Screens screens;
   FailingEdits edits;
   NoPresence presence;
+  NoRecords records;
   Displays displays{screens, hub};
   services::WorldClock clock;
   NoObserver observer;

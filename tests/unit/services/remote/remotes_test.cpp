@@ -64,7 +64,10 @@ class Seen final : public services::HostObserver {
 
 // A process with lamps: its host, and the server's end of its connection.
 struct Process {
-  explicit Process(Remotes& remotes, std::vector<std::string> keys = {"lamp"}) : link(remotes) {
+  explicit Process(Remotes& remotes, std::vector<std::string> keys = {"lamp"})
+      : Process(remotes, std::move(keys), {"lamp", "torches", "lantern"}) {}
+  Process(Remotes& remotes, const std::vector<std::string>& keys, std::vector<std::string> groups)
+      : link(remotes, std::move(groups)) {
     for (const std::string& key : keys) {
       auto made = std::make_unique<Lamp>(host.declare(key, "lamp"));
       lamp = made.get();
@@ -98,16 +101,17 @@ struct Process {
 
 struct RemotesTest : testing::Test {
   RemotesTest() : remotes(host, clock, 1s) {
-    remotes.add({{"lamp", "lamp", &lamp_model()}}, &world);
-    remotes.add({{"torch", "lamp", &lamp_model()}, {"candle", "lamp", &lamp_model()}});
-    remotes.add({{"lantern",
-                  "lamp",
-                  &lamp_model(),
-                  {[this](const std::string& function, const Dict&) -> Expected<Value> {
-                     if (function != "colour") return unexpected(ErrorCode::not_found, "no such function", function);
-                     return Value(colour);
-                   },
-                   [this] { return repainted.load(); }, [this] { ++cleaned; }}}});
+    remotes.add("lamp", {{"lamp", "lamp", &lamp_model()}}, &world);
+    remotes.add("torches", {{"torch", "lamp", &lamp_model()}, {"candle", "lamp", &lamp_model()}});
+    remotes.add("lantern", {{"lantern",
+                             "lamp",
+                             &lamp_model(),
+                             {[this](const std::string& function, const Dict&) -> Expected<Value> {
+                                if (function != "colour")
+                                  return unexpected(ErrorCode::not_found, "no such function", function);
+                                return Value(colour);
+                              },
+                              [this] { return repainted.load(); }, [this] { ++cleaned; }}}});
   }
   ~RemotesTest() override {
     remotes.stop();

@@ -1,0 +1,24 @@
+#include "server/accounts/secret.h"
+
+#include <sodium.h>
+
+#include <array>
+#include <stdexcept>
+
+#include "services/sqlite/digest.h"
+
+namespace race::server {
+
+std::string make_secret(std::string_view prefix) {
+  if (sodium_init() < 0) throw std::runtime_error("libsodium has no random numbers");
+  std::array<unsigned char, 32> random{};
+  randombytes_buf(random.data(), random.size());
+  constexpr int kVariant = sodium_base64_VARIANT_URLSAFE_NO_PADDING;
+  std::array<char, sodium_base64_ENCODED_LEN(32, kVariant)> text{};
+  sodium_bin2base64(text.data(), text.size(), random.data(), random.size(), kVariant);
+  return std::string(prefix) + text.data();
+}
+
+std::string digest_of_secret(std::string_view secret) { return sqlite::hex(sqlite::sha256(secret)); }
+
+}  // namespace race::server

@@ -1,0 +1,68 @@
+#include "server/application/access.h"
+
+#include "server/http/refusal.h"
+#include "server/wire/calendar.h"
+
+namespace race::server {
+namespace {
+
+constexpr std::string_view kTicket = "ticket";
+
+bool changes_something(const Request& request) { return request.method != "GET" && request.method != "HEAD"; }
+
+Reply denied(const Denial& denial) {
+  Reply reply = refusal(denial.is_unknown ? 401 : 403, denial.code, denial.message);
+  if (denial.is_unknown) reply.headers.emplace_back("WWW-Authenticate", "Bearer");
+  return reply;
+}
+
+Reply behind() {
+  Reply reply = refusal(503, "overload", "the audit log is behind");
+  reply.headers.emplace_back("Retry-After", "1");
+  return reply;
+}
+
+std::string ticket_of(const Request& request) {
+  const auto ticket = request.query.find(kTicket);
+  return ticket == request.query.end() ? std::string() : ticket->second;
+}
+
+}  // namespace
+
+tl::expected<Identity, Reply> Access::admit(const Request& request) const {
+  if (request.count("authorization") > 1) return tl::unexpected(refusal(400, "login", "Authorization stands twice"));
+  const std::string ticket = ticket_of(request);
+  auto identity =
+      gate_.admit(request.method, pattern_of_(request.method, request.path), {request.header("authorization"), ticket});
+  if (!identity) return tl::unexpected(denied(identity.error()));
+  if (changes_something(request) && !audit_.has_room()) return tl::unexpected(behind());
+  identity->address = request.identity.address;
+  return std::move(*identity);
+}
+
+Answer Access::audited(const Request& request, const Answer& answer) {
+  if (!changes_something(request)) return answer;
+  AuditEntry entry;
+  entry.account = request.identity.account;
+  entry.address = request.identity.address;
+  entry.action = request.method + ' ' + request.path;
+  return Answer([this, entry = std::move(entry), answer](Reply reply) mutable {
+    entry.time = now_ms();
+    entry.outcome = std::to_string(reply.status);
+    if (reply.logged_in) entry.account = *reply.logged_in;
+    if (!reply.is_routine) audit_.append(std::move(entry));
+    answer(std::move(reply));
+  });
+}
+
+void Access::record(const Identity& identity, std::string action, std::string outcome) {
+  audit_.append({0, now_ms(), identity.account, identity.address, std::move(action), std::move(outcome)});
+}
+
+void Access::refused(const Identity& identity, const Error& why) {
+  const std::string who = identity.account.empty() ? "a process" : "the process " + quote(identity.account);
+  log_(who + " at " + identity.address + " is refused: " + to_string(why));
+  record(identity, "process " + why.path, std::string(name(why.code)));
+}
+
+}  // namespace race::server

@@ -1,0 +1,44 @@
+// Access: accounts and rights in front of all that the sockets serve, and the audit log behind it.
+//
+// Threads: any; waits for no disk.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "server/accounts/audit_log.h"
+#include "server/accounts/gate.h"
+#include "server/http/answer.h"
+#include "server/http/listener.h"
+#include "server/stream/requests.h"
+
+namespace race::server {
+
+class Access final : public ClientRecords {
+ public:
+  /// The pattern of the route of a request; empty: there is none.
+  using PatternOf = std::string_view (*)(std::string_view method, std::string_view path);
+  using Log = std::function<void(const std::string& text)>;
+  /// All outlive this. `log` gets a line of each process that is refused.
+  Access(const Gate& gate, AuditLog& audit, PatternOf pattern_of, Log log)
+      : gate_(gate), audit_(audit), pattern_of_(pattern_of), log_(std::move(log)) {}
+
+  /// Who sends the request, if they may: else 401 or 403, and 503 while the audit log has no room for what changes
+  /// something.
+  tl::expected<Identity, Reply> admit(const Request& request) const;
+  /// An answer that is also a row of the audit log, if the request changes something.
+  Answer audited(const Request& request, const Answer& answer);
+
+  bool is_current(const Identity& identity) const override { return gate_.is_current(identity); }
+  void record(const Identity& identity, std::string action, std::string outcome) override;
+  void refused(const Identity& identity, const Error& why) override;
+
+ private:
+  const Gate& gate_;
+  AuditLog& audit_;
+  const PatternOf pattern_of_;
+  const Log log_;
+};
+
+}  // namespace race::server

@@ -1,0 +1,39 @@
+#include "server/handlers/account_json.h"
+
+#include <string>
+
+#include "server/http/refusal.h"
+
+namespace race::server {
+
+Value account_json(const Account& account) {
+  Dict json{{"name", account.name}, {"role", std::string(name(account.role))}, {"created", account.created}};
+  List groups;
+  for (const std::string& group : account.groups) groups.push_back(group);
+  if (account.role == Role::process) json.set("groups", std::move(groups));
+  return json;
+}
+
+Value token_json(const AccountToken& token) {
+  Dict json{{"digest", token.digest}, {"label", token.label}, {"created", token.created}};
+  if (token.expires != 0) json.set("expires", token.expires);
+  return json;
+}
+
+std::optional<Role> read_role(Fields& fields, Fields::Need need) {
+  const auto text = fields.text("role", need);
+  if (!text) return std::nullopt;
+  const auto role = role_of(*text);
+  if (!role)
+    fields.violation(ErrorCode::out_of_range, "`role` must be observer, operator, developer, admin or process", "role");
+  return role;
+}
+
+Reply too_many_attempts(std::chrono::milliseconds wait) {
+  const std::string seconds = std::to_string(std::chrono::ceil<std::chrono::seconds>(wait).count());
+  Reply reply = refusal(429, "attempts", "too many logins have failed; try again in " + seconds + " s");
+  reply.headers.emplace_back("Retry-After", seconds);
+  return reply;
+}
+
+}  // namespace race::server

@@ -1,0 +1,29 @@
+// What the routes of accounts share: accounts and tokens as clients see them.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+
+#include "core/value/expected.h"
+#include "core/value/fields.h"
+#include "core/value/value.h"
+#include "server/accounts/account.h"
+#include "server/http/message.h"
+
+namespace race::server {
+
+/// schemas/account.json; never its password.
+Value account_json(const Account& account);
+/// schemas/account_tokens.json, an item.
+Value token_json(const AccountToken& token);
+/// The field `role`; one that is none is a violation.
+std::optional<Role> read_role(Fields& fields, Fields::Need need);
+
+/// 429, with `Retry-After`.
+Reply too_many_attempts(std::chrono::milliseconds wait);
+
+/// Logins end after this [ms].
+inline constexpr std::int64_t kLoginLife = std::int64_t{12} * 60 * 60 * 1000;
+
+}  // namespace race::server

@@ -1,0 +1,82 @@
+// POST /api/v1/login: a password for a token. POST /api/v1/logout: the token of the request ends.
+#include <chrono>
+
+#include "core/value/json.h"
+#include "server/accounts/accounts.h"
+#include "server/accounts/attempts.h"
+#include "server/accounts/passwords.h"
+#include "server/handlers/account_json.h"
+#include "server/handlers/handlers.h"
+#include "server/http/refusal.h"
+#include "server/wire/calendar.h"
+
+namespace race::server {
+namespace {
+
+struct Login {
+  std::string name, password;
+};
+
+Checked<Login> read_login(const std::string& text) {
+  const auto body = parse_json(text);
+  if (!body) return failed(body.error());
+  std::vector<Error> errors;
+  Fields fields(*body, "", "the request", errors, Fields::Paths::field);
+  Login login{fields.text("name", Fields::Need::required).value_or(""),
+              fields.text("password", Fields::Need::required).value_or("")};
+  fields.close();
+  if (login.password.size() > Passwords::kLongest) login.password.clear();  // nobody's
+  if (login.name.size() > Account::kLongestName) login.name.clear();
+  if (!errors.empty()) return tl::unexpected(std::move(errors));
+  return login;
+}
+
+// The same for a name that is none and a password that is wrong.
+Reply wrong() {
+  Reply reply = refusal(401, "login", "there is no account of this name with this password");
+  reply.headers.emplace_back("WWW-Authenticate", "Bearer");
+  return reply;
+}
+
+Handled log_in_as(const std::string& name, Accounts& accounts) {
+  const std::int64_t now = now_ms();
+  const auto secret = accounts.issue(name, std::string(Accounts::kLogin), now, now + kLoginLife);
+  const auto account = accounts.find(name);
+  if (!account) return wrong();  // removed meanwhile
+  if (!secret) return failed(secret.error());
+  return ok(Dict{{"token", secret->secret}, {"expires", now + kLoginLife}, {"account", account_json(*account)}});
+}
+
+// The audit log has the name, also of a login that fails.
+Handled of(const std::string& name, Handled handled) {
+  Reply reply = handled ? std::move(*handled) : refusal(handled.error());
+  reply.logged_in = name;
+  return reply;
+}
+
+}  // namespace
+
+void log_in(const Request& request, Respond respond, Accounts& accounts, Passwords& passwords, Attempts& attempts) {
+  auto login = read_login(request.body);
+  if (!login) return respond(tl::unexpected(std::move(login).error()));
+  const std::string name = login->name, address = request.identity.address;
+  const auto now = std::chrono::steady_clock::now();
+  if (const auto wait = attempts.wait(address, name, now)) return respond(of(name, too_many_attempts(*wait)));
+  attempts.begun(address, name, now);
+  const auto account = accounts.find(name);
+  auto compared = [respond = std::move(respond), address, name, &accounts, &attempts](const Expected<bool>& same) {
+    if (!same || *same) attempts.not_failed(address, name, std::chrono::steady_clock::now());
+    if (!same) return respond(of(name, failed(same.error())));
+    respond(of(name, *same ? log_in_as(name, accounts) : wrong()));
+  };
+  passwords.compare(std::move(login->password), account ? account->password_hash : "", std::move(compared));
+}
+
+Handled log_out(const Request& request, Accounts& accounts) {
+  if (request.identity.account.empty()) return ok(Dict());
+  auto revoked = accounts.revoke(request.identity.account, request.identity.token);
+  if (!revoked) return failed(std::move(revoked).error());
+  return ok(Dict());
+}
+
+}  // namespace race::server

@@ -1,0 +1,82 @@
+// GET /api/v1/me: who asks, and whether the server has accounts. PUT /api/v1/me/password: a new one of one's own. POST
+// /api/v1/tickets: what opens a WebSocket.
+#include <chrono>
+
+#include "core/value/json.h"
+#include "server/accounts/accounts.h"
+#include "server/accounts/attempts.h"
+#include "server/accounts/passwords.h"
+#include "server/accounts/tickets.h"
+#include "server/handlers/account_json.h"
+#include "server/handlers/handlers.h"
+#include "server/http/refusal.h"
+
+namespace race::server {
+namespace {
+
+struct NewPassword {
+  std::string old, password;
+};
+
+Checked<NewPassword> read_passwords(const Request& request) {
+  const auto body = parse_json(request.body);
+  if (!body) return failed(body.error());
+  std::vector<Error> errors;
+  Fields fields(*body, "", "the request", errors, Fields::Paths::field);
+  NewPassword passwords{fields.text("old", Fields::Need::required).value_or(""),
+                        fields.text("password", Fields::Need::required).value_or("")};
+  fields.close();
+  if (!errors.empty()) return tl::unexpected(std::move(errors));
+  if (auto fine = Passwords::check(passwords.password, request.identity.account); !fine)
+    return failed(std::move(fine).error());
+  return passwords;
+}
+
+Handled set_password(const std::string& account, const Expected<std::string>& hash, Accounts& accounts) {
+  if (!hash) return failed(hash.error());
+  auto changed = accounts.change(account, {.password_hash = *hash});
+  if (!changed) return failed(std::move(changed).error());
+  return ok(Dict());
+}
+
+}  // namespace
+
+Handled get_me(const Request& request, Accounts& accounts) {
+  Dict json{{"accounts", !accounts.empty()}};
+  const bool is_known = !request.identity.account.empty() || accounts.empty();
+  if (!request.identity.account.empty()) json.set("name", request.identity.account);
+  if (is_known) json.set("role", std::string(name(request.identity.role)));
+  return ok(std::move(json));
+}
+
+// The old password counts as an attempt: a token that somebody has found must not become a password.
+void change_password(const Request& request, Respond respond, Accounts& accounts, Passwords& passwords,
+                     Attempts& attempts) {
+  const std::string account = request.identity.account, address = request.identity.address;
+  const auto known = accounts.find(account);
+  if (!known) return respond(failed({ErrorCode::not_found, "who has no account has no password"}));
+  auto read = read_passwords(request);
+  if (!read) return respond(tl::unexpected(std::move(read).error()));
+  const auto now = std::chrono::steady_clock::now();
+  if (const auto wait = attempts.wait(address, account, now)) return respond(too_many_attempts(*wait));
+  attempts.begun(address, account, now);
+  auto hashed = [respond, account, &accounts](const Expected<std::string>& hash) {
+    respond(set_password(account, hash, accounts));
+  };
+  auto compared = [respond, account, address, next = read->password, hashed, &passwords,
+                   &attempts](const Expected<bool>& same) {
+    if (!same || *same) attempts.not_failed(address, account, std::chrono::steady_clock::now());
+    if (!same) return respond(failed(same.error()));
+    if (!*same) return respond(refusal(403, "password", "the old password is another one"));
+    passwords.hash(next, hashed);
+  };
+  passwords.compare(std::move(read->old), known->password_hash, std::move(compared));
+}
+
+Handled create_ticket(const Request& request, Tickets& tickets) {
+  Reply reply = ok(Dict{{"ticket", tickets.issue(request.identity, std::chrono::steady_clock::now())}});
+  reply.is_routine = true;
+  return reply;
+}
+
+}  // namespace race::server
