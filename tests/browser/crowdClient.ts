@@ -60,7 +60,7 @@ function runClient({ url, document, name, seed }: CrowdSetup): void {
   const malformed: string[] = [];
   const refused: string[] = [];
   const later: { editor?: Editor } = {};
-  const stream = openStream(`${url.replace("http", "ws")}/api/v1/stream`, {
+  const stream = openStream(() => `${url.replace("http", "ws")}/api/v1/stream`, {
     onUpdate: (update) => later.editor?.receive(update),
     onConnection: (connection) => later.editor?.connection(connection),
     onMalformed: (error) => malformed.push(String(error)),

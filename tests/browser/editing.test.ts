@@ -78,7 +78,7 @@ it("numbers stay as they were written and typed", async () => {
   const parameters = '[{"name": "kept", "value": 1.0, "meta": {"id": "kept"}}, {"name": "typed", "value": 1, "meta": {"id": "typed"}}]';
   await fetch(`${fixture.url}/api/v1/documents/exact`, { method: "PUT", body: `{"rcm": 1, "root": {"state": "Root", "parameters": ${parameters}, "meta": {"id": "root"}}}`, headers: { "content-type": "application/json" } });
   const later: { editor?: Editor } = {};
-  const stream = openStream(`${fixture.url.replace("http", "ws")}/api/v1/stream`, {
+  const stream = openStream(() => `${fixture.url.replace("http", "ws")}/api/v1/stream`, {
     onUpdate: (update) => later.editor?.receive(update),
     onConnection: (connection) => later.editor?.connection(connection),
     onMalformed: (error) => {

@@ -18,6 +18,8 @@ const screenshots = join(project, "build/test/browser");
 
 export interface Fixture {
   readonly url: string;
+  /** The data folder of the server. */
+  readonly data: string;
   readonly page: Page;
   /** A request to `/api/v1` + path, and the JSON of its answer; a refusal is an error. */
   readonly send: (method: string, path: string, body?: unknown) => Promise<unknown>;
@@ -60,7 +62,10 @@ async function healthy(url: string, server: ChildProcess): Promise<void> {
 }
 
 /** Starts `race serve` with these `further` options; `--demo` names another folder of the cell. */
-export async function openFixture(...further: readonly string[]): Promise<Fixture> {
+export const openFixture = (...further: readonly string[]): Promise<Fixture> => openPrepared(() => undefined, ...further);
+
+/** The same on a data folder that is prepared before. */
+export async function openPrepared(prepare: (data: string) => void, ...further: readonly string[]): Promise<Fixture> {
   const port = await freePort();
   // In memory: a disk that is busy with something else would interrupt runs.
   const data = mkdtempSync(join(existsSync("/dev/shm") ? "/dev/shm" : tmpdir(), "race-browser-"));
@@ -70,6 +75,7 @@ export async function openFixture(...further: readonly string[]): Promise<Fixtur
     await new Promise((resolve, reject) => launched.once("spawn", resolve).once("error", reject));
     return launched;
   };
+  prepare(data);
   let server = await launch();
   let browser: Browser | undefined;
   const end = async (signal: NodeJS.Signals) => {
@@ -121,7 +127,7 @@ export async function openFixture(...further: readonly string[]): Promise<Fixtur
       if (server.pid === undefined) throw new Error("there is no server");
       return server.pid;
     };
-    return { url, page, send, screenshot, openPage, openContext, allowError: (error) => errors.allow(error), pid, kill, restart, close };
+    return { url, data, page, send, screenshot, openPage, openContext, allowError: (error) => errors.allow(error), pid, kill, restart, close };
   } catch (error) {
     await clear();
     throw error;

@@ -49,7 +49,7 @@ const listed = () => fixture.page.getByRole("list", { name: "Parts" }).locator("
 const clock = () => fixture.page.getByText(/^cell time/);
 
 function begin(folder: string): void {
-  process = spawn(binary, ["service", "cell", "--server", fixture.url, "--folder", folder], { stdio: ["ignore", "ignore", "inherit"] });
+  process = spawn(binary, ["service", "cell", "--server", fixture.url, "--folder", folder, "--token-file", join(fixture.data, "processes.token")], { stdio: ["ignore", "ignore", "inherit"] });
 }
 
 async function end(): Promise<void> {

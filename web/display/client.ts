@@ -3,6 +3,8 @@ import { applyDisplayEvent, canAnswer, firstPage, type DisplayEvent, type Displa
 import { schedule } from "../shared/display/sounds";
 import { keyOf, type Key } from "../shared/display/numberText";
 import type { Sound } from "../generated/messages";
+import { createAccess } from "../shared/login/access";
+import { storedTokens } from "../shared/login/tokens";
 import { openStream, streamUrl } from "../shared/stream";
 import { createPlayer } from "./player";
 
@@ -16,16 +18,25 @@ export interface Actions {
 /** Longer than the delay between the end of a touch and its click event [ms]. */
 const kTap = 400;
 
-/** Runs until the page is closed; `draw` gets each new state. */
-export function connect(name: string, draw: (page: DisplayPage, actions: Actions) => void): void {
+/** Runs until the page is closed; `draw` gets each new state, and `drawLogin` what logs in while the server asks for that. */
+export function connect(name: string, draw: (page: DisplayPage, actions: Actions) => void, drawLogin: (logIn: (name: string, password: string) => Promise<void>) => void): void {
   let page = firstPage(name);
   let playing: number | undefined;
   const player = createPlayer();
 
+  const show = () => {
+    if (access.get().asked) drawLogin(logIn);
+    else draw(page, actions);
+  };
   const dispatch = (event: DisplayEvent) => {
     page = applyDisplayEvent(page, event);
-    draw(page, actions);
+    show();
   };
+  const access = createAccess({ base: "/api/v1", fetcher: (input, init) => fetch(input, init), tokens: storedTokens(() => localStorage), onChange: () => show() });
+  async function logIn(account: string, password: string): Promise<void> {
+    await access.logIn(account, password);
+    stream.retry();
+  }
 
   const actions: Actions = {
     answer: (question, answer) => {
@@ -35,8 +46,11 @@ export function connect(name: string, draw: (page: DisplayPage, actions: Actions
     key: (key) => dispatch({ type: "key", key }),
   };
 
-  const stream = openStream(streamUrl(location), {
-    onConnection: (connection) => dispatch({ type: "connection", connection }),
+  const stream = openStream(() => access.streamUrl(streamUrl(location)), {
+    onConnection: (connection) => {
+      if (connection === "lost" && !access.get().asked) void access.ask().catch(() => undefined); // the account may have changed
+      dispatch({ type: "connection", connection });
+    },
     onMalformed: (error) => dispatch({ type: "problem", text: error.message }),
     onUpdate: (update) => {
       if (update.type === "display") {
@@ -74,5 +88,5 @@ export function connect(name: string, draw: (page: DisplayPage, actions: Actions
   });
 
   stream.announceDisplay(name, false);
-  draw(page, actions);
+  show();
 }

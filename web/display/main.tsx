@@ -6,6 +6,7 @@ import { createRoot } from "react-dom/client";
 import { nameOf } from "../shared/display/page";
 import { App } from "./App";
 import { connect } from "./client";
+import { Login } from "./Login";
 
 const element = document.getElementById("root");
 if (element === null) throw new Error("the page has no #root");
@@ -16,5 +17,9 @@ if (name === undefined) {
   root.render(<p className="notice is-bad">The name of a display has 1 to 32 letters, digits, “_” or “-”, and is not “all”.</p>);
 } else {
   document.title = `${name} · RACE Display`;
-  connect(name, (page, actions) => root.render(<App page={page} actions={actions} />));
+  connect(
+    name,
+    (page, actions) => root.render(<App page={page} actions={actions} />),
+    (logIn) => root.render(<Login logIn={logIn} />),
+  );
 }

@@ -6,6 +6,11 @@ const folder = new URL("../../api/schemas/", import.meta.url);
 /** Messages that the pages read. Each gets a validator. */
 export const kRead = [
   "accepted_edit.json",
+  "account.json",
+  "account_removed.json",
+  "account_tokens.json",
+  "accounts.json",
+  "audit.json",
   "cell_pose.json",
   "core.json",
   "core_delta.json",
@@ -17,6 +22,7 @@ export const kRead = [
   "document_entry.json",
   "document_removed.json",
   "documents.json",
+  "empty.json",
   "errors.json",
   "presence.json#/$defs/presence_delta",
   "presence.json#/$defs/presence_joined",
@@ -24,11 +30,14 @@ export const kRead = [
   "problem.json",
   "health.json",
   "journal.json",
+  "login_answer.json",
+  "me.json",
   "native.json",
   "packet.json",
   "past.json",
   "person.json",
   "revisions.json",
+  "rights.json",
   "rules.json",
   "run.json",
   "run_picture.json",
@@ -48,12 +57,15 @@ export const kRead = [
   "stream_message.json#/$defs/envelope",
   "stream_message.json#/$defs/log_entries",
   "stream_message.json#/$defs/services_delta",
+  "ticket.json",
   "timing.json",
+  "token_created.json",
+  "token_removed.json",
   "why.json",
 ];
 
 /** Messages that the pages write. */
-export const kWritten = ["breakpoints.json", "cell_reset.json", "core_create.json", "document_branch.json", "document_restore.json", "edit.json", "force.json", "person_command.json", "step_request.json", "stream_request.json"];
+export const kWritten = ["account_change.json", "account_create.json", "breakpoints.json", "cell_reset.json", "core_create.json", "document_branch.json", "document_restore.json", "edit.json", "force.json", "login.json", "password_change.json", "person_command.json", "step_request.json", "stream_request.json", "token_create.json"];
 
 /** Names of types that are not the names of their schemas. */
 const kNames = new Map([

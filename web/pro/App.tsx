@@ -45,6 +45,8 @@ import { TopBar } from "./panels/TopBar";
 import { showRuns } from "./runs/actions";
 import { lateCell } from "./cell/lateCell";
 import { RunsPanel } from "./runs/RunsPanel";
+import { AccountsPanel } from "./login/AccountsPanel";
+import { LoginCover } from "./login/LoginCover";
 import { PairPhone } from "./pairing/PairPhone";
 import { ServicesView } from "./services/ServicesView";
 import { StartCards } from "./start/StartCards";
@@ -178,6 +180,8 @@ export function App() {
       <DocumentsPanel />
       <RunsPanel />
       <PairPhone />
+      <AccountsPanel />
+      <LoginCover />
       <DropTarget />
     </div>
   );

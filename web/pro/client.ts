@@ -1,5 +1,7 @@
 // The page's one connection to the server: stores, requests and the stream, wired together.
 import { createApi, RefusedError } from "../shared/api";
+import { createAccess, type Access } from "../shared/login/access";
+import { storedTokens } from "../shared/login/tokens";
 import type { CellPose, Core, Packet, TraceStep } from "../generated/messages";
 import type { RunSource } from "../shared/api";
 import { kNoPlaces, type Places } from "../shared/drawing/places";
@@ -24,7 +26,19 @@ const kPastSteps = 40;
 
 export const session = createStore<Session, SessionEvent>(emptySession, applyEvent);
 export const view = createStore<View, Gesture>(firstView({ width: innerWidth, height: innerHeight }), applyGesture);
-export const api = createApi("/api/v1", (input, init) => fetch(input, init));
+
+/** Who uses the page. */
+export const login = createStore<Access, Access>({ asked: false }, (_, next) => next);
+export const useLogin = <T>(select: (access: Access) => T): T => useSelected(login, select);
+export const access = createAccess({
+  base: "/api/v1",
+  fetcher: (input, init) => fetch(input, init),
+  tokens: storedTokens(() => localStorage),
+  onChange: (next) => login.dispatch(next),
+});
+export const api = createApi("/api/v1", access.fetch);
+/** The address of a stream of this page. */
+export const ownStream = (): Promise<string> => access.streamUrl(streamUrl(location));
 
 /** The newest pose of the cell. It changes many times a second, so it bypasses the session. */
 export const cellPose = createStore<CellPose | undefined, CellPose | undefined>(undefined, (_, pose) => pose);
@@ -87,8 +101,9 @@ const kBringsCore: ReadonlySet<StreamUpdate["type"]> = new Set(["cores", "core",
 
 /** Opens the stream and loads what never changes; the connection stays until the page is closed. */
 export function connect(): void {
-  stream = openStream(streamUrl(location), {
+  stream = openStream(ownStream, {
     onConnection: (connection) => {
+      if (connection !== "connecting" && !access.get().asked) void access.ask().catch(() => undefined); // the account may have changed
       session.dispatch({ type: "connection", connection });
       listeners.forEach((listener) => listener.connection(connection));
       if (connection === "open") opened();
@@ -106,6 +121,11 @@ export function connect(): void {
     },
   });
   for (const channel of ["cores", "services", "log", "cell/pose"]) stream.subscribe(channel);
+}
+
+/** Connects at once: somebody has logged in. */
+export function reconnect(): void {
+  stream?.retry();
 }
 
 function opened(): void {

@@ -31,6 +31,7 @@ import "./styles/versions.css";
 import "./styles/comments.css";
 import "./styles/debugger.css";
 import "./styles/start.css";
+import "./styles/login.css";
 import { createRoot } from "react-dom/client";
 import { App } from "./App";
 import { connect } from "./client";

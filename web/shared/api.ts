@@ -1,5 +1,8 @@
 // Requests to the server. Each answer is checked against its schema.
 import type {
+  Account,
+  AccountChange,
+  AccountCreate,
   Breakpoint,
   Breakpoints,
   CellReset,
@@ -93,7 +96,7 @@ export interface Storing {
 
 /** Requests below `base` (`/api/v1`); `fetcher` is the browser's fetch, or a test's. */
 export function createApi(base: string, fetcher: typeof fetch) {
-  type Body = Breakpoints | CellReset | DocumentBreakpoints | Exact<Force> | Exact<CoreCreate> | DocumentBranch | PersonCommand | StepRequest | { readonly live: boolean };
+  type Body = AccountChange | AccountCreate | Breakpoints | CellReset | DocumentBreakpoints | Exact<Force> | Exact<CoreCreate> | DocumentBranch | PersonCommand | StepRequest | { readonly live: boolean };
   async function request<T>(method: string, path: string, validator: Validator<T>, body?: Body): Promise<T> {
     return send(path, body === undefined ? { method } : { method, body: writeExact(body), headers: { "content-type": "application/json" } }, validator);
   }
@@ -118,6 +121,10 @@ export function createApi(base: string, fetcher: typeof fetch) {
   const command = (id: string, name: string) => request("POST", `/cores/${segment(id)}/${name}`, schema.core);
   return {
     health: (): Promise<Health> => get("/health", schema.health),
+    accounts: async (): Promise<readonly Account[]> => (await get("/accounts", schema.accounts)).accounts,
+    addAccount: (account: AccountCreate): Promise<Account> => request("POST", "/accounts", schema.account, account),
+    changeAccount: (name: string, change: AccountChange): Promise<Account> => request("PUT", `/accounts/${segment(name)}`, schema.account, change),
+    removeAccount: async (name: string): Promise<void> => void (await request("DELETE", `/accounts/${segment(name)}`, schema.accountRemoved)),
     rules: async (): Promise<readonly Rule[]> => (await get("/rules", schema.rules)).rules,
     documents: async (): Promise<readonly DocumentSummary[]> => {
       const all: DocumentSummary[] = [];

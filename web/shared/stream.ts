@@ -25,6 +25,8 @@ export interface Stream {
   announceDisplay(name: string, sound: boolean): void;
   /** Sends what a user does; false if the connection is lost. */
   send(request: Exact<OwnRequest>): boolean;
+  /** Connects at once, if it waits for its next attempt. */
+  retry(): void;
   close(): void;
 }
 
@@ -45,12 +47,14 @@ export function resubscriptions(wanted: ReadonlySet<string>, seen: ReadonlyMap<s
 /** The address of the stream of the server that a page came from. */
 export const streamUrl = ({ protocol, host }: Pick<Location, "protocol" | "host">): string => `${protocol === "https:" ? "wss" : "ws"}://${host}/api/v1/stream`;
 
-export function openStream(url: string, handlers: StreamHandlers): Stream {
+/** `url` gives the address for each attempt to connect: of an account, one with a ticket of its own (login/access.ts). */
+export function openStream(url: () => string | Promise<string>, handlers: StreamHandlers): Stream {
   const wanted = new Set<string>();
   const seen = new Map<string, number>();
   let socket: WebSocket | undefined;
   let attempt = 0;
   let closed = false;
+  let again: ReturnType<typeof setTimeout> | undefined;
   let display: DisplayRequest | undefined;
 
   const send = (request: Exact<StreamRequest>): boolean => {
@@ -77,9 +81,26 @@ export function openStream(url: string, handlers: StreamHandlers): Stream {
     }
   };
 
+  const lose = () => {
+    if (closed) return;
+    handlers.onConnection("lost");
+    again = setTimeout(connect, reconnectDelay(attempt++));
+  };
+
   const connect = () => {
+    again = undefined;
     handlers.onConnection("connecting");
-    const opened = new WebSocket(url);
+    try {
+      const at = url();
+      if (typeof at === "string") connectTo(at);
+      else at.then((given) => closed || connectTo(given), lose);
+    } catch {
+      lose();
+    }
+  };
+
+  const connectTo = (address: string) => {
+    const opened = new WebSocket(address);
     socket = opened;
     opened.onopen = () => {
       attempt = 0;
@@ -88,11 +109,7 @@ export function openStream(url: string, handlers: StreamHandlers): Stream {
       handlers.onConnection("open");
     };
     opened.onmessage = (event: MessageEvent<unknown>) => [JSON.parse(String(event.data)) as unknown].flat().forEach(receive);
-    opened.onclose = () => {
-      if (closed) return;
-      handlers.onConnection("lost");
-      setTimeout(connect, reconnectDelay(attempt++));
-    };
+    opened.onclose = lose;
   };
   connect();
 
@@ -111,6 +128,11 @@ export function openStream(url: string, handlers: StreamHandlers): Stream {
       send(display);
     },
     send,
+    retry() {
+      if (again === undefined) return;
+      clearTimeout(again);
+      connect();
+    },
     close() {
       closed = true;
       socket?.close();

@@ -3,7 +3,7 @@ import { useEffect, useState } from "react";
 import type { Body } from "../../generated/messages";
 import { loadInAttempts } from "../../shared/cell/attempts";
 import { cellUnavailable } from "../../shared/session/session";
-import { api, useSession } from "../client";
+import { access, api, useSession } from "../client";
 import type { RobotModel } from "./CellScene";
 import { messageOf } from "../../shared/messageOf";
 
@@ -13,7 +13,7 @@ export interface World {
 }
 
 async function textOf(file: string): Promise<string> {
-  const answer = await fetch(api.cellFile(file));
+  const answer = await access.fetch(api.cellFile(file));
   if (!answer.ok) throw new Error(`${file}: status ${answer.status}`);
   return answer.text();
 }

@@ -14,6 +14,7 @@ import { showHelp } from "../help/help";
 import { ThemeButton } from "../theme/ThemeButton";
 import { LoadRun } from "../documents/LoadRun";
 import { openRun, showRuns } from "../runs/actions";
+import { AccountButton } from "../login/AccountButton";
 import { Icon } from "./Icon";
 import { counted } from "../../shared/counted";
 
@@ -46,6 +47,7 @@ export function TopBar() {
       </button>
       <PageTabs />
       <ConnectionLight />
+      <AccountButton />
       <ThemeButton />
       <GuideButton />
       <HelpButton />

@@ -1,5 +1,6 @@
 // Answers the question of a display from the expert page, which is a display for as long as that takes.
-import { openStream, streamUrl, type Stream } from "../../shared/stream";
+import { openStream, type Stream } from "../../shared/stream";
+import { ownStream } from "../client";
 import { giving } from "../../shared/display/giving";
 import { ownDisplayFor } from "../../shared/run/displayCalls";
 import type { PersonWait } from "../../shared/run/waitingForPerson";
@@ -14,7 +15,7 @@ export function giveAnswer({ question, display }: Pick<PersonWait, "question" | 
   let sent: number | undefined;
   const given = new Promise<void>((resolve, reject) => {
     timer = setTimeout(() => reject(new Error("the server has not taken the answer")), kMostTime);
-    stream = openStream(streamUrl(location), {
+    stream = openStream(ownStream, {
       onConnection: () => undefined,
       onMalformed: reject,
       onUpdate: (update) => {

@@ -1,6 +1,6 @@
 // This page as a display, once a person wants that: what a task shows is shown by its bars, and a question is answered there.
-import { openStream, streamUrl, type Stream } from "../../shared/stream";
-import { problem } from "../client";
+import { openStream, type Stream } from "../../shared/stream";
+import { ownStream, problem } from "../client";
 import { createStore, useSelected } from "../store";
 
 /** The names of the displays that this page is. */
@@ -12,7 +12,7 @@ const streams = new Map<string, Stream>();
 /** Makes the page this display until it is closed, or says that it is none any more. */
 export function becomeDisplay(name: string): void {
   if (streams.has(name)) return;
-  const stream = openStream(streamUrl(location), {
+  const stream = openStream(ownStream, {
     onConnection: () => undefined,
     onMalformed: problem,
     onUpdate: (update) => {

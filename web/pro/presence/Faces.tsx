@@ -2,6 +2,7 @@
 import { useState, type KeyboardEvent } from "react";
 import { initialsOf, kMaxName, nameFrom } from "../../shared/presence/names";
 import { selfOf } from "../../shared/presence/people";
+import { useLogin } from "../client";
 import { goToPerson } from "./goTo";
 import { useOthers, type Other } from "./others";
 import { chooseName, useOwnName } from "./ownName";
@@ -46,6 +47,13 @@ function OwnFace() {
   const { name, chosen } = useOwnName();
   const colour = usePeople((people) => selfOf(people)?.colour);
   const [asked, ask] = useState(false);
+  const account = useLogin((login) => login.me?.name);
+  if (account !== undefined)
+    return (
+      <span className={`face is-own${colour === undefined ? "" : ` person-${colour}`}`} role="img" aria-label={`You are ${account}`} title={`You are ${account}`}>
+        {initialsOf(account)}
+      </span>
+    );
   if (asked || !chosen) return <OwnName name={name} focused={asked} onDone={() => ask(false)} />;
   return (
     <button type="button" className={`face is-own${colour === undefined ? "" : ` person-${colour}`}`} aria-label={`You are ${name}: change your name`} title={`You are ${name}. Click to change your name`} onClick={() => ask(true)}>

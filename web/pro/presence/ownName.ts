@@ -1,5 +1,6 @@
 // The name of the person at this browser: asked once, kept in local storage. Where that is refused, it lasts as long as the page.
 import { guestName } from "../../shared/presence/names";
+import { login } from "../client";
 import { createStore, useSelected } from "../store";
 
 const kKey = "race.name";
@@ -37,6 +38,12 @@ function first(): OwnName {
 }
 
 const own = createStore<OwnName, string>(first(), (_, name) => ({ name, chosen: true }));
+
+/** Of an account, its name: the server takes no other. */
+login.listen(() => {
+  const name = login.get().me?.name;
+  if (name !== undefined && name !== own.get().name) own.dispatch(name);
+});
 
 export const ownName = (): string => own.get().name;
 export const useOwnName = (): OwnName => useSelected(own, (name) => name);

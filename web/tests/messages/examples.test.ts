@@ -17,6 +17,18 @@ const by = <T>(validator: Validator<T>) => (value: unknown): T => check(validato
 
 /** How the pages read a message, by its schema. */
 const readers: Readonly<Record<string, (value: unknown) => unknown>> = {
+  account: by(schema.account),
+  account_removed: by(schema.accountRemoved),
+  account_tokens: by(schema.accountTokens),
+  accounts: by(schema.accounts),
+  audit: by(schema.audit),
+  empty: by(schema.empty),
+  login_answer: by(schema.loginAnswer),
+  me: by(schema.me),
+  rights: by(schema.rights),
+  ticket: by(schema.ticket),
+  token_created: by(schema.tokenCreated),
+  token_removed: by(schema.tokenRemoved),
   accepted_edit: by(schema.acceptedEdit),
   cell_pose: by(schema.cellPose),
   core: by(schema.core),
@@ -46,6 +58,7 @@ const readers: Readonly<Record<string, (value: unknown) => unknown>> = {
 
 /** Messages that the pages write, and messages between other programs. */
 const unread = new Set([
+  "account_change", "account_create", "login", "password_change", "token_create",
   "backup", "backups", "boot", "breakpoints", "checkpoint", "component_message", "component_request",
   "cell_reset", "core_create", "core_load", "core_start", "document_branch", "document_entry", "document_restore", "edit_request",
   "operator", "person_command", "revisions", "run_file",

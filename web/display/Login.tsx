@@ -1,0 +1,41 @@
+// The login of a display: large, for a phone.
+import { useState, type SubmitEvent } from "react";
+import { messageOf } from "../shared/messageOf";
+
+interface Props {
+  /** Throws what is in the way. */
+  readonly logIn: (name: string, password: string) => Promise<void>;
+}
+
+export function Login({ logIn }: Props) {
+  const [name, setName] = useState("");
+  const [password, setPassword] = useState("");
+  const [reason, setReason] = useState<string>();
+  const [busy, setBusy] = useState(false);
+  const enter = async (event: SubmitEvent) => {
+    event.preventDefault();
+    setBusy(true);
+    setReason(undefined);
+    try {
+      await logIn(name.trim(), password);
+    } catch (error) {
+      setReason(messageOf(error));
+      setBusy(false);
+    }
+  };
+  return (
+    <form className="display login" aria-label="Log in" onSubmit={(event) => void enter(event)}>
+      <h1>Log in to RACE</h1>
+      <input aria-label="Name" placeholder="Name" autoComplete="username" autoCapitalize="none" spellCheck={false} maxLength={40} value={name} onChange={(event) => setName(event.target.value)} />
+      <input aria-label="Password" placeholder="Password" type="password" autoComplete="current-password" value={password} onChange={(event) => setPassword(event.target.value)} />
+      {reason !== undefined && (
+        <p className="notice is-bad" role="alert">
+          {reason}
+        </p>
+      )}
+      <button type="submit" className="choice" disabled={busy || name.trim() === "" || password === ""}>
+        Log in
+      </button>
+    </form>
+  );
+}

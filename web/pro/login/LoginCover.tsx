@@ -1,0 +1,61 @@
+// The login, over the page: what was edited and looked at stays below it, and goes on when somebody has logged in.
+import { useEffect, useRef, useState, type SubmitEvent } from "react";
+import { LoginError } from "../../shared/login/access";
+import { messageOf } from "../../shared/messageOf";
+import { access, reconnect, useLogin } from "../client";
+
+export function LoginCover() {
+  const asked = useLogin((login) => login.asked);
+  return asked ? <Login /> : null;
+}
+
+const reasonOf = (error: unknown): string => (error instanceof LoginError && error.wait !== undefined ? `Too many logins have failed. Try again in ${error.wait} s.` : messageOf(error));
+
+function Login() {
+  const dialog = useRef<HTMLDialogElement>(null);
+  const [name, setName] = useState("");
+  const [password, setPassword] = useState("");
+  const [reason, setReason] = useState<string>();
+  const [busy, setBusy] = useState(false);
+  useEffect(() => dialog.current?.showModal(), []);
+
+  const enter = async (event: SubmitEvent) => {
+    event.preventDefault();
+    setBusy(true);
+    setReason(undefined);
+    try {
+      await access.logIn(name.trim(), password);
+      reconnect();
+    } catch (error) {
+      setReason(reasonOf(error));
+      setPassword("");
+    } finally {
+      setBusy(false);
+    }
+  };
+
+  return (
+    <dialog ref={dialog} className="login" aria-labelledby="login-title" onCancel={(event) => event.preventDefault()}>
+      <form onSubmit={(event) => void enter(event)}>
+        <h2 id="login-title">Log in to RACE</h2>
+        <label>
+          <span>Name</span>
+          <input autoFocus autoComplete="username" autoCapitalize="none" spellCheck={false} required maxLength={40} value={name} onChange={(event) => setName(event.target.value)} />
+        </label>
+        <label>
+          <span>Password</span>
+          <input type="password" autoComplete="current-password" required value={password} onChange={(event) => setPassword(event.target.value)} />
+        </label>
+        {reason !== undefined && (
+          <p className="bad" role="alert">
+            {reason}
+          </p>
+        )}
+        <button type="submit" className="is-main" disabled={busy || name.trim() === "" || password === ""}>
+          {busy ? "Checking…" : "Log in"}
+        </button>
+        <p className="quiet">Accounts are made by an admin of this server.</p>
+      </form>
+    </dialog>
+  );
+}

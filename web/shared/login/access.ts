@@ -1,0 +1,102 @@
+// Access: who uses the page. Its requests have the token of the account; when the server knows nobody by it, the page asks for a login.
+import type { LoginAnswer, Me, Ticket } from "../../generated/messages";
+import * as schema from "../../generated/validators";
+import { check } from "../messages/check";
+import type { TokenStore } from "./tokens";
+
+export interface Access {
+  /** Who it is; nothing: not known yet. */
+  readonly me?: Me;
+  /** The server wants a login: nothing else of it is answered. */
+  readonly asked: boolean;
+}
+
+export interface AccessOptions {
+  /** "/api/v1" */
+  readonly base: string;
+  readonly fetcher: typeof fetch;
+  readonly tokens: TokenStore;
+  readonly onChange: (access: Access) => void;
+}
+
+/** The login was not accepted: why, and when to try again [s]. */
+export class LoginError extends Error {
+  constructor(
+    message: string,
+    readonly wait?: number,
+  ) {
+    super(message);
+    this.name = "LoginError";
+  }
+}
+
+const kJson = { "content-type": "application/json" };
+
+export function createAccess({ base, fetcher, tokens, onChange }: AccessOptions) {
+  let access: Access = { asked: false };
+  const change = (next: Partial<Access>): void => {
+    access = { ...access, ...next };
+    onChange(access);
+  };
+
+  const authorized: typeof fetch = async (input, init) => {
+    const token = tokens.read();
+    const headers = new Headers(init?.headers);
+    if (token !== undefined) headers.set("authorization", `Bearer ${token}`);
+    const answer = await fetcher(input, { ...init, headers });
+    if (answer.status === 401) change({ asked: true });
+    return answer;
+  };
+
+  async function ask(): Promise<void> {
+    const answer = await authorized(`${base}/me`, { method: "GET" });
+    if (!answer.ok) return;
+    const me = check(schema.me, await answer.json());
+    if (!me.accounts) tokens.write(undefined);
+    change({ me, asked: me.role === undefined });
+  }
+
+  async function ticket(): Promise<Ticket> {
+    const answer = await authorized(`${base}/tickets`, { method: "POST" });
+    if (!answer.ok) throw new Error(`the server gives no ticket: status ${answer.status}`);
+    return check(schema.ticket, await answer.json());
+  }
+
+  return {
+    get: (): Access => access,
+    fetch: authorized,
+    /** Asks the server who this is. */
+    ask,
+    /** The address of a stream for this account, once it is known whether the server wants a login. Rejects if it does, or there is no server. */
+    async streamUrl(url: string): Promise<string> {
+      if (access.me === undefined) await ask();
+      if (access.asked) throw new Error("the server wants a login");
+      return tokens.read() === undefined ? url : `${url}?ticket=${encodeURIComponent((await ticket()).ticket)}`;
+    },
+    /** Throws a LoginError. */
+    async logIn(name: string, password: string): Promise<void> {
+      const answer = await fetcher(`${base}/login`, { method: "POST", headers: kJson, body: JSON.stringify({ name, password }) });
+      const data: unknown = await answer.json();
+      if (!answer.ok) {
+        const [first] = check(schema.problem, data).errors;
+        const wait = answer.headers.get("retry-after");
+        throw new LoginError(first?.message ?? `status ${answer.status}`, wait === null ? undefined : Number(wait));
+      }
+      const login: LoginAnswer = check(schema.loginAnswer, data);
+      tokens.write(login.token);
+      const { name: known, role } = login.account;
+      change({ me: { accounts: true, name: known, role }, asked: false });
+    },
+    /** Ends the token, also if the server cannot be told. */
+    async logOut(): Promise<void> {
+      try {
+        await authorized(`${base}/logout`, { method: "POST" });
+      } finally {
+        tokens.write(undefined);
+        change({ me: { accounts: true }, asked: true });
+      }
+    },
+  };
+}
+
+export type AccessControl = ReturnType<typeof createAccess>;
