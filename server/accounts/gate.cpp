@@ -37,7 +37,9 @@ Expected<void> check_message(const Identity& identity, std::string_view type) {
 }
 
 Expected<void> check_channel(const Identity& identity, std::string_view name) {
-  return check(identity, name, Rights::table().of_channel(name));
+  const auto right = Rights::table().of_channel(name);
+  if (!right) return unexpected(ErrorCode::not_found, "there is no channel of this name", std::string(name));
+  return check(identity, name, right);
 }
 
 Expected<std::string> author_for(const Identity& identity, std::string author) {

@@ -23,7 +23,8 @@ struct Denial {
   std::string message;
 };
 
-/// Whether this identity may send a message of this type, or subscribe to the channel of this name. Error `rights`.
+/// Whether this identity may send a message of this type, or subscribe to the channel of this name. Errors:
+/// `rights`; `not_found`: no channel has a row for that.
 Expected<void> check_message(const Identity& identity, std::string_view type);
 Expected<void> check_channel(const Identity& identity, std::string_view name);
 /// The author of a change, of which its maker says that it is `author`: their account, or one of their pages,

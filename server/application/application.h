@@ -27,6 +27,7 @@
 #include "server/editing/editing.h"
 #include "server/editing/presence_channels.h"
 #include "server/execution/live_edits.h"
+#include "server/handlers/authority_certificate.h"
 #include "server/handlers/idempotency.h"
 #include "server/handlers/routes.h"
 #include "server/http/listener.h"
@@ -70,6 +71,14 @@ class Application {
 
   /// What the sockets serve; the application outlives it.
   Backend make_backend();
+  /// Whether anybody has an account.
+  bool has_accounts() const { return !accounts_->empty(); }
+  /// The authority that has signed for this server, whose certificate clients may have (GET /api/v1/authority); before
+  /// the sockets begin.
+  void set_authority(std::string certificate, std::string fingerprint) {
+    authority_ = {std::move(certificate), std::move(fingerprint)};
+  }
+  const std::string& authority_fingerprint() const { return authority_.fingerprint; }
   /// The replay that is done ends soon, and none begins any more: the sockets end.
   void stop_replays() { replays_.stop(); }
 
@@ -104,6 +113,7 @@ class Application {
   Tickets tickets_;
   std::optional<Gate> gate_;
   std::unique_ptr<Access> access_;
+  AuthorityCertificate authority_;
   std::unique_ptr<Documents> documents_;
   std::unique_ptr<Backups> backups_;
   std::unique_ptr<Runs> runs_;

@@ -17,6 +17,8 @@
 #include "server/commands/settings.h"
 #include "server/http/listener.h"
 #include "server/log/line_log.h"
+#include "server/tls/authority.h"
+#include "server/tls/network_names.h"
 #include "server/wire/calendar.h"
 #include "server/wire/version.h"
 
@@ -84,6 +86,39 @@ Application::Setup setup_of(const Settings& settings) {
   return setup;
 }
 
+// The network, with a certificate for this machine as it is known there. Errors: `not_accepted` (there is no account),
+// `not_found` (the machine is in no private network), those of Authority.
+Expected<HttpServer::Place> network_place(const Settings& settings, Application& app) {
+  if (!app.has_accounts())
+    return unexpected(
+        ErrorCode::not_accepted,
+        "a server in a network needs accounts: race account add NAME --role admin --data " + settings.data, "--lan");
+  const std::vector<std::string> names = network_names();
+  if (names.empty()) return unexpected(ErrorCode::not_found, "this machine is in no private network", "--lan");
+  const std::int64_t now = now_ms() / 1000;
+  ASSIGN_OR_RETURN(const Authority authority, Authority::open(fs::path(settings.data) / "tls", now));
+  ASSIGN_OR_RETURN(ServerCertificate certificate, authority.certificate_for(names, now));
+  app.set_authority(authority.certificate(), authority.fingerprint());
+  return HttpServer::Place{"::", static_cast<std::uint16_t>(settings.lan_port),
+                           HttpServer::Place::Tls{names, std::move(certificate.chain), std::move(certificate.key)}};
+}
+
+Expected<std::vector<HttpServer::Place>> places_of(const Settings& settings, Application& app) {
+  std::vector<HttpServer::Place> places = {{.port = static_cast<std::uint16_t>(settings.port)}};
+  if (!settings.lan) return places;
+  ASSIGN_OR_RETURN(HttpServer::Place network, network_place(settings, app));
+  places.push_back(std::move(network));
+  return places;
+}
+
+void tell_network(const HttpServer::Place::Tls& tls, std::uint16_t port, const Application& app, LineLog& log) {
+  for (const std::string& name : tls.names) {
+    const std::string host = name.find(':') == std::string::npos ? name : '[' + name + ']';
+    log.write(LogLevel::info, "server", "serves the network at https://" + host + ':' + std::to_string(port));
+  }
+  log.write(LogLevel::info, "server", "its authority, by SHA-256: " + app.authority_fingerprint());
+}
+
 int serve(Options& options, const Arguments& arguments) {
   if (options.check_config && !options.config)
     return refuse(Error{ErrorCode::missing, "there is no configuration to check", "--config"});
@@ -103,15 +138,18 @@ int serve(Options& options, const Arguments& arguments) {
   setup.lines = &log;
   auto app = Application::create(setup);
   if (!app) return refuse(app.error());
+  const auto places = places_of(settings, **app);
+  if (!places) return refuse(places.error());
   // Without clients, no pages; the interface is there all the same.
   const std::string web = settings.headless ? "" : settings.web;
-  auto server = HttpServer::listen(static_cast<std::uint16_t>(settings.port), web, (*app)->make_backend());
+  auto server = HttpServer::listen(*places, web, (*app)->make_backend(), HttpServer::Limits());
   if (!server) return refuse(server.error());
   const std::string address = "http://127.0.0.1:" + std::to_string((*server)->port());
   std::printf("race listens on %s\n", address.c_str());
   std::fflush(stdout);
   log.write(LogLevel::info, "server",
             "race " + std::string(version()) + " listens on " + address + ", data in " + settings.data);
+  if (places->size() > 1) tell_network(*places->back().tls, (*server)->port(1), **app, log);
   (*server)->run();
   (*app)->stop_replays();
   log.write(LogLevel::info, "server", "ends");

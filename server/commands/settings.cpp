@@ -22,6 +22,8 @@ std::vector<Setting> make_table() {
   using S = Settings;
   return {
       {"port", "N", "0: any that is free", Setting::Number{&S::port, {0, 65535, true}}},
+      {"lan", "", "also serves the local network, over TLS; needs accounts (race account)", Setting::Flag{&S::lan}},
+      {"lan_port", "N", "of --lan; 0: any that is free", Setting::Number{&S::lan_port, {0, 65535, true}}},
       {"data", "DIR", "where documents and values are kept", Setting::Text{&S::data}},
       {"demo", "DIR", "the cell and its tasks; without, there is no robot", Setting::Text{&S::demo}},
       {"web", "DIR", "the pages; without, the interface alone", Setting::Text{&S::web}},

@@ -21,8 +21,8 @@ struct Settings {
   std::string data = "data", demo, web, log_level = "info";
   std::vector<std::string> remote;  // names of component groups
   std::optional<std::string> operator_script;
-  double port = 8080, heartbeat_s = 1, keep_runs = 1000, keep_mb = 1024;
-  bool headless = false;
+  double port = 8080, heartbeat_s = 1, keep_runs = 1000, keep_mb = 1024, lan_port = 8443;
+  bool headless = false, lan = false;
 };
 
 /// A setting: its key is `keep_runs`, its option `--keep-runs`.

@@ -13,7 +13,7 @@ constexpr std::int64_t kDay = std::int64_t{24} * 60 * 60 * 1000;
 
 }  // namespace
 
-Handled list_tokens(const Request& request, Accounts& accounts) {
+Handled list_account_tokens(const Request& request, Accounts& accounts) {
   const std::string& name = request.parameters.at("name");
   if (!accounts.find(name)) return failed({ErrorCode::not_found, "there is no account of this name", name});
   List list;
@@ -21,7 +21,7 @@ Handled list_tokens(const Request& request, Accounts& accounts) {
   return ok(Dict{{"tokens", std::move(list)}});
 }
 
-Handled create_token(const Request& request, Accounts& accounts) {
+Handled create_account_token(const Request& request, Accounts& accounts) {
   const auto body = parse_json(request.body);
   if (!body) return failed(body.error());
   std::vector<Error> errors;
@@ -42,7 +42,7 @@ Handled create_token(const Request& request, Accounts& accounts) {
   return reply;
 }
 
-Handled revoke_token(const Request& request, Accounts& accounts) {
+Handled revoke_account_token(const Request& request, Accounts& accounts) {
   const std::string& digest = request.parameters.at("digest");
   if (auto revoked = accounts.revoke(request.parameters.at("name"), digest); !revoked)
     return failed(std::move(revoked).error());

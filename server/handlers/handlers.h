@@ -17,6 +17,7 @@
 namespace race::server {
 
 class Accounts;
+struct AuthorityCertificate;
 class Attempts;
 class AuditLog;
 class Backups;
@@ -54,9 +55,10 @@ Handled list_accounts(const Request& request, Accounts& accounts);
 void create_account(const Request& request, Respond respond, Accounts& accounts, Passwords& passwords);
 void change_account(const Request& request, Respond respond, Accounts& accounts, Passwords& passwords);
 Handled remove_account(const Request& request, Accounts& accounts);
-Handled list_tokens(const Request& request, Accounts& accounts);
-Handled create_token(const Request& request, Accounts& accounts);
-Handled revoke_token(const Request& request, Accounts& accounts);
+Handled list_account_tokens(const Request& request, Accounts& accounts);
+Handled create_account_token(const Request& request, Accounts& accounts);
+Handled revoke_account_token(const Request& request, Accounts& accounts);
+Handled get_authority(const Request& request, AuthorityCertificate& authority);
 Handled get_audit(const Request& request, AuditLog& audit);
 Handled get_rules(const Request& request);
 Handled list_documents(const Request& request, Documents& documents);

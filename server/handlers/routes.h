@@ -15,9 +15,10 @@ namespace race::server {
 class EventLog;
 
 /// What handlers use; each gets those that are its parameters. The pool is that of restores.
-using Resources = std::tuple<Documents&, DocumentBreakpoints&, Editing&, BootList&, Backups&, Runs&, Samples&,
-                             Pictures&, Cores&, LiveEdits&, Worker&, Deadlines&, Pool&, Cell&, EventLog&,
-                             IdempotentAnswers&, Accounts&, Passwords&, Attempts&, Tickets&, AuditLog&>;
+using Resources =
+    std::tuple<Documents&, DocumentBreakpoints&, Editing&, BootList&, Backups&, Runs&, Samples&, Pictures&, Cores&,
+               LiveEdits&, Worker&, Deadlines&, Pool&, Cell&, EventLog&, IdempotentAnswers&, Accounts&, Passwords&,
+               Attempts&, Tickets&, AuditLog&, AuthorityCertificate&>;
 
 struct Route {
   std::string_view method;

@@ -47,10 +47,10 @@ struct AwaitedReply {
 
 // Says that a client has gone when it closes its half of the connection. One that sends its next request already is not
 // watched any more.
-void watch_client(tcp::socket& socket, const std::shared_ptr<AwaitedReply>& awaited, const SharedStop& gone) {
-  socket.async_wait(tcp::socket::wait_read, [&socket, weak = std::weak_ptr(awaited), gone](error_code error) {
+void watch_client(NetStream& stream, const std::shared_ptr<AwaitedReply>& awaited, const SharedStop& gone) {
+  stream.socket().async_wait(tcp::socket::wait_read, [&stream, weak = std::weak_ptr(awaited), gone](error_code error) {
     if (error || weak.expired()) return;
-    if (socket.available(error) == 0) *gone = true;
+    if (stream.is_ended()) *gone = true;
   });
 }
 
@@ -70,10 +70,10 @@ void post_to(Pool& handlers, Request request, const std::shared_ptr<AwaitedReply
 
 }  // namespace
 
-awaitable<Answered> reply_to(Request request, beast::tcp_stream& stream, Pool& handlers, Context& context) {
+awaitable<Answered> reply_to(Request request, NetStream& stream, Pool& handlers, Context& context) {
   const asio::any_io_executor executor = co_await asio::this_coro::executor;
   const auto awaited = std::make_shared<AwaitedReply>(executor);
-  watch_client(stream.socket(), awaited, request.gone);
+  watch_client(stream, awaited, request.gone);
   post_to(handlers, std::move(request), awaited, context);
   co_await awaited->arrived.async_wait(kAsTuple);
   error_code ignored;

@@ -19,6 +19,6 @@ struct Answered {
 
 /// Has the request answered by `handlers`, there or later, and goes on here with the reply. `Request::gone` is set when
 /// the client closes the connection, or its half of it, before.
-awaitable<Answered> reply_to(Request request, beast::tcp_stream& stream, Pool& handlers, Context& context);
+awaitable<Answered> reply_to(Request request, NetStream& stream, Pool& handlers, Context& context);
 
 }  // namespace race::server

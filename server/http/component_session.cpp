@@ -15,8 +15,7 @@ constexpr std::chrono::seconds kHelloTimeout{5};  // for a process to say who it
 // One process of components. Held by its coroutines.
 class ComponentSession final : public Session {
  public:
-  ComponentSession(beast::tcp_stream stream, Identity identity, const ComponentTargets& targets,
-                   ByteBudget::Share unknown)
+  ComponentSession(NetStream stream, Identity identity, const ComponentTargets& targets, ByteBudget::Share unknown)
       : Session(std::move(stream)),
         identity_(std::move(identity)),
         records_(targets.records),
@@ -173,7 +172,7 @@ class ComponentSession final : public Session {
 
 }  // namespace
 
-awaitable<void> serve_components(beast::tcp_stream stream, Upgrade request, Identity identity, ComponentTargets targets,
+awaitable<void> serve_components(NetStream stream, Upgrade request, Identity identity, ComponentTargets targets,
                                  Connections::Place& place, ByteBudget::Share unknown) {
   auto session =
       std::make_shared<ComponentSession>(std::move(stream), std::move(identity), targets, std::move(unknown));

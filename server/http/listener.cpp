@@ -1,6 +1,7 @@
 // The sockets. Coroutines of one thread; the strands of the rest never block it.
 #include "server/http/listener.h"
 
+#include <boost/asio/ssl.hpp>
 #include <chrono>
 
 #include "server/http/serving.h"
@@ -15,26 +16,66 @@ using namespace std::chrono_literals;
 
 constexpr auto kEndTimeout = 500ms;  // for what is under way when the server ends
 
-void admit(tcp::socket socket, Context& context) {
+// TLS 1.2 and later with the ciphers of OpenSSL's default, without renegotiation and compression. Empty: the
+// certificate is none, or not of the key.
+std::shared_ptr<asio::ssl::context> make_tls(const std::string& chain, const std::string& key) {
+  auto tls = std::make_shared<asio::ssl::context>(asio::ssl::context::tls_server);
+  error_code failed;
+  tls->set_options(asio::ssl::context::default_workarounds | asio::ssl::context::no_tlsv1 |
+                       asio::ssl::context::no_tlsv1_1 | asio::ssl::context::no_compression,
+                   failed);
+  SSL_CTX_set_options(tls->native_handle(), SSL_OP_NO_RENEGOTIATION);
+  SSL_CTX_set_mode(tls->native_handle(), SSL_MODE_RELEASE_BUFFERS);  // of connections that are idle
+  if (!failed) tls->use_certificate_chain(asio::buffer(chain), failed);
+  if (!failed) tls->use_private_key(asio::buffer(key), asio::ssl::context::pem, failed);
+  if (failed || SSL_CTX_check_private_key(tls->native_handle()) != 1) return nullptr;
+  return tls;
+}
+
+NetStream stream_of(tcp::socket socket, const Endpoint& endpoint) {
+  return endpoint.tls ? NetStream(std::move(socket), *endpoint.tls) : NetStream(std::move(socket));
+}
+
+// Of a client by IPv4 on a place of both, the IPv4 address.
+std::string text_of(const asio::ip::address& address) {
+  if (!address.is_v6() || !address.to_v6().is_v4_mapped()) return address.to_string();
+  return asio::ip::make_address_v4(asio::ip::v4_mapped, address.to_v6()).to_string();
+}
+
+// `address` "::" is of IPv4, too; without IPv6, of that alone.
+void listen_at(tcp::acceptor& acceptor, const std::string& address, std::uint16_t port) {
+  const bool is_all = address == "::";
+  const tcp::endpoint endpoint(asio::ip::make_address(address), port);
+  error_code no_ipv6;
+  acceptor.open(endpoint.protocol(), no_ipv6);
+  if (no_ipv6 && is_all) return listen_at(acceptor, "0.0.0.0", port);
+  if (no_ipv6) throw boost::system::system_error(no_ipv6);
+  acceptor.set_option(tcp::acceptor::reuse_address(true));
+  if (is_all) acceptor.set_option(asio::ip::v6_only(false));
+  acceptor.bind(endpoint);
+  acceptor.listen();
+}
+
+void admit(tcp::socket socket, const Endpoint& endpoint, Context& context) {
   error_code gone;
   const tcp::endpoint address = socket.remote_endpoint(gone);
   if (gone) return;
   socket.set_option(tcp::no_delay(true), gone);
   const asio::any_io_executor executor = socket.get_executor();
-  auto client = std::make_unique<Client>(std::move(socket), address.address().to_string());
+  auto client = std::make_unique<Client>(stream_of(std::move(socket), endpoint), text_of(address.address()), endpoint);
   client->place = context.connections.admit(client->address, [raw = client.get()] { raw->stream.close(); });
   if (!client->place) return;
   asio::co_spawn(executor, serve(std::move(client), context), asio::detached);
 }
 
 // Until the acceptor is closed. Whoever it cannot serve, it goes on.
-awaitable<void> accept(tcp::acceptor& acceptor, Context& context) {
+awaitable<void> accept(tcp::acceptor& acceptor, const Endpoint& endpoint, Context& context) {
   while (acceptor.is_open()) {
     bool failed = false;
     try {
       auto [error, socket] = co_await acceptor.async_accept(kAsTuple);
       failed = static_cast<bool>(error);
-      if (!failed) admit(std::move(socket), context);
+      if (!failed) admit(std::move(socket), endpoint, context);
     } catch (...) {
       services::report_failure("a new connection");
       failed = true;
@@ -51,11 +92,9 @@ struct HttpServer::Sockets {
   Sockets(std::string its_web, Backend backend, const Limits& limits)
       : connections(limits.connections),
         budget(limits.held_bytes),
-        acceptor(io),
         handlers(std::make_unique<Pool>(4, 0, "requests")),
         urgent(std::make_unique<Pool>(1, 0, "urgent")),
-        context{RequestFilter(0),
-                std::move(its_web),
+        context{std::move(its_web),
                 std::move(backend),
                 *handlers,
                 *urgent,
@@ -78,11 +117,30 @@ struct HttpServer::Sockets {
   void end() {
     if (std::exchange(context.ending, true)) return;
     error_code ignored;
-    acceptor.close(ignored);
+    for (const auto& place : places) place->acceptor.close(ignored);
     connections.end_all();
     if (connections.empty()) return io.stop();
     end_timer.expires_after(kEndTimeout);
     end_timer.async_wait([this](error_code) { io.stop(); });
+  }
+
+  Expected<void> open(const Place& wanted) {
+    const std::string name = wanted.address + ':' + std::to_string(wanted.port);
+    auto place = std::make_unique<ListeningPlace>(io);
+    try {
+      listen_at(place->acceptor, wanted.address, wanted.port);
+    } catch (const boost::system::system_error& failure) {
+      return unexpected(ErrorCode::io, failure.code().message(), name);
+    }
+    place->port = place->acceptor.local_endpoint().port();
+    place->endpoint.filter = RequestFilter(place->port);
+    if (wanted.tls) {
+      place->endpoint.filter = RequestFilter(wanted.tls->names, place->port);
+      place->endpoint.tls = make_tls(wanted.tls->chain, wanted.tls->key);
+      if (!place->endpoint.tls) return unexpected(ErrorCode::not_accepted, "the certificate is not of its key", name);
+    }
+    places.push_back(std::move(place));
+    return {};
   }
 
   Connections connections;  // they outlive the coroutines, which end with `io`
@@ -90,8 +148,13 @@ struct HttpServer::Sockets {
   asio::io_context io{1};
   asio::signal_set signals{io, SIGINT, SIGTERM};  // from here on: one that comes before run() ends it, too
   asio::steady_timer end_timer{io};
-  tcp::acceptor acceptor;
-  std::uint16_t port = 0;
+  struct ListeningPlace {
+    explicit ListeningPlace(asio::io_context& io) : acceptor(io) {}
+    tcp::acceptor acceptor;
+    std::uint16_t port = 0;
+    Endpoint endpoint{RequestFilter(0), nullptr};
+  };
+  std::vector<std::unique_ptr<ListeningPlace>> places;  // coroutines refer to them
   std::unique_ptr<Pool> handlers, urgent;
   Context context;
 };
@@ -99,30 +162,22 @@ struct HttpServer::Sockets {
 HttpServer::HttpServer(std::unique_ptr<Sockets> sockets) : sockets_(std::move(sockets)) {}
 HttpServer::~HttpServer() = default;
 
-Expected<std::unique_ptr<HttpServer>> HttpServer::listen(std::uint16_t port, std::string web, Backend backend,
-                                                         const Limits& limits) {
+Expected<std::unique_ptr<HttpServer>> HttpServer::listen(const std::vector<Place>& places, std::string web,
+                                                         Backend backend, const Limits& limits) {
   auto sockets = std::make_unique<Sockets>(std::move(web), std::move(backend), limits);
-  const tcp::endpoint endpoint(asio::ip::address_v4::loopback(), port);
-  try {
-    sockets->acceptor.open(endpoint.protocol());
-    sockets->acceptor.set_option(tcp::acceptor::reuse_address(true));
-    sockets->acceptor.bind(endpoint);
-    sockets->acceptor.listen();
-  } catch (const boost::system::system_error& failure) {
-    return unexpected(ErrorCode::io, failure.code().message(), "127.0.0.1:" + std::to_string(port));
-  }
-  sockets->port = sockets->acceptor.local_endpoint().port();
-  sockets->context.filter = RequestFilter(sockets->port);
+  for (const Place& place : places)
+    if (auto open = sockets->open(place); !open) return tl::unexpected(std::move(open).error());
   return std::unique_ptr<HttpServer>(new HttpServer(std::move(sockets)));
 }
 
-std::uint16_t HttpServer::port() const { return sockets_->port; }
+std::uint16_t HttpServer::port(std::size_t place) const { return sockets_->places.at(place)->port; }
 
 void HttpServer::run() {
   services::shorten_time_slice();
   sockets_->context.urgent.post(services::shorten_time_slice);
   sockets_->signals.async_wait([this](error_code, int) { sockets_->end(); });
-  asio::co_spawn(sockets_->io, accept(sockets_->acceptor, sockets_->context), asio::detached);
+  for (const auto& place : sockets_->places)
+    asio::co_spawn(sockets_->io, accept(place->acceptor, place->endpoint, sockets_->context), asio::detached);
   // What throws there has ended a handler; the others go on.
   while (!services::run_reporting("the sockets", [this] { sockets_->io.run(); })) continue;
 }

@@ -1,5 +1,5 @@
-// HttpServer: the sockets of `race serve`: HTTP and the stream on one loopback port. What is done with a request is in
-// request_filter.h, static_files.h, stream/ and behind `Backend`.
+// HttpServer: the sockets of `race serve`: HTTP and the stream, on one loopback port, and over TLS for a network. What
+// is done with a request is in request_filter.h, static_files.h, stream/ and behind `Backend`.
 //
 // Threads: run() is the one that owns the sockets; handlers run on a pool of their own, and answer there or later.
 #pragma once
@@ -8,7 +8,9 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/value/expected.h"
 #include "server/http/answer.h"
@@ -51,16 +53,34 @@ class HttpServer {
     std::size_t held_bytes = std::size_t{64} << 20U;  // of bodies, answers and unknown processes (byte_budget.h)
   };
 
-  /// Listens on 127.0.0.1:`port` (0: any free one) and serves the files of `web`, if it is not empty, beside the
-  /// routes. Error `io`: the port cannot be had.
+  /// Where the server listens.
+  struct Place {
+    std::string address = "127.0.0.1";
+    std::uint16_t port = 0;  // 0: any free one
+    // TLS, as PEM, for these names and addresses of the server. Without, it is reached by this machine alone.
+    struct Tls {
+      std::vector<std::string> names;
+      std::string chain, key;
+    };
+    std::optional<Tls> tls = {};
+  };
+  /// Listens at all places, one at least, and serves the files of `web`, if it is not empty, beside the routes.
+  /// Requires that a place without TLS is of loopback. Errors, with the address and port as path: `io`: the port cannot
+  /// be had; `not_accepted`: no certificate, or not of its key.
+  static Expected<std::unique_ptr<HttpServer>> listen(const std::vector<Place>& places, std::string web,
+                                                      Backend backend, const Limits& limits);
+  /// On 127.0.0.1:`port`.
   static Expected<std::unique_ptr<HttpServer>> listen(std::uint16_t port, std::string web, Backend backend,
-                                                      const Limits& limits);
+                                                      const Limits& limits) {
+    return listen(std::vector<Place>{{.port = port}}, std::move(web), std::move(backend), limits);
+  }
   static Expected<std::unique_ptr<HttpServer>> listen(std::uint16_t port, std::string web, Backend backend) {
     return listen(port, std::move(web), std::move(backend), Limits());
   }
   ~HttpServer();
 
-  std::uint16_t port() const;
+  /// Of the place of this number, from 0.
+  std::uint16_t port(std::size_t place = 0) const;
   /// Serves until SIGINT, SIGTERM or stop(). Then nothing begins any more, WebSockets get a close frame, and what is
   /// being answered or said may end for half a second; requests that no handler has begun are dropped.
   void run();

@@ -35,15 +35,33 @@ std::optional<Reply> refuse_body(const Request& request) {
   return std::nullopt;
 }
 
+constexpr std::uint16_t kHttpPort = 80, kHttpsPort = 443;  // which browsers leave out
+
+// As a Host header has them.
+std::vector<std::string> hosts_of(const std::vector<std::string>& names, std::uint16_t port, std::uint16_t usual) {
+  std::vector<std::string> hosts;
+  for (const std::string& name : names) {
+    const bool is_ipv6 = name.find(':') != std::string::npos;
+    const std::string host = is_ipv6 ? '[' + lower(name) + ']' : lower(name);
+    hosts.push_back(host + ':' + std::to_string(port));
+    if (port == usual) hosts.push_back(host);
+  }
+  return hosts;
+}
+
+std::vector<std::string> origins_of(const std::string& scheme, const std::vector<std::string>& hosts) {
+  std::vector<std::string> origins;
+  for (const std::string& host : hosts) origins.push_back(scheme + "://" + host);
+  return origins;
+}
+
 }  // namespace
 
-RequestFilter::RequestFilter(std::uint16_t port) {
-  for (const char* name : {"localhost", "127.0.0.1", "[::1]"}) {
-    hosts.push_back(std::string(name) + ":" + std::to_string(port));
-    if (port == 80) hosts.emplace_back(name);
-  }
-  for (const std::string& host : hosts) origins.push_back("http://" + host);
-}
+RequestFilter::RequestFilter(std::uint16_t port)
+    : hosts(hosts_of({"localhost", "127.0.0.1", "::1"}, port, kHttpPort)), origins(origins_of("http", hosts)) {}
+
+RequestFilter::RequestFilter(const std::vector<std::string>& names, std::uint16_t port)
+    : hosts(hosts_of(names, port, kHttpsPort)), origins(origins_of("https", hosts)) {}
 
 std::optional<Reply> RequestFilter::refuse(const Request& request, bool upgrade) const {
   if (request.count("transfer-encoding") > 0)

@@ -16,15 +16,17 @@ struct RequestFilter {
   static constexpr std::uint64_t kRunFileBytes = 16 * 1024 * 1024;  // of the file of a run: POST /api/v1/runs
   static constexpr std::size_t kMessageBytes = 64 * 1024;           // of the stream, from a client
 
-  /// Loopback: localhost, 127.0.0.1 and [::1] with this port are the names of the server.
+  /// This machine alone: localhost, 127.0.0.1 and [::1] with this port are the names of the server.
   explicit RequestFilter(std::uint16_t port);
+  /// A network: these names and addresses are, over TLS.
+  RequestFilter(const std::vector<std::string>& names, std::uint16_t port);
 
   /// The refusal of a request, if it is refused: Transfer-Encoding (501), not exactly one Host of the allowed ones
   /// (400, 421), an Origin that is not the server's own on a request that changes something or opens the stream (403),
   /// a body that is not JSON (415) or too large (413). `upgrade`: it asks for a WebSocket.
   std::optional<Reply> refuse(const Request& request, bool upgrade) const;
 
-  std::vector<std::string> hosts;    // "localhost:8080"
+  std::vector<std::string> hosts;    // "localhost:8080", in lower case
   std::vector<std::string> origins;  // "http://localhost:8080"
 };
 

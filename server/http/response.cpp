@@ -83,7 +83,7 @@ Reply overload(const std::string& message) {
 
 Reply no_memory() { return refusal(503, "out_of_memory", "the server has no memory left for this"); }
 
-awaitable<bool> send(beast::tcp_stream& stream, Response response, std::chrono::milliseconds timeout) {
+awaitable<bool> send(NetStream& stream, Response response, std::chrono::milliseconds timeout) {
   const bool keep_alive = response.keep_alive();
   error_code ignored;
   // Until it has left, closing drops it: the kernel keeps nothing for who does not take it.
@@ -102,7 +102,7 @@ awaitable<bool> send(beast::tcp_stream& stream, Response response, std::chrono::
   co_return keep_alive;
 }
 
-awaitable<void> drain(beast::tcp_stream& stream) {
+awaitable<void> drain(NetStream& stream) {
   error_code ignored;
   stream.socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
   stream.expires_after(kDrainTimeout);

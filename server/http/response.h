@@ -5,6 +5,7 @@
 
 #include "server/http/beast.h"
 #include "server/http/message.h"
+#include "server/http/net_stream.h"
 
 namespace race::server {
 
@@ -24,11 +25,11 @@ Reply no_memory();
 
 /// Sends it; a client has `timeout` for each MiB (kResponsePiece). Whether another request may follow: it has left, and
 /// keeps the connection alive.
-awaitable<bool> send(beast::tcp_stream& stream, Response response, std::chrono::milliseconds timeout);
+awaitable<bool> send(NetStream& stream, Response response, std::chrono::milliseconds timeout);
 inline constexpr std::size_t kResponsePiece = 1024 * 1024;
 
 /// Takes what the client still sends, for a short time: closing would reset the connection before it has read the
 /// response.
-awaitable<void> drain(beast::tcp_stream& stream);
+awaitable<void> drain(NetStream& stream);
 
 }  // namespace race::server

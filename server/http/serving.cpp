@@ -156,7 +156,7 @@ awaitable<bool> serve_one(Client& client, Context& context, std::chrono::millise
   ResponseOptions options{false, request->method == "HEAD"};
   if (options.head) request->method = "GET";
   ByteBudget::Share body;
-  auto refused = context.filter.refuse(*request, upgrade);
+  auto refused = client.endpoint.filter.refuse(*request, upgrade);
   if (!refused) refused = refuse_unknown(client, *request, context);
   if (!refused) refused = refuse_busy(client, *request, parser.content_length().value_or(0), body, context);
   if (refused) co_return co_await refuse(client, std::move(*refused), options, context);
@@ -188,7 +188,9 @@ awaitable<bool> serve_one(Client& client, Context& context, std::chrono::millise
 
 awaitable<void> serve(std::unique_ptr<Client> client, Context& context) {
   try {
-    bool more = co_await serve_one(*client, context, context.limits.read_timeout);
+    client->stream.expires_after(context.limits.read_timeout);
+    const error_code failed = co_await client->stream.handshake();
+    bool more = !failed && co_await serve_one(*client, context, context.limits.read_timeout);
     while (more && !context.ending) more = co_await serve_one(*client, context, context.limits.idle_timeout);
   } catch (...) {
     services::report_failure("a connection");

@@ -11,15 +11,21 @@
 #include "server/http/byte_budget.h"
 #include "server/http/connections.h"
 #include "server/http/listener.h"
+#include "server/http/net_stream.h"
 #include "server/http/reply_path.h"
 #include "server/http/request_filter.h"
 #include "server/threads/strand.h"
 
 namespace race::server {
 
+/// Where clients connect: the names that the server has there, and TLS, if it is spoken there.
+struct Endpoint {
+  RequestFilter filter;
+  std::shared_ptr<asio::ssl::context> tls;  // empty: none
+};
+
 /// What all connections share.
 struct Context {
-  RequestFilter filter;
   std::string web;
   Backend backend;
   Pool& handlers;
@@ -34,11 +40,12 @@ struct Context {
 
 /// A connection, until its coroutine ends.
 struct Client {
-  Client(asio::ip::tcp::socket socket, std::string its_address)
-      : stream(std::move(socket)), address(std::move(its_address)) {}
-  beast::tcp_stream stream;
+  Client(NetStream its_stream, std::string its_address, const Endpoint& its_endpoint)
+      : stream(std::move(its_stream)), address(std::move(its_address)), endpoint(its_endpoint) {}
+  NetStream stream;
   beast::flat_buffer buffer{RequestFilter::kHeaderBytes + 64 * 1024};
   std::string address;  // "127.0.0.1"
+  const Endpoint& endpoint;
   std::unique_ptr<Connections::Place> place;
 };
 

@@ -66,7 +66,9 @@ void Session::end(websocket::close_code why) {
 // once, if nothing else is being said, and the connection ends before Beast can answer.
 void Session::check_close_code() {
   if (socket_.reason().code < kCloseCodes) return;
-  auto& socket = beast::get_lowest_layer(socket_).socket();
+  NetStream& stream = beast::get_lowest_layer(socket_);
+  if (stream.has_tls()) return reset();  // a frame would have to be encrypted, in its turn
+  auto& socket = stream.socket();
   error_code failed;
   socket.non_blocking(true, failed);
   if (sending_ || ending_ || socket.write_some(asio::buffer(kProtocolError), failed) < kProtocolError.size())

@@ -12,6 +12,7 @@
 
 #include "server/http/beast.h"
 #include "server/http/connections.h"
+#include "server/http/net_stream.h"
 #include "server/http/wake_up.h"
 
 namespace race::server {
@@ -27,7 +28,7 @@ class Session : public std::enable_shared_from_this<Session> {
   virtual ~Session() = default;
 
  protected:
-  explicit Session(beast::tcp_stream stream)
+  explicit Session(NetStream stream)
       : socket_(std::move(stream)), executor_(socket_.get_executor()), waker_(executor_), deadline_(executor_) {}
 
   /// Whether it is open then; a message has at most `limit` bytes, and is one frame. `place` ends it from then on.
@@ -45,7 +46,7 @@ class Session : public std::enable_shared_from_this<Session> {
   /// A close frame says why, after what is being sent.
   void end(websocket::close_code why);
 
-  websocket::stream<beast::tcp_stream> socket_;
+  websocket::stream<NetStream> socket_;
   asio::any_io_executor executor_;
   asio::steady_timer waker_, deadline_;
   bool over_ = false;

@@ -10,7 +10,7 @@
 namespace race::server {
 
 /// Serves one client of the stream until it leaves, or is not `identity` any more.
-awaitable<void> serve_stream(beast::tcp_stream stream, Upgrade request, Identity identity, StreamTargets targets,
+awaitable<void> serve_stream(NetStream stream, Upgrade request, Identity identity, StreamTargets targets,
                              Connections::Place& place);
 
 /// Where what processes of components say goes; their first messages are read on `handlers`.
@@ -22,7 +22,7 @@ struct ComponentTargets {
 };
 /// Serves one process of components until it is lost. `unknown`: its share of what such processes may make the server
 /// hold (ProcessLink::kHelloBytes), until its hello is accepted.
-awaitable<void> serve_components(beast::tcp_stream stream, Upgrade request, Identity identity, ComponentTargets targets,
+awaitable<void> serve_components(NetStream stream, Upgrade request, Identity identity, ComponentTargets targets,
                                  Connections::Place& place, ByteBudget::Share unknown);
 
 }  // namespace race::server

@@ -15,7 +15,7 @@ constexpr std::size_t kTogether = 256 * 1024;        // bytes of what comes toge
 // One client of the stream. Held by its two coroutines, and by the hub until it leaves.
 class StreamSession final : public Session, public Subscriber {
  public:
-  StreamSession(beast::tcp_stream stream, Identity identity, const StreamTargets& targets)
+  StreamSession(NetStream stream, Identity identity, const StreamTargets& targets)
       : Session(std::move(stream)),
         identity_(std::move(identity)),
         targets_(targets),
@@ -145,7 +145,7 @@ class StreamSession final : public Session, public Subscriber {
 
 }  // namespace
 
-awaitable<void> serve_stream(beast::tcp_stream stream, Upgrade request, Identity identity, StreamTargets targets,
+awaitable<void> serve_stream(NetStream stream, Upgrade request, Identity identity, StreamTargets targets,
                              Connections::Place& place) {
   auto session = std::make_shared<StreamSession>(std::move(stream), std::move(identity), targets);
   co_await session->run(std::move(request), place);

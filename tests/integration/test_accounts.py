@@ -120,7 +120,7 @@ class Streams(AccountCase):
         with Stream(self.server.port, ticket=ticket) as stream:
             self.assertEqual(stream.status, 101)
             stream.subscribe("cores")
-            stream.until(lambda m: m["type"] == "snapshot")
+            stream.until(lambda m: m["kind"] == "snapshot")
         with Stream(self.server.port, ticket=ticket) as again, Stream(self.server.port) as nobody:
             self.assertEqual((again.status, nobody.status), (401, 401))
 
@@ -130,19 +130,19 @@ class Streams(AccountCase):
                 "operations": [{"op": "set", "id": "nothing", "field": "doc", "value": "x"}]}
         with self.stream("operator") as stream:
             stream.send_checked(edit)
-            refused = stream.until(lambda m: m["type"] == "error")[-1]
-            self.assertEqual(refused["errors"][0]["code"], "rights")
+            refused = stream.until(lambda m: m["kind"] == "error")[-1]
+            self.assertEqual(refused["data"]["errors"][0]["code"], "rights")
         with self.stream("observer") as stream:
             stream.send_checked({"type": "display", "name": "phone"})
-            refused = stream.until(lambda m: m["type"] == "error")[-1]
-            self.assertEqual(refused["errors"][0]["code"], "rights")
+            refused = stream.until(lambda m: m["kind"] == "error")[-1]
+            self.assertEqual(refused["data"]["errors"][0]["code"], "rights")
 
     def test_ends_when_its_account_may_no_more(self):
         self.server.post("/accounts", {"name": "guest", "role": "observer", "password": PASSWORD}, "account", 201)
         token = self.login("guest")["token"]
         with Stream(self.server.port, token=token) as stream:
             stream.subscribe("cores")
-            stream.until(lambda m: m["type"] == "snapshot")
+            stream.until(lambda m: m["kind"] == "snapshot")
             self.server.expect("DELETE", "/accounts/guest", None, "account_removed", 200)
             with self.assertRaises(ConnectionError):
                 stream.until(lambda m: False)

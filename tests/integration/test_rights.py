@@ -72,14 +72,14 @@ class Rights(unittest.TestCase):
 
     def expect(self, stream, channel, allowed):
         """The next error on the channel is, or is not, one of rights; a snapshot is none."""
-        message = stream.until(lambda m: m.get("channel", "") == channel and m["type"] in ("error", "snapshot", "delta"))[-1]
-        code = message["errors"][0]["code"] if message["type"] == "error" else ""
+        message = stream.until(lambda m: m.get("channel", "") == channel and m["kind"] in ("error", "snapshot", "delta"))[-1]
+        code = message["data"]["errors"][0]["code"] if message["kind"] == "error" else ""
         self.assertEqual(code != "rights", allowed, message)
 
     def test_a_message_without_a_row_is_no_message(self):
         with Stream(self.server.port, token=self.server.tokens["admin"]) as stream:
             stream.send({"type": "reboot"})
-            self.assertEqual(stream.message()["errors"][0]["code"], "type")
+            self.assertEqual(stream.message()["data"]["errors"][0]["code"], "type")
 
     def test_nobody_and_processes_open_no_stream(self):
         for token in (None, self.server.tokens["speaker"], "race_" + "x" * 43):

@@ -16,21 +16,21 @@ struct DocumentBreakpointsTest : DocumentStore {
 };
 
 const List kOne = {Dict{{"when", "entered"}, {"path", "R/A"}, {"enabled", true}}};
-const List kOther = {Dict{{"when", "fault"}, {"enabled", false}}};
+const List kOtherBreakpoints = {Dict{{"when", "fault"}, {"enabled", false}}};
 
 TEST_F(DocumentBreakpointsTest, AreThoseOfEachPersonWhenTheStoreIsOpenedAgain) {
   ASSERT_TRUE(breakpoints->set("task", "Ada", kOne));
-  ASSERT_TRUE(breakpoints->set("task", "Bob/", kOther));
+  ASSERT_TRUE(breakpoints->set("task", "Bob/", kOtherBreakpoints));
   breakpoints = DocumentBreakpoints::open(path()).value();
   EXPECT_EQ(breakpoints->get("task", "Ada"), kOne);
-  EXPECT_EQ(breakpoints->get("task", "Bob/"), kOther);
+  EXPECT_EQ(breakpoints->get("task", "Bob/"), kOtherBreakpoints);
   EXPECT_EQ(breakpoints->get("task", "Eve"), List());
 }
 
 TEST_F(DocumentBreakpointsTest, AreReplacedWhole) {
   ASSERT_TRUE(breakpoints->set("task", "Ada", kOne));
-  ASSERT_TRUE(breakpoints->set("task", "Ada", kOther));
-  EXPECT_EQ(breakpoints->get("task", "Ada"), kOther);
+  ASSERT_TRUE(breakpoints->set("task", "Ada", kOtherBreakpoints));
+  EXPECT_EQ(breakpoints->get("task", "Ada"), kOtherBreakpoints);
   ASSERT_TRUE(breakpoints->set("task", "Ada", {}));
   EXPECT_EQ(breakpoints->get("task", "Ada"), List());
 }
@@ -56,9 +56,9 @@ TEST_F(DocumentBreakpointsTest, OfTooManyPeopleForgetsWhoHasSetThemLongestAgo) {
   ASSERT_TRUE(documents->put("other", kTask));
   ASSERT_TRUE(breakpoints->set("other", "p0", kOne));
   for (int i = 0; i < 100; ++i) ASSERT_TRUE(breakpoints->set("task", "p" + std::to_string(i), kOne));
-  ASSERT_TRUE(breakpoints->set("task", "p0", kOther));
+  ASSERT_TRUE(breakpoints->set("task", "p0", kOtherBreakpoints));
   ASSERT_TRUE(breakpoints->set("task", "Ada", kOne));
-  EXPECT_EQ(breakpoints->get("task", "p0"), kOther);
+  EXPECT_EQ(breakpoints->get("task", "p0"), kOtherBreakpoints);
   EXPECT_EQ(breakpoints->get("task", "p1"), List());
   EXPECT_EQ(breakpoints->get("task", "p2"), kOne);
   EXPECT_EQ(breakpoints->get("other", "p0"), kOne);

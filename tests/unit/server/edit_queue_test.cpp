@@ -5,6 +5,7 @@
 
 #include "server/wire/channel_names.h"
 #include "server/wire/path_pattern.h"
+#include "tests/unit/server/bench.h"
 #include "tests/unit/server/boxed_subscriber.h"
 #include "tests/unit/server/edited_document.h"
 
@@ -89,10 +90,11 @@ class EditQueueTest : public DocumentStore {
   NoWatcher watcher_;
   Pool pool_{1};
   Hub hub_{pool_, 1000, [this](const std::string& name) { return source(name); }};
+  NoRecords records_;
   Publisher publisher_{hub_};
   Editing editing_{*documents_, publisher_, watcher_};
   std::shared_ptr<EditingClient> client_ = std::make_shared<EditingClient>();
-  std::optional<EditQueue> queue_{std::in_place, editing_, hub_, kMost};
+  std::optional<EditQueue> queue_{std::in_place, editing_, hub_, records_, kMost};
 };
 
 TEST_F(EditQueueTest, TellsASubscriberByTheDeltaAndOthersByAMessage) {

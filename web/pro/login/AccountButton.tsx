@@ -27,8 +27,7 @@ export function AccountButton() {
   return (
     <div className="account" ref={menu}>
       <button type="button" aria-haspopup="menu" aria-expanded={open} title={`Logged in as ${me.name}, ${me.role ?? ""}`} onClick={() => setOpen(!open)}>
-        {me.name}
-        <small>{me.role}</small>
+        {me.name} <small>{me.role}</small>
       </button>
       {open && (
         <div role="menu" aria-label="Account">

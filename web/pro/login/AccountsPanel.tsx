@@ -23,8 +23,10 @@ function Panel() {
     void load.current(loadAccounts);
   }, []);
   const accounts = useAccounts((now) => now.accounts);
+  /** The row that had the focus is gone. */
+  const focusFirst = () => dialog.current?.querySelector("input")?.focus();
   return (
-    <dialog ref={dialog} className="documents accounts" aria-label="Accounts" onClose={close} onClick={(event) => event.target === event.currentTarget && close()}>
+    <dialog ref={dialog} className="documents accounts" aria-label="Accounts" onClose={close} onClick={(event) => event.target === event.currentTarget && close()} onKeyDown={(event) => event.stopPropagation()}>
       <div className="documents-body">
         <div className="documents-head">
           <h2>Accounts</h2>
@@ -40,7 +42,7 @@ function Panel() {
         )}
         <ul className="document-list" aria-label="Accounts of this server">
           {accounts.map((account) => (
-            <Row key={account.name} account={account} busy={busy} change={(role) => attempt(() => setRole(account.name, role))} remove={() => attempt(() => removeAccount(account.name))} />
+            <Row key={account.name} account={account} busy={busy} change={(role) => attempt(() => setRole(account.name, role))} remove={() => attempt(() => removeAccount(account.name)).then(focusFirst)} />
           ))}
         </ul>
         <dl className="role-list">

@@ -35,12 +35,12 @@ function Login() {
   };
 
   return (
-    <dialog ref={dialog} className="login" aria-labelledby="login-title" onCancel={(event) => event.preventDefault()}>
+    <dialog ref={dialog} className="login" aria-labelledby="login-title" onCancel={(event) => event.preventDefault()} onKeyDown={(event) => event.stopPropagation()}>
       <form onSubmit={(event) => void enter(event)}>
         <h2 id="login-title">Log in to RACE</h2>
         <label>
           <span>Name</span>
-          <input autoFocus autoComplete="username" autoCapitalize="none" spellCheck={false} required maxLength={40} value={name} onChange={(event) => setName(event.target.value)} />
+          <input autoComplete="username" autoCapitalize="none" spellCheck={false} required maxLength={40} value={name} onChange={(event) => setName(event.target.value)} />
         </label>
         <label>
           <span>Password</span>

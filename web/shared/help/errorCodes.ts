@@ -45,6 +45,7 @@ export const errorCodes: Readonly<Record<string, string>> = {
   not_accepted: "The service does not accept this call in its present state. See the page Services; lead the task through a state in which it does.",
   storage: "The disk of the server is full or fails. Nothing was changed. Make room, then try again; runs wait as interrupted.",
   corrupt: "What is stored is damaged. Take it from a backup, or remove it; the rest is not concerned.",
+  rights: "Your account may not do that. An admin can give it another role.",
 };
 
 export const faultKinds: Readonly<Record<FaultKind, string>> = {

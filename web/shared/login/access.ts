@@ -34,8 +34,11 @@ const kJson = { "content-type": "application/json" };
 
 export function createAccess({ base, fetcher, tokens, onChange }: AccessOptions) {
   let access: Access = { asked: false };
+  let nowKnown = (): void => undefined;
+  const known = new Promise<void>((resolve) => (nowKnown = resolve));
   const change = (next: Partial<Access>): void => {
     access = { ...access, ...next };
+    if (access.me?.role !== undefined) nowKnown();
     onChange(access);
   };
 
@@ -67,6 +70,11 @@ export function createAccess({ base, fetcher, tokens, onChange }: AccessOptions)
     fetch: authorized,
     /** Asks the server who this is. */
     ask,
+    /** Who it is, or that no server says so: what the page asks for before would be asked for by nobody. */
+    known: (): Promise<void> => {
+      ask().catch(nowKnown);
+      return known;
+    },
     /** The address of a stream for this account, once it is known whether the server wants a login. Rejects if it does, or there is no server. */
     async streamUrl(url: string): Promise<string> {
       if (access.me === undefined) await ask();
