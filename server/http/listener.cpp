@@ -36,12 +36,6 @@ NetStream stream_of(tcp::socket socket, const Endpoint& endpoint) {
   return endpoint.tls ? NetStream(std::move(socket), *endpoint.tls) : NetStream(std::move(socket));
 }
 
-// Of a client by IPv4 on a place of both, the IPv4 address.
-std::string text_of(const asio::ip::address& address) {
-  if (!address.is_v6() || !address.to_v6().is_v4_mapped()) return address.to_string();
-  return asio::ip::make_address_v4(asio::ip::v4_mapped, address.to_v6()).to_string();
-}
-
 // `address` "::" is of IPv4, too; without IPv6, of that alone.
 void listen_at(tcp::acceptor& acceptor, const std::string& address, std::uint16_t port) {
   const bool is_all = address == "::";

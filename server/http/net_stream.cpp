@@ -14,6 +14,11 @@ constexpr std::size_t kRecord = 16 * 1024;  // the largest of TLS (RFC 8446, 5.1
 constexpr unsigned char kAlert = 21;        // the type of a record that ends a connection (RFC 8446, 5.1)
 constexpr std::size_t kWorthARecord = 4 * 1024;
 
+bool is_plain_http(const error_code& error) {
+  return error.category() == asio::error::get_ssl_category() &&
+         ERR_GET_REASON(static_cast<unsigned long>(error.value())) == SSL_R_HTTP_REQUEST;
+}
+
 }  // namespace
 
 struct NetStream::Tls {
@@ -49,10 +54,13 @@ bool NetStream::is_ended() {
   return tls_ && ::recv(socket().native_handle(), &first, 1, MSG_PEEK | MSG_DONTWAIT) == 1 && first == kAlert;
 }
 
-awaitable<error_code> NetStream::handshake() {
-  if (!tls_) co_return error_code();
+awaitable<NetStream::Greeting> NetStream::handshake() {
+  if (!tls_) co_return Greeting::done;
   const auto [error] = co_await tls_->stream.async_handshake(asio::ssl::stream_base::server, kAsTuple);
-  co_return error;
+  if (!error) co_return Greeting::done;
+  if (!is_plain_http(error)) co_return Greeting::failed;
+  tls_.reset();
+  co_return Greeting::plain_http;
 }
 
 void NetStream::start_read(asio::mutable_buffer into, CompletionOwner done) {

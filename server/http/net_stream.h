@@ -39,8 +39,10 @@ class NetStream {
   void close() { tcp_->close(); }
   /// Whether the client has closed its half of the connection; requires that the socket is ready to be read.
   bool is_ended();
-  /// As the server; without TLS, nothing.
-  awaitable<error_code> handshake();
+  enum class Greeting { done, failed, plain_http };
+  /// As the server; without TLS, nothing. plain_http: the client has spoken that where TLS is spoken, and can be
+  /// answered without it; what it has said is lost.
+  awaitable<Greeting> handshake();
 
   template <typename Buffers, typename Token>
   auto async_read_some(const Buffers& buffers, Token&& token) {

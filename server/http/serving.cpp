@@ -184,13 +184,40 @@ awaitable<bool> serve_one(Client& client, Context& context, std::chrono::millise
   co_return co_await send_answer(client, std::move(response), context);
 }
 
+// Who speaks plain HTTP where TLS is spoken has typed an address without a scheme, probably for the first time: the page
+// that says how a device comes to trust this server is next. What was asked is not known, nor by which name.
+Reply lead_to_tls(NetStream& stream) {
+  error_code gone;
+  const auto own = stream.socket().local_endpoint(gone);
+  const std::string address = text_of(own.address());
+  const std::string host = address.find(':') == std::string::npos ? address : '[' + address + ']';
+  Reply reply = refusal(307, "tls", "this server is reached over TLS: by https");
+  reply.headers.emplace_back("Location", "https://" + host + ':' + std::to_string(own.port()) + "/trust/");
+  return reply;
+}
+
+// Whether the client speaks as it is spoken to here.
+awaitable<bool> greet(Client& client, Context& context) {
+  client.stream.expires_after(context.limits.read_timeout);
+  const NetStream::Greeting greeting = co_await client.stream.handshake();
+  if (greeting == NetStream::Greeting::plain_http) {
+    Reply reply = lead_to_tls(client.stream);
+    co_await refuse(client, std::move(reply), ResponseOptions(), context);
+  }
+  co_return greeting == NetStream::Greeting::done;
+}
+
 }  // namespace
+
+std::string text_of(const asio::ip::address& address) {
+  if (!address.is_v6() || !address.to_v6().is_v4_mapped()) return address.to_string();
+  return asio::ip::make_address_v4(asio::ip::v4_mapped, address.to_v6()).to_string();
+}
 
 awaitable<void> serve(std::unique_ptr<Client> client, Context& context) {
   try {
-    client->stream.expires_after(context.limits.read_timeout);
-    const error_code failed = co_await client->stream.handshake();
-    bool more = !failed && co_await serve_one(*client, context, context.limits.read_timeout);
+    bool more = co_await greet(*client, context);
+    if (more) more = co_await serve_one(*client, context, context.limits.read_timeout);
     while (more && !context.ending) more = co_await serve_one(*client, context, context.limits.idle_timeout);
   } catch (...) {
     services::report_failure("a connection");

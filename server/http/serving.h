@@ -49,6 +49,9 @@ struct Client {
   std::unique_ptr<Connections::Place> place;
 };
 
+/// Of a client by IPv4 on a place of both, the IPv4 address.
+std::string text_of(const asio::ip::address& address);
+
 /// Serves the client until it leaves; the last that leaves while the server ends stops the sockets.
 awaitable<void> serve(std::unique_ptr<Client> client, Context& context);
 

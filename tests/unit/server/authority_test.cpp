@@ -7,6 +7,8 @@
 #include <openssl/x509v3.h>
 #include <sys/stat.h>
 
+#include <cctype>
+#include <cstdio>
 #include <fstream>
 #include <memory>
 
@@ -86,14 +88,48 @@ TEST_F(AuthorityTest, RefusesNamesOfTheWholeWorld) {
   }
 }
 
-// Whoever has the key could sign for any site; who trusts the authority does not trust that.
+// What whoever has the key of the authority could sign, as `name`.
+std::string signed_with_its_key(const std::string& authority, const std::string& key_file, const std::string& name) {
+  const auto issuer = certificates_in(authority);
+  FILE* const file = std::fopen(key_file.c_str(), "r");
+  EVP_PKEY* const key = PEM_read_PrivateKey(file, nullptr, nullptr, nullptr);
+  std::fclose(file);
+  const Certificate made(X509_new());
+  X509_set_version(made.get(), X509_VERSION_3);
+  ASN1_INTEGER_set(X509_get_serialNumber(made.get()), 7);
+  ASN1_TIME_set(X509_getm_notBefore(made.get()), kBegin - kDay);
+  ASN1_TIME_set(X509_getm_notAfter(made.get()), kBegin + kDay);
+  X509_set_issuer_name(made.get(), X509_get_subject_name(issuer.at(0).get()));
+  X509_set_pubkey(made.get(), key);
+  X509V3_CTX context;
+  X509V3_set_ctx_nodb(&context);
+  X509V3_set_ctx(&context, issuer.at(0).get(), made.get(), nullptr, nullptr, 0);
+  X509_EXTENSION* const names = X509V3_EXT_conf_nid(nullptr, &context, NID_subject_alt_name, name.c_str());
+  X509_add_ext(made.get(), names, -1);
+  X509_EXTENSION_free(names);
+  X509_sign(made.get(), key, EVP_sha256());
+  EVP_PKEY_free(key);
+  BIO* const bio = BIO_new(BIO_s_mem());
+  PEM_write_bio_X509(bio, made.get());
+  char* text = nullptr;
+  const auto size = BIO_get_mem_data(bio, &text);
+  std::string pem(text, static_cast<std::size_t>(size));
+  BIO_free(bio);
+  return pem;
+}
+
+// RFC 5280, 4.2.1.10: whoever had the key could sign for any site; who trusts the authority does not trust that.
 TEST_F(AuthorityTest, ItsConstraintsHoldForWhoeverHasItsKey) {
   const Authority authority = open();
-  const auto own = certificates_in(authority.certificate());
-  EXPECT_GE(X509_get_ext_by_NID(own.at(0).get(), NID_name_constraints, -1), 0);
-  EXPECT_EQ(X509_EXTENSION_get_critical(
-                X509_get_ext(own.at(0).get(), X509_get_ext_by_NID(own.at(0).get(), NID_name_constraints, -1))),
-            1);
+  const auto is_taken_for = [&](const std::string& name) {
+    const std::string pem =
+        signed_with_its_key(authority.certificate(), place.file("tls/ca.key"),
+                            (std::isdigit(static_cast<unsigned char>(name[0])) != 0 ? "IP:" : "DNS:") + name);
+    return is_trusted({pem, ""}, authority.certificate(), name, kBegin);
+  };
+  for (const char* name : {"cell-7.local", "localhost", "10.1.2.3", "192.168.1.20"}) EXPECT_TRUE(is_taken_for(name));
+  for (const char* name : {"example.org", "bank.example", "local.example", "notlocal", "8.8.8.8", "172.32.0.1"})
+    EXPECT_FALSE(is_taken_for(name)) << name;
 }
 
 TEST_F(AuthorityTest, ACertificateIsKeptUntilItDoesNotFitOrIsOld) {
