@@ -23,6 +23,7 @@ export default defineConfig({
         index: here("index.html"),
         pro: here("pro/index.html"),
         display: here("display/index.html"),
+        trust: here("trust/index.html"),
       },
     },
   },

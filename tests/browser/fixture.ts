@@ -41,7 +41,8 @@ export interface Fixture {
   readonly close: () => Promise<void>;
 }
 
-function freePort(): Promise<number> {
+/** A port that nothing listens on now. */
+export function freePort(): Promise<number> {
   return new Promise((resolve, reject) => {
     const probe = createServer();
     probe.once("error", reject);

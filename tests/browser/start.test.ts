@@ -38,7 +38,7 @@ describe("the page without a run", () => {
     await dialog.getByLabel("Name of the display").fill("left-hand");
     const address = `http://localhost:${new URL(fixture.url).port}/display/?name=left-hand`;
     await dialog.getByRole("link", { name: address }).waitFor();
-    expect(await dialog.innerText()).toContain("The server answers this machine alone");
+    expect(await dialog.innerText()).toContain("Another device needs the network");
     expect(await readCode(await dialog.getByRole("img", { name: `QR code of ${address}` }).screenshot())).toBe(address);
     expect(await findings(page)).toEqual([]);
     await fixture.screenshot("pairing");

@@ -1,6 +1,7 @@
 // The login of a display: large, for a phone.
 import { useState, type SubmitEvent } from "react";
 import { messageOf } from "../shared/messageOf";
+import { trustAddress } from "../shared/trust/trustAddress";
 
 interface Props {
   /** Throws what is in the way. */
@@ -12,6 +13,7 @@ export function Login({ logIn }: Props) {
   const [password, setPassword] = useState("");
   const [reason, setReason] = useState<string>();
   const [busy, setBusy] = useState(false);
+  const trust = trustAddress(location);
   const enter = async (event: SubmitEvent) => {
     event.preventDefault();
     setBusy(true);
@@ -24,18 +26,25 @@ export function Login({ logIn }: Props) {
     }
   };
   return (
-    <form className="display login" aria-label="Log in" onSubmit={(event) => void enter(event)}>
-      <h1>Log in to RACE</h1>
-      <input aria-label="Name" placeholder="Name" autoComplete="username" autoCapitalize="none" spellCheck={false} maxLength={40} value={name} onChange={(event) => setName(event.target.value)} />
-      <input aria-label="Password" placeholder="Password" type="password" autoComplete="current-password" value={password} onChange={(event) => setPassword(event.target.value)} />
-      {reason !== undefined && (
-        <p className="notice is-bad" role="alert">
-          {reason}
-        </p>
-      )}
-      <button type="submit" className="choice" disabled={busy || name.trim() === "" || password === ""}>
-        Log in
-      </button>
-    </form>
+    <main>
+      <form className="display login" aria-label="Log in" onSubmit={(event) => void enter(event)}>
+        <h1>Log in to RACE</h1>
+        <input aria-label="Name" placeholder="Name" autoComplete="username" autoCapitalize="none" spellCheck={false} maxLength={40} value={name} onChange={(event) => setName(event.target.value)} />
+        <input aria-label="Password" placeholder="Password" type="password" autoComplete="current-password" value={password} onChange={(event) => setPassword(event.target.value)} />
+        {reason !== undefined && (
+          <p className="notice is-bad" role="alert">
+            {reason}
+          </p>
+        )}
+        <button type="submit" className="choice" disabled={busy || name.trim() === "" || password === ""}>
+          Log in
+        </button>
+        {trust !== undefined && (
+          <p className="hint">
+            Did the browser warn of this server? <a href={trust}>Let this device trust it</a>
+          </p>
+        )}
+      </form>
+    </main>
   );
 }

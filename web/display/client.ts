@@ -4,6 +4,7 @@ import { schedule } from "../shared/display/sounds";
 import { keyOf, type Key } from "../shared/display/numberText";
 import type { Sound } from "../generated/messages";
 import { createAccess } from "../shared/login/access";
+import { refusalTo } from "../shared/login/doings";
 import { storedTokens } from "../shared/login/tokens";
 import { openStream, streamUrl } from "../shared/stream";
 import { createPlayer } from "./player";
@@ -25,14 +26,16 @@ export function connect(name: string, draw: (page: DisplayPage, actions: Actions
   const player = createPlayer();
 
   const show = () => {
-    if (access.get().asked) drawLogin(logIn);
-    else draw(page, actions);
+    const { me, asked } = access.get();
+    const refusal = refusalTo(me, "be_display");
+    if (asked) drawLogin(logIn);
+    else draw(refusal === undefined ? page : { ...page, problem: `This page is no display: ${refusal}.` }, actions);
   };
   const dispatch = (event: DisplayEvent) => {
     page = applyDisplayEvent(page, event);
     show();
   };
-  const access = createAccess({ base: "/api/v1", fetcher: (input, init) => fetch(input, init), tokens: storedTokens(() => localStorage), onChange: () => show() });
+  const access = createAccess({ base: "/api/v1", fetcher: (input, init) => fetch(input, init), tokens: storedTokens(() => localStorage, window), onChange: () => show(), onOtherLogin: () => stream.reopen() });
   async function logIn(account: string, password: string): Promise<void> {
     await access.logIn(account, password);
     stream.retry();

@@ -33,8 +33,9 @@ export const useLogin = <T>(select: (access: Access) => T): T => useSelected(log
 export const access = createAccess({
   base: "/api/v1",
   fetcher: (input, init) => fetch(input, init),
-  tokens: storedTokens(() => localStorage),
+  tokens: storedTokens(() => localStorage, window),
   onChange: (next) => login.dispatch(next),
+  onOtherLogin: () => stream?.reopen(),
 });
 export const api = createApi("/api/v1", access.fetch);
 /** The address of a stream of this page. */

@@ -27,6 +27,8 @@ export interface Stream {
   send(request: Exact<OwnRequest>): boolean;
   /** Connects at once, if it waits for its next attempt. */
   retry(): void;
+  /** Closes the connection, if there is one, and connects anew at once: the page is of another account. */
+  reopen(): void;
   close(): void;
 }
 
@@ -54,6 +56,8 @@ export function openStream(url: () => string | Promise<string>, handlers: Stream
   let socket: WebSocket | undefined;
   let attempt = 0;
   let closed = false;
+  /** The next attempt to connect does not wait. */
+  let hurries = false;
   let again: ReturnType<typeof setTimeout> | undefined;
   let display: DisplayRequest | undefined;
 
@@ -84,7 +88,8 @@ export function openStream(url: () => string | Promise<string>, handlers: Stream
   const lose = () => {
     if (closed) return;
     handlers.onConnection("lost");
-    again = setTimeout(connect, reconnectDelay(attempt++));
+    again = setTimeout(connect, hurries ? 0 : reconnectDelay(attempt++));
+    hurries = false;
   };
 
   const connect = () => {
@@ -113,6 +118,12 @@ export function openStream(url: () => string | Promise<string>, handlers: Stream
   };
   connect();
 
+  const retry = () => {
+    if (again === undefined) return;
+    clearTimeout(again);
+    connect();
+  };
+
   return {
     subscribe(channel) {
       wanted.add(channel);
@@ -128,10 +139,13 @@ export function openStream(url: () => string | Promise<string>, handlers: Stream
       send(display);
     },
     send,
-    retry() {
-      if (again === undefined) return;
-      clearTimeout(again);
-      connect();
+    retry,
+    reopen() {
+      if (again !== undefined) retry();
+      else if (socket !== undefined && socket.readyState <= WebSocket.OPEN) {
+        hurries = true;
+        socket.close();
+      }
     },
     close() {
       closed = true;

@@ -5,6 +5,7 @@ import { createHand } from "../../shared/cell/hand";
 import { createLongPress, type LongPress } from "../../shared/cell/longPress";
 import { Legend, showLegend, useLegend } from "../canvas/legend/Legend";
 import { api, useView } from "../client";
+import { useRefusal } from "../login/rights";
 import { listenToTheme } from "../theme/theme";
 import { CellScene } from "./CellScene";
 import { CellTool } from "./CellTool";
@@ -44,6 +45,8 @@ export function CellView() {
   const [clouded, setClouded] = useState(false);
   const [pulled, setPulled] = useState<string>();
   const isPast = usePastCell();
+  const refusal = useRefusal("act_at_cell");
+  const cannotAct = isPast || refusal !== undefined;
   const asksReset = useResetAsked() && !isPast;
   const legend = useLegend();
   const isPage = useView((v) => v.page === "cell");
@@ -88,8 +91,8 @@ export function CellView() {
     return shownPose.listen(follow);
   }, [world]);
   useEffect(() => {
-    if (shown.current !== undefined) Object.assign(shown.current.grabbing, { always: pulling, isPast });
-  }, [pulling, isPast]);
+    if (shown.current !== undefined) Object.assign(shown.current.grabbing, { always: pulling, isPast: cannotAct });
+  }, [pulling, cannotAct]);
   useEffect(() => shown.current?.showCollision(control.link, control.text), [world, control.link, control.text]);
   useEffect(() => shown.current?.explain(isPast ? undefined : pulled, control.holds), [isPast, pulled, control.holds]);
   const act = (kind: "take" | "place", part: string) => {
@@ -144,8 +147,8 @@ export function CellView() {
       {problem !== undefined && <p className="cell-note">The cell cannot be shown: {problem}</p>}
       <div className="cell-over">
         <div className="cell-tools">
-          <CellTool name="Pull" icon="hand" hint="pull links and parts with mouse or finger (or hold Shift)" disabled={isPast} aria-pressed={pulling} onClick={() => setPulling(!pulling)} />
-          <CellTool name="Parts" icon="parts" hint="all parts, to take away or put back" disabled={isPast} aria-expanded={listed && !isPast} aria-controls="cell-parts" onClick={() => setListed(!listed)} />
+          <CellTool name="Pull" icon="hand" hint={refusal ?? "pull links and parts with mouse or finger (or hold Shift)"} disabled={cannotAct} aria-pressed={pulling} onClick={() => setPulling(!pulling)} />
+          <CellTool name="Parts" icon="parts" hint={refusal ?? "all parts, to take away or put back"} disabled={cannotAct} aria-expanded={listed && !cannotAct} aria-controls="cell-parts" onClick={() => setListed(!listed)} />
           <ResetButton disabled={isPast} />
           <CellTool name="Home" icon="home" hint="the view as at first (key Home)" onClick={() => shown.current?.home()} />
           {isPage && <CellTool name="Legend" icon="legend" hint="what lines, dots and balls mean" aria-pressed={legend} onClick={() => showLegend(!legend)} />}
@@ -153,7 +156,7 @@ export function CellView() {
             <CellTool name="Cloud" icon="cloud" hint={`draw what the ${camera} measures, as points`} disabled={isPast} aria-pressed={clouded} onClick={() => setClouded(!clouded)} />
           )}
           {(listed || isPast ? [] : absent).map((part) => (
-            <button key={part} type="button" onClick={() => act("place", part)}>
+            <button key={part} type="button" disabled={refusal !== undefined} title={refusal} onClick={() => act("place", part)}>
               Put back {part}
             </button>
           ))}
@@ -162,11 +165,11 @@ export function CellView() {
           {refused !== undefined && <p role="alert">{refused}</p>}
         </div>
         {asksReset && <ResetCell />}
-        {listed && !asksReset && !isPast && world !== undefined && <PartList parts={world.bodies.filter((body) => !body.fixed)} absent={absent} act={act} />}
+        {listed && !asksReset && !cannotAct && world !== undefined && <PartList parts={world.bodies.filter((body) => !body.fixed)} absent={absent} act={act} />}
       </div>
       {menu !== undefined && (
         <div className="cell-menu" role="menu" style={{ left: `min(${menu.x}px, 100% - 180px)`, top: `min(${menu.y}px, 100% - 50px)` }} onPointerDown={(event) => event.stopPropagation()}>
-          <button type="button" role="menuitem" onClick={() => act("take", menu.part)}>
+          <button type="button" role="menuitem" disabled={refusal !== undefined} title={refusal} onClick={() => act("take", menu.part)}>
             Take away {menu.part}
           </button>
         </div>

@@ -3,6 +3,7 @@ import { useEffect, useRef, useState } from "react";
 import { refusalToReset } from "../../shared/cell/reset";
 import { messageOf } from "../../shared/messageOf";
 import { api, useSession } from "../client";
+import { useRefusal } from "../login/rights";
 import { CellTool } from "./CellTool";
 import { askReset, useResetAsked } from "./reset";
 
@@ -59,7 +60,8 @@ export function ResetCell() {
 
 export function ResetButton({ disabled }: { readonly disabled: boolean }) {
   const asked = useResetAsked();
+  const refusal = useRefusal("reset_cell");
   return (
-    <CellTool name="Reset demo" icon="again" hint="parts, robot and database as at the start" disabled={disabled} aria-expanded={asked} onClick={() => askReset(!asked)} />
+    <CellTool name="Reset demo" icon="again" hint={refusal ?? "parts, robot and database as at the start"} disabled={disabled || refusal !== undefined} aria-expanded={asked} onClick={() => askReset(!asked)} />
   );
 }

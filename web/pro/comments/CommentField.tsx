@@ -5,6 +5,7 @@ import { kMaxText, type By } from "../../shared/edit/comments/write";
 import type { Tree } from "../../shared/edit/tree";
 import { FieldNotes } from "../edit/forms/FieldNotes";
 import { useDraft } from "../edit/forms/useDraft";
+import { useRefusal } from "../login/rights";
 import { commandNow } from "./perform";
 
 interface Props {
@@ -25,6 +26,7 @@ interface Props {
 
 export function CommentField({ id, field, label, send, placeholder, now, make, autoFocus = false, onEnd }: Props) {
   const unique = useId();
+  const refusal = useRefusal("edit");
   const draft = useDraft(id, field, now, (text) => {
     const command = commandNow((tree, by) => make(text, tree, by));
     return "reason" in command ? command : command.change;
@@ -49,6 +51,8 @@ export function CommentField({ id, field, label, send, placeholder, now, make, a
         aria-invalid={draft.reason !== undefined}
         data-place={`${id}/${field}`}
         placeholder={placeholder}
+        readOnly={refusal !== undefined}
+        title={refusal}
         value={draft.text}
         rows={1}
         maxLength={kMaxText}

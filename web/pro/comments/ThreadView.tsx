@@ -6,6 +6,7 @@ import { answer, removeComment, reopen, resolve, rewrite } from "../../shared/ed
 import { keyOfPlace } from "../../shared/edit/draftText";
 import { useEditing } from "../edit/editing";
 import { useDrafts } from "../edit/forms/drafts";
+import { useRefusal } from "../login/rights";
 import { useOwnName } from "../presence/ownName";
 import { CommentField } from "./CommentField";
 import { focusComments } from "./goToComments";
@@ -16,16 +17,17 @@ import { Said } from "./Said";
 export function ThreadView({ thread }: { readonly thread: Thread }) {
   const { comment, answers } = thread;
   const isAnswerable = isOpen(thread);
+  const refusal = useRefusal("edit");
   const leave = (make: Parameters<typeof carryOutNow>[0]) => carryOutNow(make) && focusComments(comment.about);
   return (
     <article className="thread" aria-label={`Comment of ${comment.author}`} data-thread={comment.id} tabIndex={-1}>
       <OneComment comment={comment}>
         {isAnswerable ? (
-          <button type="button" onClick={() => leave((tree, by) => resolve(tree, comment.id, by))}>
+          <button type="button" disabled={refusal !== undefined} title={refusal} onClick={() => leave((tree, by) => resolve(tree, comment.id, by))}>
             Resolve
           </button>
         ) : (
-          <button type="button" onClick={() => leave((tree) => reopen(tree, comment.id))}>
+          <button type="button" disabled={refusal !== undefined} title={refusal} onClick={() => leave((tree) => reopen(tree, comment.id))}>
             Reopen
           </button>
         )}
@@ -54,6 +56,7 @@ function OneComment({ comment, children }: OneProps) {
   const hasDraft = useDrafts((drafts) => drafts.has(keyOfPlace({ document, id: about, field })));
   const [isOpened, open] = useState(false);
   const isOwn = useOwnName().name === author;
+  const refusal = useRefusal("edit");
   return (
     <Said comment={comment} hidesText={isOpened || hasDraft}>
       {(isOpened || hasDraft) && (
@@ -62,11 +65,11 @@ function OneComment({ comment, children }: OneProps) {
       <span className="thread-tools">
         {children}
         {isOwn && !isOpened && !hasDraft && (
-          <button type="button" onClick={() => open(true)}>
+          <button type="button" disabled={refusal !== undefined} title={refusal} onClick={() => open(true)}>
             Edit
           </button>
         )}
-        <button type="button" onClick={() => carryOutNow((tree) => removeComment(tree, id)) && focusComments(about)}>
+        <button type="button" disabled={refusal !== undefined} title={refusal} onClick={() => carryOutNow((tree) => removeComment(tree, id)) && focusComments(about)}>
           Delete
         </button>
       </span>

@@ -3,6 +3,7 @@ import { isAt, type Where } from "../../shared/debugger/breakpoints";
 import { whenTexts, whenTitles } from "../../shared/debugger/places";
 import type { When } from "../../generated/messages";
 import { useView } from "../client";
+import { useRefusal } from "../login/rights";
 import { changeBreakpoints } from "./breakpoints";
 import { useKept } from "./kept";
 import { targetOf, useShownTree } from "./target";
@@ -15,9 +16,10 @@ interface ChoiceProps {
 
 function Choice({ when, where, name }: ChoiceProps) {
   const entry = useKept(({ entries }) => entries.find((each) => isAt(each, when, where)));
+  const refusal = useRefusal("set_breakpoints");
   const state = entry === undefined ? "" : entry.breakpoint.enabled ? " is-on" : " is-off";
   return (
-    <button type="button" className={`breakpoint-choice${state}`} aria-pressed={entry !== undefined} title={`Breakpoint: ${whenTitles[when]}`} onClick={() => changeBreakpoints({ type: "toggled", when, where })}>
+    <button type="button" className={`breakpoint-choice${state}`} aria-pressed={entry !== undefined} disabled={refusal !== undefined} title={refusal ?? `Breakpoint: ${whenTitles[when]}`} onClick={() => changeBreakpoints({ type: "toggled", when, where })}>
       <i className={`breakpoint-dot${state}`} aria-hidden="true" />
       {name}
     </button>
@@ -44,6 +46,7 @@ export function BreakpointChoices({ kinds }: { readonly kinds: readonly When[] }
 export function ActionBreakpoint({ id }: { readonly id: string | undefined }) {
   const entry = useKept(({ entries }) => (id === undefined ? undefined : entries.find((each) => isAt(each, "executed", { id }))));
   const loaded = useKept((kept) => kept.loaded);
+  const refusal = useRefusal("set_breakpoints");
   if (id === undefined || id === "" || !loaded) return null;
   const state = entry === undefined ? "" : entry.breakpoint.enabled ? " is-on" : " is-off";
   return (
@@ -52,7 +55,8 @@ export function ActionBreakpoint({ id }: { readonly id: string | undefined }) {
       className={`breakpoint-gutter${state}`}
       aria-label="Breakpoint at this action"
       aria-pressed={entry !== undefined}
-      title="Breakpoint: this action is executed"
+      disabled={refusal !== undefined}
+      title={refusal ?? "Breakpoint: this action is executed"}
       onClick={() => changeBreakpoints({ type: "toggled", when: "executed", where: { id } })}
     >
       <i className={`breakpoint-dot${state}`} aria-hidden="true" />

@@ -7,6 +7,7 @@ import { isOver } from "../../shared/run/controls";
 import { attempt, useCore } from "../client";
 import { ask } from "../edit/prompt";
 import { keysOf } from "../../shared/session/shortcuts";
+import { useRefusal } from "../login/rights";
 import { commandOf, menuEntryOf } from "./actions";
 import { BreakpointRow } from "./BreakpointRow";
 import { armCore } from "./breakpoints";
@@ -23,6 +24,7 @@ export function BreakpointsPanel({ tree }: { readonly tree: ModelTree | undefine
   const entries = useKept((kept) => kept.entries);
   const loaded = useKept((kept) => kept.loaded);
   const unkept = useKept((kept) => kept.unkept);
+  const refusal = useRefusal("set_breakpoints");
   if (!loaded) return null;
   return (
     <section className="breakpoints" aria-label="Breakpoints">
@@ -30,12 +32,12 @@ export function BreakpointsPanel({ tree }: { readonly tree: ModelTree | undefine
         <h2>
           Breakpoints{entries.length > 0 && <small> {entries.length}</small>}
         </h2>
-        <button type="button" className="row-add" aria-label="Add a breakpoint" title="Add a breakpoint" aria-haspopup="menu" disabled={entries.length >= kMostBreakpoints} onClick={({ currentTarget }) => openAdd(currentTarget)}>
+        <button type="button" className="row-add" aria-label="Add a breakpoint" title={refusal ?? "Add a breakpoint"} aria-haspopup="menu" disabled={refusal !== undefined || entries.length >= kMostBreakpoints} onClick={({ currentTarget }) => openAdd(currentTarget)}>
           +
         </button>
       </header>
       {entries.length === 0 ? (
-        <p className="quiet">Select a state or port and press {keysOf("breakpoint")}, or click it with the right button.</p>
+        refusal === undefined && <p className="quiet">Select a state or port and press {keysOf("breakpoint")}, or click it with the right button.</p>
       ) : (
         <ul aria-label="Breakpoints">
           {entries.map((entry) => (

@@ -4,7 +4,8 @@ import type { Core, KeptBreakpoint } from "../../generated/messages";
 import { runOfDocument } from "../../shared/live/shownRun";
 import { isOver } from "../../shared/run/controls";
 import { commandable } from "../../shared/session/session";
-import { api, problem, session, view } from "../client";
+import { api, login, problem, session, view } from "../client";
+import { refusalNow } from "../login/rights";
 import { armRunsBy } from "../runCommands";
 import { editing } from "../edit/editing";
 import { listenToOwnName, ownName } from "../presence/ownName";
@@ -20,6 +21,11 @@ function giveToCore(author: string, entries: readonly Entry[]): void {
 
 /** Changes them here, on the server, and on the watched core. */
 export function changeBreakpoints(change: BreakpointChange): void {
+  const refusal = refusalNow("set_breakpoints");
+  if (refusal !== undefined) {
+    problem(`Not done: ${refusal}.`);
+    return;
+  }
   const { of, entries, loaded } = kept();
   const after = loaded ? applyBreakpoints(entries, change) : entries;
   if (of === undefined || after === entries) return;
@@ -32,8 +38,9 @@ const load = ({ document, author }: Owner): Promise<readonly KeptBreakpoint[]> =
 
 const entriesOf = (breakpoints: readonly KeptBreakpoint[], before: readonly Entry[] = []): readonly Entry[] => applyBreakpoints(before, { type: "loaded", breakpoints });
 
-/** Gives a core the breakpoints of the person here. */
+/** Gives a core the breakpoints of the person here; of one who may not set any, it gets none. */
 export async function armCore(core: Core): Promise<void> {
+  if (refusalNow("set_breakpoints") !== undefined) return;
   const { of, loaded, entries } = kept();
   const owner = { document: core.document, author: ownName() };
   const isHere = loaded && of?.document === owner.document && of.author === owner.author;
@@ -67,7 +74,9 @@ function follow(): void {
   connection = session.get().connection;
   if (of?.document !== document || (of !== undefined && of.author !== author)) {
     setKept({ ...kNothingKept, of: document === undefined ? undefined : { document, author } });
-    void (of !== undefined && of.document === document ? reload(entries, of.author) : reload());
+    // Another account is another person, whose breakpoints are others.
+    const isRenamed = of !== undefined && of.document === document && login.get().me?.name === undefined;
+    void (isRenamed ? reload(entries, of.author) : reload());
   } else if (isBack) void (unkept === undefined ? reload() : save());
 }
 

@@ -4,6 +4,7 @@ import type { DocumentSummary } from "../../generated/messages";
 import { freeDocumentName } from "../../shared/documents/names";
 import { errorsText } from "../../shared/run/errorsText";
 import { errorCount, refusalToStart } from "../../shared/session/draft";
+import { useRefusal } from "../login/rights";
 import { CodeText } from "../panels/CodeText";
 import { download, duplicate, edit, editWithHistory, makeRun, remove } from "./actions";
 import { NameForm } from "./NameForm";
@@ -22,7 +23,9 @@ export function DocumentRow({ document, taken, offline }: Props) {
   const { attempt, reason, busy } = useAttempt();
   const disabled = offline || busy;
   const errors = errorCount(document);
-  const refusal = refusalToStart(document);
+  const mayRun = useRefusal("make_run");
+  const refusal = mayRun ?? refusalToStart(document);
+  const [mayBranch, mayDelete] = [useRefusal("branch_document"), useRefusal("delete_document")];
   const done = () => ask(undefined);
   return (
     <li className="document-row" aria-label={name}>
@@ -42,7 +45,7 @@ export function DocumentRow({ document, taken, offline }: Props) {
         <button type="button" disabled={disabled || refusal !== undefined} title={refusal} onClick={() => void makeRun(name)}>
           New run
         </button>
-        <button type="button" disabled={disabled} aria-expanded={asked === "name"} onClick={() => ask("name")}>
+        <button type="button" disabled={disabled || mayBranch !== undefined} title={mayBranch} aria-expanded={asked === "name"} onClick={() => ask("name")}>
           Duplicate
         </button>
         <button type="button" disabled={disabled} onClick={() => editWithHistory(name)}>
@@ -51,7 +54,7 @@ export function DocumentRow({ document, taken, offline }: Props) {
         <button type="button" disabled={disabled} onClick={() => void attempt(() => download(name))}>
           Download
         </button>
-        <button type="button" disabled={disabled} aria-expanded={asked === "delete"} onClick={() => ask("delete")}>
+        <button type="button" disabled={disabled || mayDelete !== undefined} title={mayDelete} aria-expanded={asked === "delete"} onClick={() => ask("delete")}>
           Delete
         </button>
       </div>

@@ -4,6 +4,7 @@ import { matching, namesOf } from "../../shared/documents/listed";
 import { freeDocumentName } from "../../shared/documents/names";
 import { kMostBytes, sizeText } from "../../shared/documents/uploads";
 import { loadDocuments, useSession, useView } from "../client";
+import { useRefusal } from "../login/rights";
 import { create, edit, showDocuments } from "./actions";
 import { DocumentRow } from "./DocumentRow";
 import { NameForm } from "./NameForm";
@@ -109,14 +110,15 @@ function Making({ taken, offline, children }: MakingProps) {
   const files = useRef<HTMLInputElement>(null);
   const [asked, ask] = useState(false);
   const { attempt, reason, busy } = useAttempt();
+  const refusal = useRefusal("store_document");
   return (
     <section className="making" aria-label="New documents">
       <div className="making-tools">
         {children}
-        <button type="button" disabled={offline} aria-expanded={asked} onClick={() => ask(!asked)}>
+        <button type="button" disabled={offline || refusal !== undefined} title={refusal} aria-expanded={asked} onClick={() => ask(!asked)}>
           New
         </button>
-        <button type="button" disabled={offline} title={`Or drop files anywhere on the page; at most ${sizeText(kMostBytes)} each`} onClick={() => files.current?.click()}>
+        <button type="button" disabled={offline || refusal !== undefined} title={refusal ?? `Or drop files anywhere on the page; at most ${sizeText(kMostBytes)} each`} onClick={() => files.current?.click()}>
           Upload
         </button>
         <input
@@ -132,7 +134,7 @@ function Making({ taken, offline, children }: MakingProps) {
           }}
         />
       </div>
-      <p className="quiet">Files can be dropped anywhere on the page, each of at most {sizeText(kMostBytes)}.</p>
+      <p className="quiet">{refusal === undefined ? `Files can be dropped anywhere on the page, each of at most ${sizeText(kMostBytes)}.` : `You cannot store documents: ${refusal}.`}</p>
       {asked && <NameForm label="Name" does="Create" wish={freeDocumentName("task", taken)} taken={taken} disabled={offline || busy} focus onName={(name) => void attempt(() => create(name))} onCancel={() => ask(false)} />}
       {reason !== undefined && (
         <p className="bad" role="alert">

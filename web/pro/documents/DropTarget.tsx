@@ -1,7 +1,8 @@
 // Files that are dragged over the page, and dropped anywhere on it, are uploaded.
 import { useEffect, useState } from "react";
 import { isRunFile, kMostRunBytes } from "../../shared/runs/runFile";
-import { attempt } from "../client";
+import { attempt, problem } from "../client";
+import { refusalNow, useRefusal } from "../login/rights";
 import { openRunFile } from "../runs/actions";
 import { showDocuments } from "./actions";
 import { upload } from "./uploading";
@@ -11,6 +12,11 @@ async function takeFiles(files: readonly File[]): Promise<void> {
   const texts = await Promise.all(files.map(async (file) => (file.size <= kMostRunBytes ? file.text() : "")));
   const runs = texts.filter(isRunFile);
   const documents = files.filter((_, i) => !runs.includes(texts[i] ?? ""));
+  const refusal = (runs.length > 0 ? refusalNow("import_run") : undefined) ?? (documents.length > 0 ? refusalNow("store_document") : undefined);
+  if (refusal !== undefined) {
+    problem(`Nothing is stored: ${refusal}.`);
+    return;
+  }
   if (documents.length > 0) {
     upload(documents);
     showDocuments(true);
@@ -23,6 +29,7 @@ const hasFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includ
 /** Says where files go while some are dragged. Whatever is below gets no event of them. */
 export function DropTarget() {
   const [over, setOver] = useState(false);
+  const refusal = useRefusal("store_document");
   useEffect(() => {
     const take = (event: DragEvent) => {
       if (!hasFiles(event)) return false;
@@ -44,5 +51,5 @@ export function DropTarget() {
       for (const [type, listener] of Object.entries(listeners)) removeEventListener(type, listener as EventListener, true);
     };
   }, []);
-  return over ? <div className="drop-hint">Drop files here: documents, or runs</div> : null;
+  return over ? <div className="drop-hint">{refusal === undefined ? "Drop files here: documents, or runs" : `Files are not stored: ${refusal}`}</div> : null;
 }

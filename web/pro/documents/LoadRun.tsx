@@ -2,6 +2,7 @@
 import { useEffect, useState } from "react";
 import { afterFirstDrawing } from "../canvas/firstDrawing";
 import { parametersOf } from "../runCommands";
+import { useRefusal } from "../login/rights";
 import { ArgumentsForm } from "./ArgumentsForm";
 import { requestRun, useAsked } from "./asking";
 
@@ -15,7 +16,9 @@ interface Props {
   readonly offline: boolean;
 }
 
-export function LoadRun({ document, refusal, refusalId, offline }: Props) {
+export function LoadRun({ document, refusal: ofDocument, refusalId, offline }: Props) {
+  const ofAccount = useRefusal("make_run");
+  const refusal = ofAccount ?? ofDocument;
   const [hasParameters, setHasParameters] = useState(false);
   const asked = useAsked();
   const possible = document !== undefined && refusal === undefined;
@@ -35,7 +38,7 @@ export function LoadRun({ document, refusal, refusalId, offline }: Props) {
         type="button"
         disabled={!possible || offline}
         title={refusal}
-        aria-describedby={refusal === undefined ? undefined : refusalId}
+        aria-describedby={ofDocument === undefined ? undefined : refusalId}
         onClick={() => document !== undefined && void requestRun(document, false)}
       >
         Load

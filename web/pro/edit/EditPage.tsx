@@ -20,6 +20,7 @@ import { Splitter } from "../layout/Splitter";
 import { DifferenceMarks } from "../live/DifferenceMarks";
 import { useCompared } from "../live/executed";
 import { LiveBar } from "../live/LiveBar";
+import { useRefusal } from "../login/rights";
 import { DraftList } from "./forms/DraftList";
 import { StateEditor } from "./forms/StateEditor";
 import { useEditedPlaces } from "./placing/editedPlaces";
@@ -100,6 +101,7 @@ function EditHead({ document, listed, onList }: HeadProps) {
   const errors = session?.errors.length ?? 0;
   const waiting = session?.pending.length ?? 0;
   const depths = session?.depths;
+  const refusal = useRefusal("edit");
   return (
     <header className="edit-head" aria-label="Document">
       <h2>{document}</h2>
@@ -108,6 +110,11 @@ function EditHead({ document, listed, onList }: HeadProps) {
         {revision === undefined ? (session?.unreadable === undefined ? "not here yet" : "cannot be edited") : `revision ${revision}`}
         {session?.connected === false ? " · connection lost, edits wait" : waiting > 0 ? ` · ${waiting} on the way` : revision === undefined ? "" : " · saved"}
       </span>
+      {refusal !== undefined && (
+        <span className="read-only" title={refusal}>
+          Read only
+        </span>
+      )}
       {errors > 0 && (
         <button type="button" className="edit-errors" aria-expanded={listed} title={`${listed ? "Hide" : "List"} the errors; a draft cannot be started`} onClick={onList}>
           Draft, {errorsText(errors)}
@@ -117,10 +124,10 @@ function EditHead({ document, listed, onList }: HeadProps) {
       <DraftList />
       <Faces />
       <span className="edit-tools">
-        <button type="button" disabled={depths?.undo === 0} onClick={() => perform({ undo: true })}>
+        <button type="button" disabled={depths?.undo === 0 || refusal !== undefined} title={refusal} onClick={() => perform({ undo: true })}>
           Undo
         </button>
-        <button type="button" disabled={depths === undefined || depths.redo === 0} onClick={() => perform({ redo: true })}>
+        <button type="button" disabled={depths === undefined || depths.redo === 0 || refusal !== undefined} title={refusal} onClick={() => perform({ redo: true })}>
           Redo
         </button>
         <HistoryButton />

@@ -4,6 +4,7 @@ import { nameOfElement } from "../../shared/edit/commands/command";
 import { placeIn } from "../../shared/edit/commands/place";
 import { linksTo, remove } from "../../shared/edit/commands/remove";
 import type { Tree } from "../../shared/edit/tree";
+import { refusalNow, useRefusal } from "../login/rights";
 import { runAction } from "./actions/action";
 import { placeFor } from "./actions/addActions";
 import { newId } from "../../shared/newId";
@@ -20,12 +21,13 @@ import { counted } from "../../shared/counted";
 export function Library() {
   const tree = useEditing((now) => now.session?.view);
   const top = useEditing((now) => now.top);
+  const refusal = useRefusal("edit");
   if (tree === undefined) return null;
   return (
     <section className="library" aria-label="Library">
       <header>
         <h2>Library</h2>
-        <button type="button" aria-label="New library state" title="New library state" onClick={() => runAction(actionOf("add_library_state"))}>
+        <button type="button" aria-label="New library state" disabled={refusal !== undefined} title={refusal ?? "New library state"} onClick={() => runAction(actionOf("add_library_state"))}>
           +
         </button>
       </header>
@@ -50,6 +52,7 @@ function linkHere(id: string): void {
 /** What can be done with a state of the library. */
 function entriesFor(tree: Tree, id: string): readonly MenuEntry[] {
   const removal = remove(tree, [id]);
+  const reason = refusalNow("edit");
   const rename = (): void => {
     const situation = situationNow();
     if (situation !== undefined) askName(situation, id, document.querySelector(`[data-library="${CSS.escape(id)}"]`)?.getBoundingClientRect());
@@ -59,10 +62,10 @@ function entriesFor(tree: Tree, id: string): readonly MenuEntry[] {
     if (now !== undefined) carryOut(remove(now, [id]));
   };
   return [
-    { name: "Link here", run: () => linkHere(id) },
+    { name: "Link here", reason, run: () => linkHere(id) },
     { name: "Open", run: () => showTop(id) },
-    { name: "Rename", run: rename },
-    { name: "Delete", reason: "reason" in removal ? removal.reason : undefined, run: removeNow },
+    { name: "Rename", reason, run: rename },
+    { name: "Delete", reason: reason ?? ("reason" in removal ? removal.reason : undefined), run: removeNow },
   ];
 }
 
@@ -76,7 +79,7 @@ function Row({ tree, id, shown }: { readonly tree: Tree; readonly id: string; re
         className="palette-item"
         aria-current={shown ? "page" : undefined}
         title="Drag onto the drawing to link it; click to open it"
-        onPointerDown={(event) => event.button === 0 && followPointer(event, () => dropNew(linkTo(tree, id)))}
+        onPointerDown={(event) => event.button === 0 && followPointer(event, () => (refusalNow("edit") === undefined ? dropNew(linkTo(tree, id)) : undefined))}
         onClick={() => showTop(id)}
       >
         {name} <small>{uses === 0 ? "not used" : counted(uses, "link")}</small>

@@ -1,6 +1,7 @@
 // What can be added: dragged onto the drawing, or by Enter to where the selection is.
 import { addBarrier, addPort, addState } from "../../shared/edit/commands/add";
 import { placeIn } from "../../shared/edit/commands/place";
+import { useRefusal } from "../login/rights";
 import { runAction } from "./actions/action";
 import { newId } from "../../shared/newId";
 import { actionOf } from "./actions/registry";
@@ -19,6 +20,7 @@ const items: readonly Item[] = [
 ];
 
 export function Palette() {
+  const refusal = useRefusal("edit");
   return (
     <section className="palette" aria-label="Add">
       <h2>Add</h2>
@@ -28,7 +30,8 @@ export function Palette() {
             <button
               type="button"
               className="palette-item"
-              title={`Drag onto the drawing, or press Enter (${actionOf(item.action).keys.join(" or ")})`}
+              disabled={refusal !== undefined}
+              title={refusal ?? `Drag onto the drawing, or press Enter (${actionOf(item.action).keys.join(" or ")})`}
               onPointerDown={(event) => event.button === 0 && followPointer(event, () => dropNew(item))}
               onClick={() => runAction(actionOf(item.action))}
             >

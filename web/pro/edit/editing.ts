@@ -16,6 +16,7 @@ import { listenToStream, problem, session, view, watch } from "../client";
 import { counted } from "../../shared/counted";
 import { createStore, useSelected } from "../store";
 import { listenToOwnName } from "../presence/ownName";
+import { refusalNow } from "../login/rights";
 import { author } from "./author";
 
 export const editing = createStore<Editing, EditingEvent>(nothingEdited, applyEditing);
@@ -154,7 +155,9 @@ export function openFromAddress(): void {
 
 /** Edits the document. The change is seen at once, or when the server has made it; a refusal is told (`told`). */
 export function perform(change: Change): void {
-  open?.editor.edit(change);
+  const reason = refusalNow("edit");
+  if (reason === undefined) open?.editor.edit(change);
+  else editing.dispatch({ type: "said", tone: "refused", text: `Not done: ${reason}.` });
 }
 
 /** Shows a state of the library as a whole, or the root. */

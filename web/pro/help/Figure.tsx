@@ -8,6 +8,7 @@ import { StateFigure, type Pictured } from "../canvas/StateFigure";
 import { createFrom } from "../documents/actions";
 import { useAttempt } from "../documents/useAttempt";
 import { useSession } from "../client";
+import { useRefusal } from "../login/rights";
 
 interface Props {
   readonly example: Example;
@@ -19,6 +20,7 @@ const kNone: ReadonlySet<string> = new Set();
 export function Figure({ example, caption }: Props) {
   const documents = useSession((s) => s.documents);
   const { attempt, reason, busy } = useAttempt();
+  const refusal = useRefusal("store_document");
   const offline = useSession((s) => s.connection !== "open");
   const pictured = useMemo<Pictured>(() => ({ state: exampleState(example), collapsed: kNone, detail: "full" }), [example]);
   const name = freeDocumentName(example.name, namesOf(documents));
@@ -29,7 +31,7 @@ export function Figure({ example, caption }: Props) {
       </div>
       <figcaption>
         {caption}
-        <button type="button" className="link" disabled={offline || busy} onClick={() => void attempt(() => createFrom(name, example.document))}>
+        <button type="button" className="link" disabled={offline || busy || refusal !== undefined} title={refusal} onClick={() => void attempt(() => createFrom(name, example.document))}>
           Open as a document of your own
         </button>
       </figcaption>

@@ -1,6 +1,7 @@
 // The help, over the page: opened with F1, closed with Esc. Topics left, the chosen one right.
 import { useEffect, useMemo, useRef, useState, type KeyboardEvent } from "react";
 import { findTopics, groupedTopics, topicOf } from "../../shared/help/topics";
+import { useRefusal } from "../login/rights";
 import { Blocks } from "./Blocks";
 import { showHelp, useHelp, type HelpPlace } from "./help";
 import { startTour } from "./tour";
@@ -29,6 +30,7 @@ function Panel({ place }: { readonly place: HelpPlace }) {
   const [query, setQuery] = useState("");
   const found = useMemo(() => findTopics(query), [query]);
   const topic = topicOf(place.topic);
+  const refusal = useRefusal("store_document");
   useEffect(() => {
     dialog.current?.showModal();
     search.current?.focus();
@@ -68,7 +70,7 @@ function Panel({ place }: { readonly place: HelpPlace }) {
               <h2>{topic.title}</h2>
               <Blocks blocks={topic.blocks} marked={place.term} />
               {topic.id === "start" && (
-                <button type="button" className="lead" onClick={startTour}>
+                <button type="button" className="lead" disabled={refusal !== undefined} title={refusal} onClick={startTour}>
                   Start the tour
                 </button>
               )}

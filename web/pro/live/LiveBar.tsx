@@ -6,6 +6,7 @@ import { isOver } from "../../shared/run/controls";
 import type { Core } from "../../generated/messages";
 import { follow, useCore, useSession, useView, view, watch } from "../client";
 import { useEditing } from "../edit/editing";
+import { useRefusal } from "../login/rights";
 import { DifferenceList } from "./DifferenceList";
 import { useCompared, useExecuted } from "./executed";
 import { useRunOfDocument } from "./shownRun";
@@ -19,6 +20,7 @@ function Bar({ core }: { readonly core: Core }) {
   const revision = useEditing((now) => now.session?.confirmed?.revision);
   const shown = useView((v) => v.runShown);
   const lost = useSession((s) => s.connection === "lost");
+  const refusal = useRefusal("follow_edits");
   if (revision === undefined) return null;
   return (
     <section className="live-bar" aria-label="Run of this document">
@@ -26,8 +28,8 @@ function Bar({ core }: { readonly core: Core }) {
       <Changes core={core} revision={revision} />
       <span className="live-choices">
         {!isOver(core) && (
-          <label className="follow" title="Each edit without errors changes the run between its macro steps. A new port or action may move the robot.">
-            <input type="checkbox" checked={core.live} disabled={lost} onChange={(event) => void follow(event.target.checked)} /> Follow edits
+          <label className="follow" title={refusal ?? "Each edit without errors changes the run between its macro steps. A new port or action may move the robot."}>
+            <input type="checkbox" checked={core.live} disabled={lost || refusal !== undefined} onChange={(event) => void follow(event.target.checked)} /> Follow edits
           </label>
         )}
         <label className="follow" title="Active states and values of the run, and what differs from it, on the drawing and in the forms">

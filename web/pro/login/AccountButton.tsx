@@ -1,6 +1,7 @@
 // Who uses the page, in the top bar: a menu with the way out, and for admins to the accounts.
 import { useEffect, useRef, useState } from "react";
-import { mayUse } from "../../shared/login/roles";
+import { isReadOnly, refusalTo } from "../../shared/login/doings";
+import { kRoles, kRoleTexts } from "../../shared/login/roles";
 import { access, useLogin } from "../client";
 import { showAccounts } from "./accounts";
 
@@ -20,18 +21,26 @@ export function AccountButton() {
     };
   }, [open]);
   if (me?.name === undefined) return null;
+  const role = kRoles.find((each) => each === me.role);
+  const means = role === undefined ? "" : `${role}: ${kRoleTexts[role]}`;
   const act = (what: () => void) => () => {
     setOpen(false);
     what();
   };
   return (
     <div className="account" ref={menu}>
-      <button type="button" aria-haspopup="menu" aria-expanded={open} title={`Logged in as ${me.name}, ${me.role ?? ""}`} onClick={() => setOpen(!open)}>
+      {isReadOnly(me) && (
+        <span className="read-only" title={`Your account is an ${means}. An admin can give it another role.`}>
+          Read only
+        </span>
+      )}
+      <button type="button" aria-haspopup="menu" aria-expanded={open} title={`Logged in as ${me.name}, ${means}`} onClick={() => setOpen(!open)}>
         {me.name} <small>{me.role}</small>
       </button>
       {open && (
         <div role="menu" aria-label="Account">
-          {mayUse(me.role, "admin") && (
+          <p>{means}</p>
+          {refusalTo(me, "manage_accounts") === undefined && (
             <button type="button" role="menuitem" onClick={act(() => showAccounts(true))}>
               Accounts…
             </button>

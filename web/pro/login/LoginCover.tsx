@@ -2,6 +2,7 @@
 import { useEffect, useRef, useState, type SubmitEvent } from "react";
 import { LoginError } from "../../shared/login/access";
 import { messageOf } from "../../shared/messageOf";
+import { trustAddress } from "../../shared/trust/trustAddress";
 import { access, reconnect, useLogin } from "../client";
 
 export function LoginCover() {
@@ -17,6 +18,7 @@ function Login() {
   const [password, setPassword] = useState("");
   const [reason, setReason] = useState<string>();
   const [busy, setBusy] = useState(false);
+  const trust = trustAddress(location);
   useEffect(() => dialog.current?.showModal(), []);
 
   const enter = async (event: SubmitEvent) => {
@@ -55,6 +57,11 @@ function Login() {
           {busy ? "Checking…" : "Log in"}
         </button>
         <p className="quiet">Accounts are made by an admin of this server.</p>
+        {trust !== undefined && (
+          <p className="quiet">
+            Did the browser warn of this server? <a href={trust}>Let this device trust it</a>
+          </p>
+        )}
       </form>
     </dialog>
   );

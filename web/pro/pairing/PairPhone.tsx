@@ -19,7 +19,7 @@ function Dialog() {
   const [name, setName] = useState(kDefaultName);
   useEffect(() => dialog.current?.showModal(), []);
   const isName = isDisplayName(name);
-  const { address, tunnel } = pairing(location, isName ? name : kDefaultName);
+  const { address, trust, tunnel } = pairing(location, isName ? name : kDefaultName);
   return (
     <dialog ref={dialog} className="pairing" aria-label="Pair a phone" onClose={close} onClick={(event) => event.target === event.currentTarget && close()} onKeyDown={(event) => event.stopPropagation()}>
       <div className="pairing-body">
@@ -42,7 +42,17 @@ function Dialog() {
         {tunnel !== undefined && (
           <>
             <h3>1. Lead the phone to the server</h3>
-            <p>The server answers this machine alone, as it has no accounts yet: a phone cannot reach it by itself. A tunnel that ends on this machine leads there.</p>
+            <p>This page comes from the machine of the server itself, and no phone reaches it at that address. Another device needs the network:</p>
+            <dl>
+              <dt>In a network</dt>
+              <dd>
+                <code>race serve --lan</code>
+              </dd>
+            </dl>
+            <p>
+              It needs an account, made by <code>race account add NAME --role admin --data DIR</code>, and prints its addresses. Open this page at one of them, and the code below leads the phone there. Without a network, a tunnel that ends on this
+              machine leads to it:
+            </p>
             <dl>
               <dt>Android, by USB</dt>
               <dd>
@@ -55,6 +65,11 @@ function Dialog() {
             </dl>
             <h3>2. Open the display there</h3>
           </>
+        )}
+        {trust !== undefined && (
+          <p>
+            The phone warns of this server until it trusts it, which it learns once at <a href={trust}>{trust}</a>.
+          </p>
         )}
         {isName && (
           <>

@@ -4,13 +4,15 @@ import { isWayOut } from "../../shared/display/answers";
 import type { Answers, PersonWait } from "../../shared/run/waitingForPerson";
 import { useSession } from "../client";
 import { useAttempt } from "../documents/useAttempt";
+import { useRefusal } from "../login/rights";
 import { giveAnswer } from "./answering";
 
 export function AnswerHere({ wait, answers }: { readonly wait: PersonWait; readonly answers: Answers }) {
   const attempts = useAttempt();
   const { attempt, reason } = attempts;
   const lost = useSession((s) => s.connection === "lost");
-  const busy = attempts.busy || lost;
+  const refusal = useRefusal("answer");
+  const busy = attempts.busy || lost || refusal !== undefined;
   const give = (answer: string | number) => void attempt(() => giveAnswer(wait, answer));
   return (
     <div className="answers" role="group" aria-label="Answers">
@@ -18,11 +20,12 @@ export function AnswerHere({ wait, answers }: { readonly wait: PersonWait; reado
         <NumberAnswer number={answers.number} busy={busy} give={give} />
       ) : (
         answers.buttons.map((text) => (
-          <button key={text} type="button" className={isWayOut(text) ? "is-out" : ""} disabled={busy} onClick={() => give(text)}>
+          <button key={text} type="button" className={isWayOut(text) ? "is-out" : ""} disabled={busy} title={refusal} onClick={() => give(text)}>
             {text}
           </button>
         ))
       )}
+      {refusal !== undefined && <p>You cannot answer: {refusal}.</p>}
       {reason !== undefined && <p role="alert">Not answered: {reason}</p>}
     </div>
   );

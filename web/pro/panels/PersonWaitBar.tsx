@@ -2,6 +2,7 @@
 import { displayAddress, displayOf, isAsking, ownDisplayFor } from "../../shared/run/displayCalls";
 import { textOn, type Unseen } from "../../shared/run/onDisplays";
 import { askPairing } from "../pairing/pairing";
+import { useRefusal } from "../login/rights";
 import { AnswerHere } from "./AnswerHere";
 import { Icon } from "./Icon";
 import { becomeDisplay } from "./ownDisplay";
@@ -31,6 +32,7 @@ export function PersonWaitBar() {
 function NoDisplay({ unseen: { call, isHeard } }: { readonly unseen: Unseen }) {
   const display = displayOf(call);
   const question = textOn(call);
+  const refusal = useRefusal("be_display");
   return (
     <div className="interruption person-wait" role="alert" aria-label="Waiting for a display">
       <Icon name="interrupted" />
@@ -45,7 +47,7 @@ function NoDisplay({ unseen: { call, isHeard } }: { readonly unseen: Unseen }) {
         </p>
       </div>
       <div className="answers" role="group" aria-label="Ways to a display">
-        <button type="button" title={`This page becomes the display ${ownDisplayFor(display)}`} onClick={() => becomeDisplay(ownDisplayFor(display))}>
+        <button type="button" disabled={refusal !== undefined} title={refusal ?? `This page becomes the display ${ownDisplayFor(display)}`} onClick={() => becomeDisplay(ownDisplayFor(display))}>
           Answer on this page
         </button>
         <a href={displayAddress(display)} target="_blank" rel="noreferrer">

@@ -1,12 +1,13 @@
 // The run bar: start, pause, step, stop, and the status of the run.
 import type { Core } from "../../generated/messages";
 import { allowedBeside } from "../../shared/live/shownRun";
+import { doingOfCommand, refusalTo } from "../../shared/login/doings";
 import { goesOnMeanwhile, kEffects, primary, statusLook, type Command } from "../../shared/run/controls";
 import { isInterrupted } from "../../shared/run/interruption";
 import { keysOf, type Shortcut } from "../../shared/session/shortcuts";
 import type { Drawer } from "../../shared/session/view";
 import { commandable } from "../../shared/session/session";
-import { useCore, useSession, useView, view } from "../client";
+import { useCore, useLogin, useSession, useView, view } from "../client";
 import { openDocument, useEditing } from "../edit/editing";
 import { StepButtons } from "../debugger/StepButtons";
 import { PastButtons } from "../past/PastButtons";
@@ -46,26 +47,15 @@ export function RunBar() {
   const lost = useSession((s) => s.connection === "lost");
   const past = useSession((s) => s.past !== undefined);
   const asks = usePersonStatus();
+  const me = useLogin((now) => now.me);
   const lead = primary(core);
   const first = firstButton[lead === "resume" || lead === "again" ? lead : "start"];
   return (
     <div className={`runbar${core !== undefined && isInterrupted(core) ? " is-interrupted" : ""}`} role="toolbar" aria-label="Run">
       {past && <span className="of-present">The present</span>}
       {[first, ...buttons].map((spec) => (
-        <button
-          // One button, so that it keeps the focus.
-          key={spec.key}
-          type="button"
-          className={`run-button run-${spec.command}`}
-          disabled={!commands.has(spec.command)}
-          aria-label={spec.name}
-          title={`${spec.name} (${keysOf(spec.key)})${spec.says === undefined ? "" : `: ${spec.says}`}`}
-          aria-keyshortcuts={keysOf(spec.key)}
-          onClick={() => command(spec.command)}
-        >
-          <Icon name={spec.icon} />
-          <span>{spec.name}</span>
-        </button>
+        // One button for the first command, so that it keeps the focus.
+        <RunButton key={spec.key} spec={spec} taken={commands.has(spec.command)} refusal={refusalTo(me, doingOfCommand[spec.command])} />
       ))}
       <StepButtons />
       <PastButtons />
@@ -83,6 +73,32 @@ export function RunBar() {
       {core !== undefined && <RunOf core={core} edited={edited} />}
       {page !== "edit" && <DrawerTabs />}
     </div>
+  );
+}
+
+interface RunButtonProps {
+  readonly spec: ButtonSpec;
+  /** The run takes the command now. */
+  readonly taken: boolean;
+  /** Why the account may not give it. */
+  readonly refusal: string | undefined;
+}
+
+function RunButton({ spec, taken, refusal }: RunButtonProps) {
+  const says = refusal ?? spec.says;
+  return (
+    <button
+      type="button"
+      className={`run-button run-${spec.command}`}
+      disabled={!taken || refusal !== undefined}
+      aria-label={spec.name}
+      title={`${spec.name} (${keysOf(spec.key)})${says === undefined ? "" : `: ${says}`}`}
+      aria-keyshortcuts={keysOf(spec.key)}
+      onClick={() => command(spec.command)}
+    >
+      <Icon name={spec.icon} />
+      <span>{spec.name}</span>
+    </button>
   );
 }
 

@@ -6,6 +6,7 @@ import { movedBy } from "../../shared/run/moving";
 import { lastStatusText } from "../../shared/run/lostText";
 import { follow, useCore, useSession } from "../client";
 import { PastProperties } from "../past/PastProperties";
+import { useRefusal } from "../login/rights";
 import { CodeText } from "./CodeText";
 import { EndCard } from "./EndCard";
 import { FaultCard } from "./FaultCard";
@@ -19,6 +20,7 @@ export function RunProperties({ tree }: { readonly tree: ModelTree | undefined }
   const last = useSession((s) => s.lastInput);
   const past = useSession((s) => s.past?.past);
   const name = useSession((s) => s.model?.name);
+  const refusal = useRefusal("follow_edits");
   const lost = useSession((s) => s.connection === "lost");
   const asks = usePersonStatus();
   const stops = useSession((s) => core?.status === "running" && s.model !== undefined && movedBy(s.model, s.services)?.length !== 0);
@@ -77,8 +79,8 @@ export function RunProperties({ tree }: { readonly tree: ModelTree | undefined }
           <p className="quiet">
             {core.document}, revision {core.revision}
           </p>
-          <label className="follow">
-            <input type="checkbox" checked={core.live} disabled={lost} onChange={(event) => void follow(event.target.checked)} /> Follow edits while it runs
+          <label className="follow" title={refusal}>
+            <input type="checkbox" checked={core.live} disabled={lost || refusal !== undefined} onChange={(event) => void follow(event.target.checked)} /> Follow edits while it runs
           </label>
           <p className="quiet">Each edit without errors then changes this run between its macro steps. A new port or action may move the robot.</p>
         </section>

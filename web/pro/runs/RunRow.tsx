@@ -6,6 +6,7 @@ import { outcomeText, runTime } from "../../shared/runs/texts";
 import { isOver, statusLook, statusText } from "../../shared/run/controls";
 import { api, useSession } from "../client";
 import { useAttempt } from "../documents/useAttempt";
+import { useRefusal } from "../login/rights";
 import { openRun } from "./actions";
 import { CompareRun } from "./CompareRun";
 import { removeRun } from "./runs";
@@ -29,6 +30,7 @@ export function RunRow({ run, offline }: Props) {
   const disabled = offline || busy;
   const held = hosted !== undefined && !isOver(hosted);
   const took = runTime(run);
+  const refusal = useRefusal("delete_run");
   return (
     <li className="document-row" aria-label={`Run ${id}`}>
       <div className="document-head">
@@ -51,7 +53,7 @@ export function RunRow({ run, offline }: Props) {
         <a className="button" href={api.runFileAddress(id)} download aria-disabled={offline} title="All of the run in one file, which any server opens">
           Download
         </a>
-        <button type="button" disabled={disabled || held} title={held ? "Its core is not over: stop it first" : undefined} aria-expanded={asked} onClick={() => ask(!asked)}>
+        <button type="button" disabled={disabled || held || refusal !== undefined} title={refusal ?? (held ? "Its core is not over: stop it first" : undefined)} aria-expanded={asked} onClick={() => ask(!asked)}>
           Delete
         </button>
       </div>

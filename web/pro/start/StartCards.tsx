@@ -7,6 +7,7 @@ import { keysOf } from "../../shared/session/shortcuts";
 import { attempt, useSession } from "../client";
 import { create, showDocuments } from "../documents/actions";
 import { startTour } from "../help/tour";
+import { useRefusal } from "../login/rights";
 import { askPairing } from "../pairing/pairing";
 import { DocumentCard } from "./DocumentCard";
 
@@ -15,6 +16,7 @@ export function StartCards() {
   const offline = useSession((s) => s.connection !== "open");
   const documents = useSession((s) => s.documents);
   const shown = useMemo(() => starters(documents), [documents]);
+  const refusal = useRefusal("store_document");
   if (!listed) return <p>Asking the server what runs…</p>;
   const newTask = () => void attempt(() => create(freeDocumentName("task", namesOf(documents))));
   return (
@@ -31,8 +33,8 @@ export function StartCards() {
         </button>
       )}
       <ul className="start-ways" aria-label="Other ways to begin">
-        <Way title="Take the tour" text="Build a first task in six steps, and see it run." button={`Start the tour`} hint={`Help: ${keysOf("guide")}`} disabled={offline} act={startTour} />
-        <Way title="Build a task" text="An empty document in the editor; states come from the left." button="New task" disabled={offline} act={newTask} />
+        <Way title="Take the tour" text="Build a first task in six steps, and see it run." button={`Start the tour`} hint={refusal ?? `Help: ${keysOf("guide")}`} disabled={offline || refusal !== undefined} act={startTour} />
+        <Way title="Build a task" text="An empty document in the editor; states come from the left." button="New task" {...(refusal !== undefined && { hint: refusal })} disabled={offline || refusal !== undefined} act={newTask} />
         <Way title="Pair a phone" text="A phone as the display of a task: it shows questions and takes answers." button="Show the code" disabled={false} act={() => askPairing(true)} />
       </ul>
     </section>

@@ -8,6 +8,7 @@ import { isSameRange, type Range } from "../../shared/versions/range";
 import { useSession } from "../client";
 import { NameForm } from "../documents/NameForm";
 import { useAttempt } from "../documents/useAttempt";
+import { useRefusal } from "../login/rights";
 import { DifferenceList } from "../live/DifferenceList";
 import { useComparedVersions } from "./compared";
 import { branch, compareRange, restore, useHistory } from "./history";
@@ -74,12 +75,13 @@ function Actions({ revision, isLast }: { readonly revision: number; readonly isL
   const offline = useSession((s) => s.connection !== "open");
   const taken = useMemo(() => namesOf(documents), [documents]);
   const { attempt, reason, busy } = useAttempt();
+  const [mayRestore, mayBranch] = [useRefusal("restore_document"), useRefusal("branch_document")];
   return (
     <div className="comparison-actions">
-      <button type="button" disabled={offline || busy || isLast} title={isLast ? "It is the last one" : "As a further revision: nothing is lost"} onClick={() => void attempt(() => restore(revision))}>
+      <button type="button" disabled={offline || busy || isLast || mayRestore !== undefined} title={mayRestore ?? (isLast ? "It is the last one" : "As a further revision: nothing is lost")} onClick={() => void attempt(() => restore(revision))}>
         Restore revision {revision}
       </button>
-      <button type="button" disabled={offline || busy} aria-expanded={asked} onClick={() => ask(!asked)}>
+      <button type="button" disabled={offline || busy || mayBranch !== undefined} title={mayBranch} aria-expanded={asked} onClick={() => ask(!asked)}>
         Branch…
       </button>
       {asked && document !== undefined && (

@@ -1,4 +1,6 @@
-// How a phone comes to show a display page: its address, and, as long as the server answers its own machine alone, the tunnel that leads there.
+// How a phone comes to show a display page: its address; where the page came over a network, what the phone has to trust; and where it came
+// from this machine, how a network is served, or the tunnel that leads there.
+import { kTrustPage } from "../trust/trustAddress";
 import { nameOf } from "./page";
 
 /** Of the page, as `location` has it. */
@@ -11,6 +13,8 @@ export interface PageAddress {
 export interface Pairing {
   /** Of the display page, as the phone opens it. */
   readonly address: string;
+  /** Of the page by which the phone comes to trust the server; nothing: it has nothing to trust. */
+  readonly trust?: string;
   /** Commands, one of which makes that address reach the server; nothing: the phone reaches it as it is. */
   readonly tunnel?: { readonly usb: string; readonly ssh: string };
 }
@@ -26,5 +30,6 @@ export function pairing({ protocol, hostname, port }: PageAddress, name: string)
   const at = `${isLocal ? "localhost" : hostname}${port === "" ? "" : `:${port}`}`;
   const address = `${protocol}//${at}/display/?name=${name}`;
   const real = port === "" ? (protocol === "https:" ? "443" : "80") : port;
-  return isLocal ? { address, tunnel: { usb: `adb reverse tcp:${real} tcp:${real}`, ssh: `ssh -L ${real}:127.0.0.1:${real} USER@THIS_MACHINE` } } : { address };
+  if (isLocal) return { address, tunnel: { usb: `adb reverse tcp:${real} tcp:${real}`, ssh: `ssh -L ${real}:127.0.0.1:${real} USER@THIS_MACHINE` } };
+  return protocol === "https:" ? { address, trust: `${protocol}//${at}${kTrustPage}` } : { address };
 }

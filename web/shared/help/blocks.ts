@@ -22,7 +22,7 @@ export interface Term {
   readonly id?: string;
 }
 
-export const groups = ["First steps", "Tasks", "Runs", "Function language", "Reference"] as const;
+export const groups = ["First steps", "Tasks", "Runs", "Function language", "Server", "Reference"] as const;
 
 export interface Topic {
   /** In the address. */

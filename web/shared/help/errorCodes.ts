@@ -1,7 +1,8 @@
-// What each error code and fault means, and what to do. A test holds the codes equal to core/value/expected.h and the faults to api/schemas/core.json.
+// What each error code and fault means, and what to do. A test holds the codes equal to core/value/expected.h, those of requests to the server's, and
+// the faults to api/schemas/core.json.
 import type { Core } from "../../generated/messages";
 import type { Term, Topic } from "./blocks";
-import { text } from "./blocks";
+import { heading, text } from "./blocks";
 
 type FaultKind = NonNullable<Core["fault"]>["kind"];
 
@@ -45,7 +46,27 @@ export const errorCodes: Readonly<Record<string, string>> = {
   not_accepted: "The service does not accept this call in its present state. See the page Services; lead the task through a state in which it does.",
   storage: "The disk of the server is full or fails. Nothing was changed. Make room, then try again; runs wait as interrupted.",
   corrupt: "What is stored is damaged. Take it from a backup, or remove it; the rest is not concerned.",
-  rights: "Your account may not do that. An admin can give it another role.",
+  rights: "Your account may not do that (status 403); the message names the role that may. An admin can give it another role: see Accounts and roles.",
+};
+
+/** The same for codes that only requests have: they say what is wrong with the request, not with what it asks for. */
+export const requestCodes: Readonly<Record<string, string>> = {
+  login: "The server knows nobody by this name and password, or by this token (status 401). Log in; a program needs a token in `RACE_TOKEN`, see Logging in.",
+  attempts: "Too many logins have failed (status 429). Wait as long as the message says, then try again.",
+  password: "The old password is another one (status 403). Who has forgotten it asks an admin for a new one.",
+  origin: "A page of another site has asked (status 403). Only pages of this server may: open them from it.",
+  tls: "The address is served over TLS: write `https://` before it, not `http://`.",
+  host: "The server was asked under a name that it does not answer to. Use an address that it has printed when it started.",
+  overload: "The server has more to do than it can (status 503). Try again in a moment.",
+  out_of_memory: "The server has no memory left for this. Make it smaller, or end other runs.",
+  internal: "The server has failed to answer. Look at its log; the run is not concerned.",
+  method: "The route is there, but not for this. The message says what it has.",
+  upgrade: "Here a WebSocket is served, not a request.",
+  content_type: "The body must be JSON, and say so: `Content-Type: application/json`.",
+  content_length: "The length of the body is not said, or not as a number.",
+  transfer_encoding: "The body is sent in pieces, which the server does not take. Send `Content-Length`.",
+  not_acceptable: "The client accepts no encoding in which the server has this file.",
+  http: "The request is no HTTP that the server understands.",
 };
 
 export const faultKinds: Readonly<Record<FaultKind, string>> = {
@@ -64,9 +85,9 @@ export const faultKinds: Readonly<Record<FaultKind, string>> = {
 const termsOf = (table: Readonly<Record<string, string>>, prefix: string): readonly Term[] => Object.entries(table).map(([name, words]) => ({ name, text: words, id: `${prefix}-${name}` }));
 
 export const errorTopics: readonly Topic[] = [
-  { id: "errors", title: "Error codes", group: "Reference", blocks: [text("Everything that is refused says where, a code, and why. What to do:"), { kind: "terms", terms: termsOf(errorCodes, "error") }] },
+  { id: "errors", title: "Error codes", group: "Reference", blocks: [text("Everything that is refused says where, a code, and why. What to do:"), { kind: "terms", terms: termsOf(errorCodes, "error") }, heading("Of requests"), { kind: "terms", terms: termsOf(requestCodes, "error") }] },
   { id: "fault-kinds", title: "Kinds of faults", group: "Reference", blocks: [text("Why a run has faulted, and what to do:"), { kind: "terms", terms: termsOf(faultKinds, "fault") }] },
 ];
 
 /** The topic, and the place in it, that explains an error code; nothing: the code is not known. */
-export const placeOfCode = (name: string): { readonly topic: string; readonly term: string } | undefined => (Object.hasOwn(errorCodes, name) ? { topic: "errors", term: `error-${name}` } : undefined);
+export const placeOfCode = (name: string): { readonly topic: string; readonly term: string } | undefined => (Object.hasOwn(errorCodes, name) || Object.hasOwn(requestCodes, name) ? { topic: "errors", term: `error-${name}` } : undefined);

@@ -1,5 +1,6 @@
 // All topics of the help, in order, and their search.
 import { assertNever } from "../assertNever";
+import { accounts } from "./accounts";
 import { groups, text, type Block, type Topic } from "./blocks";
 import { concepts } from "./concepts";
 import { errorTopics } from "./errorCodes";
@@ -23,7 +24,7 @@ const signs: Topic = {
 
 const keys: Topic = { id: "keys", title: "Keys and mouse", group: "Reference", blocks: [{ kind: "keys" }] };
 
-export const topics: readonly Topic[] = [first, ...concepts, ...running, ...language, ...errorTopics, signs, keys];
+export const topics: readonly Topic[] = [first, ...concepts, ...running, ...language, ...accounts, ...errorTopics, signs, keys];
 
 export const topicOf = (id: string): Topic | undefined => topics.find((topic) => topic.id === id);
 

@@ -17,6 +17,8 @@ export interface AccessOptions {
   readonly fetcher: typeof fetch;
   readonly tokens: TokenStore;
   readonly onChange: (access: Access) => void;
+  /** Another page of the browser has logged in, and this one is of that account now: its stream is to be opened anew. */
+  readonly onOtherLogin: () => void;
 }
 
 /** The login was not accepted: why, and when to try again [s]. */
@@ -32,7 +34,7 @@ export class LoginError extends Error {
 
 const kJson = { "content-type": "application/json" };
 
-export function createAccess({ base, fetcher, tokens, onChange }: AccessOptions) {
+export function createAccess({ base, fetcher, tokens, onChange, onOtherLogin }: AccessOptions) {
   let access: Access = { asked: false };
   let nowKnown = (): void => undefined;
   const known = new Promise<void>((resolve) => (nowKnown = resolve));
@@ -58,6 +60,17 @@ export function createAccess({ base, fetcher, tokens, onChange }: AccessOptions)
     if (!me.accounts) tokens.write(undefined);
     change({ me, asked: me.role === undefined });
   }
+
+  /** Another page of the browser has logged in or out: this one does so, too. */
+  async function follow(): Promise<void> {
+    if (tokens.read() === undefined && access.me?.accounts === true) {
+      change({ me: { accounts: true }, asked: true });
+      return;
+    }
+    await ask();
+    if (!access.asked) onOtherLogin();
+  }
+  tokens.listen(() => void follow().catch(() => undefined)); // without a server, its stream asks again
 
   async function ticket(): Promise<Ticket> {
     const answer = await authorized(`${base}/tickets`, { method: "POST" });

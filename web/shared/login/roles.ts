@@ -24,8 +24,11 @@ export function mayUse(role: string | undefined, right: string): boolean {
 
 type Route = keyof typeof rights.routes;
 
-/** Why the page of this person does not offer a route; nothing: it does. */
-export function refusalOf(me: Me | undefined, route: Route): string | undefined {
-  if (me === undefined || mayUse(me.role, rights.routes[route])) return undefined;
-  return `your account is for ${me.role ?? "nobody"}s: this needs the role ${rights.routes[route]}`;
+/** Why a person may not do what needs `right`; nothing: they may, or it is not known yet who it is. */
+export function refusalOfRight(me: Me | undefined, right: string): string | undefined {
+  if (me === undefined || mayUse(me.role, right)) return undefined;
+  return `this needs the role ${right}, and ${me.role === undefined ? "nobody is logged in" : `your account has the role ${me.role}`}`;
 }
+
+/** The same for a route. */
+export const refusalOf = (me: Me | undefined, route: Route): string | undefined => refusalOfRight(me, rights.routes[route]);

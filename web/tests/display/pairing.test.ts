@@ -11,8 +11,9 @@ describe("pairing a phone", () => {
     }
     expect(pairing({ protocol: "http:", hostname: "localhost", port: "" }, "x").tunnel?.usb).toBe("adb reverse tcp:80 tcp:80");
   });
-  it("is the address alone where the page came from another machine", () => {
-    expect(pairing({ protocol: "https:", hostname: "cell.example", port: "" }, "phone")).toEqual({ address: "https://cell.example/display/?name=phone" });
+  it("is the address, and what to trust before, where the page came from another machine", () => {
+    expect(pairing({ protocol: "https:", hostname: "cell.example", port: "" }, "phone")).toEqual({ address: "https://cell.example/display/?name=phone", trust: "https://cell.example/trust/" });
+    expect(pairing({ protocol: "http:", hostname: "cell.example", port: "8080" }, "phone")).toEqual({ address: "http://cell.example:8080/display/?name=phone" });
   });
   it("takes the names of displays", () => {
     expect(["phone", "a-B_9", "all", "", "ä", "x".repeat(33), "a b", "a&b"].map(isDisplayName)).toEqual([true, true, false, false, false, false, false, false]);

@@ -1,5 +1,5 @@
 // The help: it explains all that there is, and nothing that is not; its figures are whole models; the tour knows what is done.
-import { readFileSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import ELK from "elkjs/lib/elk.bundled.js";
 import { describe, expect, it } from "vitest";
 import { apply, type Operation } from "../../shared/edit/apply";
@@ -11,7 +11,7 @@ import { layoutModel } from "../../shared/drawing/layout";
 import { stubs } from "../../shared/drawing/stubs";
 import { drawingSvg, svgText } from "../../shared/drawing/svg";
 import { kBuiltins, kModules } from "../../shared/code/words";
-import { errorCodes, faultKinds, placeOfCode } from "../../shared/help/errorCodes";
+import { errorCodes, faultKinds, placeOfCode, requestCodes } from "../../shared/help/errorCodes";
 import { exampleState } from "../../shared/help/exampleState";
 import { barrier, examples } from "../../shared/help/examples";
 import { cellLegend, drawingLegend } from "../../shared/help/legend";
@@ -29,6 +29,11 @@ describe("the help on errors", () => {
     const codes = [...list.replaceAll(/\/\/.*$/gm, "").matchAll(/\w+/g)].map(([code]) => code);
     expect(codes.length).toBeGreaterThan(30);
     expect(Object.keys(errorCodes).sort()).toEqual([...codes].sort());
+  });
+  it("has every code of requests, and no other", () => {
+    const files = readdirSync(new URL("server/", project), { recursive: true, encoding: "utf8" }).filter((name) => name.endsWith(".cpp"));
+    const codes = new Set(files.flatMap((name) => [...source(`server/${name}`).matchAll(/refusal\(\d+,\s*"(\w+)"/g)].map(([, code]) => code ?? "")));
+    expect([...codes].filter((code) => !Object.hasOwn(errorCodes, code)).sort()).toEqual(Object.keys(requestCodes).sort());
   });
   it("has every kind of fault, and no other", () => {
     const { $defs } = JSON.parse(source("api/schemas/core.json")) as { readonly $defs: { readonly fault: { readonly properties: { readonly kind: { readonly enum: readonly string[] } } } } };
@@ -52,6 +57,7 @@ describe("topics of the help", () => {
     expect(functions.filter((name) => !names.some((each) => each.startsWith(name)))).toEqual([]);
   });
   it("are found by all words, titles first", () => {
+    expect(findTopics("RACE_TOKEN program")[0]?.id).toBe("login");
     expect(findTopics("barrier")[0]?.id).toBe("barriers");
     expect(findTopics("atan2 angle").map(({ id }) => id)).toEqual(["language-math"]);
     expect(findTopics("  ")).toBe(topics);

@@ -16,6 +16,8 @@ const problem = (status: number, code: string) => ({ status, title: "refused", d
 /** A page whose server answers with `answers`, by path; and what it has asked. */
 function page(answers: Readonly<Record<string, readonly [number, unknown, Record<string, string>?]>>, token?: string) {
   let kept = token;
+  let changed = (): void => undefined;
+  let logins = 0;
   const asked: Asked[] = [];
   const seen: Access[] = [];
   const fetcher: typeof fetch = (input, init) => {
@@ -27,10 +29,17 @@ function page(answers: Readonly<Record<string, readonly [number, unknown, Record
   const access = createAccess({
     base: "/api/v1",
     fetcher,
-    tokens: { read: () => kept, write: (next) => void (kept = next) },
+    tokens: { read: () => kept, write: (next) => void (kept = next), listen: (listener) => (changed = listener) },
     onChange: (next) => seen.push(next),
+    onOtherLogin: () => ++logins,
   });
-  return { access, asked, seen, kept: () => kept };
+  /** Another page of the browser stores this token, or none. */
+  const store = async (next: string | undefined) => {
+    kept = next;
+    changed();
+    await new Promise((resolve) => setTimeout(resolve));
+  };
+  return { access, asked, seen, kept: () => kept, store, logins: () => logins };
 }
 
 describe("a page of a server without accounts", () => {
@@ -91,6 +100,37 @@ describe("a page of a server with accounts", () => {
   });
 });
 
+describe("several pages of one browser", () => {
+  const ada = { accounts: true, name: "ada", role: "admin" };
+
+  it("log out together, also without a server", async () => {
+    const { access, store, asked, logins } = page({ "/me": [200, ada] }, kToken);
+    await access.ask();
+    await store(undefined);
+    expect(access.get()).toEqual({ me: { accounts: true }, asked: true });
+    expect(asked).toHaveLength(1);
+    expect(logins()).toBe(0);
+  });
+
+  it("take the account of a new login, and open their streams anew", async () => {
+    const { access, store, asked, logins } = page({ "/me": [200, ada] });
+    await store(kToken);
+    expect(access.get()).toEqual({ me: ada, asked: false });
+    expect(asked).toEqual([{ path: "/me", method: "GET", token: `Bearer ${kToken}` }]);
+    expect(logins()).toBe(1);
+  });
+
+  it("stay as they are where the server has no accounts, or does not answer", async () => {
+    const without = page({ "/me": [200, { accounts: false, role: "admin" }] });
+    await without.access.ask();
+    await without.store(undefined);
+    expect(without.access.get().asked).toBe(false);
+    const lost = page({ "/me": [503, problem(503, "overload")] }, kToken);
+    await lost.store(undefined);
+    expect(lost.access.get()).toEqual({ asked: false });
+  });
+});
+
 describe("a role", () => {
   it("may do what those before it may", () => {
     const may = (right: string) => [undefined, ...kRoles].map((role) => (mayUse(role, right) ? 1 : 0)).join("");
@@ -98,20 +138,40 @@ describe("a role", () => {
   });
 
   it("is told what a route needs", () => {
-    expect(refusalOf({ accounts: true, name: "eve", role: "observer" }, "PUT /api/v1/documents/{name}")).toBe("your account is for observers: this needs the role developer");
+    expect(refusalOf({ accounts: true, name: "eve", role: "observer" }, "PUT /api/v1/documents/{name}")).toBe("this needs the role developer, and your account has the role observer");
     expect(refusalOf({ accounts: true, name: "eve", role: "admin" }, "PUT /api/v1/documents/{name}")).toBeUndefined();
     expect(refusalOf(undefined, "PUT /api/v1/documents/{name}"), "not known yet").toBeUndefined();
   });
 });
 
+const noEvents = { addEventListener: () => undefined };
+
 describe("a token", () => {
   it("is kept in memory where the browser keeps nothing", () => {
     const tokens = storedTokens(() => {
       throw new Error("refused");
-    });
+    }, noEvents);
     tokens.write(kToken);
     expect(tokens.read()).toBe(kToken);
     tokens.write(undefined);
     expect(tokens.read()).toBeUndefined();
+  });
+
+  it("is told when another page stores one, and is forgotten when that empties the storage", () => {
+    const items = new Map<string, string>();
+    const storage = { getItem: (key: string) => items.get(key) ?? null, setItem: (key: string, value: string) => void items.set(key, value), removeItem: (key: string) => void items.delete(key) };
+    let tell: (event: { readonly key: string | null; readonly newValue: string | null }) => void = () => undefined;
+    const tokens = storedTokens(() => storage as unknown as Storage, { addEventListener: (_, listener) => (tell = listener) });
+    const seen: (string | undefined)[] = [];
+    tokens.listen(() => seen.push(tokens.read()));
+    tokens.write(kToken);
+    expect(seen, "not of what this page writes").toEqual([]);
+    tell({ key: "race.name", newValue: "eve" });
+    expect(seen, "not of anything else").toEqual([]);
+    items.set("race.token", "another");
+    tell({ key: "race.token", newValue: "another" });
+    items.clear();
+    tell({ key: null, newValue: null });
+    expect(seen).toEqual(["another", undefined]);
   });
 });

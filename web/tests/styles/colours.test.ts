@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import { literalsOfCode, literalsOfValue } from "./literals";
 import { declarations, sheetsOf, sources } from "./sources";
 
-const kPages = ["pro", "display"] as const;
+const kPages = ["pro", "display", "trust"] as const;
 
 describe("literal colours", () => {
   test.each(["#fff", "1px solid #c2ccc7", "rgb(255 255 255 / 90%)", "0 1px 2px hsl(20 10% 10%)", "white", "2px dashed Red"])("`%s` is found in a style sheet", (value) => {
@@ -42,7 +42,7 @@ describe("custom properties", () => {
     const texts = sources(page, /\.(?:css|tsx?)$/).map(({ text }) => text);
     const names = (pattern: RegExp) => new Set(texts.flatMap((text) => [...text.matchAll(pattern)].map(([, name]) => name ?? "")));
     const used = names(/(?:var|tokenColour)\(["']?(--[\w-]+)/g);
-    const set = names(/(?<!\()(--[\w-]+)["']?\]?\s*[:,]/g);
+    const set = new Set([...names(/(?<!\()(--[\w-]+)["']?\]?\s*[:,]/g), ...sheetsOf(page).tokens.map(({ property }) => property)]);
     expect(used.size).toBeGreaterThan(0);
     expect([...used].filter((name) => !set.has(name))).toEqual([]);
   });

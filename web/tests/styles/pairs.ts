@@ -56,7 +56,9 @@ const kDisplayText: Pairs = {
 };
 
 /** Text: at least 4.5:1. */
-export const textPairs: Readonly<Record<PageName, Pairs>> = { pro: kProText, display: kDisplayText };
+export const textPairs: Readonly<Record<PageName, Pairs>> = { pro: kProText, display: kDisplayText, trust: kDisplayText };
+
+const kDisplayGraphics: Pairs = { paper: ["soft", "choice"], panel: ["soft"] };
 
 /** Lines, borders that carry a meaning, signs, dots and the focus: at least 3:1. */
-export const graphicsPairs: Readonly<Record<PageName, Pairs>> = { pro: kProGraphics, display: { paper: ["soft", "choice"], panel: ["soft"] } };
+export const graphicsPairs: Readonly<Record<PageName, Pairs>> = { pro: kProGraphics, display: kDisplayGraphics, trust: kDisplayGraphics };

@@ -3,11 +3,12 @@ import { readdirSync, readFileSync } from "node:fs";
 import { join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
 
-export type PageName = "pro" | "display";
+/** The page on trust has the colours of the display page. */
+export type PageName = "pro" | "display" | "trust";
 
 const folderOf = (page: PageName): string => fileURLToPath(new URL(`../../${page}`, import.meta.url));
 
-const kTokens: Readonly<Record<PageName, string>> = { pro: "styles/tokens.css", display: "tokens.css" };
+const kTokens: Readonly<Record<PageName, string>> = { pro: "styles/tokens.css", display: "tokens.css", trust: "../display/tokens.css" };
 
 export interface Source {
   /** In the folder of the page, e.g. `styles/canvas.css`. */
@@ -50,6 +51,7 @@ export interface Sheets {
 
 export function sheetsOf(page: PageName): Sheets {
   const all = sources(page, /\.css$/);
-  const isTokens = ({ name }: Source) => name === kTokens[page];
-  return { tokens: all.filter(isTokens).flatMap(({ text }) => declarations(text)), others: all.filter((sheet) => !isTokens(sheet)) };
+  const tokens = join(folderOf(page), kTokens[page]);
+  const isTokens = ({ name }: Source) => join(folderOf(page), name) === tokens;
+  return { tokens: declarations(withoutComments(readFileSync(tokens, "utf8"))), others: all.filter((sheet) => !isTokens(sheet)) };
 }

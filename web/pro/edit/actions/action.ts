@@ -1,4 +1,6 @@
 // Actions: what can be done on the page that edits, each once, for keys, command palette, context menu and help.
+import { refusalOfAction } from "../../../shared/login/doings";
+import { login } from "../../client";
 import type { MenuEntry } from "../prompt";
 import { refuse } from "../say";
 import { situationNow, type Situation } from "../situation";
@@ -22,7 +24,7 @@ export interface Action {
 
 /** Why it cannot be done now. */
 export const reasonAgainst = (action: Action, situation: Situation | undefined): string | undefined =>
-  situation === undefined ? "no document is here" : action.when(situation);
+  refusalOfAction(login.get().me, action) ?? (situation === undefined ? "no document is here" : action.when(situation));
 
 /** Does it, or tells why not. */
 export function runAction(action: Action): void {

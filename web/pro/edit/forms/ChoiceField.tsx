@@ -1,5 +1,6 @@
 // One of several: what the arrow keys pass is not chosen before Enter, or before the field is left; Esc goes back. A click chooses at once.
 import { useId, useRef, useState, type KeyboardEvent } from "react";
+import { useRefusal } from "../../login/rights";
 
 export interface Choice {
   readonly value: string;
@@ -22,6 +23,7 @@ const isStepping = ({ key, altKey }: KeyboardEvent): boolean => !altKey && (key.
 export function ChoiceField({ label, value, choices, onChoose, isBare = false, place, className }: Props) {
   const unique = useId();
   const [held, setHeld] = useState<string>();
+  const refusal = useRefusal("edit");
   const stepping = useRef(false);
   const choose = (chosen: string | undefined) => {
     setHeld(undefined);
@@ -46,6 +48,8 @@ export function ChoiceField({ label, value, choices, onChoose, isBare = false, p
         aria-label={isBare ? label : undefined}
         data-place={place}
         value={held ?? value}
+        disabled={refusal !== undefined}
+        title={refusal}
         onPointerDown={() => (stepping.current = false)}
         onKeyDown={press}
         onChange={(event) => (stepping.current ? setHeld(event.target.value) : choose(event.target.value))}

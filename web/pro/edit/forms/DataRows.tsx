@@ -6,6 +6,7 @@ import { entryOf } from "../../../shared/json";
 import type { State } from "../../../shared/model/model";
 import { ParameterNow, ValueNow } from "../../live/ValueNow";
 import { WhyLink } from "../../live/WhyLink";
+import { useRefusal } from "../../login/rights";
 import { perform, useEditing } from "../editing";
 import { ElementRows } from "./ElementRows";
 import { ElementText } from "./ElementText";
@@ -28,6 +29,7 @@ export function DataRows({ state }: { readonly state: State }) {
 function ParameterRow({ id }: { readonly id: string }) {
   const [hasValue, hasFrom] = [useHas(id, "value"), useHas(id, "from")];
   const [wish, setWish] = useState<"value" | "from">("value");
+  const refusal = useRefusal("edit");
   const exact = useExactText(id, "value");
   const from = useEditing(({ session }) => entryOf(session?.view?.elements.get(id)?.fields, "from"));
   const kind = hasFrom ? "from" : hasValue ? "value" : wish;
@@ -49,7 +51,8 @@ function ParameterRow({ id }: { readonly id: string }) {
       <button
         type="button"
         className="row-kind"
-        title={kind === "value" ? "A constant; click for an expression of the parent" : "An expression of the parent; click for a constant"}
+        disabled={refusal !== undefined}
+        title={refusal ?? (kind === "value" ? "A constant; click for an expression of the parent" : "An expression of the parent; click for a constant")}
         aria-label={kind === "value" ? "Constant: make it an expression" : "Expression: make it a constant"}
         onClick={exchange}
       >

@@ -7,6 +7,7 @@ import { entryOf } from "../../../shared/json";
 import type { State } from "../../../shared/model/model";
 import { ConditionNow } from "../../live/ConditionNow";
 import { WhyLink } from "../../live/WhyLink";
+import { useRefusal } from "../../login/rights";
 import { perform, useEditing } from "../editing";
 import { ChoiceField } from "./ChoiceField";
 import { ElementRows } from "./ElementRows";
@@ -40,12 +41,13 @@ const useIsLinked = (id: string): boolean =>
 /** The condition, or the time-out. The other one begins as what changes the least: a port that does not fire soon. */
 export function ConditionField({ id }: { readonly id: string }) {
   const [hasWhen, isTimed, isLinked] = [useHas(id, "when"), useHas(id, "after"), useIsLinked(id)];
+  const refusal = useRefusal("edit");
   if (isLinked && !hasWhen && !isTimed) return <small className="field-hint">The condition is the library&apos;s.</small>;
   const exchange = () =>
     perform({ operations: isTimed ? [setOperation(id, "after", undefined), setOperation(id, "when", "False")] : [setOperation(id, "when", undefined), setOperation(id, "after", "10.0")] });
   return (
     <div className="condition">
-      <button type="button" className="row-kind" aria-label={isTimed ? "Time-out: make it a condition" : "Condition: make it a time-out"} title={isTimed ? "Fires this long after the activation of its state [s]; click for a condition" : "Fires when this holds; click for a time-out"} onClick={exchange}>
+      <button type="button" className="row-kind" aria-label={isTimed ? "Time-out: make it a condition" : "Condition: make it a time-out"} disabled={refusal !== undefined} title={refusal ?? (isTimed ? "Fires this long after the activation of its state [s]; click for a condition" : "Fires when this holds; click for a time-out")} onClick={exchange}>
         {isTimed ? "after" : "when"}
       </button>
       {isTimed ? (

@@ -2,6 +2,7 @@
 // arrows move it. The focus stays in the list.
 import { useRef, type KeyboardEvent, type ReactNode } from "react";
 import type { Conflicts } from "../../../shared/edit/order";
+import { useRefusal } from "../../login/rights";
 import { RowEnter } from "./rowEnter";
 import { useRowDrag } from "./useRowDrag";
 import { useRowFocus } from "./useRowFocus";
@@ -29,7 +30,9 @@ interface Props {
 
 const kKeys = "Drag to move, or Alt+↑ and Alt+↓. Enter adds one below, Delete removes it.";
 
-export function Rows({ label, one, items, numbered, onAdd, onRemove, onMove, className }: Props) {
+export function Rows({ label, one, items, numbered, className, ...edits }: Props) {
+  const refusal = useRefusal("edit");
+  const { onAdd, onMove } = refusal === undefined ? edits : {};
   const list = useRef<HTMLUListElement>(null);
   const focus = useRowFocus(list);
   const drag = useRowDrag(list, onMove);
@@ -40,10 +43,10 @@ export function Rows({ label, one, items, numbered, onAdd, onRemove, onMove, cla
   };
   const remove = (i: number) => {
     const [item, neighbour] = [items[i], items[i + 1] ?? items[i - 1]];
-    if (item === undefined) return;
+    if (item === undefined || refusal !== undefined) return;
     if (neighbour === undefined) focus.toAdd();
     else focus.toRow(neighbour.id, "handle");
-    onRemove(item.id);
+    edits.onRemove(item.id);
   };
   const pressInRow = (event: KeyboardEvent, i: number) => {
     const by = event.key === "ArrowUp" ? -1 : event.key === "ArrowDown" ? 1 : 0;
@@ -67,8 +70,8 @@ export function Rows({ label, one, items, numbered, onAdd, onRemove, onMove, cla
     <section className={["form-rows", className].filter(Boolean).join(" ")} aria-label={label}>
       <header>
         <h3>{label}</h3>
-        {onAdd !== undefined && (
-          <button type="button" className="row-add" data-add aria-label={`Add ${one}`} title={`Add ${one}`} onClick={() => add(items.at(-1)?.id)}>
+        {edits.onAdd !== undefined && (
+          <button type="button" className="row-add" data-add aria-label={`Add ${one}`} disabled={refusal !== undefined} title={refusal ?? `Add ${one}`} onClick={() => add(items.at(-1)?.id)}>
             +
           </button>
         )}
@@ -80,7 +83,7 @@ export function Rows({ label, one, items, numbered, onAdd, onRemove, onMove, cla
               <button
                 type="button"
                 className="row-handle"
-                title={kKeys}
+                title={refusal ?? kKeys}
                 aria-label={`${one} ${item.name}, ${i + 1} of ${items.length}`}
                 aria-keyshortcuts="Alt+ArrowUp Alt+ArrowDown Enter Delete"
                 onKeyDown={(event) => pressOnHandle(event, i)}
@@ -91,7 +94,7 @@ export function Rows({ label, one, items, numbered, onAdd, onRemove, onMove, cla
               <div className="row-content">
                 <RowEnter.Provider value={onAdd && (() => add(item.id))}>{item.content}</RowEnter.Provider>
               </div>
-              <button type="button" className="row-remove" tabIndex={-1} aria-label={`Remove ${one} ${item.name}`} title="Remove" onClick={() => remove(i)}>
+              <button type="button" className="row-remove" tabIndex={-1} aria-label={`Remove ${one} ${item.name}`} disabled={refusal !== undefined} title={refusal ?? "Remove"} onClick={() => remove(i)}>
                 ✕
               </button>
             </li>

@@ -1,5 +1,6 @@
 // A field that is edited as a text: in one line, or in several. Enter commits one line, Ctrl+Enter several, leaving it either; Esc gives the draft up.
 import { useId, type KeyboardEvent } from "react";
+import { useRefusal } from "../../login/rights";
 import { CodeInput, codeFieldOf } from "./CodeInput";
 import { useRowEnter } from "./rowEnter";
 import { FieldNotes } from "./FieldNotes";
@@ -25,8 +26,10 @@ export interface TextFieldProps {
 export function TextField({ id, field, label, now, change, kind = "line", isBare = false, placeholder, choices, className }: TextFieldProps) {
   const unique = useId();
   const draft = useDraft(id, field, now ?? "", change);
+  const refusal = useRefusal("edit");
+  const readOnly = now === undefined || refusal !== undefined;
   const control = {
-    id: unique, "aria-label": isBare ? label : undefined, "aria-describedby": `${unique}-notes`, "data-place": `${id}/${field}`, placeholder, spellCheck: kind === "lines" || kind === "wrapped", readOnly: now === undefined,
+    id: unique, "aria-label": isBare ? label : undefined, "aria-describedby": `${unique}-notes`, "data-place": `${id}/${field}`, placeholder, spellCheck: kind === "lines" || kind === "wrapped", readOnly, title: refusal,
     autoComplete: "off", value: draft.text, "aria-invalid": draft.reason !== undefined,
     onChange: (event: { readonly target: { readonly value: string } }) => draft.type(event.target.value),
     onBlur: () => draft.commit(false),
@@ -38,7 +41,7 @@ export function TextField({ id, field, label, now, change, kind = "line", isBare
     <div className={classes.filter(Boolean).join(" ")}>
       {!isBare && (code === undefined ? <label htmlFor={unique}>{label}</label> : <span className="form-label">{label}</span>)}
       {code !== undefined ? (
-        <CodeInput id={id} field={field} code={code} label={label} describedBy={`${unique}-notes`} draft={draft} placeholder={placeholder} multiline={kind === "code"} readOnly={now === undefined} />
+        <CodeInput id={id} field={field} code={code} label={label} describedBy={`${unique}-notes`} draft={draft} placeholder={placeholder} multiline={kind === "code"} readOnly={readOnly} />
       ) : kind === "line" ? (
         <input type="text" {...control} list={choices && `${unique}-choices`} />
       ) : (

@@ -2,6 +2,7 @@
 import { applyDraftEvent, noDrafts, readDrafts, writeDrafts, type DraftEvent, type Drafts, type FieldPlace } from "../../../shared/edit/draftText";
 import { reasonText } from "../../../shared/edit/refusalText";
 import type { Change } from "../../../shared/edit/session";
+import { refusalNow } from "../../login/rights";
 import { createStore, useSelected } from "../../store";
 import { editing, perform } from "../editing";
 
@@ -35,6 +36,11 @@ const underWay = new Map<Change, FieldPlace>();
 
 /** Sends the draft of a field as `change`; it stays a draft until the document has it, or with the reason why it has not. */
 export function sendDraft(place: FieldPlace, change: Change): void {
+  const reason = refusalNow("edit");
+  if (reason !== undefined) {
+    drafts.dispatch({ type: "refused", place, reason });
+    return;
+  }
   drafts.dispatch({ type: "sent", place });
   underWay.set(change, place);
   perform(change);

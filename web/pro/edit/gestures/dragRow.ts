@@ -4,6 +4,7 @@ import { nameOfElement, type Command } from "../../../shared/edit/commands/comma
 import { elementOf } from "../../../shared/edit/tree";
 import { selectedPaths } from "../../../shared/session/view";
 import { view } from "../../client";
+import { refusalNow } from "../../login/rights";
 import { carryOut } from "../carryOut";
 import type { ScreenPoint } from "../prompt";
 import { situationNow, type Situation } from "../situation";
@@ -47,6 +48,7 @@ function shapeOf({ where, box }: Target): DOMRect {
 
 /** The drag of the node at `path`, with all that is selected if it is. Nothing: it cannot be dragged. */
 export function dragRow(path: string): Drag | undefined {
+  if (refusalNow("edit") !== undefined) return undefined;
   const begun = situationNow();
   const own = begun && idOf(begun, path);
   if (begun === undefined || own === undefined || elementOf(begun.tree, own).list !== "children") return undefined;

@@ -5,6 +5,7 @@ import { idAt, selectionsOf, type Selection } from "../../../shared/model/identi
 import { ancestry } from "../../../shared/model/modelTree";
 import { pathOf } from "../../../shared/session/view";
 import { newId } from "../../../shared/newId";
+import { refusalNow } from "../../login/rights";
 import { carryOut } from "../carryOut";
 import { editedDocument } from "../editing";
 import { ask, type ScreenPoint } from "../prompt";
@@ -86,6 +87,7 @@ class Wire implements Drag {
 
 /** The drag of a line from this port or barrier; nothing: no line begins there. */
 export function wireFrom(source: Selection): Drag | undefined {
+  if (refusalNow("edit") !== undefined) return undefined;
   const situation = situationNow();
   const from = situation && idAt(situation.model, source);
   const box = boxOf(source);

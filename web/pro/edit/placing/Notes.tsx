@@ -9,6 +9,7 @@ import { CanvasLayer } from "../../canvas/CanvasLayer";
 import { useShownCanvas } from "../../canvas/canvasView";
 import { pathOf } from "../../../shared/session/view";
 import { view } from "../../client";
+import { refusalNow } from "../../login/rights";
 import { carryOut } from "../carryOut";
 import { editedDocument } from "../editing";
 import { useNotes } from "./editedPlaces";
@@ -49,7 +50,7 @@ function Note({ id, selection, text }: { readonly id: string; readonly selection
       aria-label={`Note on ${nameOf(selection)}: ${text}`}
       title="Double click or Shift+F2: change it"
       onClick={() => view.dispatch({ type: "select", selection })}
-      onDoubleClick={() => editNote(id)}
+      onDoubleClick={() => refusalNow("edit") === undefined && editNote(id)}
     >
       <span>{text}</span>
     </button>

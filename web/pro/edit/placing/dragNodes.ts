@@ -7,6 +7,7 @@ import { selectedPaths } from "../../../shared/session/view";
 import type { CanvasView } from "../../canvas/canvasView";
 import { isPreview, showPreview } from "../../canvas/placingPreview";
 import { view } from "../../client";
+import { refusalNow } from "../../login/rights";
 import { carryOut } from "../carryOut";
 import { followPointer, type Drag, type Held } from "../gestures/drag";
 import type { ScreenPoint } from "../prompt";
@@ -64,7 +65,7 @@ function dragOf(canvas: CanvasView, pressed: string, from: ScreenPoint): Drag {
 /** To be called for each press on the canvas. */
 export function dragFrom(canvas: CanvasView, press: PointerEvent): void {
   const pressed = pressedNode(canvas, press);
-  if (pressed === undefined || isPreview(canvas.laid)) return;
+  if (pressed === undefined || isPreview(canvas.laid) || refusalNow("edit") !== undefined) return;
   press.preventDefault();
   followPointer(press, () => dragOf(canvas, pressed, { x: press.clientX, y: press.clientY }));
 }
