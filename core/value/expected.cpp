@@ -8,15 +8,15 @@
 namespace race {
 namespace {
 
-constexpr std::array kNames = {"json",         "version",        "missing",        "type",         "unknown_field",
-                               "name",         "duplicate",      "constant",       "parameter",    "root_from",
-                               "first",        "port_target",    "barrier_target", "link_unknown", "link_cycle",
-                               "link_field",   "link_parameter", "link_port",      "oracle",       "after",
-                               "reference",    "keep",           "syntax",         "forbidden",    "scope",
-                               "effect",       "service_call",   "unknown_name",   "too_large",    "too_deep",
-                               "out_of_range", "not_found",      "conflict",       "io",           "unavailable",
-                               "not_accepted", "storage",        "corrupt",        "rights"};
-static_assert(kNames.size() == static_cast<std::size_t>(ErrorCode::rights) + 1);
+constexpr std::array kNames = {
+    "json",           "version",      "missing",      "type",         "unknown_field",  "name",
+    "duplicate",      "constant",     "parameter",    "root_from",    "first",          "port_target",
+    "barrier_target", "link_unknown", "link_cycle",   "link_field",   "link_parameter", "link_port",
+    "oracle",         "after",        "reference",    "keep",         "syntax",         "forbidden",
+    "scope",          "effect",       "service_call", "unknown_name", "too_large",      "too_deep",
+    "out_of_range",   "not_found",    "conflict",     "io",           "unavailable",    "not_accepted",
+    "storage",        "corrupt",      "rights",       "stopped",      "leased"};
+static_assert(kNames.size() == static_cast<std::size_t>(ErrorCode::leased) + 1);
 
 }  // namespace
 

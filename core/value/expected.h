@@ -54,6 +54,8 @@ enum class ErrorCode {
   storage,  // cannot be stored now (the disk is full or fails); nothing is changed
   corrupt,  // what is stored is damaged
   rights,   // who asks may not do that
+  stopped,  // the cell is stopped: nothing there moves until it is reset
+  leased,   // another run has the service until it is over
 };
 
 /// The code as documents, messages and command lines show it, such as "port_target".

@@ -107,6 +107,8 @@ void Application::create_stream(const Setup& setup) {
                                [this](const std::string& name) { return find_channel(name, channel_sources()); });
   log_ = std::make_unique<EventLog>(*hub_, setup.lines);
   displays_ = std::make_unique<Displays>(screens_, *hub_);
+  control_ = std::make_unique<Control>(
+      [this](const Value& control) { hub_->publish_delta(std::string(kControlChannel), control); });
   core_publisher_ = std::make_unique<CorePublisher>(*hub_, *log_);
   service_publisher_ = std::make_unique<ServicePublisher>(*hub_, *log_);
 }
@@ -117,6 +119,7 @@ Checked<void> Application::create_cell(const Setup& setup) {
   CellSetup cell_setup{setup.demo, folder_->database(), true, std::move(extra_services)};
   cell_setup.remote = setup.remote;
   cell_setup.heartbeat = setup.heartbeat;
+  cell_setup.gate = control_.get();
   auto cell = Cell::create(cell_setup, *service_publisher_);
   if (!cell) return one(std::move(cell).error());
   cell_ = std::move(*cell);
@@ -145,6 +148,8 @@ void Application::name_damaged_documents() {
 Expected<void> Application::create_cores(const Setup& setup) {
   pool_ = std::make_unique<Pool>(kCoreThreads, busy_core_threads(), "cores");
   cores_ = std::make_unique<Cores>(*pool_, cell_->host(), *core_publisher_, *runs_, *writer_, replays_, deadlines_);
+  cell_stop_ = std::make_unique<CellStop>(*control_, cell_->host(), *cores_, StopMark(folder_->stop_mark()),
+                                          [this](const std::string& text) { log("cell", text, LogLevel::warning); });
   live_edits_ = std::make_unique<LiveEdits>(*documents_, *cores_);
   document_watchers_.add(*live_edits_);
   keeper_ = std::make_unique<RunKeeper>(*runs_, *samples_, setup.retention,
@@ -183,6 +188,7 @@ Checked<void> Application::add_operator(const OperatorScript& script) {
 
 Application::~Application() {
   services::set_failure_handler({});
+  if (cell_stop_) cell_stop_->end();
   if (cores_) cores_->close();
   restores_.end();  // one that is under way waits for the cores
   // What is asked is answered by nobody from here on, and what it would use may go.
@@ -206,6 +212,13 @@ Backend Application::make_backend() {
             handle(std::move(request), resources(), audited);
           },
           [this] { return *get_health({}, *cell_); },
+          [this](const Identity& identity) {
+            Request request;
+            request.identity = identity;
+            Reply reply = *stop_cell(request, *cell_stop_, *control_);
+            access_->record(identity, "POST /api/v1/stop", "200");
+            return reply;
+          },
           *hub_,
           *displays_,
           *edits_,
@@ -219,13 +232,13 @@ void Application::log(const std::string& source, const std::string& text, LogLev
 }
 
 ChannelSources Application::channel_sources() {
-  return {*hub_, *cores_, *cell_, *displays_, *flows_, *log_, *edits_, *presence_};
+  return {*hub_, *cores_, *cell_, *displays_, *flows_, *log_, *edits_, *presence_, *control_};
 }
 
 Resources Application::resources() {
-  return {*documents_, *breakpoints_, *editing_, *boot_list_, *backups_, *runs_,    *samples_, *pictures_,
-          *cores_,     *live_edits_,  replays_,  deadlines_,  restores_, *cell_,    *log_,     answers_,
-          *accounts_,  *passwords_,   attempts_, tickets_,    *audit_,   authority_};
+  return {*documents_, *breakpoints_, *editing_, *boot_list_, *backups_, *runs_,     *samples_, *pictures_,
+          *cores_,     *live_edits_,  replays_,  deadlines_,  restores_, *cell_,     *log_,     answers_,
+          *accounts_,  *passwords_,   attempts_, tickets_,    *audit_,   authority_, *control_, *cell_stop_};
 }
 
 }  // namespace race::server

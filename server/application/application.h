@@ -22,6 +22,8 @@
 #include "server/channels/core_publisher.h"
 #include "server/channels/document_publisher.h"
 #include "server/channels/service_publisher.h"
+#include "server/control/cell_stop.h"
+#include "server/control/control.h"
 #include "server/editing/document_watcher.h"
 #include "server/editing/edit_queue.h"
 #include "server/editing/editing.h"
@@ -79,6 +81,7 @@ class Application {
     authority_ = {std::move(certificate), std::move(fingerprint)};
   }
   const std::string& authority_fingerprint() const { return authority_.fingerprint; }
+  Control& control() { return *control_; }
   /// The replay that is done ends soon, and none begins any more: the sockets end.
   void stop_replays() { replays_.stop(); }
 
@@ -113,6 +116,7 @@ class Application {
   Tickets tickets_;
   std::optional<Gate> gate_;
   std::unique_ptr<Access> access_;
+  std::unique_ptr<Control> control_;
   AuthorityCertificate authority_;
   std::unique_ptr<Documents> documents_;
   std::unique_ptr<Backups> backups_;
@@ -132,6 +136,7 @@ class Application {
   std::unique_ptr<Cell> cell_;
   std::unique_ptr<FlowChannels> flows_;
   std::unique_ptr<Cores> cores_;
+  std::unique_ptr<CellStop> cell_stop_;
   std::unique_ptr<LiveEdits> live_edits_;
   std::unique_ptr<RunKeeper> keeper_;
   std::unique_ptr<PictureRecorder> picture_recorder_;

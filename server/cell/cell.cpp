@@ -23,7 +23,7 @@ namespace race::server {
 namespace fs = std::filesystem;
 
 Expected<std::unique_ptr<Cell>> Cell::create(const CellSetup& setup, services::HostObserver& observer) {
-  std::unique_ptr<Cell> cell(new Cell(observer));
+  std::unique_ptr<Cell> cell(new Cell(observer, setup.gate));
   cell->waits_ = !setup.own_threads;
   const fs::path scene = fs::path(setup.folder) / "scene.json";
   const auto here = [&](const char* group) { return std::ranges::find(setup.remote, group) == setup.remote.end(); };

@@ -41,6 +41,7 @@ struct CellSetup {
   std::vector<std::string> remote =
       {};  // names of the groups (component_groups.h) that wait for a process of their own
   std::chrono::milliseconds heartbeat{1000};  // how long such a process may be silent
+  services::MotionGate* gate = nullptr;       // of the host; outlives the cell
   std::uint64_t seed = 0;                     // of everything that is random; the same seed gives the same run
 };
 
@@ -92,7 +93,7 @@ class Cell {
   static constexpr std::chrono::milliseconds kPeriod{1};       // of steps
   static constexpr std::chrono::milliseconds kMostLate{100};
 
-  explicit Cell(services::HostObserver& observer) : host_(clock_, observer) {}
+  Cell(services::HostObserver& observer, services::MotionGate* gate) : host_(clock_, observer, gate) {}
   void take_step();
   void work_in_step();
   Expected<void> add_remotes(const CellSetup& setup);

@@ -29,6 +29,14 @@ MaybeSource services(const Parameters&, const Sources& sources) {
                 {}};
 }
 
+MaybeSource control(const Parameters&, const Sources& sources) {
+  return Source{true,
+                [&hub = sources.hub, &control = sources.control] {
+                  hub.publish_delta(std::string(kControlChannel), control.json());
+                },
+                {}};
+}
+
 MaybeSource log(const Parameters&, const Sources& sources) {
   return Source{false, [&log = sources.log] { log.publish_snapshot(); }, {}};
 }
@@ -86,6 +94,7 @@ MaybeSource core_derivation(const Parameters& parameters, const Sources& sources
 constexpr std::array kChannels = {
     ChannelKind{kCoresChannel, cores},
     ChannelKind{kServicesChannel, services},
+    ChannelKind{kControlChannel, control},
     ChannelKind{kLogChannel, log},
     ChannelKind{kCellPoseChannel, cell_pose},
     ChannelKind{kDisplayChannel, display},

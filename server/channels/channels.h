@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "server/cell/cell.h"
+#include "server/control/control.h"
 #include "server/editing/edit_queue.h"
 #include "server/editing/presence_channels.h"
 #include "server/execution/cores.h"
@@ -30,6 +31,7 @@ struct ChannelSources {
   EventLog& log;
   EditQueue& edits;
   PresenceChannels& presence;
+  Control& control;
 };
 
 struct ChannelKind {

@@ -112,7 +112,7 @@ void Headless::take_deliveries(Execution& execution) {
 // What came of a macro step leaves.
 void Headless::complete(const Execution& execution, const Progress& progress, Cell& cell) {
   for (const std::string& text : progress.printed) logged(cell.clock().now(), "core", text);
-  make_calls(cell.host(), "1", progress.calls, execution.is_over());
+  make_calls(cell.host(), "1", 0, progress.calls, execution.is_over());
   Dict out{{"time", cell.clock().now()}, {"step", integer(progress.position)}};
   if (progress.entry) out.set("input", input_json(*progress.entry));
   for (const auto& [key, value] : progress.delta) out.set(key, value);

@@ -100,11 +100,13 @@ Expected<HttpServer::Place> network_place(const Settings& settings, Application&
   ASSIGN_OR_RETURN(ServerCertificate certificate, authority.certificate_for(names, now));
   app.set_authority(authority.certificate(), authority.fingerprint());
   return HttpServer::Place{"::", static_cast<std::uint16_t>(settings.lan_port),
-                           HttpServer::Place::Tls{names, std::move(certificate.chain), std::move(certificate.key)}};
+                           HttpServer::Place::Tls{names, std::move(certificate.chain), std::move(certificate.key)},
+                           static_cast<std::uint16_t>(settings.lan_stop_port)};
 }
 
 Expected<std::vector<HttpServer::Place>> places_of(const Settings& settings, Application& app) {
-  std::vector<HttpServer::Place> places = {{.port = static_cast<std::uint16_t>(settings.port)}};
+  std::vector<HttpServer::Place> places = {
+      {.port = static_cast<std::uint16_t>(settings.port), .stop_port = static_cast<std::uint16_t>(settings.stop_port)}};
   if (!settings.lan) return places;
   ASSIGN_OR_RETURN(HttpServer::Place network, network_place(settings, app));
   places.push_back(std::move(network));
@@ -144,6 +146,8 @@ int serve(Options& options, const Arguments& arguments) {
   const std::string web = settings.headless ? "" : settings.web;
   auto server = HttpServer::listen(*places, web, (*app)->make_backend(), HttpServer::Limits());
   if (!server) return refuse(server.error());
+  for (std::size_t place = 0; place < places->size(); ++place)
+    (*app)->control().set_stop_port((*server)->port(place), (*server)->stop_port(place));
   const std::string address = "http://127.0.0.1:" + std::to_string((*server)->port());
   std::printf("race listens on %s\n", address.c_str());
   std::fflush(stdout);

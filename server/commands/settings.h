@@ -21,7 +21,8 @@ struct Settings {
   std::string data = "data", demo, web, log_level = "info";
   std::vector<std::string> remote;  // names of component groups
   std::optional<std::string> operator_script;
-  double port = 8080, heartbeat_s = 1, keep_runs = 1000, keep_mb = 1024, lan_port = 8443;
+  double port = 8080, heartbeat_s = 1, keep_runs = 1000, keep_mb = 1024, lan_port = 8443, stop_port = 0,
+         lan_stop_port = 0;
   bool headless = false, lan = false;
 };
 

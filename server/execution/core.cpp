@@ -92,6 +92,7 @@ void Core::start(Done<Value> done) {
   when_rebuilt<Value>(std::move(done), [this]() -> Expected<Value> {
     if (started_) return conflict("core " + id_ + " was started before");
     if (closed_) return conflict("core " + id_ + " has another model now");
+    if (auto free = take_fence(); !free) return tl::unexpected(std::move(free).error());
     started_ = true;
     note_services();
     advance();
@@ -135,8 +136,10 @@ void Core::pause(Done<Value> done) {
 
 void Core::resume(Done<Value> done) {
   when_rebuilt<Value>(std::move(done), [this]() -> Expected<Value> {
-    if (started_ || interruption_)
+    if (started_ || interruption_) {
+      if (auto free = take_fence(); !free) return tl::unexpected(std::move(free).error());
       if (auto ready = ready_to_go_on(); !ready) return tl::unexpected(std::move(ready).error());
+    }
     paused_ = false;
     execution_.set_goal(std::nullopt);
     schedule();
@@ -203,6 +206,7 @@ void Core::step(execution::GoalName name, Done<Value> done) {
     if (is_over() && !interruption_) return conflict("core " + id_ + " is over");
     if (!started_ || !(paused_ || awaits_input())) return conflict("core " + id_ + " is not paused");
     ASSIGN_OR_RETURN(const Goal goal, find_goal(program(), name));
+    if (auto free = take_fence(); !free) return tl::unexpected(std::move(free).error());
     if (auto ready = ready_to_go_on(); !ready) return tl::unexpected(std::move(ready).error());
     execution_.set_goal(goal);
     paused_ = false;
@@ -245,6 +249,12 @@ void Core::hold() {
 }
 
 // That the run goes on is stored, too: who resumes it learns whether the disk works.
+// A person wants that it goes on: what it says from here on may move.
+Expected<void> Core::take_fence() {
+  ASSIGN_OR_RETURN(fence_, resources_.host.gate().begin());
+  return {};
+}
+
 Expected<void> Core::ready_to_go_on() {
   if (auto sound = readable(); !sound) return sound;
   if (interruption_ && is_over()) end_rebuilt_run();

@@ -117,7 +117,8 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   // and never will.
   void start(Done<Value> done);
   void pause(Done<Value> done);
-  /// Of an interrupted run: it goes on from its last macro step.
+  /// Of an interrupted run: it goes on from its last macro step. As for start() and step(): `stopped`, while the cell
+  /// is.
   void resume(Done<Value> done);
   /// Ends the run between macro steps.
   void stop(Done<Value> done);
@@ -283,6 +284,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   execution::Recording recording() const { return {.derivation = derivation_watched_, .whole = true}; }
   void hold();
   Expected<void> ready_to_go_on();
+  Expected<void> take_fence();
   Expected<void> end_run_now();
   void end_when_rebuilt(Done<Value> done);
 
@@ -409,6 +411,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   execution::Execution execution_;
   std::vector<Breakpoint> breakpoints_;
   List reached_breakpoints_;  // at which it is paused, by number
+  std::uint64_t fence_ = 0;   // of its calls (services::MotionGate); 0: no person has begun it since the server did
   bool started_ = false, paused_ = false, scheduled_ = false;
   Value announced_ = Value::unknown();  // what the list of cores was told last
 

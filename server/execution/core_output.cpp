@@ -59,11 +59,11 @@ void Core::emit(const Progress& progress) {
   if (progress.entry && progress.begins) units += units_of(*progress.entry);
   held_.add(
       [this, reached = reached_now(), calls = std::move(calls), over = is_over(), printed = std::move(printed), delta,
-       steps](const Error* failure) {
+       steps, fence = fence_](const Error* failure) {
         if (failure) return;
         set_reached(reached);
         for (const std::string& text : printed) resources_.watcher.printed(id_, text);
-        make_calls(resources_.host, id_, calls, over);
+        make_calls(resources_.host, id_, fence, calls, over);
         if (!delta.is_null()) resources_.watcher.state_changed(id_, delta);
         if (!steps.is_null()) resources_.watcher.derived(id_, steps);
       },
@@ -91,8 +91,8 @@ std::pair<std::size_t, std::size_t> Core::hold_many(const Progress& progress) {
     auto calls = part(progress.calls, call, kPiece);
     const std::size_t units = units_of(calls);
     held_.add(
-        [this, calls = std::move(calls)](const Error* failure) {
-          if (!failure) make_calls(resources_.host, id_, calls, false);
+        [this, calls = std::move(calls), fence = fence_](const Error* failure) {
+          if (!failure) make_calls(resources_.host, id_, fence, calls, false);
         },
         units);
   }

@@ -18,7 +18,7 @@ class EventLog;
 using Resources =
     std::tuple<Documents&, DocumentBreakpoints&, Editing&, BootList&, Backups&, Runs&, Samples&, Pictures&, Cores&,
                LiveEdits&, Worker&, Deadlines&, Pool&, Cell&, EventLog&, IdempotentAnswers&, Accounts&, Passwords&,
-               Attempts&, Tickets&, AuditLog&, AuthorityCertificate&>;
+               Attempts&, Tickets&, AuditLog&, AuthorityCertificate&, Control&, CellStop&>;
 
 struct Route {
   std::string_view method;

@@ -4,7 +4,9 @@
 #include <boost/asio/ssl.hpp>
 #include <chrono>
 
+#include "server/http/listening.h"
 #include "server/http/serving.h"
+#include "server/http/stop_server.h"
 #include "services/failures.h"
 #include "services/time_slice.h"
 
@@ -34,20 +36,6 @@ std::shared_ptr<asio::ssl::context> make_tls(const std::string& chain, const std
 
 NetStream stream_of(tcp::socket socket, const Endpoint& endpoint) {
   return endpoint.tls ? NetStream(std::move(socket), *endpoint.tls) : NetStream(std::move(socket));
-}
-
-// `address` "::" is of IPv4, too; without IPv6, of that alone.
-void listen_at(tcp::acceptor& acceptor, const std::string& address, std::uint16_t port) {
-  const bool is_all = address == "::";
-  const tcp::endpoint endpoint(asio::ip::make_address(address), port);
-  error_code no_ipv6;
-  acceptor.open(endpoint.protocol(), no_ipv6);
-  if (no_ipv6 && is_all) return listen_at(acceptor, "0.0.0.0", port);
-  if (no_ipv6) throw boost::system::system_error(no_ipv6);
-  acceptor.set_option(tcp::acceptor::reuse_address(true));
-  if (is_all) acceptor.set_option(asio::ip::v6_only(false));
-  acceptor.bind(endpoint);
-  acceptor.listen();
 }
 
 void admit(tcp::socket socket, const Endpoint& endpoint, Context& context) {
@@ -83,6 +71,13 @@ awaitable<void> accept(tcp::acceptor& acceptor, const Endpoint& endpoint, Contex
 }  // namespace
 
 struct HttpServer::Sockets {
+  struct ListeningPlace {
+    explicit ListeningPlace(asio::io_context& io) : acceptor(io) {}
+    tcp::acceptor acceptor;
+    std::uint16_t port = 0, stop_port = 0;
+    Endpoint endpoint{RequestFilter(0), nullptr, {}};
+  };
+
   Sockets(std::string its_web, Backend backend, const Limits& limits)
       : connections(limits.connections),
         budget(limits.held_bytes),
@@ -133,7 +128,21 @@ struct HttpServer::Sockets {
       place->endpoint.tls = make_tls(wanted.tls->chain, wanted.tls->key);
       if (!place->endpoint.tls) return unexpected(ErrorCode::not_accepted, "the certificate is not of its key", name);
     }
+    if (auto opened = open_stop(wanted, *place); !opened) return opened;
     places.push_back(std::move(place));
+    return {};
+  }
+
+  // The stop server of a place takes requests of its pages, by its names with another port.
+  Expected<void> open_stop(const Place& wanted, ListeningPlace& place) {
+    const RequestFilter& filter = place.endpoint.filter;
+    const auto names = [&](std::uint16_t port) {
+      const RequestFilter own = wanted.tls ? RequestFilter(wanted.tls->names, port) : RequestFilter(port);
+      for (const std::string& origin : own.origins)
+        if (origin.find('[') == std::string::npos) place.endpoint.stop_sources += ' ' + origin;  // CSP has no IPv6
+      return StopNames{own.hosts, filter.origins};
+    };
+    ASSIGN_OR_RETURN(place.stop_port, stop_server.open(wanted.address, wanted.stop_port, place.endpoint.tls, names));
     return {};
   }
 
@@ -142,15 +151,12 @@ struct HttpServer::Sockets {
   asio::io_context io{1};
   asio::signal_set signals{io, SIGINT, SIGTERM};  // from here on: one that comes before run() ends it, too
   asio::steady_timer end_timer{io};
-  struct ListeningPlace {
-    explicit ListeningPlace(asio::io_context& io) : acceptor(io) {}
-    tcp::acceptor acceptor;
-    std::uint16_t port = 0;
-    Endpoint endpoint{RequestFilter(0), nullptr};
-  };
   std::vector<std::unique_ptr<ListeningPlace>> places;  // coroutines refer to them
   std::unique_ptr<Pool> handlers, urgent;
   Context context;
+  StopServer stop_server{[this](const std::string& address) {
+    context.backend.stop(Identity{"", Role::process, {}, "", address});
+  }};
 };
 
 HttpServer::HttpServer(std::unique_ptr<Sockets> sockets) : sockets_(std::move(sockets)) {}
@@ -165,9 +171,11 @@ Expected<std::unique_ptr<HttpServer>> HttpServer::listen(const std::vector<Place
 }
 
 std::uint16_t HttpServer::port(std::size_t place) const { return sockets_->places.at(place)->port; }
+std::uint16_t HttpServer::stop_port(std::size_t place) const { return sockets_->places.at(place)->stop_port; }
 
 void HttpServer::run() {
   services::shorten_time_slice();
+  sockets_->stop_server.begin();
   sockets_->context.urgent.post(services::shorten_time_slice);
   sockets_->signals.async_wait([this](error_code, int) { sockets_->end(); });
   for (const auto& place : sockets_->places)

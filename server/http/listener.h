@@ -32,6 +32,9 @@ struct Backend {
   std::function<tl::expected<Identity, Reply>(const Request&)> admit;
   std::function<void(Request, const Answer&)> handle;  // requests to /api/
   std::function<Reply()> health;  // GET /api/v1/health, on the sockets' thread: it waits for nothing
+  /// POST /api/v1/stop, on the sockets' thread and on that of the stop server, which knows an address alone: it waits
+  /// for nothing.
+  std::function<Reply(const Identity&)> stop;
   Hub& hub;
   Displays& displays;
   EditRequests& edits;
@@ -63,6 +66,7 @@ class HttpServer {
       std::string chain, key;
     };
     std::optional<Tls> tls = {};
+    std::uint16_t stop_port = 0;  // of the stop server (stop_server.h); 0: any free one
   };
   /// Listens at all places, one at least, and serves the files of `web`, if it is not empty, beside the routes.
   /// Requires that a place without TLS is of loopback. Errors, with the address and port as path: `io`: the port cannot
@@ -81,6 +85,7 @@ class HttpServer {
 
   /// Of the place of this number, from 0.
   std::uint16_t port(std::size_t place = 0) const;
+  std::uint16_t stop_port(std::size_t place = 0) const;
   /// Serves until SIGINT, SIGTERM or stop(). Then nothing begins any more, WebSockets get a close frame, and what is
   /// being answered or said may end for half a second; requests that no handler has begun are dropped.
   void run();

@@ -11,6 +11,8 @@ int status_of(const std::vector<Error>& errors) {
     case ErrorCode::not_found:
       return 404;
     case ErrorCode::conflict:
+    case ErrorCode::stopped:
+    case ErrorCode::leased:
       return 409;
     case ErrorCode::too_large:
       return 413;

@@ -43,6 +43,9 @@ Response to_response(Reply reply, ResponseOptions options) {
   response.set(http::field::server, "race");
   response.set("X-Content-Type-Options", "nosniff");
   for (const auto& [name, value] : kPageRules) response.set(name, value);
+  if (!options.connect_sources.empty())
+    response.set("Content-Security-Policy",
+                 std::string(kPageRules[0].second) + "; connect-src 'self'" + std::string(options.connect_sources));
   for (const auto& [name, value] : reply.headers) response.set(name, value);
   if (reply.type.empty()) {
     const bool is_refusal = reply.status >= 400;

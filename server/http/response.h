@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <string_view>
 
 #include "server/http/beast.h"
 #include "server/http/message.h"
@@ -14,6 +15,8 @@ using Response = http::response<http::string_body>;
 struct ResponseOptions {
   bool keep_alive = false;
   bool head = false;  // without the body
+  // Of a page: to where else it may send requests, as in a Content-Security-Policy; outlives the response.
+  std::string_view connect_sources = {};
 };
 
 /// The response; if there is no memory for it, one that says so. Threads: any.

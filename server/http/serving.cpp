@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "server/http/answering.h"
+#include "server/http/listening.h"
 #include "server/http/on_pool.h"
 #include "server/http/parsed_request.h"
 #include "server/http/refusal.h"
@@ -20,14 +21,18 @@ using Phase = Connections::Phase;
 constexpr std::string_view kStream = "/api/v1/stream";
 constexpr std::string_view kComponents = "/api/v1/components";
 constexpr std::string_view kHealth = "/api/v1/health";
+constexpr std::string_view kStop = "/api/v1/stop";
 
 bool is_health(const Request& request) {
   return request.method == "GET" && request.path == kHealth && request.query.empty() && request.body.empty();
 }
 
+bool is_cell_stop(const Request& request) { return request.method == "POST" && request.path == kStop; }
+
 // What a reserved connection may ask for.
 bool is_urgent(const Request& request) {
   if (request.method == "GET") return request.path == kHealth;
+  if (is_cell_stop(request)) return true;
   return request.method == "POST" && match("/api/v1/cores/{id}/stop", request.path);
 }
 
@@ -35,6 +40,7 @@ bool is_urgent(const Request& request) {
 // urgent waits for no other request.
 awaitable<Response> respond(Request request, ResponseOptions options, Client& client, Context& context) {
   if (is_health(request)) co_return make_response(context.backend.health(), options);
+  if (is_cell_stop(request)) co_return make_response(context.backend.stop(request.identity), options);
   const bool urgent = is_urgent(request);
   auto [reply, units] =
       co_await reply_to(std::move(request), client.stream, urgent ? context.urgent : context.handlers, context);
@@ -153,7 +159,7 @@ awaitable<bool> serve_one(Client& client, Context& context, std::chrono::millise
   auto request = co_await read_header(client, parser, begin, context);
   if (!request) co_return false;
   const bool upgrade = websocket::is_upgrade(parser.get());
-  ResponseOptions options{false, request->method == "HEAD"};
+  ResponseOptions options{false, request->method == "HEAD", client.endpoint.stop_sources};
   if (options.head) request->method = "GET";
   ByteBudget::Share body;
   auto refused = client.endpoint.filter.refuse(*request, upgrade);
@@ -184,8 +190,8 @@ awaitable<bool> serve_one(Client& client, Context& context, std::chrono::millise
   co_return co_await send_answer(client, std::move(response), context);
 }
 
-// Who speaks plain HTTP where TLS is spoken has typed an address without a scheme, probably for the first time: the page
-// that says how a device comes to trust this server is next. What was asked is not known, nor by which name.
+// Who speaks plain HTTP where TLS is spoken has typed an address without a scheme, probably for the first time: the
+// page that says how a device comes to trust this server is next. What was asked is not known, nor by which name.
 Reply lead_to_tls(NetStream& stream) {
   error_code gone;
   const auto own = stream.socket().local_endpoint(gone);
@@ -208,11 +214,6 @@ awaitable<bool> greet(Client& client, Context& context) {
 }
 
 }  // namespace
-
-std::string text_of(const asio::ip::address& address) {
-  if (!address.is_v6() || !address.to_v6().is_v4_mapped()) return address.to_string();
-  return asio::ip::make_address_v4(asio::ip::v4_mapped, address.to_v6()).to_string();
-}
 
 awaitable<void> serve(std::unique_ptr<Client> client, Context& context) {
   try {

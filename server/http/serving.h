@@ -22,6 +22,7 @@ namespace race::server {
 struct Endpoint {
   RequestFilter filter;
   std::shared_ptr<asio::ssl::context> tls;  // empty: none
+  std::string stop_sources;                 // where its pages may stop the cell, too (ResponseOptions)
 };
 
 /// What all connections share.
@@ -48,9 +49,6 @@ struct Client {
   const Endpoint& endpoint;
   std::unique_ptr<Connections::Place> place;
 };
-
-/// Of a client by IPv4 on a place of both, the IPv4 address.
-std::string text_of(const asio::ip::address& address);
 
 /// Serves the client until it leaves; the last that leaves while the server ends stops the sockets.
 awaitable<void> serve(std::unique_ptr<Client> client, Context& context);

@@ -5,6 +5,7 @@
 //   accounts.sqlite  accounts and tokens (server/accounts); not in backups
 //   audit.sqlite     who has changed what (server/accounts); not in backups
 //   processes.token  the token of processes of services (server/accounts/local_key.h)
+//   stopped          the cell was stopped, and by whom (server/control/stop_mark.h)
 //   backups/         one folder each (backup.h)
 //   lock             held while a server runs
 //
@@ -34,6 +35,7 @@ class DataFolder {
   std::string database() const { return path_ / "database.sqlite"; }
   std::string accounts() const { return path_ / "accounts.sqlite"; }
   std::string audit() const { return path_ / "audit.sqlite"; }
+  std::string stop_mark() const { return path_ / "stopped"; }
   std::string process_token() const { return path_ / "processes.token"; }
 
  private:

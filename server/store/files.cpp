@@ -79,13 +79,17 @@ Expected<void> replace_file(const std::string& path, std::string_view text) {
   struct stat old = {};
   if (unknown || ::stat(target.c_str(), &old) != 0 || !S_ISREG(old.st_mode))
     return unexpected(ErrorCode::io, "is no file", path);
-  std::string beside = target + ".XXXXXX";  // mkstemp puts other letters in place of these
+  return write_file(target, text, old.st_mode & 07777U);
+}
+
+Expected<void> write_file(const std::string& path, std::string_view text, unsigned permissions) {
+  std::string beside = path + ".XXXXXX";  // mkstemp puts other letters in place of these
   const int file = ::mkstemp(beside.data());
   if (file < 0) return cannot_write(path);
-  const bool written = write_all(file, text) && ::fchmod(file, old.st_mode & 07777U) == 0 && ::fsync(file) == 0;
+  const bool written = write_all(file, text) && ::fchmod(file, permissions) == 0 && ::fsync(file) == 0;
   const int error = errno;
   const bool closed = ::close(file) == 0;
-  if (written && closed && ::rename(beside.c_str(), target.c_str()) == 0) return {};
+  if (written && closed && ::rename(beside.c_str(), path.c_str()) == 0) return {};
   if (!written) errno = error;
   const auto failure = cannot_write(path);
   ::unlink(beside.c_str());

@@ -28,4 +28,7 @@ Expected<bool> file_exists(const std::string& path);
 /// path: it cannot be written and is as it was.
 Expected<void> replace_file(const std::string& path, std::string_view text);
 
+/// The same of a file that may not be there yet; it has these permissions. Not through symbolic links.
+Expected<void> write_file(const std::string& path, std::string_view text, unsigned permissions);
+
 }  // namespace race::server

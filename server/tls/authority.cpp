@@ -129,17 +129,6 @@ std::string fingerprint_of(X509& certificate) {
   return text;
 }
 
-Expected<void> write_file(const std::string& path, const std::string& text, mode_t mode) {
-  const std::string fresh = path + ".new";
-  const int file = ::open(fresh.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, mode);
-  const bool written = file >= 0 && ::write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size()) &&
-                       ::fchmod(file, mode) == 0 && ::fsync(file) == 0;
-  const int reason = errno;
-  if (file >= 0) ::close(file);
-  if (written && ::rename(fresh.c_str(), path.c_str()) == 0) return {};
-  return unexpected(ErrorCode::io, std::strerror(written ? errno : reason), path);
-}
-
 constexpr mode_t kPublic = 0644, kPrivate = 0600;
 
 struct Pair {

@@ -8,6 +8,7 @@ namespace race::server {
 
 inline constexpr std::string_view kCoresChannel = "cores";
 inline constexpr std::string_view kServicesChannel = "services";
+inline constexpr std::string_view kControlChannel = "control";
 inline constexpr std::string_view kLogChannel = "log";
 inline constexpr std::string_view kCellPoseChannel = "cell/pose";
 inline constexpr std::string_view kDisplayChannel = "display/{name}";

@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "core/rsm/monitor.h"
@@ -23,7 +24,9 @@ namespace race::services {
 struct Caller {
   std::string core;
   std::uint64_t call = 0;
-  auto operator<=>(const Caller&) const = default;
+  std::uint64_t fence = 0;  // what the run has from MotionGate::begin(); names no caller
+  auto operator<=>(const Caller& other) const { return std::tie(core, call) <=> std::tie(other.core, other.call); }
+  bool operator==(const Caller& other) const { return core == other.core && call == other.call; }
 };
 
 struct PendingCall {

@@ -52,7 +52,8 @@ class Host::Endpoint final : public ServiceHost {
   const std::size_t number_;
 };
 
-Host::Host(const Clock& clock, HostObserver& observer) : clock_(clock), observer_(observer) {}
+Host::Host(const Clock& clock, HostObserver& observer, MotionGate* gate)
+    : clock_(clock), observer_(observer), gate_(gate ? *gate : open_gate_) {}
 Host::~Host() = default;
 
 ServiceHost& Host::declare(std::string key, std::string type, WorkQueue& queue) {
@@ -76,7 +77,7 @@ CallId Host::call(Caller caller, const std::string& service, std::string operati
   const WorkQueue::Lane lane = lane_of(caller.core.empty() ? after : caller.core);
   PendingCall pending{id, operation, clock_.now(), std::move(caller), units};
   ServiceEntry* entry = find(service);
-  if (!entry || !entry->arriving.add(units)) {
+  if (!entry || !entry->arriving.add(units, pending.caller.core.empty())) {
     const MutexLock lock(mutex_);
     if (entry)
       refuse_more(pending, *entry);
@@ -111,6 +112,8 @@ bool Host::accept(ServiceEntry& entry, std::uint64_t disconnections, const Pendi
   const MutexLock lock(mutex_);
   try {
     if (entry.disconnections == disconnections && can_be_called(pending, entry)) {
+      if (auto refused = refuse_motion(pending, entry))
+        return deliver_response(entry, pending, {std::move(*refused), true}), false;
       log(entry, entry.ledger->call(pending, call.args, call.kwargs));
       notify_status(entry);
       return true;
@@ -130,8 +133,21 @@ void Host::abandon(const Caller& caller) {
 
 void Host::abandon_all(const std::string& core) {
   const MutexLock lock(mutex_);
-  for (const auto& entry : entries_)
+  for (const auto& entry : entries_) {
     if (entry->ledger) post(*entry, abandoning(*entry, {core, 0}), lane_of(core));
+    entry->queue.post([this, key = entry->status.key, core] { gate_.release(core, key); }, lane_of(core));
+  }
+}
+
+void Host::call_safe() {
+  std::vector<std::pair<std::string, std::string>> calls;
+  {
+    const MutexLock lock(mutex_);
+    for (const auto& entry : entries_)
+      for (const rsm::Operation& operation : entry->model.operations)
+        if (operation.safe) calls.emplace_back(entry->status.key, operation.name);
+  }
+  for (auto& [service, operation] : calls) call({}, service, std::move(operation), {}, {});
 }
 
 // The component is told of a call, or of all of the core. It may answer one before it comes to the next.
@@ -160,10 +176,16 @@ bool Host::can_be_called(const PendingCall& call, ServiceEntry& entry) {
   const std::string& key = entry.status.key;
   if (!entry.status.available) return refuse(call, key, "lost"), false;
   if (!find_operation(entry.model, call.operation)) return refuse(call, key, "no such operation"), false;
-  if (entry.ledger->is_full()) return refuse_more(call, entry), false;
+  if (entry.ledger->is_full() && !call.caller.core.empty()) return refuse_more(call, entry), false;
   const std::size_t waiting = entry.ledger->pending().size() + entry.arriving.count();
   if (waiting <= CallLedger::kMostPending / 2) entry.refusal_logged = false;
   return true;
+}
+
+// Asked with each call: what is let through has arrived, and what comes later is refused.
+std::optional<Value> Host::refuse_motion(const PendingCall& call, const ServiceEntry& entry) {
+  if (!find_operation(entry.model, call.operation)->moves) return std::nullopt;
+  return gate_.refuse(call.caller, entry.status.key);
 }
 
 // Said once, until half of those that wait have gone.

@@ -33,6 +33,7 @@
 #include "services/component.h"
 #include "services/host/delivery.h"
 #include "services/host/flows.h"
+#include "services/host/motion_gate.h"
 #include "services/host/reservations.h"
 #include "services/host/service_entry.h"
 #include "services/host/work_queue.h"
@@ -54,8 +55,8 @@ class Host {
  public:
   static constexpr Time kStatusPeriod = 0.02;  // [s]
 
-  /// Both live longer than the host.
-  Host(const Clock& clock, HostObserver& observer);
+  /// All live longer than the host. `gate`: what lets calls set the cell in motion; nullptr: all may.
+  Host(const Clock& clock, HostObserver& observer, MotionGate* gate = nullptr);
   ~Host();
   Host(const Host&) = delete;
   Host& operator=(const Host&) = delete;
@@ -72,9 +73,9 @@ class Host {
   /// disconnected service, an unknown operation or a service for which too many wait answers {"code": "unavailable"}.
   /// It arrives, and can be seen, when the queue of the service is run. `args` and `kwargs` are frozen here. It comes
   /// after the calls that the core of its caller has made before or, of a caller without one, those of `after`; without
-  /// either, before all that wait.
-  /// `supersedes`: the number of the earlier call of the same core and operation to whose place it comes: that is
-  /// abandoned first; 0: none.
+  /// either, before all that wait. The calls of a caller without a core are few, and no number of others keeps them
+  /// out. One that `moves` is answered by the gate unless that lets it pass. `supersedes`: the number of the earlier
+  /// call of the same core and operation to whose place it comes: that is abandoned first; 0: none.
   CallId call(Caller caller, const std::string& service, std::string operation, List args, Dict kwargs,
               const std::string& after = {}, std::uint64_t supersedes = 0) EXCLUDES(mutex_, keys_mutex_);
 
@@ -83,6 +84,10 @@ class Host {
   /// that has had its response. It comes after what that core has called before.
   void abandon(const Caller& caller) EXCLUDES(mutex_);
   void abandon_all(const std::string& core) EXCLUDES(mutex_);
+
+  /// Calls each operation of each service that is `safe`, before all that wait; nobody gets the responses.
+  void call_safe() EXCLUDES(mutex_, keys_mutex_);
+  MotionGate& gate() const { return gate_; }
 
   /// Time has passed: the answers that are due now go to their queues. With `wait`, those that are due and not there
   /// yet are waited for. Observers hear of services that have changed. On the thread that sets the clock, after it was
@@ -150,6 +155,7 @@ class Host {
   void answer(ServiceEntry& entry, CallId call, const Response& response) REQUIRES(mutex_);
   void deliver_response(const ServiceEntry& entry, const PendingCall& call, const Response& response) REQUIRES(mutex_);
   bool can_be_called(const PendingCall& call, ServiceEntry& entry) REQUIRES(mutex_);
+  std::optional<Value> refuse_motion(const PendingCall& call, const ServiceEntry& entry) REQUIRES(mutex_);
   void refuse(const PendingCall& call, const std::string& key, const std::string& why) REQUIRES(mutex_);
   void refuse_more(const PendingCall& call, ServiceEntry& entry) REQUIRES(mutex_);
   void answer_unavailable(const PendingCall& call, const std::string& key) REQUIRES(mutex_);
@@ -171,6 +177,8 @@ class Host {
 
   const Clock& clock_;
   HostObserver& observer_;
+  OpenGate open_gate_;
+  MotionGate& gate_;
   mutable Mutex mutex_;
   Flows flows_ GUARDED_BY(mutex_);
   Reservations reservations_;  // outlives the components: their threads fulfil

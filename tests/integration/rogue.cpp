@@ -1,5 +1,9 @@
-// A server like `race serve` with one more service, `rogue`, which does what its RSM forbids. Prints its port.
+// A server like `race serve DATA [DEMO]` with one more service, `rogue`, which does what its RSM forbids. While there
+// is a file `hang` in its data folder, whoever asks for its health makes the sockets' thread hang. Prints its port.
+#include <chrono>
 #include <cstdio>
+#include <filesystem>
+#include <thread>
 
 #include "core/rsm/document.h"
 #include "server/application/application.h"
@@ -42,13 +46,19 @@ class Rogue final : public services::Component {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) return 2;
-  server::Application::Setup setup{argv[1], "", 1, {}};
+  if (argc < 2 || argc > 3) return 2;
+  server::Application::Setup setup{argv[1], argc > 2 ? argv[2] : "", 1, {}};
   setup.extra_services.push_back({"rogue", "rogue", [](auto& host) { return std::make_unique<Rogue>(host); }});
   auto app = server::Application::create(setup);
   if (!app) return 2;
-  auto server = server::HttpServer::listen(0, "", (*app)->make_backend());
+  server::Backend backend = (*app)->make_backend();
+  backend.health = [health = backend.health, hang = std::filesystem::path(argv[1]) / "hang"] {
+    while (std::filesystem::exists(hang)) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    return health();
+  };
+  auto server = server::HttpServer::listen(0, "", std::move(backend));
   if (!server) return 2;
+  (*app)->control().set_stop_port((*server)->port(), (*server)->stop_port());
   std::printf("rogue listens on http://127.0.0.1:%u\n", static_cast<unsigned>((*server)->port()));
   std::fflush(stdout);
   (*server)->run();

@@ -61,7 +61,10 @@ class Pages(unittest.TestCase):
                     self.assertEqual(response.getheader("Cache-Control"), "public, max-age=31536000, immutable")
                     kind = {".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8"}[file.suffix]
                     self.assertEqual(response.getheader("Content-Type"), kind)
-                    self.assertEqual(response.getheader("Content-Security-Policy"), PAGE_RULES[0].split(": ", 1)[1])
+                    rules, stops = response.getheader("Content-Security-Policy").split("; connect-src 'self' ")
+                    self.assertEqual(rules, PAGE_RULES[0].split(": ", 1)[1])
+                    ports = self.server.get("/control", "control")["stop_ports"]
+                    self.assertEqual(stops.split(), [f"http://{name}:{ports[0]['stop_port']}" for name in ("localhost", "127.0.0.1")])
                     tags.add(response.getheader("ETag"))
             self.assertEqual(len(tags), len(CODINGS))
 

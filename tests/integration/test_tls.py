@@ -8,6 +8,7 @@ import ssl
 import struct
 import subprocess
 import tempfile
+import time
 import unittest
 import warnings
 from pathlib import Path
@@ -34,6 +35,10 @@ class LanServer(Server):
             super().__init__("--lan", "--lan-port", str(self.lan_port), data=data, stderr=log)
         self.own = True
         self.authority = str(Path(data) / "tls" / "ca.pem")
+        end = time.monotonic() + TIMEOUT
+        while "its authority" not in self.log.read_text():
+            assert time.monotonic() < end, "the server does not say where its network is"
+            time.sleep(0.01)
         self.names = re.findall(r"serves the network at https://\[?([^\]\s]+?)\]?:\d+$", self.log.read_text(), re.MULTILINE)
         self.name = self.names[0]
         self.where = "127.0.0.1" if self.name.endswith(".local") else self.name  # without a name service

@@ -22,8 +22,9 @@ std::string url_of(std::uint16_t port) { return "http://127.0.0.1:" + std::to_st
 // Our own server, which answers with what it was asked.
 struct ClientTest : testing::Test {
   ClientTest() {
-    server = HttpServer::listen(
-                 0, "", {admit_all, handle, [] { return Reply(); }, hub, displays, edits, presence, records, remotes})
+    server = HttpServer::listen(0, "",
+                                {admit_all, handle, [] { return Reply(); }, [](const Identity&) { return Reply(); },
+                                 hub, displays, edits, presence, records, remotes})
                  .value();
     thread = std::thread([this] { server->run(); });
   }

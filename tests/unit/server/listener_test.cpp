@@ -144,8 +144,12 @@ struct ListenerTest : testing::Test {
   }
   void serve_later(const HttpServer::Limits& limits, std::function<void(Request, const Answer&)> handle) {
     server = HttpServer::listen(0, "",
-                                {admit_all, std::move(handle), [] { return Reply(); }, hub, displays, edits, presence,
-                                 records, remotes},
+                                {admit_all, std::move(handle), [] { return Reply(); },
+                                 [this](const Identity&) {
+                                   ++stops;
+                                   return Reply();
+                                 },
+                                 hub, displays, edits, presence, records, remotes},
                                 limits)
                  .value();
     thread = std::thread([this] { server->run(); });
@@ -221,6 +225,7 @@ struct ListenerTest : testing::Test {
 
   std::atomic<int> begun{0};
   std::atomic<bool> release{false};
+  std::atomic<int> stops{0};  // of the cell
   services::Mutex mutex;
   std::vector<Answer> later GUARDED_BY(mutex);  // to requests that are answered later
   SharedStop gone GUARDED_BY(mutex);            // of the last of them

@@ -47,6 +47,8 @@ export const errorCodes: Readonly<Record<string, string>> = {
   storage: "The disk of the server is full or fails. Nothing was changed. Make room, then try again; runs wait as interrupted.",
   corrupt: "What is stored is damaged. Take it from a backup, or remove it; the rest is not concerned.",
   rights: "Your account may not do that (status 403); the message names the role that may. An admin can give it another role: see Accounts and roles.",
+  stopped: "The cell is stopped: nothing there moves, and no run begins. Make sure that nobody is in danger, then reset it.",
+  leased: "Another run has the service until it is over. Wait for that, or stop that run.",
 };
 
 /** The same for codes that only requests have: they say what is wrong with the request, not with what it asks for. */

@@ -14,7 +14,7 @@ namespace race::services {
 
 class Bench final : public HostObserver {
  public:
-  Bench() : host(clock, *this) {}
+  explicit Bench(MotionGate* gate = nullptr) : host(clock, *this, gate) {}
 
   template <typename C, typename... Arguments>
   C& add(const std::string& key, Arguments&&... arguments) {

@@ -1,0 +1,39 @@
+// POST /api/v1/stop: the cell stops, for everybody who asks. POST /api/v1/stop/reset: motions may begin again, and none
+// does. GET /api/v1/control: whether it is stopped, and what runs have reserved.
+#include "server/accounts/accounts.h"
+#include "server/control/cell_stop.h"
+#include "server/handlers/handlers.h"
+#include "server/wire/calendar.h"
+
+namespace race::server {
+
+namespace {
+
+std::string name_for_people(const Identity& identity) {
+  if (!identity.account.empty()) return identity.account;
+  return "somebody at " + (identity.address.empty() ? "this machine" : identity.address);
+}
+
+}  // namespace
+
+Handled stop_cell(const Request& request, CellStop& cell_stop, Control& control) {
+  cell_stop.stop(name_for_people(request.identity), now_ms());
+  return ok(control.json());
+}
+
+Handled reset_stop(const Request& request, CellStop& cell_stop, Control& control) {
+  cell_stop.reset(name_for_people(request.identity));
+  return ok(control.json());
+}
+
+// Who is not known learns that the cell is stopped and where a stop is served, and no names.
+Handled get_control(const Request& request, Control& control, Accounts& accounts) {
+  const Value all = control.json();
+  if (!request.identity.account.empty() || accounts.empty()) return ok(all);
+  Dict json{{"stopped", nullptr}, {"leases", List()}, {"stop_ports", *all.find("stop_ports")}};
+  if (const Value& stopped = *all.find("stopped"); !stopped.is_null())
+    json.set("stopped", Dict{{"by", "somebody"}, {"time", *stopped.find("time")}});
+  return ok(std::move(json));
+}
+
+}  // namespace race::server
