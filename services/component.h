@@ -94,6 +94,9 @@ class Component {
   virtual void packet(std::string_view /*key*/, std::string_view /*flow*/, const PacketPtr& /*packet*/) {}
   /// `flow` of this service has subscribers from now on, or none any more. At first it has none.
   virtual void demand_changed(std::string_view /*flow*/, bool /*on*/) {}
+  /// Nobody has been heard who could call it, for too long: it comes to a state in which nothing moves, as its RSM
+  /// allows, and answers what it was doing with an error. It is called further when somebody is heard again.
+  virtual void halt() {}
   /// The host is about to end; nothing may be called on it afterwards.
   virtual void stop() {}
 };

@@ -18,29 +18,7 @@ bool is_bearer(std::string_view authorization) {
 
 tl::unexpected<Denial> unknown() { return tl::unexpected(Denial{true, "login", "log in: this server has accounts"}); }
 
-std::string who(const Identity& identity) {
-  if (identity.role == Role::process) return "a process of services";
-  if (identity.account.empty()) return "who is no process of services";
-  return "the role " + quote(name(identity.role));
-}
-
-Expected<void> check(const Identity& identity, std::string_view what, std::optional<Right> right) {
-  if (right && has_right(identity.role, *right)) return {};
-  const std::string needed = right ? ": it needs " + quote(name(*right)) : "";
-  return unexpected(ErrorCode::rights, who(identity) + " may not use " + quote(what) + needed);
-}
-
 }  // namespace
-
-Expected<void> check_message(const Identity& identity, std::string_view type) {
-  return check(identity, type, Rights::table().of_message(type));
-}
-
-Expected<void> check_channel(const Identity& identity, std::string_view name) {
-  const auto right = Rights::table().of_channel(name);
-  if (!right) return unexpected(ErrorCode::not_found, "there is no channel of this name", std::string(name));
-  return check(identity, name, right);
-}
 
 Expected<std::string> author_for(const Identity& identity, std::string author) {
   const std::string& account = identity.account;
@@ -73,7 +51,7 @@ tl::expected<Identity, Denial> Gate::admit(std::string_view method, std::string_
     return unknown();
   }
   if (pattern.empty()) return std::move(*identity);  // who is known is told that there is no such route
-  if (auto fine = check(*identity, pattern, right); !fine)
+  if (auto fine = check_right(*identity, pattern, right); !fine)
     return tl::unexpected(Denial{false, std::string(name(fine.error().code)), std::move(fine).error().message});
   return std::move(*identity);
 }

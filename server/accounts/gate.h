@@ -23,10 +23,6 @@ struct Denial {
   std::string message;
 };
 
-/// Whether this identity may send a message of this type, or subscribe to the channel of this name. Errors:
-/// `rights`; `not_found`: no channel has a row for that.
-Expected<void> check_message(const Identity& identity, std::string_view type);
-Expected<void> check_channel(const Identity& identity, std::string_view name);
 /// The author of a change, of which its maker says that it is `author`: their account, or one of their pages,
 /// `NAME~PAGE`, as people undo what they did on one page; if they say nothing, the account. Without accounts authors
 /// are whatever clients say. Error `rights`, with the path `author`: it is somebody else.

@@ -21,6 +21,12 @@ std::optional<Right> find(const Rights::Rows& rows, std::string_view what) {
   return row->second;
 }
 
+std::string who(const Identity& identity) {
+  if (identity.role == Role::process) return "a process of services";
+  if (identity.account.empty()) return "who is no process of services";
+  return "the role " + quote(name(identity.role));
+}
+
 }  // namespace
 
 const Rights& Rights::table() {
@@ -46,5 +52,21 @@ std::optional<Right> Rights::of_channel(std::string_view name) const {
 }
 
 std::optional<Right> Rights::of_message(std::string_view type) const { return find(messages_, type); }
+
+Expected<void> check_right(const Identity& identity, std::string_view what, std::optional<Right> right) {
+  if (right && has_right(identity.role, *right)) return {};
+  const std::string needed = right ? ": it needs " + quote(name(*right)) : "";
+  return unexpected(ErrorCode::rights, who(identity) + " may not use " + quote(what) + needed);
+}
+
+Expected<void> check_message(const Identity& identity, std::string_view type) {
+  return check_right(identity, type, Rights::table().of_message(type));
+}
+
+Expected<void> check_channel(const Identity& identity, std::string_view name) {
+  const auto right = Rights::table().of_channel(name);
+  if (!right) return unexpected(ErrorCode::not_found, "there is no channel of this name", std::string(name));
+  return check_right(identity, name, right);
+}
 
 }  // namespace race::server

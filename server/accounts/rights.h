@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/value/expected.h"
 #include "server/accounts/role.h"
 
 namespace race::server {
@@ -34,5 +35,13 @@ class Rights {
  private:
   Rows routes_, channels_, messages_;
 };
+
+/// Whether this identity has the right that `what` needs, a name for people; nothing: everybody is denied. Error
+/// `rights`.
+Expected<void> check_right(const Identity& identity, std::string_view what, std::optional<Right> right);
+/// Whether it may send a message of this type, or subscribe to the channel of this name. Errors: `rights`; `not_found`:
+/// no channel has a row for that.
+Expected<void> check_message(const Identity& identity, std::string_view type);
+Expected<void> check_channel(const Identity& identity, std::string_view name);
 
 }  // namespace race::server

@@ -5,7 +5,7 @@
 
 #include "core/value/fields.h"
 #include "core/value/json.h"
-#include "server/accounts/gate.h"
+#include "server/accounts/rights.h"
 
 namespace race::server {
 namespace {

@@ -51,6 +51,13 @@ void Gripper::stop(const services::Call& call) {
   host().result(call.id, nullptr);
 }
 
+void Gripper::halt() {
+  unit_.stop();
+  if (moving_ == 0) return;
+  take("done");
+  host().error(std::exchange(moving_, 0), services::error_value("stopped", "the server was silent"));
+}
+
 void Gripper::report_state(const services::Call& call) { host().result(call.id, state()); }
 
 void Gripper::step() {

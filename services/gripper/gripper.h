@@ -19,6 +19,7 @@ class Gripper final : public services::TableComponent {
 
   static const services::OperationTable& operations();
   void step() override;
+  void halt() override;
 
  private:
   void grasp(const services::Call& call, const Dict& arguments);

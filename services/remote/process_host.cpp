@@ -162,6 +162,8 @@ void ProcessHost::send(const Message& message, const std::string& flow) {
 }
 
 Expected<void> ProcessHost::handle(Message message) {
+  silence_ = 0;
+  is_halted_ = false;
   if (message.kind == Kind::ping) {
     set_clock(message.time);
     Message pong;
@@ -172,6 +174,7 @@ Expected<void> ProcessHost::handle(Message message) {
   }
   if (message.kind == Kind::welcome) {
     accepted_ = true;
+    if (message.number > 0) most_silence_ = static_cast<services::Time>(message.number) / 1000;
     clock_.set(std::max(clock_.now(), message.time));
     return {};
   }
@@ -249,8 +252,19 @@ Expected<void> ProcessHost::handle_received() {
   return {};
 }
 
+// A server that hangs, or is stopped, calls nobody: what moves must not go on for that reason. Counted in steps.
+void ProcessHost::notice_silence() {
+  if (!accepted_ || is_halted_ || (silence_ += kStep) < most_silence_) return;
+  is_halted_ = true;
+  for (const auto& entry : entries_) {
+    entry->component->halt();
+    entry->log("halts: the server is silent");
+  }
+}
+
 Expected<void> ProcessHost::step() {
   if (auto handled = handle_received(); !handled) return handled;
+  notice_silence();
   if (before_step_) before_step_();
   if (clock_ahead_ > 0) {
     clock_ahead_ -= kStep;

@@ -72,6 +72,9 @@ class ProcessHost {
   /// a message, after which the connection is to end.
   Expected<void> step();
 
+  /// How long the server may be silent [s] before all components halt (Component::halt); from the welcome on.
+  static constexpr services::Time kMostSilence = 1;
+
   /// Advances with step(); is set forward, or waits, when it is more than kMaxClockOffset from the server's.
   const services::Clock& clock() const { return clock_; }
 
@@ -91,6 +94,7 @@ class ProcessHost {
   friend std::size_t size_of(const Received& received) { return received.bytes; }
 
   Expected<void> handle_received();
+  void notice_silence();
 
   MessageQueue<Received> received_;
   services::WorldClock clock_;
@@ -100,7 +104,9 @@ class ProcessHost {
   std::vector<std::unique_ptr<ComponentEntry>> entries_;  // in order of declaration
   std::atomic<SendQueue*> server_{nullptr};
   std::function<bool()> ended_;
-  bool accepted_ = false;  // by the server
+  bool accepted_ = false;                                     // by the server
+  services::Time most_silence_ = kMostSilence, silence_ = 0;  // [s] since its last message
+  bool is_halted_ = false;
   services::Mutex mutex_;
   services::ConditionVariable reply_arrived_;
   std::optional<Message> reply_ GUARDED_BY(mutex_);

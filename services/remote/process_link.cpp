@@ -132,6 +132,7 @@ Expected<void> ProcessLink::accept_hello(const EncodedMessage& message) {
     Message welcome;
     welcome.kind = Kind::welcome;
     welcome.time = remotes.clock_.now();
+    welcome.number = remotes.heartbeat().count();
     process->send(welcome);
     if (process->world) process->world->connect(process->out, world);
     for (const auto& [key, component] : process->components) component->connect(process->out);

@@ -48,7 +48,7 @@ constexpr std::array kReady = {kNumber};
 constexpr std::array kDone = {kNumber, Field{"person", &Message::value}};
 constexpr std::array kFailed = {kNumber, Field{"error", &Message::value}};
 constexpr std::array kPong = {kNumber};
-constexpr std::array kWelcome = {kTime};
+constexpr std::array kWelcome = {kTime, Field{"heartbeat", &Message::number, true}};
 constexpr std::array kRefused = {Field{"errors", &Message::value}};
 constexpr std::array kCalled = {
     kKey, kCall, Field{"operation", &Message::name}, Field{"args", &Message::args}, Field{"kwargs", &Message::kwargs},

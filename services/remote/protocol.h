@@ -71,7 +71,7 @@ struct Message {
   std::string name;           // of the transition, operation, event, flow or function; the text of a log
   std::string service;        // whose flow it is
   services::CallId call = 0;  // 0: no call
-  std::int64_t number = 0;    // of the protocol, of a ping, of a request, of a command
+  std::int64_t number = 0;    // of the protocol, of a ping, of a request, of a command; the heartbeat [ms]
   bool on = false;            // subscribes, has subscribers, is watched
   services::Time time = 0;    // the server's; of a packet, its own
   Value value;  // result, error, reply, data of an event, header of a packet, components, errors, act, pose

@@ -76,6 +76,11 @@ void Robot::stop(const services::Call& call) {
   host().result(call.id, nullptr);
 }
 
+void Robot::halt() {
+  unit_.stop();
+  if (moving_ != 0) finish_move(Refusal{"stopped", "", "the server was silent"});
+}
+
 void Robot::change_behavior(const services::Call& call, const Dict& arguments) {
   const auto behavior = read_behavior(*arguments.find("behavior"));
   if (!behavior) return refuse(call, to_value(behavior.error()));

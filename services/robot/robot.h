@@ -24,6 +24,7 @@ class Robot final : public services::TableComponent {
 
   static const services::OperationTable& operations();
   void step() override;
+  void halt() override;
   void demand_changed(std::string_view flow, bool on) override;
 
  private:

@@ -3,12 +3,14 @@ import http.client
 import json
 import signal
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
 import test_person
 from client import PROJECT, Server, check
 from component_process import LONG_HEARTBEAT, ComponentClient, ComponentProcess, service, wait_available
+from motions import Arm, moving
 
 DEMO = PROJECT / "deploy/demo"
 RED = {"name": "red", "shape": {"box": [0.1, 0.1, 0.1]}, "fixed": False,
@@ -116,6 +118,25 @@ class HangingCell(RemoteCellTest):
         process.signal(signal.SIGCONT)
         wait_available(self.server, "robot")
         self.assertEqual(self.server.get("/cell/person", "person"), NO_HANDS)
+
+
+class HungServer(RemoteCellTest):
+    OPTIONS = ("--heartbeat", "1")
+
+    def test_the_arm_stops_when_the_server_is_silent(self):
+        self.start_cell()
+        arm = Arm(self.server)
+        self.addCleanup(arm.close)
+        core = self.server.core(moving(speed=0.05))  # for half a minute
+        arm.wait(moving=True)
+        self.server.process.send_signal(signal.SIGSTOP)
+        time.sleep(2.5)
+        self.server.process.send_signal(signal.SIGCONT)
+        self.assertEqual(self.server.ended(core)["results"], {"code": "stopped"})
+        arm.wait(moving=False)
+        arm.stands_for(0.5)
+        self.assertTrue(service(self.server, "robot")["available"], "it was never lost")
+        self.assertEqual(service(self.server, "robot")["violations"], [])
 
 
 class ResumedCell(RemoteCellTest):

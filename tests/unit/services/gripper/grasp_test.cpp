@@ -203,6 +203,19 @@ TEST(Gripper, MovesNoFasterThanAsked) {
   }
 }
 
+TEST(Gripper, HaltsByItselfAsItsRsmAllows) {
+  Cell cell;
+  cell.gripper_call("release", "[]");
+  const CallId id = cell.gripper_host.call(cell.gripper, "grasp", "[0, 0.05]");
+  cell.run(0.5);
+  cell.gripper.halt();
+  EXPECT_EQ(cell.gripper_host.code(id), "stopped");
+  const double width = cell.world->gripper_width();
+  cell.run(0.5);
+  EXPECT_NEAR(cell.world->gripper_width(), width, 2e-3);
+  cell.gripper.halt();
+}
+
 TEST(Gripper, StopAnswersTheGraspAsStoppedAndStandsStill) {
   Cell cell;
   cell.gripper_call("release", "[]");

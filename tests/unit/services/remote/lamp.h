@@ -48,7 +48,10 @@ class Lamp final : public services::Component {
     wishes.push_back(std::string(flow) + (on ? " on" : " off"));
   }
 
+  void halt() override { ++halts; }
+
   services::ServiceHost& host;
+  int halts = 0;
   Value answer;
   bool bright = false;
   std::vector<services::Call> calls;

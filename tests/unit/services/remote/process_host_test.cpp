@@ -72,6 +72,28 @@ TEST_F(ProcessHostTest, AResultThatCannotBeSentBecomesAnError) {
   EXPECT_THAT(said()[1], HasSubstr(R"("type":"error","key":"lamp","call":5,"error":{"code":"constant")"));
 }
 
+TEST_F(ProcessHostTest, HaltsOnceWhenTheServerIsSilent) {
+  const auto pass = [&](int milliseconds) {
+    for (int step = 0; step < milliseconds; ++step) ASSERT_TRUE(process.step());
+  };
+  pass(5000);
+  EXPECT_EQ(lamp->halts, 0) << "it is not welcome yet";
+  Message welcome = message(Kind::welcome);
+  welcome.number = 400;
+  ASSERT_TRUE(process.handle(welcome));
+  pass(395);
+  EXPECT_EQ(lamp->halts, 0);
+  pass(10);
+  EXPECT_EQ(lamp->halts, 1);
+  pass(5000);
+  EXPECT_EQ(lamp->halts, 1) << "once for each silence";
+  ASSERT_TRUE(process.handle(message(Kind::ping)));
+  pass(395);
+  EXPECT_EQ(lamp->halts, 1);
+  pass(10);
+  EXPECT_EQ(lamp->halts, 2);
+}
+
 TEST_F(ProcessHostTest, AnswersAPingWithItsNumber) {
   Message ping = message(Kind::ping, 2.0);
   ping.number = 9;

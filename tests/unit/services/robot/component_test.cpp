@@ -65,6 +65,20 @@ TEST_F(RobotService, MovesByAnOffsetOnAStraightLine) {
   EXPECT_LT(sideways, 1e-3);
 }
 
+TEST_F(RobotService, HaltsByItselfAsItsRsmAllows) {
+  const CallId moving = call("move", kDownPose);
+  run(0.5);
+  robot->halt();
+  EXPECT_EQ(host.code(moving), "stopped");
+  EXPECT_EQ(host.state(), "Idle");
+  run(0.5);
+  const Joints before = world->q();
+  run(0.5);
+  for (std::size_t i = 0; i < before.size(); ++i) EXPECT_NEAR(world->q()[i], before[i], 1e-4);
+  robot->halt();
+  finish(call("move", kDownPose));
+}
+
 TEST_F(RobotService, StopAnswersTheMoveAsStoppedAndIsAcceptedAlways) {
   const CallId moving = call("move", kDownPose);
   run(0.5);
