@@ -160,6 +160,9 @@ void write(const Value& value, int indent, int level, std::string& out) {
 Expected<Value> parse_json(std::string_view text, const JsonLimits& limits) {
   if (text.size() > limits.bytes)
     return unexpected(ErrorCode::too_large, "more than " + std::to_string(limits.bytes) + " bytes");
+  // nlohmann takes it for the end of the text.
+  if (const auto end = text.find('\0'); end != std::string_view::npos)
+    return unexpected(ErrorCode::json, "not JSON at byte " + std::to_string(end + 1) + ": a NUL");
   Builder builder(limits);
   if (!nlohmann::json::sax_parse(text, &builder)) return tl::unexpected(builder.error);
   return std::move(builder.root);

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 
 #include "core/value/fields.h"
 #include "server/cell/person_command.h"
+#include "server/wire/pose_json.h"
 #include "services/world/person.h"
 #include "services/world/robot_model.h"
 
@@ -17,31 +17,9 @@ constexpr std::size_t kBodies = 1000, kRobots = 8;
 constexpr std::size_t kNameLength = 1000;  // bytes
 constexpr std::size_t kTouches = world::Person::kHands + world::Person::kPushes;
 
-bool is_number(const Value& value) { return value.is_numeric() && value.is_finite(); }
-
 bool is_positive(const Value& value) { return is_number(value) && value.to_double() > 0; }
 
-bool are_numbers(const Value& value, std::size_t count) {
-  return value.is_list() && value.as_list().size() == count && std::ranges::all_of(value.as_list(), is_number);
-}
-
 bool is_vector(const Value& value) { return are_numbers(value, 3); }
-
-// Of length 1, as far as rounding goes.
-bool is_orientation(const Value& value) {
-  constexpr double kRounding = 1e-3;
-  if (!are_numbers(value, 4)) return false;
-  double square = 0;
-  for (const Value& each : value.as_list()) square += each.to_double() * each.to_double();
-  return std::abs(square - 1) <= kRounding;
-}
-
-bool is_pose(const Value& value) {
-  const Value* position = value.find("position");
-  const Value* orientation = value.find("orientation");
-  return value.is_dict() && value.as_dict().size() == 2 && position && is_vector(*position) && orientation &&
-         is_orientation(*orientation);
-}
 
 bool is_shape(const Value& value) {
   if (!value.is_dict() || value.as_dict().size() != 1) return false;

@@ -12,8 +12,7 @@ Handled branch_document(const Request& request, Editing& editing) {
   Fields fields(*body, "", "the request", errors, Fields::Paths::field);
   const auto as = fields.text("as", Fields::Need::required);
   const auto revision = read_revision_number(fields, Fields::Need::optional);
-  const Change change = read_change(fields, request);
-  fields.close();
+  const Change change = read_change(fields, request, errors);
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   return answer_entry(editing.branch(request.parameters.at("name"), {*as, revision}, change));
 }

@@ -38,10 +38,11 @@ Expected<Change> change_of(const Request& request) {
   return Change{std::move(author), query_text(request, "message"), now_ms()};
 }
 
-Change read_change(Fields& fields, const Request& request) {
+Change read_change(Fields& fields, const Request& request, std::vector<Error>& errors) {
   const auto author = author_for(request.identity, fields.text("author").value_or(""));
   const auto message = fields.text("message");
-  if (!author) fields.violation(author.error().code, author.error().message, "author");
+  fields.close();
+  if (errors.empty() && !author) errors.push_back(author.error());
   return {author.value_or(""), message.value_or(""), now_ms()};
 }
 

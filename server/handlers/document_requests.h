@@ -12,8 +12,8 @@ namespace race::server {
 
 /// Who changes a document now, and why, by the query (`author`, `message`). Error `rights`: it is not who says so.
 Expected<Change> change_of(const Request& request);
-/// The same, by the fields of a body; the error is a violation.
-Change read_change(Fields& fields, const Request& request);
+/// The same, by the last fields of a body, which is closed; the error is one of `errors`, if there is no other.
+Change read_change(Fields& fields, const Request& request, std::vector<Error>& errors);
 /// Who it is, by the query (`author`) and the account.
 Expected<std::string> author_of(const Request& request);
 

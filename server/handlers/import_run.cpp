@@ -2,6 +2,7 @@
 #include <tuple>
 
 #include "server/handlers/runs.h"
+#include "server/http/refusal.h"
 #include "server/http/request_filter.h"
 #include "server/runs/run_file.h"
 #include "server/runs/run_json.h"
@@ -26,6 +27,12 @@ Checked<SoundFile> read(const std::string& text, const Stop& stop) {
   return sound;
 }
 
+// What does not fit together in a file of a client is the client's mistake: nothing here is damaged.
+Handled refuse(const std::vector<Error>& errors) {
+  if (errors.front().code != ErrorCode::corrupt) return tl::unexpected(errors);
+  return refusal(422, errors);
+}
+
 Handled store(const SoundFile& sound, Runs& runs, Samples& samples, Pictures& pictures) {
   const auto& [file, checkpoints] = sound;
   const Runs::NewRun run{file.record.document, file.record.revision, file.journal.header, file.services};
@@ -47,7 +54,7 @@ void import_run(const Request& request, Respond respond, Runs& runs, Samples& sa
   replays.ask<SoundFile, std::vector<Error>>(
       [text = request.body](const Stop& stop) { return read(text, stop); }, kReplayLimit, request.gone,
       [respond = std::move(respond), &runs, &samples, &pictures](const Checked<SoundFile>& sound) {
-        respond(sound ? store(*sound, runs, samples, pictures) : Handled(tl::unexpected(sound.error())));
+        respond(sound ? store(*sound, runs, samples, pictures) : refuse(sound.error()));
       });
 }
 

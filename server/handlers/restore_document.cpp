@@ -14,8 +14,7 @@ Handled restore_document(const Request& request, Editing& editing) {
   std::vector<Error> errors;
   Fields fields(*body, "", "the request", errors, Fields::Paths::field);
   const auto revision = read_revision_number(fields, Fields::Need::required);
-  const Change change = read_change(fields, request);
-  fields.close();
+  const Change change = read_change(fields, request, errors);
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   return answer_changed(editing.restore(request.parameters.at("name"), *revision, change, *match), match->has_value());
 }

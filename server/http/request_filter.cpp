@@ -35,6 +35,26 @@ std::optional<Reply> refuse_body(const Request& request) {
   return std::nullopt;
 }
 
+// RFC 9112, 3.2: whether it is a name or an address, an IPv6 one in brackets, and perhaps a port.
+bool is_host_header(std::string_view text) {
+  const auto is_in = [](std::string_view allowed) {
+    return [allowed](char c) {
+      const bool is_alnum = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+      return is_alnum || allowed.find(c) != std::string_view::npos;
+    };
+  };
+  const bool is_ipv6 = text.starts_with('[');
+  const std::size_t end = is_ipv6 ? text.find(']') : text.find(':');
+  if (is_ipv6 && end == std::string_view::npos) return false;
+  const std::string_view name = is_ipv6 ? text.substr(1, end - 1) : text.substr(0, end);
+  std::string_view port = end == std::string_view::npos ? "" : text.substr(is_ipv6 ? end + 1 : end);
+  if (!std::ranges::all_of(name, is_in(is_ipv6 ? ":." : "-._~%!$&'()*+,;="))) return false;
+  if (port.empty()) return true;  // also nothing at all
+  if (port.front() != ':') return false;
+  port.remove_prefix(1);
+  return std::ranges::all_of(port, [](char c) { return c >= '0' && c <= '9'; });
+}
+
 constexpr std::uint16_t kHttpPort = 80, kHttpsPort = 443;  // which browsers leave out
 
 // As a Host header has them.
@@ -67,6 +87,7 @@ std::optional<Reply> RequestFilter::refuse(const Request& request, bool upgrade)
   if (request.count("transfer-encoding") > 0)
     return refusal(501, "transfer_encoding", "Transfer-Encoding is not served; send Content-Length");
   if (request.count("host") != 1) return refusal(400, "host", "exactly one Host header is needed");
+  if (!is_host_header(request.header("host"))) return refusal(400, "host", "Host is no name with a port");
   if (std::ranges::find(hosts, lower(request.header("host"))) == hosts.end())
     return refusal(421, "host", "this server does not answer to that name");
   const bool guarded = upgrade || changes_something(request);

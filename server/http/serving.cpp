@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "server/http/answering.h"
+#include "server/http/handshake.h"
 #include "server/http/listening.h"
 #include "server/http/on_pool.h"
 #include "server/http/parsed_request.h"
@@ -71,8 +72,15 @@ awaitable<bool> refuse(Client& client, Reply reply, ResponseOptions options, Con
 
 // (A name within a co_await expression is all that g++ 12 can do.)
 Reply bad_target(const Error& error) { return refusal(400, std::vector<Error>{error}); }
-Reply no_upgrade() {
-  Reply reply = refusal(426, "upgrade", "a WebSocket is served here");
+std::optional<Reply> refuse_upgrade(const Request& request, bool is_upgrade) {
+  Reply reply;
+  if (request.method != "GET") {
+    reply = refusal(405, "method", "this route has GET");
+    reply.headers.emplace_back("Allow", "GET");
+    return reply;
+  }
+  if (is_upgrade) return refuse_handshake(request);
+  reply = refusal(426, "upgrade", "a WebSocket is served here");
   reply.headers.emplace_back("Upgrade", "websocket");
   return reply;
 }
@@ -177,10 +185,9 @@ awaitable<bool> serve_one(Client& client, Context& context, std::chrono::millise
     co_return false;
   }
   if (request->path == kStream || request->path == kComponents) {
-    if (upgrade && request->method == "GET")
-      co_return co_await serve_websocket(client, std::move(*request), parser.release(), context);
-    Reply reply = no_upgrade();
-    co_return co_await refuse(client, std::move(reply), ResponseOptions(), context);
+    auto no_websocket = refuse_upgrade(*request, upgrade);
+    if (no_websocket) co_return co_await refuse(client, std::move(*no_websocket), ResponseOptions(), context);
+    co_return co_await serve_websocket(client, std::move(*request), parser.release(), context);
   }
   options.keep_alive = parser.keep_alive() && !reserved && !context.ending;
   request->body = std::move(parser.get().body());

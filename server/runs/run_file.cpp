@@ -18,6 +18,7 @@
 #include "server/runs/run_json.h"
 #include "server/store/journal_chain.h"
 #include "server/store/journal_writer.h"
+#include "server/wire/pose_json.h"
 
 namespace race::server {
 namespace {
@@ -80,7 +81,11 @@ std::map<std::string, rsm::Service> read_services(Fields& file, Errors& errors) 
   if (!json->is_dict()) file.violation(ErrorCode::type, "`services` must be an object", "services");
   if (!json->is_dict()) return services;
   for (const auto& [key, text] : json->as_dict()) {
-    auto service = rsm::read_service(text, "services/" + key.as_string());
+    const std::string path = "services/" + key.as_string();
+    for (const char* needed : {"rsm", "name", "operations", "events"})
+      if (text.is_dict() && !text.find(needed))
+        add_error(errors, {ErrorCode::missing, "a service has `" + std::string(needed) + "`", path + '/' + needed});
+    auto service = rsm::read_service(text, path);
     if (service)
       services.emplace(key.as_string(), std::move(*service));
     else
@@ -89,16 +94,25 @@ std::map<std::string, rsm::Service> read_services(Fields& file, Errors& errors) 
   return services;
 }
 
-/// schemas/cell_pose.json as far as a display needs it: a time, joints and bodies.
+/// The entries of an object, each as `is_good` says.
+void check_entries(Fields& fields, const char* key, bool (*is_good)(const Value&), const char* expected) {
+  const Value* entries = fields.find(key, kRequired);
+  if (!entries) return;
+  if (!entries->is_dict())
+    return fields.violation(ErrorCode::type, "`" + std::string(key) + "` must be an object", key);
+  for (const auto& [name, value] : entries->as_dict())
+    if (!is_good(value))
+      fields.violation(ErrorCode::type, std::string("must be ") + expected, std::string(key) + '/' + name.as_string());
+}
+
+/// schemas/cell_pose.json of any world.
 void check_pose(const Value& json, const std::string& path, Errors& errors) {
   Fields fields(json, path, "a pose", errors, kByField);
   if (!fields.number("time")) fields.violation(ErrorCode::missing, "a pose has a `time`", "time");
-  for (const char* key : {"joints", "bodies"}) {
-    const Value* part = fields.find(key, kRequired);
-    if (part && !part->is_dict())
-      fields.violation(ErrorCode::type, "`" + std::string(key) + "` must be an object", key);
-  }
-  fields.find("hands");
+  check_entries(fields, "joints", is_number, "a number");
+  check_entries(fields, "bodies", is_pose, "a pose");
+  if (fields.find("hands") && !std::ranges::all_of(fields.list("hands"), is_touch))
+    fields.violation(ErrorCode::type, "`hands` must be hands and pushes", "hands");
   fields.close();
 }
 

@@ -46,6 +46,8 @@ void unsubscribe(Fields& fields, const Client& client, Errors& errors) {
   const std::string channel = fields.text("channel", Fields::Need::required).value_or("");
   fields.close();
   if (!errors.empty()) return;
+  if (auto may = check_channel(client.subscriber->identity(), channel); !may)
+    return client.to.hub.refuse(client.subscriber, channel, {std::move(may).error()});
   client.to.presence.unsubscribed(*client.subscriber, channel);
   client.to.hub.unsubscribe(client.subscriber, channel);
 }

@@ -31,10 +31,10 @@ def token_of(data, account):
 class AccountServer(Server):
     """A server of folder_with_accounts(); `tokens` has one of each account. Its requests are those of the admin."""
 
-    def __init__(self, *options):
+    def __init__(self, *options, **how):
         data = folder_with_accounts()
         self.tokens = {account: token_of(data, account) for account in (*ROLES, "speaker")}
-        super().__init__(*options, data=data)
+        super().__init__(*options, data=data, **how)
         self.own = True
         self.token = self.tokens["admin"]
 

@@ -93,7 +93,7 @@ class Runs(unittest.TestCase):
             self.assertEqual({k: again[k] for k in ("journal", "services")}, {k: file[k] for k in ("journal", "services")})
             self.assertEqual(server.get("/cores", "cores")["cores"], [])
             file["journal"]["entries"][1]["input"]["result"] = {"other": 1}
-            errors = server.post("/runs", file, status=500)["errors"]
+            errors = server.post("/runs", file, status=422)["errors"]
             self.assertEqual([(error["path"], error["code"]) for error in errors], [("run/chain", "corrupt")])
             del file["run"], file["services"]
             errors = server.post("/runs", file, status=422)["errors"]
