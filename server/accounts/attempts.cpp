@@ -14,10 +14,10 @@ std::chrono::milliseconds time_until_one(double left, const Attempts::Rate& rate
 }  // namespace
 
 double Attempts::left(const Buckets& buckets, const std::string& key, const Rate& rate, Time now) {
-  const auto bucket = buckets.find(key);
-  if (bucket == buckets.end()) return rate.burst;
-  const std::chrono::duration<double, std::milli> since = now - bucket->second.at;
-  return std::min(rate.burst, bucket->second.left + since.count() / static_cast<double>(rate.refill.count()));
+  const auto bucket = buckets.full.find(key);
+  if (bucket == buckets.full.end() || bucket->second <= now) return rate.burst;
+  const std::chrono::duration<double, std::milli> until_full = bucket->second - now;
+  return rate.burst - until_full.count() / static_cast<double>(rate.refill.count());
 }
 
 std::optional<std::chrono::milliseconds> Attempts::wait(const std::string& address, const std::string& account,
@@ -29,19 +29,24 @@ std::optional<std::chrono::milliseconds> Attempts::wait(const std::string& addre
   return longest;
 }
 
-// Full buckets are as good as none; if too many are not, the one that is nearest to it goes.
-void Attempts::forget_full(Buckets& buckets, const Rate& rate, Time now) {
-  if (buckets.size() < kMost) return;
-  std::erase_if(buckets, [&](const auto& entry) { return left(buckets, entry.first, rate, now) >= rate.burst; });
-  if (buckets.size() < kMost) return;
-  buckets.erase(
-      std::ranges::max_element(buckets, {}, [&](const auto& entry) { return left(buckets, entry.first, rate, now); }));
+void Attempts::forget(Buckets& buckets, const std::string& key) {
+  const auto bucket = buckets.full.find(key);
+  if (bucket == buckets.full.end()) return;
+  buckets.by_time.erase({bucket->second, key});
+  buckets.full.erase(bucket);
 }
 
+// Full buckets are as good as none; if too many are not, the one that is nearest to it goes.
 void Attempts::add(Buckets& buckets, const std::string& key, const Rate& rate, double failures, Time now) {
   const double rest = std::clamp(left(buckets, key, rate, now) - failures, 0.0, rate.burst);
-  if (!buckets.contains(key)) forget_full(buckets, rate, now);
-  buckets.insert_or_assign(key, Bucket{rest, now});
+  forget(buckets, key);
+  if (rest >= rate.burst) return;
+  if (buckets.full.size() >= kMost) forget(buckets, std::string(buckets.by_time.begin()->second));
+  const std::chrono::duration<double, std::milli> until_full{(rate.burst - rest) *
+                                                             static_cast<double>(rate.refill.count())};
+  const Time full = now + std::chrono::duration_cast<Time::duration>(until_full);
+  buckets.full.emplace(key, full);
+  buckets.by_time.emplace(full, key);
 }
 
 void Attempts::begun(const std::string& address, const std::string& account, Time now) {

@@ -9,7 +9,9 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "services/mutex.h"
 
@@ -37,14 +39,14 @@ class Attempts {
   void not_failed(const std::string& address, const std::string& account, Time now) EXCLUDES(mutex_);
 
  private:
-  struct Bucket {
-    double left;
-    Time at;
+  /// A bucket is known by when it will be full again: what is left in it follows from that.
+  struct Buckets {
+    std::map<std::string, Time> full;                // by key
+    std::set<std::pair<Time, std::string>> by_time;  // the same
   };
-  using Buckets = std::map<std::string, Bucket>;
   static double left(const Buckets& buckets, const std::string& key, const Rate& rate, Time now);
   static void add(Buckets& buckets, const std::string& key, const Rate& rate, double failures, Time now);
-  static void forget_full(Buckets& buckets, const Rate& rate, Time now);
+  static void forget(Buckets& buckets, const std::string& key);
 
   services::Mutex mutex_;
   Buckets addresses_ GUARDED_BY(mutex_), accounts_ GUARDED_BY(mutex_);
