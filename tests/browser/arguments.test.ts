@@ -122,7 +122,7 @@ it("sends what is typed by the keyboard alone, to the digit, and nothing that wa
 
   // Once more, with the same arguments.
   await page.getByRole("button", { name: "Start", exact: true }).click();
-  await page.getByRole("button", { name: "Stop" }).click();
+  await page.getByRole("button", { name: "Stop", exact: true }).click();
   await page.getByRole("button", { name: "Run again" }).waitFor();
   const again = await made(() => page.getByRole("button", { name: "Run again" }).click());
   const twice = await textOf(again);

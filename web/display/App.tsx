@@ -3,6 +3,7 @@ import { canAnswer, type DisplayPage } from "../shared/display/page";
 import { isWayOut } from "../shared/display/answers";
 import type { DisplayMessage, Question } from "../generated/messages";
 import type { Actions } from "./client";
+import { StoppedBanner } from "../stop/StoppedBanner";
 import { NumberQuestion } from "./NumberQuestion";
 
 interface Props {
@@ -13,14 +14,17 @@ interface Props {
 export function App({ page, actions }: Props) {
   const { message, question } = page.content ?? {};
   return (
-    <div className="display" data-connection={page.connection}>
-      <Status page={page} />
-      <main className={question === undefined ? "" : "is-asking"}>
-        {message !== undefined && <MessageView message={message} actions={actions} usable={page.connection === "open"} />}
-        {question !== undefined && <QuestionView key={question.id} question={question} page={page} actions={actions} />}
-        {message === undefined && question === undefined && page.connection === "open" && <p className="idle">{page.name}</p>}
-      </main>
-    </div>
+    <>
+      <StoppedBanner refusal={actions.resetRefusal} fetcher={actions.fetcher} />
+      <div className="display" data-connection={page.connection}>
+        <Status page={page} />
+        <main className={question === undefined ? "" : "is-asking"}>
+          {message !== undefined && <MessageView message={message} actions={actions} usable={page.connection === "open"} />}
+          {question !== undefined && <QuestionView key={question.id} question={question} page={page} actions={actions} />}
+          {message === undefined && question === undefined && page.connection === "open" && <p className="idle">{page.name}</p>}
+        </main>
+      </div>
+    </>
   );
 }
 

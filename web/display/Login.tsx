@@ -1,6 +1,7 @@
 // The login of a display: large, for a phone.
 import { useState, type SubmitEvent } from "react";
 import { messageOf } from "../shared/messageOf";
+import { StoppedBanner } from "../stop/StoppedBanner";
 import { trustAddress } from "../shared/trust/trustAddress";
 
 interface Props {
@@ -27,6 +28,7 @@ export function Login({ logIn }: Props) {
   };
   return (
     <main>
+      <StoppedBanner refusal="log in first" fetcher={fetch} />
       <form className="display login" aria-label="Log in" onSubmit={(event) => void enter(event)}>
         <h1>Log in to RACE</h1>
         <input aria-label="Name" placeholder="Name" autoComplete="username" autoCapitalize="none" spellCheck={false} maxLength={40} value={name} onChange={(event) => setName(event.target.value)} />

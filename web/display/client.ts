@@ -6,11 +6,16 @@ import type { Sound } from "../generated/messages";
 import { createAccess } from "../shared/login/access";
 import { refusalTo } from "../shared/login/doings";
 import { storedTokens } from "../shared/login/tokens";
+import { stop } from "../stop/page";
 import { openStream, streamUrl } from "../shared/stream";
 import { createPlayer } from "./player";
 
 /** What the user can do. */
 export interface Actions {
+  /** Why the stop cannot be reset here. */
+  readonly resetRefusal: string | undefined;
+  /** Of the account. */
+  readonly fetcher: typeof fetch;
   readonly answer: (question: number, answer: string | number) => void;
   readonly press: (button: string) => void;
   readonly key: (key: Key) => void;
@@ -29,7 +34,7 @@ export function connect(name: string, draw: (page: DisplayPage, actions: Actions
     const { me, asked } = access.get();
     const refusal = refusalTo(me, "be_display");
     if (asked) drawLogin(logIn);
-    else draw(refusal === undefined ? page : { ...page, problem: `This page is no display: ${refusal}.` }, actions);
+    else draw(refusal === undefined ? page : { ...page, problem: `This page is no display: ${refusal}.` }, { ...actions, resetRefusal: page.connection === "open" ? refusalTo(me, "reset_stop") : "the server is not there" });
   };
   const dispatch = (event: DisplayEvent) => {
     page = applyDisplayEvent(page, event);
@@ -41,7 +46,8 @@ export function connect(name: string, draw: (page: DisplayPage, actions: Actions
     stream.retry();
   }
 
-  const actions: Actions = {
+  const actions: Omit<Actions, "resetRefusal"> = {
+    fetcher: access.fetch,
     answer: (question, answer) => {
       if (canAnswer(page) && stream.send({ type: "answer", question, answer })) dispatch({ type: "sent" });
     },
@@ -52,6 +58,7 @@ export function connect(name: string, draw: (page: DisplayPage, actions: Actions
   const stream = openStream(() => access.streamUrl(streamUrl(location)), {
     onConnection: (connection) => {
       if (connection === "lost" && !access.get().asked) void access.ask().catch(() => undefined); // the account may have changed
+      stop.connection(connection);
       dispatch({ type: "connection", connection });
     },
     onMalformed: (error) => dispatch({ type: "problem", text: error.message }),
@@ -59,7 +66,8 @@ export function connect(name: string, draw: (page: DisplayPage, actions: Actions
       if (update.type === "display") {
         dispatch({ type: "content", content: update.content });
         play(update.content.sound);
-      } else if (update.type === "refused" && page.content === undefined) {
+      } else if (update.type === "control") stop.take(update.control);
+      else if (update.type === "refused" && page.content === undefined) {
         dispatch({ type: "problem", text: update.errors.map((error) => error.message).join("; ") });
       }
     },
@@ -91,5 +99,6 @@ export function connect(name: string, draw: (page: DisplayPage, actions: Actions
   });
 
   stream.announceDisplay(name, false);
+  stream.subscribe("control");
   show();
 }

@@ -2,12 +2,16 @@
 import "@fontsource-variable/inter";
 import "./tokens.css";
 import "./display.css";
+import "../stop/tokens.css";
+import "../stop/stop.css";
 import { createRoot } from "react-dom/client";
 import { nameOf } from "../shared/display/page";
 import { App } from "./App";
 import { connect } from "./client";
+import { showStop } from "../stop/show";
 import { Login } from "./Login";
 
+showStop();
 const element = document.getElementById("root");
 if (element === null) throw new Error("the page has no #root");
 const root = createRoot(element);

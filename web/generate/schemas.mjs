@@ -12,6 +12,7 @@ export const kRead = [
   "accounts.json",
   "audit.json",
   "cell_pose.json",
+  "control.json",
   "core.json",
   "core_delta.json",
   "core_state.json",

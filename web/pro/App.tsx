@@ -38,6 +38,7 @@ import { move, toPresent } from "./past/past";
 import { PropertiesPanel } from "./panels/PropertiesPanel";
 import { RunBar } from "./panels/RunBar";
 import { command } from "./panels/startAsk";
+import { StoppedCell } from "./panels/StoppedCell";
 import { StartAskBar } from "./panels/StartAskBar";
 import { focusSearch } from "./panels/SearchBox";
 import { TaskPanel } from "./panels/TaskPanel";
@@ -137,6 +138,7 @@ export function App() {
       <LostServer />
       <RestartedServer />
       <TopBar />
+      <StoppedCell />
       <PastBanner />
       {!isFolded.left && (page === "edit" ? <EditSide tree={tree} /> : <TaskPanel tree={tree} />)}
       <main className="workspace" id="workspace">

@@ -19,6 +19,7 @@ import { isUrgent } from "../shared/session/urgent";
 import { coreToWatch } from "../shared/session/watched";
 import type { StreamUpdate } from "../shared/messages/stream";
 import { openStream, streamUrl, type Connection, type Stream } from "../shared/stream";
+import { stop } from "../stop/page";
 import { createStore, slowly, useSelected } from "./store";
 import { messageOf } from "../shared/messageOf";
 
@@ -106,12 +107,14 @@ export function connect(): void {
     onConnection: (connection) => {
       if (connection !== "connecting" && !access.get().asked) void access.ask().catch(() => undefined); // the account may have changed
       session.dispatch({ type: "connection", connection });
+      stop.connection(connection);
       listeners.forEach((listener) => listener.connection(connection));
       if (connection === "open") opened();
     },
     onMalformed: problem,
     onUpdate: (update) => {
       if (update.type === "cell") takePose(update.pose);
+      else if (update.type === "control") stop.take(update.control);
       else if (update.type === "packet") flowWatchers.get(update.channel)?.forEach((came) => came(update.packet));
       else if (update.type === "derivations") gather(update.id, update.steps);
       else session.dispatchInFrame((frame) => ({ type: "update", update, frame }));
@@ -121,7 +124,7 @@ export function connect(): void {
       listeners.forEach((listener) => listener.update(update));
     },
   });
-  for (const channel of ["cores", "services", "log", "cell/pose"]) stream.subscribe(channel);
+  for (const channel of ["cores", "services", "control", "log", "cell/pose"]) stream.subscribe(channel);
 }
 
 /** Connects at once: somebody has logged in. */

@@ -32,7 +32,10 @@ import "./styles/comments.css";
 import "./styles/debugger.css";
 import "./styles/start.css";
 import "./styles/login.css";
+import "../stop/tokens.css";
+import "../stop/stop.css";
 import { createRoot } from "react-dom/client";
+import { showStop } from "../stop/show";
 import { App } from "./App";
 import { access, connect } from "./client";
 import { followBreakpoints } from "./debugger/breakpoints";
@@ -53,6 +56,7 @@ import { followDocument } from "./presence/presence";
 import { followRuns } from "./runs/actions";
 import { followHistory } from "./versions/history";
 
+showStop();
 const element = document.getElementById("root");
 if (element === null) throw new Error("the page has no #root");
 const root = createRoot(element);

@@ -6,6 +6,7 @@ import { createLongPress, type LongPress } from "../../shared/cell/longPress";
 import { Legend, showLegend, useLegend } from "../canvas/legend/Legend";
 import { api, useView } from "../client";
 import { useRefusal } from "../login/rights";
+import { Leases } from "../panels/Leases";
 import { listenToTheme } from "../theme/theme";
 import { CellScene } from "./CellScene";
 import { CellTool } from "./CellTool";
@@ -164,6 +165,7 @@ export function CellView() {
           {points !== undefined && <p className="cell-hint">{points} points that the {camera} measures now</p>}
           {refused !== undefined && <p role="alert">{refused}</p>}
         </div>
+        {isPage && !isPast && <Leases />}
         {asksReset && <ResetCell />}
         {listed && !asksReset && !cannotAct && world !== undefined && <PartList parts={world.bodies.filter((body) => !body.fixed)} absent={absent} act={act} />}
       </div>

@@ -1,5 +1,6 @@
 // Steps by states, in the run bar, while the run stands: into, over, out, and step mode.
 import { useCore, useLogin, useSession, useView } from "../client";
+import { useStop } from "../../stop/page";
 import { isOver } from "../../shared/run/controls";
 import { Icon, type IconName } from "../panels/Icon";
 import { commandOf, keysOfCommand, runDebugCommand } from "./actions";
@@ -25,9 +26,10 @@ export function StepButtons() {
 
 function StepButton({ id, icon }: (typeof kButtons)[number]) {
   const command = commandOf(id);
-  // It depends on the selection, on the account, and on the run.
+  // It depends on the selection, on the account, on the stop, and on the run.
   useView(() => command.when());
   useLogin(() => command.when());
+  useStop(() => command.when());
   const reason = useSession(() => command.when());
   const keys = keysOfCommand(command);
   const text = `${command.name} (${keys})`;

@@ -4,16 +4,16 @@ import { reasonAgainstForce } from "../../shared/debugger/force";
 import { kOfPort, kOfState, whenTitles } from "../../shared/debugger/places";
 import { stepBy, untilHere, type StepOrReason, type StepWay } from "../../shared/debugger/steps";
 import { allowedBeside } from "../../shared/live/shownRun";
-import { refusalOfAction } from "../../shared/login/doings";
 import { portAddress } from "../../shared/model/model";
 import { stateAt } from "../../shared/model/modelTree";
 import { allowed, type Command } from "../../shared/run/controls";
 import type { DebugShortcut } from "../../shared/session/shortcuts";
 import { commandable } from "../../shared/session/session";
-import { attempt, api, login, session, view } from "../client";
+import { attempt, api, session, view } from "../client";
 import { editing } from "../edit/editing";
 import { ask, type MenuEntry } from "../edit/prompt";
 import { runTree } from "../live/runTree";
+import { refusalOfActionNow } from "../login/rights";
 import { command } from "../panels/startAsk";
 import { changeBreakpoints } from "./breakpoints";
 import { propose } from "./forcing";
@@ -131,8 +131,8 @@ const leaving: DebugCommand = {
   },
 };
 
-/** First of all, what the account may not do. */
-const withRights = (command: DebugCommand): DebugCommand => ({ ...command, when: () => refusalOfAction(login.get().me, { id: command.id, group: "Debug" }) ?? command.when() });
+/** First of all, what the account may not do, and what waits for a reset. */
+const withRights = (command: DebugCommand): DebugCommand => ({ ...command, when: () => refusalOfActionNow({ id: command.id, group: "Debug" }) ?? command.when() });
 
 const all: readonly DebugCommand[] = [
   toggling, ofKind, ofTask("called", "Breakpoint at any call"), ofTask("fault", "Breakpoint at any fault"),

@@ -1,6 +1,7 @@
 // The form for the arguments of a run; the keys of the page do nothing meanwhile. What is wrong stands under its field, and what the server refuses under them all; then nothing is made.
 import { useEffect, useRef, useState, type SyntheticEvent } from "react";
 import { readArguments } from "../../shared/arguments/entry";
+import { useRefusalToStart } from "../login/rights";
 import { makeRun } from "../runCommands";
 import { makeStarted } from "../panels/startAsk";
 import { ArgumentField } from "./ArgumentField";
@@ -16,6 +17,7 @@ export function ArgumentsForm({ document, parameters }: Asked) {
   const [problems, setProblems] = useState(kNone);
   const [refusal, setRefusal] = useState<string>();
   const [busy, setBusy] = useState(false);
+  const cannotStart = useRefusalToStart();
   useEffect(() => dialog.current?.showModal(), []);
 
   const close = () => dialog.current?.close();
@@ -71,7 +73,7 @@ export function ArgumentsForm({ document, parameters }: Asked) {
           <button type="submit" value="load" disabled={busy}>
             Load
           </button>
-          <button type="submit" value="start" className="is-main" disabled={busy}>
+          <button type="submit" value="start" className="is-main" disabled={busy || cannotStart !== undefined} title={cannotStart}>
             Load and start
           </button>
         </div>

@@ -3,11 +3,13 @@ import { useMemo } from "react";
 import type { Core } from "../../generated/messages";
 import { counted } from "../../shared/counted";
 import { causes } from "../../shared/run/causes";
-import { isOver, statusText } from "../../shared/run/controls";
+import { isOver, statusLook, statusText } from "../../shared/run/controls";
 import { inputText } from "../../shared/run/inputText";
+import { leasedText } from "../../shared/stop/leases";
 import type { ModelTree } from "../../shared/model/modelTree";
 import { useCore, useSession } from "../client";
 import { CauseList } from "./CauseList";
+import { CodeText } from "./CodeText";
 import { showInput } from "./showInput";
 import { useDuration } from "./useDuration";
 import { ValueTable } from "./ValueTable";
@@ -20,6 +22,7 @@ export function EndCard({ tree }: { readonly tree: ModelTree | undefined }) {
   const chain = useMemo(() => (tree === undefined || address === undefined ? [] : causes(tree, steps, address)), [tree, steps, address]);
   const over = core !== undefined && isOver(core) ? core : undefined;
   const duration = useDuration(over?.step === 0 ? undefined : over?.id);
+  const leased = useMemo(() => (over !== undefined && (over.fault !== undefined || statusLook(over) === "failed") ? leasedText(steps) : undefined), [over, steps]);
   if (over === undefined) return null;
   const last = chain.at(-1);
   return (
@@ -36,6 +39,11 @@ export function EndCard({ tree }: { readonly tree: ModelTree | undefined }) {
       {duration !== undefined && (
         <p>
           Took <b>{duration}</b>, {counted(over.step, "macro step")}
+        </p>
+      )}
+      {leased !== undefined && (
+        <p>
+          <CodeText text={leased} />
         </p>
       )}
       <CauseList chain={chain} />

@@ -1,15 +1,15 @@
 // The run bar: start, pause, step, stop, and the status of the run.
 import type { Core } from "../../generated/messages";
 import { allowedBeside } from "../../shared/live/shownRun";
-import { doingOfCommand, refusalTo } from "../../shared/login/doings";
 import { goesOnMeanwhile, kEffects, primary, statusLook, type Command } from "../../shared/run/controls";
 import { isInterrupted } from "../../shared/run/interruption";
 import { keysOf, type Shortcut } from "../../shared/session/shortcuts";
 import type { Drawer } from "../../shared/session/view";
 import { commandable } from "../../shared/session/session";
-import { useCore, useLogin, useSession, useView, view } from "../client";
+import { useCore, useSession, useView, view } from "../client";
 import { openDocument, useEditing } from "../edit/editing";
 import { StepButtons } from "../debugger/StepButtons";
+import { useRefusalOfCommand } from "../login/rights";
 import { PastButtons } from "../past/PastButtons";
 import { Icon, type IconName } from "./Icon";
 import { usePersonStatus } from "./question";
@@ -47,7 +47,6 @@ export function RunBar() {
   const lost = useSession((s) => s.connection === "lost");
   const past = useSession((s) => s.past !== undefined);
   const asks = usePersonStatus();
-  const me = useLogin((now) => now.me);
   const lead = primary(core);
   const first = firstButton[lead === "resume" || lead === "again" ? lead : "start"];
   return (
@@ -55,7 +54,7 @@ export function RunBar() {
       {past && <span className="of-present">The present</span>}
       {[first, ...buttons].map((spec) => (
         // One button for the first command, so that it keeps the focus.
-        <RunButton key={spec.key} spec={spec} taken={commands.has(spec.command)} refusal={refusalTo(me, doingOfCommand[spec.command])} />
+        <RunButton key={spec.key} spec={spec} taken={commands.has(spec.command)} />
       ))}
       <StepButtons />
       <PastButtons />
@@ -80,11 +79,10 @@ interface RunButtonProps {
   readonly spec: ButtonSpec;
   /** The run takes the command now. */
   readonly taken: boolean;
-  /** Why the account may not give it. */
-  readonly refusal: string | undefined;
 }
 
-function RunButton({ spec, taken, refusal }: RunButtonProps) {
+function RunButton({ spec, taken }: RunButtonProps) {
+  const refusal = useRefusalOfCommand(spec.command);
   const says = refusal ?? spec.says;
   return (
     <button

@@ -11,6 +11,7 @@ import { CodeText } from "./CodeText";
 import { EndCard } from "./EndCard";
 import { FaultCard } from "./FaultCard";
 import { HeldInputs } from "./HeldInputs";
+import { Leases } from "./Leases";
 import { OpenCalls } from "./OpenCalls";
 import { usePersonStatus } from "./question";
 import { ValueTable } from "./ValueTable";
@@ -44,6 +45,7 @@ export function RunProperties({ tree }: { readonly tree: ModelTree | undefined }
       </header>
       {meanwhile !== undefined && !lost && <p className="quiet">{meanwhile}.</p>}
       {stops && !lost && <p className="quiet">Stop: {kEffects.stop}.</p>}
+      {!lost && <Leases own={core.id} />}
       {interruption !== undefined && (
         <section className="interrupted" aria-label="Interrupted">
           <h3>Interrupted</h3>

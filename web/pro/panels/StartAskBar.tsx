@@ -1,6 +1,8 @@
 // Asks, above the run bar, whether a run may move the robot that shall start. Enter starts, Esc does not.
 import { useEffect, useMemo, useRef, useState } from "react";
 import { movedBy, movesText } from "../../shared/run/moving";
+import { isStopped } from "../../shared/stop/state";
+import { useStop } from "../../stop/page";
 import { useSession } from "../client";
 import { CodeText } from "./CodeText";
 import { Icon } from "./Icon";
@@ -17,7 +19,8 @@ function Question({ asked }: { readonly asked: StartAsk }) {
   const [remember, setRemember] = useState(true);
   const before = useRef<Element>(null);
   const start = useRef<HTMLButtonElement>(null);
-  const holds = useSession((s) => stillHolds(s, asked));
+  const stopped = useStop(isStopped);
+  const holds = useSession((s) => stillHolds(s, asked)) && !stopped;
   useEffect(() => {
     before.current = document.activeElement;
     start.current?.focus();

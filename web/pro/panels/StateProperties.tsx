@@ -9,6 +9,7 @@ import { commandable } from "../../shared/session/session";
 import { useSession, view } from "../client";
 import { RunComments } from "../comments/RunComments";
 import { ActionBreakpoint, BreakpointChoices } from "../debugger/BreakpointChoices";
+import { useRefusalOfCommand } from "../login/rights";
 import { Code } from "./Code";
 import { command } from "./startAsk";
 import { ValueTable } from "./ValueTable";
@@ -53,14 +54,15 @@ export function StateProperties({ path, state }: { readonly path: string; readon
 function StepTo({ path, state }: { readonly path: string; readonly state: State }) {
   const can = allowed(useSession(commandable)).has("until");
   const past = useSession((s) => s.past !== undefined);
+  const refusal = useRefusalOfCommand("until");
   if (!can) return null;
   return (
     <div className="step-to" role="group" aria-label="Run until">
       {past && <span className="of-present">The present</span>}
-      <button type="button" onClick={() => command("until", until(state, path, "entered"))}>
+      <button type="button" disabled={refusal !== undefined} title={refusal} onClick={() => command("until", until(state, path, "entered"))}>
         Run until entered
       </button>
-      <button type="button" onClick={() => command("until", until(state, path, "left"))}>
+      <button type="button" disabled={refusal !== undefined} title={refusal} onClick={() => command("until", until(state, path, "left"))}>
         Run until left
       </button>
     </div>

@@ -190,7 +190,7 @@ function ConnectionLight() {
   const connection = useSession((s) => s.connection);
   const text = { connecting: "Connecting", open: "Connected", lost: "Connection lost" }[connection];
   return (
-    <div className={`connection is-${connection}`} role="status">
+    <div className={`connection is-${connection}`} role="status" title={text}>
       <i aria-hidden="true" />
       {text}
     </div>

@@ -2,12 +2,11 @@
 // browser, unless they want to be asked each time.
 import type { Core } from "../../generated/messages";
 import type { ExactArguments } from "../../shared/api";
-import { doingOfCommand } from "../../shared/login/doings";
 import { movedBy } from "../../shared/run/moving";
 import { allowed, setsGoing, type Command, type UntilRequest } from "../../shared/run/controls";
 import { commandable, watchedCore, type Session } from "../../shared/session/session";
 import { api, problem, session } from "../client";
-import { refusalNow } from "../login/rights";
+import { refusalOfCommandNow } from "../login/rights";
 import { makeRun, run } from "../runCommands";
 import { createStore, useSelected } from "../store";
 
@@ -46,7 +45,7 @@ export function command(wanted: Command, until?: UntilRequest): void {
   const now = session.get();
   const core = watchedCore(now);
   if (core === undefined) return;
-  const refusal = refusalNow(doingOfCommand[wanted]);
+  const refusal = refusalOfCommandNow(wanted);
   if (refusal !== undefined) {
     problem(`Not done: ${refusal}.`);
     return;

@@ -8,7 +8,7 @@ import { api } from "../client";
 import { StateFigure, type Pictured } from "../canvas/StateFigure";
 import { edit } from "../documents/actions";
 import { requestRun } from "../documents/asking";
-import { useRefusal } from "../login/rights";
+import { useRefusalToStart } from "../login/rights";
 import { CodeText } from "../panels/CodeText";
 
 /** The first level of the task: what is inside of its states is left out. */
@@ -27,7 +27,7 @@ export function DocumentCard({ document, offline }: Props) {
   const { name, doc } = document;
   const errors = errorCount(document);
   const [pictured, setPictured] = useState<Pictured>();
-  const refusal = useRefusal("make_run") ?? refusalToStart(document);
+  const refusal = useRefusalToStart() ?? refusalToStart(document);
   useEffect(() => {
     if (errors > 0) return;
     let current = true;

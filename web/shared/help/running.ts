@@ -9,6 +9,8 @@ export const running: readonly Topic[] = [
     blocks: [
       text("A run executes a document as it is in one revision, with arguments for the parameters of its root. It is made by Load (or F5 in the editor) and started by Start (F5): only then anything moves. Whatever starts it, key or button, asks before that, once for a document."),
       list("Pause (F7) stops the task between two micro steps. What services do goes on: a robot that moves ends its motion.", "Stop (F8) ends the run. No exit function is executed; the safe operations of the services are called.", "A document with errors is a draft: it is stored, but cannot be run."),
+      heading("STOP"),
+      list("STOP (F3, or the red button on every page) stops the whole cell: the robot brakes, all runs end, and nothing moves until the reset. It needs no login, and works while you type.", "Reset… in the red banner is for operators. The reset starts nothing: runs that the stop has ended are over.", "A run reserves what it moves, such as the robot, until it is over; calls of other runs are refused as `leased`."),
       text("STOP of this program is not a safety function. The emergency stop of the robot is."),
     ],
   },

@@ -26,6 +26,7 @@ const kNeeds = {
   delete_run: routes["DELETE /api/v1/runs/{run}"],
   act_at_cell: routes["POST /api/v1/cell/person"],
   reset_cell: routes["POST /api/v1/cell/reset"],
+  reset_stop: routes["POST /api/v1/stop/reset"],
   answer: messages.answer,
   be_display: messages.display,
   manage_accounts: routes["POST /api/v1/accounts"],

@@ -2,6 +2,7 @@
 import type {
   AcceptedEdit,
   CellPose,
+  Control,
   Core,
   CoreDelta,
   CoreState,
@@ -34,6 +35,7 @@ export type StreamUpdate =
   | { readonly type: "services"; readonly services: readonly HostedService[] }
   | { readonly type: "services_changed"; readonly services: readonly ServiceState[] }
   | { readonly type: "cell"; readonly pose: CellPose }
+  | { readonly type: "control"; readonly control: Control }
   | { readonly type: "display"; readonly content: Display }
   | { readonly type: "packet"; readonly channel: string; readonly packet: Packet }
   | { readonly type: "document"; readonly snapshot: DocumentSnapshot }
@@ -100,6 +102,8 @@ function updateOf({ channel, kind, data }: Envelope): StreamUpdate {
       return coresUpdate(snapshot, data);
     case "services":
       return servicesUpdate(snapshot, data);
+    case "control":
+      return { type: "control", control: check(schema.control, data, "/data") };
     case "cell/pose":
       return { type: "cell", pose: check(schema.cellPose, data, "/data") };
     case "log":

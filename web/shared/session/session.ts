@@ -231,6 +231,7 @@ function applyUpdate(session: Session, update: StreamUpdate, frame?: number): Se
       return { ...session, problem: update.errors.map((error) => error.message).join("; ") };
     case "derivation_position":
     case "cell":
+    case "control":
     case "display":
     case "packet":
     case "document":

@@ -2,10 +2,12 @@
 import type { Move } from "../past/moves";
 import { allowed, primary, type Command } from "../run/controls";
 import type { Core } from "../../generated/messages";
+import { kStopKey } from "../stop/key";
 
 /** Those of web/pro/debugger. */
 export type DebugShortcut = "step_mode" | "into" | "over" | "out" | "until_here" | "breakpoint";
-export type Shortcut = DebugShortcut | "lead" | "pause" | "stop" | "micro" | "macro" | Move | "search" | "documents" | "runs" | "guide" | "fold_left" | "fold_right" | "fold_below" | "zoom_in" | "zoom_out" | "fit" | "follow" | "help" | "escape";
+/** `cell_stop` is taken before all others, wherever the focus is (web/stop). */
+export type Shortcut = DebugShortcut | "cell_stop" | "lead" | "pause" | "stop" | "micro" | "macro" | Move | "search" | "documents" | "runs" | "guide" | "fold_left" | "fold_right" | "fold_below" | "zoom_in" | "zoom_out" | "fit" | "follow" | "help" | "escape";
 
 export interface ShortcutEntry {
   readonly shortcut: Shortcut;
@@ -15,6 +17,7 @@ export interface ShortcutEntry {
 }
 
 export const shortcuts: readonly ShortcutEntry[] = [
+  { shortcut: "cell_stop", keys: [kStopKey], does: "STOP: the robot brakes, all runs end, and nothing moves until the reset; also while you type, with any other key held" },
   { shortcut: "lead", keys: ["F5"], does: "Start the run, resume it, or run again; what starts a run asks first if that moves the robot" },
   { shortcut: "pause", keys: ["F7"], does: "Pause" },
   { shortcut: "micro", keys: ["F4"], does: "Micro step" },
@@ -25,7 +28,7 @@ export const shortcuts: readonly ShortcutEntry[] = [
   { shortcut: "out", keys: ["Shift+F11"], does: "Step out of the active state: until the state around it is left" },
   { shortcut: "until_here", keys: ["Ctrl+F10"], does: "Run until the selected state is entered, or the selected port fires" },
   { shortcut: "breakpoint", keys: ["Ctrl+B"], does: "Set or remove a breakpoint at the selected state or port" },
-  { shortcut: "stop", keys: ["F8"], does: "Stop" },
+  { shortcut: "stop", keys: ["F8"], does: "Stop: end the watched run" },
   { shortcut: "back", keys: ["F9"], does: "Back by a micro step: what is shown, not the run" },
   { shortcut: "forward", keys: ["Shift+F9"], does: "Forward again by a micro step" },
   { shortcut: "back_step", keys: ["Ctrl+F9"], does: "Back to the end of the macro step before" },

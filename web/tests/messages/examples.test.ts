@@ -31,6 +31,7 @@ const readers: Readonly<Record<string, (value: unknown) => unknown>> = {
   token_removed: by(schema.tokenRemoved),
   accepted_edit: by(schema.acceptedEdit),
   cell_pose: by(schema.cellPose),
+  control: by(schema.control),
   core: by(schema.core),
   core_state: by(schema.coreState),
   cores: by(schema.cores),

@@ -55,10 +55,12 @@ const kDisplayText: Pairs = {
   choice: ["choice-ink"],
 };
 
+const kStopText: Pairs = { stop: ["on-stop"], "stop-pressed": ["on-stop"], panel: ["ink"] };
+
 /** Text: at least 4.5:1. */
-export const textPairs: Readonly<Record<PageName, Pairs>> = { pro: kProText, display: kDisplayText, trust: kDisplayText };
+export const textPairs: Readonly<Record<PageName, Pairs>> = { pro: kProText, display: kDisplayText, stop: kStopText, trust: kDisplayText };
 
 const kDisplayGraphics: Pairs = { paper: ["soft", "choice"], panel: ["soft"] };
 
 /** Lines, borders that carry a meaning, signs, dots and the focus: at least 3:1. */
-export const graphicsPairs: Readonly<Record<PageName, Pairs>> = { pro: kProGraphics, display: kDisplayGraphics, trust: kDisplayGraphics };
+export const graphicsPairs: Readonly<Record<PageName, Pairs>> = { pro: kProGraphics, display: kDisplayGraphics, stop: { stop: ["on-stop"], panel: ["soft"] }, trust: kDisplayGraphics };

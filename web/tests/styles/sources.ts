@@ -3,12 +3,12 @@ import { readdirSync, readFileSync } from "node:fs";
 import { join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
 
-/** The page on trust has the colours of the display page. */
-export type PageName = "pro" | "display" | "trust";
+/** The page on trust has the colours of the display page; STOP, which is on all pages, uses those and its own. */
+export type PageName = "pro" | "display" | "stop" | "trust";
 
 const folderOf = (page: PageName): string => fileURLToPath(new URL(`../../${page}`, import.meta.url));
 
-const kTokens: Readonly<Record<PageName, string>> = { pro: "styles/tokens.css", display: "tokens.css", trust: "../display/tokens.css" };
+const kTokens: Readonly<Record<PageName, readonly string[]>> = { pro: ["styles/tokens.css"], display: ["tokens.css"], stop: ["tokens.css", "../display/tokens.css"], trust: ["../display/tokens.css"] };
 
 export interface Source {
   /** In the folder of the page, e.g. `styles/canvas.css`. */
@@ -44,14 +44,14 @@ export function declarations(css: string): readonly Declaration[] {
 }
 
 export interface Sheets {
-  /** What the one sheet that may have literal colours declares. */
+  /** What the sheets that may have literal colours declare. */
   readonly tokens: readonly Declaration[];
   readonly others: readonly Source[];
 }
 
 export function sheetsOf(page: PageName): Sheets {
   const all = sources(page, /\.css$/);
-  const tokens = join(folderOf(page), kTokens[page]);
-  const isTokens = ({ name }: Source) => join(folderOf(page), name) === tokens;
-  return { tokens: declarations(withoutComments(readFileSync(tokens, "utf8"))), others: all.filter((sheet) => !isTokens(sheet)) };
+  const tokens = kTokens[page].map((name) => join(folderOf(page), name));
+  const isTokens = ({ name }: Source) => tokens.includes(join(folderOf(page), name));
+  return { tokens: tokens.flatMap((sheet) => declarations(withoutComments(readFileSync(sheet, "utf8")))), others: all.filter((sheet) => !isTokens(sheet)) };
 }

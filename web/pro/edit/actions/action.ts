@@ -1,6 +1,5 @@
 // Actions: what can be done on the page that edits, each once, for keys, command palette, context menu and help.
-import { refusalOfAction } from "../../../shared/login/doings";
-import { login } from "../../client";
+import { refusalOfActionNow } from "../../login/rights";
 import type { MenuEntry } from "../prompt";
 import { refuse } from "../say";
 import { situationNow, type Situation } from "../situation";
@@ -24,7 +23,7 @@ export interface Action {
 
 /** Why it cannot be done now. */
 export const reasonAgainst = (action: Action, situation: Situation | undefined): string | undefined =>
-  refusalOfAction(login.get().me, action) ?? (situation === undefined ? "no document is here" : action.when(situation));
+  refusalOfActionNow(action) ?? (situation === undefined ? "no document is here" : action.when(situation));
 
 /** Does it, or tells why not. */
 export function runAction(action: Action): void {
