@@ -27,9 +27,9 @@ struct LiveEditsOfCores : HostedCores {
   }
   void TearDown() override {
     edits->close();
-    edits.reset();
     core.reset();
-    end_server();
+    end_server();  // a strand may still tell it of a stale edit
+    edits.reset();
   }
 
   // Stores the document with one more variable; its revision.

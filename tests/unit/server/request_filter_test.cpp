@@ -29,10 +29,17 @@ TEST_F(RequestFilterTest, AcceptsItsOwnHostsAlone) {
     asked.headers[0].second = host;
     EXPECT_EQ(status(asked), 0) << host;
   }
-  for (const char* host : {"localhost", "localhost:8081", "evil.example:8080", "127.0.0.1:8080.evil.example", ""}) {
+  for (const char* host :
+       {"localhost", "localhost:8081", "evil.example:8080", "127.0.0.1.evil.example:8080", "[::2]:8080", ":8080", ""}) {
     Request asked = request("GET", {});
     asked.headers[0].second = host;
     EXPECT_EQ(status(asked), 421) << host;
+  }
+  for (const char* none : {"127.0.0.1:8080.evil.example", "user@127.0.0.1:8080", "127.0.0.1:x", "::1:8080", "[::1:8080",
+                           "127.0.0.1:8080/", "local host:8080", "[::1]x:8080"}) {
+    Request asked = request("GET", {});
+    asked.headers[0].second = none;
+    EXPECT_EQ(status(asked), 400) << none;
   }
 }
 

@@ -33,6 +33,7 @@ RunFile unchecked_file_of(execution::Journal journal) {
   file.record.created_ms = 1700000000000;
   file.record.status = "running";
   file.services = {{"t", timer_service()}};
+  file.services.at("t").name = "timer";
   Value pose = Dict{{"time", 0.2}, {"joints", Dict{{"a1", 0.5}}}, {"bodies", Dict()}};
   file.samples = {{1, pose.freeze()}};
   file.journal = std::move(journal);
@@ -118,6 +119,11 @@ TEST(RunFiles, HoldTheRecordAgainstTheJournal) {
                                                          {"journal/entries/1/position", 3, Code::out_of_range},
                                                          {"journal/header/semantics", "0", Code::version},
                                                          {"services/t", 1, Code::type},
+                                                         {"services/t", Dict(), Code::missing},
+                                                         {"samples/0/pose/joints/a1", nullptr, Code::type},
+                                                         {"samples/0/pose/bodies", Dict{{"x", 1}}, Code::type},
+                                                         {"samples/0/pose/hands", 1, Code::type},
+                                                         {"samples/0/pose/hands", List{Value(1)}, Code::type},
                                                          {"samples/0/pose/time", Value::unknown(), Code::missing},
                                                          {"samples/0/pose/joints", 1, Code::type},
                                                          {"samples/0/step", -1, Code::out_of_range},
@@ -316,7 +322,7 @@ TEST(RunFiles, LeaveTimesOutForWhichThereIsNoRoom) {
 
 TEST(RunFiles, HaveABound) {
   RunFile file = file_of(counting({1}));
-  Value pose = Dict{{"time", 0.2}, {"joints", Dict()}, {"bodies", Dict()}, {"hands", std::string(15 << 20, 'x')}};
+  Value pose = Dict{{"time", 0.2}, {"joints", Dict{{std::string(15 << 20, 'x'), 0.5}}}, {"bodies", Dict()}};
   file.samples = {{1, pose.freeze()}};
   const std::string text = write_run_file(file).value();
   EXPECT_TRUE(read_run_file_text(text));
