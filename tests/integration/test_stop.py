@@ -1,4 +1,5 @@
 """STOP: the arm stands, whatever the server does; nothing moves until the reset, and nothing by the reset; one run drives an arm."""
+import contextlib
 import http.client
 import json
 import socket
@@ -189,10 +190,8 @@ class Load(StopCase):
         def drip():
             while not over.is_set():
                 for client in clients:
-                    try:
+                    with contextlib.suppress(OSError):
                         client.send(b"P")
-                    except OSError:
-                        pass
                 time.sleep(0.01)
 
         dripping = threading.Thread(target=drip)
