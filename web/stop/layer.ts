@@ -45,17 +45,22 @@ export function makeLayer(press: () => void, dismiss: () => void): StopLayer {
   const who = make("strong", {});
   const means = make("span", {}, kStoppedMeans);
   const told = make("p", { class: "stop-told", role: "status" }, who, means);
-  const element = make("div", { id: "stop-layer", popover: "manual", role: "region", "aria-label": "Stop of the cell" }, warning, told, button);
+  const element = make("div", { id: "stop-layer", popover: "manual", role: "region", "aria-label": "Stop of the cell" }, button);
   for (const kind of kKept) element.addEventListener(kind, (event) => event.stopPropagation());
+  const place = (part: HTMLElement, shown: boolean) => {
+    if (!shown) part.remove();
+    else if (!part.isConnected) button.before(part);
+  };
   const draw = (state: StopState) => {
     const view = viewOf(state);
     const text = warningText(view);
     element.dataset["view"] = view;
-    warning.hidden = text === undefined;
+    // What says nothing is no part of the page; the button stays where it is, and keeps the focus.
+    place(warning, text !== undefined);
     read.hidden = view !== "failed";
     title.textContent = text?.title ?? "";
     act.textContent = text?.act ?? "";
-    told.hidden = !state.stopped;
+    place(told, Boolean(state.stopped));
     who.textContent = state.stopped ? stoppedText(state.stopped, Date.now()) : "";
   };
   return { element, draw };
