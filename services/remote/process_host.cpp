@@ -254,7 +254,9 @@ Expected<void> ProcessHost::handle_received() {
 
 // A server that hangs, or is stopped, calls nobody: what moves must not go on for that reason. Counted in steps.
 void ProcessHost::notice_silence() {
-  if (!accepted_ || is_halted_ || (silence_ += kStep) < most_silence_) return;
+  if (!accepted_ || is_halted_) return;
+  silence_ += kStep;
+  if (silence_ < most_silence_) return;
   is_halted_ = true;
   for (const auto& entry : entries_) {
     entry->component->halt();
