@@ -76,7 +76,7 @@ class Pages(unittest.TestCase):
 
     def test_what_is_not_compressed_is_sent_as_it_is(self):
         font = next(WEB.glob("assets/*.woff2"))
-        for path, file in (("/", WEB / "index.html"), ("/pro/", WEB / "pro/index.html"), (f"/assets/{font.name}", font)):
+        for path, file in (("/", WEB / "index.html"), (f"/assets/{font.name}", font)):
             with self.subTest(path):
                 response, body = self.request(path, Accept_Encoding="gzip, br")
                 self.assertEqual((response.status, body), (200, file.read_bytes()))
@@ -104,7 +104,7 @@ class Pages(unittest.TestCase):
         self.assertEqual(self.request(self.worker, Accept_Encoding="br", If_None_Match=tag)[0].status, 200)
 
     def test_a_coding_that_there_is_not_is_refused_if_no_other_will_do(self):
-        response, body = self.request("/pro/", Accept_Encoding="gzip, identity;q=0")
+        response, body = self.request("/", Accept_Encoding="gzip, identity;q=0")
         self.assertEqual((response.status, response.getheader("Vary")), (406, "Accept-Encoding"))
         self.assertIn(b"not_acceptable", body)
         self.assertEqual(self.request(self.worker, Accept_Encoding="gzip, identity;q=0")[0].status, 200)
