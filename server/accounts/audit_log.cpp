@@ -110,6 +110,7 @@ bool AuditLog::has_room() const {
 void AuditLog::append(AuditEntry entry) {
   entry.action = language::utf8::prefix(entry.action, kLongest);
   const services::MutexLock lock(queue_mutex_);
+  if (queue_.size() >= 2 * kMostWaiting) return;  // of what is not refused meanwhile: stops of the cell
   queue_.push_back(std::move(entry));
   if (queue_.size() == 1) pool_.post([this] { write_queue(); });
 }

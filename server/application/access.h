@@ -25,7 +25,7 @@ class Access final : public ClientRecords {
       : gate_(gate), audit_(audit), pattern_of_(pattern_of), log_(std::move(log)) {}
 
   /// Who sends the request, if they may: else 401 or 403, and 503 while the audit log has no room for what changes
-  /// something.
+  /// something, but for a stop of the cell.
   tl::expected<Identity, Reply> admit(const Request& request) const;
   /// An answer that is also a row of the audit log, if the request changes something.
   Answer audited(const Request& request, const Answer& answer);

@@ -5,6 +5,8 @@
 // takes longer is done on a thread of its own.
 #pragma once
 
+#include <atomic>
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -38,6 +40,7 @@ class CellStop {
   Cores& cores_;
   const StopMark mark_;
   const Log log_;
+  std::atomic<std::int64_t> called_{0};  // when the safe operations were called last [ms since 1970]
   Pool pool_{1, 0, "stops"};
 };
 

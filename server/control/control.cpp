@@ -7,12 +7,13 @@ namespace race::server {
 using services::error_value;
 using services::MutexLock;
 
-void Control::stop(Stop stop) {
+bool Control::stop(Stop stop) {
   const MutexLock lock(mutex_);
   ++fence_;
-  if (stopped_) return;
+  if (stopped_) return false;
   stopped_ = std::move(stop);
   tell();
+  return true;
 }
 
 void Control::reset() {

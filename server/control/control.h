@@ -30,8 +30,8 @@ class Control final : public services::MotionGate {
   explicit Control(std::function<void(const Value&)> changed) : changed_(std::move(changed)) {}
 
   /// From now on nothing may set the cell in motion. Of several stops the first is told. The fencing number that runs
-  /// have is good no longer, also after the reset.
-  void stop(Stop stop) EXCLUDES(mutex_);
+  /// have is good no longer, also after the reset. Whether it was not stopped before.
+  bool stop(Stop stop) EXCLUDES(mutex_);
   /// Motions may begin again; none does by that.
   void reset() EXCLUDES(mutex_);
   std::optional<Stop> stopped() const EXCLUDES(mutex_);
@@ -41,8 +41,8 @@ class Control final : public services::MotionGate {
   Value json() const EXCLUDES(mutex_);
 
   Expected<std::uint64_t> begin() override EXCLUDES(mutex_);
-  /// Errors {code, message}: `stopped`: the cell is, or was since the run began; `leased`: another run has the service.
-  /// The first call of a run that may is what reserves the service.
+  /// Errors {code, message} of core/SEMANTICS.md, R7: `stopped`: the cell is, or was since the run began; `leased`:
+  /// another run has the service. The first call of a run that may is what reserves the service.
   std::optional<Value> refuse(const services::Caller& caller, const std::string& service) override EXCLUDES(mutex_);
   void release(const std::string& core, const std::string& service) override EXCLUDES(mutex_);
 

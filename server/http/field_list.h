@@ -1,6 +1,7 @@
 // Header fields whose value is a list (RFC 9110, 5.6.1).
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -10,6 +11,9 @@ namespace race::server {
 
 /// Without spaces and tabs at its ends.
 std::string_view trim(std::string_view text);
+
+/// In lower case, as far as it is ASCII: of what header fields do not distinguish.
+std::string lower(std::string_view text);
 
 /// The elements of the header `name`, trimmed, of all its lines in their order; empty ones are left out. Views of
 /// `request`.

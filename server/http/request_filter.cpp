@@ -3,16 +3,11 @@
 #include <algorithm>
 #include <charconv>
 
+#include "server/http/field_list.h"
 #include "server/http/refusal.h"
 
 namespace race::server {
 namespace {
-
-std::string lower(std::string_view text) {
-  std::string out(text);
-  std::ranges::transform(out, out.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return out;
-}
 
 bool changes_something(const Request& request) { return request.method != "GET" && request.method != "HEAD"; }
 

@@ -1,24 +1,11 @@
 #include "server/http/stop_request.h"
 
 #include <algorithm>
-#include <optional>
+
+#include "server/http/field_list.h"
 
 namespace race::server {
 namespace {
-
-constexpr std::string_view kSpace = " \t";
-
-std::string lower_text(std::string_view text) {
-  std::string out(text);
-  std::ranges::transform(out, out.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return out;
-}
-
-std::string_view trim(std::string_view text) {
-  const std::size_t from = text.find_first_not_of(kSpace);
-  if (from == std::string_view::npos) return {};
-  return text.substr(from, text.find_last_not_of(kSpace) + 1 - from);
-}
 
 std::string_view take_line(std::string_view& text) {
   const std::size_t end = text.find("\r\n");
@@ -27,7 +14,7 @@ std::string_view take_line(std::string_view& text) {
   return line;
 }
 
-// The only value of a header, in lower case; empty: there is none, or more than one.
+// How often a header stands, and its last value, in lower case.
 struct Header {
   int count = 0;
   std::string value;
@@ -38,9 +25,9 @@ Header find_header(std::string_view lines, std::string_view name) {
   while (!lines.empty()) {
     const std::string_view line = take_line(lines);
     const std::size_t colon = line.find(':');
-    if (colon == std::string_view::npos || lower_text(line.substr(0, colon)) != name) continue;
+    if (colon == std::string_view::npos || lower(line.substr(0, colon)) != name) continue;
     ++found.count;
-    found.value = lower_text(trim(line.substr(colon + 1)));
+    found.value = lower(trim(line.substr(colon + 1)));
   }
   return found;
 }

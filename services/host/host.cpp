@@ -182,7 +182,7 @@ bool Host::can_be_called(const PendingCall& call, ServiceEntry& entry) {
   return true;
 }
 
-// Asked with each call: what is let through has arrived, and what comes later is refused.
+// core/SEMANTICS.md, R7. Asked with each call: what is let through has arrived, and what comes later is refused.
 std::optional<Value> Host::refuse_motion(const PendingCall& call, const ServiceEntry& entry) {
   if (!find_operation(entry.model, call.operation)->moves) return std::nullopt;
   return gate_.refuse(call.caller, entry.status.key);

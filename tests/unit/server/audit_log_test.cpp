@@ -92,9 +92,12 @@ TEST_F(AuditLogTest, HasRoomUntilTooManyWaitForTheDisk) {
   for (; log->has_room() && waiting < 3 * AuditLog::kMostWaiting; ++waiting) log->append(entry(1));
   EXPECT_GE(waiting, AuditLog::kMostWaiting);
   EXPECT_FALSE(log->has_room());
+  for (std::size_t i = 0; i < 3 * AuditLog::kMostWaiting; ++i) log->append(entry(1));  // what nobody may refuse
   other.exec("COMMIT");
   while (!log->has_room()) std::this_thread::yield();
   EXPECT_EQ(failures.size(), 0U);
+  EXPECT_LT(log->list(std::nullopt, 1)->entries.front().number, 4 * static_cast<std::int64_t>(AuditLog::kMostWaiting))
+      << "what has no room is left out";
 }
 
 }  // namespace
