@@ -13,7 +13,7 @@ TEST(Channels, HaveOnePatternEach) {
   EXPECT_EQ(patterns.size(), channels().size());
   EXPECT_THAT(patterns, testing::UnorderedElementsAre("cores", "services", "log", "cell/pose", "display/{name}",
                                                       "flow/{service}/{flow}", "document/{name}", "presence/{name}",
-                                                      "core/{id}/state", "core/{id}/derivation"));
+                                                      "control", "core/{id}/state", "core/{id}/derivation"));
 }
 
 }  // namespace
