@@ -41,14 +41,15 @@ async function learn(document: string, element: Element): Promise<boolean> {
   return true;
 }
 
-/** JSON in one line; empty: the field is absent; nothing: not known yet. */
+/** JSON in one line; empty: the field is absent; nothing: not known yet. Of an element that the server does not have yet, this page knows all that is exact. */
 export function useExactText(id: string, field: string): string | undefined {
   const document = useEditing((state) => state.document);
   const revision = useEditing((state) => state.session?.confirmed?.revision);
-  const element = useEditing((state) => state.session?.confirmed?.tree.elements.get(id));
+  const confirmed = useEditing((state) => state.session?.confirmed?.tree.elements.get(id));
+  const element = useEditing((state) => confirmed ?? state.session?.view?.elements.get(id));
   const [, setLearnt] = useState<Element>();
   const value = element && entryOf(element.fields, field);
-  const isNeeded = element !== undefined && value !== undefined && isInexact(value) && !known.has(element);
+  const isNeeded = confirmed !== undefined && element !== undefined && value !== undefined && isInexact(value) && !known.has(element);
   useEffect(() => {
     if (!isNeeded || document === undefined) return;
     learn(document, element).then((isLearnt) => isLearnt && setLearnt(element), problem);
