@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -97,6 +98,9 @@ class Component {
   /// Nobody has been heard who could call it, for too long: it comes to a state in which nothing moves, as its RSM
   /// allows, and answers what it was doing with an error. It is called further when somebody is heard again.
   virtual void halt() {}
+  /// What moves must not be faster than this from now on [m/s, at least 0; nothing: no limit], whatever the calls ask
+  /// for: somebody is near. At first there is none. Motions that go on slow down, as fast as braking allows.
+  virtual void limit_speed(std::optional<double> /*tool_speed*/) {}
   /// The host is about to end; nothing may be called on it afterwards.
   virtual void stop() {}
 };

@@ -87,6 +87,11 @@ class Host {
 
   /// Calls each operation of each service that is `safe`, before all that wait; nobody gets the responses.
   void call_safe() EXCLUDES(mutex_, keys_mutex_);
+  /// No component moves its tool faster than this [m/s, finite, at least 0; nothing: no limit], from now until it is
+  /// called again. Each component is told before all that waits for it (Component::limit_speed), the newest limit
+  /// alone; one that is attached, reconnects or takes another's place later, before anything else is called on it. On
+  /// any thread.
+  void limit_speed(std::optional<double> tool_speed) EXCLUDES(mutex_);
   MotionGate& gate() const { return gate_; }
 
   /// Time has passed: the answers that are due now go to their queues. With `wait`, those that are due and not there
@@ -162,6 +167,7 @@ class Host {
 
   // What becomes of components.
   void make_available(ServiceEntry& entry) REQUIRES(mutex_);
+  void post_speed_limit(ServiceEntry& entry) REQUIRES(mutex_);
   void disconnect(ServiceEntry& entry, const std::string& text) REQUIRES(mutex_);
   void post(ServiceEntry& entry, Work work, WorkQueue::Lane lane = WorkQueue::kNoLane);
   void run(std::size_t number, std::optional<std::uint64_t> disconnections, const Work& work) EXCLUDES(mutex_);
@@ -185,7 +191,8 @@ class Host {
   std::vector<std::unique_ptr<ServiceEntry>> entries_ GUARDED_BY(mutex_);  // in order of declaration
   mutable Mutex keys_mutex_;                                               // may be taken under mutex_
   std::map<std::string, ServiceEntry*, std::less<>> by_key_ GUARDED_BY(keys_mutex_);
-  std::set<std::size_t> changed_ GUARDED_BY(mutex_);  // numbers of services: the observer is to be told
+  std::set<std::size_t> changed_ GUARDED_BY(mutex_);      // numbers of services: the observer is to be told
+  std::optional<double> speed_limit_ GUARDED_BY(mutex_);  // m/s
   std::atomic<CallId> next_call_{1};
   std::uint64_t next_delivery_ GUARDED_BY(mutex_) = 1;
 };

@@ -26,6 +26,8 @@ void Host::make_available(ServiceEntry& entry) {
   entry.status.available = true;
   entry.status.last.clear();
   notify_status(entry);
+  if (speed_limit_) entry.speed_limit_due = true;
+  if (entry.speed_limit_due) post_speed_limit(entry);
   for (const std::string& flow : flows_.demanded(entry.status.key)) set_demand(entry.status.key, flow, true);
 }
 
@@ -80,21 +82,42 @@ void Host::post(ServiceEntry& entry, Work work, WorkQueue::Lane lane) {
   entry.queue.post(std::move(run_it), lane);
 }
 
-// A component that throws is disconnected. Work that was posted before a disconnection does not reach what reconnects.
+// A component is told of a limit of the speed before anything else. One that throws is disconnected. Work that was
+// posted before a disconnection does not reach what reconnects.
 void Host::run(std::size_t number, std::optional<std::uint64_t> disconnections, const Work& work) {
   Component* component = nullptr;
+  bool speed_limit_due = false;
+  std::optional<double> speed_limit;
   {
     const MutexLock lock(mutex_);
-    const ServiceEntry& entry = *entries_[number];
+    ServiceEntry& entry = *entries_[number];
     if (!entry.status.available || entry.disconnections != disconnections.value_or(entry.disconnections)) return;
     component = entry.component.get();
+    speed_limit_due = std::exchange(entry.speed_limit_due, false);
+    speed_limit = speed_limit_;
   }
   try {
+    if (speed_limit_due) component->limit_speed(speed_limit);
     work(*component);
   } catch (const std::exception& failure) {
     const MutexLock lock(mutex_);
     disconnect(*entries_[number], std::string("lost: ") + failure.what());
   }
+}
+
+void Host::limit_speed(std::optional<double> tool_speed) {
+  const MutexLock lock(mutex_);
+  speed_limit_ = tool_speed;
+  for (const auto& entry : entries_) {
+    if (!entry->component) continue;
+    entry->speed_limit_due = true;
+    post_speed_limit(*entry);
+  }
+}
+
+// With whatever comes next, or else with this.
+void Host::post_speed_limit(ServiceEntry& entry) {
+  post(entry, [](Component&) {});
 }
 
 void Host::step(const WorkQueue& queue) {

@@ -58,6 +58,7 @@ struct ServiceEntry {
   ArrivingCalls arriving;                        // of any thread
   Time reported = -std::numeric_limits<Time>::infinity();  // when the observer was last told of its status
   bool refusal_logged = false;                             // that so many calls wait that more are refused
+  bool speed_limit_due = false;                            // the component has not been told of it (Host::limit_speed)
   std::unique_ptr<Component> component;
 };
 

@@ -36,13 +36,23 @@ class Lamp final : public Component {
     calls.push_back(call);
     if (answer) answer(call);
   }
+  void limit_speed(std::optional<double> tool_speed) override { limits.push_back({tool_speed, calls.size(), steps}); }
   void abandoned(CallId call) override { abandoned_calls.push_back(call); }
   void step() override {
     if (broken) throw std::runtime_error("burnt out");
+    ++steps;
   }
+  struct Limit {
+    std::optional<double> tool_speed;
+    std::size_t calls;  // that had come before it
+    int steps;
+    bool operator==(const Limit&) const = default;
+  };
   ServiceHost& host;
   std::vector<Call> calls;
   std::vector<CallId> abandoned_calls;
+  std::vector<Limit> limits;
+  int steps = 0;
   std::function<void(const Call&)> answer;
   bool broken = false;
 };
@@ -337,6 +347,83 @@ TEST(Delivery, ReachesCoresByTimeThenServiceThenSequence) {
   EXPECT_TRUE(before(early, second));
   EXPECT_FALSE(before(second, early));
   EXPECT_TRUE(before(second, late));
+}
+
+// ---- The limit of the speed.
+
+using Limit = Lamp::Limit;
+
+TEST_F(HostTest, AComponentIsToldOfALimitOfTheSpeedOnItsQueueBeforeWhatWaits) {
+  for (int i = 0; i < 3; ++i) bench.host.call({"1", ++bench.calls}, "lamp", "on", {}, {});
+  bench.host.limit_speed(0.25);
+  EXPECT_THAT(lamp.limits, IsEmpty()) << "on its queue only";
+  bench.queue.run();
+  EXPECT_EQ(lamp.calls.size(), 3U);
+  EXPECT_THAT(lamp.limits, ElementsAre(Limit{0.25, 0, 0}));
+}
+
+TEST_F(HostTest, ALimitOfTheSpeedComesBeforeWhatWaitsInRealTimeToo) {
+  bench.host.call_safe();
+  for (int i = 0; i < 3; ++i) bench.host.call({}, "lamp", "on", {}, {});
+  bench.host.limit_speed(0.25);
+  bench.queue.run_for(std::chrono::seconds(1));
+  EXPECT_THAT(lamp.limits, ElementsAre(Limit{0.25, 0, 0}));
+}
+
+TEST_F(HostTest, LimitsOfTheSpeedAreToldInOrderAndTheNewestHolds) {
+  bench.host.limit_speed(0.25);
+  bench.queue.run();
+  bench.host.limit_speed({});
+  bench.queue.run();
+  bench.host.limit_speed({});
+  bench.host.limit_speed(0.1);
+  bench.queue.run();
+  bench.queue.run();
+  EXPECT_THAT(lamp.limits, ElementsAre(Limit{0.25, 0, 0}, Limit{std::nullopt, 0, 0}, Limit{0.1, 0, 0}));
+}
+
+TEST_F(HostTest, WhatIsNeverLimitedIsToldOfNoLimit) {
+  bench.host.disconnect("lamp");
+  bench.host.reconnect("lamp");
+  bench.call("lamp", "on");
+  EXPECT_THAT(lamp.limits, IsEmpty());
+}
+
+TEST_F(HostTest, WhatReconnectsIsToldOfTheLimitOfTheSpeedBeforeAnythingElse) {
+  bench.host.disconnect("lamp");
+  bench.host.limit_speed(0.25);
+  bench.host.call({"1", 1}, "lamp", "on", {}, {});  // on its way while nobody is there
+  bench.host.reconnect("lamp");
+  bench.host.step(bench.queue);
+  bench.queue.run();
+  EXPECT_EQ(lamp.calls.size(), 1U);
+  EXPECT_THAT(lamp.limits, ElementsAre(Limit{0.25, 0, 0}));
+  bench.host.disconnect("lamp");
+  bench.host.reconnect("lamp");
+  bench.queue.run();
+  EXPECT_THAT(lamp.limits, ElementsAre(Limit{0.25, 0, 0}, Limit{0.25, 1, 1})) << "it may have begun anew";
+}
+
+TEST_F(HostTest, WhatWasLostWithALimitOfTheSpeedLearnsThatThereIsNoneAnyMore) {
+  bench.host.limit_speed(0.25);
+  bench.queue.run();
+  bench.host.disconnect("lamp");
+  bench.host.limit_speed({});
+  bench.host.reconnect("lamp");
+  bench.queue.run();
+  EXPECT_THAT(lamp.limits, ElementsAre(Limit{0.25, 0, 0}, Limit{std::nullopt, 0, 0}));
+}
+
+TEST_F(HostTest, WhatIsAttachedOrReplacedLaterIsToldOfTheLimitOfTheSpeed) {
+  bench.host.limit_speed(0.25);
+  auto& torch = bench.add<Lamp>("torch");
+  bench.host.step(bench.queue);
+  EXPECT_THAT(torch.limits, ElementsAre(Limit{0.25, 0, 0}));
+  auto another = std::make_unique<Lamp>(lamp.host);
+  const Lamp& made = *another;
+  bench.host.replace("lamp", std::move(another), "a new one");
+  bench.call("lamp", "on");
+  EXPECT_THAT(made.limits, ElementsAre(Limit{0.25, 0, 0}));
 }
 
 }  // namespace
