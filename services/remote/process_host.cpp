@@ -190,6 +190,7 @@ Expected<void> ProcessHost::handle(Message message) {
   set_clock(message.time);
   if (message.kind == Kind::news && entry->on_host_change) entry->on_host_change();
   if (message.kind == Kind::wanted) entry->component->demand_changed(message.name, message.on);
+  if (message.kind == Kind::limit_speed) entry->component->limit_speed(tool_speed_of(message));
   if (message.kind == Kind::call)
     entry->component->call({message.call, message.name, std::move(message.args), std::move(message.kwargs)});
   return {};

@@ -54,6 +54,7 @@ constexpr std::array kCalled = {
     kKey, kCall, Field{"operation", &Message::name}, Field{"args", &Message::args}, Field{"kwargs", &Message::kwargs},
     kTime};
 constexpr std::array kWanted = {kKey, kFlow, kOn, kTime};
+constexpr std::array kLimitSpeed = {kKey, Field{"tool_speed", &Message::value}, kTime};
 constexpr std::array kPacket = {kKey, kService, kFlow, kTime, kHeader};
 constexpr std::array kReply = {kNumber, Field{"value", &Message::value}};
 constexpr std::array kNews = {kKey, kTime};
@@ -90,6 +91,7 @@ constexpr std::array kRows = {
     Row{Kind::refused, "refused", Reader::process, kRefused},
     Row{Kind::call, "call", Reader::process, kCalled},
     Row{Kind::wanted, "wanted", Reader::process, kWanted},
+    Row{Kind::limit_speed, "limit_speed", Reader::process, kLimitSpeed},
     Row{Kind::packet, "packet", Reader::process, kPacket, true},
     Row{Kind::reply, "reply", Reader::process, kReply},
     Row{Kind::news, "news", Reader::process, kNews},
@@ -177,6 +179,11 @@ Expected<void> check(const Message& message) {
   }
   if ((message.kind == Kind::hello || message.kind == Kind::refused) && !message.value.is_list())
     return unexpected(ErrorCode::type, "must be a list", message.kind == Kind::hello ? "components" : "errors");
+  if (message.kind == Kind::limit_speed && !message.value.is_null()) {
+    if (!message.value.is_numeric()) return unexpected(ErrorCode::type, "must be a number or null", "tool_speed");
+    if (!(message.value.to_double() >= 0))
+      return unexpected(ErrorCode::out_of_range, "must not be negative", "tool_speed");
+  }
   return {};
 }
 
@@ -274,6 +281,11 @@ std::string cut(std::string text) {
 
 Value error_json(const Error& error) {
   return Dict{{"path", cut(error.path)}, {"code", race::name(error.code)}, {"message", cut(error.message)}};
+}
+
+std::optional<double> tool_speed_of(const Message& message) {
+  if (message.value.is_null()) return std::nullopt;
+  return message.value.to_double();
 }
 
 services::PacketPtr packet_of(Message message) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -47,6 +48,7 @@ enum class Kind : std::uint8_t {
   refused,  // they are not, and why; the connection ends
   call,     // the functions of Component
   wanted,   // demand_changed()
+  limit_speed,
   packet,
   reply,  // to a request
   news,   // replies to earlier requests may be out of date
@@ -74,7 +76,7 @@ struct Message {
   std::int64_t number = 0;    // of the protocol, of a ping, of a request, of a command; the heartbeat [ms]
   bool on = false;            // subscribes, has subscribers, is watched
   services::Time time = 0;    // the server's; of a packet, its own
-  Value value;  // result, error, reply, data of an event, header of a packet, components, errors, act, pose
+  Value value;  // result, error, reply, data of an event, header of a packet, components, errors, act, pose, tool speed
   Value world;  // that the process brings, or null
   List args;
   Dict kwargs;
@@ -94,6 +96,9 @@ std::string cut(std::string text);
 
 /// {path, code, message}, as messages say it, both texts cut.
 Value error_json(const Error& error);
+
+/// The limit of a `limit_speed` [m/s]; nothing: none.
+std::optional<double> tool_speed_of(const Message& message);
 
 /// The service's packet of a message, frozen.
 services::PacketPtr packet_of(Message message);

@@ -59,6 +59,15 @@ void RemoteComponent::demand_changed(std::string_view flow, bool on) {
   if (auto sent = send(message); !sent) host_.log(sent.error().message);
 }
 
+void RemoteComponent::limit_speed(std::optional<double> tool_speed) {
+  Message message;
+  message.kind = Kind::limit_speed;
+  message.key = key_;
+  if (tool_speed) message.value = *tool_speed;
+  message.time = host_.now();
+  if (auto sent = send(message); !sent) host_.log(sent.error().message);
+}
+
 void RemoteComponent::notify_changes() {
   if (!functions_.version) return;
   const std::uint64_t version = functions_.version();

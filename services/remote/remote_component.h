@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "services/component.h"
@@ -32,6 +33,7 @@ class RemoteComponent final : public services::Component {
   void call(const services::Call& call) override;
   void packet(std::string_view key, std::string_view flow, const services::PacketPtr& packet) override;
   void demand_changed(std::string_view flow, bool on) override;
+  void limit_speed(std::optional<double> tool_speed) override;
 
  private:
   Expected<void> send(const Message& message, const std::string& flow = {});

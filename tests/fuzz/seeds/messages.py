@@ -40,6 +40,7 @@ TOLD = [
     {"type": "call", "key": "lamp", "call": 1, "operation": "on", "args": [], "kwargs": {}, "time": 0.5},
     {"type": "act", "number": 1, "act": {"hand": "h"}, "time": 0.5}, {"type": "ping", "number": 1, "time": 2.5},
     {"type": "wanted", "key": "lamp", "flow": "f", "on": True, "time": 1.0},
+    {"type": "limit_speed", "key": "lamp", "tool_speed": 0.25, "time": 1.0},
 ]
 PACKETS = [
     '#{"type":"publish","key":"lamp","flow":"f","time":1.5,"header":{"width":1}}\tbytes',

@@ -2,6 +2,7 @@
 // its host.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,11 @@ class Lamp final : public services::Component {
   }
   void demand_changed(std::string_view flow, bool on) override {
     wishes.push_back(std::string(flow) + (on ? " on" : " off"));
+  }
+
+  void limit_speed(std::optional<double> tool_speed) override {
+    wishes.push_back("at most " + (tool_speed ? to_json(*tool_speed) : "any") + " after " +
+                     std::to_string(calls.size()) + " calls");
   }
 
   void halt() override { ++halts; }

@@ -94,6 +94,15 @@ TEST_F(ProcessHostTest, HaltsOnceWhenTheServerIsSilent) {
   EXPECT_EQ(lamp->halts, 2);
 }
 
+TEST_F(ProcessHostTest, HandsALimitOfTheSpeedToItsComponent) {
+  Message limit = message(Kind::limit_speed);
+  limit.value = 0.25;
+  ASSERT_TRUE(process.handle(limit));
+  limit.value = nullptr;
+  ASSERT_TRUE(process.handle(limit));
+  EXPECT_THAT(lamp->wishes, ElementsAre("at most 0.25 after 0 calls", "at most any after 0 calls"));
+}
+
 TEST_F(ProcessHostTest, AnswersAPingWithItsNumber) {
   Message ping = message(Kind::ping, 2.0);
   ping.number = 9;

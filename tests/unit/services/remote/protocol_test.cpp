@@ -26,6 +26,7 @@ Message full(Kind kind) {
   message.time = 1.25;
   message.value = Dict{{"code", "not_found"}, {"n", 1}, {"x", 1.0}};
   if (kind == Kind::hello || kind == Kind::refused) message.value = List{Dict{{"key", "db"}}};
+  if (kind == Kind::limit_speed) message.value = 0.25;
   message.world = Dict{{"scene", 5}};
   message.args = {1, 2.0, "three"};
   message.kwargs = {{"four", nullptr}};
@@ -98,6 +99,21 @@ TEST(Protocol, WhatDoesNotFitIsRefusedWithItsField) {
   EXPECT_THAT(
       text_error(R"({"type": "event", "key": "db", "name": ")" + std::string(kNameBytes + 1, 'x') + R"(", "data": 1})"),
       HasSubstr("name: out_of_range"));
+}
+
+TEST(Protocol, ALimitOfTheSpeedIsANumberOrNone) {
+  const auto limit = [](const std::string& speed) {
+    return R"({"type": "limit_speed", "key": "robot", "tool_speed": )" + speed + R"(, "time": 1})";
+  };
+  const auto read = [&](const std::string& speed) { return decode({limit(speed), false}, Reader::process).value(); };
+  EXPECT_EQ(tool_speed_of(read("0.25")), 0.25);
+  EXPECT_EQ(tool_speed_of(read("0")), 0);
+  EXPECT_EQ(tool_speed_of(read("null")), std::nullopt);
+  EXPECT_THAT(text_error(limit("-0.1"), Reader::process), HasSubstr("tool_speed: out_of_range"));
+  EXPECT_THAT(text_error(limit(R"("slow")"), Reader::process), HasSubstr("tool_speed: type"));
+  EXPECT_THAT(text_error(limit("true"), Reader::process), HasSubstr("tool_speed: type"));
+  EXPECT_THAT(text_error(R"({"type": "limit_speed", "key": "robot", "time": 1})", Reader::process),
+              HasSubstr("tool_speed: missing"));
 }
 
 TEST(Protocol, BytesThatAreShorterThanTheySayAreRefused) {

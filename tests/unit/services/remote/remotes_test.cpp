@@ -249,6 +249,34 @@ TEST_F(RemotesTest, WhatComesBackStartsInItsInitialState) {
   EXPECT_THAT(host.service("lamp")->violations, IsEmpty());
 }
 
+TEST_F(RemotesTest, AProcessIsToldOfALimitOfTheSpeedInOrder) {
+  Process process(remotes);
+  greet(process);
+  EXPECT_THAT(process.lamp->wishes, IsEmpty());
+  call("burn");
+  ASSERT_TRUE(until({&process}, [&] { return process.lamp->calls.size() == 1; }));
+  host.limit_speed(0.25);
+  call("burn");
+  ASSERT_TRUE(until({&process}, [&] { return process.lamp->calls.size() == 2; }));
+  host.limit_speed({});
+  ASSERT_TRUE(until({&process}, [&] { return process.lamp->wishes.size() == 2; }));
+  EXPECT_THAT(process.lamp->wishes, ElementsAre("at most 0.25 after 1 calls", "at most any after 2 calls"));
+}
+
+TEST_F(RemotesTest, AProcessThatConnectsIsToldOfTheLimitOfTheSpeedBeforeAnyCall) {
+  host.limit_speed(0.25);
+  for (int connection = 0; connection < 2; ++connection) {
+    Process process(remotes);
+    process.hello();
+    ASSERT_TRUE(until({}, [&] { return available(); }));
+    call("burn");
+    ASSERT_TRUE(until({&process}, [&] { return process.lamp->calls.size() == 1; }));
+    EXPECT_THAT(process.lamp->wishes, ElementsAre("at most 0.25 after 0 calls")) << "connection " << connection;
+    process.link.disconnect("killed");
+    ASSERT_TRUE(until({}, [&] { return !available(); }));
+  }
+}
+
 TEST_F(RemotesTest, AnAnswerOfThoseBeforeIsNotHeard) {
   Process first(remotes);
   greet(first);
