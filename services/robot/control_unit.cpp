@@ -16,6 +16,7 @@ constexpr double kStanding = 0.02;        // rad/s
 constexpr double kArrivalTimeout = 1.0;   // s that an arrival may take longer than planned
 constexpr double kSlowLasts = 0.5;        // s that a reflex slows down after its signal has ended
 constexpr double kBlendTime = 0.2;        // s from one control law to the next
+constexpr double kOfSpeedLimit = 0.98;    // for the reference: the arm follows it with a small error
 
 double largest_difference(const Joints& a, const Joints& b) {
   double largest = 0;
@@ -57,6 +58,7 @@ ControlUnit::ControlUnit(ArmModel arm, const ControlSettings& settings, const Jo
       q_(q),
       torques_(arm_.gravity(q)),
       brake_(q, Joints{}, settings.braking),
+      button_(static_cast<int>(std::lround(kJogHold / kPeriod))),
       observer_(arm_, settings.observer_gain),
       reflexes_(arm_, settings.contact_thresholds, settings.braking) {
   reflexes_.set(behavior_.reflexes);
@@ -91,8 +93,48 @@ tl::expected<void, Refusal> ControlUnit::move(const MoveCommand& command, const 
 void ControlUnit::follow(Trajectory trajectory) {
   if (behavior_.operational.speed) keep_tool_speed(arm_, *behavior_.operational.speed, trajectory);
   path_.emplace(std::move(trajectory), settings_.braking, rate());
+  limit_rate();
   overtime_ = 0;
   activity_ = Activity::follow;
+}
+
+void ControlUnit::set_tool_speed_limit(std::optional<double> tool_speed) {
+  if (tool_speed) *tool_speed *= kOfSpeedLimit;
+  if (std::exchange(tool_speed_limit_, tool_speed) != tool_speed) limit_rate();
+}
+
+void ControlUnit::limit_rate() {
+  rate_limit_.reset();
+  if (path_ && tool_speed_limit_) rate_limit_.emplace(arm_, path_->trajectory(), settings_.braking, *tool_speed_limit_);
+}
+
+/// The rate of the path for the next cycle, forwards or backwards.
+double ControlUnit::limited(double rate) const {
+  if (!rate_limit_) return rate;
+  const double most = rate_limit_->at(path_->next_time(kPeriod));
+  return std::clamp(rate, -most, most);
+}
+
+tl::expected<void, Refusal> ControlUnit::jog(const JogVelocity& wanted) {
+  if (button_.interruption()) {
+    button_.call();
+    return tl::unexpected(*button_.interruption());
+  }
+  const JogLimits limits = jog_limits(arm_, settings_.planner.acceleration, settings_.braking);
+  if (auto fits = check_jog(wanted, limits); !fits) return fits;
+  if (behavior_.operational.mode == Mode::gravity_compensation)
+    return tl::unexpected(Refusal{"behavior", "", "the robot does not move by itself in gravity compensation"});
+  if (activity_ != Activity::jog) {
+    if (moving()) return tl::unexpected(Refusal{"busy", "", "the robot is moving"});
+    if (activity_ == Activity::retreat) brake_and_hold();
+    path_.reset();
+    jogging_.emplace(arm_, limits, brake_.at(brake_time_));
+    activity_ = Activity::jog;
+  }
+  jogging_->set_velocity(wanted);
+  button_.call();
+  overtime_ = 0;
+  return {};
 }
 
 void ControlUnit::stop() {
@@ -110,6 +152,7 @@ void ControlUnit::brake_and_hold() {
   activity_ = Activity::hold;
   search_.reset();
   path_.reset();
+  jogging_.reset();
   returning_.reset();
   offset_.reset();
   offset_left_ = 0;
@@ -141,6 +184,7 @@ const Joints& ControlUnit::control(const Joints& q, const Joints& dq) {
     slow_ = 1;
   }
   Joints torques = law(q, dq);
+  button_.pass();
   blend_torques(torques);
   for (std::size_t i = 0; i < kJoints; ++i)
     torques_[i] = std::clamp(torques[i], -arm_.limits().effort[i], arm_.limits().effort[i]);
@@ -167,6 +211,7 @@ void ControlUnit::react(const Incident& incident) {
 
 void ControlUnit::interrupt(const Refusal& why) {
   const bool was_moving = moving();
+  if (activity_ == Activity::jog) button_.interrupt(why);
   const std::optional<Refusal> earlier = returning_;
   brake_and_hold();
   if (was_moving) outcome_.emplace(earlier ? *earlier : why);
@@ -222,6 +267,7 @@ Reference ControlUnit::next_reference(const Joints& q, const Joints& dq) {
   const bool braking = brake_time_ < brake_.duration();
   if (activity_ == Activity::follow && !braking) return follow_path(q, dq);
   if (activity_ == Activity::retreat) return go_back(q);
+  if (activity_ == Activity::jog) return follow_jog(q, dq);
   const Reference reference = brake_.at(brake_time_);
   brake_time_ += kPeriod;
   return reference;
@@ -240,7 +286,7 @@ void ControlUnit::search() {
 }
 
 Reference ControlUnit::follow_path(const Joints& q, const Joints& dq) {
-  const Reference reference = path_->advance(rate(), kPeriod);
+  const Reference reference = path_->advance(limited(rate()), kPeriod);
   const bool stiff = behavior_.operational.mode == Mode::position;
   if (stiff && largest_difference(reference.q, q) > kFollowingError) {
     interrupt({"following_error", "", "something pushes the arm off its path"});
@@ -264,10 +310,38 @@ void ControlUnit::check_arrival(const Joints& q, const Joints& dq) {
   }
 }
 
+Reference ControlUnit::follow_jog(const Joints& q, const Joints& dq) {
+  const bool held = button_.held();
+  const Reference reference = jogging_->advance(held ? rate() : 0, jog_tool_speed(), kPeriod);
+  const bool stiff = behavior_.operational.mode == Mode::position;
+  if (stiff && largest_difference(reference.q, q) > kFollowingError) {
+    interrupt({"following_error", "", "something pushes the arm off its path"});
+  } else if (!held && jogging_->standing()) {
+    end_jog(dq);
+  }
+  return reference;
+}
+
+/// The lower of the limits from outside and of the behavior, if there is one.
+std::optional<double> ControlUnit::jog_tool_speed() const {
+  const std::optional<double>& of_behavior = behavior_.operational.speed;
+  if (!tool_speed_limit_ || !of_behavior) return of_behavior ? of_behavior : tool_speed_limit_;
+  return std::min(*of_behavior, *tool_speed_limit_);
+}
+
+void ControlUnit::end_jog(const Joints& dq) {
+  overtime_ += kPeriod;
+  if (largest_difference(dq, Joints{}) >= kStanding && overtime_ < kArrivalTimeout) return;
+  brake_ = Braking(jogging_->place(), Joints{}, settings_.braking);
+  activity_ = Activity::hold;
+  jogging_.reset();
+  outcome_.emplace(std::nullopt);
+}
+
 Reference ControlUnit::go_back(const Joints& q) {
   const Joints braking_way = path_->stopping_way();
   const double stopping = tool_way(arm_, q, braking_way);
-  const Reference reference = path_->advance(back_left_ > stopping ? -override_ : 0, kPeriod);
+  const Reference reference = path_->advance(back_left_ > stopping ? limited(-override_) : 0, kPeriod);
   Joints step = reference.dq;
   for (double& part : step) part *= kPeriod;
   back_left_ -= path_->backwards() ? tool_way(arm_, q, step) : 0;

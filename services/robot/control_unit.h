@@ -12,9 +12,12 @@
 #include "services/robot/arm_model.h"
 #include "services/robot/behavior.h"
 #include "services/robot/free_path.h"
+#include "services/robot/held_button.h"
+#include "services/robot/jogging.h"
 #include "services/robot/observer.h"
 #include "services/robot/path_follower.h"
 #include "services/robot/planner.h"
+#include "services/robot/rate_limit.h"
 #include "services/robot/reflexes.h"
 #include "services/robot/trajectory.h"
 
@@ -47,6 +50,8 @@ class ControlUnit {
  public:
   /// Seconds between two calls of control().
   static constexpr double kPeriod = 0.001;
+  /// Seconds that a velocity of jog() is good for.
+  static constexpr double kJogHold = 0.25;
 
   /// Starts holding position at `q` with the usual behavior. Without `keeps_clear` no free path is planned.
   ControlUnit(ArmModel arm, const ControlSettings& settings, const Joints& q, KeepsClear keeps_clear = {});
@@ -57,6 +62,13 @@ class ControlUnit {
   /// present one. Refusals: those of plan(), `behavior` in gravity compensation, `busy` if it is moving. Nothing
   /// changes after a refusal. A free path is searched during the next cycles; its failure is an outcome.
   tl::expected<void, Refusal> move(const MoveCommand& command, const std::optional<Behavior>& behavior = {});
+
+  /// Moves with a velocity from now on, and begins to slow down kJogHold after the last call: a person holds a button.
+  /// Then, when the arm stands, the motion has ended as one that has reached its goal. Refusals: those of check_jog(),
+  /// `behavior` in gravity compensation, `busy` during another motion; and after a reflex or something in the way has
+  /// interrupted it the code of that, until nobody has called it for kJogHold: the person has let go. Nothing changes
+  /// after a refusal, and it keeps no motion up.
+  tl::expected<void, Refusal> jog(const JogVelocity& wanted);
 
   /// Brakes with the largest deceleration and holds position, whatever it did, with held_by_position() of its behavior.
   /// A motion ends without an outcome.
@@ -70,6 +82,11 @@ class ControlUnit {
   /// Scales the speed of all motions, the present one too: 1 as planned, 0 pauses on the path. Requires 0..1.
   void set_override(double share) { override_ = share; }
 
+  /// The tool centre point keeps at or below this speed [m/s, at least 0; nothing: no limit] in whatever moves by this
+  /// unit; what is faster slows down as fast as braking allows. A hand that leads the arm is not limited, braking not
+  /// either.
+  void set_tool_speed_limit(std::optional<double> tool_speed);
+
   /// One control cycle: takes the measured state, reacts, gives the torques for the next kPeriod.
   const Joints& control(const Joints& q, const Joints& dq);
 
@@ -81,13 +98,13 @@ class ControlUnit {
   std::vector<Incident> take_incidents();
 
   /// Whether a motion has no outcome yet.
-  bool moving() const { return activity_ == Activity::plan || activity_ == Activity::follow || returning_; }
+  bool moving() const { return returning_ || (activity_ != Activity::hold && activity_ != Activity::retreat); }
   RobotState state() const;
   const ArmModel& arm() const { return arm_; }
 
  private:
   /// hold: brakes, then stands (or, in gravity compensation, gives way); plan: holds, and searches a free path.
-  enum class Activity { hold, plan, follow, retreat };
+  enum class Activity { hold, plan, follow, retreat, jog };
 
   void react(const Incident& incident);
   void interrupt(const Refusal& why);
@@ -100,6 +117,11 @@ class ControlUnit {
   Reference follow_path(const Joints& q, const Joints& dq);
   Reference go_back(const Joints& q);
   void check_arrival(const Joints& q, const Joints& dq);
+  Reference follow_jog(const Joints& q, const Joints& dq);
+  void end_jog(const Joints& dq);
+  void limit_rate();
+  double limited(double rate) const;
+  std::optional<double> jog_tool_speed() const;
   double rate() const;
   Joints law(const Joints& q, const Joints& dq);
   Joints position_law(const Joints& q, const Joints& dq, const Reference& reference) const;
@@ -111,11 +133,15 @@ class ControlUnit {
   Behavior behavior_ = usual_behavior(Mode::position);
   Joints q_{}, dq_{}, torques_{};
   Activity activity_ = Activity::hold;
-  Braking brake_;                     // also the hold: a brake that has come to its end
-  double brake_time_ = 0;             // s since braking began
-  std::optional<FreeSearch> search_;  // plan
-  std::optional<PathFollower> path_;  // follow, retreat; in hold: the path at whose end it stands, if it does
-  double overtime_ = 0;               // s since the path's end
+  Braking brake_;                           // also the hold: a brake that has come to its end
+  double brake_time_ = 0;                   // s since braking began
+  std::optional<FreeSearch> search_;        // plan
+  std::optional<PathFollower> path_;        // follow, retreat; in hold: the path at whose end it stands, if it does
+  std::optional<double> tool_speed_limit_;  // m/s, of the reference
+  std::optional<RateLimit> rate_limit_;     // of path_, if the tool's speed is limited
+  std::optional<Jogging> jogging_;          // jog
+  HeldButton button_;                       // that jogs
+  double overtime_ = 0;                     // s since the path's end, or since a jog should stand
   double override_ = 1;
   double slow_ = 1, slow_left_ = 0;   // of the reflexes: share of the speed, s that it still lasts
   double back_left_ = 0;              // m of the tool still to go back

@@ -68,6 +68,20 @@ tl::expected<Vec3, Refusal> read_carried(const Value& value, MotionKind kind) {
   return edges;
 }
 
+/// An optional argument; nullptr: it is not given, or null.
+const Value* given(const Dict& arguments, const char* name) {
+  const Value* value = arguments.find(name);
+  return value && !value->is_null() ? value : nullptr;
+}
+
+/// Requires a list of numbers, as many as `Numbers` has.
+template <typename Numbers>
+Numbers numbers(const Value& value) {
+  Numbers out{};
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = value.as_list()[i].to_double();
+  return out;
+}
+
 }  // namespace
 
 tl::expected<Action, Refusal> read_move(const Dict& arguments) {
@@ -96,6 +110,20 @@ tl::expected<Action, Refusal> read_move(const Dict& arguments) {
     action.carried = *edges;
   }
   return action;
+}
+
+tl::expected<JogVelocity, Refusal> read_jog(const Dict& arguments) {
+  const Value* joints = given(arguments, "joints");
+  const Value* linear = given(arguments, "linear");
+  const Value* angular = given(arguments, "angular");
+  if ((joints != nullptr) == (linear || angular))
+    return refuse("type", "either `joints`, or `linear`, `angular` or both of them are wanted", "joints");
+  if (joints) return numbers<Joints>(*joints);
+  ToolVelocity velocity;
+  if (linear) velocity.linear = numbers<Vec3>(*linear);
+  if (angular) velocity.angular = numbers<Vec3>(*angular);
+  if (arguments.find("frame")->as_string() == "tool") velocity.axes = ToolVelocity::Axes::tool;
+  return velocity;
 }
 
 Value to_value(const Pose& pose) {

@@ -17,6 +17,10 @@ struct Action {
 /// unlikely size), those of read_behavior().
 tl::expected<Action, Refusal> read_move(const Dict& arguments);
 
+/// The velocity from the bound arguments of `jog`. Refusals: `type` (neither joint speeds nor a velocity of the tool,
+/// or both).
+tl::expected<JogVelocity, Refusal> read_jog(const Dict& arguments);
+
 Value to_value(const Pose& pose);
 Value to_value(const Joints& joints);
 /// Data of the event `robot_state`.

@@ -72,6 +72,38 @@ OperationRow move_row(services::Handler handler) {
               "interrupted it."};
 }
 
+OperationRow jog_row(services::Handler handler) {
+  return {.name = "jog",
+          .handler = std::move(handler),
+          .parameters =
+              {
+                  {.name = "joints",
+                   .type = types::optional(joints_type()),
+                   .unit = "rad/s",
+                   .doc = "of each joint, at most half of its speed limit; or else"},
+                  {.name = "linear",
+                   .type = types::optional(vector_type()),
+                   .unit = "m/s",
+                   .doc = "of the tool centre point, at most 0.25 m/s"},
+                  {.name = "angular",
+                   .type = types::optional(vector_type()),
+                   .unit = "rad/s",
+                   .doc = "of the tool, at most 1 rad/s"},
+                  {.name = "frame",
+                   .type = types::one_of({"o", "tool"}),
+                   .value = "o",
+                   .doc = "whose axes `linear` and `angular` are along"},
+              },
+          .error = types::record({{"code", "string"},
+                                  {"message", "string"},
+                                  {"argument", types::optional("string")},
+                                  {"reaction", types::optional("string")}}),
+          .moves = true,
+          .doc =
+              "Moves with this velocity from now on, for 0.25 s unless it is called again: while a person holds a "
+              "button."};
+}
+
 EventRow robot_state_row() {
   return {.name = "robot_state",
           .data = types::record({{"q", joints_type()},
@@ -112,13 +144,16 @@ rsm::ServiceState state(const char* name) {
 
 }  // namespace
 
-// A move that is refused takes `move` and at once `done`, which answers it with the error: nothing moves.
+// A move that is refused takes `move` and at once `done`, which answers it with the error: nothing moves. A jog that is
+// refused takes `jog`, is answered, and takes `jog_done` (Robot::end_refused_jog); in the state Jogging it changes
+// nothing.
 const services::OperationTable& Robot::operations() {
   static const services::OperationTable table({
       .name = "robot",
       .operations =
           {
               move_row(&Robot::move),
+              jog_row(&Robot::jog),
               {.name = "stop",
                .handler = &Robot::stop,
                .safe = true,
@@ -145,16 +180,20 @@ const services::OperationTable& Robot::operations() {
                .doc = "Where a hand has led the arm: in gravity compensation."},
           },
       .events = events(),
-      .states = {state("Idle"), state("Moving")},
+      .states = {state("Idle"), state("Moving"), state("Jogging")},
       .init = "Idle",
       .transitions =
           {
               {.id = "move", .src = "Idle", .dst = "Moving", .operation = "move", .defer = {"done"}, .refused = "done"},
               {.id = "done", .src = "Moving", .dst = "Idle"},
+              {.id = "jog", .src = "Idle", .dst = "Jogging", .operation = "jog"},
+              {.id = "jog_on", .src = "Jogging", .dst = "Jogging", .operation = "jog"},
+              {.id = "jog_done", .src = "Jogging", .dst = "Idle"},
               {.id = "stop", .dst = "Idle", .operation = "stop", .error = "stopped"},
               {.id = "change_behavior", .src = "Idle", .dst = "Idle", .operation = "change_behavior"},
               {.id = "override", .src = "Idle", .dst = "Idle", .operation = "speed_override"},
               {.id = "override_moving", .src = "Moving", .dst = "Moving", .operation = "speed_override"},
+              {.id = "override_jogging", .src = "Jogging", .dst = "Jogging", .operation = "speed_override"},
               {.id = "record_pose", .src = "Idle", .dst = "Idle", .operation = "record_pose"},
           },
       .meta = Dict{{"flows", Dict{{"control", "how the arm holds or gives way, and the last collision it felt"}}}},

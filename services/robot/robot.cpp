@@ -55,6 +55,35 @@ void Robot::set_payload(const std::optional<Vec3>& part) {
   clearance_with_payload_.emplace(loaded, world_.scene());
 }
 
+void Robot::jog(const services::Call& call, const Dict& arguments) {
+  const auto wanted = read_jog(arguments);
+  if (!wanted) return refuse_jog(call, wanted.error());
+  if (const auto accepted = unit_.jog(*wanted); !accepted) return refuse_jog(call, accepted.error());
+  jogging_ = true;
+  host().result(call.id, nullptr);
+}
+
+void Robot::refuse_jog(const services::Call& call, const Refusal& refusal) {
+  refuse(call, to_value(refusal));
+  end_refused_jog();
+}
+
+void Robot::refuse_arguments(const services::Call& call, const Error& error) {
+  TableComponent::refuse_arguments(call, error);
+  if (call.operation == "jog") end_refused_jog();
+}
+
+/// The state is Jogging by a call that was refused, or still by one before it.
+void Robot::end_refused_jog() {
+  if (!jogging_) take("jog_done");
+}
+
+/// The motion of the unit has ended.
+void Robot::finish(const std::optional<Refusal>& failure) {
+  if (moving_ != 0) finish_move(failure);
+  if (std::exchange(jogging_, false)) take("jog_done");
+}
+
 void Robot::finish_move(const std::optional<Refusal>& failure) {
   take("done");
   const services::CallId call = std::exchange(moving_, 0);
@@ -72,14 +101,17 @@ Value Robot::place() const {
 
 void Robot::stop(const services::Call& call) {
   unit_.stop();
+  jogging_ = false;
   if (moving_ != 0) host().error(std::exchange(moving_, 0), to_value(Refusal{"stopped", "", "the robot was stopped"}));
   host().result(call.id, nullptr);
 }
 
 void Robot::halt() {
   unit_.stop();
-  if (moving_ != 0) finish_move(Refusal{"stopped", "", "the server was silent"});
+  finish(Refusal{"stopped", "", "the server was silent"});
 }
+
+void Robot::limit_speed(std::optional<double> tool_speed) { unit_.set_tool_speed_limit(tool_speed); }
 
 void Robot::change_behavior(const services::Call& call, const Dict& arguments) {
   const auto behavior = read_behavior(*arguments.find("behavior"));
@@ -104,7 +136,7 @@ void Robot::step() {
   for (const Incident& incident : unit_.take_incidents()) announce(incident);
   if (world_.steps() % kStepsPerSample == 0) host().event("robot_state", to_value(unit_.state()));
   if (watched_ && world_.steps() % kStepsPerControl == 0) publish_control();
-  if (const auto outcome = unit_.take_outcome(); outcome && moving_ != 0) finish_move(*outcome);
+  if (const auto outcome = unit_.take_outcome()) finish(*outcome);
 }
 
 void Robot::demand_changed(std::string_view flow, bool on) {

@@ -25,12 +25,19 @@ class Robot final : public services::TableComponent {
   static const services::OperationTable& operations();
   void step() override;
   void halt() override;
+  void limit_speed(std::optional<double> tool_speed) override;
   void demand_changed(std::string_view flow, bool on) override;
+
+ protected:
+  void refuse_arguments(const services::Call& call, const Error& error) override;
 
  private:
   Robot(services::ServiceHost& host, world::World& world, ArmModel arm, unsigned seed);
 
   void move(const services::Call& call, const Dict& arguments);
+  void jog(const services::Call& call, const Dict& arguments);
+  void refuse_jog(const services::Call& call, const Refusal& refusal);
+  void end_refused_jog();
   void set_payload(const std::optional<Vec3>& part);
   void stop(const services::Call& call);
   void change_behavior(const services::Call& call, const Dict& arguments);
@@ -38,6 +45,7 @@ class Robot final : public services::TableComponent {
   void record_pose(const services::Call& call, const Dict& arguments);
   Value place() const;
   void finish_move(const std::optional<Refusal>& failure);
+  void finish(const std::optional<Refusal>& failure);
   void announce(const Incident& incident);
   void publish_control();
 
@@ -46,6 +54,7 @@ class Robot final : public services::TableComponent {
   std::optional<world::Clearance> clearance_with_payload_;  // of the arm and the payload of the last move
   ControlUnit unit_;
   services::CallId moving_ = 0;  // the move that waits for its end; 0: none
+  bool jogging_ = false;         // in the state Jogging
   Value collision_;              // the last one, as the flow `control` tells it; null: none yet
   bool watched_ = false;         // somebody listens to the flow `control`
 };

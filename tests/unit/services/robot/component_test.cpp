@@ -169,6 +169,16 @@ TEST_F(RobotService, RefusesWrongArgumentsOfItsOtherOperations) {
       {"speed_override", R"([-0.1])", "out_of_range"},
       {"speed_override", R"([50])", "out_of_range"},  // percent
       {"record_pose", R"([17])", "type"},
+      {"jog", R"([])", "type"},
+      {"jog", R"({"frame": "tool"})", "type"},
+      {"jog", R"({"joints": null, "linear": null})", "type"},
+      {"jog", R"({"joints": [0.1, 0, 0, 0, 0, 0, 0], "angular": [0, 0, 0.1]})", "type"},
+      {"jog", R"({"joints": [0.1, 0, 0]})", "type"},
+      {"jog", R"({"linear": [0, 0.1, "up"]})", "type"},
+      {"jog", R"({"linear": [0, 0.1, 0], "frame": "camera"})", "type"},
+      {"jog", R"({"linear": [0, 250, 0]})", "out_of_range"},                         // mm/s
+      {"jog", R"({"linear": [0, 0.1, 0], "angular": [0, 0, 30]})", "out_of_range"},  // degrees
+      {"jog", R"({"joints": [0, 0, 0, 0, 0, 0, 2]})", "out_of_range"},
   };
   const Joints before = world->q();
   for (const Wrong& wrong : cases) {
@@ -219,6 +229,8 @@ TEST_F(RobotService, RefusesANumberThatIsNotFiniteWhereverItStands) {
       {"change_behavior", R"({"behavior": {"operational": {"mode": "joint_impedance",
           "stiffness": [500, 500, 300, 300, 100, 80, 80]}}})"},
       {"speed_override", R"({"share": 0.5})"},
+      {"jog", R"({"joints": [0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1]})"},
+      {"jog", R"({"linear": [0, 0.1, 0.1], "angular": [0, 0.1, 0.1], "frame": "tool"})"},
   };
   services::CallId id = 1000;
   int refused = 0;
@@ -240,7 +252,7 @@ TEST_F(RobotService, RefusesANumberThatIsNotFiniteWhereverItStands) {
       }
     }
   }
-  EXPECT_EQ(refused, 3 * (7 + 2 + 3 + 9 + 2 + 2 + 6 + 6 + 7 + 3 + 7 + 1));
+  EXPECT_EQ(refused, 3 * (7 + 2 + 3 + 9 + 2 + 2 + 6 + 6 + 7 + 3 + 7 + 1 + 7 + 6));
   run(0.5);
   for (std::size_t i = 0; i < kJoints; ++i) EXPECT_NEAR(world->q()[i], before[i], 1e-6);
   for (const Right& right : cases) {
@@ -509,6 +521,120 @@ TEST_F(RobotService, CanBeLedByHandAndHoldsAgainAfterwards) {
   const Joints held = world->q();
   run(1);
   for (std::size_t i = 0; i < kJoints; ++i) EXPECT_NEAR(world->q()[i], held[i], 1e-4);
+}
+
+// ---- Jogging.
+
+constexpr const char* kSideways = R"({"linear": [0, 0.2, 0]})";
+
+TEST_F(RobotService, JogsWhileItIsCalledAgainAndIsIdleWhenItStands) {
+  const double from = world->pose("tcp").position[1];
+  for (int i = 0; i < 20; ++i) {
+    const CallId id = call("jog", kSideways);
+    EXPECT_EQ(host.results[id], Value(nullptr)) << "at once";
+    EXPECT_EQ(host.state(), "Jogging");
+    run(0.05);
+  }
+  EXPECT_NEAR(world->pose("tcp").position[1] - from, 0.2, 0.02);
+  run(0.2);
+  EXPECT_EQ(host.state(), "Jogging");
+  run(0.15);
+  EXPECT_EQ(host.state(), "Idle");
+  for (const double speed : world->dq()) EXPECT_LT(std::abs(speed), 0.02);
+  finish(call("move", kDownPose));
+}
+
+TEST_F(RobotService, AcceptsTheNextVelocityAStopAndTheOverrideWhileItJogs) {
+  call("jog", kSideways);
+  run(0.2);
+  EXPECT_EQ(host.code(call("move", kDownPose)), "not_accepted");
+  EXPECT_EQ(host.code(call("change_behavior", R"(["gravity_compensation"])")), "not_accepted");
+  EXPECT_EQ(host.code(call("record_pose")), "not_accepted");
+  EXPECT_EQ(host.code(call("speed_override", "[0.5]")), "");
+  EXPECT_EQ(host.state(), "Jogging");
+  EXPECT_EQ(host.code(call("jog", R"({"joints": [-0.5, 0, 0, 0, 0, 0, 0]})")), "");
+  run(0.24);
+  EXPECT_LT(world->dq()[0], -0.2);
+  EXPECT_GT(world->dq()[0], -0.3) << "half of what is wanted";
+  EXPECT_TRUE(host.results.contains(call("stop")));
+  EXPECT_EQ(host.state(), "Idle");
+  run(0.2);
+  for (const double speed : world->dq()) EXPECT_LT(std::abs(speed), 0.01);
+  EXPECT_EQ(host.state(), "Idle");
+}
+
+TEST_F(RobotService, HaltsAJogByItself) {
+  call("jog", kSideways);
+  run(0.2);
+  robot->halt();
+  EXPECT_EQ(host.state(), "Idle");
+  run(0.2);
+  for (const double speed : world->dq()) EXPECT_LT(std::abs(speed), 0.01);
+}
+
+TEST_F(RobotService, RefusesAWrongVelocityWhereverItIsAndGoesOn) {
+  EXPECT_EQ(host.code(call("jog", R"({"linear": [0, 0.3, 0]})")), "out_of_range");
+  EXPECT_EQ(host.state(), "Idle");
+  call("jog", kSideways);
+  run(0.2);
+  const CallId wrong = call("jog", R"({"linear": [0, 0.3, 0]})");
+  EXPECT_EQ(host.code(wrong), "out_of_range");
+  ASSERT_TRUE(host.errors.contains(wrong));
+  EXPECT_EQ(host.errors[wrong].find("argument")->as_string(), "linear");
+  EXPECT_EQ(host.state(), "Jogging");
+  run(0.2);
+  EXPECT_EQ(host.state(), "Idle") << "it holds nothing up";
+}
+
+TEST_F(RobotService, DoesNotJogWhileItIsLedByHand) {
+  call("change_behavior", R"(["gravity_compensation"])");
+  EXPECT_EQ(host.code(call("jog", kSideways)), "behavior");
+  EXPECT_EQ(host.state(), "Idle");
+}
+
+TEST_F(RobotService, RefusesToJogAfterACollisionUntilThePersonHasLetGo) {
+  const auto push = [this] {
+    for (int i = 0; i < 20; ++i) {
+      world->push("gripper", {0, -60, 0}, world->pose("tcp").position);
+      run(0.001);
+    }
+  };
+  for (int i = 0; i < 10; ++i) {
+    call("jog", kSideways);
+    run(0.05);
+  }
+  for (int i = 0; i < 10 && host.counts["collision"] == 0; ++i) push();
+  ASSERT_EQ(host.counts["collision"], 1);
+  EXPECT_EQ(host.state(), "Idle");
+  for (int i = 0; i < 20; ++i) {
+    const CallId id = call("jog", kSideways);
+    ASSERT_EQ(host.code(id), "collision") << "the button is still held";
+    EXPECT_EQ(host.errors[id].find("reaction")->as_string(), "stop");
+    EXPECT_EQ(host.state(), "Idle");
+    run(0.05);
+  }
+  run(0.25);
+  EXPECT_EQ(host.code(call("jog", kSideways)), "");
+  EXPECT_EQ(host.state(), "Jogging");
+}
+
+TEST_F(RobotService, KeepsALimitOfTheToolsSpeed) {
+  robot->limit_speed(0.1);
+  double fastest = 0;
+  const auto watch = [&] {
+    const Vec3 before = world->pose("tcp").position;
+    run(0.001);
+    fastest = std::max(fastest, distance(world->pose("tcp").position, before) / 0.001);
+  };
+  const CallId slow = call("move", kDownPose);
+  while (!host.answered(slow)) watch();
+  EXPECT_EQ(host.code(slow), "");
+  EXPECT_LE(fastest, 0.1);
+  EXPECT_GT(fastest, 0.09);
+  robot->limit_speed({});
+  const CallId fast = call("move", R"([{"offset": [0, -0.2, 0.1]}])");
+  while (!host.answered(fast)) watch();
+  EXPECT_GT(fastest, 0.15);
 }
 
 }  // namespace
