@@ -21,8 +21,9 @@ Expected<void> Account::check() const {
                       "name");
   if (role == Role::process && groups.empty())
     return unexpected(ErrorCode::missing, "a process needs the component groups that it may bring", "groups");
-  if (role != Role::process && !groups.empty())
-    return unexpected(ErrorCode::not_accepted, "only a process brings component groups", "groups");
+  if (role != Role::process && !groups.empty() && groups != std::vector<std::string>{std::string(kLocal)})
+    return unexpected(ErrorCode::not_accepted,
+                      "only a process brings component groups; an account of people is `local`, or nothing", "groups");
   if (role == Role::process && !password_hash.empty())
     return unexpected(ErrorCode::not_accepted, "a process has tokens and no password", "password");
   return {};

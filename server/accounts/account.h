@@ -18,9 +18,10 @@ struct Account {
 
   std::string name;  // letters, digits, `_`, `-` and `.`, the first a letter or digit
   Role role = Role::observer;
-  std::vector<std::string> groups = {};  // of a process: the component groups that it may bring
-  std::string password_hash = {};        // argon2id (passwords.h); empty: nobody can log in with a password
-  std::int64_t created = 0;              // [ms since 1970]
+  // Of a process: the component groups that it may bring. Of people: nothing, or kLocal alone.
+  std::vector<std::string> groups = {};
+  std::string password_hash = {};  // argon2id (passwords.h); empty: nobody can log in with a password
+  std::int64_t created = 0;        // [ms since 1970]
   bool operator==(const Account&) const = default;
 
   /// Errors, with the field as path: `name`; `missing` (a process without a group); `not_accepted` (a group or a

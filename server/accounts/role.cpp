@@ -40,4 +40,13 @@ bool has_right(Role role, Right right) {
   return static_cast<std::size_t>(role) + kFirstRole >= static_cast<std::size_t>(right);
 }
 
+bool is_local(const Identity& identity) {
+  return identity.account.empty() || std::ranges::find(identity.groups, kLocal) != identity.groups.end();
+}
+
+std::string name_for_people(const Identity& identity) {
+  if (!identity.account.empty()) return identity.account;
+  return "somebody at " + (identity.address.empty() ? "this machine" : identity.address);
+}
+
 }  // namespace race::server

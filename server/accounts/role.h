@@ -35,10 +35,18 @@ bool has_right(Role role, Right right);
 struct Identity {
   std::string account;  // empty: the server has no accounts, and this is anybody on this machine
   Role role = Role::admin;
-  std::vector<std::string> groups = {};  // of a process: the component groups that it may bring
+  std::vector<std::string> groups = {};  // as of Account
   std::string token = {};                // hexadecimal digest of the token; empty without accounts
   std::string address = {};              // where they are: "127.0.0.1"
   bool operator==(const Identity&) const = default;
 };
+
+/// The group of an account that is a display at the cell, where what moves is seen.
+inline constexpr std::string_view kLocal = "local";
+/// Whether that is somebody at the cell: an account of kLocal, or anybody at a server without accounts, on its machine.
+bool is_local(const Identity& identity);
+
+/// Who that is, as people read it: "alice", "somebody at 127.0.0.1".
+std::string name_for_people(const Identity& identity);
 
 }  // namespace race::server

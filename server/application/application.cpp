@@ -148,8 +148,17 @@ void Application::name_damaged_documents() {
 Expected<void> Application::create_cores(const Setup& setup) {
   pool_ = std::make_unique<Pool>(kCoreThreads, busy_core_threads(), "cores");
   cores_ = std::make_unique<Cores>(*pool_, cell_->host(), *core_publisher_, *runs_, *writer_, replays_, deadlines_);
-  cell_stop_ = std::make_unique<CellStop>(*control_, cell_->host(), *cores_, StopMark(folder_->stop_mark()),
-                                          [this](const std::string& text) { log("cell", text, LogLevel::warning); });
+  cell_stop_ =
+      std::make_unique<CellStop>(*control_, cell_->host(), *cores_,
+                                 CellStop::Marks{StopMark(folder_->stop_mark()), ModeMark(folder_->mode_mark())},
+                                 [this](const std::string& text) { log("cell", text, LogLevel::warning); });
+  control_->confirm_all_edits(has_accounts());
+  manual_ = std::make_unique<ManualControl>(*control_, cell_->host(), *cell_stop_,
+                                            [this](const Identity& identity, std::string action, std::string outcome) {
+                                              access_->record(identity, std::move(action), std::move(outcome));
+                                            });
+  service_publisher_->set_manual_control(*manual_);
+  cell_->before_step([this] { before_step(); });
   live_edits_ = std::make_unique<LiveEdits>(*documents_, *cores_);
   document_watchers_.add(*live_edits_);
   keeper_ = std::make_unique<RunKeeper>(*runs_, *samples_, setup.retention,
@@ -182,8 +191,13 @@ Checked<void> Application::add_operator(const OperatorScript& script) {
   operator_ = std::make_unique<Operator>(script, screens_, [this](const std::string& text) { log("operator", text); });
   core_publisher_->set_operator(*operator_);
   service_publisher_->set_operator(*operator_);
-  cell_->before_step([this, world] { operator_->step(cell_->clock().now(), *world); });
   return {};
+}
+
+// Of the cell, on its thread.
+void Application::before_step() {
+  manual_->check(std::chrono::steady_clock::now());
+  if (operator_) operator_->step(cell_->clock().now(), *cell_->world());
 }
 
 Application::~Application() {
@@ -223,6 +237,7 @@ Backend Application::make_backend() {
           *displays_,
           *edits_,
           *presence_,
+          *manual_,
           *access_,
           cell_->remotes()};
 }
@@ -236,9 +251,10 @@ ChannelSources Application::channel_sources() {
 }
 
 Resources Application::resources() {
-  return {*documents_, *breakpoints_, *editing_, *boot_list_, *backups_, *runs_,     *samples_, *pictures_,
-          *cores_,     *live_edits_,  replays_,  deadlines_,  restores_, *cell_,     *log_,     answers_,
-          *accounts_,  *passwords_,   attempts_, tickets_,    *audit_,   authority_, *control_, *cell_stop_};
+  return {*documents_, *breakpoints_, *editing_,    *boot_list_, *backups_,  *runs_,    *samples_,
+          *pictures_,  *cores_,       *live_edits_, replays_,    deadlines_, restores_, *cell_,
+          *log_,       answers_,      *accounts_,   *passwords_, attempts_,  tickets_,  *audit_,
+          authority_,  *control_,     *cell_stop_,  *manual_};
 }
 
 }  // namespace race::server

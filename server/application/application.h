@@ -24,6 +24,7 @@
 #include "server/channels/service_publisher.h"
 #include "server/control/cell_stop.h"
 #include "server/control/control.h"
+#include "server/control/manual_control.h"
 #include "server/editing/document_watcher.h"
 #include "server/editing/edit_queue.h"
 #include "server/editing/editing.h"
@@ -95,6 +96,7 @@ class Application {
   void create_editing(const Setup& setup);
   void name_damaged_documents();
   void flush_recordings();
+  void before_step();
   Checked<void> add_operator(const OperatorScript& script);
   void log(const std::string& source, const std::string& text, LogLevel level = LogLevel::info);
   ChannelSources channel_sources();
@@ -137,6 +139,7 @@ class Application {
   std::unique_ptr<FlowChannels> flows_;
   std::unique_ptr<Cores> cores_;
   std::unique_ptr<CellStop> cell_stop_;
+  std::unique_ptr<ManualControl> manual_;
   std::unique_ptr<LiveEdits> live_edits_;
   std::unique_ptr<RunKeeper> keeper_;
   std::unique_ptr<PictureRecorder> picture_recorder_;

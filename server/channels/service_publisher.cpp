@@ -8,6 +8,7 @@
 namespace race::server {
 
 void ServicePublisher::delivered(const services::Delivery& delivery) {
+  if (manual_) manual_->delivered(delivery);
   if (cores_) cores_->deliver(delivery);
   if (operator_) operator_->happened(delivery);
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "server/cell/operator.h"
+#include "server/control/manual_control.h"
 #include "server/execution/cores.h"
 #include "server/log/event_log.h"
 #include "server/stream/hub.h"
@@ -21,6 +22,8 @@ class ServicePublisher final : public services::HostObserver {
   /// To be called once, before the first core is created; outlives the host's deliveries.
   void connect(Cores& cores) { cores_ = &cores; }
   void set_operator(Operator& person) { operator_ = &person; }
+  /// Gets the responses to calls by hand.
+  void set_manual_control(ManualControl& manual) { manual_ = &manual; }
 
   void delivered(const services::Delivery& delivery) override;
   void changed(const services::ServiceStatus& status) override;
@@ -31,6 +34,7 @@ class ServicePublisher final : public services::HostObserver {
   EventLog& log_;
   Cores* cores_ = nullptr;
   Operator* operator_ = nullptr;
+  ManualControl* manual_ = nullptr;
 };
 
 }  // namespace race::server

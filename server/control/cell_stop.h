@@ -1,8 +1,8 @@
-// CellStop: what happens when somebody stops the cell, or resets it: the latch at once, then every safe operation, then
-// the end of all runs.
+// CellStop: what follows in the cell when somebody stops it, or resets it, or the permission of what moves ends: the
+// latch at once, then the safe operations, then runs.
 //
-// Threads: any. stop() waits for nothing but the locks of the control and the host, which nobody holds for long; what
-// takes longer is done on a thread of its own.
+// Threads: any. Waits for nothing but the locks of the control and the host, which nobody holds for long; what takes
+// longer is done on a thread of its own.
 #pragma once
 
 #include <atomic>
@@ -11,6 +11,7 @@
 #include <string>
 
 #include "server/control/control.h"
+#include "server/control/mode_mark.h"
 #include "server/control/stop_mark.h"
 #include "server/execution/cores.h"
 #include "server/threads/strand.h"
@@ -21,24 +22,36 @@ namespace race::server {
 class CellStop {
  public:
   using Log = std::function<void(const std::string& text)>;
-  /// All outlive this. A cell that was stopped when the last server ended is stopped again.
-  CellStop(Control& control, services::Host& host, Cores& cores, StopMark mark, Log log);
+  /// What outlives the server.
+  struct Marks {
+    StopMark stop;
+    ModeMark mode;
+  };
+  /// All outlive this. A cell that was stopped when the last server ended is stopped again, and its mode is as it was.
+  CellStop(Control& control, services::Host& host, Cores& cores, Marks marks, Log log);
 
   /// `by`: who stops it, as people read it; `now`: ms since 1970.
   void stop(const std::string& by, std::int64_t now);
   /// Motions may begin again, when a person begins one.
   void reset(const std::string& by);
+  /// What moved by a permission that has ended stops: its runs take nothing more that comes, then the safe operations
+  /// of its services are called. The runs are paused, and go on when a person wants that. `why`: for the log, if
+  /// anything stops.
+  void halt(const Control::Ended& ended, const std::string& why);
+  /// The control has another mode.
+  void change_mode(const Control::Ended& ended, Mode mode, const std::string& by);
   /// Nothing is done any more that is not begun.
   void end() { pool_.end(); }
 
  private:
+  void limit_speed(Mode mode);
   void follow(const std::string& text);
   void end_runs();
 
   Control& control_;
   services::Host& host_;
   Cores& cores_;
-  const StopMark mark_;
+  const Marks marks_;
   const Log log_;
   std::atomic<std::int64_t> called_{0};  // when the safe operations were called last [ms since 1970]
   Pool pool_{1, 0, "stops"};

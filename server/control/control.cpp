@@ -9,7 +9,8 @@ using services::MutexLock;
 
 bool Control::stop(Stop stop) {
   const MutexLock lock(mutex_);
-  ++fence_;
+  free_fence_ = ++last_fence_;
+  if (holder_) holder_->fence = ++last_fence_;
   if (stopped_) return false;
   stopped_ = std::move(stop);
   tell();
@@ -39,10 +40,12 @@ Value Control::json() const {
 }
 
 Value Control::state() const {
-  Dict json{{"stopped", nullptr}};
+  Dict json{{"stopped", nullptr}, {"mode", std::string(name(mode_))}, {"holder", nullptr}, {"request", nullptr}};
   if (stopped_) json.set("stopped", Dict{{"by", stopped_->by}, {"time", stopped_->time}});
+  if (holder_) json.set("holder", Dict{{"number", static_cast<std::int64_t>(holder_->number)}, {"by", holder_->by}});
+  if (request_) json.set("request", Dict{{"id", request_->id}, {"by", request_->by}});
   List leases;
-  for (const auto& [service, core] : leases_) leases.push_back(Dict{{"service", service}, {"core", core}});
+  for (const auto& [service, lease] : leases_) leases.push_back(Dict{{"service", service}, {"core", lease.core}});
   json.set("leases", std::move(leases));
   List ports;
   for (const auto& [place, port] : stop_ports_)
@@ -53,28 +56,50 @@ Value Control::state() const {
   return value;
 }
 
-Expected<std::uint64_t> Control::begin() {
+bool Control::is_good(std::uint64_t fence) const {
+  return !stopped_ && (fence == free_fence_ || (holder_ && fence == holder_->fence));
+}
+
+Expected<std::uint64_t> Control::begin(const services::Beginning& run) {
   const MutexLock lock(mutex_);
   if (stopped_) return unexpected(ErrorCode::stopped, "the cell was stopped by " + stopped_->by + "; reset it first");
-  return fence_;
+  const bool is_holder = holder_ && holder_->number == run.control;
+  if (holder_ && !is_holder) return unexpected(ErrorCode::leased, holder_->by + " has the controls of the cell");
+  if (is_holder)  // what they have moved by hand is the run's now
+    std::erase_if(leases_, [by_hand = caller(run.control)](const auto& each) { return each.second.core == by_hand; });
+  if (mode_ == Mode::execution && !run.supervised) return free_fence_;
+  if (!is_holder)
+    return unexpected(ErrorCode::conflict, run.supervised ? "take the controls of the cell first: the run is supervised"
+                                                          : "take the controls of the cell first: it is programmed");
+  holder_->runs.insert(run.core);
+  return holder_->fence;
 }
 
 std::optional<Value> Control::refuse(const services::Caller& caller, const std::string& service) {
   const MutexLock lock(mutex_);
-  if (stopped_ || caller.fence != fence_)
+  if (!is_good(caller.fence))
     return error_value(name(ErrorCode::stopped),
-                       "the cell was stopped; nothing moves until it is reset, and a run begins");
-  const auto [lease, is_new] = leases_.try_emplace(service, caller.core);
-  if (lease->second != caller.core)
-    return error_value(name(ErrorCode::leased), "run " + lease->second + " has `" + service + "` until it is over");
-  if (is_new) tell();
+                       "the cell was stopped, or has nobody at the controls; nothing moves until a run begins");
+  if (is_person(caller.core) && mode_ != Mode::programming)
+    return error_value(name(ErrorCode::not_accepted), "nothing is moved by hand in execution mode");
+  const auto [lease, is_new] = leases_.try_emplace(service, Lease{caller.core, caller.fence});
+  const bool is_own = lease->second.core == caller.core;
+  if (!is_own && is_good(lease->second.fence))
+    return error_value(name(ErrorCode::leased), holder_of(lease->second) + " has `" + service + "`");
+  lease->second = {caller.core, caller.fence};  // of a run that moves no more until it is resumed, it is taken over
+  if (is_new || !is_own) tell();
   return std::nullopt;
+}
+
+std::string Control::holder_of(const Lease& lease) const {
+  if (is_person(lease.core)) return holder_ ? holder_->by : "somebody";
+  return "until it is over, run " + lease.core;
 }
 
 void Control::release(const std::string& core, const std::string& service) {
   const MutexLock lock(mutex_);
   const auto lease = leases_.find(service);
-  if (lease == leases_.end() || lease->second != core) return;
+  if (lease == leases_.end() || lease->second.core != core) return;
   leases_.erase(lease);
   tell();
 }

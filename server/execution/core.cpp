@@ -88,11 +88,11 @@ void Core::deliver(const services::Delivery& delivery) {
 }
 
 // The first macro step begins at once, so that the answer says that it has.
-void Core::start(Done<Value> done) {
-  when_rebuilt<Value>(std::move(done), [this]() -> Expected<Value> {
+void Core::start(Done<Value> done, Supervision by) {
+  when_rebuilt<Value>(std::move(done), [this, by]() -> Expected<Value> {
     if (started_) return conflict("core " + id_ + " was started before");
     if (closed_) return conflict("core " + id_ + " has another model now");
-    if (auto free = take_fence(); !free) return tl::unexpected(std::move(free).error());
+    if (auto free = take_fence(by); !free) return tl::unexpected(std::move(free).error());
     started_ = true;
     note_services();
     advance();
@@ -134,10 +134,10 @@ void Core::pause(Done<Value> done) {
   });
 }
 
-void Core::resume(Done<Value> done) {
-  when_rebuilt<Value>(std::move(done), [this]() -> Expected<Value> {
+void Core::resume(Done<Value> done, Supervision by) {
+  when_rebuilt<Value>(std::move(done), [this, by]() -> Expected<Value> {
     if (started_ || interruption_) {
-      if (auto free = take_fence(); !free) return tl::unexpected(std::move(free).error());
+      if (auto free = take_fence(by); !free) return tl::unexpected(std::move(free).error());
       if (auto ready = ready_to_go_on(); !ready) return tl::unexpected(std::move(ready).error());
     }
     paused_ = false;
@@ -200,13 +200,13 @@ Expected<void> Core::end_run_now() {
   return {};
 }
 
-void Core::step(execution::GoalName name, Done<Value> done) {
-  when_rebuilt<Value>(std::move(done), [this, name = std::move(name)]() -> Expected<Value> {
+void Core::step(execution::GoalName name, Done<Value> done, Supervision by) {
+  when_rebuilt<Value>(std::move(done), [this, by, name = std::move(name)]() -> Expected<Value> {
     do_turn_before();
     if (is_over() && !interruption_) return conflict("core " + id_ + " is over");
     if (!started_ || !(paused_ || awaits_input())) return conflict("core " + id_ + " is not paused");
     ASSIGN_OR_RETURN(const Goal goal, find_goal(program(), name));
-    if (auto free = take_fence(); !free) return tl::unexpected(std::move(free).error());
+    if (auto free = take_fence(by); !free) return tl::unexpected(std::move(free).error());
     if (auto ready = ready_to_go_on(); !ready) return tl::unexpected(std::move(ready).error());
     execution_.set_goal(goal);
     paused_ = false;
@@ -250,9 +250,18 @@ void Core::hold() {
 
 // That the run goes on is stored, too: who resumes it learns whether the disk works.
 // A person wants that it goes on: what it says from here on may move.
-Expected<void> Core::take_fence() {
-  ASSIGN_OR_RETURN(fence_, resources_.host.gate().begin());
+Expected<void> Core::take_fence(const Supervision& by) {
+  const bool supervised = by.supervised.value_or(supervised_);
+  ASSIGN_OR_RETURN(fence_, resources_.host.gate().begin({id_, by.control, supervised}));
+  supervised_ = supervised;
+  hold_asked_ = false;
   return {};
+}
+
+// The turn that takes an input looks for what is asked here first.
+void Core::hold_at_once() {
+  hold_asked_ = true;
+  post_turn([this] { advance(); });
 }
 
 Expected<void> Core::ready_to_go_on() {

@@ -73,6 +73,12 @@ struct CoreResources {
   std::chrono::milliseconds longest_step{10'000};
 };
 
+/// Who begins a run, or lets it go on.
+struct Supervision {
+  std::uint64_t control = 0;            // theirs, if they are at the controls (services::Beginning)
+  std::optional<bool> supervised = {};  // nothing: as it was
+};
+
 class Core final : public std::enable_shared_from_this<Core>, private RunSink {
  public:
   /// Of a stored run that has not begun; `header` is its header, whose arguments and native model are frozen. Errors:
@@ -115,11 +121,14 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   // Commands: give the core as it is then, once what they caused is durable. Errors: `conflict`: it is not in the state
   // for it; `storage`: the disk fails, and the run is interrupted; `unavailable`: it has not begun the command in time,
   // and never will.
-  void start(Done<Value> done);
+  // Errors also of start(), resume() and step(): those of services::MotionGate::begin.
+  void start(Done<Value> done, Supervision by = {});
   void pause(Done<Value> done);
-  /// Of an interrupted run: it goes on from its last macro step. As for start() and step(): `stopped`, while the cell
-  /// is.
-  void resume(Done<Value> done);
+  /// Of an interrupted run: it goes on from its last macro step.
+  void resume(Done<Value> done, Supervision by = {});
+  /// Nothing more begins in it until a person lets it go on: it is paused before it takes what comes from now on. Any
+  /// thread; waits for nothing.
+  void hold_at_once();
   /// Ends the run between macro steps.
   void stop(Done<Value> done);
   /// Ends the run for good, or keeps one that has not begun from beginning: whether it has begun. Errors: as stop().
@@ -135,7 +144,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   void reinstate();
   /// A paused core goes as far as `goal`. One that waits for an input to get there counts as paused, and may be told
   /// another goal. Error: as execution::find_goal.
-  void step(execution::GoalName goal, Done<Value> done);
+  void step(execution::GoalName goal, Done<Value> done, Supervision by = {});
   /// The core is paused wherever it reaches one of `goals`; they replace those that `author` has set before, or those
   /// of all if nobody says who sets them. After an edit an id is that of the same element, also under another name, a
   /// path is of what is there then, and what names nothing is dropped. Errors: `too_large`: more than that many, with
@@ -152,6 +161,9 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   bool is_live() const { return live_; }
   /// `conflict`: it is over; `storage`: it is interrupted, and cannot be read yet.
   void set_live(bool live, Done<Value> done);
+  /// The edit that waits, to this revision, may reach the run (services::MotionGate::confirms_edits). `conflict`: no
+  /// edit to this revision waits.
+  void confirm_edit(std::int64_t revision, Done<Value> done);
   /// Gets to another revision; in place of what waits. Does not wait.
   void follow(LiveEdit edit);
   /// It cannot get to this revision, and stays as it is. Does not wait.
@@ -284,7 +296,7 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   execution::Recording recording() const { return {.derivation = derivation_watched_, .whole = true}; }
   void hold();
   Expected<void> ready_to_go_on();
-  Expected<void> take_fence();
+  Expected<void> take_fence(const Supervision& by);
   Expected<void> end_run_now();
   void end_when_rebuilt(Done<Value> done);
 
@@ -410,8 +422,10 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   std::chrono::nanoseconds step_time_{0};  // that the open macro step has computed
   execution::Execution execution_;
   std::vector<Breakpoint> breakpoints_;
-  List reached_breakpoints_;  // at which it is paused, by number
-  std::uint64_t fence_ = 0;   // of its calls (services::MotionGate); 0: no person has begun it since the server did
+  List reached_breakpoints_;             // at which it is paused, by number
+  std::atomic<bool> hold_asked_{false};  // by hold_at_once()
+  bool supervised_ = false;              // as whoever let it go on last wanted it
+  std::uint64_t fence_ = 0;  // of its calls (services::MotionGate); 0: no person has begun it since the server did
   bool started_ = false, paused_ = false, scheduled_ = false;
   Value announced_ = Value::unknown();  // what the list of cores was told last
 
@@ -419,8 +433,9 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   std::uint64_t model_since_ = 0;  // schemas/core.json, `model`
   struct WaitingEdit {
     LiveEdit edit;
-    List waits;                               // schemas/core.json
-    std::optional<semantics::StateId> state;  // which has to be left before it can be delivered
+    List waits;                                   // schemas/core.json
+    std::optional<semantics::StateId> state;      // which has to be left before it can be delivered
+    bool confirmed = false, unconfirmed = false;  // by who has the controls; it waits for that
   };
   std::optional<WaitingEdit> edit_;
   Value refused_edit_ = Value::unknown();  // schemas/core.json

@@ -58,6 +58,19 @@ void Core::set_live(bool live, Done<Value> done) {
   });
 }
 
+void Core::confirm_edit(std::int64_t revision, Done<Value> done) {
+  on_strand<Value>(std::move(done), [this, revision]() -> Expected<Value> {
+    if (auto sound = readable(); !sound) return tl::unexpected(std::move(sound).error());
+    if (!edit_ || edit_->edit.revision != revision)
+      return unexpected(ErrorCode::conflict, "no edit to revision " + std::to_string(revision) + " waits");
+    edit_->confirmed = true;
+    edit_->unconfirmed = false;
+    publish_info();
+    schedule();
+    return info_json();
+  });
+}
+
 void Core::reinstate() {
   closed_ = false;
   strand_.post([self = shared_from_this()] { self->follow_again(); });
@@ -90,7 +103,7 @@ void Core::take_edit(LiveEdit edit) {
   if (edit.changes_nothing()) {
     revision_ = edit.revision;
   } else {
-    edit_.emplace(WaitingEdit{std::move(edit), {}, std::nullopt});
+    edit_.emplace(WaitingEdit{.edit = std::move(edit), .waits = {}, .state = std::nullopt});
     if (!execution_.is_open() && run().position() > 0) look_ahead();
   }
   publish_info();
@@ -126,6 +139,10 @@ bool Core::deliver_edit(std::uint32_t limit) {
     return false;
   }
   if (edit_->state && run().is_active(*edit_->state)) return false;
+  if (!edit_->confirmed && resources_.host.gate().confirms_edits(id_)) {
+    if (!std::exchange(edit_->unconfirmed, true)) publish_info();
+    return false;
+  }
   const LiveEdit& edit = edit_->edit;
   const std::vector<std::uint64_t> open_calls = run().unanswered_calls();
   const auto watch = resources_.watchdog.watch(give_up_, resources_.longest_step);
@@ -197,7 +214,11 @@ Dict Core::edit_info() const {
   info.set("live", live_.load());
   info.set("model", static_cast<std::int64_t>(model_since_));
   if (is_over()) return info;
-  if (edit_) info.set("waiting_edit", Dict{{"revision", edit_->edit.revision}, {"waits", edit_->waits}});
+  if (edit_) {
+    Dict waiting{{"revision", edit_->edit.revision}, {"waits", edit_->waits}};
+    if (edit_->unconfirmed) waiting.set("unconfirmed", true);
+    info.set("waiting_edit", std::move(waiting));
+  }
   if (!refused_edit_.is_unknown()) info.set("refused_edit", refused_edit_);
   return info;
 }

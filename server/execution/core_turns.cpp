@@ -53,6 +53,7 @@ void Core::advance() {
   const auto end = services::thread_time() + kTurnTime;
   for (std::uint32_t left = kTurn; left > 0 && services::thread_time() < end;) {
     if (held_.is_full()) return;
+    if (!execution_.is_open() && hold_asked_.exchange(false)) return hold();
     if (!execution_.is_open() && !take_inbox()) return;
     if (!execution_.is_open() && deliver_edit(std::min(left, kPart))) {
       if (paused_ || is_over()) return;

@@ -10,7 +10,7 @@ Value account_json(const Account& account) {
   Dict json{{"name", account.name}, {"role", std::string(name(account.role))}, {"created", account.created}};
   List groups;
   for (const std::string& group : account.groups) groups.push_back(group);
-  if (account.role == Role::process) json.set("groups", std::move(groups));
+  if (!account.groups.empty()) json.set("groups", std::move(groups));
   return json;
 }
 

@@ -21,7 +21,7 @@ struct Wanted {
 
 void check_groups(const std::vector<std::string>& groups, Fields& fields) {
   for (std::size_t i = 0; i < groups.size(); ++i)
-    if (const auto group = find_component_group(groups[i]); !group)
+    if (const auto group = find_component_group(groups[i]); !group && groups[i] != kLocal)
       fields.violation(ErrorCode::out_of_range, group.error().message, "groups/" + std::to_string(i));
 }
 

@@ -1,6 +1,10 @@
-// POST /api/v1/cores/{id}/pause, resume, stop.
+// POST /api/v1/cores/{id}/pause, resume, stop, confirm_edit.
+#include <limits>
+
+#include "core/value/json.h"
 #include "server/execution/cores.h"
 #include "server/handlers/handlers.h"
+#include "server/handlers/supervision.h"
 
 namespace race::server {
 
@@ -12,16 +16,51 @@ void command(const Request& request, Respond respond, Cores& cores, void (Core::
   ((**core).*what)(answer_to(std::move(respond)));
 }
 
+Checked<std::optional<bool>> read_supervised(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  auto json = parse_json(text);
+  if (!json) return failed(std::move(json).error());
+  std::vector<Error> errors;
+  Fields fields(*json, "", "the request", errors, Fields::Paths::field);
+  const auto supervised = fields.boolean("supervised");
+  fields.close();
+  if (!errors.empty()) return tl::unexpected(std::move(errors));
+  return supervised;
+}
+
 }  // namespace
 
 void pause_core(const Request& request, Respond respond, Cores& cores) {
   command(request, std::move(respond), cores, &Core::pause);
 }
-void resume_core(const Request& request, Respond respond, Cores& cores) {
-  command(request, std::move(respond), cores, &Core::resume);
+void resume_core(const Request& request, Respond respond, Cores& cores, ManualControl& manual) {
+  const auto core = core_of(request, cores);
+  if (!core) return respond(tl::unexpected(core.error()));
+  const auto supervised = read_supervised(request.body);
+  if (!supervised) return respond(tl::unexpected(supervised.error()));
+  const auto control = control_of(request, manual);
+  if (!control) return respond(failed(control.error()));
+  (*core)->resume(answer_to(std::move(respond)), {*control, *supervised});
 }
 void stop_core(const Request& request, Respond respond, Cores& cores) {
   command(request, std::move(respond), cores, &Core::stop);
+}
+
+// Only who has the controls confirms, and only the revision that they have seen.
+void confirm_core_edit(const Request& request, Respond respond, Cores& cores, ManualControl& manual) {
+  const auto core = core_of(request, cores);
+  if (!core) return respond(tl::unexpected(core.error()));
+  auto json = parse_json(request.body);
+  if (!json) return respond(failed(std::move(json).error()));
+  std::vector<Error> errors;
+  Fields fields(*json, "", "the request", errors, Fields::Paths::field);
+  const auto revision = fields.integer("revision", 1, std::numeric_limits<std::int64_t>::max(), kRequired);
+  fields.close();
+  if (!errors.empty()) return respond(tl::unexpected(std::move(errors)));
+  const auto control = control_of(request, manual);
+  if (!control) return respond(failed(control.error()));
+  if (*control == 0) return respond(failed({ErrorCode::leased, "take the controls of the cell first", {}}));
+  (*core)->confirm_edit(*revision, answer_to(std::move(respond)));
 }
 
 }  // namespace race::server

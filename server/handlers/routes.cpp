@@ -53,6 +53,8 @@ constexpr std::array kRoutes = {
     Route{"POST", "/api/v1/stop", call<stop_cell>},
     Route{"POST", "/api/v1/stop/reset", call<reset_stop>},
     Route{"GET", "/api/v1/control", call<get_control>},
+    Route{"POST", "/api/v1/control/answer", call<answer_control_request>, kBody},
+    Route{"PUT", "/api/v1/control/mode", call<set_mode>, kBody},
     Route{"GET", "/api/v1/audit", call<get_audit>, kNoBody, "before limit"},
     Route{"GET", "/api/v1/rules", call<get_rules>},
     Route{"GET", "/api/v1/documents", call<list_documents>, kNoBody, "after limit"},
@@ -80,9 +82,10 @@ constexpr std::array kRoutes = {
     Route{"POST", "/api/v1/cores/{id}/load", call<load_core>, kBody},
     Route{"POST", "/api/v1/cores/{id}/start", call<start_core>, kBody},
     Route{"POST", "/api/v1/cores/{id}/pause", call<pause_core>},
-    Route{"POST", "/api/v1/cores/{id}/resume", call<resume_core>},
+    Route{"POST", "/api/v1/cores/{id}/resume", call<resume_core>, kBody},
     Route{"POST", "/api/v1/cores/{id}/stop", call<stop_core>},
     Route{"POST", "/api/v1/cores/{id}/step", call<step_core>, kBody},
+    Route{"POST", "/api/v1/cores/{id}/confirm_edit", call<confirm_core_edit>, kBody},
     Route{"PUT", "/api/v1/cores/{id}/breakpoints", call<set_breakpoints>, kBody, "author"},
     Route{"PUT", "/api/v1/cores/{id}/live", call<set_core_live>, kBody},
     Route{"POST", "/api/v1/cores/{id}/force", call<force_core>, kBody},
@@ -119,7 +122,7 @@ constexpr std::array kRoutes = {
 };
 
 // Served by the sockets themselves.
-constexpr std::array<std::string_view, 2> kSockets = {"/api/v1/stream", "/api/v1/components"};
+constexpr std::array<std::string_view, 3> kSockets = {"/api/v1/stream", "/api/v1/control/hold", "/api/v1/components"};
 
 bool has_parameter(const Route& route, std::string_view name) {
   const std::string wanted = " " + std::string(name) + " ";

@@ -18,7 +18,7 @@ class EventLog;
 using Resources =
     std::tuple<Documents&, DocumentBreakpoints&, Editing&, BootList&, Backups&, Runs&, Samples&, Pictures&, Cores&,
                LiveEdits&, Worker&, Deadlines&, Pool&, Cell&, EventLog&, IdempotentAnswers&, Accounts&, Passwords&,
-               Attempts&, Tickets&, AuditLog&, AuthorityCertificate&, Control&, CellStop&>;
+               Attempts&, Tickets&, AuditLog&, AuthorityCertificate&, Control&, CellStop&, ManualControl&>;
 
 struct Route {
   std::string_view method;
@@ -29,7 +29,8 @@ struct Route {
   bool creates = false;         // something each time, unless the request has an Idempotency-Key
 };
 
-/// All of them. The listener serves the WebSockets itself (GET /api/v1/stream and /api/v1/components).
+/// All of them. The listener serves the WebSockets itself (GET /api/v1/stream,
+/// /api/v1/control/hold and /api/v1/components).
 std::span<const Route> routes();
 
 /// The pattern of the route of a request, also of the WebSockets; empty: there is none.

@@ -3,23 +3,28 @@
 #include "core/value/json.h"
 #include "server/execution/cores.h"
 #include "server/handlers/handlers.h"
+#include "server/handlers/supervision.h"
 #include "server/store/documents.h"
 
 namespace race::server {
 
 namespace {
 
-// Nothing: those of the creation stay.
-Checked<std::optional<Dict>> read_body(const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  auto body = parse_json(text);
-  if (!body) return failed(std::move(body).error());
+struct Body {
+  std::optional<Dict> arguments = {};  // nothing: those of the creation stay
+  std::optional<bool> supervised = {};
+};
+
+Checked<Body> read_body(const std::string& text) {
+  if (text.empty()) return Body();
+  auto json = parse_json(text);
+  if (!json) return failed(std::move(json).error());
   std::vector<Error> errors;
-  Fields fields(*body, "", "the request", errors, Fields::Paths::field);
-  auto arguments = read_arguments(fields);
+  Fields fields(*json, "", "the request", errors, Fields::Paths::field);
+  Body body{read_arguments(fields), fields.boolean("supervised")};
   fields.close();
   if (!errors.empty()) return tl::unexpected(std::move(errors));
-  return arguments;
+  return body;
 }
 
 // The document that the core executes, in the revision that it was created of.
@@ -36,18 +41,21 @@ Checked<StoredDocument> document_of(const Core& core, Documents& documents) {
 
 }  // namespace
 
-void start_core(const Request& request, Respond respond, Documents& documents, Cores& cores) {
+void start_core(const Request& request, Respond respond, Documents& documents, Cores& cores, ManualControl& manual) {
   const auto core = core_of(request, cores);
   if (!core) return respond(tl::unexpected(core.error()));
-  auto arguments = read_body(request.body);
-  if (!arguments) return respond(tl::unexpected(std::move(arguments).error()));
-  if (!*arguments) return (*core)->start(answer_to(std::move(respond)));
+  auto body = read_body(request.body);
+  if (!body) return respond(tl::unexpected(std::move(body).error()));
+  const auto control = control_of(request, manual);
+  if (!control) return respond(failed(control.error()));
+  const Supervision by{*control, body->supervised};
+  if (!body->arguments) return (*core)->start(answer_to(std::move(respond)), by);
   const auto document = document_of(**core, documents);
   if (!document) return respond(tl::unexpected(document.error()));
-  cores.load((*core)->id(), *document, std::move(**arguments), std::nullopt,
-             [respond = std::move(respond)](const Checked<std::shared_ptr<Core>>& loaded) {
+  cores.load((*core)->id(), *document, std::move(*body->arguments), std::nullopt,
+             [respond = std::move(respond), by](const Checked<std::shared_ptr<Core>>& loaded) {
                if (!loaded) return respond(tl::unexpected(loaded.error()));
-               (*loaded)->start(answer_to(respond));
+               (*loaded)->start(answer_to(respond), by);
              });
 }
 

@@ -3,6 +3,7 @@
 #include "server/execution/cores.h"
 #include "server/execution/goal_json.h"
 #include "server/handlers/handlers.h"
+#include "server/handlers/supervision.h"
 
 namespace race::server {
 
@@ -29,12 +30,14 @@ Checked<execution::GoalName> read_goal(const std::string& text) {
 
 }  // namespace
 
-void step_core(const Request& request, Respond respond, Cores& cores) {
+void step_core(const Request& request, Respond respond, Cores& cores, ManualControl& manual) {
   const auto core = core_of(request, cores);
   if (!core) return respond(tl::unexpected(core.error()));
   auto goal = read_goal(request.body);
   if (!goal) return respond(tl::unexpected(std::move(goal).error()));
-  (*core)->step(std::move(*goal), answer_to(std::move(respond)));
+  const auto control = control_of(request, manual);
+  if (!control) return respond(failed(control.error()));
+  (*core)->step(std::move(*goal), answer_to(std::move(respond)), {.control = *control});
 }
 
 }  // namespace race::server

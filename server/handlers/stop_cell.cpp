@@ -7,15 +7,6 @@
 
 namespace race::server {
 
-namespace {
-
-std::string name_for_people(const Identity& identity) {
-  if (!identity.account.empty()) return identity.account;
-  return "somebody at " + (identity.address.empty() ? "this machine" : identity.address);
-}
-
-}  // namespace
-
 Handled stop_cell(const Request& request, CellStop& cell_stop, Control& control) {
   cell_stop.stop(name_for_people(request.identity), now_ms());
   return ok(control.json());
@@ -30,9 +21,12 @@ Handled reset_stop(const Request& request, CellStop& cell_stop, Control& control
 Handled get_control(const Request& request, Control& control, Accounts& accounts) {
   const Value all = control.json();
   if (!request.identity.account.empty() || accounts.empty()) return ok(all);
-  Dict json{{"stopped", nullptr}, {"leases", List()}, {"stop_ports", *all.find("stop_ports")}};
+  Dict json{{"stopped", nullptr}, {"mode", *all.find("mode")}, {"holder", nullptr},
+            {"request", nullptr}, {"leases", List()},          {"stop_ports", *all.find("stop_ports")}};
   if (const Value& stopped = *all.find("stopped"); !stopped.is_null())
     json.set("stopped", Dict{{"by", "somebody"}, {"time", *stopped.find("time")}});
+  if (const Value& holder = *all.find("holder"); !holder.is_null())
+    json.set("holder", Dict{{"number", *holder.find("number")}, {"by", "somebody"}});
   return ok(std::move(json));
 }
 

@@ -16,6 +16,7 @@
 #include "server/http/answer.h"
 #include "server/http/connections.h"
 #include "server/http/message.h"
+#include "server/stream/control_requests.h"
 #include "server/stream/displays.h"
 #include "server/stream/hub.h"
 #include "server/stream/requests.h"
@@ -39,6 +40,7 @@ struct Backend {
   Displays& displays;
   EditRequests& edits;
   PresenceRequests& presence;
+  ControlRequests& control;
   ClientRecords& records;
   remote::Remotes& remotes;
 };

@@ -15,6 +15,7 @@ struct RequestFilter {
   static constexpr std::uint64_t kBodyBytes = 4 * 1024 * 1024;
   static constexpr std::uint64_t kRunFileBytes = 16 * 1024 * 1024;  // of the file of a run: POST /api/v1/runs
   static constexpr std::size_t kMessageBytes = 64 * 1024;           // of the stream, from a client
+  static constexpr std::size_t kControlBytes = 16 * 1024;           // from a person at the controls
 
   /// This machine alone: localhost, 127.0.0.1 and [::1] with this port are the names of the server.
   explicit RequestFilter(std::uint16_t port);

@@ -20,6 +20,7 @@ namespace {
 using Phase = Connections::Phase;
 
 constexpr std::string_view kStream = "/api/v1/stream";
+constexpr std::string_view kControl = "/api/v1/control/hold";
 constexpr std::string_view kComponents = "/api/v1/components";
 constexpr std::string_view kHealth = "/api/v1/health";
 constexpr std::string_view kStop = "/api/v1/stop";
@@ -143,12 +144,16 @@ std::optional<Reply> refuse_websocket(Client& client) {
 }
 
 awaitable<bool> serve_websocket(Client& client, Request header, Upgrade request, Context& context) {
-  const bool is_stream = header.path == kStream;
-  auto unknown = is_stream ? ByteBudget::Share() : context.budget.take(remote::ProcessLink::kHelloBytes);
+  const bool is_process = header.path == kComponents;
+  auto unknown = !is_process ? ByteBudget::Share() : context.budget.take(remote::ProcessLink::kHelloBytes);
   auto refused = unknown ? refuse_websocket(client) : overload("there are too many processes that nobody knows yet");
   if (refused) co_return co_await refuse(client, std::move(*refused), ResponseOptions(), context);
   Backend& backend = context.backend;
-  if (is_stream) {
+  if (header.path == kControl) {
+    const ControlTargets targets{backend.control, backend.records};
+    co_await serve_control(std::move(client.stream), std::move(request), std::move(header.identity), targets,
+                           *client.place);
+  } else if (!is_process) {
     const StreamTargets targets{backend.hub, backend.displays, backend.edits, backend.presence, backend.records};
     co_await serve_stream(std::move(client.stream), std::move(request), std::move(header.identity), targets,
                           *client.place);
@@ -184,7 +189,7 @@ awaitable<bool> serve_one(Client& client, Context& context, std::chrono::millise
     if (auto reply = read_error(error)) co_await refuse(client, std::move(*reply), ResponseOptions(), context);
     co_return false;
   }
-  if (request->path == kStream || request->path == kComponents) {
+  if (request->path == kStream || request->path == kControl || request->path == kComponents) {
     auto no_websocket = refuse_upgrade(*request, upgrade);
     if (no_websocket) co_return co_await refuse(client, std::move(*no_websocket), ResponseOptions(), context);
     co_return co_await serve_websocket(client, std::move(*request), parser.release(), context);

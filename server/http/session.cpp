@@ -6,6 +6,7 @@ namespace race::server {
 namespace {
 
 constexpr std::chrono::seconds kMessageTimeout{10};  // for the other side to take a message
+constexpr std::chrono::seconds kIdentityCheck{1};    // between two questions whether a client still is who it was
 constexpr unsigned kCloseCodes = 5000;               // RFC 6455, 7.4.2: of all close codes, the first that is none
 constexpr std::array<unsigned char, 4> kProtocolError = {0x88, 2, 0x03, 0xea};  // a close frame with the code 1002
 
@@ -32,6 +33,14 @@ void Session::spawn(std::function<awaitable<void>()> coroutine) {
     services::run_reporting("a WebSocket", [&] { std::rethrow_exception(failure); });
     self->close();
   });
+}
+
+awaitable<void> Session::check_identity(const Identity& identity, const ClientRecords& records) {
+  while (!over_) {
+    identity_timer_.expires_after(kIdentityCheck);
+    co_await identity_timer_.async_wait(kAsTuple);
+    if (!over_ && !records.is_current(identity)) co_return end(websocket::close_code::policy_error);
+  }
 }
 
 awaitable<void> Session::sleep() {

@@ -14,6 +14,7 @@
 #include "server/http/connections.h"
 #include "server/http/net_stream.h"
 #include "server/http/wake_up.h"
+#include "server/stream/requests.h"
 
 namespace race::server {
 
@@ -29,12 +30,19 @@ class Session : public std::enable_shared_from_this<Session> {
 
  protected:
   explicit Session(NetStream stream)
-      : socket_(std::move(stream)), executor_(socket_.get_executor()), waker_(executor_), deadline_(executor_) {}
+      : socket_(std::move(stream)),
+        executor_(socket_.get_executor()),
+        waker_(executor_),
+        deadline_(executor_),
+        identity_timer_(executor_) {}
 
   /// Whether it is open then; a message has at most `limit` bytes, and is one frame. `place` ends it from then on.
   awaitable<bool> accept(const Upgrade& request, std::size_t limit, Connections::Place& place);
   /// Runs a coroutine of this beside the others; what it throws is reported and ends the connection.
   void spawn(std::function<awaitable<void>()> coroutine);
+  /// Ends the connection when `identity` is not current any more: an account that is removed or changed, a logout, a
+  /// token that expires. Until identity_timer_ is cancelled once it is over_.
+  awaitable<void> check_identity(const Identity& identity, const ClientRecords& records);
   /// Until somebody cancels waker_.
   awaitable<void> sleep();
   /// Sends one message, whose pieces stay until it is sent. False: it cannot be sent, or is not taken in time; the
@@ -48,7 +56,7 @@ class Session : public std::enable_shared_from_this<Session> {
 
   websocket::stream<NetStream> socket_;
   asio::any_io_executor executor_;
-  asio::steady_timer waker_, deadline_;
+  asio::steady_timer waker_, deadline_, identity_timer_;
   bool over_ = false;
 
  private:

@@ -9,7 +9,6 @@ namespace race::server {
 namespace {
 
 constexpr std::chrono::milliseconds kGathering{20};  // between two messages to a client that gathers
-constexpr std::chrono::seconds kIdentityCheck{1};    // between two questions whether a client still is who it was
 constexpr std::size_t kTogether = 256 * 1024;        // bytes of what comes together
 
 // One client of the stream. Held by its two coroutines, and by the hub until it leaves.
@@ -20,8 +19,7 @@ class StreamSession final : public Session, public Subscriber {
         identity_(std::move(identity)),
         targets_(targets),
         hub_(targets.hub),
-        wake_up_(executor_),
-        identity_timer_(executor_) {}
+        wake_up_(executor_) {}
 
   Outbox& outbox() override { return outbox_; }
   const Identity& identity() const override { return identity_; }
@@ -40,7 +38,7 @@ class StreamSession final : public Session, public Subscriber {
     if (!co_await accept(request, RequestFilter::kMessageBytes, place)) co_return;
     try {
       spawn([self = self()] { return self->write(); });
-      spawn([self = self()] { return self->check_identity(); });
+      spawn([self = self()] { return self->check_identity(self->identity_, self->targets_.records); });
       co_await read();
     } catch (...) {
       services::report_failure("a client of the stream");
@@ -73,15 +71,6 @@ class StreamSession final : public Session, public Subscriber {
     waker_.cancel();
     identity_timer_.cancel();
     close();
-  }
-
-  // An account that is removed or changed, a logout, a token that expires: whoever it was connects again, or does not.
-  awaitable<void> check_identity() {
-    while (!over_) {
-      identity_timer_.expires_after(kIdentityCheck);
-      co_await identity_timer_.async_wait(kAsTuple);
-      if (!over_ && !targets_.records.is_current(identity_)) co_return end(websocket::close_code::policy_error);
-    }
   }
 
   // Until the hub has done what this client has asked for: what it says meanwhile stays in its socket.
@@ -136,7 +125,6 @@ class StreamSession final : public Session, public Subscriber {
   const StreamTargets targets_;
   Hub& hub_;
   const WakeUp wake_up_;
-  asio::steady_timer identity_timer_;
   Outbox outbox_;
   bool gathers_ = false;
   std::chrono::steady_clock::time_point sent_;  // the last messages, together

@@ -6,6 +6,7 @@
 //   audit.sqlite     who has changed what (server/accounts); not in backups
 //   processes.token  the token of processes of services (server/accounts/local_key.h)
 //   stopped          the cell was stopped, and by whom (server/control/stop_mark.h)
+//   mode             the mode of the cell (server/control/mode_mark.h)
 //   backups/         one folder each (backup.h)
 //   lock             held while a server runs
 //
@@ -36,6 +37,7 @@ class DataFolder {
   std::string accounts() const { return path_ / "accounts.sqlite"; }
   std::string audit() const { return path_ / "audit.sqlite"; }
   std::string stop_mark() const { return path_ / "stopped"; }
+  std::string mode_mark() const { return path_ / "mode"; }
   std::string process_token() const { return path_ / "processes.token"; }
 
  private:

@@ -140,12 +140,20 @@ void Host::abandon_all(const std::string& core) {
 }
 
 void Host::call_safe() {
+  call_safe_of([](const std::string&) { return true; });
+}
+
+void Host::call_safe(const std::set<std::string>& services) {
+  call_safe_of([&](const std::string& service) { return services.contains(service); });
+}
+
+void Host::call_safe_of(const std::function<bool(const std::string& service)>& is_one) {
   std::vector<std::pair<std::string, std::string>> calls;
   {
     const MutexLock lock(mutex_);
     for (const auto& entry : entries_)
       for (const rsm::Operation& operation : entry->model.operations)
-        if (operation.safe) calls.emplace_back(entry->status.key, operation.name);
+        if (operation.safe && is_one(entry->status.key)) calls.emplace_back(entry->status.key, operation.name);
   }
   for (auto& [service, operation] : calls) call({}, service, std::move(operation), {}, {});
 }

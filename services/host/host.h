@@ -87,6 +87,8 @@ class Host {
 
   /// Calls each operation of each service that is `safe`, before all that wait; nobody gets the responses.
   void call_safe() EXCLUDES(mutex_, keys_mutex_);
+  /// The same of these services alone.
+  void call_safe(const std::set<std::string>& services) EXCLUDES(mutex_, keys_mutex_);
   /// No component moves its tool faster than this [m/s, finite, at least 0; nothing: no limit], from now until it is
   /// called again. Each component is told before all that waits for it (Component::limit_speed), the newest limit
   /// alone; one that is attached, reconnects or takes another's place later, before anything else is called on it. On
@@ -157,6 +159,7 @@ class Host {
       EXCLUDES(mutex_);
   Work abandoning(ServiceEntry& entry, Caller caller);
   bool is_pending(const ServiceEntry& entry, CallId call) const EXCLUDES(mutex_);
+  void call_safe_of(const std::function<bool(const std::string& service)>& is_one) EXCLUDES(mutex_, keys_mutex_);
   void answer(ServiceEntry& entry, CallId call, const Response& response) REQUIRES(mutex_);
   void deliver_response(const ServiceEntry& entry, const PendingCall& call, const Response& response) REQUIRES(mutex_);
   bool can_be_called(const PendingCall& call, ServiceEntry& entry) REQUIRES(mutex_);

@@ -14,11 +14,21 @@
 
 namespace race::services {
 
+/// How a run begins, or goes on.
+struct Beginning {
+  std::string core;
+  std::uint64_t control = 0;  // of the person at the controls who wants that; 0: somebody who has not taken them
+  bool supervised = false;    // it moves only while that person has them
+};
+
 class MotionGate {
  public:
   virtual ~MotionGate() = default;
-  /// A run begins or goes on because a person wants that: the fencing number of its calls from now on. Error `stopped`.
-  virtual Expected<std::uint64_t> begin() = 0;
+  /// A run begins or goes on because a person wants that: the fencing number of its calls from now on. Errors
+  /// `stopped`; `leased`: somebody else has the controls; `conflict`: nobody has, and this run needs that.
+  virtual Expected<std::uint64_t> begin(const Beginning& run) = 0;
+  /// Whether an edit reaches this run only when the person at the controls has confirmed it.
+  virtual bool confirms_edits(const std::string& core) = 0;
   /// Why the call may not set `service` in motion, as the error that answers it; nothing: it may.
   virtual std::optional<Value> refuse(const Caller& caller, const std::string& service) = 0;
   /// `core` makes no call of `service` any more.
@@ -28,7 +38,8 @@ class MotionGate {
 /// Lets everything pass: of a run that has its cell for itself (`race run`).
 class OpenGate final : public MotionGate {
  public:
-  Expected<std::uint64_t> begin() override { return 0; }
+  Expected<std::uint64_t> begin(const Beginning&) override { return 0; }
+  bool confirms_edits(const std::string&) override { return false; }
   std::optional<Value> refuse(const Caller&, const std::string&) override { return std::nullopt; }
   void release(const std::string&, const std::string&) override {}
 };

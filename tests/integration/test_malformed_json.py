@@ -18,6 +18,7 @@ from accounts import AccountServer
 from body_examples import body_schemas, examples, fitting, with_value
 from client import PROJECT, TIMEOUT, Server, Stream, check
 from component_process import LONG_HEARTBEAT, ComponentClient, service, token_file
+from controls import Controls
 from interface import check_listed
 from keep_alive import KeepAlive
 from malformed_json import Mutations, no_json
@@ -25,7 +26,7 @@ from websockets.frames import OP_CLOSE
 
 SEED = int(os.environ.get("RACE_SEED", random.randrange(10**6)))
 TEXTS, MUTATIONS = 300, 120  # of a route or kind: at least, and how many of them its schema alone refuses
-STREAM_BYTES, RUN_LEVELS, PROCESS_LEVELS, BODY_BYTES = 65536, 642, 72, 4 << 20
+STREAM_BYTES, CONTROL_BYTES, RUN_LEVELS, PROCESS_LEVELS, BODY_BYTES = 65536, 16384, 642, 72, 4 << 20
 NOT_JSON = {"json", "too_deep", "constant", "out_of_range", "too_large"}  # codes of a text that no schema has seen
 TOO_LARGE = 90  # of the texts for the stream, at most, that are too large or no UTF-8: they end the connection
 OF_KIND = 40  # of the texts of a kind of message of a process, of both sorts: each needs a process of its own
@@ -213,6 +214,35 @@ class StreamMessages(Messages, unittest.TestCase):
             stream.protocol.send_binary(message)
             stream.flush()
             self.assertIn(closed(stream), (1003, None))
+
+
+class ControlMessages(Messages, unittest.TestCase):
+    """Of people at the controls: each is answered by one `refused`, and leaves them where they are."""
+
+    def test_every_kind_is_refused_and_nothing_is_changed(self):
+        begun, sent = time.monotonic(), 0
+        with Controls(self.server) as person:
+            self.assertEqual(person.take()["kind"], "taken")
+            before = self.state()
+            for kind, values in self.kinds("control_request").items():
+                malformed, others = texts_of("control_request", values)
+                for text in [each for each in (*malformed, *others) if is_utf8(each) and len(each) <= CONTROL_BYTES]:
+                    sent += 1
+                    with self.subTest(kind=kind, text=text[:300], seed=SEED):
+                        with person.sending:
+                            person.send(text.decode())
+                        self.assertEqual(person.hear()["kind"], "refused")
+            self.assertEqual(self.state(), before)
+            self.assertEqual(self.server.get("/control", "control")["holder"]["number"], person.number)
+        print(f"seed {SEED}: {sent} messages of the controls in {time.monotonic() - begun:.1f} s", flush=True)
+        self.assertGreaterEqual(sent, TEXTS)
+
+    def test_a_message_that_is_too_large_or_no_text_ends_the_connection(self):
+        for large in (b'{"type": "beat"}' + b" " * CONTROL_BYTES, b"[" * 100_000):
+            with Controls(self.server) as person:
+                person.protocol.send_text(large)
+                person.flush()
+                self.assertIn(closed(person), (1009, None))
 
 
 class ProcessMessages(Messages, unittest.TestCase):

@@ -129,6 +129,9 @@ class Origins:
     def test_the_stream_is_opened_by_an_own_page_or_by_none(self):
         self.hold(lambda hosts, origins: self.upgrade("/api/v1/stream", hosts, origins, self.token), 101)
 
+    def test_the_controls_are_opened_by_an_own_page_or_by_none(self):
+        self.hold(lambda hosts, origins: self.upgrade("/api/v1/control/hold", hosts, origins, self.token), 101)
+
     def test_components_connect_from_an_own_page_or_from_none(self):
         self.hold(lambda hosts, origins: self.upgrade("/api/v1/components", hosts, origins, self.process), 101)
 
@@ -209,7 +212,7 @@ class WithAccounts(Origins, unittest.TestCase):
 
     def test_who_is_not_known_is_asked_after_host_and_origin(self):
         self.hold(lambda hosts, origins: self.change(hosts, origins, None)[1], 401)
-        for path in ("/api/v1/stream", "/api/v1/components"):
+        for path in ("/api/v1/stream", "/api/v1/control/hold", "/api/v1/components"):
             self.hold(lambda hosts, origins, path=path: self.upgrade(path, hosts, origins, None), 401)
 
     def test_a_ticket_opens_no_stream_for_a_foreign_page(self):

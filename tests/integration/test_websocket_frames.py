@@ -1,4 +1,4 @@
-"""RFC 6455 over bare sockets: handshakes and frames, right and wrong (websocket_cases.py), on the stream and on the components' socket.
+"""RFC 6455 over bare sockets: handshakes and frames, right and wrong (websocket_cases.py), on the three sockets of the server.
 
 Each case names its section and has exactly what that allows: which close code, if a close frame is sent at all (7.1.7: SHOULD), which
 pong, which answer; and that a connection which goes on answers what comes next. A refused handshake is a problem document with a status
@@ -16,7 +16,8 @@ from raw_websocket import PING, TEXT, RawWebSocket, Said, accept_of, frame, head
 from websocket_cases import cases, message
 from websocket_handshakes import BAD, GOOD, changed
 
-AT_ONCE = {"/api/v1/stream": 32, "/api/v1/components": 10}  # connections: of processes that nobody knows, few have room
+# Connections: of processes that nobody knows, few have room.
+AT_ONCE = {"/api/v1/stream": 32, "/api/v1/control/hold": 32, "/api/v1/components": 10}
 
 
 class Frames(unittest.TestCase):
@@ -63,8 +64,9 @@ class Frames(unittest.TestCase):
         self.assertGreaterEqual(len(self.cases) + len(GOOD) + len(BAD), 250)
         self.hold("/api/v1/stream", self.cases)
 
-    def test_those_that_are_no_messages_of_the_stream_on_the_components_too(self):
-        self.hold("/api/v1/components", [case for case in self.cases if not case.stream_only])
+    def test_those_that_are_no_messages_of_the_stream_on_the_others_too(self):
+        for path in ("/api/v1/components", "/api/v1/control/hold"):
+            self.hold(path, [case for case in self.cases if not case.stream_only])
 
     def test_what_a_case_does_not_allow_is_noticed(self):
         never = ([("message", "none/never")], [("pong", b"never")], [("binary", b"")], [("close", 4711)], 2 * [("close", 4711)])

@@ -65,10 +65,12 @@ TEST(Routes, HaveTheParametersAndBodiesOfTheInterface) {
 }
 
 TEST(Routes, AreThoseOfTheInterface) {
-  Names ours = {{"GET", "/api/v1/stream"}, {"GET", "/api/v1/components"}};  // served by the listener
+  Names ours = {{"GET", "/api/v1/stream"},
+                {"GET", "/api/v1/control/hold"},
+                {"GET", "/api/v1/components"}};  // served by the listener
   for (const Route& route : routes()) ours.emplace(route.method, route.pattern);
   EXPECT_EQ(ours, interface());
-  EXPECT_EQ(ours.size(), routes().size() + 2) << "a route stands twice";
+  EXPECT_EQ(ours.size(), routes().size() + 3) << "a route stands twice";
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "server/store/data_folder.h"
 #include "server/store/journal_writer.h"
 #include "server/store/runs.h"
+#include "server/stream/control_requests.h"
 #include "server/stream/requests.h"
 #include "services/host/host.h"
 #include "tests/unit/temporary_folder.h"
@@ -26,6 +27,11 @@ struct NoPresence final : PresenceRequests {
 };
 
 // Everybody stays who they are, and nothing is recorded.
+struct NoControls final : ControlRequests {
+  void request(const std::shared_ptr<ControlClient>&, std::string_view) override {}
+  void disconnected(const ControlClient&) override {}
+};
+
 struct NoRecords final : ClientRecords {
   bool is_current(const Identity&) const override { return true; }
   void record(const Identity&, std::string, std::string) override {}

@@ -24,7 +24,7 @@ struct ClientTest : testing::Test {
   ClientTest() {
     server = HttpServer::listen(0, "",
                                 {admit_all, handle, [] { return Reply(); }, [](const Identity&) { return Reply(); },
-                                 hub, displays, edits, presence, records, remotes})
+                                 hub, displays, edits, presence, control, records, remotes})
                  .value();
     thread = std::thread([this] { server->run(); });
   }
@@ -45,6 +45,7 @@ struct ClientTest : testing::Test {
   display::Screens screens;
   NoEdits edits;
   NoPresence presence;
+  NoControls control;
   NoRecords records;
   Displays displays{screens, hub};
   services::WorldClock clock;

@@ -149,7 +149,7 @@ struct ListenerTest : testing::Test {
                                    ++stops;
                                    return Reply();
                                  },
-                                 hub, displays, edits, presence, records, remotes},
+                                 hub, displays, edits, presence, control, records, remotes},
                                 limits)
                  .value();
     thread = std::thread([this] { server->run(); });
@@ -233,6 +233,7 @@ struct ListenerTest : testing::Test {
   Hub hub{pool, 1, [](const std::string&) { return Source(); }};
   display::Screens screens;
   FailingEdits edits;
+  NoControls control;
   NoPresence presence;
   NoRecords records;
   Displays displays{screens, hub};

@@ -1,0 +1,268 @@
+#include "server/control/manual_control.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/value/json.h"
+#include "server/accounts/secret.h"
+
+namespace race::server {
+
+using services::error_value;
+using services::MutexLock;
+
+struct ManualControl::Message {
+  const std::shared_ptr<ControlClient>& client;
+  std::vector<Error>& errors;
+  Steady now;
+};
+
+namespace {
+
+Dict of_kind(const char* kind) { return Dict{{"kind", kind}}; }
+
+Value refusal(std::string_view kind, std::string_view code, const std::string& message) {
+  return Dict{{"kind", std::string(kind)}, {"code", std::string(code)}, {"message", message}};
+}
+
+void tell(ControlClient& client, Value message) { client.tell(message.freeze()); }
+
+void tell(const std::weak_ptr<ControlClient>& weak, Value message) {
+  if (const auto client = weak.lock()) tell(*client, std::move(message));
+}
+
+void tell_lost(const std::weak_ptr<ControlClient>& client) {
+  tell(client, refusal("lost", "leased", "you have not the controls of the cell any more"));
+}
+
+}  // namespace
+
+void ManualControl::request(const std::shared_ptr<ControlClient>& client, std::string_view text) {
+  struct Type {
+    std::string_view name;
+    void (ManualControl::*handle)(Fields& fields, const Message& message);
+  };
+  static constexpr std::array<Type, 4> kTypes = {{
+      {"take", &ManualControl::take},
+      {"beat", &ManualControl::beat},
+      {"release", &ManualControl::give_back},
+      {"call", &ManualControl::call},
+  }};
+  std::vector<Error> errors;
+  const Message message{client, errors, std::chrono::steady_clock::now()};
+  if (const auto json = parse_json(text)) {
+    Fields fields(*json, "", "the message", errors, Fields::Paths::field);
+    const std::string name = fields.text("type", Fields::Need::required).value_or("");
+    const auto* const type = std::ranges::find(kTypes, name, &Type::name);
+    if (type != kTypes.end())
+      (this->*type->handle)(fields, message);
+    else if (errors.empty())
+      fields.violation(ErrorCode::type, "`type` must be `take`, `beat`, `release` or `call`", "type");
+  } else {
+    errors.push_back(json.error());
+  }
+  if (errors.empty()) return;
+  std::string all;
+  for (const Error& error : errors) all += (all.empty() ? "" : "; ") + to_string(error);
+  tell(*client, refusal("refused", name(errors.front().code), all));
+}
+
+void ManualControl::take(Fields& fields, const Message& message) {
+  const bool force = fields.boolean("force").value_or(false);
+  fields.close();
+  if (!message.errors.empty()) return;
+  if (number_of(*message.client) != 0) return;
+  const std::string by = name_for_people(message.client->identity());
+  if (force && control_.holder() != 0) return ask(message.client, by, message.now);
+  give(message.client, by, message.now);
+}
+
+void ManualControl::give(const std::shared_ptr<ControlClient>& client, const std::string& by, Steady now) {
+  const std::string secret = make_secret("control_");
+  Expected<std::uint64_t> number = 0;
+  std::optional<Holder> before;  // who has lost them and was not told yet
+  {
+    const MutexLock lock(mutex_);
+    number = control_.take(by, now);
+    if (number) before = std::exchange(holder_, std::nullopt);
+    if (number) holder_ = Holder{client, *number, digest_of_secret(secret), {}, 0};
+  }
+  if (before) tell_lost(before->client);
+  record_(client->identity(), "control take", number ? "200" : std::string(name(number.error().code)));
+  if (!number) return tell(*client, refusal("refused", name(number.error().code), number.error().message));
+  tell(*client, Dict{{"kind", "taken"},
+                     {"number", static_cast<std::int64_t>(*number)},
+                     {"secret", secret},
+                     {"beat_ms", std::int64_t{Control::kBeat.count()}},
+                     {"silence_ms", std::int64_t{Control::kSilence.count()}}});
+}
+
+// One person at a time asks.
+void ManualControl::ask(const std::shared_ptr<ControlClient>& client, const std::string& by, Steady now) {
+  std::int64_t id = 0;
+  {
+    const MutexLock lock(mutex_);
+    if (!asking_ || asking_->client.expired()) {
+      id = ++requests_;
+      asking_ = Asking{client, id, now + kAnswerTime};
+      control_.show_request(Control::Request{id, by});
+    }
+  }
+  record_(client->identity(), "control ask", id == 0 ? "leased" : "202");
+  if (id == 0) return tell(*client, refusal("refused", "leased", "somebody else asks for the controls already"));
+  Dict asked = of_kind("asked");
+  asked.set("request", id);
+  tell(*client, std::move(asked));
+}
+
+void ManualControl::beat(Fields& fields, const Message& message) {
+  fields.close();
+  if (!message.errors.empty()) return;
+  if (!control_.hear(number_of(*message.client), message.now))
+    tell(*message.client, refusal("lost", "leased", "you have not the controls of the cell"));
+}
+
+void ManualControl::give_back(Fields& fields, const Message& message) {
+  fields.close();
+  if (!message.errors.empty()) return;
+  if (const std::uint64_t number = number_of(*message.client)) {
+    end(control_.release(number), "gave the controls back");
+    record_(message.client->identity(), "control release", "200");
+  }
+  tell(*message.client, of_kind("released"));
+}
+
+// A call is a sign of life, too.
+void ManualControl::call(Fields& fields, const Message& message) {
+  const auto number = fields.integer("number", 0, std::int64_t{1} << 53U, Fields::Need::required);
+  const auto service = fields.text("service", Fields::Need::required);
+  const auto operation = fields.text("operation", Fields::Need::required);
+  const List args = fields.list("args");
+  const Value* given = fields.find("kwargs");
+  if (given && !given->is_dict()) fields.violation(ErrorCode::type, "`kwargs` must be an object", "kwargs");
+  fields.close();
+  if (!message.errors.empty()) return;
+  const auto refuse = [&](ErrorCode code, const std::string& why) {
+    tell(*message.client, Dict{{"kind", "response"}, {"number", *number}, {"error", error_value(name(code), why)}});
+  };
+  const std::uint64_t control = number_of(*message.client);
+  if (!control_.hear(control, message.now)) return refuse(ErrorCode::leased, "take the controls of the cell first");
+  const auto fence = control_.fence_of(control);
+  if (!fence) return refuse(fence.error().code, fence.error().message);
+  services::Caller caller{Control::caller(control), 0, *fence};
+  {
+    const MutexLock lock(mutex_);
+    if (holder_ && holder_->number == control && holder_->calls.size() < kMostCalls) {
+      caller.call = ++holder_->last_call;
+      holder_->calls.emplace(caller.call, *number);
+    }
+  }
+  if (caller.call == 0)
+    return refuse(ErrorCode::too_large, std::to_string(kMostCalls) + " calls wait for their responses");
+  host_.call(caller, *service, *operation, args, given ? given->as_dict() : Dict());
+}
+
+void ManualControl::delivered(const services::Delivery& delivery) {
+  if (delivery.kind != services::Delivery::Kind::response || !Control::is_person(delivery.caller.core)) return;
+  std::weak_ptr<ControlClient> client;
+  Dict response = of_kind("response");
+  {
+    const MutexLock lock(mutex_);
+    if (!holder_ || delivery.caller.core != Control::caller(holder_->number)) return;
+    const auto call = holder_->calls.extract(delivery.caller.call);
+    if (!call) return;
+    client = holder_->client;
+    response.set("number", call.mapped());
+  }
+  if (delivery.units > kMostUnits)
+    response.set("error", error_value(name(ErrorCode::too_large), "the response is too large to be shown"));
+  else
+    response.set(delivery.is_error ? "error" : "result", delivery.data);
+  tell(client, std::move(response));
+}
+
+void ManualControl::disconnected(const ControlClient& client) {
+  if (const std::uint64_t number = number_of(client)) end(control_.release(number), "left the controls");
+  bool asked = false;
+  {
+    const MutexLock lock(mutex_);
+    asked = asking_ && asking_->client.lock().get() == &client;
+  }
+  if (asked) drop_request("");
+}
+
+void ManualControl::check(Steady now) {
+  if (auto ended = control_.release_silent(now)) end(ended, "was silent at the controls");
+  bool late = false;
+  {
+    const MutexLock lock(mutex_);
+    late = asking_ && asking_->until < now;
+  }
+  if (late) drop_request("nobody at the cell has answered");
+}
+
+// What moves stops first; then the rest is told.
+void ManualControl::end(const std::optional<Control::Ended>& ended, const std::string& why) {
+  if (!ended) return;
+  cell_stop_.halt(*ended, ended->by + " " + why);
+  std::weak_ptr<ControlClient> client;
+  {
+    const MutexLock lock(mutex_);
+    if (holder_ && holder_->number == ended->number) client = std::exchange(holder_, std::nullopt)->client;
+  }
+  tell_lost(client);
+  drop_request("the controls are free: take them");
+}
+
+void ManualControl::drop_request(const std::string& why) {
+  std::optional<Asking> dropped;
+  {
+    const MutexLock lock(mutex_);
+    dropped = std::exchange(asking_, std::nullopt);
+    if (dropped) control_.show_request(std::nullopt);
+  }
+  if (dropped && !why.empty()) tell(dropped->client, refusal("refused", "leased", why));
+}
+
+Expected<void> ManualControl::answer_request(const Identity& identity, std::int64_t id, bool allow) {
+  if (!is_local(identity))
+    return unexpected(ErrorCode::rights, "only a display at the cell may hand the controls over");
+  std::optional<Asking> asking;
+  {
+    const MutexLock lock(mutex_);
+    if (!asking_ || asking_->id != id)
+      return unexpected(ErrorCode::not_found, "nobody asks for the controls with that");
+    asking = std::exchange(asking_, std::nullopt);
+    control_.show_request(std::nullopt);
+  }
+  const auto client = asking->client.lock();
+  if (!client) return unexpected(ErrorCode::not_found, "who asked for the controls has left");
+  if (!allow) {
+    tell(*client, refusal("refused", "leased", "a person at the cell has refused it"));
+    return {};
+  }
+  end(control_.release(control_.holder()), "had to give the controls over");
+  give(client, name_for_people(client->identity()), std::chrono::steady_clock::now());
+  return {};
+}
+
+Expected<void> ManualControl::set_mode(std::uint64_t number, Mode mode) {
+  ASSIGN_OR_RETURN(const Control::Ended ended, control_.set_mode(number, mode));
+  cell_stop_.change_mode(ended, mode, ended.by);
+  return {};
+}
+
+Expected<std::uint64_t> ManualControl::number_of(std::string_view secret) const {
+  if (secret.empty()) return 0;
+  const std::string digest = digest_of_secret(std::string(secret));
+  const MutexLock lock(mutex_);
+  if (holder_ && holder_->secret == digest) return holder_->number;
+  return unexpected(ErrorCode::leased, "you have not the controls of the cell any more");
+}
+
+std::uint64_t ManualControl::number_of(const ControlClient& client) const {
+  const MutexLock lock(mutex_);
+  return holder_ && holder_->client.lock().get() == &client ? holder_->number : 0;
+}
+
+}  // namespace race::server

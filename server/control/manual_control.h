@@ -1,0 +1,92 @@
+// ManualControl: people at the controls of the cell, on their connections: who takes them, is heard, calls operations
+// by hand, and gives them back, or loses them. However they end, what moved by them stops.
+//
+// Threads: any. Waits for nothing but locks that nobody holds for long; calls the host without one.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/value/expected.h"
+#include "core/value/fields.h"
+#include "server/control/cell_stop.h"
+#include "server/control/control.h"
+#include "server/stream/control_requests.h"
+#include "services/host/host.h"
+#include "services/mutex.h"
+
+namespace race::server {
+
+class ManualControl final : public ControlRequests {
+ public:
+  using Steady = Control::Steady;
+  static constexpr std::size_t kMostCalls = 16;           // of a person, that wait for their responses
+  static constexpr std::size_t kMostUnits = 16U << 10U;   // of a response (Value::size_units)
+  static constexpr std::chrono::seconds kAnswerTime{30};  // for a person at the cell to allow a take-over
+  /// What somebody has done, as a row of the audit log.
+  using Record = std::function<void(const Identity& identity, std::string action, std::string outcome)>;
+
+  /// All outlive this.
+  ManualControl(Control& control, services::Host& host, CellStop& cell_stop, Record record)
+      : control_(control), host_(host), cell_stop_(cell_stop), record_(std::move(record)) {}
+
+  void request(const std::shared_ptr<ControlClient>& client, std::string_view message) override EXCLUDES(mutex_);
+  void disconnected(const ControlClient& client) override EXCLUDES(mutex_);
+
+  /// Who is silent has the controls no more; a request that nobody answers is dropped. On the thread of the cell, each
+  /// step.
+  void check(Steady now) EXCLUDES(mutex_);
+  /// What a service says: responses to calls by hand go to who made them. Under the host's lock: quick.
+  void delivered(const services::Delivery& delivery) EXCLUDES(mutex_);
+
+  /// The number of who proves by the secret of `taken` to have the controls; 0: `secret` is empty. Error `leased`: they
+  /// have them no more.
+  Expected<std::uint64_t> number_of(std::string_view secret) const EXCLUDES(mutex_);
+  /// A person at the cell answers the request of this id: the controls go over, or stay. Errors: `not_found`: there is
+  /// no such request, or no more; `rights`: they are not at the cell.
+  Expected<void> answer_request(const Identity& identity, std::int64_t id, bool allow) EXCLUDES(mutex_);
+  /// What moves stops, and goes on in the other mode when a person wants it. Error `leased`.
+  Expected<void> set_mode(std::uint64_t number, Mode mode);
+
+ private:
+  /// Who has the controls.
+  struct Holder {
+    std::weak_ptr<ControlClient> client;
+    std::uint64_t number = 0;
+    std::string secret;                           // its digest
+    std::map<std::uint64_t, std::int64_t> calls;  // that wait: their numbers here and at the client
+    std::uint64_t last_call = 0;
+  };
+  /// Who wants them from somebody who has them.
+  struct Asking {
+    std::weak_ptr<ControlClient> client;
+    std::int64_t id = 0;
+    Steady until;
+  };
+  struct Message;
+  void take(Fields& fields, const Message& message) EXCLUDES(mutex_);
+  void beat(Fields& fields, const Message& message) EXCLUDES(mutex_);
+  void give_back(Fields& fields, const Message& message) EXCLUDES(mutex_);
+  void call(Fields& fields, const Message& message) EXCLUDES(mutex_);
+  void ask(const std::shared_ptr<ControlClient>& client, const std::string& by, Steady now) EXCLUDES(mutex_);
+  void give(const std::shared_ptr<ControlClient>& client, const std::string& by, Steady now) EXCLUDES(mutex_);
+  std::uint64_t number_of(const ControlClient& client) const EXCLUDES(mutex_);
+  void end(const std::optional<Control::Ended>& ended, const std::string& why) EXCLUDES(mutex_);
+  void drop_request(const std::string& why) EXCLUDES(mutex_);
+
+  Control& control_;
+  services::Host& host_;
+  CellStop& cell_stop_;
+  const Record record_;
+  mutable services::Mutex mutex_;  // the control's may be taken under it
+  std::optional<Holder> holder_ GUARDED_BY(mutex_);
+  std::optional<Asking> asking_ GUARDED_BY(mutex_);
+  std::int64_t requests_ GUARDED_BY(mutex_) = 0;
+};
+
+}  // namespace race::server

@@ -1,0 +1,391 @@
+"""One person at a time has the controls: nobody else moves the cell, or begins a run; what moved by them stops with them."""
+import threading
+import time
+import unittest
+
+from accounts import PASSWORD, AccountServer
+from client import PROJECT, Server
+from controls import Controls, eventually
+from motions import FAR, HOME, Arm, insisting, moving
+
+DEMO = str(PROJECT / "deploy/demo")
+
+
+class ControlCase(unittest.TestCase):
+    SERVER = Server
+
+    def setUp(self):
+        self.server = self.SERVER("--demo", DEMO)
+        self.addCleanup(lambda: self.server.stop())
+        self.arm = Arm(self.server)
+        self.addCleanup(self.arm.close)
+
+    def person(self, token=None):
+        person = Controls(self.server, token)
+        self.addCleanup(person.close)
+        self.assertEqual(person.status, 101)
+        return person
+
+    def control(self):
+        return self.server.get("/control", "control")
+
+    def holder(self):
+        return (self.control()["holder"] or {}).get("number")
+
+    def status(self, core):
+        return self.server.get(f"/cores/{core}", "core")
+
+    def move(self, person, target, speed=0.2):
+        """Begins a motion by hand, and does not wait for its end."""
+        person.say("call", number=0, service="robot", operation="move", kwargs={"target": {"joints": target}, "speed": speed})
+        self.arm.wait(moving=True)
+
+
+class Taking(ControlCase):
+    def test_one_person_has_them_until_they_give_them_back(self):
+        alice, bob = self.person(), self.person()
+        number = alice.take()["number"]
+        self.assertEqual(self.control()["holder"], {"number": number, "by": "somebody at 127.0.0.1"})
+        self.assertEqual(bob.take()["code"], "leased")
+        alice.silent()
+        alice.say("release")
+        alice.until("released")
+        self.assertIsNone(self.control()["holder"])
+        self.assertGreater(bob.take()["number"], number)
+
+    def test_who_is_silent_loses_them_and_is_told(self):
+        alice = self.person()
+        alice.take()
+        time.sleep(1)
+        self.assertEqual(self.holder(), alice.number)
+        alice.silent()
+        self.assertEqual(alice.until("lost")["code"], "leased")
+        self.assertIsNone(self.holder())
+        alice.say("beat")
+        self.assertEqual(alice.hear()["kind"], "lost")
+
+    def test_whose_connection_ends_has_them_no_more_at_once(self):
+        alice = self.person()
+        alice.take()
+        begin = time.monotonic()
+        alice.socket.close()
+        eventually(lambda: self.holder() is None)
+        self.assertLess(time.monotonic() - begin, 0.25)
+
+    def test_a_message_that_does_not_fit_is_refused_and_changes_nothing(self):
+        alice = self.person()
+        alice.take()
+        for text in ("", "{", "[]", "{}", '{"type": "jump"}', '{"type": "take", "force": 1}', '{"type": "beat", "more": 1}',
+                     '{"type": "call"}', '{"type": "call", "number": -1, "service": "robot", "operation": "stop"}',
+                     '{"type": "call", "number": 1, "service": 3, "operation": "stop"}',
+                     '{"type": "call", "number": 1, "service": "robot", "operation": "stop", "kwargs": []}'):
+            with alice.sending:
+                alice.send(text)
+            self.assertEqual(alice.hear()["kind"], "refused", text)
+        self.assertEqual(self.holder(), alice.number)
+
+
+class ByHand(ControlCase):
+    def test_only_who_has_them_moves_the_arm_and_only_in_programming_mode(self):
+        alice, bob = self.person(), self.person()
+        home = {"target": {"joints": HOME}}
+        self.assertEqual(alice.call("robot", "move", **home)["error"]["code"], "leased")
+        alice.take()
+        self.assertEqual(alice.call("robot", "move", **home)["error"]["code"], "not_accepted")
+        alice.set_mode("programming")
+        self.assertIn("pose", alice.call("robot", "move", **home)["result"])
+        self.assertEqual(bob.call("robot", "move", **home)["error"]["code"], "leased")
+        self.assertEqual(self.control()["leases"], [{"service": "robot", "core": f"control/{alice.number}"}])
+
+    def test_what_is_no_motion_is_called_in_either_mode(self):
+        alice = self.person()
+        alice.take()
+        self.assertEqual(alice.call("db", "get", key="nothing")["error"]["code"], "not_found")
+        self.assertEqual(alice.call("nobody", "get")["error"]["code"], "unavailable")
+        self.assertEqual(alice.call("robot", "jump")["error"]["code"], "unavailable")
+
+    def test_the_arm_stops_when_they_are_silent_leave_or_give_them_back(self):
+        ends = {"silent": lambda person: person.silent(), "closed": lambda person: person.close(),
+                "given back": lambda person: person.say("release")}
+        for number, (name, end) in enumerate(ends.items()):
+            with self.subTest(name):
+                person = self.person().programming()
+                self.move(person, FAR if number % 2 == 0 else HOME)
+                end(person)
+                self.assertLess(self.arm.wait(moving=False), 1.2)
+                self.arm.stands_for(0.5)
+                person.close()
+                eventually(lambda: self.holder() is None)
+
+    def test_a_stop_and_its_reset_leave_them_and_move_nothing(self):
+        alice = self.person().programming()
+        self.move(alice, FAR)
+        self.server.post("/stop")
+        self.arm.wait(moving=False)
+        self.assertEqual(alice.until("response")["error"]["code"], "stopped")
+        self.assertEqual(alice.call("robot", "move", target={"joints": HOME})["error"]["code"], "stopped")
+        self.server.post("/stop/reset")
+        self.arm.stands_for(0.5)
+        self.assertIn("pose", alice.call("robot", "move", target={"joints": HOME}, speed=0.5)["result"])
+
+    def test_at_most_16_calls_wait(self):
+        alice = self.person().programming()
+        self.move(alice, FAR)
+        for number in range(1, 40):
+            alice.say("call", number=number, service="timer", operation="wait", kwargs={"seconds": 30})
+        codes = [alice.until("response")["error"]["code"] for _ in range(20)]
+        self.assertIn("too_large", codes)
+        self.assertEqual(self.holder(), alice.number)
+
+
+class Jogging(ControlCase):
+    """A button that is held: `jog` is called again and again."""
+
+    TURN = {"joints": [0.3, 0, 0, 0, 0, 0, 0]}  # rad/s
+
+    def hold(self, person, seconds):
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            self.assertEqual(person.call("robot", "jog", **self.TURN), {"result": None})
+            time.sleep(0.05)
+
+    def test_the_arm_moves_while_it_is_held_and_stands_soon_after(self):
+        alice = self.person().programming()
+        self.hold(alice, 1)
+        self.arm.wait(moving=True)
+        self.assertEqual(alice.call("robot", "jog", joints=[0] * 7), {"result": None})
+        self.arm.wait(moving=False)
+        self.arm.stands_for(0.5)
+
+    def test_who_is_heard_and_calls_no_more_moves_it_no_farther(self):
+        alice = self.person().programming()
+        self.hold(alice, 1)
+        self.arm.wait(moving=True)
+        self.arm.wait(moving=False)
+        self.arm.stands_for(0.5)
+        self.assertEqual(self.holder(), alice.number, "only the button was released")
+
+    def test_others_and_other_modes_do_not_move_it(self):
+        alice, bob = self.person(), self.person()
+        self.assertEqual(bob.call("robot", "jog", **self.TURN)["error"]["code"], "leased")
+        alice.take()
+        self.assertEqual(alice.call("robot", "jog", **self.TURN)["error"]["code"], "not_accepted")
+        self.arm.stands_for(0.5)
+
+    def test_faster_than_it_may_be_is_refused(self):
+        alice = self.person().programming()
+        for velocity in ({"joints": [3.0, 0, 0, 0, 0, 0, 0]}, {"linear": [0.3, 0, 0]}, {"angular": [0, 2, 0]}):
+            self.assertEqual(alice.call("robot", "jog", **velocity)["error"]["code"], "out_of_range")
+        self.arm.stands_for(0.3)
+
+
+class Runs(ControlCase):
+    def begin(self, person, core, **more):
+        return person.request("POST", f"/cores/{core}/start", more or None)
+
+    def test_nobody_else_begins_a_run(self):
+        alice = self.person()
+        alice.take()
+        core = self.server.core(moving("mine"), start=False)
+        refused = self.server.post(f"/cores/{core}/start", None, None, 409)["errors"][0]
+        self.assertEqual(refused["code"], "leased")
+        self.assertEqual(self.begin(alice, core)[0], 200)
+        self.arm.wait(moving=True)
+        alice.close()
+        self.assertEqual(self.server.ended(core)["outcome"], "there", "it is not supervised")
+
+    def test_a_supervised_run_is_paused_without_its_person_and_goes_on_with_one(self):
+        alice = self.person()
+        alice.take()
+        core = self.server.core(insisting(), start=False)
+        self.assertEqual(self.begin(alice, core, supervised=True)[0], 200)
+        self.arm.wait(moving=True)
+        alice.silent()
+        self.arm.wait(moving=False)
+        eventually(lambda: self.status(core)["paused"])
+        self.arm.stands_for(0.5)
+        refused = self.server.post(f"/cores/{core}/resume", None, None, 409)["errors"][0]
+        self.assertEqual(refused["code"], "conflict")
+        bob = self.person()
+        bob.take()
+        self.arm.stands_for(0.5)
+        self.assertEqual(bob.request("POST", f"/cores/{core}/resume")[0], 200)
+        self.arm.wait(moving=True)
+
+    def test_programming_mode_stops_runs_and_each_needs_its_person(self):
+        core = self.server.core(insisting())
+        self.arm.wait(moving=True)
+        alice = self.person()
+        alice.take()
+        self.assertEqual(alice.set_mode("programming")["mode"], "programming")
+        self.arm.wait(moving=False)
+        eventually(lambda: self.status(core)["paused"])
+        self.assertIn("pose", alice.call("robot", "move", target={"joints": HOME}, speed=0.5)["result"])
+        self.assertEqual(alice.request("POST", f"/cores/{core}/resume")[0], 200)
+        self.arm.wait(moving=True)
+        alice.close()
+        self.arm.wait(moving=False)
+        eventually(lambda: self.status(core)["paused"])
+
+    def test_the_mode_outlives_the_server_and_starts_nothing(self):
+        alice = self.person().programming()
+        alice.close()
+        self.arm.close()
+        self.server.own, own = False, self.server.own
+        self.server.stop()
+        self.server = self.SERVER("--demo", DEMO, data=self.server.data)
+        self.server.own = own
+        self.arm = Arm(self.server)
+        self.assertEqual(self.control()["mode"], "programming")
+        core = self.server.core(moving("mine"), start=False)
+        self.assertEqual(self.server.post(f"/cores/{core}/start", None, None, 409)["errors"][0]["code"], "conflict")
+
+
+class Edits(ControlCase):
+    """Of a document that a run follows which moves the arm."""
+
+    def edited(self, core):
+        """Stores another revision; its number."""
+        document = self.server.get("/documents/insisting", "document_entry")["document"]
+        state = document["root"]["children"][0]
+        state["ports"][1]["when"] = state["ports"][1]["when"] + " and True"
+        return self.server.put("/documents/insisting", document, "document_entry")["revision"]
+
+    def live(self, person=None):
+        core = self.server.core(insisting(), start=False)
+        self.server.put(f"/cores/{core}/live", {"live": True}, "core")
+        if person is None:
+            self.server.post(f"/cores/{core}/start")
+        else:
+            self.assertEqual(person.request("POST", f"/cores/{core}/start")[0], 200)
+        self.arm.wait(moving=True)
+        return core
+
+    def test_who_has_the_controls_confirms_each_in_execution_mode(self):
+        alice = self.person()
+        alice.take()
+        core = self.live(alice)
+        for _ in range(2):
+            revision = self.edited(core)
+            eventually(lambda: self.status(core).get("waiting_edit", {}).get("unconfirmed"))
+            time.sleep(0.3)
+            self.assertLess(self.status(core)["revision"], revision)
+            body = {"revision": revision}
+            self.assertEqual(self.server.post(f"/cores/{core}/confirm_edit", body, None, 409)["errors"][0]["code"], "leased")
+            status, answer = alice.request("POST", f"/cores/{core}/confirm_edit", {"revision": revision - 1})
+            self.assertEqual((status, answer["errors"][0]["code"]), (409, "conflict"), "one that they have not seen")
+            self.assertEqual(alice.request("POST", f"/cores/{core}/confirm_edit", body)[0], 200)
+            self.assertNotIn("waiting_edit", self.server.wait(core, lambda c, to=revision: c["revision"] == to))
+
+    def test_in_programming_mode_they_arrive_at_once(self):
+        alice = self.person().programming()
+        core = self.live(alice)
+        revision = self.edited(core)
+        self.server.wait(core, lambda c: c["revision"] == revision)
+
+    def test_on_this_machine_alone_they_arrive_at_once_while_nobody_has_the_controls(self):
+        core = self.live()
+        revision = self.edited(core)
+        self.server.wait(core, lambda c: c["revision"] == revision)
+
+
+class TakeOver(ControlCase):
+    def ask(self):
+        alice, bob = self.person().programming(), self.person()
+        answer = bob.take(force=True)
+        self.assertEqual(answer["kind"], "asked")
+        self.assertEqual(self.control()["request"], {"id": answer["request"], "by": "somebody at 127.0.0.1"})
+        return alice, bob, answer["request"]
+
+    def test_a_person_at_the_cell_hands_them_over_and_what_moved_stops(self):
+        alice, bob, request = self.ask()
+        self.move(alice, FAR)
+        control = self.server.post("/control/answer", {"request": request, "allow": True}, "control")
+        bob.taken(bob.until("taken"))
+        self.assertEqual(control["holder"]["number"], bob.number)
+        self.assertIsNone(control["request"])
+        alice.until("lost")
+        self.arm.wait(moving=False)
+        self.assertEqual(alice.call("robot", "move", target={"joints": HOME})["error"]["code"], "leased")
+        self.assertIn("pose", bob.call("robot", "move", target={"joints": HOME}, speed=0.5)["result"])
+
+    def test_or_refuses(self):
+        alice, bob, request = self.ask()
+        self.server.post("/control/answer", {"request": request, "allow": False}, "control")
+        self.assertEqual(bob.hear()["kind"], "refused")
+        self.assertEqual(self.holder(), alice.number)
+        self.server.post("/control/answer", {"request": request, "allow": True}, None, 404)
+
+    def test_a_request_ends_with_who_asks_and_with_who_has_them(self):
+        alice, bob, request = self.ask()
+        carol = self.person()
+        self.assertEqual(carol.take(force=True)["code"], "leased", "one asks at a time")
+        bob.close()
+        eventually(lambda: self.control()["request"] is None)
+        self.assertEqual(carol.take(force=True)["kind"], "asked")
+        alice.close()
+        self.assertEqual(carol.hear()["kind"], "refused")
+        self.assertIsNone(self.control()["request"])
+        self.assertEqual(carol.take()["kind"], "taken")
+
+    def test_with_accounts_only_a_display_at_the_cell_hands_them_over(self):
+        with AccountServer("--demo", DEMO) as server:
+            server.post("/accounts", {"name": "panel", "role": "operator", "password": PASSWORD, "groups": ["local"]}, "account", 201)
+            panel = self.token(server, "panel")
+            first, second = Controls(server, server.tokens["operator"]), Controls(server, server.tokens["developer"])
+            first.take()
+            request = second.take(force=True)["request"]
+            body = {"request": request, "allow": True}
+            for token in (server.tokens["operator"], server.tokens["developer"], server.token):
+                status, answer = server.request("POST", "/api/v1/control/answer", body, {"Authorization": f"Bearer {token}"})
+                self.assertEqual((status, answer["errors"][0]["code"]), (403, "rights"))
+            status, answer = server.request("POST", "/api/v1/control/answer", body, {"Authorization": f"Bearer {panel}"})
+            self.assertEqual((status, answer["holder"]["by"]), (200, "developer"))
+            first.close()
+            second.close()
+
+    def token(self, server, account):
+        """A token of it, of the server itself: the command line would need the data folder."""
+        return server.post(f"/accounts/{account}/tokens", {"label": "test"}, None, 201)["token"]
+
+
+class Races(ControlCase):
+    PEOPLE, ATTEMPTS = 50, 200
+
+    def test_of_many_who_take_them_one_has_them_and_nobody_else_moves_anything(self):
+        wrong, takings, lock = [], [0], threading.Lock()
+        holders = set()
+
+        def race(person):
+            for _ in range(self.ATTEMPTS):
+                try:
+                    person.say("take")
+                    answer = person.hear()
+                    if answer["kind"] != "taken":
+                        continue
+                    with lock:
+                        if holders:
+                            wrong.append(f"{holders} and {answer['number']}")
+                        holders.add(answer["number"])
+                        takings[0] += 1
+                    with lock:
+                        holders.discard(answer["number"])
+                    person.say("release")
+                    person.until("released")
+                except OSError as error:
+                    wrong.append(str(error))
+                    return
+
+        people = [self.person() for _ in range(self.PEOPLE)]
+        threads = [threading.Thread(target=race, args=(person,)) for person in people]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(wrong, [])
+        self.assertGreater(takings[0], 100)
+        self.assertIsNone(self.holder())
+
+
+if __name__ == "__main__":
+    unittest.main()
