@@ -317,7 +317,7 @@ class TakeOver(ControlCase):
         self.server.post("/control/answer", {"request": request, "allow": True}, None, 404)
 
     def test_a_request_ends_with_who_asks_and_with_who_has_them(self):
-        alice, bob, request = self.ask()
+        alice, bob, _ = self.ask()
         carol = self.person()
         self.assertEqual(carol.take(force=True)["code"], "leased", "one asks at a time")
         bob.close()
