@@ -9,9 +9,9 @@
 #include <memory>
 #include <optional>
 
-#include "core/value/json.h"
 #include "server/application/application.h"
 #include "server/commands/command.h"
+#include "server/commands/config_file.h"
 #include "server/commands/input.h"
 #include "server/commands/load_operator_script.h"
 #include "server/commands/settings.h"
@@ -61,20 +61,17 @@ std::optional<FileErrors> check_demo(const Options& options, const Arguments& ar
 }
 
 // Reads the configuration into the settings, but for those that the command line gives; then checks them all.
-std::optional<FileErrors> load_config(Options& options, const Arguments& arguments) {
+std::vector<FileErrors> load_config(Options& options, const Arguments& arguments) {
   if (options.config) {
     const std::string& file = *options.config;
     const auto text = read_input(file);
-    if (!text) return FileErrors{file, {text.error()}};
-    const auto json = parse_json(*text);
-    if (!json) return FileErrors{file, {json.error()}};
-    if (auto errors = read_settings(*json, arguments, options.settings); !errors.empty())
-      return FileErrors{file, std::move(errors)};
+    if (!text) return {{file, {text.error()}}};
+    if (auto wrong = read_config(file, *text, arguments, options.settings); !wrong.empty()) return wrong;
   }
   auto errors = check_settings(options.settings);  // of options: the file has been checked
   if (errors.empty()) return {};
   for (Error& error : errors) error.path = "--" + error.path.substr(0, error.path.find('/'));
-  return FileErrors{"", std::move(errors)};
+  return {{"", std::move(errors)}};
 }
 
 Application::Setup setup_of(const Settings& settings) {
@@ -124,7 +121,7 @@ void tell_network(const HttpServer::Place::Tls& tls, std::uint16_t port, const A
 int serve(Options& options, const Arguments& arguments) {
   if (options.check_config && !options.config)
     return refuse(Error{ErrorCode::missing, "there is no configuration to check", "--config"});
-  if (const auto wrong = load_config(options, arguments)) return refuse(*wrong);
+  if (const auto wrong = load_config(options, arguments); !wrong.empty()) return refuse(wrong);
   const Settings& settings = options.settings;
   if (const auto wrong = check_demo(options, arguments)) return refuse(*wrong);
   Application::Setup setup = setup_of(settings);
@@ -164,7 +161,7 @@ std::function<int()> declare(Arguments& arguments) {
   const auto options = std::make_shared<Options>();
   declare_settings(arguments, options->settings);
   arguments.file("--config", "FILE", options->config,
-                 "these settings as JSON (keys as port, keep_runs); options come first");
+                 "these settings as lines `keep-runs = 1000`, or as JSON; options come first");
   arguments.flag("--check-config", options->check_config, "checks --config and the options, and starts nothing");
   return [options, &arguments] { return serve(*options, arguments); };
 }

@@ -77,12 +77,11 @@ void read(const Setting& setting, Fields& fields, Settings& values) {
              setting.kind);
 }
 
-// `to` gets the value of a setting from `from`.
-void copy(const Setting& setting, const Settings& from, Settings& to) {
+}  // namespace
+
+void copy_setting(const Setting& setting, const Settings& from, Settings& to) {
   std::visit([&](const auto& of) { to.*of.value = from.*of.value; }, setting.kind);
 }
-
-}  // namespace
 
 std::string Setting::option() const {
   std::string name = "--" + key;
@@ -135,7 +134,7 @@ std::vector<Error> read_settings(const Value& json, const Arguments& arguments, 
   fields.close();
   for (Error& error : check_settings(read_values)) errors.push_back(std::move(error));
   for (const Setting& setting : settings())
-    if (!arguments.given(setting.option()) && json.find(setting.key)) copy(setting, read_values, values);
+    if (!arguments.given(setting.option()) && json.find(setting.key)) copy_setting(setting, read_values, values);
   return errors;
 }
 

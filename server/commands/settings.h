@@ -1,5 +1,6 @@
 // The settings of `race serve`: one table for the options of its command line and the keys of its configuration file
-// (api/schemas/server_config.json).
+// (config_file.h;
+// as JSON api/schemas/server_config.json).
 #pragma once
 
 #include <optional>
@@ -63,11 +64,14 @@ std::span<const Setting> settings();
 /// Declares all options, which write to `values`; it outlives `arguments`.
 void declare_settings(Arguments& arguments, Settings& values);
 
+/// `to` gets the value of a setting from `from`.
+void copy_setting(const Setting& setting, const Settings& from, Settings& to);
+
 /// What is wrong in options that parsing does not know: component groups that do not exist or stand twice.
 std::vector<Error> check_settings(const Settings& values);
 
-/// Reads a configuration into `values`. What `arguments` was given as an option stays, but is read and checked all the
-/// same. All errors, with the key (`remote/1`) as path: `type`, `unknown_field`, `out_of_range`, `not_found` (a
+/// Reads a configuration as JSON into `values`. What `arguments` was given as an option stays, but is read and checked
+/// all the same. All errors, with the key (`remote/1`) as path: `type`, `unknown_field`, `out_of_range`, `not_found` (a
 /// component group), `duplicate`, `not_accepted` (the standard input as a file).
 std::vector<Error> read_settings(const Value& json, const Arguments& arguments, Settings& values);
 

@@ -109,6 +109,79 @@ class Config(Case):
         self.assertEqual((status, lines), (2, [f"{self.folder / 'none'}: io: cannot be read: No such file or directory"]))
 
 
+class Lines(Case):
+    """The configuration as lines `key = value`."""
+
+    def config(self, text):
+        path = self.folder / "race.conf"
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+        return path
+
+    def wrong(self, text):
+        """(line, path, code) of each error."""
+        path = self.config(text)
+        status, output, lines = self.serve("--check-config", "--config", path)
+        self.assertEqual((status, output), (2, ""), lines)
+        return [tuple(re.fullmatch(re.escape(str(path)) + r":(\d+): (?:([^ ]*): )?([a-z_]+): .*", line).groups()) for line in lines]
+
+    def test_configure_a_server_and_options_come_first(self):
+        path = self.config(f"# a comment\r\n\n  port = 1\r\n data={self.folder}/kept  \nheadless = true\nlan = false\n"
+                           "remote = database\nheartbeat = 2.5\nlog-level = error\ndemo =\n")
+        command = [PROGRAM, "serve", "--config", path, "--port", "0"]
+        with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+            address = re.fullmatch(r"race listens on http://127.0.0.1:(\d+)\n", process.stdout.readline())
+            server = Server.__new__(Server)
+            server.port = int(address[1])
+            available = {each["key"]: each["available"] for each in server.get("/services")["services"]}
+            process.terminate()
+            _, errors = process.communicate(timeout=TIMEOUT)
+        self.assertEqual((process.returncode, errors, available["db"]), (0, "", False))
+        self.assertTrue((self.folder / "kept" / "race.sqlite").is_file())
+
+    def test_all_that_is_wrong_is_listed_by_line(self):
+        self.assertEqual(self.wrong(
+            "port = 65536\ncolour = 1\nheadless = yes\n# port = 1\nport = 2\nlog-level = loud\nremote = cell,oven,cell\nheartbeat =\n"
+            "keep_runs = 3\nkeep-runs = 1.5\nnothing\n = 4\ndata = \"x\"\nweb = dist # the pages\noperator = -\nlan\n"
+            "config = other\ncheck-config = true\ndemo = a\0b\nlan-port = 0x50\n--keep-mb = 2\nkeep-mb = nan\n"),
+            [("1", "port", "out_of_range"), ("2", "colour", "unknown_field"), ("3", "headless", "type"), ("5", "port", "duplicate"),
+             ("6", "log-level", "out_of_range"), ("8", "heartbeat", "out_of_range"), ("9", "keep_runs", "unknown_field"),
+             ("10", "keep-runs", "out_of_range"), ("11", None, "syntax"), ("12", None, "syntax"), ("13", "data", "syntax"),
+             ("14", "web", "syntax"), ("15", "operator", "not_accepted"), ("16", None, "syntax"), ("17", "config", "unknown_field"),
+             ("18", "check-config", "unknown_field"), ("19", None, "syntax"), ("20", "lan-port", "out_of_range"),
+             ("21", "--keep-mb", "unknown_field"), ("22", "keep-mb", "out_of_range"), ("7", "remote/1", "not_found"),
+             ("7", "remote/2", "duplicate")])
+        self.assertEqual(self.wrong("port = -1\n"), [("1", "port", "out_of_range")])
+        self.assertLessEqual(len(self.wrong("colour = 1\n" * 5000)), 200)
+        self.assertIn("did you mean", self.serve("--config", self.config("prot = 1"))[2][0])
+        path = self.config("port = 70000\n")
+        status, _, lines = self.serve("--config", path, "--port", "0")
+        self.assertEqual((status, lines[0].split(": ")[:3]), (2, [f"{path}:1", "port", "out_of_range"]))
+        self.assertEqual([each.name for each in self.folder.iterdir()], ["race.conf"])
+
+    def test_the_delivered_file_shows_each_option_with_its_default(self):
+        text = (PROJECT / "deploy/race.conf").read_text()
+        shown = re.findall(r"^#([a-z-]+) =(.*)$", text, re.MULTILINE)
+        usage = subprocess.run([PROGRAM, "serve", "--help"], capture_output=True, text=True, timeout=TIMEOUT, check=True).stdout
+        options = re.findall(r"^ +--([a-z-]+)(?: ([A-Z][A-Z,.]*))? {3,}(.*)$", usage, re.MULTILINE)
+        options = [each for each in options if each[0] not in ("config", "check-config", "help")]
+        self.assertGreater(len(options), 14)
+        self.assertEqual([key for key, _ in shown], sorted((key for key, _ in shown), key=[key for key, *_ in options].index))
+        self.assertEqual({key for key, _ in shown}, {key for key, *_ in options})
+        values = {key: value.strip() for key, value in shown}
+        for key, placeholder, meaning in options:
+            fallback = re.search(r" \(([^ ()]*)\)$", meaning)
+            if not placeholder:
+                expected = "false"
+            elif key == "operator":
+                expected = "FILE"
+            else:
+                expected = fallback[1] if fallback else ""
+            self.assertEqual(values[key], expected, key)
+        self.assertEqual(self.serve("--check-config", "--config", self.config(text)), (0, "", []))
+        uncommented = re.sub(r"^#([a-z-]+ =)", r"\1", text, flags=re.MULTILINE).replace("operator = FILE", "")
+        self.assertEqual(self.serve("--check-config", "--config", self.config(uncommented)), (0, "", []))
+
+
 class Log(Case):
     def lines(self, *options):
         """The log of a server that is asked, runs a task that prints, and one that faults."""
