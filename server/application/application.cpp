@@ -109,6 +109,7 @@ void Application::create_stream(const Setup& setup) {
   displays_ = std::make_unique<Displays>(screens_, *hub_);
   control_ = std::make_unique<Control>(
       [this](const Value& control) { hub_->publish_delta(std::string(kControlChannel), control); });
+  motion_end_ = std::make_unique<MotionEnd>(*control_);
   core_publisher_ = std::make_unique<CorePublisher>(*hub_, *log_);
   service_publisher_ = std::make_unique<ServicePublisher>(*hub_, *log_);
 }
@@ -119,7 +120,7 @@ Checked<void> Application::create_cell(const Setup& setup) {
   CellSetup cell_setup{setup.demo, folder_->database(), true, std::move(extra_services)};
   cell_setup.remote = setup.remote;
   cell_setup.heartbeat = setup.heartbeat;
-  cell_setup.gate = control_.get();
+  cell_setup.gate = motion_end_.get();
   auto cell = Cell::create(cell_setup, *service_publisher_);
   if (!cell) return one(std::move(cell).error());
   cell_ = std::move(*cell);
@@ -202,6 +203,7 @@ void Application::before_step() {
 
 Application::~Application() {
   services::set_failure_handler({});
+  if (motion_end_) motion_end_->finish();
   if (cell_stop_) cell_stop_->end();
   if (cores_) cores_->close();
   restores_.end();  // one that is under way waits for the cores
@@ -239,7 +241,12 @@ Backend Application::make_backend() {
           *presence_,
           *manual_,
           *access_,
-          cell_->remotes()};
+          cell_->remotes(),
+          [this](const std::string& why, std::function<void()> done) {
+            log("server", "ends: " + why);
+            motion_end_->begin_end(cell_->host(), *cores_,
+                                   [this, done = std::move(done)] { hub_->after(done); });  // when that is told, too
+          }};
 }
 
 void Application::log(const std::string& source, const std::string& text, LogLevel level) {

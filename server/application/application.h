@@ -16,6 +16,7 @@
 #include "server/accounts/passwords.h"
 #include "server/accounts/tickets.h"
 #include "server/application/access.h"
+#include "server/application/motion_end.h"
 #include "server/cell/cell.h"
 #include "server/cell/operator.h"
 #include "server/channels/channels.h"
@@ -119,6 +120,7 @@ class Application {
   std::optional<Gate> gate_;
   std::unique_ptr<Access> access_;
   std::unique_ptr<Control> control_;
+  std::unique_ptr<MotionEnd> motion_end_;
   AuthorityCertificate authority_;
   std::unique_ptr<Documents> documents_;
   std::unique_ptr<Backups> backups_;

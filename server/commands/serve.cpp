@@ -5,15 +5,18 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 #include "server/application/application.h"
 #include "server/commands/command.h"
 #include "server/commands/config_file.h"
 #include "server/commands/input.h"
 #include "server/commands/load_operator_script.h"
+#include "server/commands/service_manager.h"
 #include "server/commands/settings.h"
 #include "server/http/listener.h"
 #include "server/log/line_log.h"
@@ -118,6 +121,18 @@ void tell_network(const HttpServer::Place::Tls& tls, std::uint16_t port, const A
   log.write(LogLevel::info, "server", "its authority, by SHA-256: " + app.authority_fingerprint());
 }
 
+// The sockets have ended: the rest has this long. What the disk keeps for longer is as after a crash.
+constexpr unsigned kEndTimeout = 6;  // [s]
+
+void end_in_time() {
+  std::signal(SIGALRM, [](int) {
+    constexpr std::string_view kLine = "race: the disk or a service does not let the server end; it ends as it is\n";
+    static_cast<void>(!::write(STDERR_FILENO, kLine.data(), kLine.size()));
+    std::_Exit(kExitFindings);
+  });
+  ::alarm(kEndTimeout);
+}
+
 int serve(Options& options, const Arguments& arguments) {
   if (options.check_config && !options.config)
     return refuse(Error{ErrorCode::missing, "there is no configuration to check", "--config"});
@@ -151,7 +166,10 @@ int serve(Options& options, const Arguments& arguments) {
   log.write(LogLevel::info, "server",
             "race " + std::string(version()) + " listens on " + address + ", data in " + settings.data);
   if (places->size() > 1) tell_network(*places->back().tls, (*server)->port(1), **app, log);
+  notify_manager("READY=1");
   (*server)->run();
+  notify_manager("STOPPING=1");
+  end_in_time();
   (*app)->stop_replays();
   log.write(LogLevel::info, "server", "ends");
   return kExitOk;

@@ -16,6 +16,7 @@ namespace {
 using asio::ip::tcp;
 using namespace std::chrono_literals;
 
+constexpr auto kLastWords = 50ms;    // for what clients are told of the end to reach them
 constexpr auto kEndTimeout = 500ms;  // for what is under way when the server ends
 
 // TLS 1.2 and later with the ciphers of OpenSSL's default, without renegotiation and compression. Empty: the
@@ -102,11 +103,27 @@ struct HttpServer::Sockets {
     urgent.reset();
     context.backend.hub.shut_down();
   }
-  // Nothing begins any more. Who still answers or says something may end.
-  void end() {
+  // Nobody connects any more, and what moves is stopped, while its process is connected.
+  void begin_end(const std::string& why) {
     if (std::exchange(context.ending, true)) return;
     error_code ignored;
     for (const auto& place : places) place->acceptor.close(ignored);
+    if (!context.backend.end) return end();
+    end_after(kStandTimeout);
+    context.backend.end(why, [this, path = context.replies] {
+      path->post([this] { connections.empty() ? end() : end_after(kLastWords); });
+    });
+  }
+  void end_after(std::chrono::milliseconds time) {
+    if (context.closing) return;
+    end_timer.expires_after(time);
+    end_timer.async_wait([this](error_code cancelled) {
+      if (!cancelled) end();
+    });
+  }
+  // Nothing begins any more. Who still answers or says something may end.
+  void end() {
+    if (std::exchange(context.closing, true)) return;
     connections.end_all();
     if (connections.empty()) return io.stop();
     end_timer.expires_after(kEndTimeout);
@@ -177,7 +194,12 @@ void HttpServer::run() {
   services::shorten_time_slice();
   sockets_->stop_server.begin();
   sockets_->context.urgent.post(services::shorten_time_slice);
-  sockets_->signals.async_wait([this](error_code, int) { sockets_->end(); });
+  sockets_->signals.async_wait([this](error_code failed, int number) {
+    if (failed) return;
+    error_code ignored;
+    sockets_->signals.remove(number, ignored);  // once more, it does what it does to any process
+    sockets_->begin_end(number == SIGINT ? "SIGINT" : "SIGTERM");
+  });
   for (const auto& place : sockets_->places)
     asio::co_spawn(sockets_->io, accept(place->acceptor, place->endpoint, sockets_->context), asio::detached);
   // What throws there has ended a handler; the others go on.
@@ -185,7 +207,7 @@ void HttpServer::run() {
 }
 
 void HttpServer::stop() {
-  asio::post(sockets_->io, [this] { sockets_->end(); });
+  asio::post(sockets_->io, [this] { sockets_->begin_end("it was asked to"); });
 }
 
 }  // namespace race::server

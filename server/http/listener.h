@@ -43,6 +43,9 @@ struct Backend {
   ControlRequests& control;
   ClientRecords& records;
   remote::Remotes& remotes;
+  /// The server is to end, and why: told once, on the sockets' thread; waits for nothing. `done`, on any thread: the
+  /// sockets may end. Until then they serve who is connected, for kStandTimeout at most.
+  std::function<void(const std::string& why, std::function<void()> done)> end = {};
 };
 
 class HttpServer {
@@ -88,8 +91,12 @@ class HttpServer {
   /// Of the place of this number, from 0.
   std::uint16_t port(std::size_t place = 0) const;
   std::uint16_t stop_port(std::size_t place = 0) const;
-  /// Serves until SIGINT, SIGTERM or stop(). Then nothing begins any more, WebSockets get a close frame, and what is
-  /// being answered or said may end for half a second; requests that no handler has begun are dropped.
+  /// For all that moves to stand when the server ends.
+  static constexpr std::chrono::milliseconds kStandTimeout{3'000};
+  /// Serves until SIGINT, SIGTERM or stop(). Then nobody connects any more, and the backend ends what is under way
+  /// (Backend::end); then nothing begins any more, WebSockets get a close frame that says why, and what is being
+  /// answered or said may end for half a second; requests that no handler has begun are dropped. The same signal once
+  /// more ends the process at once.
   void run();
   /// On any thread.
   void stop();

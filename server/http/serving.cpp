@@ -236,7 +236,7 @@ awaitable<void> serve(std::unique_ptr<Client> client, Context& context) {
     services::report_failure("a connection");
   }
   client.reset();
-  if (context.ending && context.connections.empty()) context.io.stop();
+  if (context.closing && context.connections.empty()) context.io.stop();
 }
 
 }  // namespace race::server

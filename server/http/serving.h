@@ -36,7 +36,8 @@ struct Context {
   ByteBudget& budget;
   HttpServer::Limits limits;
   asio::io_context& io;
-  bool ending = false;
+  bool ending = false;   // each answer is the last of its connection
+  bool closing = false;  // the sockets end when the last connection does
 };
 
 /// A connection, until its coroutine ends.

@@ -6,6 +6,7 @@ namespace race::server {
 namespace {
 
 constexpr std::chrono::seconds kMessageTimeout{10};  // for the other side to take a message
+constexpr const char* kServerEnds = "the server ends";
 constexpr std::chrono::seconds kIdentityCheck{1};    // between two questions whether a client still is who it was
 constexpr unsigned kCloseCodes = 5000;               // RFC 6455, 7.4.2: of all close codes, the first that is none
 constexpr std::array<unsigned char, 4> kProtocolError = {0x88, 2, 0x03, 0xea};  // a close frame with the code 1002
@@ -68,7 +69,9 @@ void Session::reset() {
 
 void Session::end(websocket::close_code why) {
   if (std::exchange(ending_, true)) return;
-  socket_.async_close(websocket::close_reason(why), [self = shared_from_this()](error_code) {});
+  // A client that is told to go away is told why: only the end of the server does that.
+  const char* reason = why == websocket::close_code::going_away ? kServerEnds : "";
+  socket_.async_close(websocket::close_reason(why, reason), [self = shared_from_this()](error_code) {});
 }
 
 // Beast answers each code from 3000 on with itself. Those from 5000 on are none: a protocol error, which is said at

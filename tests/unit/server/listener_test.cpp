@@ -395,7 +395,7 @@ TEST_F(ListenerTest, WebSocketsGetACloseFrameWhenTheServerEnds) {
   EXPECT_EQ(client->ask(upgrade()), 101);
   EXPECT_EQ(idle->get("/api/v1/small"), 200);
   server->stop();
-  EXPECT_EQ(client->read(4), std::string("\x88\x02\x03\xe9", 4)) << "1001, going away";
+  EXPECT_EQ(client->read(19), std::string("\x88\x11\x03\xe9the server ends", 19)) << "1001, going away";
   EXPECT_TRUE(idle->is_closed());
 }
 
