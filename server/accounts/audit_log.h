@@ -49,6 +49,10 @@ class AuditLog {
 
   /// Whether append() can be called: if not, what would be logged must not be done.
   bool has_room() const EXCLUDES(queue_mutex_);
+  std::size_t waiting() const EXCLUDES(queue_mutex_) {
+    const services::MutexLock lock(queue_mutex_);
+    return queue_.size();
+  }
   /// Durable soon: what comes while others are written is written together.
   void append(AuditEntry entry) EXCLUDES(queue_mutex_);
 

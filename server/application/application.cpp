@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "server/application/boot.h"
+#include "server/application/collect_metrics.h"
 #include "server/cell/component_groups.h"
 #include "server/cell/screen_services.h"
 #include "server/wire/calendar.h"
@@ -16,6 +17,7 @@ namespace {
 
 constexpr unsigned kCoreThreads = 4;  // of cores that have little to do, and of commands to all
 constexpr unsigned kMostBusyThreads = 8;
+constexpr std::string_view kLogin = "/api/v1/login";
 
 // Of cores that are always busy: they leave a processor to all else.
 unsigned busy_core_threads() { return std::clamp(std::thread::hardware_concurrency(), 2U, kMostBusyThreads + 1) - 1; }
@@ -39,6 +41,7 @@ Checked<std::unique_ptr<Application>> Application::create(const Setup& setup) {
   services::set_failure_handler(
       [raw = app.get()](const std::string& text) { raw->log("server", text, LogLevel::error); });
   if (auto created = app->create_cores(setup); !created) return of_store(std::move(created).error(), *app->folder_);
+  app->create_metrics();
   app->create_editing(setup);
   if (setup.script)
     if (auto added = app->add_operator(*setup.script); !added) return tl::unexpected(std::move(added).error());
@@ -221,18 +224,50 @@ Application::~Application() {
   if (stream_pool_) stream_pool_->end();
 }
 
+void Application::create_metrics() {
+  Metrics::Routes all;
+  for (const Route& route : routes()) all.emplace_back(route.method, route.pattern);
+  all.insert(all.end(), {{"GET", "/api/v1/stream"}, {"GET", "/api/v1/components"}});
+  metrics_ = std::make_unique<Metrics>(
+      all, [sources = MetricSources{folder_->store(), *hub_, *cores_, *cell_, *control_, *writer_, *audit_, *log_}](
+               Exposition& to) { collect_metrics(sources, to); });
+}
+
+void Application::count(const std::string& method, const std::string& path, int status) {
+  metrics_->answered(method, pattern_of(method, path), status, std::chrono::nanoseconds(0));
+}
+
+// An answer that is counted when it is there.
+Answer Application::counted(const Request& request, const Answer& answer) {
+  const std::string_view pattern = pattern_of(request.method, request.path);
+  const auto begin = std::chrono::steady_clock::now();
+  return Answer([this, method = request.method, pattern, begin, answer](Reply reply) {
+    metrics_->answered(method, pattern, reply.status, std::chrono::steady_clock::now() - begin);
+    if (pattern == kLogin && (reply.status == 401 || reply.status == 429)) metrics_->login_failed();
+    answer(std::move(reply));
+  });
+}
+
 Backend Application::make_backend() {
-  return {[this](const Request& request) { return access_->admit(request); },
+  return {[this](const Request& request) {
+            auto admitted = access_->admit(request);
+            if (!admitted) count(request.method, request.path, admitted.error().status);
+            return admitted;
+          },
           [this](Request request, const Answer& answer) {
-            const Answer audited = access_->audited(request, answer);
+            const Answer audited = access_->audited(request, counted(request, answer));
             handle(std::move(request), resources(), audited);
           },
-          [this] { return *get_health({}, *cell_); },
+          [this] {
+            count("GET", "/api/v1/health", 200);
+            return *get_health({}, *cell_);
+          },
           [this](const Identity& identity) {
             Request request;
             request.identity = identity;
             Reply reply = *stop_cell(request, *cell_stop_, *control_);
             access_->record(identity, "POST /api/v1/stop", "200");
+            count("POST", "/api/v1/stop", 200);
             return reply;
           },
           *hub_,
@@ -242,6 +277,7 @@ Backend Application::make_backend() {
           *manual_,
           *access_,
           cell_->remotes(),
+          metrics_->clients(),
           [this](const std::string& why, std::function<void()> done) {
             log("server", "ends: " + why);
             motion_end_->begin_end(cell_->host(), *cores_,
@@ -261,7 +297,7 @@ Resources Application::resources() {
   return {*documents_, *breakpoints_, *editing_,    *boot_list_, *backups_,  *runs_,    *samples_,
           *pictures_,  *cores_,       *live_edits_, replays_,    deadlines_, restores_, *cell_,
           *log_,       answers_,      *accounts_,   *passwords_, attempts_,  tickets_,  *audit_,
-          authority_,  *control_,     *cell_stop_,  *manual_};
+          authority_,  *control_,     *cell_stop_,  *metrics_,  *manual_};
 }
 
 }  // namespace race::server

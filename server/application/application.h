@@ -36,6 +36,7 @@
 #include "server/handlers/routes.h"
 #include "server/http/listener.h"
 #include "server/log/event_log.h"
+#include "server/metrics/metrics.h"
 #include "server/runs/picture_recorder.h"
 #include "server/runs/run_keeper.h"
 #include "server/store/backup.h"
@@ -96,6 +97,9 @@ class Application {
   Expected<void> create_cores(const Setup& setup);
   void create_editing(const Setup& setup);
   void name_damaged_documents();
+  void create_metrics();
+  void count(const std::string& method, const std::string& path, int status);
+  Answer counted(const Request& request, const Answer& answer);
   void flush_recordings();
   void before_step();
   Checked<void> add_operator(const OperatorScript& script);
@@ -121,6 +125,7 @@ class Application {
   std::unique_ptr<Access> access_;
   std::unique_ptr<Control> control_;
   std::unique_ptr<MotionEnd> motion_end_;
+  std::unique_ptr<Metrics> metrics_;
   AuthorityCertificate authority_;
   std::unique_ptr<Documents> documents_;
   std::unique_ptr<Backups> backups_;

@@ -166,10 +166,19 @@ void Cell::start_real_time() {
     while (!stop_) {
       due_ += kPeriod;
       std::this_thread::sleep_until(due_);
-      if (const auto now = std::chrono::steady_clock::now(); now - due_ > kMostLate) due_ = now;
+      const auto now = std::chrono::steady_clock::now();
+      note_lateness(now - due_);
+      if (now - due_ > kMostLate) due_ = now;
       take_step();
     }
   });
+}
+
+void Cell::note_lateness(std::chrono::steady_clock::duration late) {
+  ++counted_steps_;
+  if (late > kPeriod) ++late_steps_;
+  const auto us = std::chrono::duration_cast<std::chrono::microseconds>(late).count();
+  if (us > largest_late_us_) largest_late_us_ = us;
 }
 
 // What fails in each step is reported once.

@@ -85,6 +85,12 @@ class Cell {
 
   /// Steps in real time until stop(). If the machine falls behind by more than 100 ms, world time waits for it.
   void start_real_time();
+  /// Of steps in real time: how many, those that began more than a step too late, and how late the latest was.
+  struct Lateness {
+    std::uint64_t steps = 0, late = 0;
+    std::chrono::microseconds largest{0};
+  };
+  Lateness lateness() const { return {counted_steps_, late_steps_, std::chrono::microseconds(largest_late_us_)}; }
   /// The groups end; nothing is called on a service afterwards.
   void stop();
 
@@ -95,6 +101,7 @@ class Cell {
 
   Cell(services::HostObserver& observer, services::MotionGate* gate) : host_(clock_, observer, gate) {}
   void take_step();
+  void note_lateness(std::chrono::steady_clock::duration late);
   void work_in_step();
   Expected<void> add_remotes(const CellSetup& setup);
   Expected<void> add_world(const std::string& scene_path, std::uint64_t seed);
@@ -124,6 +131,8 @@ class Cell {
   bool waits_ = false;                         // for answers that are due
   bool failing_ = false;                       // the last step was, of take_step()
   std::function<void()> before_step_;
+  std::atomic<std::uint64_t> counted_steps_{0}, late_steps_{0};  // written by the cell's thread alone
+  std::atomic<std::int64_t> largest_late_us_{0};
   std::atomic<bool> stop_{false};
   std::thread thread_;
 };

@@ -35,6 +35,7 @@ class Editing;
 class IdempotentAnswers;
 class LiveEdits;
 class ManualControl;
+class Metrics;
 class Passwords;
 class Pictures;
 class Pool;
@@ -48,6 +49,7 @@ using Handled = Checked<Reply>;
 using Respond = std::function<void(Handled)>;
 
 Handled get_health(const Request& request, Cell& cell);
+Handled get_metrics(const Request& request, Metrics& metrics);
 Handled get_me(const Request& request, Accounts& accounts);
 void change_password(const Request& request, Respond respond, Accounts& accounts, Passwords& passwords,
                      Attempts& attempts);

@@ -37,6 +37,7 @@ constexpr bool kBody = true, kNoBody = false, kCreates = true;
 
 constexpr std::array kRoutes = {
     Route{"GET", "/api/v1/health", call<get_health>},
+    Route{"GET", "/metrics", call<get_metrics>},
     Route{"GET", "/api/v1/me", call<get_me>},
     Route{"PUT", "/api/v1/me/password", call<change_password>, kBody},
     Route{"POST", "/api/v1/login", call<log_in>, kBody},

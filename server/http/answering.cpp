@@ -17,7 +17,7 @@ namespace {
 using asio::ip::tcp;
 
 void find_answer(Request request, const Answer& answer, Context& context) {
-  if (request.path.starts_with("/api/")) return context.backend.handle(std::move(request), answer);
+  if (is_of_interface(request.path)) return context.backend.handle(std::move(request), answer);
   if (request.method == "GET")
     if (auto file = static_file(context.web, request)) return answer(std::move(*file));
   answer(refusal(404, "not_found", "there is no such page"));

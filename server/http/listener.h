@@ -17,6 +17,7 @@
 #include "server/http/connections.h"
 #include "server/http/message.h"
 #include "server/stream/control_requests.h"
+#include "server/metrics/metrics.h"
 #include "server/stream/displays.h"
 #include "server/stream/hub.h"
 #include "server/stream/requests.h"
@@ -43,6 +44,7 @@ struct Backend {
   ControlRequests& control;
   ClientRecords& records;
   remote::Remotes& remotes;
+  ClientGauges& clients;
   /// The server is to end, and why: told once, on the sockets' thread; waits for nothing. `done`, on any thread: the
   /// sockets may end. Until then they serve who is connected, for kStandTimeout at most.
   std::function<void(const std::string& why, std::function<void()> done)> end = {};

@@ -48,6 +48,9 @@ struct Reply {
 /// not properly encoded.
 Expected<std::pair<std::string, Parameters>> parse_target(std::string_view target);
 
+/// Whether it is a path of the interface (api/openapi.yaml), not of a page.
+inline bool is_of_interface(std::string_view path) { return path.starts_with("/api/") || path == "/metrics"; }
+
 /// `text` as one part of the path of a request target: all but letters, digits and `-._~` as %2F.
 std::string encode_part(std::string_view text);
 

@@ -128,7 +128,7 @@ std::optional<Reply> refuse_busy(const Client& client, const Request& request, s
 
 // Why who sends it may not; else the request knows who that is. The pages are for everybody: one of them logs in.
 std::optional<Reply> refuse_unknown(const Client& client, Request& request, Context& context) {
-  if (!request.path.starts_with("/api/")) return std::nullopt;
+  if (!is_of_interface(request.path)) return std::nullopt;
   request.identity.address = client.address;
   auto identity = context.backend.admit(request);
   if (!identity) return std::move(identity).error();
@@ -149,6 +149,8 @@ awaitable<bool> serve_websocket(Client& client, Request header, Upgrade request,
   auto refused = unknown ? refuse_websocket(client) : overload("there are too many processes that nobody knows yet");
   if (refused) co_return co_await refuse(client, std::move(*refused), ResponseOptions(), context);
   Backend& backend = context.backend;
+  ClientGauges& clients = backend.clients;
+  const Gauge::Hold counted(is_process ? clients.processes : header.path == kControl ? clients.controls : clients.streams);
   if (header.path == kControl) {
     const ControlTargets targets{backend.control, backend.records};
     co_await serve_control(std::move(client.stream), std::move(request), std::move(header.identity), targets,
@@ -228,6 +230,8 @@ awaitable<bool> greet(Client& client, Context& context) {
 }  // namespace
 
 awaitable<void> serve(std::unique_ptr<Client> client, Context& context) {
+  std::optional<Gauge::Hold> counted;
+  counted.emplace(context.backend.clients.connections);
   try {
     bool more = co_await greet(*client, context);
     if (more) more = co_await serve_one(*client, context, context.limits.read_timeout);

@@ -31,6 +31,7 @@ LogLevel level_of(std::string_view status) {
 }  // namespace
 
 void EventLog::append(services::Time time, const std::string& source, const std::string& text, LogLevel level) {
+  ++counts_.at(static_cast<std::size_t>(level));
   if (lines_) lines_->write(level, source, text);
   const std::string valid = as_utf8(text);
   Value entry =

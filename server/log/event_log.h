@@ -4,6 +4,8 @@
 // Threads: any.
 #pragma once
 
+#include <array>
+#include <atomic>
 #include <deque>
 #include <map>
 #include <string>
@@ -34,12 +36,15 @@ class EventLog {
   bool append_status(services::Time time, const std::string& core_id, const Value& core) EXCLUDES(mutex_);
   /// Drops the status of a core that has been removed.
   void drop_status(const std::string& core_id) EXCLUDES(mutex_);
+  /// How many lines of this level there were.
+  std::uint64_t lines(LogLevel level) const { return counts_.at(static_cast<std::size_t>(level)); }
   /// Publishes all lines as a snapshot of the channel.
   void publish_snapshot() const EXCLUDES(mutex_);
 
  private:
   Hub& hub_;
   LineLog* const lines_;
+  std::array<std::atomic<std::uint64_t>, 4> counts_ = {};  // by level
   mutable services::Mutex mutex_;
   std::deque<Value> entries_ GUARDED_BY(mutex_);                    // schemas/log_entry.json
   std::map<std::string, std::string> statuses_ GUARDED_BY(mutex_);  // by core: as logged last

@@ -24,7 +24,7 @@ struct ClientTest : testing::Test {
   ClientTest() {
     server = HttpServer::listen(0, "",
                                 {admit_all, handle, [] { return Reply(); }, [](const Identity&) { return Reply(); },
-                                 hub, displays, edits, presence, control, records, remotes})
+                                 hub, displays, edits, presence, control, records, remotes, clients})
                  .value();
     thread = std::thread([this] { server->run(); });
   }
@@ -52,6 +52,7 @@ struct ClientTest : testing::Test {
   NoObserver observer;
   services::Host host{clock, observer};
   remote::Remotes remotes{host, clock, 1s};
+  ClientGauges clients;
   std::unique_ptr<HttpServer> server;
   std::thread thread;
 };

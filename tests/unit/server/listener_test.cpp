@@ -149,7 +149,7 @@ struct ListenerTest : testing::Test {
                                    ++stops;
                                    return Reply();
                                  },
-                                 hub, displays, edits, presence, control, records, remotes},
+                                 hub, displays, edits, presence, control, records, remotes, clients},
                                 limits)
                  .value();
     thread = std::thread([this] { server->run(); });
@@ -241,6 +241,7 @@ struct ListenerTest : testing::Test {
   NoObserver observer;
   services::Host host{clock, observer};
   remote::Remotes remotes{host, clock, 1s};
+  ClientGauges clients;
   std::unique_ptr<HttpServer> server;
   std::thread thread;
 };
