@@ -46,6 +46,8 @@ Checked<std::unique_ptr<Application>> Application::create(const Setup& setup) {
   if (setup.script)
     if (auto added = app->add_operator(*setup.script); !added) return tl::unexpected(std::move(added).error());
   app->name_damaged_documents();
+  if (const auto& copy = app->folder_->copy_before_upgrade())
+    app->log("store", "of an older version of the program; as it was, it is the backup " + *copy);
   app->cell_->start_real_time();
   boot({*app->boot_list_, *app->documents_, *app->runs_, *app->cores_, *app->log_, app->cell_->clock()});
   return app;

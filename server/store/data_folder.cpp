@@ -10,7 +10,9 @@
 #include <cstring>
 #include <utility>
 
+#include "server/store/backup.h"
 #include "server/store/schema.h"
+#include "server/wire/calendar.h"
 #include "services/sqlite/file.h"
 #include "services/sqlite/log_check.h"
 
@@ -44,8 +46,32 @@ Expected<void> take_over_documents(const fs::path& folder) try {
   return unexpected(ErrorCode::storage, error.what(), folder);
 }
 
+// The version of a store that holds anything; nothing: there is none.
+std::optional<int> version_in(const fs::path& path) {
+  if (!fs::exists(path) || fs::file_size(path) == 0) return {};
+  const auto file = sqlite::open_to_read(path);
+  if (file->execAndGet("SELECT count(*) FROM sqlite_master").getInt() == 0) return {};
+  return file->execAndGet("PRAGMA user_version").getInt();
+}
+
+// One of a newer version is not even opened to write. One of an older version is copied before it is changed: the name
+// of the backup.
+Expected<std::optional<std::string>> copy_older(const fs::path& folder, const fs::path& store) try {
+  if (auto whole = sqlite::check_log(store); !whole) return tl::unexpected(std::move(whole).error());
+  const auto version = version_in(store);
+  const int last = static_cast<int>(store_migrations().size());
+  if (version && *version > last)
+    return unexpected(ErrorCode::version, "a newer version of the program wrote this file", store);
+  if (!version || *version == last) return std::nullopt;
+  ASSIGN_OR_RETURN(const Backup copy, Backups(folder).create(now_ms()));
+  return copy.name;
+} catch (const SQLite::Exception& exception) {
+  return tl::unexpected(sqlite::error_of(exception, "cannot open the store"));
+} catch (const fs::filesystem_error& error) {
+  return unexpected(ErrorCode::storage, error.what(), store);
+}
+
 Expected<void> prepare(const fs::path& path) try {
-  if (auto whole = sqlite::check_log(path); !whole) return whole;
   const auto file = sqlite::open(path);
   if (auto sound = sqlite::check(*file); !sound) return sound;
   return sqlite::migrate(*file, store_migrations());
@@ -66,6 +92,13 @@ Expected<DataFolder> DataFolder::take(const std::string& path) {
 Expected<DataFolder> DataFolder::open(const std::string& path) {
   ASSIGN_OR_RETURN(DataFolder folder, take(path));
   auto ready = take_over_documents(path);
+  if (ready) {
+    auto copied = copy_older(path, folder.store());
+    if (copied)
+      folder.copy_before_upgrade_ = std::move(*copied);
+    else
+      ready = tl::unexpected(std::move(copied).error());
+  }
   if (ready) ready = prepare(folder.store());
   if (!ready) {
     Error wrong = std::move(ready).error();
@@ -76,7 +109,9 @@ Expected<DataFolder> DataFolder::open(const std::string& path) {
 }
 
 DataFolder::DataFolder(DataFolder&& other) noexcept
-    : path_(std::move(other.path_)), lock_(std::exchange(other.lock_, -1)) {}
+    : path_(std::move(other.path_)),
+      lock_(std::exchange(other.lock_, -1)),
+      copy_before_upgrade_(std::move(other.copy_before_upgrade_)) {}
 
 DataFolder::~DataFolder() {
   if (lock_ >= 0) ::close(lock_);

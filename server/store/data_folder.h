@@ -14,6 +14,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "core/value/expected.h"
@@ -22,8 +23,10 @@ namespace race::server {
 
 class DataFolder {
  public:
-  /// Makes the folder if it is not there, takes it, and brings its files to this version: documents of an older one are
-  /// taken over. Errors: `conflict` (another server holds it), `corrupt`, `version`, `storage`, `io`, with the path.
+  /// Makes the folder if it is not there, takes it, and brings its store to this version: documents of an older one are
+  /// taken over. One of an older version is first copied as a backup, and changed in one transaction; one of a newer
+  /// version is left as it is. Errors: `conflict` (another server holds it, or there is no room for another backup),
+  /// `corrupt`, `version` (a newer one), `storage`, `io`, with the path.
   static Expected<DataFolder> open(const std::string& path);
   /// Makes and takes the folder, whatever its files are: to restore a backup. Errors: `conflict`, `storage`.
   static Expected<DataFolder> take(const std::string& path);
@@ -32,6 +35,8 @@ class DataFolder {
   ~DataFolder();
 
   const std::filesystem::path& path() const { return path_; }
+  /// The name of the backup of the store as an older version of the program left it, if open() has changed it.
+  const std::optional<std::string>& copy_before_upgrade() const { return copy_before_upgrade_; }
   std::string store() const { return path_ / "race.sqlite"; }
   std::string database() const { return path_ / "database.sqlite"; }
   std::string accounts() const { return path_ / "accounts.sqlite"; }
@@ -44,6 +49,7 @@ class DataFolder {
   DataFolder(std::filesystem::path path, int lock) : path_(std::move(path)), lock_(lock) {}
   std::filesystem::path path_;
   int lock_;  // file descriptor
+  std::optional<std::string> copy_before_upgrade_;
 };
 
 }  // namespace race::server

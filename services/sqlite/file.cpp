@@ -72,13 +72,13 @@ Expected<void> migrate(SQLite::Database& file, std::span<const Migration> migrat
   const int last = static_cast<int>(migrations.size());
   if (version_of(file) > last)
     return unexpected(ErrorCode::version, "a newer version of the program wrote this file", file.getFilename());
-  for (int version = version_of(file); version < last; ++version) {
-    sqlite::WriteTransaction transaction(file);
-    if (version_of(file) > version) continue;  // another process did it
+  if (version_of(file) == last) return {};
+  sqlite::WriteTransaction transaction(file);
+  for (int version = version_of(file); version < last; ++version) {  // unless another process did it
     migrations[static_cast<std::size_t>(version)](file);
     file.exec("PRAGMA user_version = " + std::to_string(version + 1));
-    transaction.commit();
   }
+  transaction.commit();
   return {};
 } catch (const SQLite::Exception& exception) {
   return tl::unexpected(error_of(exception, "cannot migrate " + file.getFilename()));

@@ -25,9 +25,11 @@ std::unique_ptr<SQLite::Database> open(const std::string& path);
 /// One that cannot write. Requires that the file is there.
 std::unique_ptr<SQLite::Database> open_to_read(const std::string& path);
 
-/// Makes version `to` of a file of version `to` - 1 (`user_version`; that of a new file is 0). In a transaction.
+/// Makes version `to` of a file of version `to` - 1 (`user_version`; that of a new file is 0). In the transaction of
+/// migrate().
 using Migration = void (*)(SQLite::Database& file);
-/// Brings the file to the last of `migrations`, the first of which makes version 1, each in a transaction of its own.
+/// Brings the file to the last of `migrations`, the first of which makes version 1, in one transaction: whatever
+/// happens, the file is the old one or the new one.
 /// Errors: `version` (a newer version of the program wrote it), those of error_of().
 Expected<void> migrate(SQLite::Database& file, std::span<const Migration> migrations);
 

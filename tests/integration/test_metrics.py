@@ -3,6 +3,7 @@ import http.client
 import math
 import re
 import unittest
+from itertools import pairwise
 
 import models
 from accounts import AccountServer
@@ -82,7 +83,7 @@ def check_histogram(name, samples):
             series.setdefault(rest, []).append((float(dict(labels)["le"]), value))
     for rest, buckets in series.items():
         need(buckets == sorted(buckets), f"buckets of {name} {rest} go down")
-        need(all(a <= b for (_, a), (_, b) in zip(buckets, buckets[1:], strict=False)), f"{name} {rest} is not cumulative")
+        need(all(a <= b for (_, a), (_, b) in pairwise(buckets)), f"{name} {rest} is not cumulative")
         need(buckets[-1] == (math.inf, samples[(name + "_count", rest)]), f"+Inf of {name} {rest}")
         need((name + "_sum", rest) in samples, f"{name} {rest} has no sum")
 
@@ -177,7 +178,7 @@ class Metrics(unittest.TestCase):
             self.server.request("GET", f"/api/v1/documents/name{number}")
             self.server.request("GET", f"/api/v1/nothing{number}\"\\")
         samples = self.metrics()
-        patterns = {path for path in INTERFACE["paths"]} | {"other"}
+        patterns = {*INTERFACE["paths"], "other"}
         for name, labels in samples:
             route = dict(labels).get("route")
             self.assertTrue(route is None or route in patterns, (name, labels))
@@ -214,10 +215,11 @@ class Parser(unittest.TestCase):
         self.assertEqual(parse(self.GOOD)[1][("race_a_total", (("x", 'a"\\\n,}'),))], 1)
 
     def test_refuses_what_is_wrong(self):
-        for old, new in (("# HELP race_a_total A.\n", ""), ("counter", "gauge"), ("counter", "count"), ('le="+Inf"} 2', 'le="+Inf"} 0'),
-                         ("race_b_count 2", "race_b_count 3"), ("race_b_sum 3\n", ""), ("race_b_sum 3\n", "race_b_sum 3\nrace_b_sum 3\n"),
-                         ('\\"', '"'), ("} 1\n# HELP", "} 1"), ("race_b_count 2\n", "race_b_count 2\n# HELP race_a_total A.\n"),
-                         ("race_a_total{", "race-a_total{"), ("race_b_count 2\n", "race_b_count 2")):
+        wrong = (("# HELP race_a_total A.\n", ""), ("counter", "gauge"), ("counter", "count"), ('le="+Inf"} 2', 'le="+Inf"} 0'),
+                 ("race_b_count 2", "race_b_count 3"), ("race_b_sum 3\n", ""), ("race_b_sum 3\n", "race_b_sum 3\nrace_b_sum 3\n"),
+                 ('\\"', '"'), ("} 1\n# HELP", "} 1"), ("race_b_count 2\n", "race_b_count 2\n# HELP race_a_total A.\n"),
+                 ("race_a_total{", "race-a_total{"), ("race_b_count 2\n", "race_b_count 2"))
+        for old, new in wrong:
             self.assertNotEqual(self.GOOD.replace(old, new), self.GOOD)
             with self.assertRaises((Malformed, AttributeError, KeyError, ValueError), msg=(old, new)):
                 parse(self.GOOD.replace(old, new))

@@ -264,7 +264,12 @@ class ServiceManager(Case):
                 environment = {**os.environ, "NOTIFY_SOCKET": name.replace("\0", "@")}
                 command = [PROGRAM, "serve", "--port", "0", "--data", f"{self.data}/kept"]
                 with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=environment) as process:
-                    self.assertEqual(manager.recv(100), b"READY=1")
+                    try:
+                        state = manager.recv(100)
+                    except TimeoutError:
+                        process.kill()
+                        raise
+                    self.assertEqual(state, b"READY=1")
                     port = int(re.search(r":(\d+)$", process.stdout.readline().strip())[1])
                     with socket.create_connection(("127.0.0.1", port)):
                         process.terminate()
