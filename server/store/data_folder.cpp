@@ -49,13 +49,14 @@ Expected<void> take_over_documents(const fs::path& folder) try {
 // The version of a store that holds anything; nothing: there is none.
 std::optional<int> version_in(const fs::path& path) {
   if (!fs::exists(path) || fs::file_size(path) == 0) return {};
-  const auto file = sqlite::open_to_read(path);
+  const bool is_unfinished = fs::exists(path.string() + "-journal");  // who reads would have to roll it back
+  const auto file = is_unfinished ? sqlite::open(path) : sqlite::open_to_read(path);
   if (file->execAndGet("SELECT count(*) FROM sqlite_master").getInt() == 0) return {};
   return file->execAndGet("PRAGMA user_version").getInt();
 }
 
-// One of a newer version is not even opened to write. One of an older version is copied before it is changed: the name
-// of the backup.
+// One of a newer version is not opened to write, unless a crash has left a transaction to be rolled back. One of an
+// older version is copied before it is changed: the name of the backup.
 Expected<std::optional<std::string>> copy_older(const fs::path& folder, const fs::path& store) try {
   if (auto whole = sqlite::check_log(store); !whole) return tl::unexpected(std::move(whole).error());
   const auto version = version_in(store);
