@@ -209,7 +209,8 @@ class Parser(unittest.TestCase):
     """The parser refuses what is wrong."""
 
     GOOD = ('# HELP race_a_total A.\n# TYPE race_a_total counter\nrace_a_total{x="a\\"\\\\\\n,}"} 1\n'
-            '# HELP race_b B.\n# TYPE race_b histogram\nrace_b_bucket{le="1"} 1\nrace_b_bucket{le="+Inf"} 2\nrace_b_sum 3\nrace_b_count 2\n')
+            '# HELP race_b B.\n# TYPE race_b histogram\nrace_b_bucket{le="1"} 1\nrace_b_bucket{le="+Inf"} 2\n'
+            'race_b_sum 3\nrace_b_count 2\n')
 
     def test_takes_what_is_right(self):
         self.assertEqual(parse(self.GOOD)[1][("race_a_total", (("x", 'a"\\\n,}'),))], 1)
