@@ -13,6 +13,7 @@ export const kRead = [
   "audit.json",
   "cell_pose.json",
   "control.json",
+  "control_message.json",
   "core.json",
   "core_delta.json",
   "core_state.json",
@@ -66,7 +67,7 @@ export const kRead = [
 ];
 
 /** Messages that the pages write. */
-export const kWritten = ["account_change.json", "account_create.json", "breakpoints.json", "cell_reset.json", "core_create.json", "document_branch.json", "document_restore.json", "edit.json", "force.json", "login.json", "password_change.json", "person_command.json", "step_request.json", "stream_request.json", "token_create.json"];
+export const kWritten = ["account_change.json", "account_create.json", "breakpoints.json", "cell_reset.json", "control_answer.json", "control_mode.json", "control_request.json", "core_confirm_edit.json", "core_create.json", "core_resume.json", "core_start.json", "document_branch.json", "document_restore.json", "edit.json", "force.json", "login.json", "password_change.json", "person_command.json", "step_request.json", "stream_request.json", "token_create.json"];
 
 /** Names of types that are not the names of their schemas. */
 const kNames = new Map([

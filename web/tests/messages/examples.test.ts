@@ -32,6 +32,7 @@ const readers: Readonly<Record<string, (value: unknown) => unknown>> = {
   accepted_edit: by(schema.acceptedEdit),
   cell_pose: by(schema.cellPose),
   control: by(schema.control),
+  control_message: by(schema.controlMessage),
   core: by(schema.core),
   core_state: by(schema.coreState),
   cores: by(schema.cores),
@@ -61,7 +62,7 @@ const readers: Readonly<Record<string, (value: unknown) => unknown>> = {
 const unread = new Set([
   "account_change", "account_create", "login", "password_change", "token_create",
   "backup", "backups", "boot", "breakpoints", "checkpoint", "component_message", "component_request",
-  "cell_reset", "core_create", "core_load", "core_start", "document_branch", "document_entry", "document_restore", "edit_request",
+  "cell_reset", "control_answer", "control_mode", "control_request", "core_confirm_edit", "core_create", "core_load", "core_resume", "core_start", "document_branch", "document_entry", "document_restore", "edit_request",
   "operator", "person_command", "revisions", "run_file",
   "server_config", "step_request", "stream_request",
 ]);
