@@ -7,7 +7,10 @@ import type {
   Breakpoints,
   CellReset,
   Core,
+  CoreConfirmEdit,
   CoreCreate,
+  CoreResume,
+  CoreStart,
   DocumentBranch,
   DocumentBreakpoints,
   DocumentEntry,
@@ -96,7 +99,7 @@ export interface Storing {
 
 /** Requests below `base` (`/api/v1`); `fetcher` is the browser's fetch, or a test's. */
 export function createApi(base: string, fetcher: typeof fetch) {
-  type Body = AccountChange | AccountCreate | Breakpoints | CellReset | DocumentBreakpoints | Exact<Force> | Exact<CoreCreate> | DocumentBranch | PersonCommand | StepRequest | { readonly live: boolean };
+  type Body = AccountChange | AccountCreate | Breakpoints | CellReset | CoreConfirmEdit | CoreResume | CoreStart | DocumentBreakpoints | Exact<Force> | Exact<CoreCreate> | DocumentBranch | PersonCommand | StepRequest | { readonly live: boolean };
   async function request<T>(method: string, path: string, validator: Validator<T>, body?: Body): Promise<T> {
     return send(path, body === undefined ? { method } : { method, body: writeExact(body), headers: { "content-type": "application/json" } }, validator);
   }
@@ -179,9 +182,13 @@ export function createApi(base: string, fetcher: typeof fetch) {
       (readExact(await requestText<Core | Run>(`/${of}/${segment(id)}`, of === "cores" ? schema.core : schema.run)) as unknown as { readonly arguments: ExactArguments }).arguments,
     createCore: (document: string, args: ExactArguments): Promise<Core> => request("POST", "/cores", schema.core, { document, arguments: args }),
     coreModel: async (id: string): Promise<RcmDocument> => readNative(await get(`/cores/${segment(id)}/native`, schema.native)),
-    start: (id: string): Promise<Core> => command(id, "start"),
+    /** `supervised`: nothing of it moves while who begins it is away from the controls of the cell. */
+    start: (id: string, supervised = false): Promise<Core> => (supervised ? request("POST", `/cores/${segment(id)}/start`, schema.core, { supervised }) : command(id, "start")),
     pause: (id: string): Promise<Core> => command(id, "pause"),
-    resume: (id: string): Promise<Core> => command(id, "resume"),
+    /** The same; otherwise it stays as it was. */
+    resume: (id: string, supervised = false): Promise<Core> => (supervised ? request("POST", `/cores/${segment(id)}/resume`, schema.core, { supervised }) : command(id, "resume")),
+    /** Lets an edit that waits for it reach the run. */
+    confirmEdit: (id: string, revision: number): Promise<Core> => request("POST", `/cores/${segment(id)}/confirm_edit`, schema.core, { revision }),
     stop: (id: string): Promise<Core> => command(id, "stop"),
     step: (id: string, step: StepRequest): Promise<Core> => request("POST", `/cores/${segment(id)}/step`, schema.core, step),
     setLive: (id: string, live: boolean): Promise<Core> => request("PUT", `/cores/${segment(id)}/live`, schema.core, { live }),

@@ -9,6 +9,8 @@ export interface EditText {
   /** The nodes or parameters that hold it up, or what is wrong with it; the path is a node's or a port's. */
   readonly waits: readonly { readonly path: string; readonly id?: string; readonly error?: ServerError; readonly text: string }[];
   readonly holds: string;
+  /** The revision that somebody has to confirm. */
+  readonly confirms?: number;
 }
 
 type Obstacle = NonNullable<Core["waiting_edit"]>["waits"][number];
@@ -46,10 +48,13 @@ export function editText(core: Core): EditText | undefined {
       holds: `The run goes on with revision ${core.revision}.`,
     };
   if (waiting === undefined) return undefined;
+  const unconfirmed = waiting.unconfirmed === true;
+  const title = unconfirmed && waiting.waits.length === 0 ? `Revision ${waiting.revision} of ${core.document} waits to be confirmed` : undefined;
   return {
-    title: waitingTitle(`Revision ${waiting.revision} of ${core.document}`, waiting.waits),
+    ...(unconfirmed && { confirms: waiting.revision }),
+    title: title ?? waitingTitle(`Revision ${waiting.revision} of ${core.document}`, waiting.waits),
     waits: waiting.waits.map((obstacle) => ({ path: obstacle.path, ...(obstacle.id !== undefined && { id: obstacle.id }), text: obstacleText(obstacle) })),
-    holds: waiting.waits.length > 0 ? `Until this changes, the run goes on with revision ${core.revision}.` : whenItGoesOn(core),
+    holds: unconfirmed ? `This run moves something: it goes on with revision ${core.revision} until who has the controls confirms the edit${waiting.waits.length > 0 ? ", and this changes" : ""}.` : waiting.waits.length > 0 ? `Until this changes, the run goes on with revision ${core.revision}.` : whenItGoesOn(core),
   };
 }
 

@@ -6,7 +6,7 @@ import { pageOf, selectionAt, type Drawer, type Gesture, type Page, type View } 
 
 export type PlaceInModel = Pick<Place, "in" | "sel" | "why" | "top" | "below">;
 
-const kDrawers: readonly Drawer[] = ["derivation", "timeline", "calls", "log", "closed"];
+const kDrawers: readonly Drawer[] = ["derivation", "timeline", "calls", "log", "manual", "closed"];
 
 /** The page that the address asks for. */
 export const pageOfPlace = ({ page, edit }: Place): Page => pageOf(page) ?? (edit === undefined ? "task" : "edit");

@@ -22,7 +22,7 @@ export type Page = "task" | "services" | "cell" | "edit";
 /** The page of this name that an address may ask for: that of a document is asked for by the document. */
 export const pageOf = (name: string | undefined): Page | undefined => (["task", "services", "cell"] as const).find((page) => page === name);
 
-export type Drawer = "derivation" | "timeline" | "calls" | "log" | "closed";
+export type Drawer = "derivation" | "timeline" | "calls" | "log" | "manual" | "closed";
 
 /** What a view says of elements of the model that is shown. */
 export type Places = Pick<View, "selection" | "also" | "focus" | "collapsed">;

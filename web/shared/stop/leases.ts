@@ -15,6 +15,9 @@ export function reservedBy(leases: Control["leases"]): readonly Reserved[] {
 /** `robot is reserved by`; the run is a link behind it. */
 export const reservedText = ({ services }: Reserved): string => `${services.join(", ")} ${services.length > 1 ? "are" : "is"} reserved by`;
 
+/** What somebody has reserved by hand: the taking of the controls, as a lease names it; nothing: a run has it. */
+export const byHand = ({ core }: Pick<Reserved, "core">): boolean => core.startsWith("control/");
+
 const fieldOf = (value: unknown, name: string): unknown => (typeof value === "object" && value !== null ? (value as Readonly<Record<string, unknown>>)[name] : undefined);
 
 /** What the last call of a run was refused with because another run had the service; nothing: none was, as far as `steps` tell. */

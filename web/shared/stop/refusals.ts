@@ -1,16 +1,36 @@
-// What cannot be done while the cell is stopped: what lets a run begin or go on.
+// What cannot be done now: while the cell is stopped, while somebody else has the controls, or without them where they are needed.
+import { isOwn } from "../control/texts";
 import { doingOfAction, doingOfCommand, type Doing } from "../login/doings";
 import type { Command } from "../run/controls";
 import { isStopped, type StopState } from "./state";
 
-type Known = Pick<StopState, "stopped">;
+type Known = Pick<StopState, "stopped" | "mode" | "holder" | "held">;
 
 const kStarting: ReadonlySet<Doing> = new Set(["start_run", "resume_run", "step_run"]);
+const kOfHolder: ReadonlySet<Doing> = new Set(["set_mode", "confirm_edit", "move_by_hand"]);
+
+const refusalWithout = (stop: Known): string | undefined =>
+  isOwn(stop.holder, stop.held) ? undefined : stop.holder === null ? "take the controls first" : `${stop.holder.by} has the controls`;
 
 /** Why nothing begins now; nothing: it may. */
-export const refusalToBegin = (stop: Known): string | undefined => (isStopped(stop) ? "the cell is stopped" : undefined);
+export function refusalToBegin(stop: Known): string | undefined {
+  if (isStopped(stop)) return "the cell is stopped";
+  if (stop.holder === null && stop.mode !== "programming") return undefined;
+  const refusal = refusalWithout(stop);
+  return refusal !== undefined && stop.holder === null ? `in programming mode, ${refusal}` : refusal;
+}
 
-export const refusalOfDoing = (stop: Known, doing: Doing): string | undefined => (kStarting.has(doing) ? refusalToBegin(stop) : undefined);
+/** Why nothing is moved by hand now. */
+export function refusalToMove(stop: Known): string | undefined {
+  if (isStopped(stop)) return "the cell is stopped";
+  return refusalWithout(stop) ?? (stop.mode === "programming" ? undefined : "this needs programming mode");
+}
+
+export function refusalOfDoing(stop: Known, doing: Doing): string | undefined {
+  if (kStarting.has(doing)) return refusalToBegin(stop);
+  if (doing === "move_by_hand") return refusalToMove(stop);
+  return kOfHolder.has(doing) ? refusalWithout(stop) : undefined;
+}
 
 /** To run again is to start a new run. */
 export const refusalOfCommand = (stop: Known, command: Command): string | undefined => (command === "again" ? refusalToBegin(stop) : refusalOfDoing(stop, doingOfCommand[command]));

@@ -80,6 +80,8 @@ export function createStop({ place, fetcher, token, after, now, nextFrame }: Sto
     dismiss: (): void => store.dispatch({ type: "read" }),
     /** From the channel `control`. */
     take,
+    /** This page has the controls, or no more. */
+    hold: (number: number | undefined): void => store.dispatch({ type: "held", number }),
     /** Of the stream that has that channel. */
     connection: (connection: Connection): void => {
       isStreamed = connection === "open";

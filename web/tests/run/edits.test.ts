@@ -49,6 +49,13 @@ describe("an edit of a running task", () => {
     expect(editText({ ...core, waiting_edit: { revision: 4, waits: [] } })?.holds).toBe("It is delivered at the end of this macro step.");
   });
 
+  it("is what somebody has to confirm, once the run moves something", () => {
+    const text = editText({ ...core, waiting_edit: { revision: 4, unconfirmed: true, waits: [] } });
+    expect(text).toMatchObject({ title: "Revision 4 of pick waits to be confirmed", confirms: 4 });
+    expect(text?.holds).toContain("until who has the controls confirms the edit.");
+    expect(editText({ ...core, waiting_edit: { revision: 4, waits: [] } })).not.toHaveProperty("confirms");
+  });
+
   it("that cannot be executed is named with its errors, before one that waits", () => {
     const errors = [{ path: "Pick", code: "first", message: "names no child" }];
     const text = editText({ ...core, refused_edit: { revision: 5, errors }, waiting_edit: { revision: 4, waits: [] } });

@@ -1,9 +1,11 @@
 import { describe, expect, it } from "vitest";
 import { doingOfCommand } from "../../shared/login/doings";
 import type { Command } from "../../shared/run/controls";
-import { refusalOfActionByStop, refusalOfCommand } from "../../shared/stop/refusals";
+import { refusalOfActionByStop, refusalOfCommand, refusalOfDoing, refusalToBegin, refusalToMove } from "../../shared/stop/refusals";
 
-const stopped = { stopped: { by: "alice" } };
+const free = { stopped: null, mode: "execution", holder: null, held: undefined } as const;
+const stopped = { ...free, stopped: { by: "alice" } };
+const taken = { ...free, holder: { number: 4, by: "bob" } };
 const commands = Object.keys(doingOfCommand) as readonly Command[];
 const refused = (stop: Parameters<typeof refusalOfCommand>[0]) => commands.filter((command) => refusalOfCommand(stop, command) !== undefined).sort();
 
@@ -20,5 +22,28 @@ describe("while the cell is stopped", () => {
 });
 
 describe("a cell that is free, or of which nothing is known", () => {
-  it("refuses nothing", () => expect([...refused({ stopped: null }), ...refused({ stopped: undefined })]).toEqual([]));
+  it("refuses nothing", () => expect([...refused(free), ...refused({ ...free, stopped: undefined, mode: undefined })]).toEqual([]));
+});
+
+describe("while somebody has the controls", () => {
+  it("nobody else begins anything; who has them does, as soon as they know", () => {
+    expect(refused(taken)).toEqual(["again", "macro", "micro", "resume", "start", "until"]);
+    expect([refusalToBegin(taken), refusalToBegin({ ...taken, held: 3 })], "they were taken by another one since").toEqual(Array(2).fill("bob has the controls"));
+    expect([refused({ ...taken, held: 4 }), refused({ ...free, held: 5 }), refused({ ...taken, held: 5 })]).toEqual([[], [], []]);
+  });
+  it("they alone set the mode and confirm edits", () => {
+    for (const doing of ["set_mode", "confirm_edit"] as const)
+      expect([refusalOfDoing(free, doing), refusalOfDoing(taken, doing), refusalOfDoing({ ...taken, held: 4 }, doing)]).toEqual(["take the controls first", "bob has the controls", undefined]);
+  });
+});
+
+describe("in programming mode", () => {
+  const programming = { ...free, mode: "programming" } as const;
+  it("nothing begins without the controls", () => {
+    expect([refusalToBegin(programming), refusalToBegin({ ...programming, held: 1 })]).toEqual(["in programming mode, take the controls first", undefined]);
+  });
+  it("alone, who has the controls moves the cell by hand, unless it is stopped", () => {
+    expect(refusalToMove({ ...programming, held: 1 })).toBeUndefined();
+    expect([refusalToMove(free), refusalToMove({ ...free, held: 1 }), refusalToMove({ ...programming, ...stopped, held: 1 })]).toEqual(["take the controls first", "this needs programming mode", "the cell is stopped"]);
+  });
 });

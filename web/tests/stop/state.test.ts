@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import type { Control } from "../../generated/messages";
 import { applyStop, isStopped, kFirstStop, viewOf, type StopEvent } from "../../shared/stop/state";
 
-const free: Control = { stopped: null, leases: [{ service: "robot", core: "1" }], stop_ports: [] };
+const free: Control = { stopped: null, mode: "execution", holder: null, request: null, leases: [{ service: "robot", core: "1" }], stop_ports: [] };
 const stopped: Control = { ...free, stopped: { by: "alice", time: 7 }, leases: [] };
 const after = (...events: readonly StopEvent[]) => events.reduce(applyStop, kFirstStop);
 const view = (...events: readonly StopEvent[]) => viewOf(after(...events));
@@ -37,6 +37,14 @@ describe("what a page says of the stop", () => {
   it("is, without the server, that it stood; but not that it is free, nor what runs have reserved", () => {
     expect(isStopped(after(told(stopped), { type: "lost" }))).toBe(true);
     expect(after(told(free), { type: "lost" })).toMatchObject({ stopped: undefined, leases: [] });
+  });
+
+  it("is who has the controls, as long as the server is there, and whether this page has them", () => {
+    const holder = { number: 3, by: "bob" };
+    const known = after(told({ ...free, mode: "programming", holder, request: { id: 1, by: "eve" } }), { type: "held", number: 2 });
+    expect(known).toMatchObject({ mode: "programming", holder, request: { id: 1, by: "eve" }, held: 2 });
+    expect(applyStop(known, { type: "lost" })).toMatchObject({ mode: undefined, holder: null, request: null, held: 2 });
+    expect(applyStop(known, { type: "held", number: undefined }).held).toBeUndefined();
   });
 
   it("is nothing of a stop that a reset took back, or that failed after its answer", () => {

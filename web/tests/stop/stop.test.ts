@@ -8,7 +8,7 @@ import { viewOf } from "../../shared/stop/state";
 import { fakeTime } from "./timers";
 
 const kOwn = "http://127.0.0.1:9/api/v1/stop";
-const free: Control = { stopped: null, leases: [], stop_ports: [{ port: 8080, stop_port: 9 }] };
+const free: Control = { stopped: null, mode: "execution", holder: null, request: null, leases: [], stop_ports: [{ port: 8080, stop_port: 9 }] };
 const json = (body: unknown, status = 200): Promise<Response> => Promise.resolve(new Response(JSON.stringify(body), { status }));
 
 function page(token?: string) {
