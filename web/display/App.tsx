@@ -3,6 +3,7 @@ import { canAnswer, type DisplayPage } from "../shared/display/page";
 import { isWayOut } from "../shared/display/answers";
 import type { DisplayMessage, Question } from "../generated/messages";
 import type { Actions } from "./client";
+import { ControlBar } from "../control/ControlBar";
 import { StoppedBanner } from "../stop/StoppedBanner";
 import { NumberQuestion } from "./NumberQuestion";
 
@@ -16,6 +17,7 @@ export function App({ page, actions }: Props) {
   return (
     <>
       <StoppedBanner refusal={actions.resetRefusal} fetcher={actions.fetcher} />
+      <ControlBar always address={actions.controls} refusal={actions.takeRefusal} refusalToAnswer={actions.answerRefusal} fetcher={actions.fetcher} />
       <div className="display" data-connection={page.connection}>
         <Status page={page} />
         <main className={question === undefined ? "" : "is-asking"}>

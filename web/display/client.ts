@@ -4,7 +4,8 @@ import { schedule } from "../shared/display/sounds";
 import { keyOf, type Key } from "../shared/display/numberText";
 import type { Sound } from "../generated/messages";
 import { createAccess } from "../shared/login/access";
-import { refusalTo } from "../shared/login/doings";
+import { controlUrl } from "../shared/control/link";
+import { refusalTo, type Doing } from "../shared/login/doings";
 import { storedTokens } from "../shared/login/tokens";
 import { stop } from "../stop/page";
 import { openStream, streamUrl } from "../shared/stream";
@@ -14,6 +15,11 @@ import { createPlayer } from "./player";
 export interface Actions {
   /** Why the stop cannot be reset here. */
   readonly resetRefusal: string | undefined;
+  /** Why the controls of the cell cannot be taken here, and who asks for them cannot be answered. */
+  readonly takeRefusal: string | undefined;
+  readonly answerRefusal: string | undefined;
+  /** The address of the controls. */
+  readonly controls: () => Promise<string>;
   /** Of the account. */
   readonly fetcher: typeof fetch;
   readonly answer: (question: number, answer: string | number) => void;
@@ -33,8 +39,9 @@ export function connect(name: string, draw: (page: DisplayPage, actions: Actions
   const show = () => {
     const { me, asked } = access.get();
     const refusal = refusalTo(me, "be_display");
+    const refused = (doing: Doing) => (page.connection === "open" ? refusalTo(me, doing) : "the server is not there");
     if (asked) drawLogin(logIn);
-    else draw(refusal === undefined ? page : { ...page, problem: `This page is no display: ${refusal}.` }, { ...actions, resetRefusal: page.connection === "open" ? refusalTo(me, "reset_stop") : "the server is not there" });
+    else draw(refusal === undefined ? page : { ...page, problem: `This page is no display: ${refusal}.` }, { ...actions, resetRefusal: refused("reset_stop"), takeRefusal: refused("take_controls"), answerRefusal: refused("answer_control") });
   };
   const dispatch = (event: DisplayEvent) => {
     page = applyDisplayEvent(page, event);
@@ -46,7 +53,8 @@ export function connect(name: string, draw: (page: DisplayPage, actions: Actions
     stream.retry();
   }
 
-  const actions: Omit<Actions, "resetRefusal"> = {
+  const actions: Omit<Actions, "resetRefusal" | "takeRefusal" | "answerRefusal"> = {
+    controls: () => access.streamUrl(controlUrl(location)),
     fetcher: access.fetch,
     answer: (question, answer) => {
       if (canAnswer(page) && stream.send({ type: "answer", question, answer })) dispatch({ type: "sent" });

@@ -4,14 +4,17 @@ import "./tokens.css";
 import "./display.css";
 import "../stop/tokens.css";
 import "../stop/stop.css";
+import "../control/control.css";
 import { createRoot } from "react-dom/client";
 import { nameOf } from "../shared/display/page";
 import { App } from "./App";
 import { connect } from "./client";
+import { followControls } from "../control/page";
 import { showStop } from "../stop/show";
 import { Login } from "./Login";
 
 showStop();
+followControls();
 const element = document.getElementById("root");
 if (element === null) throw new Error("the page has no #root");
 const root = createRoot(element);

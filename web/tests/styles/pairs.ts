@@ -57,10 +57,12 @@ const kDisplayText: Pairs = {
 
 const kStopText: Pairs = { stop: ["on-stop"], "stop-pressed": ["on-stop"], panel: ["ink"] };
 
+const kControlText: Pairs = { panel: ["ink", "soft"], paper: ["ink"], ink: ["panel"] };
+
 /** Text: at least 4.5:1. */
-export const textPairs: Readonly<Record<PageName, Pairs>> = { pro: kProText, display: kDisplayText, stop: kStopText, trust: kDisplayText };
+export const textPairs: Readonly<Record<PageName, Pairs>> = { pro: kProText, display: kDisplayText, stop: kStopText, control: kControlText, trust: kDisplayText };
 
 const kDisplayGraphics: Pairs = { paper: ["soft", "choice"], panel: ["soft"] };
 
 /** Lines, borders that carry a meaning, signs, dots and the focus: at least 3:1. */
-export const graphicsPairs: Readonly<Record<PageName, Pairs>> = { pro: kProGraphics, display: kDisplayGraphics, stop: { stop: ["on-stop"], panel: ["soft"] }, trust: kDisplayGraphics };
+export const graphicsPairs: Readonly<Record<PageName, Pairs>> = { pro: kProGraphics, display: kDisplayGraphics, stop: { stop: ["on-stop"], panel: ["soft"] }, control: { panel: ["soft", "ink"], ink: ["panel"] }, trust: kDisplayGraphics };

@@ -1,0 +1,54 @@
+// Who has the controls of the cell, and its mode; that this page has lost them, and why; and who asks for them.
+import { isOwn, holderText, linkWarning, modeText } from "../shared/control/texts";
+import { useStop } from "../stop/page";
+import { controls, useControls } from "./page";
+import { RequestBar } from "./RequestBar";
+import { TakeButton, type TakeProps } from "./TakeButton";
+
+interface Props extends TakeProps {
+  /** Also while nobody has them and runs go by themselves. */
+  readonly always: boolean;
+  /** Why this person does not answer who asks for them. */
+  readonly refusalToAnswer: string | undefined;
+  /** Of the account. */
+  readonly fetcher: typeof fetch;
+}
+
+export function ControlBar({ always, address, refusal, refusalToAnswer, fetcher }: Props) {
+  const mode = useStop((stop) => stop.mode);
+  const holder = useStop((stop) => stop.holder);
+  const held = useStop((stop) => stop.held);
+  const request = useStop((stop) => stop.request);
+  const link = useControls((state) => state);
+  const warning = linkWarning(link, holder);
+  const others = request !== null && !(link.kind === "asked" && link.request === request.id) ? request : undefined;
+  if (mode === undefined && warning === undefined) return null;
+  if (!always && holder === null && held === undefined && mode !== "programming" && link.kind === "none" && others === undefined) return null;
+  const isMine = isOwn(holder, held);
+  return (
+    <section className={`control-bar${isMine ? " is-mine" : ""}${mode === "programming" ? " is-programming" : ""}`} aria-label="Controls of the cell">
+      {warning !== undefined && (
+        <div className="control-lost">
+          <p role="alert" aria-live="assertive">
+            <strong>{warning.title}</strong> <span>{[warning.why, ...(warning.means === undefined ? [] : [warning.means.replace(/\.$/, "")])].join(". ")}.</span>
+          </p>
+          <button type="button" onClick={() => controls.dismiss()}>
+            I have read this
+          </button>
+        </div>
+      )}
+      {mode !== undefined && (
+        <div className="control-line">
+          <p role="status">
+            <b>{modeText(mode)}</b> <strong>{holderText(holder, held)}</strong>
+          </p>
+          <div>
+            <TakeButton address={address} refusal={refusal} />
+            {refusal !== undefined && <small className="unseen">Take: {refusal}.</small>}
+          </div>
+        </div>
+      )}
+      {others !== undefined && <RequestBar key={others.id} request={others} refusal={refusalToAnswer} fetcher={fetcher} />}
+    </section>
+  );
+}
