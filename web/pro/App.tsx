@@ -38,6 +38,7 @@ import { move, toPresent } from "./past/past";
 import { PropertiesPanel } from "./panels/PropertiesPanel";
 import { RunBar } from "./panels/RunBar";
 import { command } from "./panels/startAsk";
+import { Controls } from "./panels/Controls";
 import { StoppedCell } from "./panels/StoppedCell";
 import { StartAskBar } from "./panels/StartAskBar";
 import { focusSearch } from "./panels/SearchBox";
@@ -124,6 +125,7 @@ function usePageKeys(): void {
 
 export function App() {
   const page = useView((v) => v.page);
+  const manual = useView((v) => v.drawer === "manual");
   const run = useRunTree();
   const edited = useEditedTree();
   const document = useEditing((now) => now.document);
@@ -139,6 +141,7 @@ export function App() {
       <RestartedServer />
       <TopBar />
       <StoppedCell />
+      <Controls />
       <PastBanner />
       {!isFolded.left && (page === "edit" ? <EditSide tree={tree} /> : <TaskPanel tree={tree} />)}
       <main className="workspace" id="workspace">
@@ -173,7 +176,7 @@ export function App() {
         <ReachedBar />
         <StartAskBar />
         <RunBar />
-        {page !== "edit" && <Drawer />}
+        {(page !== "edit" || manual) && <Drawer />}
       </footer>
       <DebugMenu />
       <KeyHelp />

@@ -19,6 +19,9 @@ import { isUrgent } from "../shared/session/urgent";
 import { coreToWatch } from "../shared/session/watched";
 import type { StreamUpdate } from "../shared/messages/stream";
 import { openStream, streamUrl, type Connection, type Stream } from "../shared/stream";
+import { controls } from "../control/page";
+import { controlUrl } from "../shared/control/link";
+import { withControls } from "../shared/control/header";
 import { stop } from "../stop/page";
 import { createStore, slowly, useSelected } from "./store";
 import { messageOf } from "../shared/messageOf";
@@ -38,7 +41,11 @@ export const access = createAccess({
   onChange: (next) => login.dispatch(next),
   onOtherLogin: () => stream?.reopen(),
 });
-export const api = createApi("/api/v1", access.fetch);
+/** Of the account, and of who has the controls of the cell. */
+export const fetchWithControls = withControls(access.fetch, controls.secret);
+export const api = createApi("/api/v1", fetchWithControls);
+/** The address of the controls, for this page. */
+export const ownControls = (): Promise<string> => access.streamUrl(controlUrl(location));
 /** The address of a stream of this page. */
 export const ownStream = (): Promise<string> => access.streamUrl(streamUrl(location));
 

@@ -34,7 +34,10 @@ import "./styles/start.css";
 import "./styles/login.css";
 import "../stop/tokens.css";
 import "../stop/stop.css";
+import "../control/control.css";
+import "./styles/manual.css";
 import { createRoot } from "react-dom/client";
+import { followControls } from "../control/page";
 import { showStop } from "../stop/show";
 import { App } from "./App";
 import { access, connect } from "./client";
@@ -57,6 +60,7 @@ import { followRuns } from "./runs/actions";
 import { followHistory } from "./versions/history";
 
 showStop();
+followControls();
 const element = document.getElementById("root");
 if (element === null) throw new Error("the page has no #root");
 const root = createRoot(element);

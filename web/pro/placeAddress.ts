@@ -89,7 +89,9 @@ function look(): void {
 /** Lets the address and the place go together; to be called once, before what else reads the address. */
 export function followPlace(): void {
   const { in: focus, sel, why, top, below } = last;
-  if (!isSamePlace({ in: focus, sel, why, top, below }, {})) wanted = last;
+  // The cell can be moved by hand without a run, too.
+  if (below === "manual") view.dispatch({ type: "drawer", drawer: below });
+  if (!isSamePlace({ in: focus, sel, why, top, below: below === "manual" ? undefined : below }, {})) wanted = last;
   for (const store of [view, shownSession, editing]) store.listen(look);
   // Whoever waits for a model sees each change; else a run would have the address read with each of its steps.
   session.listen(() => wanted !== undefined && look());

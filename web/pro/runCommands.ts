@@ -6,6 +6,7 @@ import { readExact } from "../shared/edit/exact";
 import type { Command, UntilRequest } from "../shared/run/controls";
 import { watchedCore } from "../shared/session/session";
 import { api, problem, session, view, sourceOf, watch } from "./client";
+import { isSupervised } from "./manual/supervised";
 
 /** What a run gets before this page lets it go on. */
 let arm: (core: Core) => Promise<void> = () => Promise.resolve();
@@ -21,7 +22,7 @@ export async function makeRun(document: string, start: boolean, args: ExactArgum
   watch(core.id);
   if (view.get().page === "edit") view.dispatch({ type: "page", page: "task" });
   await arm(core);
-  if (start) await api.start(core.id);
+  if (start) await api.start(core.id, isSupervised());
   return core;
 }
 
@@ -40,7 +41,7 @@ export async function run(command: Command, until?: UntilRequest): Promise<void>
       case "start":
       case "resume":
         await arm(core);
-        await api[command](core.id);
+        await api[command](core.id, isSupervised());
         return;
       case "pause":
       case "stop":
@@ -66,7 +67,7 @@ async function stepFrom(core: Core, step: StepRequest): Promise<void> {
   await arm(core);
   if (core.status === "ready") {
     if (!core.paused) await api.pause(core.id);
-    await api.start(core.id);
+    await api.start(core.id, isSupervised());
   }
   await api.step(core.id, step);
 }

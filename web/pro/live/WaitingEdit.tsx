@@ -1,7 +1,8 @@
 // An edit of the document that the run has not got, above the run bar, with what it waits for, or what is wrong with it.
 import type { EditText } from "../../shared/run/edits";
 import { editText } from "../../shared/run/edits";
-import { useCore, useView, view } from "../client";
+import { api, attempt, useCore, useView, view } from "../client";
+import { useRefusal } from "../login/rights";
 import { CodeText } from "../panels/CodeText";
 import { Icon } from "../panels/Icon";
 import { goToError } from "../edit/errors";
@@ -30,6 +31,19 @@ function Line({ obstacle, isEdited }: { readonly obstacle: Obstacle; readonly is
   );
 }
 
+/** Only who has the controls confirms an edit: for others, why not. */
+function Confirm({ core, revision }: { readonly core: string; readonly revision: number }) {
+  const refusal = useRefusal("confirm_edit");
+  return (
+    <>
+      {refusal !== undefined && <small>Confirm: {refusal}.</small>}
+      <button type="button" className="confirm-edit" disabled={refusal !== undefined} title={refusal ?? "The run gets this edit as soon as it can"} onClick={() => void attempt(async () => void (await api.confirmEdit(core, revision)))}>
+        Confirm revision {revision}
+      </button>
+    </>
+  );
+}
+
 export function WaitingEdit() {
   const core = useCore();
   const page = useView((v) => v.page);
@@ -55,6 +69,7 @@ export function WaitingEdit() {
         )}
         <p>{text.holds}</p>
       </div>
+      {core !== undefined && text.confirms !== undefined && <Confirm core={core.id} revision={text.confirms} />}
     </div>
   );
 }

@@ -1,5 +1,5 @@
 // What runs have reserved: which run alone may set a service in motion now.
-import { reservedBy, reservedText } from "../../shared/stop/leases";
+import { byHand, reservedBy, reservedText } from "../../shared/stop/leases";
 import { useStop } from "../../stop/page";
 import { attempt } from "../client";
 import { openRun } from "../runs/actions";
@@ -13,7 +13,9 @@ export function Leases({ own }: { readonly own?: string }) {
       {reservedBy(leases).map((reserved) => (
         <li key={reserved.core}>
           {reservedText(reserved)}{" "}
-          {reserved.core === own ? (
+          {byHand(reserved) ? (
+            "who has the controls"
+          ) : reserved.core === own ? (
             "this run"
           ) : (
             <button type="button" className="link" title="No other run moves it until this one is over" onClick={() => void attempt(() => openRun(reserved.core))}>

@@ -129,6 +129,7 @@ const drawers: readonly { readonly drawer: Drawer; readonly name: string }[] = [
   { drawer: "timeline", name: "Time line" },
   { drawer: "calls", name: "Calls and events" },
   { drawer: "log", name: "Log" },
+  { drawer: "manual", name: "Manual" },
 ];
 
 function DrawerTabs() {

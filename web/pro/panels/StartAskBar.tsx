@@ -6,6 +6,7 @@ import { useStop } from "../../stop/page";
 import { useSession } from "../client";
 import { CodeText } from "./CodeText";
 import { Icon } from "./Icon";
+import { SupervisedBox } from "../manual/SupervisedBox";
 import { answerStart, stillHolds, useStartAsk, type StartAsk } from "./startAsk";
 
 const kVerbs: Readonly<Partial<Record<StartAsk["command"], string>>> = { start: "Start", resume: "Resume", again: "Run again", micro: "Make a micro step", macro: "Make a macro step", until: "Make this step" };
@@ -62,6 +63,7 @@ function Question({ asked }: { readonly asked: StartAsk }) {
           <input type="checkbox" checked={remember} onChange={(event) => setRemember(event.target.checked)} />
           Do not ask again for {asked.core.document} in this tab
         </label>
+        <SupervisedBox />
       </div>
       <button type="button" ref={start} onClick={() => answer(true)}>
         {verb} <kbd>Enter</kbd>

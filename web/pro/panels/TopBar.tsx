@@ -17,6 +17,8 @@ import { openRun, showRuns } from "../runs/actions";
 import { AccountButton } from "../login/AccountButton";
 import { Icon } from "./Icon";
 import { counted } from "../../shared/counted";
+import { holderText, kModeMeans, modeName, modeText } from "../../shared/control/texts";
+import { useStop } from "../../stop/page";
 
 const pages: readonly { readonly page: Page; readonly name: string }[] = [
   { page: "task", name: "Task" },
@@ -46,6 +48,7 @@ export function TopBar() {
         Runs
       </button>
       <PageTabs />
+      <ModeButton />
       <ConnectionLight />
       <AccountButton />
       <ThemeButton />
@@ -170,6 +173,19 @@ function PageTabs() {
   );
 }
 
+/** Always says the mode; leads to what is moved by hand, and to the controls. */
+function ModeButton() {
+  const mode = useStop((stop) => stop.mode);
+  const text = useStop((stop) => (stop.mode === undefined ? "" : `${modeText(stop.mode)}. ${kModeMeans[stop.mode]} ${holderText(stop.holder, stop.held)}`));
+  const shown = useView((v) => v.drawer === "manual");
+  if (mode === undefined) return null;
+  return (
+    <button type="button" className={`mode-button is-${mode}`} aria-pressed={shown} aria-label={`${modeName(mode)} mode`} title={`${text}: take them, set the mode, move by hand`} onClick={() => view.dispatch({ type: "drawer", drawer: shown ? "closed" : "manual" })}>
+      {modeName(mode)}
+    </button>
+  );
+}
+
 function GuideButton() {
   return (
     <button type="button" className="guide-button" title={`Tour, concepts, function language, error codes (${keysOf("guide")})`} aria-keyshortcuts={keysOf("guide")} onClick={() => showHelp({ topic: "start" })}>
@@ -191,7 +207,6 @@ function ConnectionLight() {
   const text = { connecting: "Connecting", open: "Connected", lost: "Connection lost" }[connection];
   return (
     <div className={`connection is-${connection}`} role="status" title={text}>
-      <i aria-hidden="true" />
       {text}
     </div>
   );

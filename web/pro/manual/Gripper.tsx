@@ -1,0 +1,44 @@
+// The gripper, opened and closed by hand.
+import { useState } from "react";
+import { controls } from "../../control/page";
+import type { Movable } from "../../shared/control/jog";
+import { messageOf } from "../../shared/messageOf";
+
+/** Slow [m/s]. */
+const kSpeed = 0.05;
+
+interface Props {
+  readonly gripper: NonNullable<Movable["gripper"]>;
+  readonly refusal: string | undefined;
+}
+
+export function Gripper({ gripper: { key, open, close }, refusal }: Props) {
+  const [busy, setBusy] = useState<"open" | "close">();
+  const [said, setSaid] = useState("");
+  const move = async (which: "open" | "close", operation: string) => {
+    setBusy(which);
+    setSaid("");
+    try {
+      // `release` and `grasp` (services/gripper) can be told how fast.
+      await controls.call(key, operation, operation === which ? {} : { speed: kSpeed });
+      setSaid(which === "open" ? "Open." : "Closed: it holds something.");
+    } catch (error) {
+      setSaid(`${messageOf(error)}.`);
+    } finally {
+      setBusy(undefined);
+    }
+  };
+  const disabled = refusal !== undefined || busy !== undefined;
+  return (
+    <div className="manual-gripper" role="group" aria-label={`Gripper ${key}`}>
+      <h3>Gripper</h3>
+      <button type="button" disabled={disabled} title={refusal} onClick={() => void move("open", open)}>
+        {busy === "open" ? "Opening…" : "Open"}
+      </button>
+      <button type="button" disabled={disabled} title={refusal} onClick={() => void move("close", close)}>
+        {busy === "close" ? "Closing…" : "Close"}
+      </button>
+      <small role="status">{said}</small>
+    </div>
+  );
+}

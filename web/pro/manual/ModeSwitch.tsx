@@ -1,0 +1,46 @@
+// The mode of the cell. A change stops what moves: with runs that have reserved services it is asked about first.
+import { useState } from "react";
+import type { CellMode } from "../../generated/messages";
+import { setMode } from "../../shared/control/requests";
+import { kModeMeans, modeName } from "../../shared/control/texts";
+import { byHand, reservedBy } from "../../shared/stop/leases";
+import { stop, useStop } from "../../stop/page";
+import { attempt, fetchWithControls } from "../client";
+import { useRefusal } from "../login/rights";
+
+const kModes: readonly CellMode[] = ["execution", "programming"];
+
+export function ModeSwitch() {
+  const mode = useStop((now) => now.mode);
+  const leases = useStop((now) => now.leases);
+  const refusal = useRefusal("set_mode");
+  const [asked, setAsked] = useState<CellMode>();
+  const runs = reservedBy(leases).filter((each) => !byHand(each));
+  const turn = (to: CellMode) => {
+    setAsked(undefined);
+    void attempt(async () => stop.take(await setMode(fetchWithControls, to)));
+  };
+  const wanted = refusal === undefined && asked !== mode && runs.length > 0 ? asked : undefined;
+  return (
+    <div className="mode-switch" role="group" aria-label="Mode of the cell">
+      {kModes.map((each) => (
+        <button key={each} type="button" aria-pressed={mode === each} disabled={refusal !== undefined} title={refusal ?? kModeMeans[each]} onClick={() => mode !== each && (runs.length > 0 ? setAsked(each) : turn(each))}>
+          {modeName(each)}
+        </button>
+      ))}
+      {wanted !== undefined && (
+        <div role="alertdialog" aria-label="Before the mode changes" aria-describedby="mode-question">
+          <p id="mode-question">
+            {runs.length === 1 ? "Run" : "Runs"} {runs.map(({ core }) => core).join(", ")} {runs.length === 1 ? "is" : "are"} paused, and what moves stops.
+          </p>
+          <button type="button" autoFocus onClick={() => turn(wanted)}>
+            Change to {modeName(wanted).toLowerCase()}
+          </button>
+          <button type="button" onClick={() => setAsked(undefined)}>
+            Leave it
+          </button>
+        </div>
+      )}
+    </div>
+  );
+}
