@@ -110,7 +110,7 @@ describe("a key that starts a run", () => {
     const { page } = fixture;
     await page.evaluate(() => sessionStorage.clear());
     await press("F5");
-    await question().getByRole("checkbox").uncheck();
+    await question().getByRole("checkbox", { name: /^Do not ask again/ }).uncheck();
     const before = await watched();
     await question().getByRole("button", { name: /^Run again/ }).click();
     await expect.poll(watched, kSoon).not.toBe(before);
