@@ -1,0 +1,496 @@
+// No text of anybody runs a script on any page: what people, tasks, services and addresses say is text wherever it is shown.
+import { execFileSync } from "node:child_process";
+import type { BrowserContext, Page } from "playwright-core";
+import { openBrowser } from "./chromium";
+import { binary, openFixture, openPrepared, settled, textOf, type Fixture } from "./fixture";
+import { callingTask, describedTask, faultingTask, groups, hostileDraft, hostileTask, literal, unreadableDraft } from "./hostileTask";
+import { NodeSocket } from "./nodeSocket";
+import { kClobbered, payloads, payloadsByClass } from "./scriptPayloads";
+import { shownOf, watchScripts, type ScriptWatch } from "./scriptWatch";
+
+const kSoon = { timeout: 20_000 };
+/** What a page shows of some texts is cut, or begins with what is no letter: so many need not be found again. */
+const kNearlyAll = payloads.length - 12;
+
+let fixture: Fixture;
+/** Without the policy by which browsers refuse what a page should not have had in the first place. */
+let context: BrowserContext;
+let page: Page;
+let watch: ScriptWatch;
+
+beforeAll(async () => {
+  fixture = await openFixture();
+  context = await fixture.openContext({ viewport: { width: 1600, height: 1000 }, bypassCSP: true, permissions: ["clipboard-read", "clipboard-write"] });
+  watch = await watchScripts(context, fixture.url);
+  page = await context.newPage();
+  page.setDefaultTimeout(20_000);
+});
+afterAll(() => fixture.close());
+afterEach(() => expect(watch.found()).toEqual([]));
+afterEach(async ({ task }) => void (task.result?.state === "fail" && (await fixture.screenshot(`xss-${task.name.slice(0, 12)}`, page))));
+
+const send = async (method: string, path: string, body?: unknown) => (await fixture.send(method, path, body)) as { readonly id: string; readonly status: string; readonly revision: number };
+const seen = async (texts = payloads) => (await shownOf(texts, context)).size;
+
+async function start(document: string): Promise<string> {
+  const { id } = await send("POST", "/cores", { document });
+  await send("POST", `/cores/${id}/start`);
+  return id;
+}
+
+it("the texts run scripts, or ask another host, in a page that takes them for markup or for an address", async () => {
+  expect([payloads.length, new Set(payloads).size]).toEqual([payloads.length, payloads.length]);
+  expect(payloads.length).toBeGreaterThan(150);
+  const browser = await openBrowser();
+  const careless = await browser.newContext({ bypassCSP: true });
+  const { found } = await watchScripts(careless, fixture.url);
+  const bad = await careless.newPage();
+  await bad.goto(`${fixture.url}/api/v1/health`);
+  await bad.evaluate(async (texts) => {
+    const frameOf = (i: number): Document | null => {
+      const frame = document.createElement("iframe");
+      frame.name = `payload ${i}`;
+      document.body.append(frame);
+      return frame.contentDocument;
+    };
+    for (const [i, text] of texts.entries()) {
+      const inner = frameOf(i);
+      inner?.write("<!doctype html><p style='animation-name:x'>", text);
+      inner?.close();
+      frameOf(i)?.write(`<!doctype html><p title="${text}">`);
+      const [, address = text] = /\[x\](?:\(|: )\s*([^ )]+\)?)/.exec(text) ?? [];
+      if (!URL.canParse(address, location.href) || new URL(address, location.href).origin === location.origin) continue;
+      const links = frameOf(i);
+      const link = links?.body.appendChild(links.createElement("a"));
+      if (link === undefined) continue;
+      link.href = address;
+      link.click();
+    }
+    await new Promise((resolve) => setTimeout(resolve, 1000));
+  }, payloads);
+  const all = found();
+  const numbers = new Set(all.flatMap((text) => /^payload (\d+): (?:ran|request)/.exec(text)?.[1] ?? []));
+  const byClass = Object.entries(payloadsByClass).map(([name, texts]) => `${name} ${texts.filter((text) => numbers.has(String(payloads.indexOf(text)))).length}/${texts.length}`);
+  console.log(`run in a careless page: ${numbers.size} of ${payloads.length} (${byClass.join(", ")}); ${all.length} findings`);
+  await browser.close();
+  expect(numbers.size).toBeGreaterThan(100);
+});
+
+const tree = () => page.getByRole("tree", { name: "State tree" }).getByRole("treeitem");
+const row = (path: string) => page.getByRole("treeitem", { name: path, exact: true }).locator(".tree-name");
+const properties = () => page.getByRole("complementary", { name: "Properties" });
+/** Presses all of them, also what is out of sight. */
+const pressAll = (selector: string) => page.evaluate((which) => document.querySelectorAll(which).forEach((each) => each instanceof HTMLElement && each.click()), selector);
+const rest = () => page.waitForTimeout(100);
+
+/** The events of a person on all that is shown: what is under the pointer, has the focus, or is pressed and taken back. */
+const touchAll = () =>
+  page.evaluate(() => {
+    for (const each of document.querySelectorAll("#root *")) for (const type of ["pointerenter", "pointerover", "mouseover", "mouseenter"]) each.dispatchEvent(new MouseEvent(type, { bubbles: true }));
+  });
+
+async function openRun(id: string, more = ""): Promise<void> {
+  await page.goto(`${fixture.url}/pro/?run=${id}${more}`);
+  await settled(page);
+}
+
+describe("a document whose texts are those of an attacker", () => {
+  const people: NodeSocket[] = [];
+  const saying: ReturnType<typeof setInterval>[] = [];
+  beforeAll(async () => {
+    await send("PUT", "/documents/hostile", hostileTask(groups.flat().map((text) => `print(${literal(text)})`).join("\n"), 3600));
+    for (let i = 0; i < payloads.length; i += 4) await send("PUT", `/documents/described${i}`, describedTask(payloads.slice(i, i + 4).join(" | ")));
+    let revision = 1;
+    for (const [i, text] of payloads.slice(0, 100).entries()) {
+      const author = text.replace(/[^ -}]/g, "").slice(0, 90);
+      ({ revision } = await send("POST", "/documents/hostile/edits", { revision, author, message: text, operations: [{ op: "set", id: `s${i % groups.length}`, field: "doc", value: `${text}\n${groups[i % groups.length]?.join("\n") ?? ""}` }] }));
+    }
+    const short = payloads.filter((text) => text.length <= 40 && /^[ -~]+$/.test(text) && text.trim() !== "");
+    for (const [i, name] of short.slice(0, 60).entries()) {
+      const socket = new NodeSocket(`${fixture.url.replace("http", "ws")}/api/v1/stream`);
+      const say = () => socket.send(JSON.stringify({ type: "presence", document: "hostile", name, selection: [`s${i % groups.length}`], pointer: { element: `s${i % groups.length}`, x: 5, y: 5 }, text: { element: "s0", field: "entry", offset: i } }));
+      socket.onopen = say;
+      people.push(socket);
+      saying.push(setInterval(say, 10_000));
+    }
+    const breakpoints = payloads.slice(0, 90).map((text, i) => ({ when: "entered", path: `Root/S${i % groups.length}`, condition: `par.p0 == ${literal(text)}`.slice(0, 500), enabled: true }));
+    await page.goto(`${fixture.url}/pro/`);
+    await page.evaluate((name) => localStorage.setItem("race.name", name), payloads[0] ?? "");
+    await send("PUT", `/documents/hostile/breakpoints?author=${encodeURIComponent(payloads[0] ?? "")}`, { breakpoints });
+  });
+  afterAll(() => {
+    saying.forEach(clearInterval);
+    people.forEach((socket) => socket.close());
+  });
+
+  it("is listed and begun", async () => {
+    await page.goto(`${fixture.url}/pro/`);
+    await page.getByRole("listitem", { name: "described0", exact: true }).first().waitFor();
+    await page.keyboard.press("Control+o");
+    const search = page.getByRole("searchbox", { name: "Search the documents" });
+    await search.waitFor();
+    await expect.poll(() => seen(), kSoon).toBeGreaterThan(kNearlyAll);
+    for (const { 0: text = "" } of groups) await search.fill(text);
+    await page.keyboard.press("Escape");
+    await page.keyboard.press("Escape");
+    await page.getByRole("combobox", { name: "Document" }).selectOption("hostile");
+    await page.getByRole("button", { name: "Arguments…" }).click();
+    const form = page.getByRole("dialog", { name: /^Arguments/ });
+    await form.waitFor();
+    expect(await seen()).toBeGreaterThan(kNearlyAll);
+    for (const { 1: text = "" } of groups) {
+      await form.getByRole("textbox").last().fill(text);
+      await form.getByRole("textbox").first().fill(text);
+    }
+    await touchAll();
+    await page.keyboard.press("Escape");
+  });
+
+  it("is drawn and edited: each state with its forms, notes, comments and code", async () => {
+    await page.goto(`${fixture.url}/pro/?edit=hostile`);
+    await settled(page);
+    const found = new Set<string>();
+    for (const i of groups.keys()) {
+      await row(`Root/S${i}`).click();
+      await properties().getByRole("textbox", { name: "Name", exact: true }).first().waitFor();
+      await pressAll('[aria-label="Type, unit and description"][aria-expanded="false"]');
+      await rest();
+      for (const text of await shownOf(groups[i] ?? [], context)) found.add(text);
+    }
+    expect(found.size).toBeGreaterThan(kNearlyAll);
+    await touchAll();
+    await page.getByRole("button", { name: "Wide form" }).click();
+    await page.getByRole("region", { name: /^State editor/ }).waitFor();
+    await rest();
+    await page.getByRole("button", { name: "Close the state editor" }).click();
+    await row("Root").click();
+    await rest();
+    expect(await seen()).toBeGreaterThan(kNearlyAll);
+  });
+
+  it("says who is there, who has commented and who has changed what", async () => {
+    expect(await page.locator(".face").count()).toBeGreaterThan(2);
+    await page.getByRole("button", { name: /open comments/ }).first().click();
+    await page.getByRole("region", { name: "Open comments" }).waitFor();
+    expect(await seen()).toBeGreaterThan(kNearlyAll);
+    await page.keyboard.press("Control+Shift+H");
+    const history = page.getByRole("region", { name: "History" });
+    await history.locator(".revision-row").first().waitFor();
+    await pressAll('[aria-label$="one by one"][aria-expanded="false"]');
+    await rest();
+    for (const at of [0, 1, 40, 90]) {
+      await history.locator(".revision-row").nth(at).click();
+      await history.getByRole("list", { name: "Changes" }).or(history.getByText("Nothing differs.")).first().waitFor();
+    }
+    expect((await shownOf(payloads.slice(0, 100), context)).size).toBeGreaterThan(80);
+    await touchAll();
+    await history.getByRole("button", { name: "Close the history" }).click();
+  });
+
+  it("is searched, asked for usages, commanded, and pasted into", async () => {
+    const search = page.getByRole("searchbox", { name: "Search the model" });
+    for (const text of payloads) {
+      await search.evaluate((field, value) => {
+        Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value")?.set?.call(field, value);
+        field.dispatchEvent(new Event("input", { bubbles: true }));
+      }, text);
+    }
+    for (const { 2: text = "" } of groups) {
+      await search.fill(text.slice(0, 12));
+      await rest();
+    }
+    await search.fill("");
+    await row("Root/S3").click();
+    await page.locator("#edit-canvas").focus();
+    await page.keyboard.press("Control+Shift+p");
+    await page.getByRole("dialog", { name: "Commands" }).getByRole("combobox").fill("usages");
+    await page.keyboard.press("Enter");
+    await rest();
+    await page.keyboard.press("Escape");
+    const told = page.getByRole("log", { name: "Refused edits" });
+    const pasted = [...payloads.filter((_, i) => i % 8 === 0), JSON.stringify({ state: payloads[0], doc: payloads[1] }), `{"state":"X","doc":${JSON.stringify(payloads[2])},"__proto__":{"${kClobbered}":1},"meta":{"__proto__":{"${kClobbered}":1}}}`];
+    for (const text of pasted) {
+      await page.locator("#edit-canvas").focus();
+      await page.evaluate((content) => navigator.clipboard.write([new ClipboardItem({ "text/plain": content, "text/html": content })]), text);
+      await page.keyboard.press("Control+v");
+    }
+    await told.getByRole("listitem").or(told.locator("p")).first().waitFor();
+    await row("Root/S3").click();
+    // Texts that are marked up, into a text field, into code, and into what is a number.
+    for (const field of [properties().getByRole("textbox", { name: "Description" }).first(), properties().getByRole("textbox", { name: "Entry" })]) {
+      for (const text of pasted.slice(0, 12)) {
+        await field.click();
+        await page.evaluate((content) => navigator.clipboard.write([new ClipboardItem({ "text/plain": content, "text/html": content })]), text);
+        await page.keyboard.press("Control+v");
+      }
+      await page.keyboard.press("Control+Enter");
+      await rest();
+    }
+    await page.locator("#edit-canvas").focus();
+    await page.keyboard.press("F2");
+    const name = page.getByRole("textbox", { name: /^Name of / });
+    for (const { 3: text = "" } of groups) await name.fill(text);
+    await page.keyboard.press("Enter");
+    await rest();
+    await page.keyboard.press("Escape");
+  });
+
+  it("has names that are none, and more errors than can be told", async () => {
+    await send("PUT", "/documents/draft?draft=true", hostileDraft);
+    await send("PUT", "/documents/unreadable?draft=true", unreadableDraft);
+    await page.goto(`${fixture.url}/pro/?edit=unreadable`);
+    await page.getByText("unreadable cannot be edited").waitFor();
+    await page.goto(`${fixture.url}/pro/?edit=draft`);
+    await page.getByRole("region", { name: "Errors" }).waitFor();
+    await fixture.screenshot("xss-draft", page);
+    await settled(page);
+    const count = await tree().count();
+    for (let i = 0; i < count; i += 20) {
+      await tree().nth(i).locator(".tree-name").click();
+      await rest();
+    }
+    for (const item of [0, 50, 120]) await page.getByRole("region", { name: "Errors" }).getByRole("button").nth(item).click();
+    await touchAll();
+    expect((await shownOf(payloads, context)).size).toBeGreaterThan(200);
+    // The files that are saved, opened by themselves.
+    const [file] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Save as SVG" }).click()]);
+    const svg = await context.newPage();
+    await svg.goto(`data:image/svg+xml,${encodeURIComponent(await textOf(file))}`);
+    await svg.waitForTimeout(300);
+    await svg.close();
+  });
+});
+
+describe("a run of such a task", () => {
+  let ended: string;
+  beforeAll(async () => {
+    await send("PUT", "/documents/over", hostileTask([...payloads.map((text) => `print(${literal(text)})`), ...groups.map(([text = ""]) => `svc.robot.move(target=${literal(text)})`)].join("\n"), 1));
+    ended = (await send("POST", "/cores", { document: "over", arguments: { text: payloads.join(" "), texts: payloads, choice: payloads[9] } })).id;
+    await send("PUT", `/cores/${ended}/breakpoints?author=${encodeURIComponent(payloads[5] ?? "")}`, { breakpoints: groups.map(([text = ""], i) => ({ when: "entered", path: `Root/S${i}`, condition: `par.p0 == ${literal(text)} + "x"` })) });
+    await send("POST", `/cores/${ended}/start`);
+    while ((await send("GET", `/cores/${ended}`)).status === "running") await new Promise((resolve) => setTimeout(resolve, 100));
+    for (const texts of groups) {
+      await send("PUT", "/documents/faulting", faultingTask(texts.join(" | ")));
+      await start("faulting");
+    }
+  });
+
+  it("shows values, results, code and conditions of each state, and what was selected", async () => {
+    await openRun(ended);
+    expect(await seen()).toBeGreaterThan(kNearlyAll);
+    const found = new Set<string>();
+    for (const i of groups.keys()) {
+      await row(`Root/S${i}`).click();
+      await rest();
+      for (const text of await shownOf(groups[i] ?? [], context)) found.add(text);
+    }
+    expect(found.size).toBeGreaterThan(kNearlyAll);
+    await page.getByRole("button", { name: /^Port Root\/S1\.q0/ }).first().click();
+    await page.getByRole("region", { name: "Why" }).waitFor();
+    await touchAll();
+  });
+
+  it("shows its log, derivation, time line and calls", async () => {
+    await page.getByRole("tab", { name: "Log" }).click();
+    await page.getByRole("log").locator(".log-line").first().waitFor();
+    await expect.poll(() => seen(), kSoon).toBeGreaterThan(kNearlyAll);
+    const filter = page.getByRole("searchbox", { name: "Filter the log" });
+    for (const { 4: text = "" } of groups) await filter.fill(text);
+    for (const name of ["Derivation", "Time line", "Calls"]) {
+      await page.getByRole("tab", { name }).click();
+      await rest();
+      await touchAll();
+    }
+    const calls = page.getByRole("searchbox", { name: "Text of calls and events" });
+    for (const { 5: text = "" } of groups) await calls.fill(text);
+    await calls.fill("");
+    await page.keyboard.press("F9");
+    await page.getByRole("region", { name: "Past" }).waitFor();
+    await row("Root/S2").click();
+    await rest();
+    await page.getByRole("tab", { name: "Derivation" }).click();
+    await rest();
+  });
+
+  it("is among the stored runs, with faults that say such a text", async () => {
+    const { cores } = (await fixture.send("GET", "/cores")) as { readonly cores: readonly { readonly id: string; readonly status: string }[] };
+    const faulted = cores.filter(({ status }) => status === "faulted").map(({ id }) => id);
+    expect(faulted).toHaveLength(groups.length);
+    const found = new Set<string>();
+    for (const id of faulted) {
+      await openRun(id);
+      await page.getByRole("region", { name: "Fault" }).waitFor();
+      for (const text of await shownOf(payloads, context)) found.add(text);
+    }
+    expect(found.size).toBeGreaterThan(kNearlyAll);
+    await page.getByRole("button", { name: "Runs", exact: true }).click();
+    const list = page.getByRole("list", { name: "Stored runs" });
+    await list.getByRole("listitem").first().waitFor();
+    const search = page.getByRole("searchbox", { name: "Search the runs" });
+    for (const { 6: text = "" } of groups) await search.fill(text);
+    await search.fill("");
+    await list.getByRole("button", { name: "Compare" }).last().click();
+    await rest();
+    await page.keyboard.press("Escape");
+  });
+
+  it("comes as a file: with texts that are no run, and with names of files", async () => {
+    fixture.allowError(/status of 4\d\d/);
+    const text = await (await fetch(`${fixture.url}/api/v1/runs/${ended}/export`)).text();
+    const run = JSON.parse(text) as { readonly run: object };
+    const files = [
+      ...payloads.filter((_, i) => i % 8 === 3).map((name) => ({ name, text: JSON.stringify({ rcm: 1, name, root: { state: name, [name]: name } }) })),
+      ...payloads.slice(0, 6).map((name) => ({ name: `${name}.json`, text: JSON.stringify({ ...run, run: { ...run.run, document: name, outcome: name } }) })),
+      { name: "__proto__", text: `{"rcm":1,"__proto__":{"${kClobbered}":1},"root":{"state":"Root","meta":{"__proto__":{"${kClobbered}":1},"constructor":{"prototype":{"${kClobbered}":1}}}}}` },
+      { name: payloads[0] ?? "", text },
+    ];
+    await page.goto(`${fixture.url}/pro/`);
+    await page.getByRole("region", { name: "Start" }).waitFor();
+    await page.evaluate((all) => {
+      const dropped = new DataTransfer();
+      for (const each of all) dropped.items.add(new File([each.text], each.name, { type: "text/html" }));
+      const drop = { bubbles: true, cancelable: true, dataTransfer: dropped };
+      document.body.dispatchEvent(new DragEvent("dragenter", drop));
+      document.body.dispatchEvent(new DragEvent("drop", drop));
+    }, files);
+    await page.getByRole("list", { name: "Uploads" }).getByRole("listitem").nth(20).waitFor();
+    await expect.poll(() => page.getByRole("region", { name: "Past" }).innerText(), kSoon).toContain("is stored");
+    await touchAll();
+  });
+});
+
+describe("services", () => {
+  /** What a display may show at once; buttons are short. */
+  const short = payloads.filter((text) => Buffer.byteLength(text) <= 40);
+  const buttonsOf = (i: number) => [...new Set(short.slice((i * 8) % (short.length - 8), ((i * 8) % (short.length - 8)) + 8))];
+
+  it("have a display show texts, questions, buttons, units and images, and the expert page tells of them", async () => {
+    const display = await context.newPage();
+    display.setDefaultTimeout(20_000);
+    await display.goto(`${fixture.url}/display/?name=phone`);
+    await display.getByRole("status", { name: "Connection" }).filter({ hasText: "Connected" }).waitFor();
+    const found = new Set<string>();
+    for (const [i, texts] of groups.entries()) {
+      const [buttons, text] = [JSON.stringify(buttonsOf(i)), literal(texts.join("\n"))];
+      const svg = `<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9" onload="alert(1)"><script>alert(1)</script><foreignObject>${"<img xmlns='http://www.w3.org/1999/xhtml' src='x' onerror='alert(1)'/>"}</foreignObject></svg>`;
+      const image = `data:image/svg+xml;base64,${Buffer.from(svg).toString("base64")}`;
+      const ask = i % 2 === 0 ? `svc.display.ask(${text}, ${buttons})` : `svc.display.ask_number(${text}, 0, 1, unit=${literal((texts.find((each) => each.length <= 16) ?? "<b>").slice(0, 16))})`;
+      await send("PUT", "/documents/telling", callingTask(i % 2 === 0 ? `svc.display.show_image(${literal(image)}, ${text}, ${buttons})` : `svc.display.show_text(${text}, ${buttons})`, ask));
+      const id = await start("telling");
+      await display.getByRole("region", { name: "Question" }).waitFor();
+      if (i % 4 === 0) {
+        await openRun(id);
+        await page.getByRole("alert", { name: "Waiting for a person" }).waitFor();
+        await touchAll();
+      }
+      for (const each of await shownOf(payloads, context)) found.add(each);
+      await send("POST", `/cores/${id}/stop`);
+      await display.getByRole("region", { name: "Question" }).waitFor({ state: "detached" });
+    }
+    expect(found.size).toBeGreaterThan(kNearlyAll);
+    await display.close();
+  });
+
+  it("are shown with what they have done, and so is the cell", async () => {
+    await page.goto(`${fixture.url}/pro/`);
+    await page.getByRole("tab", { name: /Services/ }).click();
+    await page.locator(".service").first().waitFor();
+    await touchAll();
+    await page.getByRole("tab", { name: "Cell" }).click();
+    await page.getByRole("button", { name: "Parts" }).click();
+    await page.getByRole("list", { name: "Parts" }).waitFor();
+  });
+});
+
+describe("an address", () => {
+  const keys = ["run", "at", "edit", "runs", "versions", "help", "tour", "page", "follow", "axis", "in", "sel", "why", "top", "below", "name", "embed", "token"];
+  const everywhere = (text: string) => keys.map((key) => `${key}=${encodeURIComponent(text)}`).join("&");
+
+  it("may say anything in each of its entries, on every page", async () => {
+    fixture.allowError(/status of 4\d\d/);
+    for (const text of [payloads[0] ?? "", `javascript:alert(1)`, ...payloadsByClass["polyglots"] ?? []])
+      for (const path of ["/pro/", "/display/", "/trust/", "/"]) {
+        await page.goto(`${fixture.url}${path}?${everywhere(text)}#${encodeURIComponent(text)}`);
+        await rest();
+        await page.goto(`${fixture.url}${path}?${everywhere(text)}#${text.replace(/[\r\n]/g, "")}`);
+        await rest();
+      }
+  });
+
+  it("may change to any of the texts, by the browser's Back and Forward", async () => {
+    for (const path of ["/pro/?edit=hostile", "/display/?name=phone", "/trust/"]) {
+      await page.goto(`${fixture.url}${path}`);
+      await rest();
+      // Of the pages, one reads its whole address again.
+      await page.evaluate(async ([texts, all]) => {
+        for (const [i, text] of texts.entries()) {
+          const query = i % 8 === 0 ? all.map((key) => [key, text]) : [["edit", "hostile"], [all[i % all.length] ?? "in", text], ["sel", text], ["in", text]];
+          history.pushState(null, "", `?${new URLSearchParams(query).toString()}#${encodeURIComponent(text)}`);
+          dispatchEvent(new PopStateEvent("popstate"));
+          dispatchEvent(new HashChangeEvent("hashchange"));
+          await new Promise((resolve) => setTimeout(resolve, 4));
+        }
+      }, [path.startsWith("/pro/") ? payloads : payloads.filter((_, i) => i % 4 === 0), keys] as const);
+      await rest();
+    }
+  });
+});
+
+describe("a server with accounts", () => {
+  const kPassword = "correct horse battery";
+  let closed: Fixture;
+  beforeAll(async () => {
+    closed = await openPrepared((data) => execFileSync(binary, ["account", "add", "ada", "--role", "admin", "--data", data], { input: `${kPassword}\n` }));
+    closed.allowError(/status of 4\d\d/);
+  });
+  afterAll(() => closed.close());
+
+  it("says who cannot log in, which names no account can have, and who may do what", async () => {
+    const own = await closed.openContext({ bypassCSP: true });
+    const { found } = await watchScripts(own, closed.url);
+    const cover = await own.newPage();
+    cover.setDefaultTimeout(20_000);
+    const logIn = async (name: string, password: string) => {
+      await cover.getByLabel("Name", { exact: true }).fill(name);
+      await cover.getByLabel("Password", { exact: true }).fill(password);
+      await cover.keyboard.press("Enter");
+    };
+    for (const path of ["/display/?name=phone", "/pro/"]) {
+      await cover.goto(`${closed.url}${path}`);
+      await logIn(payloads[0] ?? "", payloads[1] ?? "");
+      await cover.getByRole("alert").first().waitFor();
+    }
+    await logIn("ada", kPassword);
+    await cover.getByRole("button", { name: "ada admin" }).click();
+    await cover.getByRole("menuitem", { name: "Accounts…" }).click();
+    const panel = cover.getByRole("dialog", { name: "Accounts" });
+    await panel.evaluate((dialog) => dialog.querySelectorAll("input").forEach((field) => (field.removeAttribute("pattern"), field.removeAttribute("maxlength"))));
+    for (const { 7: text = "" } of groups) {
+      await panel.getByLabel("Name of the account").fill(text);
+      await panel.getByLabel("Password of the account").fill(`${text} and more than this`);
+      await panel.getByRole("button", { name: "Add" }).click();
+    }
+    await panel.getByRole("alert").waitFor();
+    expect(found()).toEqual([]);
+    await own.close();
+  });
+});
+
+describe("with the policy that browsers enforce", () => {
+  it("it refuses nothing, as there is nothing to refuse", async () => {
+    const guarded = await fixture.openContext({ viewport: { width: 1366, height: 768 } });
+    const { found } = await watchScripts(guarded, fixture.url);
+    const strict = await guarded.newPage();
+    strict.setDefaultTimeout(20_000);
+    for (const address of ["/pro/", "/pro/?edit=hostile", "/pro/?edit=draft", `/pro/?run=1`, "/display/?name=phone", "/trust/"]) {
+      await strict.goto(`${fixture.url}${address}`);
+      if (address.includes("=hostile") || address.includes("=1")) {
+        await settled(strict);
+        for (const path of ["Root/S0", "Root/S7"]) await strict.getByRole("treeitem", { name: path, exact: true }).locator(".tree-name").click();
+      }
+      await strict.waitForTimeout(500);
+    }
+    expect(found()).toEqual([]);
+    await guarded.close();
+  });
+});
