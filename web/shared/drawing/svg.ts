@@ -90,7 +90,11 @@ export function drawingSvg(drawing: Drawing, { prefix, title, style }: { readonl
   );
 }
 
-const escaped = (text: string): string => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;").replaceAll('"', "&quot;");
+/** Characters that no XML can have, in no writing. */
+// eslint-disable-next-line no-control-regex
+const kForbidden = /[\u0000-\u0008\u000b\u000c\u000e-\u001f\ufffe\uffff]|\p{Surrogate}/gu;
+
+const escaped = (text: string): string => text.replaceAll(kForbidden, "\ufffd").replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;").replaceAll('"', "&quot;");
 
 /** As the text of a file. */
 export function svgText({ tag, attributes, children }: SvgElement): string {
