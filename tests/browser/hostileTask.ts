@@ -15,7 +15,8 @@ const stateOf = (texts: readonly string[], i: number) => ({
   parameters: texts.map((text, k) => ({ name: `p${k}`, value: text, unit: text, doc: text, type: "string" })),
   variables: texts.filter((_, k) => k % 4 === 0).map((text, k) => ({ name: `v${k}`, initial: [text], unit: text, doc: text, type: { optional: { list: { enum: [text] } } } })),
   results: [{ name: "texts", initial: texts, doc: all(texts) }],
-  entry: texts.map((text) => `print(${literal(text)})`).join("\n"),
+  // The log of a page has 200 lines.
+  entry: texts.flatMap((text, k) => (k % 2 === 0 ? [`print(${literal(text)}, ${literal(texts[k + 1] ?? "")})`] : [])).join("\n"),
   exit: texts.map((text) => `var.v0 = [${literal(text)}]`).join("\n"),
   actions: texts.filter((_, k) => k % 4 === 0).map((text) => ({ when: `par.p0 == ${literal(text)} + 'x'`, do: `# ${text.replace(/[\r\n\u2028]/g, " ")}\nprint(${literal(text)})` })),
   ports: texts.filter((_, k) => k % 2 === 0).map((text, k) => ({ name: `q${k}`, when: `par.p0 == ${literal(text)} + 'x'` })),

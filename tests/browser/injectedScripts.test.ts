@@ -2,6 +2,7 @@
 import { execFileSync } from "node:child_process";
 import type { BrowserContext, Page } from "playwright-core";
 import { openBrowser } from "./chromium";
+import { write } from "./editPage";
 import { binary, openFixture, openPrepared, settled, textOf, type Fixture } from "./fixture";
 import { callingTask, describedTask, faultingTask, groups, hostileDraft, hostileTask, literal, unreadableDraft } from "./hostileTask";
 import { NodeSocket } from "./nodeSocket";
@@ -24,10 +25,12 @@ beforeAll(async () => {
   watch = await watchScripts(context, fixture.url);
   page = await context.newPage();
   page.setDefaultTimeout(20_000);
+  await send("PUT", "/documents/hostile", hostileTask(groups.flat().map((text) => `print(${literal(text)})`).join("\n"), 3600));
+  for (let i = 0; i < payloads.length; i += 4) await send("PUT", `/documents/described${i}`, describedTask(payloads.slice(i, i + 4).join(" | ")));
+  await send("PUT", "/documents/draft?draft=true", hostileDraft);
 });
 afterAll(() => fixture.close());
 afterEach(() => expect(watch.found()).toEqual([]));
-afterEach(async ({ task }) => void (task.result?.state === "fail" && (await fixture.screenshot(`xss-${task.name.slice(0, 12)}`, page))));
 
 const send = async (method: string, path: string, body?: unknown) => (await fixture.send(method, path, body)) as { readonly id: string; readonly status: string; readonly revision: number };
 const seen = async (texts = payloads) => (await shownOf(texts, context)).size;
@@ -46,18 +49,17 @@ it("the texts run scripts, or ask another host, in a page that takes them for ma
   const { found } = await watchScripts(careless, fixture.url);
   const bad = await careless.newPage();
   await bad.goto(`${fixture.url}/api/v1/health`);
-  await bad.evaluate(async (texts) => {
-    const frameOf = (i: number): Document | null => {
+  await bad.evaluate((texts) => {
+    const frameOf = (i: number, markup?: string): Document | null => {
       const frame = document.createElement("iframe");
       frame.name = `payload ${i}`;
+      if (markup !== undefined) frame.srcdoc = `<!doctype html>${markup}`;
       document.body.append(frame);
       return frame.contentDocument;
     };
     for (const [i, text] of texts.entries()) {
-      const inner = frameOf(i);
-      inner?.write("<!doctype html><p style='animation-name:x'>", text);
-      inner?.close();
-      frameOf(i)?.write(`<!doctype html><p title="${text}">`);
+      frameOf(i, `<p style='animation-name:x'>${text}`);
+      frameOf(i, `<p title="${text}">`);
       const [, address = text] = /\[x\](?:\(|: )\s*([^ )]+\)?)/.exec(text) ?? [];
       if (!URL.canParse(address, location.href) || new URL(address, location.href).origin === location.origin) continue;
       const links = frameOf(i);
@@ -66,14 +68,17 @@ it("the texts run scripts, or ask another host, in a page that takes them for ma
       link.href = address;
       link.click();
     }
-    await new Promise((resolve) => setTimeout(resolve, 1000));
   }, payloads);
-  const all = found();
-  const numbers = new Set(all.flatMap((text) => /^payload (\d+): (?:ran|request)/.exec(text)?.[1] ?? []));
+  const numbers = new Set<string>();
+  const count = () => {
+    for (const text of found()) numbers.add(/^payload (\d+): (?:ran|request)/.exec(text)?.[1] ?? "");
+    numbers.delete("");
+    return numbers.size;
+  };
+  await expect.poll(count, kSoon).toBeGreaterThan(100);
   const byClass = Object.entries(payloadsByClass).map(([name, texts]) => `${name} ${texts.filter((text) => numbers.has(String(payloads.indexOf(text)))).length}/${texts.length}`);
-  console.log(`run in a careless page: ${numbers.size} of ${payloads.length} (${byClass.join(", ")}); ${all.length} findings`);
+  console.log(`run in a careless page: ${numbers.size} of ${payloads.length} (${byClass.join(", ")})`);
   await browser.close();
-  expect(numbers.size).toBeGreaterThan(100);
 });
 
 const tree = () => page.getByRole("tree", { name: "State tree" }).getByRole("treeitem");
@@ -98,8 +103,6 @@ describe("a document whose texts are those of an attacker", () => {
   const people: NodeSocket[] = [];
   const saying: ReturnType<typeof setInterval>[] = [];
   beforeAll(async () => {
-    await send("PUT", "/documents/hostile", hostileTask(groups.flat().map((text) => `print(${literal(text)})`).join("\n"), 3600));
-    for (let i = 0; i < payloads.length; i += 4) await send("PUT", `/documents/described${i}`, describedTask(payloads.slice(i, i + 4).join(" | ")));
     let revision = 1;
     for (const [i, text] of payloads.slice(0, 100).entries()) {
       const author = text.replace(/[^ -}]/g, "").slice(0, 90);
@@ -189,7 +192,7 @@ describe("a document whose texts are those of an attacker", () => {
 
   it("is searched, asked for usages, commanded, and pasted into", async () => {
     const search = page.getByRole("searchbox", { name: "Search the model" });
-    for (const text of payloads) {
+    for (const text of payloads.filter((_, i) => i % 2 === 0)) {
       await search.evaluate((field, value) => {
         Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value")?.set?.call(field, value);
         field.dispatchEvent(new Event("input", { bubbles: true }));
@@ -208,7 +211,7 @@ describe("a document whose texts are those of an attacker", () => {
     await rest();
     await page.keyboard.press("Escape");
     const told = page.getByRole("log", { name: "Refused edits" });
-    const pasted = [...payloads.filter((_, i) => i % 8 === 0), JSON.stringify({ state: payloads[0], doc: payloads[1] }), `{"state":"X","doc":${JSON.stringify(payloads[2])},"__proto__":{"${kClobbered}":1},"meta":{"__proto__":{"${kClobbered}":1}}}`];
+    const pasted = [...payloads.filter((_, i) => i % 16 === 0), JSON.stringify({ state: payloads[0], doc: payloads[1] }), `{"state":"X","doc":${JSON.stringify(payloads[2])},"__proto__":{"${kClobbered}":1},"meta":{"__proto__":{"${kClobbered}":1}}}`];
     for (const text of pasted) {
       await page.locator("#edit-canvas").focus();
       await page.evaluate((content) => navigator.clipboard.write([new ClipboardItem({ "text/plain": content, "text/html": content })]), text);
@@ -226,23 +229,44 @@ describe("a document whose texts are those of an attacker", () => {
       await page.keyboard.press("Control+Enter");
       await rest();
     }
+    await row("Root/S5").click();
+    const code = properties().getByRole("textbox", { name: "Entry" });
+    await write(code, "print(par.p0)\npar.");
+    await page.locator(".cm-tooltip-autocomplete li").filter({ hasText: "p0" }).first().waitFor();
+    await page.keyboard.press("ArrowDown");
+    await rest();
+    await write(code, "print(par.p0)");
+    // The name has no element of its own.
+    const name = await code.locator(".cm-line").first().evaluate((line) => {
+      const walker = document.createTreeWalker(line, NodeFilter.SHOW_TEXT);
+      const range = document.createRange();
+      for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {
+        const at = node.nodeValue?.indexOf("p0") ?? -1;
+        if (at < 0) continue;
+        range.setStart(node, at);
+        range.setEnd(node, at + 2);
+      }
+      const { x, y, width, height } = range.getBoundingClientRect();
+      return { x: x + width / 2, y: y + height / 2 };
+    });
+    await page.mouse.move(name.x, name.y, { steps: 3 });
+    await page.locator(".code-hover").first().waitFor();
+    await page.keyboard.press("Escape");
     await page.locator("#edit-canvas").focus();
     await page.keyboard.press("F2");
-    const name = page.getByRole("textbox", { name: /^Name of / });
-    for (const { 3: text = "" } of groups) await name.fill(text);
+    const field = page.getByRole("textbox", { name: /^Name of / });
+    for (const { 3: text = "" } of groups) await field.fill(text);
     await page.keyboard.press("Enter");
     await rest();
     await page.keyboard.press("Escape");
   });
 
   it("has names that are none, and more errors than can be told", async () => {
-    await send("PUT", "/documents/draft?draft=true", hostileDraft);
     await send("PUT", "/documents/unreadable?draft=true", unreadableDraft);
     await page.goto(`${fixture.url}/pro/?edit=unreadable`);
     await page.getByText("unreadable cannot be edited").waitFor();
     await page.goto(`${fixture.url}/pro/?edit=draft`);
     await page.getByRole("region", { name: "Errors" }).waitFor();
-    await fixture.screenshot("xss-draft", page);
     await settled(page);
     const count = await tree().count();
     for (let i = 0; i < count; i += 20) {
@@ -257,20 +281,22 @@ describe("a document whose texts are those of an attacker", () => {
     const svg = await context.newPage();
     await svg.goto(`data:image/svg+xml,${encodeURIComponent(await textOf(file))}`);
     await svg.waitForTimeout(300);
+    expect(await svg.locator("parsererror").count()).toBe(0);
     await svg.close();
   });
 });
 
 describe("a run of such a task", () => {
+  const kPerFault = 64;
   let ended: string;
   beforeAll(async () => {
-    await send("PUT", "/documents/over", hostileTask([...payloads.map((text) => `print(${literal(text)})`), ...groups.map(([text = ""]) => `svc.robot.move(target=${literal(text)})`)].join("\n"), 1));
+    await send("PUT", "/documents/over", hostileTask(groups.map(([text = ""]) => `svc.robot.move(target=${literal(text)})`).join("\n"), 1));
     ended = (await send("POST", "/cores", { document: "over", arguments: { text: payloads.join(" "), texts: payloads, choice: payloads[9] } })).id;
     await send("PUT", `/cores/${ended}/breakpoints?author=${encodeURIComponent(payloads[5] ?? "")}`, { breakpoints: groups.map(([text = ""], i) => ({ when: "entered", path: `Root/S${i}`, condition: `par.p0 == ${literal(text)} + "x"` })) });
     await send("POST", `/cores/${ended}/start`);
     while ((await send("GET", `/cores/${ended}`)).status === "running") await new Promise((resolve) => setTimeout(resolve, 100));
-    for (const texts of groups) {
-      await send("PUT", "/documents/faulting", faultingTask(texts.join(" | ")));
+    for (let i = 0; i < payloads.length; i += kPerFault) {
+      await send("PUT", "/documents/faulting", faultingTask(payloads.slice(i, i + kPerFault).join(" | ")));
       await start("faulting");
     }
   });
@@ -285,7 +311,7 @@ describe("a run of such a task", () => {
       for (const text of await shownOf(groups[i] ?? [], context)) found.add(text);
     }
     expect(found.size).toBeGreaterThan(kNearlyAll);
-    await page.getByRole("button", { name: /^Port Root\/S1\.q0/ }).first().click();
+    await openRun(ended, "&sel=Root/S1.q0");
     await page.getByRole("region", { name: "Why" }).waitFor();
     await touchAll();
   });
@@ -315,7 +341,7 @@ describe("a run of such a task", () => {
   it("is among the stored runs, with faults that say such a text", async () => {
     const { cores } = (await fixture.send("GET", "/cores")) as { readonly cores: readonly { readonly id: string; readonly status: string }[] };
     const faulted = cores.filter(({ status }) => status === "faulted").map(({ id }) => id);
-    expect(faulted).toHaveLength(groups.length);
+    expect(faulted).toHaveLength(Math.ceil(payloads.length / kPerFault));
     const found = new Set<string>();
     for (const id of faulted) {
       await openRun(id);
@@ -345,7 +371,7 @@ describe("a run of such a task", () => {
       { name: payloads[0] ?? "", text },
     ];
     await page.goto(`${fixture.url}/pro/`);
-    await page.getByRole("region", { name: "Start" }).waitFor();
+    await page.getByText("Connected", { exact: true }).waitFor();
     await page.evaluate((all) => {
       const dropped = new DataTransfer();
       for (const each of all) dropped.items.add(new File([each.text], each.name, { type: "text/html" }));
@@ -372,7 +398,7 @@ describe("services", () => {
     const found = new Set<string>();
     for (const [i, texts] of groups.entries()) {
       const [buttons, text] = [JSON.stringify(buttonsOf(i)), literal(texts.join("\n"))];
-      const svg = `<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9" onload="alert(1)"><script>alert(1)</script><foreignObject>${"<img xmlns='http://www.w3.org/1999/xhtml' src='x' onerror='alert(1)'/>"}</foreignObject></svg>`;
+      const svg = `<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9" onload="alert(1)"><script>alert(1)</script><foreignObject><img xmlns='http://www.w3.org/1999/xhtml' src='x' onerror='alert(1)'/></foreignObject></svg>`;
       const image = `data:image/svg+xml;base64,${Buffer.from(svg).toString("base64")}`;
       const ask = i % 2 === 0 ? `svc.display.ask(${text}, ${buttons})` : `svc.display.ask_number(${text}, 0, 1, unit=${literal((texts.find((each) => each.length <= 16) ?? "<b>").slice(0, 16))})`;
       await send("PUT", "/documents/telling", callingTask(i % 2 === 0 ? `svc.display.show_image(${literal(image)}, ${text}, ${buttons})` : `svc.display.show_text(${text}, ${buttons})`, ask));
@@ -408,23 +434,22 @@ describe("an address", () => {
 
   it("may say anything in each of its entries, on every page", async () => {
     fixture.allowError(/status of 4\d\d/);
-    for (const text of [payloads[0] ?? "", `javascript:alert(1)`, ...payloadsByClass["polyglots"] ?? []])
+    for (const text of [payloads[0] ?? "", "javascript:alert(1)", ...(payloadsByClass["polyglots"]?.slice(0, 2) ?? [])])
       for (const path of ["/pro/", "/display/", "/trust/", "/"]) {
         await page.goto(`${fixture.url}${path}?${everywhere(text)}#${encodeURIComponent(text)}`);
         await rest();
-        await page.goto(`${fixture.url}${path}?${everywhere(text)}#${text.replace(/[\r\n]/g, "")}`);
-        await rest();
+        await page.evaluate((hash) => void (location.hash = hash), text);
       }
   });
 
   it("may change to any of the texts, by the browser's Back and Forward", async () => {
-    for (const path of ["/pro/?edit=hostile", "/display/?name=phone", "/trust/"]) {
+    for (const path of ["/pro/?edit=described0", "/display/?name=phone", "/trust/"]) {
       await page.goto(`${fixture.url}${path}`);
       await rest();
       // Of the pages, one reads its whole address again.
       await page.evaluate(async ([texts, all]) => {
         for (const [i, text] of texts.entries()) {
-          const query = i % 8 === 0 ? all.map((key) => [key, text]) : [["edit", "hostile"], [all[i % all.length] ?? "in", text], ["sel", text], ["in", text]];
+          const query = i % 8 === 0 ? all.map((key) => [key, text]) : [["edit", "described0"], [all[i % all.length] ?? "in", text], ["sel", text], ["in", text]];
           history.pushState(null, "", `?${new URLSearchParams(query).toString()}#${encodeURIComponent(text)}`);
           dispatchEvent(new PopStateEvent("popstate"));
           dispatchEvent(new HashChangeEvent("hashchange"));
@@ -464,13 +489,16 @@ describe("a server with accounts", () => {
     await cover.getByRole("button", { name: "ada admin" }).click();
     await cover.getByRole("menuitem", { name: "Accounts…" }).click();
     const panel = cover.getByRole("dialog", { name: "Accounts" });
-    await panel.evaluate((dialog) => dialog.querySelectorAll("input").forEach((field) => (field.removeAttribute("pattern"), field.removeAttribute("maxlength"))));
-    for (const { 7: text = "" } of groups) {
+    await panel.evaluate((dialog) => dialog.querySelectorAll("input").forEach((field) => ["pattern", "maxlength"].forEach((name) => field.removeAttribute(name))));
+    const add = panel.getByRole("button", { name: "Add" });
+    for (const text of [...payloadsByClass["names"] ?? [], ...payloadsByClass["polyglots"] ?? []]) {
       await panel.getByLabel("Name of the account").fill(text);
       await panel.getByLabel("Password of the account").fill(`${text} and more than this`);
-      await panel.getByRole("button", { name: "Add" }).click();
+      await add.click();
+      await expect.poll(() => add.isEnabled(), kSoon).toBe(true);
     }
     await panel.getByRole("alert").waitFor();
+    await panel.getByRole("listitem", { name: "constructor" }).waitFor();
     expect(found()).toEqual([]);
     await own.close();
   });
@@ -478,13 +506,17 @@ describe("a server with accounts", () => {
 
 describe("with the policy that browsers enforce", () => {
   it("it refuses nothing, as there is nothing to refuse", async () => {
+    // The page on trust asks for an authority that this server does not have.
+    fixture.allowError(/status of 404 .*authority/);
     const guarded = await fixture.openContext({ viewport: { width: 1366, height: 768 } });
     const { found } = await watchScripts(guarded, fixture.url);
     const strict = await guarded.newPage();
     strict.setDefaultTimeout(20_000);
-    for (const address of ["/pro/", "/pro/?edit=hostile", "/pro/?edit=draft", `/pro/?run=1`, "/display/?name=phone", "/trust/"]) {
+    await send("PUT", "/documents/guarded", hostileTask("pass", 3600));
+    const { id } = await send("POST", "/cores", { document: "guarded" });
+    for (const address of ["/pro/", "/pro/?edit=guarded", "/pro/?edit=draft", `/pro/?run=${id}`, "/display/?name=phone", "/trust/"]) {
       await strict.goto(`${fixture.url}${address}`);
-      if (address.includes("=hostile") || address.includes("=1")) {
+      if (/=guarded|run=/.test(address)) {
         await settled(strict);
         for (const path of ["Root/S0", "Root/S7"]) await strict.getByRole("treeitem", { name: path, exact: true }).locator(".tree-name").click();
       }

@@ -27,13 +27,14 @@ function watchPage([binding, evil, clobbered]: readonly [string, string, string]
   /** Reports what `name` of an object is given or called with, if that is a text of an attacker. */
   const watchSink = (of: object, name: string): void => {
     const own = Object.getOwnPropertyDescriptor(of, name);
-    const told = (text: unknown) => isHostile(text) && report(`markup: ${name} of ${String(text).slice(0, 80)}`);
-    const { set, value } = own ?? {};
     if (own === undefined) return;
-    if (set !== undefined) {
+    const told = (text: unknown) => isHostile(text) && report(`markup: ${name} of ${String(text).slice(0, 80)}`);
+    const value: unknown = own.value;
+    const setter: unknown = Reflect.get(own, "set");
+    if (typeof setter === "function") {
       const setTold = function (this: unknown, text: unknown) {
         told(text);
-        set.call(this, text);
+        Reflect.apply(setter as (text: unknown) => void, this, [text]);
       };
       Object.defineProperty(of, name, { ...own, set: setTold });
     } else if (typeof value === "function") {
@@ -63,7 +64,7 @@ function watchPage([binding, evil, clobbered]: readonly [string, string, string]
     const tell = (what: string) => report(`${what} in ${element.outerHTML.slice(0, 120)}`);
     // A drawing that was saved has its style with it.
     if (foreign.has(tag) && !(tag === "style" && document instanceof XMLDocument)) tell(`element ${tag}`);
-    if (tag === "script" && (element.textContent ?? "") !== "") tell("a script of a text");
+    if (tag === "script" && element.textContent !== "") tell("a script of a text");
     if (tag === "meta" && element.getAttribute("http-equiv")?.toLowerCase() === "refresh" && element.getAttribute("content") !== "0; url=/pro/") tell("a refresh");
     for (const { name, value } of element.attributes) {
       if (/^on/i.test(name)) tell(`handler ${name}`);
@@ -120,11 +121,11 @@ export async function shownOf(texts: readonly string[], context: BrowserContext)
         const walker = document.createTreeWalker(document, NodeFilter.SHOW_ELEMENT);
         for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {
           if (!(node instanceof Element)) continue;
-          if (node.childElementCount === 0) parts.push(node.textContent ?? "");
+          if (node.childElementCount === 0) parts.push(node.textContent);
           for (const { value } of node.attributes) parts.push(value);
           if (node instanceof HTMLInputElement || node instanceof HTMLTextAreaElement) parts.push(node.value);
         }
-        parts.push(document.body.textContent ?? "");
+        parts.push(document.body.textContent);
         return parts.join("\n");
       }),
     ),

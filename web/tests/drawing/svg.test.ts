@@ -17,4 +17,7 @@ describe("a state as SVG", () => {
     expect(Number(x)).toBeGreaterThan(11 + 30);
     expect(Number(x)).toBeLessThan(200 - 90);
   });
+  it("is XML also where a draft has a name with characters that XML cannot have", () => {
+    expect(textsOf({ ...node, name: "\u0000a\u0001b\tc\ud800d\uffff\u{1f916}", ports: [] })).toEqual(["\ufffda\ufffdb\tc\ufffdd\ufffd\u{1f916}"]);
+  });
 });
