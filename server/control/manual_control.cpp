@@ -71,7 +71,8 @@ void ManualControl::take(Fields& fields, const Message& message) {
   const bool force = fields.boolean("force").value_or(false);
   fields.close();
   if (!message.errors.empty()) return;
-  if (number_of(*message.client) != 0) return;
+  if (number_of(*message.client) != 0)
+    return tell(*message.client, refusal("refused", "conflict", "you have the controls of the cell already"));
   const std::string by = name_for_people(message.client->identity());
   if (force && control_.holder() != 0) return ask(message.client, by, message.now);
   give(message.client, by, message.now);

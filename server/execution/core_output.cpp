@@ -234,6 +234,7 @@ Value Core::info_json() const {
   }
   info.set("paused", (paused_ || awaits_input()) && !over);
   info.set("stepping", execution_.has_goal() && !over);
+  if (supervised_ && !over) info.set("supervised", true);
   info.set("step", integer(run().position()));
   info.set("micro", integer(execution_.micro()));
   info.set("waiting", integer(execution_.waiting().size()));

@@ -46,6 +46,7 @@ Handled get_me(const Request& request, Accounts& accounts) {
   const bool is_known = !request.identity.account.empty() || accounts.empty();
   if (!request.identity.account.empty()) json.set("name", request.identity.account);
   if (is_known) json.set("role", std::string(name(request.identity.role)));
+  if (is_known) json.set("local", is_local(request.identity));
   return ok(std::move(json));
 }
 

@@ -47,6 +47,7 @@ class Taking(ControlCase):
         number = alice.take()["number"]
         self.assertEqual(self.control()["holder"], {"number": number, "by": "somebody at 127.0.0.1"})
         self.assertEqual(bob.take()["code"], "leased")
+        self.assertEqual(alice.take()["code"], "conflict", "they have them already")
         alice.silent()
         alice.say("release")
         alice.until("released")
@@ -200,6 +201,7 @@ class Runs(ControlCase):
         core = self.server.core(insisting(), start=False)
         self.assertEqual(self.begin(alice, core, supervised=True)[0], 200)
         self.arm.wait(moving=True)
+        self.assertTrue(self.status(core)["supervised"])
         alice.silent()
         self.arm.wait(moving=False)
         eventually(lambda: self.status(core)["paused"])

@@ -111,9 +111,9 @@ const kBringsCore: ReadonlySet<StreamUpdate["type"]> = new Set(["cores", "core",
 /** Opens the stream and loads what never changes; the connection stays until the page is closed. */
 export function connect(): void {
   stream = openStream(ownStream, {
-    onConnection: (connection) => {
+    onConnection: (connection, ended) => {
       if (connection !== "connecting" && !access.get().asked) void access.ask().catch(() => undefined); // the account may have changed
-      session.dispatch({ type: "connection", connection });
+      session.dispatch({ type: "connection", connection, ended });
       stop.connection(connection);
       listeners.forEach((listener) => listener.connection(connection));
       if (connection === "open") opened();

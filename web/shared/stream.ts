@@ -12,7 +12,8 @@ export type Connection = "connecting" | "open" | "lost";
 
 export interface StreamHandlers {
   readonly onUpdate: (update: StreamUpdate) => void;
-  readonly onConnection: (connection: Connection) => void;
+  /** `ended`: it is lost because the server ends, as it says. */
+  readonly onConnection: (connection: Connection, ended?: boolean) => void;
   /** A message that breaks its schema. */
   readonly onMalformed: (error: SchemaError) => void;
 }
@@ -45,6 +46,9 @@ export function resubscriptions(wanted: ReadonlySet<string>, seen: ReadonlyMap<s
   });
   return [{ type: "gather" }, ...subscriptions];
 }
+
+/** RFC 6455, 7.4.1: the server ends, and says so. */
+const kGoingAway = 1001;
 
 /** The address of the stream of the server that a page came from. */
 export const streamUrl = ({ protocol, host }: Pick<Location, "protocol" | "host">): string => `${protocol === "https:" ? "wss" : "ws"}://${host}/api/v1/stream`;
@@ -85,9 +89,9 @@ export function openStream(url: () => string | Promise<string>, handlers: Stream
     }
   };
 
-  const lose = () => {
+  const lose = (ended = false) => {
     if (closed) return;
-    handlers.onConnection("lost");
+    handlers.onConnection("lost", ended);
     again = setTimeout(connect, hurries ? 0 : reconnectDelay(attempt++));
     hurries = false;
   };
@@ -98,7 +102,7 @@ export function openStream(url: () => string | Promise<string>, handlers: Stream
     try {
       const at = url();
       if (typeof at === "string") connectTo(at);
-      else at.then((given) => closed || connectTo(given), lose);
+      else at.then((given) => closed || connectTo(given), () => lose());
     } catch {
       lose();
     }
@@ -114,7 +118,7 @@ export function openStream(url: () => string | Promise<string>, handlers: Stream
       handlers.onConnection("open");
     };
     opened.onmessage = (event: MessageEvent<unknown>) => [JSON.parse(String(event.data)) as unknown].flat().forEach(receive);
-    opened.onclose = lose;
+    opened.onclose = ({ code }) => lose(code === kGoingAway);
   };
   connect();
 

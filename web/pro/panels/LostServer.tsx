@@ -4,9 +4,10 @@ import { useCore, useSession } from "../client";
 
 export function LostServer() {
   const lost = useSession((s) => s.connection === "lost");
+  const ended = useSession((s) => s.ended);
   const core = useCore();
   if (!lost) return null;
-  const { title, holds } = lostText(core);
+  const { title, holds } = lostText(core, ended);
   return (
     <div className="lost-server" role="alert" aria-label="Server lost">
       <strong>{title}</strong>

@@ -40,7 +40,7 @@ const kNeeds = {
 export type Doing = keyof typeof kNeeds;
 
 /** Why the page of this person does not do it; nothing: it does. */
-export const refusalTo = (me: Me | undefined, doing: Doing): string | undefined => refusalOfRight(me, kNeeds[doing]);
+export const refusalTo = (me: Me | undefined, doing: Doing): string | undefined => refusalOfRight(me, kNeeds[doing]) ?? (doing === "answer_control" && me?.local === false ? "only a display at the cell hands the controls over" : undefined);
 
 /** What the commands of a run do. */
 export const doingOfCommand: Readonly<Record<Command, Doing>> = {

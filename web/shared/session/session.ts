@@ -19,6 +19,8 @@ import type { Connection } from "../stream";
 
 export interface Session {
   readonly connection: Connection;
+  /** It is lost because the server has ended, as it said. */
+  readonly ended: boolean;
   /** Whether the server has a cell to show. */
   readonly cell: boolean;
   /** When the process of the server began [ms since 1970]; nothing: not known. */
@@ -62,7 +64,7 @@ export interface Session {
 }
 
 export type SessionEvent =
-  | { readonly type: "connection"; readonly connection: Connection }
+  | { readonly type: "connection"; readonly connection: Connection; readonly ended?: boolean | undefined }
   /** What the server is that answers now. */
   | { readonly type: "server"; readonly cell: boolean; readonly started?: number | undefined }
   | { readonly type: "restart_seen" }
@@ -83,6 +85,7 @@ const kLogLines = 500;
 
 export const emptySession: Session = {
   connection: "connecting",
+  ended: false,
   cell: false,
   started: undefined,
   restarted: false,
@@ -135,7 +138,8 @@ export function applyEvent(session: Session, event: SessionEvent): Session {
   switch (event.type) {
     case "connection":
       // A server that was lost is lost until it answers.
-      return session.connection === "lost" && event.connection === "connecting" ? session : { ...session, connection: event.connection };
+      if (session.connection === "lost" && event.connection !== "open") return session;
+      return { ...session, connection: event.connection, ended: event.ended ?? false };
     case "server":
       return { ...session, cell: event.cell, started: event.started, restarted: session.restarted || (session.started !== undefined && event.started !== undefined && event.started !== session.started) };
     case "restart_seen":

@@ -24,6 +24,8 @@ describe("what is done on a page", () => {
     expect(refusalTo(of("observer"), "edit")).toBe("this needs the role developer, and your account has the role observer");
     expect(refusalTo({ accounts: true }, "edit")).toBe("this needs the role developer, and nobody is logged in");
     expect(refusalTo(undefined, "edit")).toBeUndefined();
+    expect(refusalTo({ ...of("operator"), local: false }, "answer_control")).toBe("only a display at the cell hands the controls over");
+    expect(refusalTo({ ...of("operator"), local: true }, "answer_control")).toBeUndefined();
     expect(refusalTo({ accounts: false, role: "admin" }, "manage_accounts"), "without accounts, everybody may").toBeUndefined();
   });
 

@@ -11,6 +11,8 @@ describe("a lost server", () => {
     expect(lostText({ ...core, micro: 3, paused: true }).title).toBe("Server lost at step 12, micro step 3 of run 7: pause and stop cannot reach the robot");
   });
   it("says nothing of the robot where no run may move it", () => {
+    expect(lostText(core, true).title).toBe("The server has ended; run 7 was at step 12");
+    expect(lostText(undefined, true).title).toBe("The server has ended");
     for (const status of ["ready", "ended", "faulted", "aborted"] as const) expect(lostText({ ...core, status }).title).toBe("Server lost");
     expect(lostText(undefined).title).toBe("Server lost");
   });
