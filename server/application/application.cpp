@@ -158,7 +158,6 @@ Expected<void> Application::create_cores(const Setup& setup) {
       std::make_unique<CellStop>(*control_, cell_->host(), *cores_,
                                  CellStop::Marks{StopMark(folder_->stop_mark()), ModeMark(folder_->mode_mark())},
                                  [this](const std::string& text) { log("cell", text, LogLevel::warning); });
-  control_->confirm_all_edits(has_accounts());
   manual_ = std::make_unique<ManualControl>(*control_, cell_->host(), *cell_stop_,
                                             [this](const Identity& identity, std::string action, std::string outcome) {
                                               access_->record(identity, std::move(action), std::move(outcome));
@@ -202,6 +201,7 @@ Checked<void> Application::add_operator(const OperatorScript& script) {
 
 // Of the cell, on its thread.
 void Application::before_step() {
+  control_->confirm_all_edits(has_accounts());  // the first may be added at any time
   manual_->check(std::chrono::steady_clock::now());
   if (operator_) operator_->step(cell_->clock().now(), *cell_->world());
 }
@@ -299,7 +299,7 @@ Resources Application::resources() {
   return {*documents_, *breakpoints_, *editing_,    *boot_list_, *backups_,  *runs_,    *samples_,
           *pictures_,  *cores_,       *live_edits_, replays_,    deadlines_, restores_, *cell_,
           *log_,       answers_,      *accounts_,   *passwords_, attempts_,  tickets_,  *audit_,
-          authority_,  *control_,     *cell_stop_,  *metrics_,  *manual_};
+          authority_,  *control_,     *cell_stop_,  *metrics_,   *manual_};
 }
 
 }  // namespace race::server

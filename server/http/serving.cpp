@@ -150,7 +150,9 @@ awaitable<bool> serve_websocket(Client& client, Request header, Upgrade request,
   if (refused) co_return co_await refuse(client, std::move(*refused), ResponseOptions(), context);
   Backend& backend = context.backend;
   ClientGauges& clients = backend.clients;
-  const Gauge::Hold counted(is_process ? clients.processes : header.path == kControl ? clients.controls : clients.streams);
+  const Gauge::Hold counted(is_process                ? clients.processes
+                            : header.path == kControl ? clients.controls
+                                                      : clients.streams);
   if (header.path == kControl) {
     const ControlTargets targets{backend.control, backend.records};
     co_await serve_control(std::move(client.stream), std::move(request), std::move(header.identity), targets,

@@ -7,8 +7,8 @@ namespace {
 
 constexpr std::chrono::seconds kMessageTimeout{10};  // for the other side to take a message
 constexpr const char* kServerEnds = "the server ends";
-constexpr std::chrono::seconds kIdentityCheck{1};    // between two questions whether a client still is who it was
-constexpr unsigned kCloseCodes = 5000;               // RFC 6455, 7.4.2: of all close codes, the first that is none
+constexpr std::chrono::seconds kIdentityCheck{1};  // between two questions whether a client still is who it was
+constexpr unsigned kCloseCodes = 5000;             // RFC 6455, 7.4.2: of all close codes, the first that is none
 constexpr std::array<unsigned char, 4> kProtocolError = {0x88, 2, 0x03, 0xea};  // a close frame with the code 1002
 
 }  // namespace

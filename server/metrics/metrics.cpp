@@ -73,7 +73,8 @@ std::string Metrics::text() const {
   to.single("race_connections", "gauge", "Connections of clients now, WebSockets too.",
             of(clients_.connections.count()));
   constexpr std::string_view kSockets = "race_websockets";
-  to.family(kSockets, "gauge", "WebSockets now: clients of the stream, people at the controls, processes of components.");
+  to.family(kSockets, "gauge",
+            "WebSockets now: clients of the stream, people at the controls, processes of components.");
   to.sample(kSockets, {{"kind", "stream"}}, of(clients_.streams.count()));
   to.sample(kSockets, {{"kind", "control"}}, of(clients_.controls.count()));
   to.sample(kSockets, {{"kind", "components"}}, of(clients_.processes.count()));

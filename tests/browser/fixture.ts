@@ -35,6 +35,8 @@ export interface Fixture {
   readonly pid: () => number;
   /** Ends the server by SIGKILL. */
   readonly kill: () => Promise<void>;
+  /** Ends it as a service manager does, by SIGTERM. */
+  readonly terminate: () => Promise<void>;
   /** Starts a server on the same port with the same data. */
   readonly restart: () => Promise<void>;
   /** Throws if there was an error on the console of a page. */
@@ -97,6 +99,10 @@ export async function openPrepared(prepare: (data: string) => void, ...further: 
     errors.allowLost();
     return end("SIGKILL");
   };
+  const terminate = () => {
+    errors.allowLost();
+    return end("SIGTERM");
+  };
   try {
     const url = `http://127.0.0.1:${port}`;
     await healthy(url, server);
@@ -128,7 +134,7 @@ export async function openPrepared(prepare: (data: string) => void, ...further: 
       if (server.pid === undefined) throw new Error("there is no server");
       return server.pid;
     };
-    return { url, data, page, send, screenshot, openPage, openContext, allowError: (error) => errors.allow(error), pid, kill, restart, close };
+    return { url, data, page, send, screenshot, openPage, openContext, allowError: (error) => errors.allow(error), pid, kill, terminate, restart, close };
   } catch (error) {
     await clear();
     throw error;

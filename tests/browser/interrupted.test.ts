@@ -181,3 +181,16 @@ describe("a run whose journal cannot be stored", () => {
     await expect.poll(() => status(page), kSoon).toBe("Stopped");
   });
 });
+
+describe("a server that ends", () => {
+  it("says so to its pages", async () => {
+    await page.goto(`${fixture.url}/pro/`);
+    await page.getByText("Connected", { exact: true }).waitFor(kSoon);
+    await fixture.terminate();
+    const lost = page.getByRole("alert", { name: "Server lost" });
+    await lost.waitFor(kSoon);
+    expect(await lost.innerText()).toContain("The server has ended");
+    await fixture.restart();
+    await lost.waitFor({ state: "detached", ...kSoon });
+  });
+});

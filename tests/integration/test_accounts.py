@@ -27,7 +27,7 @@ class Logins(AccountCase):
         self.assertAlmostEqual(answer["expires"], (time.time() + 12 * 3600) * 1000, delta=60_000)
         own = {"Authorization": f"Bearer {answer['token']}"}
         me = check("me", self.server.request("GET", "/api/v1/me", headers=own)[1])
-        self.assertEqual(me, {"accounts": True, "name": "developer", "role": "developer"})
+        self.assertEqual(me, {"accounts": True, "name": "developer", "role": "developer", "local": False})
         self.assertEqual(self.server.request("POST", "/api/v1/logout", headers=own)[0], 200)
         self.assertEqual(self.server.request("GET", "/api/v1/documents", headers=own)[0], 401)
 
@@ -181,7 +181,7 @@ class Audit(AccountCase):
 class Demo(unittest.TestCase):
     def test_a_server_without_accounts_is_open_until_it_has_one(self):
         with Server() as server, server.stream() as stream:
-            self.assertEqual(server.get("/me", "me"), {"accounts": False, "role": "admin"})
+            self.assertEqual(server.get("/me", "me"), {"accounts": False, "role": "admin", "local": True})
             server.post("/accounts", {"name": "eve", "role": "observer", "password": PASSWORD}, status=422)
             server.post("/accounts", {"name": "ada", "role": "admin", "password": PASSWORD}, "account", 201)
             self.assertEqual(server.request("GET", "/api/v1/documents")[0], 401)
