@@ -25,7 +25,7 @@ class MotionEnd final : public services::MotionGate {
  public:
   /// For what is called to reach the services, which nobody sees; for them to answer; then, if something was moving,
   /// for it to brake.
-  static constexpr std::chrono::milliseconds kArrival{100}, kAnswerTimeout{2000}, kBraking{500};
+  static constexpr std::chrono::milliseconds kArrival{100}, kAnswerTimeout{1000}, kBraking{500};
 
   /// What lets motions begin until then, which outlives this.
   explicit MotionEnd(services::MotionGate& gate) : gate_(gate) {}

@@ -36,7 +36,7 @@ MOST_GROWTH = 400e6  # [bytes]
 BACK = 100e6  # [bytes] above the beginning that count as being back: what channels and the allocator keep
 MOST_BACK = 10  # [s]
 MOST_STOP = 0.5  # [s]
-MOST_END = 2  # [s]
+MOST_END = 3  # s; the cell has 1.6 of them to stand (server/application/motion_end.h)
 
 
 def processor_time(server):
