@@ -16,9 +16,13 @@ class ControlCase(unittest.TestCase):
 
     def setUp(self):
         self.server = self.SERVER("--demo", DEMO)
-        self.addCleanup(lambda: self.server.stop())
+        self.addCleanup(self.end)
         self.arm = Arm(self.server)
         self.addCleanup(self.arm.close)
+
+    def end(self):
+        """Of the server that is there then."""
+        self.server.stop()
 
     def person(self, token=None):
         person = Controls(self.server, token)
