@@ -85,15 +85,15 @@ std::optional<Value> Control::refuse(const services::Caller& caller, const std::
   const auto [lease, is_new] = leases_.try_emplace(service, Lease{caller.core, caller.fence});
   const bool is_own = lease->second.core == caller.core;
   if (!is_own && is_good(lease->second.fence))
-    return error_value(name(ErrorCode::leased), holder_of(lease->second) + " has `" + service + "`");
+    return error_value(name(ErrorCode::leased), whose(service, lease->second));
   lease->second = {caller.core, caller.fence};  // of a run that moves no more until it is resumed, it is taken over
   if (is_new || !is_own) tell();
   return std::nullopt;
 }
 
-std::string Control::holder_of(const Lease& lease) const {
-  if (is_person(lease.core)) return holder_ ? holder_->by : "somebody";
-  return "until it is over, run " + lease.core;
+std::string Control::whose(const std::string& service, const Lease& lease) const {
+  if (!is_person(lease.core)) return "run " + lease.core + " has `" + service + "` until it is over";
+  return (holder_ ? holder_->by : "somebody") + " has `" + service + "` until they give the controls back";
 }
 
 void Control::release(const std::string& core, const std::string& service) {

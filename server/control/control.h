@@ -131,7 +131,7 @@ class Control final : public services::MotionGate {
   Value state() const REQUIRES(mutex_);
   void tell() REQUIRES(mutex_) { changed_(state()); }
   bool is_good(std::uint64_t fence) const REQUIRES(mutex_);
-  std::string holder_of(const Lease& lease) const REQUIRES(mutex_);
+  std::string whose(const std::string& service, const Lease& lease) const REQUIRES(mutex_);
   Ended end_holder() REQUIRES(mutex_);
 
   const std::function<void(const Value&)> changed_;

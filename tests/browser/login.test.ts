@@ -230,7 +230,7 @@ describe("an observer", () => {
 
   it("is no display", async () => {
     await page.goto(`${fixture.url}/display/?name=phone2`);
-    await page.getByText(why("operator")).waitFor();
+    await page.getByText(why("operator")).first().waitFor();
     await fixture.screenshot("observer-display", page);
   });
 });

@@ -3,6 +3,8 @@ import { randomBytes } from "node:crypto";
 import { get } from "node:http";
 import type { Socket } from "node:net";
 
+/** RFC 6455, 7.4.1: it ended without a close frame, as far as is told here. */
+const kAbnormal = 1006;
 const kText = 1;
 const kClose = 8;
 const kPing = 9;
@@ -34,7 +36,7 @@ export class NodeSocket {
   readyState = 0;
   onopen: (() => void) | undefined;
   onmessage: ((event: { readonly data: string }) => void) | undefined;
-  onclose: (() => void) | undefined;
+  onclose: ((event: { readonly code: number }) => void) | undefined;
   private socket: Socket | undefined;
   private data: Buffer = Buffer.alloc(0);
 
@@ -84,6 +86,6 @@ export class NodeSocket {
     if (this.readyState === 3) return;
     this.readyState = 3;
     NodeSocket.all.delete(this);
-    this.onclose?.();
+    this.onclose?.({ code: kAbnormal });
   }
 }
