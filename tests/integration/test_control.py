@@ -360,36 +360,48 @@ class Races(ControlCase):
 
     def test_of_many_who_take_them_one_has_them_and_nobody_else_moves_anything(self):
         wrong, takings, lock = [], [0], threading.Lock()
-        holders = set()
+        holders, late = set(), set()  # late: who was silent for too long on a busy machine, and lost them by that
 
         def race(person):
             for _ in range(self.ATTEMPTS):
                 try:
                     person.say("take")
                     answer = person.hear()
+                    motion = person.call("robot", "jog", joints=[0] * 7)
                     if answer["kind"] != "taken":
+                        if motion.get("error", {}).get("code") != "leased":
+                            wrong.append((set(), f"somebody else moves the arm: {motion}"))
                         continue
                     with lock:
                         if holders:
-                            wrong.append(f"{holders} and {answer['number']}")
+                            wrong.append(({*holders, answer["number"]}, "have them at once"))
                         holders.add(answer["number"])
                         takings[0] += 1
+                    if motion != {"result": None}:
+                        wrong.append(({answer["number"]}, f"has them, and does not move the arm: {motion}"))
                     with lock:
                         holders.discard(answer["number"])
+                    person.say("beat")
                     person.say("release")
-                    person.until("released")
+                    told = [person.hear()["kind"]]
+                    while told[-1] != "released":
+                        told.append(person.hear()["kind"])
+                    if told.count("lost") > 1:  # by silence, and for the beat; who gives them back hears it once
+                        late.add(answer["number"])
                 except OSError as error:
-                    wrong.append(str(error))
+                    wrong.append((set(), str(error)))
                     return
 
+        self.person().programming().close()
+        eventually(lambda: self.holder() is None)
         people = [self.person() for _ in range(self.PEOPLE)]
         threads = [threading.Thread(target=race, args=(person,)) for person in people]
         for thread in threads:
             thread.start()
         for thread in threads:
             thread.join()
-        self.assertEqual(wrong, [])
-        self.assertGreater(takings[0], 100)
+        self.assertEqual([each for each in wrong if not each[0] & late], [])
+        self.assertGreater(takings[0] - len(late), 100)
         self.assertIsNone(self.holder())
 
 
