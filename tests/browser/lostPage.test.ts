@@ -1,0 +1,84 @@
+// A person who moves the arm by a held button is lost with the page: how soon the arm brakes, measured by what the robot says of itself.
+// RACE_TRIALS: of each kind (3). The figures are printed; the bound is that of the slowest.
+import { openFixture, type Fixture } from "./fixture";
+import { openRealTab, type RealTab } from "./realTab";
+import { watchRobot, type RobotWatch } from "./braking";
+
+const kTrials = Number(process.env["RACE_TRIALS"] ?? "3");
+/** Until it brakes [ms]. */
+const kBound = 300;
+
+const button = (name: string): string => `[...document.querySelectorAll("button")].find((each) => each.textContent.trim() === ${JSON.stringify(name)} && !each.disabled)`;
+
+describe("a person who is lost with the page that moves the arm", () => {
+  let fixture: Fixture;
+  let robot: RobotWatch;
+  let tab: RealTab;
+  let isTurned = false;
+  beforeAll(async () => {
+    fixture = await openFixture();
+    robot = await watchRobot(fixture);
+    // What draws it may keep a page without a GPU from its signs of life; the pages that follow have it closed.
+    await open();
+    await tab.until(`document.querySelector('[aria-label="Close the cell view"]')`);
+    await tab.evaluate(`document.querySelector('[aria-label="Close the cell view"]').click()`);
+    await tab.close();
+  });
+  afterAll(() => fixture.close());
+
+  const holder = async () => ((await fixture.send("GET", "/control")) as { readonly holder: unknown }).holder;
+
+  async function press(name: string): Promise<void> {
+    await tab.until(button(name));
+    await tab.evaluate(`${button(name)}.click()`);
+  }
+
+  async function open(): Promise<void> {
+    const browser = fixture.page.context().browser();
+    if (browser === null) throw new Error("there is no browser");
+    tab = await openRealTab(browser, `${fixture.url}/pro/?below=manual`);
+    await tab.until(button("Take the controls"));
+  }
+
+  /** A page that has the controls and turns the base, to and fro from trial to trial; the label of the button that is held. */
+  async function moving(): Promise<string> {
+    await expect.poll(holder).toBeNull();
+    await open();
+    expect(await tab.evaluate("document.visibilityState")).toBe("visible");
+    await press("Take the controls");
+    await tab.until(`document.body.innerText.includes("You have the controls")`);
+    if (((await fixture.send("GET", "/control")) as { readonly mode: string }).mode !== "programming") await press("Programming");
+    isTurned = !isTurned;
+    const label = `Joint 1 ${isTurned ? "plus" : "minus"}, while held`;
+    await tab.until(`document.querySelector('[aria-label=${JSON.stringify(label)}]:enabled')`);
+    await tab.mouse("mousePressed", label);
+    await expect.poll(robot.moves, { timeout: 10_000 }).toBe(true);
+    await fixture.page.waitForTimeout(700);
+    return label;
+  }
+
+  async function measure(name: string, lose: (label: string) => Promise<void>): Promise<void> {
+    const brakes: number[] = [];
+    const stands: number[] = [];
+    for (let trial = 0; trial < kTrials; trial++) {
+      const label = await moving();
+      const lost = Date.now();
+      await lose(label);
+      await expect.poll(robot.moves, { timeout: 5000 }).toBe(false);
+      const measured = await robot.braking(lost);
+      brakes.push(measured.brakes);
+      stands.push(measured.stands);
+      await tab.close();
+    }
+    brakes.sort((a, b) => a - b);
+    console.log(`${name}: brakes after ${brakes[kTrials >> 1]?.toFixed(0)} ms (median), ${brakes.at(-1)?.toFixed(0)} (slowest of ${kTrials}); stands after ${Math.max(...stands).toFixed(0)}`);
+    expect(brakes.at(-1)).toBeLessThanOrEqual(kBound);
+  }
+
+  it("by another tab that is shown", () => measure("hidden tab", () => tab.showAnother()));
+  it("by its window that is minimised", () => measure("minimised window", () => tab.minimise()));
+  it("by a browser that freezes it", () => measure("frozen page", () => tab.freeze()));
+  it("by its tab that is closed", () => measure("closed tab", () => tab.close()));
+  it("by its process that ends", () => measure("ended process", () => tab.crash()));
+  it("or the button is released", () => measure("released button", (label) => tab.mouse("mouseReleased", label)));
+});

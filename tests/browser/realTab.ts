@@ -1,0 +1,89 @@
+// A page in a tab of its own window, as a person opens it. Playwright's own pages take part in no hiding: it emulates their focus.
+import type { Browser, CDPSession } from "playwright-core";
+
+/** [ms] */
+const kPatience = 20_000;
+
+interface Answer {
+  readonly id: number;
+  readonly result?: unknown;
+  readonly error?: { readonly message: string };
+}
+
+export interface RealTab {
+  /** The value of a JavaScript expression in the page; a promise is waited for. */
+  readonly evaluate: (expression: string) => Promise<unknown>;
+  /** Waits until an expression is true. */
+  readonly until: (expression: string) => Promise<void>;
+  /** Presses, moves or releases the left button of the mouse at the middle of the first element whose name is this one. */
+  readonly mouse: (type: "mousePressed" | "mouseReleased", label: string) => Promise<void>;
+  /** Shows another tab of the window, which hides this one. */
+  readonly showAnother: () => Promise<void>;
+  readonly minimise: () => Promise<void>;
+  readonly freeze: () => Promise<void>;
+  /** Ends the process that draws the page. */
+  readonly crash: () => Promise<void>;
+  /** With all tabs of its window. */
+  readonly close: () => Promise<void>;
+}
+
+const named = (label: string): string => `document.querySelector('[aria-label=${JSON.stringify(label)}]')`;
+
+/** Requires Chromium. */
+export async function openRealTab(browser: Browser, url: string): Promise<RealTab> {
+  const devtools = await browser.newBrowserCDPSession();
+  const { targetId } = await devtools.send("Target.createTarget", { url, newWindow: true, width: 1366, height: 768 });
+  const { sessionId } = await devtools.send("Target.attachToTarget", { targetId, flatten: false });
+  const targets = [targetId];
+  const send = speaker(devtools, sessionId);
+
+  async function evaluate(expression: string): Promise<unknown> {
+    const answer = (await send("Runtime.evaluate", { expression, returnByValue: true, awaitPromise: true })) as { readonly result: { readonly value?: unknown }; readonly exceptionDetails?: { readonly text: string } };
+    if (answer.exceptionDetails !== undefined) throw new Error(`${expression}: ${answer.exceptionDetails.text}`);
+    return answer.result.value;
+  }
+  async function until(expression: string): Promise<void> {
+    for (const end = Date.now() + kPatience; (await evaluate(`Boolean(${expression})`)) !== true; await new Promise((resolve) => setTimeout(resolve, 50)))
+      if (Date.now() > end) throw new Error(`not true: ${expression}`);
+  }
+  return {
+    evaluate,
+    until,
+    mouse: async (type, label) => {
+      const place = (await evaluate(`(() => { const { x, y, width, height } = ${named(label)}.getBoundingClientRect(); return { x: x + width / 2, y: y + height / 2 }; })()`)) as { readonly x: number; readonly y: number };
+      await send("Input.dispatchMouseEvent", { type, ...place, button: "left", buttons: 1, clickCount: 1 });
+    },
+    showAnother: async () => void targets.push((await devtools.send("Target.createTarget", { url: "about:blank" })).targetId),
+    minimise: async () => {
+      const { windowId } = await devtools.send("Browser.getWindowForTarget", { targetId });
+      await devtools.send("Browser.setWindowBounds", { windowId, bounds: { windowState: "minimized" } });
+    },
+    freeze: async () => void (await send("Page.setWebLifecycleState", { state: "frozen" })),
+    // It answers no more.
+    crash: async () => void (await Promise.race([send("Page.crash", {}), devtools.send("Target.getTargets")])),
+    close: async () => {
+      // Again, there is nothing to close.
+      for (const target of targets.splice(0)) await devtools.send("Target.closeTarget", { targetId: target }).catch(() => undefined);
+      await devtools.detach().catch(() => undefined);
+    },
+  };
+}
+
+/** Commands to one target of a session of the whole browser. */
+function speaker(devtools: CDPSession, sessionId: string) {
+  const waiting = new Map<number, (answer: Answer) => void>();
+  let last = 0;
+  devtools.on("Target.receivedMessageFromTarget", ({ message }) => {
+    const answer = JSON.parse(message) as Answer;
+    waiting.get(answer.id)?.(answer);
+    waiting.delete(answer.id);
+  });
+  return async (method: string, params: Readonly<Record<string, unknown>>): Promise<unknown> => {
+    const id = ++last;
+    const answered = new Promise<Answer>((resolve) => waiting.set(id, resolve));
+    await devtools.send("Target.sendMessageToTarget", { sessionId, message: JSON.stringify({ id, method, params }) });
+    const { result, error } = await answered;
+    if (error !== undefined) throw new Error(`${method}: ${error.message}`);
+    return result;
+  };
+}
