@@ -9,6 +9,7 @@ using services::MutexLock;
 
 bool Control::stop(Stop stop) {
   const MutexLock lock(mutex_);
+  moved_.clear();
   free_fence_ = ++last_fence_;
   if (holder_) holder_->fence = ++last_fence_;
   if (stopped_) return false;
@@ -60,19 +61,29 @@ bool Control::is_good(std::uint64_t fence) const {
   return !stopped_ && (fence == free_fence_ || (holder_ && fence == holder_->fence));
 }
 
+std::optional<Error> Control::refuse_person(const services::Beginning& run) const {
+  if (holder_ && !is_holder(run.control)) return Error{ErrorCode::leased, holder_->by + " has the controls of the cell", {}};
+  if (is_holder(run.control) || !needs_person(run)) return std::nullopt;
+  return Error{ErrorCode::conflict, run.supervised ? "take the controls of the cell first: the run is supervised"
+                                                   : "take the controls of the cell first: it is programmed", {}};
+}
+
 Expected<std::uint64_t> Control::begin(const services::Beginning& run) {
   const MutexLock lock(mutex_);
   if (stopped_) return unexpected(ErrorCode::stopped, "the cell was stopped by " + stopped_->by + "; reset it first");
-  const bool is_holder = holder_ && holder_->number == run.control;
-  if (holder_ && !is_holder) return unexpected(ErrorCode::leased, holder_->by + " has the controls of the cell");
-  if (is_holder)  // what they have moved by hand is the run's now
-    std::erase_if(leases_, [by_hand = caller(run.control)](const auto& each) { return each.second.core == by_hand; });
-  if (mode_ == Mode::execution && !run.supervised) return free_fence_;
-  if (!is_holder)
-    return unexpected(ErrorCode::conflict, run.supervised ? "take the controls of the cell first: the run is supervised"
-                                                          : "take the controls of the cell first: it is programmed");
+  if (auto refused = refuse_person(run)) return tl::unexpected(std::move(*refused));
+  if (holder_) holder_->runs.erase(run.core);
+  if (!needs_person(run)) return free_fence_;
   holder_->runs.insert(run.core);
   return holder_->fence;
+}
+
+Expected<void> Control::may_force(const services::Beginning& run) {
+  const MutexLock lock(mutex_);
+  if (auto refused = refuse_person(run)) return tl::unexpected(std::move(*refused));
+  if (!holder_ && confirms_all_edits_ && has_reserved(run.core))
+    return unexpected(ErrorCode::conflict, "take the controls of the cell first: the run moves something");
+  return {};
 }
 
 std::optional<Value> Control::refuse(const services::Caller& caller, const std::string& service) {
@@ -84,8 +95,11 @@ std::optional<Value> Control::refuse(const services::Caller& caller, const std::
     return error_value(name(ErrorCode::not_accepted), "nothing is moved by hand in execution mode");
   const auto [lease, is_new] = leases_.try_emplace(service, Lease{caller.core, caller.fence});
   const bool is_own = lease->second.core == caller.core;
-  if (!is_own && is_good(lease->second.fence))
+  // What a person has moved by hand is that of their runs, too, but not the other way round.
+  const bool is_theirs = is_person(lease->second.core) && lease->second.fence == caller.fence;
+  if (!is_own && !is_theirs && is_good(lease->second.fence))
     return error_value(name(ErrorCode::leased), whose(service, lease->second));
+  moved_[service] = caller.fence;
   lease->second = {caller.core, caller.fence};  // of a run that moves no more until it is resumed, it is taken over
   if (is_new || !is_own) tell();
   return std::nullopt;
@@ -98,6 +112,7 @@ std::string Control::whose(const std::string& service, const Lease& lease) const
 
 void Control::release(const std::string& core, const std::string& service) {
   const MutexLock lock(mutex_);
+  if (holder_) holder_->runs.erase(core);
   const auto lease = leases_.find(service);
   if (lease == leases_.end() || lease->second.core != core) return;
   leases_.erase(lease);

@@ -56,7 +56,7 @@ class Control final : public services::MotionGate {
   struct Ended {
     std::uint64_t number = 0;        // of who had the controls; 0: nobody
     std::string by;                  // who that was
-    std::set<std::string> services;  // what they, or runs that needed them, have set in motion
+    std::set<std::string> services;  // what they, or runs that needed them, have set in motion last
     std::set<std::string> cores;     // of these runs
   };
   /// `changed` gets schemas/control.json, frozen, in order of the changes; under the lock: must be quick.
@@ -107,6 +107,7 @@ class Control final : public services::MotionGate {
   void confirm_all_edits(bool on) EXCLUDES(mutex_);
 
   Expected<std::uint64_t> begin(const services::Beginning& run) override EXCLUDES(mutex_);
+  Expected<void> may_force(const services::Beginning& run) override EXCLUDES(mutex_);
   bool confirms_edits(const std::string& core) override EXCLUDES(mutex_);
   /// Errors {code, message} of core/SEMANTICS.md, R7: `stopped`: the cell is, or was since the run began, or the person
   /// who watched it has the controls no more; `leased`: another run has the service. The first call that may is what
@@ -130,6 +131,14 @@ class Control final : public services::MotionGate {
   };
   Value state() const REQUIRES(mutex_);
   void tell() REQUIRES(mutex_) { changed_(state()); }
+  /// Why the sender of `run` may not act on runs now; nothing: they may.
+  std::optional<Error> refuse_person(const services::Beginning& run) const REQUIRES(mutex_);
+  /// Whether a run needs a person at the controls.
+  bool needs_person(const services::Beginning& run) const REQUIRES(mutex_) {
+    return mode_ == Mode::programming || run.supervised;
+  }
+  bool is_holder(std::uint64_t number) const REQUIRES(mutex_) { return holder_ && holder_->number == number; }
+  bool has_reserved(const std::string& core) const REQUIRES(mutex_);
   bool is_good(std::uint64_t fence) const REQUIRES(mutex_);
   std::string whose(const std::string& service, const Lease& lease) const REQUIRES(mutex_);
   Ended end_holder() REQUIRES(mutex_);
@@ -144,7 +153,9 @@ class Control final : public services::MotionGate {
   std::optional<Holder> holder_ GUARDED_BY(mutex_);
   std::optional<Request> request_ GUARDED_BY(mutex_);
   bool confirms_all_edits_ GUARDED_BY(mutex_) = false;
-  std::map<std::string, Lease> leases_ GUARDED_BY(mutex_);  // by service
+  std::map<std::string, Lease> leases_ GUARDED_BY(mutex_);         // by service
+  std::map<std::string, std::uint64_t> moved_ GUARDED_BY(mutex_);  // by service: the fence of its last motion, which may
+                                                                   // go on when its reservation has ended
   std::map<std::uint16_t, std::uint16_t> stop_ports_ GUARDED_BY(mutex_);
 };
 

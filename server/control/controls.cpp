@@ -1,4 +1,7 @@
 // The person at the controls, and the modes.
+#include <algorithm>
+#include <utility>
+
 #include "server/control/control.h"
 
 namespace race::server {
@@ -40,12 +43,13 @@ std::optional<Control::Ended> Control::release_silent(Steady now) {
   return end_holder();
 }
 
-// What runs that needed them have reserved stays theirs: they can go on when somebody else has the controls.
+// What runs that needed them have reserved stays theirs: they can go on when somebody else has the controls. A motion
+// may go on without a reservation: of a run that is over.
 Control::Ended Control::end_holder() {
   Ended ended{holder_->number, holder_->by, {}, std::move(holder_->runs)};
   const std::string by_hand = caller(holder_->number);
-  for (const auto& [service, lease] : leases_)
-    if (lease.core == by_hand || ended.cores.contains(lease.core)) ended.services.insert(service);
+  for (const auto& [service, fence] : moved_)
+    if (fence == holder_->fence) ended.services.insert(service);
   std::erase_if(leases_, [&](const auto& lease) { return lease.second.core == by_hand; });
   holder_.reset();
   tell();
@@ -77,10 +81,9 @@ Expected<Control::Ended> Control::set_mode(std::uint64_t number, Mode mode) {
     return unexpected(ErrorCode::leased, "take the controls of the cell first");
   Ended ended{number, holder_->by, {}, {}};
   if (mode == mode_) return ended;
-  for (const auto& [service, lease] : leases_) {
-    ended.services.insert(service);
+  for (const auto& [service, fence] : std::exchange(moved_, {})) ended.services.insert(service);
+  for (const auto& [service, lease] : leases_)
     if (!is_person(lease.core)) ended.cores.insert(lease.core);
-  }
   ended.cores.merge(std::exchange(holder_->runs, {}));
   std::erase_if(leases_, [](const auto& lease) { return is_person(lease.second.core); });
   free_fence_ = ++last_fence_;
@@ -107,10 +110,11 @@ void Control::confirm_all_edits(bool on) {
 
 bool Control::confirms_edits(const std::string& core) {
   const MutexLock lock(mutex_);
-  if (mode_ != Mode::execution || (!holder_ && !confirms_all_edits_)) return false;
-  for (const auto& [service, lease] : leases_)
-    if (lease.core == core) return true;
-  return false;
+  return mode_ == Mode::execution && (holder_ || confirms_all_edits_) && has_reserved(core);
+}
+
+bool Control::has_reserved(const std::string& core) const {
+  return std::ranges::any_of(leases_, [&](const auto& lease) { return lease.second.core == core; });
 }
 
 }  // namespace race::server

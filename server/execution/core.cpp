@@ -249,12 +249,16 @@ void Core::hold() {
 }
 
 // That the run goes on is stored, too: who resumes it learns whether the disk works.
-// A person wants that it goes on: what it says from here on may move.
+// A person wants that it goes on: what it says from here on may move. From the moment the gate has said so, that person
+// may be lost: what is asked of it since then is done.
 Expected<void> Core::take_fence(const Supervision& by) {
   const bool supervised = by.supervised.value_or(supervised_);
-  ASSIGN_OR_RETURN(fence_, resources_.host.gate().begin({id_, by.control, supervised}));
+  const bool was_asked = hold_asked_.exchange(false);
+  const auto fence = resources_.host.gate().begin({id_, by.control, supervised});
+  if (!fence && was_asked) hold_asked_ = true;
+  if (!fence) return tl::unexpected(fence.error());
+  fence_ = *fence;
   supervised_ = supervised;
-  hold_asked_ = false;
   return {};
 }
 

@@ -153,8 +153,9 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   void set_breakpoints(std::vector<execution::GoalName> goals, std::string author, Done<Value> done);
 
   /// Sets a value or takes a port of a run that has begun, in a macro step of its own; a paused one stays paused.
-  /// `conflict`: it is not running, or paused in a macro step; those of semantics::Run::forced.
-  void force(semantics::Force force, Done<Value> done);
+  /// `control`: of who does, as in Supervision. `conflict`: it is not running, or paused in a macro step; those of
+  /// semantics::Run::forced and services::MotionGate::may_force.
+  void force(semantics::Force force, Done<Value> done, std::uint64_t control = 0);
 
   // Edits: a live core follows the revisions of its document without violations, between macro steps, or as soon as it
   // can. Not to be started by default: a new port or action may move the robot.

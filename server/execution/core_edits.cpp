@@ -139,7 +139,8 @@ bool Core::deliver_edit(std::uint32_t limit) {
     return false;
   }
   if (edit_->state && run().is_active(*edit_->state)) return false;
-  if (!edit_->confirmed && resources_.host.gate().confirms_edits(id_)) {
+  // One that has waited for it once waits until somebody says so, also when who was asked is gone.
+  if (!edit_->confirmed && (edit_->unconfirmed || resources_.host.gate().confirms_edits(id_))) {
     if (!std::exchange(edit_->unconfirmed, true)) publish_info();
     return false;
   }
@@ -189,12 +190,14 @@ void Core::find_breakpoints() {
 }
 
 // A person's command: it takes effect at once, also in a core that is paused, which stays so.
-void Core::force(semantics::Force force, Done<Value> done) {
+void Core::force(semantics::Force force, Done<Value> done, std::uint64_t control) {
   force.value.freeze();
-  when_rebuilt<Value>(std::move(done), [this, force = std::move(force)]() -> Expected<Value> {
+  when_rebuilt<Value>(std::move(done), [this, control, force = std::move(force)]() -> Expected<Value> {
     if (auto sound = readable(); !sound) return tl::unexpected(std::move(sound).error());
     if (interruption_) return unexpected(ErrorCode::conflict, "core " + id_ + " is interrupted");
     if (!started_ || is_over()) return unexpected(ErrorCode::conflict, "core " + id_ + " is not running");
+    if (auto may = resources_.host.gate().may_force({id_, control, supervised_}); !may)
+      return tl::unexpected(std::move(may).error());
     if (!finish_macro_step()) return unexpected(ErrorCode::conflict, "core " + id_ + " is in a long macro step");
     if (execution_.is_open()) return unexpected(ErrorCode::conflict, "core " + id_ + " is paused in a macro step");
     if (is_over()) return unexpected(ErrorCode::conflict, "core " + id_ + " is over");

@@ -3,10 +3,11 @@
 #include "core/value/json.h"
 #include "server/execution/cores.h"
 #include "server/handlers/handlers.h"
+#include "server/handlers/supervision.h"
 
 namespace race::server {
 
-void force_core(const Request& request, Respond respond, Cores& cores) {
+void force_core(const Request& request, Respond respond, Cores& cores, ManualControl& manual) {
   const auto core = core_of(request, cores);
   if (!core) return respond(tl::unexpected(core.error()));
   auto body = parse_json(request.body);
@@ -16,7 +17,9 @@ void force_core(const Request& request, Respond respond, Cores& cores) {
   semantics::Force force = execution::read_force(fields);
   fields.close();
   if (!errors.empty()) return respond(tl::unexpected(std::move(errors)));
-  (*core)->force(std::move(force), answer_to(std::move(respond)));
+  const auto control = control_of(request, manual);
+  if (!control) return respond(failed(control.error()));
+  (*core)->force(std::move(force), answer_to(std::move(respond)), *control);
 }
 
 }  // namespace race::server

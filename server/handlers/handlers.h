@@ -103,7 +103,7 @@ void step_core(const Request& request, Respond respond, Cores& cores, ManualCont
 void confirm_core_edit(const Request& request, Respond respond, Cores& cores, ManualControl& manual);
 void set_breakpoints(const Request& request, Respond respond, Cores& cores);
 void set_core_live(const Request& request, Respond respond, Cores& cores, LiveEdits& edits);
-void force_core(const Request& request, Respond respond, Cores& cores);
+void force_core(const Request& request, Respond respond, Cores& cores, ManualControl& manual);
 void get_core_native(const Request& request, Respond respond, Cores& cores);
 void get_core_state(const Request& request, Respond respond, Cores& cores);
 void get_derivations(const Request& request, Respond respond, Cores& cores);
@@ -131,7 +131,8 @@ void compare_run(const Request& request, Respond respond, Runs& runs, Worker& re
 Handled get_cell(const Request& request, Cell& cell, Control& control);
 void get_person(const Request& request, Respond respond, Cell& cell, Deadlines& deadlines);
 void execute_person_command(const Request& request, Respond respond, Cell& cell, Deadlines& deadlines);
-void reset_cell(const Request& request, Respond respond, Cell& cell, Cores& cores, Deadlines& deadlines);
+void reset_cell(const Request& request, Respond respond, Cell& cell, Cores& cores, Control& control,
+                ManualControl& manual, Deadlines& deadlines);
 Handled get_cell_file(const Request& request, Cell& cell);
 Handled get_boot(const Request& request, BootList& boot);
 Handled put_boot(const Request& request, Documents& documents, BootList& boot);

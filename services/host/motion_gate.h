@@ -27,11 +27,14 @@ class MotionGate {
   /// A run begins or goes on because a person wants that: the fencing number of its calls from now on. Errors
   /// `stopped`; `leased`: somebody else has the controls; `conflict`: nobody has, and this run needs that.
   virtual Expected<std::uint64_t> begin(const Beginning& run) = 0;
+  /// A person sets a value of a run that has begun, or takes one of its ports: by that it may move. Errors as of
+  /// begin(), but for `stopped`, as all runs have ended then.
+  virtual Expected<void> may_force(const Beginning& run) = 0;
   /// Whether an edit reaches this run only when the person at the controls has confirmed it.
   virtual bool confirms_edits(const std::string& core) = 0;
   /// Why the call may not set `service` in motion, as the error that answers it; nothing: it may.
   virtual std::optional<Value> refuse(const Caller& caller, const std::string& service) = 0;
-  /// `core` makes no call of `service` any more.
+  /// `core` is over, and makes no call of `service` any more.
   virtual void release(const std::string& core, const std::string& service) = 0;
 };
 
@@ -39,6 +42,7 @@ class MotionGate {
 class OpenGate final : public MotionGate {
  public:
   Expected<std::uint64_t> begin(const Beginning&) override { return 0; }
+  Expected<void> may_force(const Beginning&) override { return {}; }
   bool confirms_edits(const std::string&) override { return false; }
   std::optional<Value> refuse(const Caller&, const std::string&) override { return std::nullopt; }
   void release(const std::string&, const std::string&) override {}

@@ -172,6 +172,7 @@ const services::OperationTable& Robot::operations() {
                                .max = 1,
                                .doc = "of the planned speed; 0 pauses on the path"}},
                .error = error_type(),
+               .moves = true,
                .doc = "Scales the speed of all motions, the present one too."},
               {.name = "record_pose",
                .handler = &Robot::record_pose,

@@ -123,6 +123,61 @@ TEST_F(ControlsTest, WhatTheyHaveMovedStopsWithThem) {
   EXPECT_THAT(ended->cores, testing::ElementsAre("1", "2")) << "also a run that has moved nothing yet";
 }
 
+TEST_F(ControlsTest, AMotionStopsWithThemThoughItsReservationHasEnded) {
+  const std::uint64_t alice = take();
+  ASSERT_TRUE(control.set_mode(alice, Mode::programming));
+  const std::uint64_t fence = control.begin({"1", alice}).value();
+  refusal("1", fence);
+  control.release("1", "robot");  // the run is over, what it has begun is not
+  by_hand(alice, "gripper");
+  control.begin({"2", alice}).value();  // it moves nothing
+  const auto ended = control.release(alice);
+  EXPECT_THAT(ended->services, testing::ElementsAre("gripper", "robot"));
+  EXPECT_THAT(ended->cores, testing::ElementsAre("2")) << "the first is over";
+}
+
+TEST_F(ControlsTest, AnotherModeStopsAMotionThoughItsReservationHasEnded) {
+  refusal("1", control.begin({"1"}).value());
+  control.release("1", "robot");
+  EXPECT_THAT(control.set_mode(take(), Mode::programming)->services, testing::ElementsAre("robot"));
+}
+
+TEST_F(ControlsTest, WhatAnotherRunHasMovedSinceDoesNotStopWithThem) {
+  const std::uint64_t alice = take();
+  const std::uint64_t theirs = control.begin({"1", alice, true}).value();
+  refusal("1", theirs);
+  control.release("1", "robot");
+  refusal("2", control.begin({"2", alice}).value());
+  EXPECT_TRUE(control.release(alice)->services.empty());
+}
+
+TEST_F(ControlsTest, ARunThatNeedsThemNoMoreGoesOnWithoutThem) {
+  const std::uint64_t alice = take();
+  control.begin({"1", alice, true}).value();
+  const std::uint64_t fence = control.begin({"1", alice, false}).value();
+  EXPECT_TRUE(control.release(alice)->cores.empty());
+  EXPECT_EQ(refusal("1", fence), "");
+}
+
+TEST_F(ControlsTest, ValuesOfARunAreForcedByWhoHasThemAlone) {
+  const auto code = [&](const services::Beginning& run) {
+    const auto may = control.may_force(run);
+    return may ? std::string() : std::string(name(may.error().code));
+  };
+  refusal("1", control.begin({"1"}).value());
+  EXPECT_EQ(code({"1"}), "") << "on this machine alone, nobody has them";
+  EXPECT_EQ(code({"1", 0, true}), "conflict") << "it needs them";
+  control.confirm_all_edits(true);
+  EXPECT_EQ(code({"1"}), "conflict") << "it moves something";
+  EXPECT_EQ(code({"2"}), "");
+  const std::uint64_t alice = take();
+  EXPECT_EQ(code({"1", alice}), "");
+  EXPECT_EQ(code({"2"}), "leased");
+  ASSERT_TRUE(control.set_mode(alice, Mode::programming));
+  control.release(alice);
+  EXPECT_EQ(code({"2"}), "conflict") << "each run needs them";
+}
+
 TEST_F(ControlsTest, AnUnsupervisedRunGoesOnWithoutThem) {
   const std::uint64_t alice = take();
   const std::uint64_t fence = control.begin({"1", alice}).value();

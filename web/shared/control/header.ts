@@ -1,7 +1,8 @@
 // Which requests tell the server that the page has the controls.
 
 const kNeed: readonly { readonly method: string; readonly path: RegExp }[] = [
-  { method: "POST", path: /\/api\/v1\/cores\/[^/]+\/(?:start|resume|step|confirm_edit)$/ },
+  { method: "POST", path: /\/api\/v1\/cores\/[^/]+\/(?:start|resume|step|force|confirm_edit)$/ },
+  { method: "POST", path: /\/api\/v1\/cell\/reset$/ },
   { method: "PUT", path: /\/api\/v1\/control\/mode$/ },
 ];
 

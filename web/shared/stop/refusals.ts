@@ -6,7 +6,7 @@ import { isStopped, type StopState } from "./state";
 
 type Known = Pick<StopState, "stopped" | "mode" | "holder" | "held">;
 
-const kStarting: ReadonlySet<Doing> = new Set(["start_run", "resume_run", "step_run"]);
+const kStarting: ReadonlySet<Doing> = new Set(["start_run", "resume_run", "step_run", "force"]);
 const kOfHolder: ReadonlySet<Doing> = new Set(["set_mode", "confirm_edit", "move_by_hand"]);
 
 const refusalWithout = (stop: Known): string | undefined =>
@@ -26,9 +26,16 @@ export function refusalToMove(stop: Known): string | undefined {
   return refusalWithout(stop) ?? (stop.mode === "programming" ? undefined : "this needs programming mode");
 }
 
+/** Why the arm is not put where it was at the start. */
+function refusalToReset(stop: Known): string | undefined {
+  if (isStopped(stop)) return "the cell is stopped";
+  return stop.holder === null ? undefined : refusalWithout(stop);
+}
+
 export function refusalOfDoing(stop: Known, doing: Doing): string | undefined {
   if (kStarting.has(doing)) return refusalToBegin(stop);
   if (doing === "move_by_hand") return refusalToMove(stop);
+  if (doing === "reset_cell") return refusalToReset(stop);
   return kOfHolder.has(doing) ? refusalWithout(stop) : undefined;
 }
 

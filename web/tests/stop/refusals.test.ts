@@ -31,6 +31,10 @@ describe("while somebody has the controls", () => {
     expect([refusalToBegin(taken), refusalToBegin({ ...taken, held: 3 })], "they were taken by another one since").toEqual(Array(2).fill("bob has the controls"));
     expect([refused({ ...taken, held: 4 }), refused({ ...free, held: 5 }), refused({ ...taken, held: 5 })]).toEqual([[], [], []]);
   });
+  it("nobody else forces a value, or puts the cell back", () => {
+    for (const doing of ["force", "reset_cell"] as const)
+      expect([refusalOfDoing(free, doing), refusalOfDoing(stopped, doing), refusalOfDoing(taken, doing), refusalOfDoing({ ...taken, held: 4 }, doing)]).toEqual([undefined, "the cell is stopped", "bob has the controls", undefined]);
+  });
   it("they alone set the mode and confirm edits", () => {
     for (const doing of ["set_mode", "confirm_edit"] as const)
       expect([refusalOfDoing(free, doing), refusalOfDoing(taken, doing), refusalOfDoing({ ...taken, held: 4 }, doing)]).toEqual(["take the controls first", "bob has the controls", undefined]);
@@ -41,6 +45,7 @@ describe("in programming mode", () => {
   const programming = { ...free, mode: "programming" } as const;
   it("nothing begins without the controls", () => {
     expect([refusalToBegin(programming), refusalToBegin({ ...programming, held: 1 })]).toEqual(["in programming mode, take the controls first", undefined]);
+    expect([refusalOfDoing(programming, "force"), refusalOfDoing(programming, "reset_cell")]).toEqual(["in programming mode, take the controls first", undefined]);
   });
   it("alone, who has the controls moves the cell by hand, unless it is stopped", () => {
     expect(refusalToMove({ ...programming, held: 1 })).toBeUndefined();

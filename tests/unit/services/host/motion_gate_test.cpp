@@ -44,6 +44,7 @@ class Crane final : public Component {
 // Refuses what it is told to refuse, and keeps what it was asked.
 struct Gate final : MotionGate {
   Expected<std::uint64_t> begin(const Beginning&) override { return 1; }
+  Expected<void> may_force(const Beginning&) override { return {}; }
   bool confirms_edits(const std::string&) override { return false; }
   std::optional<Value> refuse(const Caller& caller, const std::string& service) override {
     asked.push_back(caller.core + " " + std::to_string(caller.fence) + " " + service);
