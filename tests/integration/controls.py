@@ -1,4 +1,6 @@
 """People at the controls of a cell: the WebSocket /api/v1/control/hold (asyncapi.yaml, `control`)."""
+import contextlib
+import json
 import threading
 import time
 
@@ -88,6 +90,41 @@ class Controls(WebSocketClient):
         assert answer["kind"] == "taken", answer
         self.set_mode("programming")
         return self
+
+
+class RecordedControls(Controls):
+    """Keeps its messages as they were sent."""
+
+    def __init__(self, server, token=None):
+        self.sent = []
+        super().__init__(server, token)
+
+    def send(self, message):
+        self.sent.append(message if isinstance(message, str) else json.dumps(message))
+        super().send(self.sent[-1])
+
+    def recorded(self, kind):
+        return [text for text in self.sent if json.loads(text)["type"] == kind]
+
+
+@contextlib.contextmanager
+def held(person, turn=0.3):
+    """A button is held meanwhile: `jog` is called again and again, whatever is answered, until the connection ends.
+    `turn`: of the base [rad/s]."""
+    released = threading.Event()
+
+    def hold():
+        with contextlib.suppress(OSError):
+            while not released.wait(0.05):
+                person.call("robot", "jog", joints=[turn, 0, 0, 0, 0, 0, 0])
+
+    button = threading.Thread(target=hold)
+    button.start()
+    try:
+        yield
+    finally:
+        released.set()
+        button.join()
 
 
 def eventually(found, timeout=TIMEOUT):
