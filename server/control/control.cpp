@@ -62,10 +62,13 @@ bool Control::is_good(std::uint64_t fence) const {
 }
 
 std::optional<Error> Control::refuse_person(const services::Beginning& run) const {
-  if (holder_ && !is_holder(run.control)) return Error{ErrorCode::leased, holder_->by + " has the controls of the cell", {}};
+  if (holder_ && !is_holder(run.control))
+    return Error{ErrorCode::leased, holder_->by + " has the controls of the cell", {}};
   if (is_holder(run.control) || !needs_person(run)) return std::nullopt;
-  return Error{ErrorCode::conflict, run.supervised ? "take the controls of the cell first: the run is supervised"
-                                                   : "take the controls of the cell first: it is programmed", {}};
+  return Error{ErrorCode::conflict,
+               run.supervised ? "take the controls of the cell first: the run is supervised"
+                              : "take the controls of the cell first: it is programmed",
+               {}};
 }
 
 Expected<std::uint64_t> Control::begin(const services::Beginning& run) {

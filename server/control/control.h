@@ -154,8 +154,8 @@ class Control final : public services::MotionGate {
   std::optional<Request> request_ GUARDED_BY(mutex_);
   bool confirms_all_edits_ GUARDED_BY(mutex_) = false;
   std::map<std::string, Lease> leases_ GUARDED_BY(mutex_);         // by service
-  std::map<std::string, std::uint64_t> moved_ GUARDED_BY(mutex_);  // by service: the fence of its last motion, which may
-                                                                   // go on when its reservation has ended
+  std::map<std::string, std::uint64_t> moved_ GUARDED_BY(mutex_);  // by service: the fence of its last motion, which
+                                                                   // may go on when its reservation has ended
   std::map<std::uint16_t, std::uint16_t> stop_ports_ GUARDED_BY(mutex_);
 };
 

@@ -3,6 +3,7 @@ import threading
 import time
 import unittest
 
+import models
 from accounts import PASSWORD, AccountServer
 from client import PROJECT, Server
 from controls import Controls, eventually
@@ -293,6 +294,75 @@ class Edits(ControlCase):
         core = self.live()
         revision = self.edited(core)
         self.server.wait(core, lambda c: c["revision"] == revision)
+
+
+def other_share(name="otherShare"):
+    """Changes how fast the arm moves; ends with the code of the error, or with none."""
+    return models.document(name, {
+        "state": "Root", "entry": "svc.robot.speed_override(0.5)", "results": [{"name": "code"}],
+        "actions": [{"when": "svc.robot.speed_override.error", "do": "res.code = svc.robot.speed_override.error.code"}],
+        "ports": [{"name": "set", "when": "svc.robot.speed_override.result"}, {"name": "failed", "when": "available(res.code)"}]})
+
+
+class OtherMotions(ControlCase):
+    """What else than a motion lets the arm move."""
+    FORCED = {"path": "Root/To", "scope": "port", "name": "next"}
+
+    def code(self, path, body=None):
+        return self.server.post(path, body, None, 409)["errors"][0]["code"]
+
+    def test_who_has_the_controls_alone_forces_values_of_runs(self):
+        core = self.server.core(insisting())
+        alice = self.person()
+        alice.take()
+        self.assertEqual(self.code(f"/cores/{core}/force", self.FORCED), "leased")
+        self.assertEqual(alice.request("POST", f"/cores/{core}/force", self.FORCED)[0], 200)
+
+    def test_a_supervised_run_that_has_lost_its_person_is_not_led_on_by_others(self):
+        core = self.server.core(insisting(), start=False)
+        alice = self.person()
+        alice.take()
+        self.assertEqual(alice.request("POST", f"/cores/{core}/start", {"supervised": True})[0], 200)
+        self.arm.wait(moving=True)
+        alice.close()
+        self.server.wait(core, lambda c: c["paused"])
+        self.assertEqual(self.code(f"/cores/{core}/force", self.FORCED), "conflict")
+
+    def test_another_run_does_not_change_how_fast_the_arm_moves(self):
+        moves = self.server.core(insisting())
+        self.arm.wait(moving=True)
+        other = self.server.core(other_share())
+        self.assertEqual(self.server.wait(other, lambda c: c["status"] != "running")["results"]["code"], "leased")
+        self.assertEqual(self.status(moves)["status"], "running")
+
+    def test_a_motion_whose_run_is_over_stops_with_its_person(self):
+        core = self.server.core(models.document("leaving", {
+            "state": "Root", "entry": f"svc.robot.move({{'joints': {FAR}}}, speed=0.2)",
+            "ports": [{"name": "at_once", "when": "True"}]}), start=False)
+        alice = self.person()
+        alice.take()
+        self.assertEqual(alice.request("POST", f"/cores/{core}/start", {"supervised": True})[0], 200)
+        self.server.wait(core, lambda c: c["status"] == "ended")
+        self.arm.wait(moving=True)
+        alice.close()
+        self.assertLess(self.arm.wait(moving=False), 1.2)
+
+    def test_a_motion_by_hand_stops_with_its_person_though_they_have_begun_a_run_since(self):
+        core = self.server.core(models.document("waiting", {"state": "Root", "entry": "svc.timer.wait(30)"}), start=False)
+        alice = self.person().programming()
+        self.move(alice, FAR)
+        self.assertEqual(alice.request("POST", f"/cores/{core}/start")[0], 200)
+        alice.close()
+        self.assertLess(self.arm.wait(moving=False), 1.2)
+
+    def test_the_cell_is_put_back_by_who_has_the_controls_alone_and_not_while_it_is_stopped(self):
+        alice = self.person()
+        alice.take()
+        self.assertEqual(self.code("/cell/reset"), "leased")
+        self.assertEqual(alice.request("POST", "/cell/reset")[0], 200)
+        self.server.post("/stop", None, "control")
+        self.assertEqual(self.code("/cell/reset"), "stopped")
+        self.assertEqual(alice.request("POST", "/cell/reset")[0], 409)
 
 
 class TakeOver(ControlCase):
