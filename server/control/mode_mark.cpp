@@ -7,12 +7,6 @@
 
 namespace race::server {
 
-namespace {
-
-constexpr unsigned kOwnerAlone = 0600;
-
-}  // namespace
-
 Mode ModeMark::read() const {
   if (std::error_code unknown; !std::filesystem::exists(path_, unknown) && !unknown) return Mode::execution;
   const auto text = read_file(path_);

@@ -10,12 +10,6 @@
 
 namespace race::server {
 
-namespace {
-
-constexpr unsigned kPermissions = 0600;
-
-}  // namespace
-
 std::optional<Control::Stop> StopMark::read() const {
   if (std::error_code unknown; !std::filesystem::exists(path_, unknown) && !unknown) return std::nullopt;
   Control::Stop stop{"an unknown person", 0};
@@ -28,7 +22,7 @@ std::optional<Control::Stop> StopMark::read() const {
 }
 
 Expected<void> StopMark::write(const std::optional<Control::Stop>& stop) const {
-  if (stop) return write_file(path_, to_json(Dict{{"by", stop->by}, {"time", stop->time}}), kPermissions);
+  if (stop) return write_file(path_, to_json(Dict{{"by", stop->by}, {"time", stop->time}}), kOwnerAlone);
   std::error_code failed;
   std::filesystem::remove(path_, failed);
   if (failed) return unexpected(ErrorCode::io, failed.message(), path_);

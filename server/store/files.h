@@ -28,6 +28,9 @@ Expected<bool> file_exists(const std::string& path);
 /// path: it cannot be written and is as it was.
 Expected<void> replace_file(const std::string& path, std::string_view text);
 
+/// Of a file for the user of the server alone.
+inline constexpr unsigned kOwnerAlone = 0600;
+
 /// The same of a file that may not be there yet; it has these permissions. Not through symbolic links.
 Expected<void> write_file(const std::string& path, std::string_view text, unsigned permissions);
 

@@ -129,7 +129,7 @@ std::string fingerprint_of(X509& certificate) {
   return text;
 }
 
-constexpr mode_t kPublic = 0644, kPrivate = 0600;
+constexpr mode_t kPublic = 0644;
 
 struct Pair {
   std::string certificate, key;
@@ -155,7 +155,7 @@ Expected<Pair> read_pair(const fs::path& folder, const std::string& name) {
 }
 
 Expected<void> write_pair(const fs::path& folder, const std::string& name, const Pair& pair) {
-  if (auto written = write_file(folder / (name + ".key"), pair.key, kPrivate); !written) return written;
+  if (auto written = write_file(folder / (name + ".key"), pair.key, kOwnerAlone); !written) return written;
   return write_file(folder / (name + ".pem"), pair.certificate, kPublic);
 }
 
