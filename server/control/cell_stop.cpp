@@ -6,7 +6,7 @@ namespace race::server {
 
 namespace {
 
-constexpr std::int64_t kAgain = 100;  // [ms]
+constexpr std::chrono::milliseconds kAgain{100};
 
 }  // namespace
 
@@ -20,19 +20,22 @@ CellStop::CellStop(Control& control, services::Host& host, Cores& cores, Marks m
 void CellStop::stop(const std::string& by, std::int64_t now) {
   const bool is_first = control_.stop({by, now});
   // One more stop calls again what is safe, as a person who presses again expects; a flood of them does nothing more.
-  if (!is_first && now < called_ + kAgain) return;
-  called_ = now;
+  const auto called = std::chrono::steady_clock::now();
+  if (!is_first && called < called_.load() + kAgain) return;
+  called_ = called;
   host_.call_safe();
   if (!is_first) return;  // no run has begun since
+  write_stop();
   pool_.post([this, by] {
     end_runs();
-    follow("stopped by " + by);
+    log_("stopped by " + by);
   });
 }
 
 void CellStop::reset(const std::string& by) {
   control_.reset();
-  pool_.post([this, by] { follow("reset by " + by); });
+  write_stop();
+  pool_.post([this, by] { log_("reset by " + by); });
 }
 
 void CellStop::halt(const Control::Ended& ended, const std::string& why) {
@@ -47,9 +50,14 @@ void CellStop::change_mode(const Control::Ended& ended, Mode mode, const std::st
   limit_speed(mode);
   const std::string mode_name(name(mode));
   halt(ended, by + " has set the mode: " + mode_name);
-  pool_.post([this, mode] {
+  disk_.post([this, mode] {
     if (auto written = marks_.mode.write(mode); !written) log_(to_string(written.error()));
   });
+}
+
+void CellStop::end() {
+  pool_.end();
+  disk_.end();
 }
 
 void CellStop::limit_speed(Mode mode) {
@@ -57,9 +65,10 @@ void CellStop::limit_speed(Mode mode) {
 }
 
 // What is written is what holds then: of a stop and a reset, the later.
-void CellStop::follow(const std::string& text) {
-  log_(text);
-  if (auto written = marks_.stop.write(control_.stopped()); !written) log_(to_string(written.error()));
+void CellStop::write_stop() {
+  disk_.post([this] {
+    if (auto written = marks_.stop.write(control_.stopped()); !written) log_(to_string(written.error()));
+  });
 }
 
 // One that was not started is told nothing: it stays ready.

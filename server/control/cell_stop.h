@@ -1,8 +1,8 @@
 // CellStop: what follows in the cell when somebody stops it, or resets it, or the permission of what moves ends: the
 // latch at once, then the safe operations, then runs.
 //
-// Threads: any. Waits for nothing but the locks of the control and the host, which nobody holds for long; what takes
-// longer is done on a thread of its own.
+// Threads: any. Waits for nothing but the locks of the control and the host, which nobody holds for long; runs are
+// ended on a thread of its own, and on another one the marks are written, so that no run waits for the disk.
 #pragma once
 
 #include <atomic>
@@ -40,12 +40,12 @@ class CellStop {
   void halt(const Control::Ended& ended, const std::string& why);
   /// The control has another mode.
   void change_mode(const Control::Ended& ended, Mode mode, const std::string& by);
-  /// Nothing is done any more that is not begun.
-  void end() { pool_.end(); }
+  /// Does what is still to be done, and nothing any more.
+  void end();
 
  private:
   void limit_speed(Mode mode);
-  void follow(const std::string& text);
+  void write_stop();
   void end_runs();
 
   Control& control_;
@@ -53,8 +53,8 @@ class CellStop {
   Cores& cores_;
   const Marks marks_;
   const Log log_;
-  std::atomic<std::int64_t> called_{0};  // when the safe operations were called last [ms since 1970]
-  Pool pool_{1, 0, "stops"};
+  std::atomic<Control::Steady> called_{Control::Steady()};  // when the safe operations were called last
+  Pool pool_{1, 0, "stops"}, disk_{1, 0, "marks"};
 };
 
 }  // namespace race::server

@@ -12,6 +12,7 @@ import models
 from accounts import AccountServer
 from client import PROJECT, ROGUE, TIMEOUT, Server, check
 from motions import Arm, insisting, moving
+from traced_server import strace
 
 DEMO = str(PROJECT / "deploy/demo")
 
@@ -139,6 +140,32 @@ class Stop(StopCase):
             self.assertEqual(self.stopped() is not None, status == 200, headers)
         self.server.post("/stop/reset", None, "control")
         self.assertEqual(press(self.port, body="{" * 100_000)[0], 200)
+
+
+class HungDisk(StopCase):
+    """Each file that gets its place by its name, as the mark of the stop does, takes HANGS seconds for that."""
+
+    HANGS = 3
+
+    @staticmethod
+    def hung(*options):
+        delay = f"inject=rename:delay_enter={HungDisk.HANGS * 1_000_000}"
+        return Server(*options, under=(strace(), "-D", "-I2", "-f", "-qq", "-o", "/dev/null", "-e", "trace=rename", "-e", delay))
+
+    SERVER = hung
+
+    def test_runs_end_at_once_all_the_same(self):
+        first = self.start(insisting("first"))
+        for core in (first, "2"):
+            begin = time.monotonic()
+            self.assertEqual(press(self.port)[0], 200)
+            self.server.wait(core, lambda c: c["status"] == "aborted")
+            self.assertLess(time.monotonic() - begin, self.HANGS / 2)
+            if core == first:
+                self.server.post("/stop/reset", None, "control")
+                self.assertEqual(self.start(insisting("second")), "2")
+        mark, last = Path(self.server.data) / "stopped", self.stopped()
+        self.server.wait_for(lambda: mark.exists() and json.loads(mark.read_text()) == last)
 
 
 class Leases(StopCase):
