@@ -15,6 +15,10 @@ from motions import Arm, insisting, moving
 from traced_server import strace
 
 DEMO = str(PROJECT / "deploy/demo")
+# [s] Of twenty presses under load, each with its connection. Measured on two processors with a load of 12 by builds: median 0.5 to
+# 10 ms, slowest 30. A thread may wait longer for a processor, but a press that has to wait for a silent client (kHeaderTimeout of
+# the stop server, 2 s) or to connect once more (TCP: 1 s) is one that is kept out.
+SLOWEST = 1.0
 
 
 def stop_port(server):
@@ -235,8 +239,10 @@ class Load(StopCase):
             dripping.join()
             for client in clients:
                 client.close()
-        print(f"stop answered after {min(times) * 1000:.1f} to {max(times) * 1000:.1f} ms")
-        self.assertLess(sorted(times)[10], 0.3)
+        times.sort()
+        print(f"stop answered after {times[0] * 1000:.1f} to {times[-1] * 1000:.1f} ms, median {times[10] * 1000:.1f}")
+        self.assertLess(times[10], 0.3)
+        self.assertLess(times[-1], SLOWEST)
 
     def test_a_header_of_more_than_a_kilobyte_is_refused(self):
         with socket.create_connection(("127.0.0.1", self.port), TIMEOUT) as client:
