@@ -229,7 +229,7 @@ Application::~Application() {
 void Application::create_metrics() {
   Metrics::Routes all;
   for (const Route& route : routes()) all.emplace_back(route.method, route.pattern);
-  all.insert(all.end(), {{"GET", "/api/v1/stream"}, {"GET", "/api/v1/components"}});
+  for (const std::string_view path : websocket_paths()) all.emplace_back("GET", path);
   metrics_ = std::make_unique<Metrics>(
       all, [sources = MetricSources{folder_->store(), *hub_, *cores_, *cell_, *control_, *writer_, *audit_, *log_}](
                Exposition& to) { collect_metrics(sources, to); });

@@ -180,6 +180,7 @@ void call_route(const Route& route, const Request& request, const Resources& res
 }  // namespace
 
 std::span<const Route> routes() { return kRoutes; }
+std::span<const std::string_view> websocket_paths() { return kSockets; }
 
 std::string_view pattern_of(std::string_view method, std::string_view path) {
   for (const std::string_view socket : kSockets)

@@ -29,9 +29,10 @@ struct Route {
   bool creates = false;         // something each time, unless the request has an Idempotency-Key
 };
 
-/// All of them. The listener serves the WebSockets itself (GET /api/v1/stream,
-/// /api/v1/control/hold and /api/v1/components).
+/// All of them. The listener serves the WebSockets itself.
 std::span<const Route> routes();
+/// The paths of the WebSockets, which are routes of GET.
+std::span<const std::string_view> websocket_paths();
 
 /// The pattern of the route of a request, also of the WebSockets; empty: there is none.
 std::string_view pattern_of(std::string_view method, std::string_view path);

@@ -9,6 +9,7 @@ import models
 from accounts import AccountServer
 from client import PROJECT, Server
 from component_process import LONG_HEARTBEAT, component_client
+from controls import Controls
 from interface import INTERFACE
 
 NAME = r"[a-zA-Z_:][a-zA-Z0-9_:]*"
@@ -165,6 +166,10 @@ class Metrics(unittest.TestCase):
             each.close()
         self.server.wait_for(lambda: self.value("race_connections") == 1)
         self.assertEqual(self.value("race_websockets", kind="stream"), 0)
+        person = Controls(self.server)
+        self.assertEqual(self.value("race_websockets", kind="control"), 1)
+        person.close()
+        self.server.wait_for(lambda: self.value("race_websockets", kind="control") == 0)
         self.assertEqual(self.value("race_service_available", service="robot"), 1)
         with Server("--remote", "audio", *LONG_HEARTBEAT) as other:
             self.assertEqual(parse(ask(other)[2])[1][("race_service_available", (("service", "audio"),))], 0)
@@ -185,10 +190,25 @@ class Metrics(unittest.TestCase):
         self.assertLess(len(samples), 300)
         self.assertEqual(self.value("race_http_requests_total", samples, method="other", route="other", code="4xx"), 200)
 
-    def test_each_family_is_in_the_table_of_the_operator(self):
-        self.metrics()
-        table = set(re.findall(rf"^\| `({NAME})`", (PROJECT / "deploy/README.md").read_text(), re.MULTILINE))
-        self.assertEqual(table, set(self.types))
+    def test_what_is_refused_at_a_websocket_is_counted_at_its_route(self):
+        paths = ("/api/v1/stream", "/api/v1/control/hold", "/api/v1/components")
+        self.assertEqual({path for path in INTERFACE["paths"] if "101" in INTERFACE["paths"][path].get("get", {}).get("responses", {})},
+                         set(paths))
+        with AccountServer() as server:
+            for path in paths:
+                self.assertEqual(server.ask(None, "GET", path), 401)
+            samples = parse(ask(server, server.tokens["observer"])[2])[1]
+        for path in paths:
+            key = ("race_http_requests_total", (("code", "4xx"), ("method", "GET"), ("route", path)))
+            self.assertEqual(samples.get(key), 1, path)
+
+    def test_each_family_and_kind_is_in_the_table_of_the_operator(self):
+        samples = self.metrics()
+        lines = (PROJECT / "deploy/README.md").read_text().splitlines()
+        table = {found[1]: line for line in lines if (found := re.match(rf"^\| `({NAME})`", line))}
+        self.assertEqual(set(table), set(self.types))
+        kinds = {dict(labels)["kind"] for name, labels in samples if name == "race_websockets"}
+        self.assertEqual(kinds, set(re.findall(r"`(\w+)` \(", table["race_websockets"])))
 
 
 class Rights(unittest.TestCase):
