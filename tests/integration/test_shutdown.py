@@ -1,4 +1,5 @@
 """SIGTERM and SIGINT: motions are stopped, clients are told why, nothing that was acknowledged is lost, within a time."""
+import contextlib
 import json
 import os
 import re
@@ -16,11 +17,14 @@ from websockets.frames import OP_CLOSE, OP_TEXT
 
 import models
 from client import PROGRAM, PROJECT, TIMEOUT, Server
+from crash_scenario import Connection
 from component_process import LONG_HEARTBEAT, ComponentProcess, component_client, wait_available
 from motions import Arm, insisting, moving
+from traced_server import STORE, TracedServer
 
 DEMO = str(PROJECT / "deploy/demo")
 SOON = 4  # [s] for the end of a server, whatever is under way
+IN_TIME = 10  # [s] whatever hangs
 
 
 class Case(unittest.TestCase):
@@ -252,6 +256,46 @@ class Motions(Case):
             server.process.wait(TIMEOUT)
             self.assertLess(time.monotonic() - begin, 1)
             self.assertEqual(server.process.returncode, 0)
+
+
+class Hangs(Case):
+    def test_a_disk_that_hangs_ends_it_as_after_a_crash_and_it_says_so(self):
+        server = self.serve()
+        server.put("/documents/kept", models.ticking("kept"), "document_entry")
+        self.end(server)
+        with TracedServer(self.data, "delay_enter=15000000:when=1+", ("fdatasync",), STORE) as traced, Connection(traced.port) as client:
+            def put():
+                with contextlib.suppress(OSError):
+                    client.request("PUT", "/documents/lost", models.ticking("lost"))
+            asking = threading.Thread(target=put)
+            asking.start()
+            asking.join(1)
+            self.assertTrue(asking.is_alive(), "the disk hangs")
+            begin = time.monotonic()
+            traced.process.terminate()
+            said = next((line for line in traced.process.stderr if line.startswith("race:")), "")
+            took = time.monotonic() - begin
+            asking.join(TIMEOUT)
+            status, _ = traced.ended()  # strace lets it go when its delay is over
+        print(f"ended after {took:.1f} s", flush=True)
+        self.assertEqual(status, 1)
+        self.assertEqual(said, "race: the disk or a service does not let the server end; it ends as it is\n")
+        self.assertLess(took, IN_TIME)
+        server = self.serve()
+        server.get("/documents/kept", "document_entry")
+        self.end(server)
+
+    def test_the_process_of_a_service_that_is_halted_keeps_nobody(self):
+        server = self.serve("--remote", "cell", *LONG_HEARTBEAT)
+        with ComponentProcess(server, "cell", "--folder", DEMO) as cell:
+            wait_available(server, "robot")
+            core = server.core(moving(speed=0.2))
+            server.wait(core, lambda c: c["step"] > 0)
+            cell.process.send_signal(signal.SIGSTOP)
+            try:
+                self.assertGreater(self.end(server), 1, "it waits for the answer of what is safe")
+            finally:
+                cell.process.send_signal(signal.SIGCONT)
 
 
 class ServiceManager(Case):
