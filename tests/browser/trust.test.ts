@@ -17,6 +17,8 @@ const own = Object.values(networkInterfaces())
 const host = own === undefined ? undefined : own.family === "IPv6" ? `[${own.address}]` : own.address;
 
 const section = (page: Page, name: string) => page.locator("details").filter({ has: page.locator("summary", { hasText: new RegExp(`^${name}$`) }) });
+const stopButton = (page: Page) => page.getByRole("button", { name: "STOP", exact: true });
+const banner = (page: Page) => page.getByRole("region", { name: "The cell is stopped" });
 const openSections = (page: Page) => page.locator("details[open] > summary").allInnerTexts();
 
 describe("a server without a network", () => {
@@ -85,6 +87,80 @@ describe.skipIf(host === undefined)("a server that a network reaches", () => {
     expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
     expect(new URL(page.url()).hash).toBe("");
     await fixture.screenshot("trust-phone", page);
+    await page.context().close();
+  });
+
+  const stopped = async () => ((await fixture.send("GET", "/control")) as { readonly stopped: object | null }).stopped !== null;
+  async function reset(): Promise<void> {
+    const { token } = (await fixture.send("POST", "/login", { name: "ada", password: kPassword })) as { readonly token: string };
+    const answer = await fetch(`${fixture.url}/api/v1/stop/reset`, { method: "POST", headers: { authorization: `Bearer ${token}` } });
+    expect(answer.status).toBe(200);
+  }
+
+  it("stops the cell from a phone that does not trust the server yet, without a login, and says so", async () => {
+    const page = await open(kPhone, "/trust/");
+    await page.getByLabel("Fingerprint, SHA-256").waitFor();
+    expect((await stopButton(page).boundingBox())?.height).toBeGreaterThanOrEqual(64);
+    expect(await banner(page).count(), "the cell is free").toBe(0);
+    await page.evaluate(() => scrollTo(0, document.documentElement.scrollHeight));
+    const [end, bar] = [await page.getByText("It says nothing about who you are").boundingBox(), await page.locator("#stop-layer").boundingBox()];
+    expect((end?.y ?? 0) + (end?.height ?? 0), "it covers nothing").toBeLessThanOrEqual(bar?.y ?? 0);
+    await stopButton(page).tap();
+    await expect.poll(stopped, kSoon).toBe(true);
+    await expect.poll(() => banner(page).innerText(), kSoon).toMatch(/^STOPPED by somebody at \d\d:\d\d:\d\d\s+All runs have ended\. Nothing moves until the reset/);
+    expect(await findings(page)).toEqual([]);
+    await fixture.screenshot("trust-stopped-phone", page);
+    await reset();
+    await banner(page).waitFor({ state: "hidden" });
+    await page.context().close();
+  });
+
+  it("stops the cell by the ordinary port alone, as a phone sends nothing to a port of which it was not told", async () => {
+    const page = await open(kPhone, "/trust/", fixture.url); // at an IPv6 address, pages know no other port
+    fixture.allowError(/ERR_ADDRESS_UNREACHABLE .*\/api\/v1\/stop\)/);
+    let tries = 0;
+    await page.route((url) => url.pathname === "/api/v1/stop" && url.origin !== fixture.url, (route) => {
+      tries++;
+      return route.abort("addressunreachable");
+    });
+    await page.getByLabel("Fingerprint, SHA-256").waitFor();
+    await expect.poll(async () => {
+      if (await stopped()) await reset();
+      await stopButton(page).tap();
+      await banner(page).waitFor();
+      return tries;
+    }, kSoon).toBeGreaterThan(0);
+    expect(await stopped()).toBe(true);
+    await reset();
+    await page.context().close();
+  });
+
+  it("is stopped by the key, and STOP covers nothing in windows of any width", async () => {
+    const page = await open({ viewport: { width: 1366, height: 768 } }, "/trust/");
+    await page.getByLabel("Fingerprint, SHA-256").waitFor();
+    for (const width of [761, 800, 960, 1000, 1001, 1100, 1366]) {
+      await page.setViewportSize({ width, height: 768 });
+      const right = await page.locator("main > div, main > header").evaluateAll((parts) => Math.max(...parts.map((part) => part.getBoundingClientRect().right)));
+      expect(right, String(width)).toBeLessThanOrEqual((await stopButton(page).boundingBox())?.x ?? 0);
+    }
+    await page.keyboard.press("F3");
+    await expect.poll(stopped, kSoon).toBe(true);
+    await banner(page).waitFor();
+    expect(await findings(page)).toEqual([]);
+    await fixture.screenshot("trust-stopped-1366", page);
+    await reset();
+    await page.context().close();
+  });
+
+  it("is small: its scripts are what it uses, and no library", async () => {
+    const page = await open(kPhone, "/trust/");
+    await page.getByLabel("Fingerprint, SHA-256").waitFor();
+    const bytes = await page.evaluate(() =>
+      performance.getEntriesByType("resource").filter(({ name }) => name.endsWith(".js")).reduce((sum, entry) => sum + (entry as PerformanceResourceTiming).decodedBodySize, 0),
+    );
+    console.log(`scripts of /trust/: ${bytes} bytes`);
+    expect(bytes).toBeGreaterThan(1000);
+    expect(bytes).toBeLessThan(32_000);
     await page.context().close();
   });
 

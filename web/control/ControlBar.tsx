@@ -1,6 +1,6 @@
 // Who has the controls of the cell, and its mode; that this page has lost them, and why; and who asks for them.
 import { isOwn, holderText, linkWarning, modeText } from "../shared/control/texts";
-import { useStop } from "../stop/page";
+import { useStop } from "../stop/useStop";
 import { controls, useControls } from "./page";
 import { RequestBar } from "./RequestBar";
 import { TakeButton, type TakeProps } from "./TakeButton";

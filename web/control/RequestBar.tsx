@@ -3,7 +3,7 @@ import { useState } from "react";
 import type { Control } from "../generated/messages";
 import { answerRequest, ControlRefusal } from "../shared/control/requests";
 import { messageOf } from "../shared/messageOf";
-import { useStop } from "../stop/page";
+import { useStop } from "../stop/useStop";
 import { useLeft } from "./TakeButton";
 
 interface Props {

@@ -1,7 +1,7 @@
 // Takes the controls, asks for them if somebody has them, or gives them back.
 import { useEffect, useState } from "react";
 import { kAnswerTime, leftToAnswer } from "../shared/control/texts";
-import { useStop } from "../stop/page";
+import { useStop } from "../stop/useStop";
 import { controls, useControls } from "./page";
 
 export interface TakeProps {

@@ -1,6 +1,6 @@
 // Makes web/generated/ from api/schemas: types of all messages of the pages, validators of those that they read.
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
-import { kRead, kWritten, loadSchemas } from "./schemas.mjs";
+import { kRead, kReadByStop, kWritten, loadSchemas } from "./schemas.mjs";
 import { typesOf } from "./types.mjs";
 import { declarationsOf, validatorsOf } from "./validators.mjs";
 
@@ -18,3 +18,5 @@ mkdirSync(output, { recursive: true });
 write("messages.ts", `${kHeader}import type { JsonValue } from "../shared/json";\n\n${await typesOf(schemas, [...kRead, ...kWritten])}`);
 write("validators.js", kHeader + validatorsOf(schemas, kRead));
 write("validators.d.ts", kHeader + declarationsOf(kRead));
+write("stopValidators.js", kHeader + validatorsOf(schemas, kReadByStop));
+write("stopValidators.d.ts", kHeader + declarationsOf(kReadByStop));

@@ -66,6 +66,9 @@ export const kRead = [
   "why.json",
 ];
 
+/** What STOP reads, on each page: validators of their own, as the page on trust is small. */
+export const kReadByStop = ["control.json", "problem.json"];
+
 /** Messages that the pages write. */
 export const kWritten = ["account_change.json", "account_create.json", "breakpoints.json", "cell_reset.json", "control_answer.json", "control_mode.json", "control_request.json", "core_confirm_edit.json", "core_create.json", "core_resume.json", "core_start.json", "document_branch.json", "document_restore.json", "edit.json", "force.json", "login.json", "password_change.json", "person_command.json", "step_request.json", "stream_request.json", "token_create.json"];
 

@@ -2,7 +2,7 @@
 import { useState } from "react";
 import { kStoppedMeans, stoppedText } from "../shared/stop/texts";
 import type { Stopped } from "../shared/stop/state";
-import { useStop } from "./page";
+import { useStop } from "./useStop";
 import { ResetDialog } from "./ResetDialog";
 
 interface Props {

@@ -1,8 +1,6 @@
 // The stop of this page.
-import { useSyncExternalStore } from "react";
 import { storedTokens } from "../shared/login/tokens";
 import { createStop } from "../shared/stop/stop";
-import type { StopState } from "../shared/stop/state";
 
 export const stop = createStop({
   place: location,
@@ -15,6 +13,3 @@ export const stop = createStop({
     return () => cancelAnimationFrame(frame);
   },
 });
-
-/** The part that `select` reads; it must return the same object while nothing changed. */
-export const useStop = <T>(select: (state: StopState) => T): T => useSyncExternalStore(stop.listen, () => select(stop.get()));

@@ -1,9 +1,14 @@
-// Entry of the page on trust: the fingerprint of the server's authority, and the steps for the visitor's system.
+// Entry of the page on trust: STOP, the fingerprint of the server's authority, and the steps for the visitor's system.
 import "@fontsource-variable/inter";
 import "../display/tokens.css";
+import "../stop/tokens.css";
+import "../stop/stop.css";
 import "./trust.css";
 import { askAuthority, type Authority } from "../shared/trust/authority";
 import { firstSystem, kSystems, systemInHash, type System } from "../shared/trust/system";
+import { stoppedText } from "../shared/stop/texts";
+import { stop } from "../stop/page";
+import { showStop } from "../stop/show";
 
 /** Between two questions to a server that does not answer [ms]. */
 const kRetry = 3000;
@@ -12,6 +17,13 @@ function part(id: string): HTMLElement {
   const found = document.getElementById(id);
   if (found === null) throw new Error(`the page has no #${id}`);
   return found;
+}
+
+/** Says that the cell is stopped. The page has no reset: that is for who has logged in. */
+function drawStopped(): void {
+  const { stopped } = stop.get();
+  part("stopped").hidden = !stopped;
+  part("stopped-by").textContent = stopped ? stoppedText(stopped, Date.now()) : "";
 }
 
 function show({ kind }: Authority): void {
@@ -56,6 +68,8 @@ function followSections(first: System | undefined): void {
   });
 }
 
+showStop();
+stop.listen(drawStopped);
 const first = firstSystem(location.hash, navigator);
 if (first !== undefined) section(first).open = true;
 followSections(first);

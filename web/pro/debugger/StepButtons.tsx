@@ -1,6 +1,6 @@
 // Steps by states, in the run bar, while the run stands: into, over, out, and step mode.
 import { useCore, useLogin, useSession, useView } from "../client";
-import { useStop } from "../../stop/page";
+import { useStop } from "../../stop/useStop";
 import { isOver } from "../../shared/run/controls";
 import { Icon, type IconName } from "../panels/Icon";
 import { commandOf, keysOfCommand, runDebugCommand } from "./actions";

@@ -2,7 +2,8 @@
 import { refusalOfAction, refusalTo, doingOfCommand, type Doing } from "../../shared/login/doings";
 import type { Command } from "../../shared/run/controls";
 import { refusalOfActionByStop, refusalOfCommand, refusalOfDoing, refusalToBegin } from "../../shared/stop/refusals";
-import { stop, useStop } from "../../stop/page";
+import { stop } from "../../stop/page";
+import { useStop } from "../../stop/useStop";
 import { login, useLogin } from "../client";
 
 export const refusalNow = (doing: Doing): string | undefined => refusalTo(login.get().me, doing) ?? refusalOfDoing(stop.get(), doing);

@@ -2,7 +2,7 @@
 import { TakeButton } from "../../control/TakeButton";
 import { kAxes, kJoints, kShares, movableOf, speedText, type JogPart } from "../../shared/control/jog";
 import { holderText } from "../../shared/control/texts";
-import { useStop } from "../../stop/page";
+import { useStop } from "../../stop/useStop";
 import { ownControls, useSession } from "../client";
 import { useRefusal } from "../login/rights";
 import { Gripper } from "./Gripper";

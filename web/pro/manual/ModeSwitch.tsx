@@ -4,7 +4,8 @@ import type { CellMode } from "../../generated/messages";
 import { setMode } from "../../shared/control/requests";
 import { kModeMeans, modeName } from "../../shared/control/texts";
 import { byHand, reservedBy } from "../../shared/stop/leases";
-import { stop, useStop } from "../../stop/page";
+import { stop } from "../../stop/page";
+import { useStop } from "../../stop/useStop";
 import { attempt, fetchWithControls } from "../client";
 import { useRefusal } from "../login/rights";
 

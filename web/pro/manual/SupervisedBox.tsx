@@ -1,6 +1,6 @@
 // Whether the runs that are begun need the person at the controls.
 import { isOwn } from "../../shared/control/texts";
-import { useStop } from "../../stop/page";
+import { useStop } from "../../stop/useStop";
 import { supervise, useSupervised } from "./supervised";
 
 export function SupervisedBox() {

@@ -1,6 +1,6 @@
 // What runs have reserved: which run alone may set a service in motion now.
 import { byHand, reservedBy, reservedText } from "../../shared/stop/leases";
-import { useStop } from "../../stop/page";
+import { useStop } from "../../stop/useStop";
 import { attempt } from "../client";
 import { openRun } from "../runs/actions";
 

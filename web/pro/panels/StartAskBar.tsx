@@ -2,7 +2,7 @@
 import { useEffect, useMemo, useRef, useState } from "react";
 import { movedBy, movesText } from "../../shared/run/moving";
 import { isStopped } from "../../shared/stop/state";
-import { useStop } from "../../stop/page";
+import { useStop } from "../../stop/useStop";
 import { useSession } from "../client";
 import { CodeText } from "./CodeText";
 import { Icon } from "./Icon";

@@ -18,7 +18,7 @@ import { AccountButton } from "../login/AccountButton";
 import { Icon } from "./Icon";
 import { counted } from "../../shared/counted";
 import { holderText, kModeMeans, modeName, modeText } from "../../shared/control/texts";
-import { useStop } from "../../stop/page";
+import { useStop } from "../../stop/useStop";
 
 const pages: readonly { readonly page: Page; readonly name: string }[] = [
   { page: "task", name: "Task" },

@@ -1,6 +1,6 @@
 // The reset of the stop.
 import type { Control } from "../../generated/messages";
-import * as schema from "../../generated/validators";
+import * as schema from "../../generated/stopValidators";
 import { check } from "../messages/check";
 
 /** `fetcher`: of the account. Throws why the server refuses it. */

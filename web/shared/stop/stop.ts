@@ -1,6 +1,6 @@
 // The stop of a page: what is known of it, its press, and its reset. It needs no login and no stream.
 import type { Control } from "../../generated/messages";
-import * as schema from "../../generated/validators";
+import * as schema from "../../generated/stopValidators";
 import { check } from "../messages/check";
 import { createStore, type NextFrame } from "../store";
 import type { Connection } from "../stream";
