@@ -89,7 +89,20 @@ void remove_oldest(SQLite::Database& file, std::int64_t last) {
 
 AuditLog::AuditLog(std::unique_ptr<SQLite::Database> file, Failed failed)
     : failed_(std::move(failed)), file_(std::move(file)) {}
-AuditLog::~AuditLog() { pool_.end(); }
+
+AuditLog::~AuditLog() { close(); }
+
+void AuditLog::close() {
+  bool was_closed = false;
+  {
+    const services::MutexLock lock(queue_mutex_);
+    was_closed = std::exchange(closed_, true);
+  }
+  closing_.notify_all();
+  pool_.end();
+  if (const std::size_t lost = waiting(); lost > 0 && !was_closed)
+    failed_({ErrorCode::storage, std::to_string(lost) + " rows of the audit log are lost"});
+}
 
 Expected<std::unique_ptr<AuditLog>> AuditLog::open(const std::string& path, Failed failed) try {
   if (auto sound = sqlite::check_log(path); !sound) return tl::unexpected(std::move(sound).error());
@@ -104,23 +117,46 @@ Expected<std::unique_ptr<AuditLog>> AuditLog::open(const std::string& path, Fail
 
 bool AuditLog::has_room() const {
   const services::MutexLock lock(queue_mutex_);
-  return queue_.size() < kMostWaiting;
+  return queue_.size() + writing_ < kMostWaiting;
 }
 
 void AuditLog::append(AuditEntry entry) {
   entry.action = language::utf8::prefix(entry.action, kLongest);
   const services::MutexLock lock(queue_mutex_);
-  if (queue_.size() >= 2 * kMostWaiting) return;  // of what is not refused meanwhile: stops of the cell
+  if (closed_ || queue_.size() + writing_ >= 2 * kMostWaiting)
+    return;  // of what is not refused meanwhile: stops of the cell
   queue_.push_back(std::move(entry));
-  if (queue_.size() == 1) pool_.post([this] { write_queue(); });
+  if (!at_work_) at_work_ = pool_.post([this] { write_queue(); });
 }
 
-void AuditLog::write_queue() try {
-  std::vector<AuditEntry> entries;
-  {
+// Rows that could not be written go back to the front. That moves nodes of lists: it needs no memory.
+void AuditLog::write_queue() {
+  bool has_failed = false;
+  for (;;) {
+    std::list<AuditEntry> entries;
+    bool is_last_try = false;
+    {
+      const services::MutexLock lock(queue_mutex_);
+      at_work_ = !queue_.empty();
+      if (!at_work_) return;
+      entries.swap(queue_);
+      writing_ = entries.size();
+      is_last_try = closed_;
+    }
+    const std::optional<Error> error = write(entries);
+    if (!error) entries.clear();
+    if (error && !has_failed) failed_(*error);
+    has_failed = error.has_value();
     const services::MutexLock lock(queue_mutex_);
-    entries.swap(queue_);
+    queue_.splice(queue_.begin(), entries);
+    writing_ = 0;
+    if (!has_failed) continue;
+    if (is_last_try) return;
+    closing_.wait_for(queue_mutex_, kRetry, [this]() REQUIRES(queue_mutex_) { return closed_; });
   }
+}
+
+std::optional<Error> AuditLog::write(std::list<AuditEntry>& entries) try {
   const services::MutexLock lock(mutex_);
   sqlite::WriteTransaction transaction(*file_);
   Last last = last_of(*file_);
@@ -131,8 +167,11 @@ void AuditLog::write_queue() try {
   }
   remove_oldest(*file_, last.number);
   transaction.commit();
+  return std::nullopt;
 } catch (const SQLite::Exception& exception) {
-  failed_(sqlite::error_of(exception, "cannot write to the audit log"));
+  return sqlite::error_of(exception, "cannot write to the audit log");
+} catch (const std::exception& exception) {  // no memory
+  return Error{ErrorCode::unavailable, "cannot write to the audit log: " + std::string(exception.what())};
 }
 
 Expected<AuditLog::Page> AuditLog::list(std::optional<std::int64_t> before, std::int64_t limit) try {

@@ -2,13 +2,15 @@
 // address and the answer. Bodies are not in it: they may hold passwords, and documents and runs keep their own history.
 //
 // Each row is chained to the one before it (as journals are, server/store/journal_chain.h), so that one that is damaged
-// or missing is named. The oldest go.
+// or missing is named. The oldest go. Rows that the disk does not take wait, in their order, and are tried again.
 //
 // Threads: any; rows are written on a thread of its own.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
+#include <list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -36,22 +38,24 @@ struct AuditEntry {
 
 class AuditLog {
  public:
-  static constexpr std::int64_t kMost = 100'000;       // rows
-  static constexpr std::size_t kLongest = 300;         // bytes of an action; what follows is cut off
-  static constexpr std::size_t kMostWaiting = 10'000;  // rows that wait for the disk
+  static constexpr std::int64_t kMost = 100'000;            // rows
+  static constexpr std::size_t kLongest = 300;              // bytes of an action; what follows is cut off
+  static constexpr std::size_t kMostWaiting = 10'000;       // rows that wait for the disk
+  static constexpr std::chrono::milliseconds kRetry{1000};  // after a disk that has failed
 
   using Failed = std::function<void(const Error&)>;
-  /// Opens the file (DataFolder::audit), and checks the chain of its rows; `failed` is told what cannot be written.
-  /// Errors: `corrupt`, `version`, `storage`, `io`.
+  /// Opens the file (DataFolder::audit), and checks the chain of its rows; `failed` is told why rows cannot be written,
+  /// once until they can, and how many are lost at the end. Errors: `corrupt`, `version`, `storage`, `io`.
   static Expected<std::unique_ptr<AuditLog>> open(const std::string& path, Failed failed);
-  /// Writes what waits.
   ~AuditLog();
+  /// Writes what waits, or gives it up if the disk fails once more; what comes later is dropped.
+  void close() EXCLUDES(queue_mutex_);
 
   /// Whether append() can be called: if not, what would be logged must not be done.
   bool has_room() const EXCLUDES(queue_mutex_);
   std::size_t waiting() const EXCLUDES(queue_mutex_) {
     const services::MutexLock lock(queue_mutex_);
-    return queue_.size();
+    return queue_.size() + writing_;
   }
   /// Durable soon: what comes while others are written is written together.
   void append(AuditEntry entry) EXCLUDES(queue_mutex_);
@@ -66,12 +70,18 @@ class AuditLog {
  private:
   AuditLog(std::unique_ptr<SQLite::Database> file, Failed failed);
   void write_queue() EXCLUDES(mutex_, queue_mutex_);
+  /// Why not; nothing: they are durable.
+  std::optional<Error> write(std::list<AuditEntry>& entries) EXCLUDES(mutex_);
 
   const Failed failed_;
   services::Mutex mutex_;
   const std::unique_ptr<SQLite::Database> file_ PT_GUARDED_BY(mutex_);
   mutable services::Mutex queue_mutex_;
-  std::vector<AuditEntry> queue_ GUARDED_BY(queue_mutex_);
+  std::list<AuditEntry> queue_ GUARDED_BY(queue_mutex_);
+  std::size_t writing_ GUARDED_BY(queue_mutex_) = 0;  // rows that were taken out of it and are not durable yet
+  bool at_work_ GUARDED_BY(queue_mutex_) = false;     // write_queue() is
+  bool closed_ GUARDED_BY(queue_mutex_) = false;
+  services::ConditionVariable closing_;
   Pool pool_{1, 0, "audit"};
 };
 

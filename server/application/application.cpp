@@ -224,6 +224,7 @@ Application::~Application() {
   if (pool_) pool_->end();
   if (cores_) cores_->end_changes();  // after the strands that post there
   if (stream_pool_) stream_pool_->end();
+  if (audit_) audit_->close();  // while what it says is still logged
 }
 
 void Application::create_metrics() {
