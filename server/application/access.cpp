@@ -1,5 +1,7 @@
 #include "server/application/access.h"
 
+#include <algorithm>
+
 #include "server/http/refusal.h"
 #include "server/wire/calendar.h"
 
@@ -9,6 +11,7 @@ namespace {
 constexpr std::string_view kTicket = "ticket";
 
 constexpr std::string_view kStopRoute = "/api/v1/stop";
+constexpr std::string_view kLoginRoute = "/api/v1/login";
 
 bool changes_something(const Request& request) { return request.method != "GET" && request.method != "HEAD"; }
 
@@ -50,13 +53,37 @@ Answer Access::audited(const Request& request, const Answer& answer) {
   entry.account = request.identity.account;
   entry.address = request.identity.address;
   entry.action = request.method + ' ' + request.path;
-  return Answer([this, entry = std::move(entry), answer](Reply reply) mutable {
+  const bool is_login = pattern_of_(request.method, request.path) == kLoginRoute;
+  return Answer([this, is_login, entry = std::move(entry), answer](Reply reply) mutable {
     entry.time = now_ms();
     entry.outcome = std::to_string(reply.status);
     if (reply.logged_in) entry.account = *reply.logged_in;
-    if (!reply.is_routine) audit_.append(std::move(entry));
+    if (has_row(is_login, reply)) audit_.append(std::move(entry));
     answer(std::move(reply));
   });
+}
+
+bool Access::take(Bucket& bucket, int burst) {
+  const auto now = std::chrono::steady_clock::now();
+  const auto until = std::max(bucket, now) + kRowTime;
+  if (until > now + burst * kRowTime) return false;
+  bucket = until;
+  return true;
+}
+
+bool Access::has_row(bool is_login, const Reply& reply) {
+  if (reply.is_routine) return false;
+  if (!is_login || reply.status == 200) return true;
+  const services::MutexLock lock(mutex_);
+  return reply.status == 401 && take(logins_, kLoginRows);
+}
+
+void Access::record_stop(const Identity& identity, const Reply& reply) {
+  if (reply.is_routine) {
+    const services::MutexLock lock(mutex_);
+    if (!take(stops_, kStopRows)) return;
+  }
+  record(identity, "POST " + std::string(kStopRoute), std::to_string(reply.status));
 }
 
 void Access::record(const Identity& identity, std::string action, std::string outcome) {

@@ -3,6 +3,7 @@
 // Threads: any; waits for no disk.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include "server/http/answer.h"
 #include "server/http/listener.h"
 #include "server/stream/requests.h"
+#include "services/mutex.h"
 
 namespace race::server {
 
@@ -27,18 +29,33 @@ class Access final : public ClientRecords {
   /// Who sends the request, if they may: else 401 or 403, and 503 while the audit log has no room for what changes
   /// something, but for a stop of the cell.
   tl::expected<Identity, Reply> admit(const Request& request) const;
-  /// An answer that is also a row of the audit log, if the request changes something.
+  /// An answer that is also a row of the audit log, if the request changes something and is not routine.
   Answer audited(const Request& request, const Answer& answer);
+  /// Whoever reaches the server can send logins and stops without an account, as often as they like. These have so many
+  /// rows at once, then one in kRowTime of each: logins whose password is wrong, and stops of a cell that is stopped
+  /// already. Logins whose password was not looked at have none. So a stranger needs a month to push out what others
+  /// have done.
+  static constexpr int kLoginRows = 100, kStopRows = 1;
+  static constexpr std::chrono::seconds kRowTime{60};
+  /// A stop of the cell, which the sockets' threads answer without a handler.
+  void record_stop(const Identity& identity, const Reply& reply) EXCLUDES(mutex_);
 
   bool is_current(const Identity& identity) const override { return gate_.is_current(identity); }
   void record(const Identity& identity, std::string action, std::string outcome) override;
   void refused(const Identity& identity, const Error& why) override;
 
  private:
+  /// A bucket, known by when it will be full again.
+  using Bucket = std::chrono::steady_clock::time_point;
+  static bool take(Bucket& bucket, int burst);
+  bool has_row(bool is_login, const Reply& reply) EXCLUDES(mutex_);
+
   const Gate& gate_;
   AuditLog& audit_;
   const PatternOf pattern_of_;
   const Log log_;
+  services::Mutex mutex_;
+  Bucket logins_ GUARDED_BY(mutex_), stops_ GUARDED_BY(mutex_);
 };
 
 }  // namespace race::server

@@ -269,7 +269,7 @@ Backend Application::make_backend() {
             Request request;
             request.identity = identity;
             Reply reply = *stop_cell(request, *cell_stop_, *control_);
-            access_->record(identity, "POST /api/v1/stop", "200");
+            access_->record_stop(identity, reply);
             count("POST", "/api/v1/stop", 200);
             return reply;
           },

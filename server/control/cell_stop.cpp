@@ -17,19 +17,20 @@ CellStop::CellStop(Control& control, services::Host& host, Cores& cores, Marks m
   if (control_.mode() == Mode::programming) limit_speed(Mode::programming);
 }
 
-void CellStop::stop(const std::string& by, std::int64_t now) {
+bool CellStop::stop(const std::string& by, std::int64_t now) {
   const bool is_first = control_.stop({by, now});
   // One more stop calls again what is safe, as a person who presses again expects; a flood of them does nothing more.
   const auto called = std::chrono::steady_clock::now();
-  if (!is_first && called < called_.load() + kAgain) return;
+  if (!is_first && called < called_.load() + kAgain) return false;
   called_ = called;
   host_.call_safe();
-  if (!is_first) return;  // no run has begun since
+  if (!is_first) return false;  // no run has begun since
   write_stop();
   pool_.post([this, by] {
     end_runs();
     log_("stopped by " + by);
   });
+  return true;
 }
 
 void CellStop::reset(const std::string& by) {

@@ -30,8 +30,8 @@ class CellStop {
   /// All outlive this. A cell that was stopped when the last server ended is stopped again, and its mode is as it was.
   CellStop(Control& control, services::Host& host, Cores& cores, Marks marks, Log log);
 
-  /// `by`: who stops it, as people read it; `now`: ms since 1970.
-  void stop(const std::string& by, std::int64_t now);
+  /// `by`: who stops it, as people read it; `now`: ms since 1970. Whether it was not stopped before.
+  bool stop(const std::string& by, std::int64_t now);
   /// Motions may begin again, when a person begins one.
   void reset(const std::string& by);
   /// What moved by a permission that has ended stops: its runs take nothing more that comes, then the safe operations

@@ -8,8 +8,10 @@
 namespace race::server {
 
 Handled stop_cell(const Request& request, CellStop& cell_stop, Control& control) {
-  cell_stop.stop(name_for_people(request.identity), now_ms());
-  return ok(control.json());
+  const bool latches = cell_stop.stop(name_for_people(request.identity), now_ms());
+  Reply reply = ok(control.json());
+  reply.is_routine = !latches;
+  return reply;
 }
 
 Handled reset_stop(const Request& request, CellStop& cell_stop, Control& control) {

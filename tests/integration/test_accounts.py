@@ -178,6 +178,24 @@ class Audit(AccountCase):
         self.assertLess(abs(entries[0]["time"] - time.time() * 1000), 60_000)
 
 
+    def test_a_stranger_cannot_fill_it(self):
+        with AccountServer() as server:
+            for body, headers in (({"name": "admin", "password": "guess number"}, {}), ({"name": 1}, {}), ("{", {})):
+                for _ in range(30):
+                    server.request("POST", "/api/v1/login", body, {"Authorization": "", **headers})
+            for _ in range(30):
+                server.ask(None, "POST", "/api/v1/login?more=1")
+                server.ask(None, "POST", "/api/v1/stop")
+            server.put("/documents/last", models.ticking("last"), "document_entry")
+            server.wait_for(lambda: server.get("/audit?limit=1", "audit")["entries"][0]["action"].startswith("PUT"))
+            entries = server.get("/audit", "audit")["entries"]
+            rows = [(e["action"], e["outcome"]) for e in entries]
+            self.assertEqual(set(rows), {("POST /api/v1/login", "401"), ("POST /api/v1/stop", "200"),
+                                         ("PUT /api/v1/documents/last", "201")})
+            self.assertLessEqual(rows.count(("POST /api/v1/login", "401")), 15)
+            self.assertEqual(rows.count(("POST /api/v1/stop", "200")), 2, "the one that latches, and one a minute")
+
+
 class Demo(unittest.TestCase):
     def test_a_server_without_accounts_is_open_until_it_has_one(self):
         with Server() as server, server.stream() as stream:
