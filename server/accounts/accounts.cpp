@@ -19,6 +19,10 @@ tl::unexpected<Error> no_account(std::string_view name) {
   return unexpected(ErrorCode::not_found, "there is no account of this name", std::string(name));
 }
 
+tl::unexpected<Error> another_password() {
+  return unexpected(ErrorCode::conflict, "the account has another password by now", "password");
+}
+
 }  // namespace
 
 Expected<std::unique_ptr<Accounts>> Accounts::open(const std::string& path) {
@@ -88,6 +92,7 @@ Expected<void> Accounts::change(const std::string& name, const Change& change) {
   const services::MutexLock changing(changing_);
   const auto before = find(name);
   if (!before) return no_account(name);
+  if (change.old_password_hash && before->password_hash != *change.old_password_hash) return another_password();
   Account after = *before;
   if (change.role && (*change.role == Role::process) != (before->role == Role::process))
     return unexpected(ErrorCode::not_accepted, "a person does not become a process, nor a process a person", "role");
@@ -130,11 +135,25 @@ Expected<Accounts::Issued> Accounts::issue(const std::string& account, const std
   if (language::utf8::length(label) > AccountToken::kLongestLabel)
     return unexpected(ErrorCode::too_large,
                       "has more than " + std::to_string(AccountToken::kLongestLabel) + " characters", "label");
+  return issue_unless_changed({"", account, label, now, expires}, nullptr);
+}
+
+Expected<Accounts::Issued> Accounts::issue_login(const std::string& account, const std::string& password_hash,
+                                                 std::int64_t now, std::int64_t expires) {
+  return issue_unless_changed({"", account, std::string(kLogin), now, expires}, &password_hash);
+}
+
+// `wanted` has no digest yet. Passwords change under the same lock: none does between the look and the token.
+Expected<Accounts::Issued> Accounts::issue_unless_changed(const AccountToken& wanted,
+                                                          const std::string* password_hash) {
+  const auto& [none, account, label, now, expires] = wanted;
   const services::MutexLock changing(changing_);
   std::vector<AccountToken> tokens;
   {
     const services::MutexLock lock(mutex_);
-    if (!accounts_.contains(account)) return no_account(account);
+    const auto found = accounts_.find(account);
+    if (found == accounts_.end()) return no_account(account);
+    if (password_hash && found->second.password_hash != *password_hash) return another_password();
     tokens = tokens_of(account);
   }
   std::vector<AccountToken> ended;

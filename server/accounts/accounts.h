@@ -42,10 +42,11 @@ class Accounts {
     std::optional<Role> role = {};
     std::optional<std::vector<std::string>> groups = {};
     std::optional<std::string> password_hash = {};
+    std::optional<std::string> old_password_hash = {};  // that of the password that was shown for this change
   };
   /// A new password ends all tokens of the account. Errors: `not_found`; `conflict`: no admin who can log in would be
-  /// left; `not_accepted`: a person would become a process, or a process a person; those of Account::check() and
-  /// AccountFile.
+  /// left, or the old password is another one by now; `not_accepted`: a person would become a process, or a process a
+  /// person; those of Account::check() and AccountFile.
   Expected<void> change(const std::string& name, const Change& change) EXCLUDES(changing_, mutex_);
   /// Removes it with its tokens. Errors: `not_found`, `conflict` (as of change), those of AccountFile.
   Expected<void> remove(const std::string& name) EXCLUDES(changing_, mutex_);
@@ -58,6 +59,10 @@ class Accounts {
   };
   Expected<Issued> issue(const std::string& account, const std::string& label, std::int64_t now, std::int64_t expires)
       EXCLUDES(changing_, mutex_);
+  /// The same for who has shown the password of this hash: a login. Error `conflict`: the account has another one by
+  /// now, also if it is a new account of this name.
+  Expected<Issued> issue_login(const std::string& account, const std::string& password_hash, std::int64_t now,
+                               std::int64_t expires) EXCLUDES(changing_, mutex_);
   /// Of the account, without those that have expired.
   std::vector<AccountToken> tokens(std::string_view account, std::int64_t now) const EXCLUDES(mutex_);
   /// The account's token of this digest is known no more. Errors: `not_found`, those of AccountFile.
@@ -75,6 +80,8 @@ class Accounts {
   explicit Accounts(std::unique_ptr<AccountFile> file) : file_(std::move(file)) {}
   std::vector<AccountToken> tokens_of(std::string_view account) const REQUIRES(mutex_);
   Expected<void> check_admin_is_left(const std::string& without, const Account* instead) const EXCLUDES(mutex_);
+  Expected<Issued> issue_unless_changed(const AccountToken& wanted, const std::string* password_hash)
+      EXCLUDES(changing_, mutex_);
   Identity identity_of(const AccountToken& token) const REQUIRES(mutex_);
 
   services::Mutex changing_;  // one change at a time, also while the disk is waited for

@@ -38,11 +38,14 @@ Reply wrong() {
   return reply;
 }
 
-Handled log_in_as(const std::string& name, Accounts& accounts) {
+bool has_changed(const Error& error) { return error.code == ErrorCode::not_found || error.code == ErrorCode::conflict; }
+
+// `hash`: of the password that was right when it was compared.
+Handled log_in_as(const std::string& name, const std::string& hash, Accounts& accounts) {
   const std::int64_t now = now_ms();
-  const auto secret = accounts.issue(name, std::string(Accounts::kLogin), now, now + kLoginLife);
+  const auto secret = accounts.issue_login(name, hash, now, now + kLoginLife);
   const auto account = accounts.find(name);
-  if (!account) return wrong();  // removed meanwhile
+  if (!account || (!secret && has_changed(secret.error()))) return wrong();  // by now
   if (!secret) return failed(secret.error());
   return ok(Dict{{"token", secret->secret}, {"expires", now + kLoginLife}, {"account", account_json(*account)}});
 }
@@ -64,12 +67,14 @@ void log_in(const Request& request, Respond respond, Accounts& accounts, Passwor
   if (const auto wait = attempts.wait(address, name, now)) return respond(of(name, too_many_attempts(*wait)));
   attempts.begun(address, name, now);
   const auto account = accounts.find(name);
-  auto compared = [respond = std::move(respond), address, name, &accounts, &attempts](const Expected<bool>& same) {
+  const std::string hash = account ? account->password_hash : "";
+  auto compared = [respond = std::move(respond), address, name, hash, &accounts,
+                   &attempts](const Expected<bool>& same) {
     if (!same || *same) attempts.not_failed(address, name, std::chrono::steady_clock::now());
     if (!same) return respond(of(name, failed(same.error())));
-    respond(of(name, *same ? log_in_as(name, accounts) : wrong()));
+    respond(of(name, *same ? log_in_as(name, hash, accounts) : wrong()));
   };
-  passwords.compare(std::move(login->password), account ? account->password_hash : "", std::move(compared));
+  passwords.compare(std::move(login->password), hash, std::move(compared));
 }
 
 Handled log_out(const Request& request, Accounts& accounts) {

@@ -32,9 +32,14 @@ Checked<NewPassword> read_passwords(const Request& request) {
   return passwords;
 }
 
-Handled set_password(const std::string& account, const Expected<std::string>& hash, Accounts& accounts) {
+Reply wrong_old_password() { return refusal(403, "password", "the old password is another one"); }
+
+// `old`: the hash of the old password when it was compared.
+Handled set_password(const std::string& account, const std::string& old, const Expected<std::string>& hash,
+                     Accounts& accounts) {
   if (!hash) return failed(hash.error());
-  auto changed = accounts.change(account, {.password_hash = *hash});
+  auto changed = accounts.change(account, {.password_hash = *hash, .old_password_hash = old});
+  if (!changed && changed.error().code == ErrorCode::conflict) return wrong_old_password();  // by now
   if (!changed) return failed(std::move(changed).error());
   return ok(Dict());
 }
@@ -61,14 +66,14 @@ void change_password(const Request& request, Respond respond, Accounts& accounts
   const auto now = std::chrono::steady_clock::now();
   if (const auto wait = attempts.wait(address, account, now)) return respond(too_many_attempts(*wait));
   attempts.begun(address, account, now);
-  auto hashed = [respond, account, &accounts](const Expected<std::string>& hash) {
-    respond(set_password(account, hash, accounts));
+  auto hashed = [respond, account, old = known->password_hash, &accounts](const Expected<std::string>& hash) {
+    respond(set_password(account, old, hash, accounts));
   };
   auto compared = [respond, account, address, next = read->password, hashed, &passwords,
                    &attempts](const Expected<bool>& same) {
     if (!same || *same) attempts.not_failed(address, account, std::chrono::steady_clock::now());
     if (!same) return respond(failed(same.error()));
-    if (!*same) return respond(refusal(403, "password", "the old password is another one"));
+    if (!*same) return respond(wrong_old_password());
     passwords.hash(next, hashed);
   };
   passwords.compare(std::move(read->old), known->password_hash, std::move(compared));

@@ -131,6 +131,26 @@ TEST_F(AccountsTest, ATokenEndsWithALogoutANewPasswordAndItsAccount) {
   }
 }
 
+// A password is compared long before its token is made.
+TEST_F(AccountsTest, APasswordThatIsAnotherByNowBringsNothing) {
+  const auto code = [](const auto& done) { return done ? "" : std::string(name(done.error().code)); };
+  ASSERT_TRUE(accounts->add(person("ada", Role::admin)));
+  ASSERT_TRUE(accounts->add(person("eve", Role::observer)));
+  const std::string old = accounts->find("eve")->password_hash;
+  const auto login = [&](const std::string& hash) { return accounts->issue_login("eve", hash, kNow, kNow + 1000); };
+  ASSERT_EQ(code(login(old)), "");
+  ASSERT_TRUE(accounts->change("eve", {.password_hash = "another", .old_password_hash = old}));
+  EXPECT_EQ(code(login(old)), "conflict");
+  EXPECT_EQ(refusal_of(accounts->change("eve", {.password_hash = "third", .old_password_hash = old})),
+            "conflict password");
+  EXPECT_EQ(accounts->find("eve")->password_hash, "another");
+  ASSERT_TRUE(accounts->remove("eve"));
+  EXPECT_EQ(code(login("another")), "not_found");
+  ASSERT_TRUE(accounts->add({"eve", Role::observer, {}, "of a new account", kNow}));
+  EXPECT_EQ(code(login("another")), "conflict");
+  EXPECT_THAT(accounts->tokens("eve", kNow), SizeIs(0));
+}
+
 TEST_F(AccountsTest, AnIdentityIsNoMoreWhatItWasWhenItsRoleChanges) {
   ASSERT_TRUE(accounts->add(person("ada", Role::admin)));
   ASSERT_TRUE(accounts->add(person("eve", Role::developer)));
