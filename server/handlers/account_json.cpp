@@ -37,4 +37,10 @@ Reply too_many_attempts(std::chrono::milliseconds wait) {
   return reply;
 }
 
+void settle(Attempts& attempts, const Attempts::Attempt& attempt, const Expected<bool>& is_right) {
+  const auto now = std::chrono::steady_clock::now();
+  if (!is_right) return attempts.drop(attempt, now);
+  if (*is_right) attempts.succeed(attempt, now);
+}
+
 }  // namespace race::server

@@ -9,6 +9,7 @@
 #include "core/value/fields.h"
 #include "core/value/value.h"
 #include "server/accounts/account.h"
+#include "server/accounts/attempts.h"
 #include "server/http/message.h"
 
 namespace race::server {
@@ -22,6 +23,8 @@ std::optional<Role> read_role(Fields& fields, Fields::Need need);
 
 /// 429, with `Retry-After`.
 Reply too_many_attempts(std::chrono::milliseconds wait);
+/// What a comparison of passwords says of the attempt; an error: it was not made.
+void settle(Attempts& attempts, const Attempts::Attempt& attempt, const Expected<bool>& is_right);
 
 /// Logins end after this [ms].
 inline constexpr std::int64_t kLoginLife = std::int64_t{12} * 60 * 60 * 1000;

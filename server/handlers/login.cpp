@@ -64,13 +64,14 @@ void log_in(const Request& request, Respond respond, Accounts& accounts, Passwor
   if (!login) return respond(tl::unexpected(std::move(login).error()));
   const std::string name = login->name, address = request.identity.address;
   const auto now = std::chrono::steady_clock::now();
-  if (const auto wait = attempts.wait(address, name, now)) return respond(of(name, too_many_attempts(*wait)));
-  attempts.begun(address, name, now);
+  const auto attempt = attempts.begin(address, name, now);
+  if (!attempt) return respond(of(name, too_many_attempts(attempt.error())));
   const auto account = accounts.find(name);
   const std::string hash = account ? account->password_hash : "";
-  auto compared = [respond = std::move(respond), address, name, hash, &accounts,
+  auto compared = [respond = std::move(respond), attempt = *attempt, hash, &accounts,
                    &attempts](const Expected<bool>& same) {
-    if (!same || *same) attempts.not_failed(address, name, std::chrono::steady_clock::now());
+    const std::string& name = attempt.account;
+    settle(attempts, attempt, same);
     if (!same) return respond(of(name, failed(same.error())));
     respond(of(name, *same ? log_in_as(name, hash, accounts) : wrong()));
   };

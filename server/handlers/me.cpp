@@ -64,14 +64,14 @@ void change_password(const Request& request, Respond respond, Accounts& accounts
   auto read = read_passwords(request);
   if (!read) return respond(tl::unexpected(std::move(read).error()));
   const auto now = std::chrono::steady_clock::now();
-  if (const auto wait = attempts.wait(address, account, now)) return respond(too_many_attempts(*wait));
-  attempts.begun(address, account, now);
+  const auto attempt = attempts.begin(address, account, now);
+  if (!attempt) return respond(too_many_attempts(attempt.error()));
   auto hashed = [respond, account, old = known->password_hash, &accounts](const Expected<std::string>& hash) {
     respond(set_password(account, old, hash, accounts));
   };
-  auto compared = [respond, account, address, next = read->password, hashed, &passwords,
+  auto compared = [respond, attempt = *attempt, next = read->password, hashed, &passwords,
                    &attempts](const Expected<bool>& same) {
-    if (!same || *same) attempts.not_failed(address, account, std::chrono::steady_clock::now());
+    settle(attempts, attempt, same);
     if (!same) return respond(failed(same.error()));
     if (!*same) return respond(wrong_old_password());
     passwords.hash(next, hashed);

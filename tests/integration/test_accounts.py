@@ -1,4 +1,5 @@
 """Accounts, tokens and tickets; who may not use what; authors; the audit log."""
+import http.client
 import json
 import shutil
 import subprocess
@@ -7,7 +8,7 @@ import unittest
 
 import models
 from accounts import PASSWORD, ROLES, AccountServer, race_account
-from client import Server, Stream, check
+from client import TIMEOUT, Server, Stream, check
 
 
 class AccountCase(unittest.TestCase):
@@ -55,6 +56,23 @@ class Logins(AccountCase):
             status, answer = server.request("POST", "/api/v1/login", right)
             self.assertEqual((status, answer["errors"][0]["code"]), (429, "attempts"))
             self.assertEqual(server.ask("admin", "GET", "/api/v1/documents"), 200, "tokens are not concerned")
+
+    def test_the_owner_logs_in_where_they_did_before_while_others_guess(self):
+        with AccountServer() as server:
+            def login(address, password):
+                connection = http.client.HTTPConnection("127.0.0.1", server.port, timeout=TIMEOUT, source_address=(address, 0))
+                connection.request("POST", "/api/v1/login", json.dumps({"name": "admin", "password": password}),
+                                   {"Content-Type": "application/json", "Host": f"127.0.0.1:{server.port}"})
+                status = connection.getresponse().status
+                connection.close()
+                return status
+
+            self.assertEqual(login("127.0.0.1", PASSWORD), 200)
+            guesses = [login(f"127.0.0.{address}", "guess number") for address in range(2, 8) for _ in range(10)]
+            self.assertEqual(guesses[:50], [401] * 50)
+            self.assertIn(429, guesses)
+            self.assertEqual(login("127.0.0.9", PASSWORD), 429, "from elsewhere they wait")
+            self.assertEqual(login("127.0.0.1", PASSWORD), 200)
 
     def test_a_new_password_needs_the_old_one_and_ends_what_it_has_brought(self):
         token = self.login("operator")["token"]
