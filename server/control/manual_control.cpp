@@ -86,11 +86,14 @@ void ManualControl::give(const std::shared_ptr<ControlClient>& client, const std
     const MutexLock lock(mutex_);
     number = control_.take(by, now);
     if (number) before = std::exchange(holder_, std::nullopt);
-    if (number) holder_ = Holder{client, *number, digest_of_secret(secret), {}, 0};
+    if (before) replaced_.emplace(before->number, before->identity);
+    if (number)
+      holder_ = Holder{
+          .client = client, .identity = client->identity(), .number = *number, .secret = digest_of_secret(secret)};
   }
   if (before) tell_lost(before->client);
-  record_(client->identity(), "control take", number ? "200" : std::string(name(number.error().code)));
   if (!number) return tell(*client, refusal("refused", name(number.error().code), number.error().message));
+  record_(client->identity(), "control take", "200");
   tell(*client, Dict{{"kind", "taken"},
                      {"number", static_cast<std::int64_t>(*number)},
                      {"secret", secret},
@@ -109,8 +112,8 @@ void ManualControl::ask(const std::shared_ptr<ControlClient>& client, const std:
       control_.show_request(Control::Request{id, by});
     }
   }
-  record_(client->identity(), "control ask", id == 0 ? "leased" : "202");
   if (id == 0) return tell(*client, refusal("refused", "leased", "somebody else asks for the controls already"));
+  record_(client->identity(), "control ask", "202");
   Dict asked = of_kind("asked");
   asked.set("request", id);
   tell(*client, std::move(asked));
@@ -126,11 +129,19 @@ void ManualControl::beat(Fields& fields, const Message& message) {
 void ManualControl::give_back(Fields& fields, const Message& message) {
   fields.close();
   if (!message.errors.empty()) return;
-  if (const std::uint64_t number = number_of(*message.client)) {
-    end(control_.release(number), "gave the controls back");
-    record_(message.client->identity(), "control release", "200");
-  }
+  if (const std::uint64_t number = number_of(*message.client))
+    end(control_.release(number), {"gave the controls back", "given_back"});
   tell(*message.client, of_kind("released"));
+}
+
+// A button that is held calls `jog` again and again.
+bool ManualControl::Holder::begins(const std::string& service, const std::string& operation, Steady now) {
+  const bool goes_on = jogged == service && now - last_jog <= kJogTime;
+  if (operation == "stop") return !goes_on;
+  if (operation != "jog") return true;
+  jogged = service;
+  last_jog = now;
+  return !goes_on;
 }
 
 // A call is a sign of life, too.
@@ -151,15 +162,18 @@ void ManualControl::call(Fields& fields, const Message& message) {
   const auto fence = control_.fence_of(control);
   if (!fence) return refuse(fence.error().code, fence.error().message);
   services::Caller caller{Control::caller(control), 0, *fence};
+  bool begins = false;
   {
     const MutexLock lock(mutex_);
     if (holder_ && holder_->number == control && holder_->calls.size() < kMostCalls) {
       caller.call = ++holder_->last_call;
       holder_->calls.emplace(caller.call, *number);
+      begins = holder_->begins(*service, *operation, message.now);
     }
   }
   if (caller.call == 0)
     return refuse(ErrorCode::too_large, std::to_string(kMostCalls) + " calls wait for their responses");
+  if (begins) record_(message.client->identity(), "control call " + *service + '.' + *operation, "accepted");
   host_.call(caller, *service, *operation, args, given ? given->as_dict() : Dict());
 }
 
@@ -183,7 +197,7 @@ void ManualControl::delivered(const services::Delivery& delivery) {
 }
 
 void ManualControl::disconnected(const ControlClient& client) {
-  if (const std::uint64_t number = number_of(client)) end(control_.release(number), "left the controls");
+  if (const std::uint64_t number = number_of(client)) end(control_.release(number), {"left the controls", "closed"});
   bool asked = false;
   {
     const MutexLock lock(mutex_);
@@ -193,7 +207,7 @@ void ManualControl::disconnected(const ControlClient& client) {
 }
 
 void ManualControl::check(Steady now) {
-  if (auto ended = control_.release_silent(now)) end(ended, "was silent at the controls");
+  if (auto ended = control_.release_silent(now)) end(ended, {"was silent at the controls", "silent"});
   bool late = false;
   {
     const MutexLock lock(mutex_);
@@ -203,14 +217,22 @@ void ManualControl::check(Steady now) {
 }
 
 // What moves stops first; then the rest is told.
-void ManualControl::end(const std::optional<Control::Ended>& ended, const std::string& why) {
+void ManualControl::end(const std::optional<Control::Ended>& ended, const End& how) {
   if (!ended) return;
-  cell_stop_.halt(*ended, ended->by + " " + why);
+  cell_stop_.halt(*ended, ended->by + " " + how.why);
   std::weak_ptr<ControlClient> client;
+  Identity identity;
   {
     const MutexLock lock(mutex_);
-    if (holder_ && holder_->number == ended->number) client = std::exchange(holder_, std::nullopt)->client;
+    if (holder_ && holder_->number == ended->number) {
+      client = holder_->client;
+      identity = holder_->identity;
+      holder_.reset();
+    } else if (const auto replaced = replaced_.extract(ended->number)) {
+      identity = replaced.mapped();
+    }
   }
+  record_(identity, "control end", how.outcome);
   tell_lost(client);
   drop_request("the controls are free: take them");
 }
@@ -242,7 +264,7 @@ Expected<void> ManualControl::answer_request(const Identity& identity, std::int6
     tell(*client, refusal("refused", "leased", "a person at the cell has refused it"));
     return {};
   }
-  end(control_.release(control_.holder()), "had to give the controls over");
+  end(control_.release(control_.holder()), {"had to give the controls over", "taken_over"});
   give(client, name_for_people(client->identity()), std::chrono::steady_clock::now());
   return {};
 }

@@ -28,7 +28,9 @@ class ManualControl final : public ControlRequests {
   static constexpr std::size_t kMostCalls = 16;           // of a person, that wait for their responses
   static constexpr std::size_t kMostUnits = 16U << 10U;   // of a response (Value::size_units)
   static constexpr std::chrono::seconds kAnswerTime{30};  // for a person at the cell to allow a take-over
-  /// What somebody has done, as a row of the audit log.
+  static constexpr std::chrono::seconds kJogTime{1};      // calls of `jog` that follow each other sooner are one motion
+  /// What somebody has done, as a row of the audit log: who takes the controls, or asks for them; each call by hand,
+  /// but of a motion by `jog` the first alone, and not the `stop` that ends it; and how the controls end.
   using Record = std::function<void(const Identity& identity, std::string action, std::string outcome)>;
 
   /// All outlive this.
@@ -56,11 +58,15 @@ class ManualControl final : public ControlRequests {
  private:
   /// Who has the controls.
   struct Holder {
+    bool begins(const std::string& service, const std::string& operation, Steady now);
     std::weak_ptr<ControlClient> client;
+    Identity identity = {};
     std::uint64_t number = 0;
-    std::string secret;                           // its digest
-    std::map<std::uint64_t, std::int64_t> calls;  // that wait: their numbers here and at the client
+    std::string secret = {};                           // its digest
+    std::map<std::uint64_t, std::int64_t> calls = {};  // that wait: their numbers here and at the client
     std::uint64_t last_call = 0;
+    std::string jogged = {};  // the service of the last `jog`
+    Steady last_jog = {};
   };
   /// Who wants them from somebody who has them.
   struct Asking {
@@ -76,7 +82,11 @@ class ManualControl final : public ControlRequests {
   void ask(const std::shared_ptr<ControlClient>& client, const std::string& by, Steady now) EXCLUDES(mutex_);
   void give(const std::shared_ptr<ControlClient>& client, const std::string& by, Steady now) EXCLUDES(mutex_);
   std::uint64_t number_of(const ControlClient& client) const EXCLUDES(mutex_);
-  void end(const std::optional<Control::Ended>& ended, const std::string& why) EXCLUDES(mutex_);
+  /// How the controls end, for the log and for the audit log.
+  struct End {
+    const char *why, *outcome;
+  };
+  void end(const std::optional<Control::Ended>& ended, const End& how) EXCLUDES(mutex_);
   void drop_request(const std::string& why) EXCLUDES(mutex_);
 
   Control& control_;
@@ -85,6 +95,7 @@ class ManualControl final : public ControlRequests {
   const Record record_;
   mutable services::Mutex mutex_;  // the control's may be taken under it
   std::optional<Holder> holder_ GUARDED_BY(mutex_);
+  std::map<std::uint64_t, Identity> replaced_ GUARDED_BY(mutex_);  // by number: had lost them when others took them
   std::optional<Asking> asking_ GUARDED_BY(mutex_);
   std::int64_t requests_ GUARDED_BY(mutex_) = 0;
 };

@@ -1,4 +1,5 @@
 """One person at a time has the controls: nobody else moves the cell, or begins a run; what moved by them stops with them."""
+import collections
 import threading
 import time
 import unittest
@@ -183,6 +184,28 @@ class Jogging(ControlCase):
         for velocity in ({"joints": [3.0, 0, 0, 0, 0, 0, 0]}, {"linear": [0.3, 0, 0]}, {"angular": [0, 2, 0]}):
             self.assertEqual(alice.call("robot", "jog", **velocity)["error"]["code"], "out_of_range")
         self.arm.stands_for(0.3)
+
+
+class Audit(ControlCase):
+    def rows(self):
+        entries = self.server.get("/audit?limit=50", "audit")["entries"]
+        return [(e["action"], e["outcome"]) for e in reversed(entries) if e["action"].startswith("control ")]
+
+    def test_has_what_is_moved_by_hand_and_how_the_controls_end(self):
+        alice, bob = self.person().programming(), self.person()
+        self.assertEqual(bob.take()["code"], "leased")
+        alice.call("robot", "move", target={"joints": HOME}, speed=0.5)
+        for _ in range(5):
+            alice.call("robot", "jog", joints=[0] * 7)
+        alice.call("robot", "stop")
+        alice.silent()
+        alice.until("lost")
+        bob.take()
+        bob.close()
+        expected = [("control take", "200"), ("control call robot.move", "accepted"), ("control call robot.jog", "accepted"),
+                    ("control end", "silent"), ("control take", "200"), ("control end", "closed")]
+        self.server.wait_for(lambda: len(self.rows()) >= len(expected))
+        self.assertEqual(self.rows(), expected)
 
 
 class Runs(ControlCase):
@@ -473,6 +496,15 @@ class Races(ControlCase):
         self.assertEqual([each for each in wrong if not each[0] & late], [])
         self.assertGreater(takings[0] - len(late), 100)
         self.assertIsNone(self.holder())
+        self.server.wait_for(lambda: self.recorded()["control take"] == self.recorded()["control end"])
+
+    def recorded(self):
+        """How many rows of the audit log each action has."""
+        rows, page = collections.Counter(), {"next": 10**9}
+        while "next" in page:
+            page = self.server.get(f"/audit?before={page['next']}", "audit")
+            rows.update(entry["action"] for entry in page["entries"])
+        return rows
 
 
 if __name__ == "__main__":

@@ -1,0 +1,154 @@
+// People at the controls, as the audit log sees them.
+#include "server/control/manual_control.h"
+
+#include <gmock/gmock.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "tests/unit/server/hosted_cores.h"
+
+namespace race::server {
+namespace {
+
+using testing::ElementsAre;
+using namespace std::chrono_literals;
+
+struct Person final : ControlClient {
+  explicit Person(std::string account) : who{std::move(account), Role::cell_operator} {}
+  void tell(Value) override {}
+  const Identity& identity() const override { return who; }
+  const Identity who;
+};
+
+struct ManualControlTest : HostedCores {
+  void SetUp() override {
+    begin_server();
+    cell_stop = std::make_unique<CellStop>(
+        control, host, *cores, CellStop::Marks{StopMark(place.file("stopped")), ModeMark(place.file("mode"))},
+        [](const std::string&) {});
+    manual = std::make_unique<ManualControl>(
+        control, host, *cell_stop, [this](const Identity& who, const std::string& action, const std::string& outcome) {
+          rows.push_back(who.account + ' ' + action + ' ' + outcome);
+        });
+  }
+  void TearDown() override {
+    cell_stop->end();
+    HostedCores::TearDown();
+  }
+  static std::shared_ptr<Person> person(const char* account) { return std::make_shared<Person>(account); }
+  void say(const std::shared_ptr<Person>& person, const char* text) { manual->request(person, text); }
+  void take(const std::shared_ptr<Person>& person) {
+    say(person, R"({"type": "take"})");
+    calls = 0;
+  }
+  void call(const std::shared_ptr<Person>& person, const std::string& service, const std::string& operation) {
+    say(person, (R"({"type": "call", "number": 1, "service": ")" + service + R"(", "operation": ")" + operation + "\"}")
+                    .c_str());
+    manual->delivered(response());
+  }
+  // The response to the last call, so that few wait.
+  services::Delivery response() {
+    services::Delivery delivery;
+    delivery.kind = services::Delivery::Kind::response;
+    delivery.caller = {Control::caller(control.holder()), ++calls};
+    return delivery;
+  }
+  // What was recorded since it was asked last.
+  std::vector<std::string> recorded() { return std::exchange(rows, {}); }
+
+  Control control{[](const Value&) {}};
+  std::unique_ptr<CellStop> cell_stop;
+  std::unique_ptr<ManualControl> manual;
+  std::vector<std::string> rows;
+  std::uint64_t calls = 0;
+  const std::shared_ptr<Person> ada = person("ada"), bob = person("bob");
+};
+
+TEST_F(ManualControlTest, WhoGetsThemIsARowAndWhoDoesNotIsNone) {
+  take(ada);
+  EXPECT_THAT(recorded(), ElementsAre("ada control take 200"));
+  for (int i = 0; i < 100; ++i) take(bob);
+  EXPECT_THAT(recorded(), ElementsAre());
+  say(bob, R"({"type": "take", "force": true})");
+  EXPECT_THAT(recorded(), ElementsAre("bob control ask 202"));
+  for (int i = 0; i < 100; ++i) say(person("carol"), R"({"type": "take", "force": true})");
+  EXPECT_THAT(recorded(), ElementsAre());
+}
+
+TEST_F(ManualControlTest, HowTheyEndIsARowOfWhoHadThem) {
+  const auto end_row = [this](const std::function<void()>& end) {
+    take(ada);
+    recorded();
+    end();
+    EXPECT_EQ(control.holder(), 0U);
+    return recorded();
+  };
+  EXPECT_THAT(end_row([&] { say(ada, R"({"type": "release"})"); }), ElementsAre("ada control end given_back"));
+  EXPECT_THAT(end_row([&] { manual->disconnected(*ada); }), ElementsAre("ada control end closed"));
+  EXPECT_THAT(end_row([&] { manual->check(std::chrono::steady_clock::now() + 1s); }),
+              ElementsAre("ada control end silent"));
+  manual->disconnected(*ada);
+  say(ada, R"({"type": "release"})");
+  EXPECT_THAT(recorded(), ElementsAre()) << "they have them no more";
+}
+
+TEST_F(ManualControlTest, ATakeOverIsARowOfWhoLosesThemAndOneOfWhoGetsThem) {
+  take(ada);
+  say(bob, R"({"type": "take", "force": true})");
+  recorded();
+  ASSERT_TRUE(manual->answer_request({}, 1, true));
+  EXPECT_THAT(recorded(), ElementsAre("ada control end taken_over", "bob control take 200"));
+}
+
+TEST_F(ManualControlTest, TheEndIsARowThoughTheConnectionIsGone) {
+  take(person("carol"));
+  recorded();
+  manual->check(std::chrono::steady_clock::now() + 1s);
+  EXPECT_THAT(recorded(), ElementsAre("carol control end silent"));
+}
+
+TEST_F(ManualControlTest, ACallByHandIsARow) {
+  call(ada, "robot", "move");
+  EXPECT_THAT(recorded(), ElementsAre()) << "without the controls it moves nothing";
+  take(ada);
+  recorded();
+  call(ada, "robot", "move");
+  call(ada, "robot", "move");
+  call(ada, "robot", "stop");
+  call(bob, "robot", "move");
+  EXPECT_THAT(recorded(), ElementsAre("ada control call robot.move accepted", "ada control call robot.move accepted",
+                                      "ada control call robot.stop accepted"));
+}
+
+TEST_F(ManualControlTest, AJogThatIsHeldIsOneRow) {
+  take(ada);
+  recorded();
+  for (int i = 0; i < 20; ++i) call(ada, "robot", "jog");
+  call(ada, "robot", "stop");
+  EXPECT_THAT(recorded(), ElementsAre("ada control call robot.jog accepted"));
+  call(ada, "gripper", "stop");
+  EXPECT_THAT(recorded(), ElementsAre("ada control call gripper.stop accepted")) << "of another service";
+  std::this_thread::sleep_for(ManualControl::kJogTime + 10ms);
+  call(ada, "robot", "jog");
+  std::this_thread::sleep_for(ManualControl::kJogTime + 10ms);
+  call(ada, "robot", "stop");
+  EXPECT_THAT(recorded(), ElementsAre("ada control call robot.jog accepted", "ada control call robot.stop accepted"));
+}
+
+TEST_F(ManualControlTest, AJogOfTheNextPersonIsARowOfTheirs) {
+  take(ada);
+  call(ada, "robot", "jog");
+  say(ada, R"({"type": "release"})");
+  take(bob);
+  recorded();
+  call(bob, "robot", "jog");
+  EXPECT_THAT(recorded(), ElementsAre("bob control call robot.jog accepted"));
+}
+
+}  // namespace
+}  // namespace race::server
