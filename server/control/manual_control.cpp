@@ -144,6 +144,15 @@ bool ManualControl::Holder::begins(const std::string& service, const std::string
   return !goes_on;
 }
 
+// A button that is held when its permission ends (a stop, another mode) moves nothing later, whoever resets the stop:
+// it is to be let go first. To be asked before begins().
+bool ManualControl::Holder::is_held_over(const std::string& service, const std::string& operation, std::uint64_t fence,
+                                         Steady now) {
+  if (operation != "jog") return false;
+  if (jogged != service || now - last_jog > Control::kSilence) jog_fence = fence;
+  return jog_fence != fence;
+}
+
 // A call is a sign of life, too.
 void ManualControl::call(Fields& fields, const Message& message) {
   const auto number = fields.integer("number", 0, std::int64_t{1} << 53U, Fields::Need::required);
@@ -162,15 +171,19 @@ void ManualControl::call(Fields& fields, const Message& message) {
   const auto fence = control_.fence_of(control);
   if (!fence) return refuse(fence.error().code, fence.error().message);
   services::Caller caller{Control::caller(control), 0, *fence};
-  bool begins = false;
+  bool begins = false, held_over = false;
   {
     const MutexLock lock(mutex_);
-    if (holder_ && holder_->number == control && holder_->calls.size() < kMostCalls) {
+    held_over =
+        holder_ && holder_->number == control && holder_->is_held_over(*service, *operation, *fence, message.now);
+    if (held_over) holder_->last_jog = message.now;
+    if (!held_over && holder_ && holder_->number == control && holder_->calls.size() < kMostCalls) {
       caller.call = ++holder_->last_call;
       holder_->calls.emplace(caller.call, *number);
       begins = holder_->begins(*service, *operation, message.now);
     }
   }
+  if (held_over) return refuse(ErrorCode::stopped, "the cell was stopped meanwhile: let the button go first");
   if (caller.call == 0)
     return refuse(ErrorCode::too_large, std::to_string(kMostCalls) + " calls wait for their responses");
   if (begins) record_(message.client->identity(), "control call " + *service + '.' + *operation, "accepted");

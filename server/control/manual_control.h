@@ -59,6 +59,7 @@ class ManualControl final : public ControlRequests {
   /// Who has the controls.
   struct Holder {
     bool begins(const std::string& service, const std::string& operation, Steady now);
+    bool is_held_over(const std::string& service, const std::string& operation, std::uint64_t fence, Steady now);
     std::weak_ptr<ControlClient> client;
     Identity identity = {};
     std::uint64_t number = 0;
@@ -67,6 +68,7 @@ class ManualControl final : public ControlRequests {
     std::uint64_t last_call = 0;
     std::string jogged = {};  // the service of the last `jog`
     Steady last_jog = {};
+    std::uint64_t jog_fence = 0;  // with which that motion began
   };
   /// Who wants them from somebody who has them.
   struct Asking {
