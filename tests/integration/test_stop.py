@@ -2,7 +2,9 @@
 import contextlib
 import http.client
 import json
+import shutil
 import socket
+import tempfile
 import threading
 import time
 import unittest
@@ -11,7 +13,10 @@ from pathlib import Path
 import models
 from accounts import AccountServer
 from client import PROJECT, ROGUE, TIMEOUT, Server, check
-from motions import Arm, insisting, moving
+from component_process import LONG_HEARTBEAT, component_client
+from controls import Controls
+from floods import is_open
+from motions import FAR, Arm, insisting, moving
 from traced_server import strace
 
 DEMO = str(PROJECT / "deploy/demo")
@@ -211,6 +216,62 @@ class Accounts(StopCase):
         self.assertIn(("operator", "POST /api/v1/stop/reset"), actions)
 
 
+class SafeOperations(unittest.TestCase):
+    """What services are told by the stop itself; what runs have called is told so by their end, too. The test is one of them."""
+    OPTIONS = ("--demo", DEMO, "--remote", "audio", *LONG_HEARTBEAT)
+
+    def begin(self, **how):
+        self.server = Server(*self.OPTIONS, **how)
+        self.addCleanup(self.server.stop)
+        self.port = stop_port(self.server)
+        self.audio = component_client(self.server, "audio")
+        self.addCleanup(self.audio.close)
+
+    def told_after_a_press(self):
+        """Seconds until the service hears it."""
+        begin = time.monotonic()
+        self.assertEqual(press(self.port)[0], 200)
+        self.assertEqual(self.audio.next("call")["operation"], "stop")
+        return time.monotonic() - begin
+
+    def test_each_service_stops_without_a_run_and_again_with_each_press(self):
+        self.begin()
+        arm, alice = Arm(self.server), Controls(self.server)
+        self.addCleanup(arm.close)
+        self.addCleanup(alice.close)
+        alice.programming()
+        self.audio.next("limit_speed")
+        alice.say("call", number=0, service="robot", operation="move", kwargs={"target": {"joints": FAR}, "speed": 0.2})
+        arm.wait(moving=True)
+        self.told_after_a_press()
+        self.assertLess(arm.wait(moving=False), 0.6)
+        self.assertEqual(alice.until("response")["error"]["code"], "stopped")
+        time.sleep(0.2)  # a flood of them does nothing more
+        self.told_after_a_press()
+
+    def test_no_core_is_waited_for(self):
+        self.begin()
+        for number in range(6):  # each takes 0.2 s until it is given up
+            self.server.core(models.diverging(f"busy{number}", numbers=150000))
+        took = self.told_after_a_press()
+        print(f"told after {took * 1000:.1f} ms while cores are busy")
+        self.assertLess(took, 0.6)
+
+    def test_the_disk_is_not_waited_for(self):
+        data = tempfile.mkdtemp(prefix="race-test-")
+        self.addCleanup(shutil.rmtree, data)
+        mark = str(Path(data) / "stopped")
+        self.begin(data=data, under=(strace(), "-D", "-f", "-qq", "-o", "/dev/null", "-e", "trace=fsync",
+                                     "-e", "inject=fsync:delay_enter=2000000"))  # of the mark that the cell is stopped
+        took = [self.told_after_a_press()]
+        self.assertFalse(Path(mark).exists(), "the disk was not slow")
+        self.server.post("/stop/reset", None, "control")  # what is written of the first goes on
+        took.append(self.told_after_a_press())
+        print(f"told after {took[0] * 1000:.1f} and {took[1] * 1000:.1f} ms while the disk is slow")
+        self.assertLess(max(took), 1)
+        self.server.wait_for(Path(mark).exists)
+
+
 class Load(StopCase):
     def test_slow_headers_and_silent_clients_keep_no_stop_out(self):
         """512 connections of the server and 200 at the stop server, each with a byte of a header at times."""
@@ -244,6 +305,33 @@ class Load(StopCase):
         self.assertLess(times[10], 0.3)
         self.assertLess(times[-1], SLOWEST)
 
+    def closed_after(self, client, said=b""):
+        """Seconds until the stop server closes a connection that says so again and again."""
+        begin = time.monotonic()
+        client.settimeout(0.1)
+        while time.monotonic() < begin + TIMEOUT:
+            try:
+                if not client.recv(100):
+                    break
+            except TimeoutError:
+                with contextlib.suppress(ConnectionError):
+                    client.send(said)
+            except ConnectionError:
+                break
+        return time.monotonic() - begin
+
+    def test_a_header_has_two_seconds_however_it_drips(self):
+        with socket.create_connection(("127.0.0.1", self.port), TIMEOUT) as client:
+            took = self.closed_after(client, b"P")
+        self.assertGreater(took, 1.5)
+        self.assertLess(took, 4)
+
+    def test_of_more_than_64_clients_the_first_makes_way(self):
+        with contextlib.ExitStack() as stack:
+            clients = [stack.enter_context(socket.create_connection(("127.0.0.1", self.port), TIMEOUT)) for _ in range(65)]
+            self.assertLess(self.closed_after(clients[0]), 1)
+            self.assertTrue(is_open(clients[1]))
+
     def test_a_header_of_more_than_a_kilobyte_is_refused(self):
         with socket.create_connection(("127.0.0.1", self.port), TIMEOUT) as client:
             client.sendall(b"POST /api/v1/stop HTTP/1.1\r\nX: " + b"x" * 2000)
@@ -263,6 +351,7 @@ class HungServer(unittest.TestCase):
             asking = threading.Thread(target=lambda: server.get("/health", "health"))
             asking.start()
             time.sleep(0.3)
+            begin = time.time()
             self.assertEqual(press(port), (200, {"stopped": True}))
             time.sleep(0.6)
             hang.unlink()
@@ -270,6 +359,7 @@ class HungServer(unittest.TestCase):
             arm.stands_for(0.3)
             arm.close()
             self.assertEqual(server.ended(core)["status"], "aborted")
+            self.assertAlmostEqual(server.get("/control", "control")["stopped"]["time"] / 1000, begin, delta=0.3, msg="not at once")
 
 
 if __name__ == "__main__":
