@@ -59,6 +59,15 @@ class Rights(unittest.TestCase):
                   if method in ("get", "put", "post", "delete")}
         self.assertEqual(set(RIGHTS["routes"]), routes)
 
+    def test_who_only_looks_on_changes_nothing_by_the_table(self):
+        """The others here read the table that the server has, too: a wrong row would be right for them."""
+        for_everybody = {row for row, right in RIGHTS["routes"].items() if right in ("anyone", "observer") and not row.startswith("GET ")}
+        self.assertEqual(for_everybody, {"POST /api/v1/stop", "POST /api/v1/login", "POST /api/v1/logout", "PUT /api/v1/me/password",
+                                         "POST /api/v1/tickets"})
+        messages = {kind for kind, right in RIGHTS["messages"].items() if right in ("anyone", "observer")}
+        self.assertEqual(messages, {"subscribe", "unsubscribe", "gather", "presence"})
+        self.assertEqual(RIGHTS["routes"]["GET /api/v1/control/hold"], "operator")
+
     def test_each_channel_and_message_is_for_whom_the_table_says(self):
         for asker in ROLES:
             with Stream(self.server.port, token=self.server.tokens[asker]) as stream:
