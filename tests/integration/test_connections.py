@@ -82,6 +82,19 @@ class Places(Case):
         status, problem = self.server.request("GET", "/api/v1/documents")
         self.assertEqual((status, problem["errors"][0]["code"]), (503, "overload"))
         self.assertEqual(self.server.post(f"/cores/{core}/stop", None, "core")["status"], "aborted")
+        self.server.wait_for(lambda: sum(is_open(each) for each in self.connections) <= MOST_OF_ADDRESS, 5)  # of others, a second
+
+    def test_a_header_has_half_a_minute_however_it_drips(self):
+        begun = time.monotonic()
+        silent, dripping = self.hold(f"GET /api/v1/health HTTP/1.1\r\n{self.host}X-Half: ", 2)
+        while is_open(dripping) and time.monotonic() < begun + 40:
+            with contextlib.suppress(ConnectionError):
+                dripping.send(b"x")
+            time.sleep(0.5)
+        self.assertFalse(is_open(dripping))
+        self.assertGreater(time.monotonic() - begun, 25, "a client may be slow")
+        time.sleep(1)
+        self.assertFalse(is_open(silent))
 
     def test_reserved_connections_whose_body_does_not_come_make_way(self):
         self.hold(f"GET /api/v1/health HTTP/1.1\r\n{self.host}X-Half: ", MOST_OF_ADDRESS)
