@@ -356,6 +356,7 @@ class HungServer(unittest.TestCase):
             time.sleep(0.6)
             hang.unlink()
             asking.join()
+            arm.wait(moving=False)  # poses of before the stop come first
             arm.stands_for(0.3)
             arm.close()
             self.assertEqual(server.ended(core)["status"], "aborted")
