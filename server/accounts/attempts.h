@@ -2,9 +2,9 @@
 // passwords cannot be guessed over the network. A token bucket each (RFC 2697's single rate, counted in failures): so
 // many at once, then one more in so long.
 //
-// Nobody keeps the owner of an account out by guessing: one address cannot empty the account's bucket, and from where
-// the account has logged in lately that bucket does not count. Beside an attacker who has several addresses, an owner
-// at an address that is new to the server may have to wait.
+// Who guesses does not keep the owner of an account out: one address cannot empty the account's bucket, and from where
+// the account has logged in lately that bucket does not count. But beside an attacker who has several addresses, an
+// owner at an address that is new to the server may have to wait.
 //
 // Threads: any.
 #pragma once
