@@ -74,6 +74,31 @@ class Unit(unittest.TestCase):
         self.assertEqual((out.returncode, out.stdout, out.stderr), (0, "", ""))
         self.assertNotEqual(analyze("verify", "--man=no", str(self.copy(ProtectSystem="loose"))).stderr, "", "it sees a wrong value")
 
+    def test_commands_on_its_data_are_units_with_its_user_and_folder(self):
+        """As deploy/README.md has them; here no systemd runs them."""
+        text = (PROJECT / "deploy/README.md").read_text().replace("\\\n", " ")
+        words = re.search(r"^ +sudo systemd-run (.+)$", text, re.MULTILINE)[1].split()
+        at = words.index("/usr/local/bin/race")
+        known = subprocess.run(["systemd-run", "--help"], capture_output=True, text=True, timeout=TIMEOUT, check=True).stdout
+        for option in words[:at]:
+            self.assertIn(f" {option.split('=')[0]} ", known.replace("=", " "))
+        properties = dict(word.removeprefix("--property=").split("=", 1) for word in words[:at] if word.startswith("--property="))
+        unit = dict(settings())
+        self.assertEqual(properties.pop("User"), UNIT.stem, "without User=, the name of the unit is its user's")
+        self.assertNotIn("User", unit)
+        for key in ("DynamicUser", "StateDirectory", "StateDirectoryMode", "UMask"):
+            self.assertEqual(properties.pop(key), unit[key])
+        self.assertEqual(properties, {})
+        command = self.folder / "command.service"
+        lines = [word.removeprefix("--property=") for word in words[:at] if word.startswith("--property=")]
+        command.write_text("\n".join(["[Service]", *lines, f"ExecStart={Path(PROGRAM).resolve()} {' '.join(words[at + 1:])}", ""]))
+        out = analyze("verify", "--man=no", str(command))
+        self.assertEqual((out.returncode, out.stdout, out.stderr), (0, "", ""))
+        self.assertEqual(words[-1], f"/var/lib/{unit['StateDirectory']}")
+        added = subprocess.run([PROGRAM, *words[at + 1:-1], str(self.folder / "data")], input="an example password\n", capture_output=True,
+                               text=True, timeout=TIMEOUT, check=False)
+        self.assertEqual((added.returncode, added.stderr), (0, ""))
+
     def exposure(self, path):
         out = analyze("security", "--offline=true", str(path))
         return float(re.search(r"Overall exposure level for race.service: ([0-9.]+)", out.stdout)[1])
