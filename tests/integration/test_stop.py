@@ -20,9 +20,9 @@ from motions import FAR, Arm, insisting, moving
 from traced_server import strace
 
 DEMO = str(PROJECT / "deploy/demo")
-# [s] Of twenty presses under load, each with its connection. Measured on two processors with a load of 12 by builds: median 0.5 to
-# 10 ms, slowest 30. A thread may wait longer for a processor, but a press that has to wait for a silent client (kHeaderTimeout of
-# the stop server, 2 s) or to connect once more (TCP: 1 s) is one that is kept out.
+# [s] Of twenty presses under load, each with its connection. Measured on two processors with a load of 9 to 12 by builds, in 12
+# runs: median 0.2 to 10 ms, slowest 5 to 27 ms, once 137 and once 462, as a thread waits for a processor. But a press that has to
+# wait for a silent client (kHeaderTimeout of the stop server, 2 s) or to connect once more (TCP: 1 s) is one that is kept out.
 SLOWEST = 1.0
 
 
