@@ -5,6 +5,8 @@ import { openRealTab, type RealTab } from "./realTab";
 import { watchRobot, type RobotWatch } from "./braking";
 
 const kTrials = Number(process.env["RACE_TRIALS"] ?? "3");
+/** Of the fastest motion by hand. */
+const kShare = 0.5;
 /** Until it brakes [ms]. */
 const kBound = 300;
 
@@ -48,6 +50,12 @@ describe("a person who is lost with the page that moves the arm", () => {
     await press("Take the controls");
     await tab.until(`document.body.innerText.includes("You have the controls")`);
     if (((await fixture.send("GET", "/control")) as { readonly mode: string }).mode !== "programming") await press("Programming");
+    // So that it slows down over several states of the robot.
+    await tab.evaluate(`(() => {
+      const slider = document.querySelector('[aria-label="Manual control"] input[type="range"]');
+      Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value").set.call(slider, ${kShare});
+      slider.dispatchEvent(new Event("input", { bubbles: true }));
+    })()`);
     isTurned = !isTurned;
     const label = `Joint 1 ${isTurned ? "plus" : "minus"}, while held`;
     await tab.until(`document.querySelector('[aria-label=${JSON.stringify(label)}]:enabled')`);

@@ -43,7 +43,9 @@ export async function openRealTab(browser: Browser, url: string): Promise<RealTa
     return answer.result.value;
   }
   async function until(expression: string): Promise<void> {
-    for (const end = Date.now() + kPatience; (await evaluate(`Boolean(${expression})`)) !== true; await new Promise((resolve) => setTimeout(resolve, 50)))
+    // A page that is being opened has nothing to evaluate it in.
+    const isTrue = () => evaluate(`Boolean(${expression})`).catch(() => false);
+    for (const end = Date.now() + kPatience; (await isTrue()) !== true; await new Promise((resolve) => setTimeout(resolve, 50)))
       if (Date.now() > end) throw new Error(`not true: ${expression}`);
   }
   return {
