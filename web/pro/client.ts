@@ -23,7 +23,7 @@ import { controls } from "../control/page";
 import { controlUrl } from "../shared/control/link";
 import { withControls } from "../shared/control/header";
 import { stop } from "../stop/page";
-import { createStore, slowly, useSelected } from "./store";
+import { createStore, slowly, useSelected } from "../page/store";
 import { messageOf } from "../shared/messageOf";
 
 const kPastSteps = 40;

@@ -30,6 +30,8 @@ export interface Stream {
   retry(): void;
   /** Closes the connection, if there is one, and connects anew at once: the page is of another account. */
   reopen(): void;
+  /** The server does not answer: the connection is lost, although its socket is open, and another one is tried. */
+  abandon(): void;
   close(): void;
 }
 
@@ -112,13 +114,18 @@ export function openStream(url: () => string | Promise<string>, handlers: Stream
     const opened = new WebSocket(address);
     socket = opened;
     opened.onopen = () => {
+      if (socket !== opened) return;
       attempt = 0;
       if (display !== undefined) send(display);
       resubscriptions(wanted, seen).forEach(send);
       handlers.onConnection("open");
     };
-    opened.onmessage = (event: MessageEvent<unknown>) => [JSON.parse(String(event.data)) as unknown].flat().forEach(receive);
-    opened.onclose = ({ code }) => lose(code === kGoingAway);
+    opened.onmessage = (event: MessageEvent<unknown>) => {
+      if (socket === opened) [JSON.parse(String(event.data)) as unknown].flat().forEach(receive);
+    };
+    opened.onclose = ({ code }) => {
+      if (socket === opened) lose(code === kGoingAway);
+    };
   };
   connect();
 
@@ -150,6 +157,13 @@ export function openStream(url: () => string | Promise<string>, handlers: Stream
         hurries = true;
         socket.close();
       }
+    },
+    abandon() {
+      if (again !== undefined || socket === undefined) return;
+      const abandoned = socket;
+      socket = undefined;
+      abandoned.close();
+      lose();
     },
     close() {
       closed = true;

@@ -4,7 +4,7 @@ import type { Point } from "../../shared/drawing/drawing";
 import type { Viewport } from "../../shared/drawing/fit";
 import { hitIndex, type Hit } from "../../shared/drawing/hit";
 import { idAt } from "../../shared/model/identity";
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 import type { Laid } from "./useDrawing";
 
 /** What lies at a point of the page: a node, or a port of it. */

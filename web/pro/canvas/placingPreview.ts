@@ -1,5 +1,5 @@
 // A drawing that is shown in place of another one while something in it is dragged, and until the next one is laid out.
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 import type { Laid } from "./useDrawing";
 
 interface Preview {

@@ -7,7 +7,7 @@ import { watchedCore } from "../../shared/session/session";
 import { session, view } from "../client";
 import { editedTree, editing } from "../edit/editing";
 import { shownRun } from "../live/shownRun";
-import { createStore, slowly, useSelected } from "../store";
+import { createStore, slowly, useSelected } from "../../page/store";
 
 const store = createStore<Live, Live>(kNoRun, (_, live) => live);
 

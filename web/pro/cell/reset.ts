@@ -2,7 +2,7 @@
 import { refusalToReset } from "../../shared/cell/reset";
 import { session, view } from "../client";
 import type { Action } from "../edit/actions/action";
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 
 const asked = createStore<boolean, boolean>(false, (_, next) => next);
 

@@ -2,7 +2,7 @@
 import type { CellPose, Samples } from "../../generated/messages";
 import { poseAt } from "../../shared/past/samples";
 import { api, cellPose, session } from "../client";
-import { createStore, slowly, useSelected } from "../store";
+import { createStore, slowly, useSelected } from "../../page/store";
 
 export interface ShownPose {
   readonly pose: CellPose;

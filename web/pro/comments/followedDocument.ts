@@ -5,7 +5,7 @@ import type { Tree } from "../../shared/edit/tree";
 import { listenToStream, session } from "../client";
 import { author } from "../edit/author";
 import { editing, useEditing } from "../edit/editing";
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 
 interface Followed {
   readonly document: string;

@@ -1,5 +1,5 @@
 // Whether the open comments of the document are listed under the drawing.
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 
 const store = createStore<boolean, boolean>(false, (_, listed) => listed);
 

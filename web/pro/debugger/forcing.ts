@@ -2,7 +2,7 @@
 import { typedValue, type Proposal } from "../../shared/debugger/force";
 import { watchedCore } from "../../shared/session/session";
 import { api, session } from "../client";
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 import { messageOf } from "../../shared/messageOf";
 
 const store = createStore<Proposal | undefined, Proposal | undefined>(undefined, (_, proposal) => proposal);

@@ -1,6 +1,6 @@
 // The breakpoints of the person here at the document that the page shows, as components see them.
 import type { Entry } from "../../shared/debugger/breakpoints";
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 
 /** Whose breakpoints they are, and at which document. */
 export interface Owner {

@@ -3,7 +3,7 @@ import { areOptional, type RunParameter } from "../../shared/arguments/parameter
 import { attempt } from "../client";
 import { makeRun, parametersOf } from "../runCommands";
 import { makeStarted } from "../panels/startAsk";
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 
 export interface Asked {
   /** Name of the document. */

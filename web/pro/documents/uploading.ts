@@ -2,7 +2,7 @@
 import { applyUpload, failed, type Target, type Upload, type UploadEvent } from "../../shared/documents/uploads";
 import { api, loadDocuments } from "../client";
 import { author } from "../edit/author";
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 
 const uploads = createStore<readonly Upload[], UploadEvent>([], applyUpload);
 const files = new Map<number, File>();

@@ -14,7 +14,7 @@ import type { StreamUpdate } from "../../shared/messages/stream";
 import { watchedCore } from "../../shared/session/session";
 import { listenToStream, problem, session, view, watch } from "../client";
 import { counted } from "../../shared/counted";
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 import { listenToOwnName } from "../presence/ownName";
 import { refusalNow } from "../login/rights";
 import { author } from "./author";

@@ -1,6 +1,6 @@
 // What the editor asks over the page: a name in place, a choice from a menu, a command. One at a time; the focus returns to where it was.
 import { flushSync } from "react-dom";
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 
 export interface MenuEntry {
   readonly name: string;

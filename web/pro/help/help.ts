@@ -2,7 +2,7 @@
 import { placeOfCode } from "../../shared/help/errorCodes";
 import { topicOf } from "../../shared/help/topics";
 import { addressWith, placeOfAddress } from "../../shared/session/address";
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 
 export interface HelpPlace {
   readonly topic: string;

@@ -4,7 +4,7 @@ import { namesOf } from "../../shared/documents/listed";
 import { addressWith, placeOfAddress } from "../../shared/session/address";
 import { attempt, session } from "../client";
 import { create } from "../documents/actions";
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 import { showHelp } from "./help";
 
 const store = createStore<string | undefined, string | undefined>(undefined, (_, next) => next);

@@ -2,7 +2,7 @@
 import { flushSync } from "react-dom";
 import { kUsualPanels, panelNames, shownSizes, type CellPlace, type FoldedPanel, type PanelName, type Panels } from "../../shared/layout/panels";
 import { panelsText, readPanels } from "../../shared/layout/stored";
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 
 const kKey = "race.panels";
 

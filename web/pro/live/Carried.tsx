@@ -4,7 +4,7 @@ import type { Core } from "../../generated/messages";
 import { carriedText } from "../../shared/run/edits";
 import { watchedCore } from "../../shared/session/session";
 import { session } from "../client";
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 
 /** How long it is shown [ms]. */
 const kMoment = 8000;

@@ -2,7 +2,7 @@
 import type { Account } from "../../generated/messages";
 import type { PersonRole } from "../../shared/login/roles";
 import { api } from "../client";
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 
 interface Shown {
   readonly shown: boolean;

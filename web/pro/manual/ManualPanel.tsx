@@ -1,14 +1,14 @@
 // The cell is moved by hand: who has the controls, the mode, and what can be moved while a button is held.
+import { GripperButtons } from "../../control/GripperButtons";
+import { JogButton } from "../../control/JogButton";
+import { ModeSwitch } from "../../control/ModeSwitch";
 import { TakeButton } from "../../control/TakeButton";
-import { kAxes, kJoints, kShares, movableOf, speedText, type JogPart } from "../../shared/control/jog";
+import { kJointParts, kShares, kToolParts, movableOf, partName, speedText } from "../../shared/control/jog";
 import { holderText } from "../../shared/control/texts";
 import { useStop } from "../../stop/useStop";
-import { ownControls, useSession } from "../client";
+import { fetchWithControls, ownControls, problem as showProblem, useSession } from "../client";
 import { useRefusal } from "../login/rights";
-import { Gripper } from "./Gripper";
-import { HoldButton } from "./HoldButton";
-import { ModeSwitch } from "./ModeSwitch";
-import { setMoving, useMoving } from "./moving";
+import { moving, setMoving, useMoving } from "./moving";
 import { SupervisedBox } from "./SupervisedBox";
 import { useAngles } from "./useAngles";
 
@@ -18,6 +18,7 @@ export function ManualPanel() {
   const refused = useRefusal("move_by_hand");
   const refusal = lost ? "the server is not there" : refused;
   const take = useRefusal("take_controls");
+  const mode = useRefusal("set_mode");
   const who = useStop((stop) => holderText(stop.holder, stop.held));
   const { robot, gripper } = movableOf(services);
   const problem = useMoving((now) => now.refused);
@@ -28,7 +29,7 @@ export function ManualPanel() {
         <div>
           <TakeButton address={ownControls} refusal={lost ? "the server is not there" : take} />
         </div>
-        <ModeSwitch />
+        <ModeSwitch refusal={mode} fetcher={fetchWithControls} onProblem={showProblem} />
         <SupervisedBox />
       </div>
       <div className="manual-moves">
@@ -37,21 +38,12 @@ export function ManualPanel() {
         </p>
         <div className="manual-set">
           {robot === undefined ? <p className="quiet">No robot here can be moved by held buttons.</p> : <JogSettings />}
-          {gripper !== undefined && <Gripper gripper={gripper} refusal={refusal} />}
+          {gripper !== undefined && <GripperButtons gripper={gripper} refusal={refusal} />}
         </div>
         {robot !== undefined && <Jogging robot={robot} refusal={refusal} />}
       </div>
     </section>
   );
-}
-
-const kJointParts: readonly JogPart[] = Array.from({ length: kJoints }, (_, joint) => ({ kind: "joint", joint }));
-const kToolParts: readonly JogPart[] = [...kAxes.map((axis): JogPart => ({ kind: "linear", axis })), ...kAxes.map((axis): JogPart => ({ kind: "angular", axis }))];
-
-function nameOf(part: JogPart): { readonly short: string; readonly long: string } {
-  if (part.kind === "joint") return { short: `${part.joint + 1}`, long: `Joint ${part.joint + 1}` };
-  const axis = part.axis.toUpperCase();
-  return part.kind === "linear" ? { short: axis, long: `Tool along ${axis}` } : { short: `R${axis}`, long: `Tool around ${axis}` };
 }
 
 function JogSettings() {
@@ -83,13 +75,13 @@ function Jogging({ robot, refusal }: { readonly robot: string; readonly refusal:
         <div key={title} className="manual-parts" role="group" aria-label={`${title} of ${robot}`}>
           <h3>{title}</h3>
           {parts.map((part) => {
-            const { short, long } = nameOf(part);
+            const { short, long } = partName(part);
             return (
               <div key={long} className="manual-part">
                 <b title={long}>{short}</b>
                 {part.kind === "joint" && <span ref={(element) => place(part.joint, element)} />}
-                <HoldButton part={part} sign={-1} name={long} refusal={refusal} />
-                <HoldButton part={part} sign={1} name={long} refusal={refusal} />
+                <JogButton part={part} sign={-1} refusal={refusal} moving={moving} />
+                <JogButton part={part} sign={1} refusal={refusal} moving={moving} />
               </div>
             );
           })}

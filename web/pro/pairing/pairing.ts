@@ -1,6 +1,6 @@
 // Whether the page shows how a phone becomes a display; also as an action of the palette.
 import type { Action } from "../edit/actions/action";
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 
 const shown = createStore<boolean, boolean>(false, (_, next) => next);
 

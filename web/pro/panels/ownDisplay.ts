@@ -1,7 +1,7 @@
 // This page as a display, once a person wants that: what a task shows is shown by its bars, and a question is answered there.
 import { openStream, type Stream } from "../../shared/stream";
 import { ownStream, problem } from "../client";
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 
 /** The names of the displays that this page is. */
 const names = createStore<readonly string[], readonly string[]>([], (_, next) => next);

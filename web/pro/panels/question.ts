@@ -6,7 +6,7 @@ import { isAsking } from "../../shared/run/displayCalls";
 import { unseenOf, type Unseen } from "../../shared/run/onDisplays";
 import { callThatAsked, waitingForPerson, type PersonWait } from "../../shared/run/waitingForPerson";
 import { api, useCore, useSession } from "../client";
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 
 interface Asked {
   /** The run. */

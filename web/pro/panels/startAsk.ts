@@ -8,7 +8,7 @@ import { commandable, watchedCore, type Session } from "../../shared/session/ses
 import { api, problem, session } from "../client";
 import { refusalOfCommandNow } from "../login/rights";
 import { makeRun, run } from "../runCommands";
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 
 export interface StartAsk {
   readonly command: Command;

@@ -7,7 +7,7 @@ import { watchedCore } from "../../shared/session/session";
 import type { WantedInference } from "../../shared/session/view";
 import { api, problem, session, sourceOf, view } from "../client";
 import { writePlace } from "../placeAddress";
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 import { modelThen } from "./pastModel";
 
 /** How the address changes: a new entry of the browser's history, the same one, or it is there already. */

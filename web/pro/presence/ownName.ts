@@ -1,7 +1,7 @@
 // The name of the person at this browser: asked once, kept in local storage. Where that is refused, it lasts as long as the page.
 import { guestName } from "../../shared/presence/names";
 import { login } from "../client";
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 
 const kKey = "race.name";
 const kGuest = "race.guest";

@@ -5,7 +5,7 @@ import { applyPeople, nobody, peopleEvent, presenceChannel, type People, type Pe
 import { openPace, type Pace } from "../../shared/presence/pace";
 import { listenToStream, session, view } from "../client";
 import { editedTree, editing } from "../edit/editing";
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 import { listenToOwnName, ownName } from "./ownName";
 
 export const people = createStore<People, PeopleEvent>(nobody, applyPeople);

@@ -1,7 +1,7 @@
 // The list of stored runs. No channel of the stream tells of it: it is loaded when the panel opens, after each action, and on demand.
 import { applyRunList, kNoRuns, type RunList, type RunListEvent } from "../../shared/runs/list";
 import { api, session } from "../client";
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 
 export const runs = createStore<RunList, RunListEvent>(kNoRuns, applyRunList);
 

@@ -1,6 +1,6 @@
 // The theme of this page: a store of the choice and of the system's preference, shown by `data-theme` and kept in local storage.
 import { applyTheme, choiceOf, shownTheme, type Theme, type ThemeChoice, type ThemeEvent, type ThemeState } from "../../shared/theme/theme";
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 import { tokenColour } from "./tokenColour";
 
 /** public/pro/theme.js reads it too. */

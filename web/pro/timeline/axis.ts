@@ -1,7 +1,7 @@
 // What the time line measures by, also in the address (`axis=steps`; else seconds).
 import type { Measure } from "../../shared/runs/scale";
 import { addressWith, placeOfAddress } from "../../shared/session/address";
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 
 const measureOf = (axis: string | undefined): Measure => (axis === "steps" ? "steps" : "seconds");
 

@@ -7,7 +7,7 @@ import { author } from "../edit/author";
 import { editing, openDocument } from "../edit/editing";
 import { refuse, tellDone } from "../edit/say";
 import { whenStored } from "../edit/whenStored";
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 import { messageOf } from "../../shared/messageOf";
 
 const store = createStore<History, HistoryEvent>(noHistory, applyHistory);

@@ -4,7 +4,7 @@ import { readTree, type Tree } from "../../shared/edit/tree";
 import type { JsonValue } from "../../shared/json";
 import { api, session } from "../client";
 import { editing } from "../edit/editing";
-import { createStore, useSelected } from "../store";
+import { createStore, useSelected } from "../../page/store";
 import { messageOf } from "../../shared/messageOf";
 
 /** A document, or why it is not here. */

@@ -10,6 +10,16 @@ export type Sign = 1 | -1;
 
 export type JogPart = { readonly kind: "joint"; readonly joint: number } | { readonly kind: "linear"; readonly axis: Axis } | { readonly kind: "angular"; readonly axis: Axis };
 
+export const kJointParts: readonly JogPart[] = Array.from({ length: kJoints }, (_, joint) => ({ kind: "joint", joint }));
+export const kToolParts: readonly JogPart[] = [...kAxes.map((axis): JogPart => ({ kind: "linear", axis })), ...kAxes.map((axis): JogPart => ({ kind: "angular", axis }))];
+
+/** `1`, `Joint 1`; `RX`, `Tool around X` */
+export function partName(part: JogPart): { readonly short: string; readonly long: string } {
+  if (part.kind === "joint") return { short: `${part.joint + 1}`, long: `Joint ${part.joint + 1}` };
+  const axis = part.axis.toUpperCase();
+  return part.kind === "linear" ? { short: axis, long: `Tool along ${axis}` } : { short: `R${axis}`, long: `Tool around ${axis}` };
+}
+
 /** A velocity, as `jog` of a robot takes it. */
 export type Jog =
   | { readonly joints: readonly number[] }
@@ -71,6 +81,9 @@ export interface Movable {
   readonly robot: string | undefined;
   readonly gripper: { readonly key: string; readonly open: string; readonly close: string } | undefined;
 }
+
+/** Whether the robot gives way to a hand while a button is held. */
+export const canGuide = (services: readonly Described[]): boolean => services.some((service) => offers(service, "guide", "stop"));
 
 export function movableOf(services: readonly Described[]): Movable {
   const hand = [{ open: "release", close: "grasp" }, { open: "open", close: "close" }].flatMap(({ open, close }) => {

@@ -1,7 +1,7 @@
 // The legend over the drawing or the cell: it stays while one works, until it is closed by its button or Esc.
 import { useEffect, useRef } from "react";
 import { cellLegend, drawingLegend } from "../../../shared/help/legend";
-import { createStore, useSelected } from "../../store";
+import { createStore, useSelected } from "../../../page/store";
 import { LegendLists } from "./LegendLists";
 
 const store = createStore<boolean, boolean>(false, (_, next) => next);

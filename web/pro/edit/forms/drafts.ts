@@ -3,7 +3,7 @@ import { applyDraftEvent, noDrafts, readDrafts, writeDrafts, type DraftEvent, ty
 import { reasonText } from "../../../shared/edit/refusalText";
 import type { Change } from "../../../shared/edit/session";
 import { refusalNow } from "../../login/rights";
-import { createStore, useSelected } from "../../store";
+import { createStore, useSelected } from "../../../page/store";
 import { editing, perform } from "../editing";
 
 const kKey = "race.drafts";

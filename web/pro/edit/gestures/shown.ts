@@ -1,5 +1,5 @@
 // What is drawn over the page while something is dragged.
-import { createStore, useSelected } from "../../store";
+import { createStore, useSelected } from "../../../page/store";
 import type { ScreenPoint } from "../prompt";
 
 export interface DragShown {

@@ -2,7 +2,7 @@
 import { idAt } from "../../../shared/model/identity";
 import type { View } from "../../../shared/session/view";
 import type { Laid } from "../../canvas/useDrawing";
-import { createStore, useSelected } from "../../store";
+import { createStore, useSelected } from "../../../page/store";
 
 const written = createStore<string | undefined, string | undefined>(undefined, (_, id) => id);
 

@@ -1,7 +1,7 @@
 // Whose usages are listed.
 import { flushSync } from "react-dom";
 import type { Referent } from "../../../shared/code/referent";
-import { createStore, useSelected } from "../../store";
+import { createStore, useSelected } from "../../../page/store";
 import { editing } from "../editing";
 import { kCanvasId } from "../prompt";
 

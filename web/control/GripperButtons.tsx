@@ -1,8 +1,8 @@
 // The gripper, opened and closed by hand.
 import { useState } from "react";
-import { controls } from "../../control/page";
-import type { Movable } from "../../shared/control/jog";
-import { messageOf } from "../../shared/messageOf";
+import { controls } from "./page";
+import type { Movable } from "../shared/control/jog";
+import { messageOf } from "../shared/messageOf";
 
 /** Slow [m/s]. */
 const kSpeed = 0.05;
@@ -12,7 +12,7 @@ interface Props {
   readonly refusal: string | undefined;
 }
 
-export function Gripper({ gripper: { key, open, close }, refusal }: Props) {
+export function GripperButtons({ gripper: { key, open, close }, refusal }: Props) {
   const [busy, setBusy] = useState<"open" | "close">();
   const [said, setSaid] = useState("");
   const move = async (which: "open" | "close", operation: string) => {

@@ -1,34 +1,40 @@
 // A button that moves the robot while it is held, by pointer or by key.
-import { useEffect, useRef, useState } from "react";
-import type { JogPart, Sign } from "../../shared/control/jog";
-import { beginMotion, endMotion } from "./moving";
+import { useEffect, useRef, useState, type ReactNode } from "react";
 
 interface Props {
-  readonly part: JogPart;
-  readonly sign: Sign;
-  /** What moves: `Joint 1`. */
+  /** What it does while it is held: `Joint 1 plus`. */
   readonly name: string;
+  readonly title?: string;
+  readonly className?: string;
   /** Why nothing is moved now. */
   readonly refusal: string | undefined;
+  readonly onBegin: () => void;
+  /** Whatever may mean that nobody holds it; also when the button goes. */
+  readonly onEnd: () => void;
+  readonly children: ReactNode;
 }
 
 const isHoldKey = (key: string): boolean => key === " " || key === "Enter";
 
-export function HoldButton({ part, sign, name, refusal }: Props) {
+export function HoldButton({ name, title, className = "", refusal, onBegin, onEnd, children }: Props) {
   const [held, setHeld] = useState(false);
   const isHeld = useRef(false);
   const begin = () => {
     if (isHeld.current) return;
     isHeld.current = true;
     setHeld(true);
-    beginMotion(part, sign);
+    onBegin();
   };
   const end = () => {
     if (!isHeld.current) return;
     isHeld.current = false;
     setHeld(false);
-    endMotion();
+    onEnd();
   };
+  const ending = useRef(onEnd);
+  useEffect(() => {
+    ending.current = onEnd;
+  });
   const isRefused = refusal !== undefined;
   // Also when the button goes, or may not be pressed any more.
   useEffect(() => {
@@ -36,7 +42,7 @@ export function HoldButton({ part, sign, name, refusal }: Props) {
     const over = () => {
       isHeld.current = false;
       setHeld(false);
-      endMotion();
+      ending.current();
     };
     if (isRefused) {
       over();
@@ -46,16 +52,16 @@ export function HoldButton({ part, sign, name, refusal }: Props) {
     for (const [target, event] of events) target.addEventListener(event, over);
     return () => {
       for (const [target, event] of events) target.removeEventListener(event, over);
-      endMotion();
+      ending.current();
     };
   }, [held, isRefused]);
   return (
     <button
       type="button"
-      className={`hold${held ? " is-held" : ""}`}
+      className={`hold${held ? " is-held" : ""} ${className}`}
       disabled={isRefused}
-      aria-label={`${name} ${sign > 0 ? "plus" : "minus"}, while held`}
-      title={refusal ?? `${name} ${sign > 0 ? "+" : "−"}: moves while it is held (Space or Enter, too)`}
+      aria-label={`${name}, while held`}
+      title={refusal ?? title ?? `${name}: moves while it is held (Space or Enter, too)`}
       onPointerDown={(event) => {
         if (event.button !== 0 || !event.isPrimary) return;
         event.currentTarget.setPointerCapture(event.pointerId);
@@ -78,7 +84,7 @@ export function HoldButton({ part, sign, name, refusal }: Props) {
         end();
       }}
     >
-      {sign > 0 ? "+" : "−"}
+      {children}
     </button>
   );
 }

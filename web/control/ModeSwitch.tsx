@@ -1,25 +1,31 @@
 // The mode of the cell. A change stops what moves: with runs that have reserved services it is asked about first.
 import { useState } from "react";
-import type { CellMode } from "../../generated/messages";
-import { setMode } from "../../shared/control/requests";
-import { kModeMeans, modeName } from "../../shared/control/texts";
-import { byHand, reservedBy } from "../../shared/stop/leases";
-import { stop } from "../../stop/page";
-import { useStop } from "../../stop/useStop";
-import { attempt, fetchWithControls } from "../client";
-import { useRefusal } from "../login/rights";
+import type { CellMode } from "../generated/messages";
+import { setMode } from "../shared/control/requests";
+import { kModeMeans, modeName } from "../shared/control/texts";
+import { byHand, reservedBy } from "../shared/stop/leases";
+import { stop } from "../stop/page";
+import { useStop } from "../stop/useStop";
 
 const kModes: readonly CellMode[] = ["execution", "programming"];
 
-export function ModeSwitch() {
+interface Props {
+  /** Why this person does not change it. */
+  readonly refusal: string | undefined;
+  /** Which tells who has the controls. */
+  readonly fetcher: typeof fetch;
+  /** What was in the way. */
+  readonly onProblem: (error: unknown) => void;
+}
+
+export function ModeSwitch({ refusal, fetcher, onProblem }: Props) {
   const mode = useStop((now) => now.mode);
   const leases = useStop((now) => now.leases);
-  const refusal = useRefusal("set_mode");
   const [asked, setAsked] = useState<CellMode>();
   const runs = reservedBy(leases).filter((each) => !byHand(each));
   const turn = (to: CellMode) => {
     setAsked(undefined);
-    void attempt(async () => stop.take(await setMode(fetchWithControls, to)));
+    setMode(fetcher, to).then(stop.take, onProblem);
   };
   const wanted = refusal === undefined && asked !== mode && runs.length > 0 ? asked : undefined;
   return (
