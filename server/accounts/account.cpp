@@ -29,4 +29,12 @@ Expected<void> Account::check() const {
   return {};
 }
 
+Expected<void> TokenScope::check(const Account& account) const {
+  const bool is_process = account.role == Role::process;
+  if (role && (is_process || *role == Role::process || *role > account.role))
+    return unexpected(ErrorCode::not_accepted, "a token of a person may do what its account may, or less", "role");
+  if (local && is_process) return unexpected(ErrorCode::not_accepted, "a process is no display at the cell", "local");
+  return {};
+}
+
 }  // namespace race::server

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,18 @@ struct Account {
   Expected<void> check() const;
 };
 
+/// What who has a token is, beside their account: what it may do is the lower of the two roles.
+struct TokenScope {
+  std::optional<Role> role = {};  // nothing: that of the account, whatever that will be
+  bool local = false;             // a display at the cell, as an account of kLocal
+  std::string display = {};       // the name of the display that was paired; empty: none was
+  bool operator==(const TokenScope&) const = default;
+
+  /// Errors `not_accepted`, with the field as path: `role`: the account may less, or one of the two is a process;
+  /// `local`: a process.
+  Expected<void> check(const Account& account) const;
+};
+
 /// A secret by which an account is known. The secret itself is not kept.
 struct AccountToken {
   static constexpr std::size_t kLongestLabel = 100;  // characters
@@ -38,6 +51,7 @@ struct AccountToken {
   std::string label;  // what it is for: "login", or what its owner says
   std::int64_t created = 0;
   std::int64_t expires = 0;  // [ms since 1970]; 0: never
+  TokenScope scope = {};
   bool operator==(const AccountToken&) const = default;
 };
 

@@ -39,7 +39,17 @@ void make_tables(SQLite::Database& file) {
   sqlite::keep_schema(file);
 }
 
-constexpr std::array<sqlite::Migration, 1> kAccountMigrations = {make_tables};
+// 2: tokens that may less than their account, and those of displays. role, display: empty: none. The digests of the
+// tokens that are there stay (digest_of()): a damaged one is still found.
+void add_scopes(SQLite::Database& file) {
+  file.exec(
+      "ALTER TABLE token ADD COLUMN role TEXT NOT NULL DEFAULT '';"
+      "ALTER TABLE token ADD COLUMN local INTEGER NOT NULL DEFAULT 0;"
+      "ALTER TABLE token ADD COLUMN display TEXT NOT NULL DEFAULT ''");
+  sqlite::keep_schema(file);
+}
+
+constexpr std::array<sqlite::Migration, 2> kAccountMigrations = {make_tables, add_scopes};
 
 std::string joined(const std::vector<std::string>& names) {
   std::string text;
@@ -62,9 +72,15 @@ Digest digest_of(const Account& account) {
                             std::to_string(account.created)});
 }
 
+std::string role_text(const TokenScope& scope) { return scope.role ? std::string(name(*scope.role)) : ""; }
+
+// One without a scope has the digest of version 1.
 Digest digest_of(const AccountToken& token) {
-  return sqlite::sha256_of({kTokens, token.digest, token.account, token.label, std::to_string(token.created),
-                            std::to_string(token.expires)});
+  const std::string created = std::to_string(token.created), expires = std::to_string(token.expires);
+  if (token.scope == TokenScope())
+    return sqlite::sha256_of({kTokens, token.digest, token.account, token.label, created, expires});
+  return sqlite::sha256_of({kTokens, token.digest, token.account, token.label, created, expires, role_text(token.scope),
+                            token.scope.local ? "local" : "", token.scope.display});
 }
 
 tl::unexpected<Error> damaged(std::string_view what) {
@@ -83,7 +99,9 @@ Expected<Account> read_account(SQLite::Statement& row) {
 Expected<AccountToken> read_token(SQLite::Statement& row) {
   AccountToken token{row.getColumn(0).getString(), row.getColumn(1).getString(), row.getColumn(2).getString(),
                      row.getColumn(3).getInt64(), row.getColumn(4).getInt64()};
-  if (digest_in(row, 5) != digest_of(token)) return damaged(kTokens);
+  const std::string role = row.getColumn(6).getString();
+  token.scope = {role_of(role), row.getColumn(7).getInt() != 0, row.getColumn(8).getString()};
+  if (role != role_text(token.scope) || digest_in(row, 5) != digest_of(token)) return damaged(kTokens);
   return token;
 }
 
@@ -116,13 +134,16 @@ void insert(SQLite::Database& file, const Account& account) {
 }
 
 void insert(SQLite::Database& file, const AccountToken& token) {
-  SQLite::Statement insert(file, "INSERT INTO token VALUES (?, ?, ?, ?, ?, ?)");
+  SQLite::Statement insert(file, "INSERT INTO token VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
   insert.bind(1, token.digest);
   insert.bind(2, token.account);
   insert.bind(3, token.label);
   insert.bind(4, token.created);
   insert.bind(5, token.expires);
   bind_digest(insert, 6, digest_of(token));
+  insert.bind(7, role_text(token.scope));
+  insert.bind(8, static_cast<int>(token.scope.local));
+  insert.bind(9, token.scope.display);
   insert.exec();
 }
 

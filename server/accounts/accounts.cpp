@@ -23,6 +23,29 @@ tl::unexpected<Error> another_password() {
   return unexpected(ErrorCode::conflict, "the account has another password by now", "password");
 }
 
+// Those of the account's tokens that make way for another one: the expired, and the oldest login for one too many.
+// Error `too_large`.
+Expected<std::vector<AccountToken>> ended_for(const AccountToken& wanted, const std::vector<AccountToken>& tokens) {
+  const bool is_login = wanted.label == Accounts::kLogin;
+  std::vector<AccountToken> ended;
+  std::size_t alike = 0;  // logins, or all others
+  const AccountToken* oldest = nullptr;
+  for (const AccountToken& token : tokens) {
+    if (has_expired(token, wanted.created)) {
+      ended.push_back(token);
+    } else if ((token.label == Accounts::kLogin) == is_login) {
+      ++alike;
+      if (!oldest || token.created < oldest->created) oldest = &token;
+    }
+  }
+  if (alike < Accounts::kMostTokens) return ended;
+  if (!is_login)
+    return unexpected(ErrorCode::too_large,
+                      "an account has at most " + std::to_string(Accounts::kMostTokens) + " tokens");
+  ended.push_back(*oldest);
+  return ended;
+}
+
 }  // namespace
 
 Expected<std::unique_ptr<Accounts>> Accounts::open(const std::string& path) {
@@ -131,52 +154,49 @@ Expected<void> Accounts::remove(const std::string& name) {
 }
 
 Expected<Accounts::Issued> Accounts::issue(const std::string& account, const std::string& label, std::int64_t now,
-                                           std::int64_t expires) {
-  if (language::utf8::length(label) > AccountToken::kLongestLabel)
-    return unexpected(ErrorCode::too_large,
-                      "has more than " + std::to_string(AccountToken::kLongestLabel) + " characters", "label");
-  return issue_unless_changed({"", account, label, now, expires}, nullptr);
+                                           std::int64_t expires, const TokenScope& scope) {
+  return issue_unless_changed({"", account, label, now, expires, scope}, {});
 }
 
 Expected<Accounts::Issued> Accounts::issue_login(const std::string& account, const std::string& password_hash,
                                                  std::int64_t now, std::int64_t expires) {
-  return issue_unless_changed({"", account, std::string(kLogin), now, expires}, &password_hash);
+  return issue_unless_changed({"", account, std::string(kLogin), now, expires}, {.password_hash = &password_hash});
 }
 
-// `wanted` has no digest yet. Passwords change under the same lock: none does between the look and the token.
-Expected<Accounts::Issued> Accounts::issue_unless_changed(const AccountToken& wanted,
-                                                          const std::string* password_hash) {
-  const auto& [none, account, label, now, expires] = wanted;
+Expected<Accounts::Issued> Accounts::issue_for(const Identity& by, const std::string& label, std::int64_t now,
+                                               std::int64_t expires, const TokenScope& scope) {
+  return issue_unless_changed({"", by.account, label, now, expires, scope}, {.identity = &by});
+}
+
+Expected<void> Accounts::check_unchanged(const AccountToken& wanted, const Condition& condition) const {
+  const auto found = accounts_.find(wanted.account);
+  if (found == accounts_.end()) return no_account(wanted.account);
+  if (condition.password_hash && found->second.password_hash != *condition.password_hash) return another_password();
+  if (condition.identity && !is_known(*condition.identity, wanted.created))
+    return unexpected(ErrorCode::conflict, "who wanted the token is another one by now");
+  return wanted.scope.check(found->second);
+}
+
+// `wanted` has no digest yet. Passwords and roles change under the same lock: none does between the look and the token.
+Expected<Accounts::Issued> Accounts::issue_unless_changed(AccountToken wanted, const Condition& condition) {
+  if (language::utf8::length(wanted.label) > AccountToken::kLongestLabel)
+    return unexpected(ErrorCode::too_large,
+                      "has more than " + std::to_string(AccountToken::kLongestLabel) + " characters", "label");
   const services::MutexLock changing(changing_);
   std::vector<AccountToken> tokens;
   {
     const services::MutexLock lock(mutex_);
-    const auto found = accounts_.find(account);
-    if (found == accounts_.end()) return no_account(account);
-    if (password_hash && found->second.password_hash != *password_hash) return another_password();
-    tokens = tokens_of(account);
+    if (auto same = check_unchanged(wanted, condition); !same) return tl::unexpected(std::move(same).error());
+    tokens = tokens_of(wanted.account);
   }
-  std::vector<AccountToken> ended;
-  std::size_t alike = 0;  // logins, or all others
-  const AccountToken* oldest = nullptr;
-  for (const AccountToken& token : tokens) {
-    if (has_expired(token, now)) {
-      ended.push_back(token);
-    } else if ((token.label == kLogin) == (label == kLogin)) {
-      ++alike;
-      if (!oldest || token.created < oldest->created) oldest = &token;
-    }
-  }
-  if (alike >= kMostTokens && label != kLogin)
-    return unexpected(ErrorCode::too_large, "an account has at most " + std::to_string(kMostTokens) + " tokens");
-  if (alike >= kMostTokens) ended.push_back(*oldest);
+  ASSIGN_OR_RETURN(const std::vector<AccountToken> ended, ended_for(wanted, tokens));
   const std::string secret = make_secret(kTokenPrefix);
-  const AccountToken token{digest_of_secret(secret), account, label, now, expires};
-  if (auto stored = file_->exchange(ended, token); !stored) return tl::unexpected(std::move(stored).error());
+  wanted.digest = digest_of_secret(secret);
+  if (auto stored = file_->exchange(ended, wanted); !stored) return tl::unexpected(std::move(stored).error());
   const services::MutexLock lock(mutex_);
   for (const AccountToken& old : ended) tokens_.erase(old.digest);
-  tokens_.emplace(token.digest, token);
-  return Issued{secret, token.digest};
+  tokens_.emplace(wanted.digest, wanted);
+  return Issued{secret, wanted.digest};
 }
 
 std::vector<AccountToken> Accounts::tokens(std::string_view account, std::int64_t now) const {
@@ -204,7 +224,10 @@ Expected<void> Accounts::revoke(const std::string& account, const std::string& d
 
 Identity Accounts::identity_of(const AccountToken& token) const {
   const Account& account = accounts_.find(token.account)->second;  // removed with its tokens
-  return {account.name, account.role, account.groups, token.digest, ""};
+  Identity identity{account.name, account.role, account.groups, token.digest, ""};
+  if (token.scope.role) identity.role = std::min(account.role, *token.scope.role);
+  if (token.scope.local && !is_local(identity)) identity.groups.emplace_back(kLocal);
+  return identity;
 }
 
 std::optional<Identity> Accounts::identify(std::string_view secret, std::int64_t now) const {
@@ -215,13 +238,16 @@ std::optional<Identity> Accounts::identify(std::string_view secret, std::int64_t
   return identity_of(token->second);
 }
 
-bool Accounts::is_current(const Identity& identity, std::int64_t now) const {
-  const services::MutexLock lock(mutex_);
-  if (identity.account.empty()) return accounts_.empty();
+bool Accounts::is_known(const Identity& identity, std::int64_t now) const {
   const auto token = tokens_.find(identity.token);
   if (token == tokens_.end() || has_expired(token->second, now)) return false;
   const Identity known = identity_of(token->second);
   return known.account == identity.account && known.role == identity.role && known.groups == identity.groups;
+}
+
+bool Accounts::is_current(const Identity& identity, std::int64_t now) const {
+  const services::MutexLock lock(mutex_);
+  return identity.account.empty() ? accounts_.empty() : is_known(identity, now);
 }
 
 }  // namespace race::server

@@ -52,17 +52,21 @@ class Accounts {
   Expected<void> remove(const std::string& name) EXCLUDES(changing_, mutex_);
 
   /// A new token, which is known from then on until `expires` [ms since 1970; 0: for ever]. The secret is returned here
-  /// and never again. Errors: `not_found`, `too_large` (the label; kMostTokens), those of
+  /// and never again. Errors: `not_found`, `too_large` (the label; kMostTokens), those of TokenScope::check() and
   /// AccountFile.
   struct Issued {
     std::string secret, digest;
   };
-  Expected<Issued> issue(const std::string& account, const std::string& label, std::int64_t now, std::int64_t expires)
-      EXCLUDES(changing_, mutex_);
+  Expected<Issued> issue(const std::string& account, const std::string& label, std::int64_t now, std::int64_t expires,
+                         const TokenScope& scope = {}) EXCLUDES(changing_, mutex_);
   /// The same for who has shown the password of this hash: a login. Error `conflict`: the account has another one by
   /// now, also if it is a new account of this name.
   Expected<Issued> issue_login(const std::string& account, const std::string& password_hash, std::int64_t now,
                                std::int64_t expires) EXCLUDES(changing_, mutex_);
+  /// The same of the account of `by`, who wanted that before. Error `conflict`: they are no more who they were: their
+  /// own token has ended, or their role or groups are others.
+  Expected<Issued> issue_for(const Identity& by, const std::string& label, std::int64_t now, std::int64_t expires,
+                             const TokenScope& scope) EXCLUDES(changing_, mutex_);
   /// Of the account, without those that have expired.
   std::vector<AccountToken> tokens(std::string_view account, std::int64_t now) const EXCLUDES(mutex_);
   /// The account's token of this digest is known no more. Errors: `not_found`, those of AccountFile.
@@ -80,9 +84,15 @@ class Accounts {
   explicit Accounts(std::unique_ptr<AccountFile> file) : file_(std::move(file)) {}
   std::vector<AccountToken> tokens_of(std::string_view account) const REQUIRES(mutex_);
   Expected<void> check_admin_is_left(const std::string& without, const Account* instead) const EXCLUDES(mutex_);
-  Expected<Issued> issue_unless_changed(const AccountToken& wanted, const std::string* password_hash)
-      EXCLUDES(changing_, mutex_);
+  /// What must still hold when a token is made; a nullptr is no condition.
+  struct Condition {
+    const std::string* password_hash = nullptr;
+    const Identity* identity = nullptr;
+  };
+  Expected<Issued> issue_unless_changed(AccountToken wanted, const Condition& condition) EXCLUDES(changing_, mutex_);
+  Expected<void> check_unchanged(const AccountToken& wanted, const Condition& condition) const REQUIRES(mutex_);
   Identity identity_of(const AccountToken& token) const REQUIRES(mutex_);
+  bool is_known(const Identity& identity, std::int64_t now) const REQUIRES(mutex_);
 
   services::Mutex changing_;  // one change at a time, also while the disk is waited for
   const std::unique_ptr<AccountFile> file_ PT_GUARDED_BY(changing_);

@@ -17,6 +17,9 @@ Value account_json(const Account& account) {
 Value token_json(const AccountToken& token) {
   Dict json{{"digest", token.digest}, {"label", token.label}, {"created", token.created}};
   if (token.expires != 0) json.set("expires", token.expires);
+  if (token.scope.role) json.set("role", std::string(name(*token.scope.role)));
+  if (token.scope.local) json.set("local", true);
+  if (!token.scope.display.empty()) json.set("name", token.scope.display);
   return json;
 }
 

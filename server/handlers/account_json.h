@@ -26,6 +26,7 @@ Reply too_many_attempts(std::chrono::milliseconds wait);
 /// What a comparison of passwords says of the attempt; an error: it was not made.
 void settle(Attempts& attempts, const Attempts::Attempt& attempt, const Expected<bool>& is_right);
 
+inline constexpr std::int64_t kDay = std::int64_t{24} * 60 * 60 * 1000;  // ms
 /// Logins end after this [ms].
 inline constexpr std::int64_t kLoginLife = std::int64_t{12} * 60 * 60 * 1000;
 

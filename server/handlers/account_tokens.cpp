@@ -9,7 +9,6 @@ namespace race::server {
 namespace {
 
 constexpr std::int64_t kLongestLife = 3650;  // days
-constexpr std::int64_t kDay = std::int64_t{24} * 60 * 60 * 1000;
 
 }  // namespace
 
@@ -28,12 +27,13 @@ Handled create_account_token(const Request& request, Accounts& accounts) {
   Fields fields(*body, "", "the request", errors, Fields::Paths::field);
   const std::string label = fields.text("label", Fields::Need::required).value_or("");
   const auto days = fields.integer("days", 1, kLongestLife);
+  const TokenScope scope{read_role(fields, Fields::Need::optional), fields.boolean("local").value_or(false)};
   if (label == Accounts::kLogin)
     fields.violation(ErrorCode::not_accepted, "`login` is what tokens of passwords are called", "label");
   fields.close();
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   const std::int64_t now = now_ms(), expires = days ? now + *days * kDay : 0;
-  const auto secret = accounts.issue(request.parameters.at("name"), label, now, expires);
+  const auto secret = accounts.issue(request.parameters.at("name"), label, now, expires, scope);
   if (!secret) return failed(secret.error());
   Dict json{{"token", secret->secret}, {"digest", secret->digest}};
   if (expires != 0) json.set("expires", expires);

@@ -11,7 +11,8 @@ import unittest
 from pathlib import Path
 
 import models
-from client import PROGRAM, TIMEOUT, Server
+from accounts import folder_with_accounts, token_of
+from client import PROGRAM, TIMEOUT, Server, check
 from traced_server import TracedServer
 
 # Of the first version: SQL as its program made it.
@@ -128,6 +129,25 @@ class Upgrade(Case):
         self.assertEqual(out.returncode, 0, out.stderr)
         with Server(data=str(self.data)) as server:
             self.assertEqual(server.get("/documents/edited", "document_entry")["revision"], 2)
+
+    def test_of_tokens_without_a_role_of_their_own(self):
+        data = folder_with_accounts()
+        self.addCleanup(shutil.rmtree, data)
+        tokens = {role: token_of(data, role) for role in ("admin", "observer")}
+        with sqlite3.connect(Path(data) / "accounts.sqlite") as connection:
+            for column in ("role", "local", "display"):
+                connection.execute(f"ALTER TABLE token DROP COLUMN {column}")
+            connection.execute("PRAGMA user_version = 1")
+        connection.close()
+        for _ in ("upgraded", "as it is then"):
+            with Server(data=data) as server:
+                for role, token in tokens.items():
+                    status, me = server.request("GET", "/api/v1/me", headers={"Authorization": f"Bearer {token}"})
+                    self.assertEqual((status, check("me", me)["role"], me["local"]), (200, role, False))
+                server.token = tokens["admin"]
+                listed = server.get("/accounts/admin/tokens", "account_tokens")["tokens"]
+                self.assertEqual([token.keys() & {"role", "local", "name"} for token in listed], [set()])
+        self.assertEqual(version_of(Path(data) / "accounts.sqlite"), 2)
 
     def test_of_a_newer_version_is_refused_and_left_as_it_is(self):
         with Server(data=str(self.data)) as server:

@@ -5,12 +5,14 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include "services/sqlite/table_hash.h"
 #include "tests/unit/temporary_folder.h"
 
 namespace race::server {
 namespace {
 
 using testing::ElementsAre;
+using testing::IsEmpty;
 using testing::SizeIs;
 
 constexpr std::int64_t kNow = 1'000'000;
@@ -161,6 +163,99 @@ TEST_F(AccountsTest, AnIdentityIsNoMoreWhatItWasWhenItsRoleChanges) {
   EXPECT_EQ(accounts->identify(token, kNow)->role, Role::observer);
 }
 
+TEST_F(AccountsTest, ATokenMayTheLowerOfItsRoleAndItsAccounts) {
+  ASSERT_TRUE(accounts->add(person("ada", Role::admin)));
+  ASSERT_TRUE(accounts->add(person("eve", Role::developer)));
+  const std::string token = accounts->issue("eve", "phone", kNow, 0, {Role::cell_operator})->secret;
+  const auto role = [&] { return accounts->identify(token, kNow)->role; };
+  EXPECT_EQ(role(), Role::cell_operator);
+  const std::vector<std::pair<Role, Role>> expectations = {
+      {Role::observer, Role::observer}, {Role::cell_operator, Role::cell_operator}, {Role::admin, Role::cell_operator}};
+  for (const auto& [of_account, expected] : expectations) {
+    const Identity before = *accounts->identify(token, kNow);
+    ASSERT_TRUE(accounts->change("eve", {.role = of_account}));
+    EXPECT_EQ(role(), expected);
+    EXPECT_EQ(accounts->is_current(before, kNow), before.role == expected);
+  }
+  reopen();
+  EXPECT_EQ(role(), Role::cell_operator);
+}
+
+TEST_F(AccountsTest, ATokenMayBeOfADisplayAtTheCell) {
+  ASSERT_TRUE(accounts->add({"ada", Role::admin, {}, "hash", kNow}));
+  ASSERT_TRUE(accounts->add({"cell", Role::observer, {"local"}, "", kNow}));
+  const auto who = [&](const std::string& account, const TokenScope& scope) {
+    return *accounts->identify(accounts->issue(account, "phone", kNow, 0, scope)->secret, kNow);
+  };
+  EXPECT_THAT(who("ada", {}).groups, IsEmpty());
+  EXPECT_THAT(who("ada", {{}, true}).groups, ElementsAre("local"));
+  EXPECT_THAT(who("cell", {{}, true}).groups, ElementsAre("local")) << "once";
+  EXPECT_TRUE(is_local(who("ada", {Role::observer, true, "phone1"})));
+  const std::vector<AccountToken> before = accounts->tokens("ada", kNow);
+  reopen();
+  EXPECT_EQ(accounts->tokens("ada", kNow), before);
+}
+
+TEST_F(AccountsTest, ATokenIsNotMadeThatMayMoreThanItsAccountNorOneOfAProcess) {
+  ASSERT_TRUE(accounts->add(person("ada", Role::admin)));
+  ASSERT_TRUE(accounts->add(person("eve", Role::cell_operator)));
+  ASSERT_TRUE(accounts->add({"robot-1", Role::process, {"cell"}, "", kNow}));
+  const auto refusal = [&](const std::string& account, const TokenScope& scope) {
+    const auto token = accounts->issue(account, "phone", kNow, 0, scope);
+    return token ? "" : std::string(name(token.error().code)) + ' ' + token.error().path;
+  };
+  EXPECT_EQ(refusal("eve", {Role::developer}), "not_accepted role");
+  EXPECT_EQ(refusal("eve", {Role::cell_operator}), "");
+  EXPECT_EQ(refusal("eve", {Role::process}), "not_accepted role");
+  EXPECT_EQ(refusal("robot-1", {Role::process}), "not_accepted role");
+  EXPECT_EQ(refusal("robot-1", {Role::observer}), "not_accepted role");
+  EXPECT_EQ(refusal("robot-1", {{}, true}), "not_accepted local");
+}
+
+TEST_F(AccountsTest, ATokenIsMadeForWhoWantedItWhileTheyAreWhoTheyWere) {
+  ASSERT_TRUE(accounts->add(person("ada", Role::admin)));
+  ASSERT_TRUE(accounts->add(person("eve", Role::developer)));
+  const auto refusal = [&](const Identity& by) {
+    const auto token = accounts->issue_for(by, "phone", kNow, 0, {Role::observer});
+    return token ? "" : std::string(name(token.error().code));
+  };
+  Identity eve = *accounts->identify(login("eve"), kNow);
+  EXPECT_EQ(refusal(eve), "");
+  ASSERT_TRUE(accounts->change("eve", {.role = Role::cell_operator}));
+  EXPECT_EQ(refusal(eve), "conflict") << "another role";
+  eve = *accounts->identify(login("eve"), kNow);
+  ASSERT_TRUE(accounts->revoke("eve", eve.token));
+  EXPECT_EQ(refusal(eve), "conflict") << "logged out";
+  eve = *accounts->identify(login("eve"), kNow);
+  ASSERT_TRUE(accounts->remove("eve"));
+  EXPECT_EQ(refusal(eve), "not_found") << "removed";
+  ASSERT_TRUE(accounts->add(person("eve", Role::cell_operator)));
+  EXPECT_EQ(refusal(eve), "conflict") << "another account of this name";
+}
+
+// Of version 1: tokens have no scope.
+TEST_F(AccountsTest, AnOlderFileKeepsItsTokensAndADamagedOneIsNotMadeWhole) {
+  ASSERT_TRUE(accounts->add(person("ada", Role::admin)));
+  const std::string token = login("ada");
+  const auto make_older = [&](const std::string& damage) {
+    accounts.reset();
+    SQLite::Database old(file, SQLite::OPEN_READWRITE);
+    old.exec(
+        "ALTER TABLE token DROP COLUMN role; ALTER TABLE token DROP COLUMN local;"
+        "ALTER TABLE token DROP COLUMN display; PRAGMA user_version = 1;" +
+        damage);
+    sqlite::keep_schema(old);
+  };
+  make_older("");
+  reopen();
+  EXPECT_EQ(accounts->identify(token, kNow)->role, Role::admin);
+  EXPECT_EQ(accounts->tokens("ada", kNow).front().scope, TokenScope());
+  EXPECT_TRUE(accounts->issue("ada", "phone", kNow + 1, 0, {Role::observer, true, "phone1"}));
+  ASSERT_TRUE(accounts->revoke("ada", accounts->tokens("ada", kNow).back().digest));
+  make_older("UPDATE token SET expires = 0");
+  EXPECT_EQ(Accounts::open(file).error().code, ErrorCode::corrupt);
+}
+
 TEST_F(AccountsTest, NobodyInParticularIsCurrentWhileThereAreNoAccounts) {
   EXPECT_TRUE(accounts->is_current(Identity(), kNow));
   ASSERT_TRUE(accounts->add(person("ada", Role::admin)));
@@ -209,9 +304,11 @@ TEST_F(AccountsTest, AFileThatLostOrChangedARowIsDamagedNotEmpty) {
   accounts.reset();
   const TemporaryFolder saved;
   std::filesystem::copy_file(file, saved.file("accounts"));
-  for (const char* damage : {"DELETE FROM account", "UPDATE account SET role = 'observer'",
-                             "UPDATE account SET hash = ''", "DELETE FROM token", "UPDATE token SET expires = 0",
-                             "UPDATE account SET role = 'king'", "DROP TABLE account", "DELETE FROM table_hash"}) {
+  for (const char* damage :
+       {"DELETE FROM account", "UPDATE account SET role = 'observer'", "UPDATE account SET hash = ''",
+        "DELETE FROM token", "UPDATE token SET expires = 0", "UPDATE account SET role = 'king'",
+        "UPDATE token SET role = 'observer'", "UPDATE token SET role = 'king'", "UPDATE token SET local = 1",
+        "UPDATE token SET display = 'phone1'", "DROP TABLE account", "DELETE FROM table_hash"}) {
     std::filesystem::copy_file(saved.file("accounts"), file, std::filesystem::copy_options::overwrite_existing);
     SQLite::Database(file, SQLite::OPEN_READWRITE).exec(damage);
     const auto opened = Accounts::open(file);
