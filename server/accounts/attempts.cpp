@@ -52,6 +52,7 @@ bool Attempts::is_known(const std::string& address, const std::string& account, 
 tl::expected<Attempts::Attempt, std::chrono::milliseconds> Attempts::begin(const std::string& address,
                                                                            const std::string& account, Time now) {
   const services::MutexLock lock(mutex_);
+  if (account.empty()) return begin_at(address, now);
   const std::string pair = pair_of(address, account);
   const bool counts_for_account = !is_known(address, account, now);
   const auto own = std::max(time_until_one(left(addresses_, address, kOfAddress, now), kOfAddress),
@@ -65,8 +66,16 @@ tl::expected<Attempts::Attempt, std::chrono::milliseconds> Attempts::begin(const
   return Attempt{address, account, counts_for_account};
 }
 
+tl::expected<Attempts::Attempt, std::chrono::milliseconds> Attempts::begin_at(const std::string& address, Time now) {
+  const auto wait = time_until_one(left(addresses_, address, kOfAddress, now), kOfAddress);
+  if (wait.count() > 0) return tl::unexpected(wait);
+  add(addresses_, address, kOfAddress, 1, now);
+  return Attempt{address, "", false};
+}
+
 void Attempts::give_back(const Attempt& attempt, Time now) {
   add(addresses_, attempt.address, kOfAddress, -1, now);
+  if (attempt.account.empty()) return;
   add(pairs_, pair_of(attempt.address, attempt.account), kOfPair, -1, now);
   if (attempt.counts_for_account) add(accounts_, attempt.account, kOfAccount, -1, now);
 }

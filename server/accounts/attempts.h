@@ -1,6 +1,6 @@
-// Attempts: how often logins may fail, of an address, of an account, and of an account from one address, so that
-// passwords cannot be guessed over the network. A token bucket each (RFC 2697's single rate, counted in failures): so
-// many at once, then one more in so long.
+// Attempts: how often logins and codes of pairings may fail, of an address, of an account, and of an account from one
+// address, so that neither can be guessed over the network. A token bucket each (RFC 2697's single rate, counted in
+// failures): so many at once, then one more in so long.
 //
 // Who guesses does not keep the owner of an account out: one address cannot empty the account's bucket, and from where
 // the account has logged in lately that bucket does not count. But beside an attacker who has several addresses, an
@@ -38,9 +38,9 @@ class Attempts {
   static constexpr std::size_t kMostKnownOfAll = 2'000;
   static constexpr std::chrono::hours kKnown{30 * 24};  // since it has logged in there
 
-  /// One login, or a password that is shown again.
+  /// One login, a password that is shown again, or a code of a pairing, which names no account.
   struct Attempt {
-    std::string address, account;
+    std::string address, account;  // empty: the address alone counts
     bool counts_for_account = true;
   };
   /// An attempt begins: it counts as failed until one of the others is said, so that attempts at once count all. Else
@@ -68,6 +68,7 @@ class Attempts {
     Time last;
   };
   bool is_known(const std::string& address, const std::string& account, Time now) const REQUIRES(mutex_);
+  tl::expected<Attempt, std::chrono::milliseconds> begin_at(const std::string& address, Time now) REQUIRES(mutex_);
   void give_back(const Attempt& attempt, Time now) REQUIRES(mutex_);
 
   services::Mutex mutex_;

@@ -11,7 +11,6 @@ namespace {
 constexpr std::string_view kTicket = "ticket";
 
 constexpr std::string_view kStopRoute = "/api/v1/stop";
-constexpr std::string_view kLoginRoute = "/api/v1/login";
 
 bool changes_something(const Request& request) { return request.method != "GET" && request.method != "HEAD"; }
 
@@ -34,6 +33,8 @@ std::string ticket_of(const Request& request) {
 
 }  // namespace
 
+bool Access::is_login(std::string_view pattern) { return pattern == "/api/v1/login" || pattern == "/api/v1/pair"; }
+
 tl::expected<Identity, Reply> Access::admit(const Request& request) const {
   if (request.count("authorization") > 1) return tl::unexpected(refusal(400, "login", "Authorization stands twice"));
   const std::string ticket = ticket_of(request);
@@ -53,12 +54,12 @@ Answer Access::audited(const Request& request, const Answer& answer) {
   entry.account = request.identity.account;
   entry.address = request.identity.address;
   entry.action = request.method + ' ' + request.path;
-  const bool is_login = pattern_of_(request.method, request.path) == kLoginRoute;
-  return Answer([this, is_login, entry = std::move(entry), answer](Reply reply) mutable {
+  const bool brings_token = is_login(pattern_of_(request.method, request.path));
+  return Answer([this, brings_token, entry = std::move(entry), answer](Reply reply) mutable {
     entry.time = now_ms();
     entry.outcome = std::to_string(reply.status);
     if (reply.logged_in) entry.account = *reply.logged_in;
-    if (has_row(is_login, reply)) audit_.append(std::move(entry));
+    if (has_row(brings_token, reply)) audit_.append(std::move(entry));
     answer(std::move(reply));
   });
 }
@@ -71,9 +72,9 @@ bool Access::take(Bucket& bucket, int burst) {
   return true;
 }
 
-bool Access::has_row(bool is_login, const Reply& reply) {
+bool Access::has_row(bool brings_token, const Reply& reply) {
   if (reply.is_routine) return false;
-  if (!is_login || reply.status == 200) return true;
+  if (!brings_token || reply.status == 200) return true;
   const services::MutexLock lock(mutex_);
   return reply.status == 401 && take(logins_, kLoginRows);
 }

@@ -31,10 +31,12 @@ class Access final : public ClientRecords {
   tl::expected<Identity, Reply> admit(const Request& request) const;
   /// An answer that is also a row of the audit log, if the request changes something and is not routine.
   Answer audited(const Request& request, const Answer& answer);
+  /// Whether the route of this pattern brings a token to who has none: for a password, or a code of a pairing.
+  static bool is_login(std::string_view pattern);
   /// Whoever reaches the server can send logins and stops without an account, as often as they like. These have so many
-  /// rows at once, then one in kRowTime of each: logins whose password is wrong, and stops of a cell that is stopped
-  /// already. Logins whose password was not looked at have none. So a stranger needs a month to push out what others
-  /// have done.
+  /// rows at once, then one in kRowTime of each: logins whose password or code is wrong, and stops of a cell that is
+  /// stopped already. Logins whose password was not looked at have none. So a stranger needs a month to push out what
+  /// others have done.
   static constexpr int kLoginRows = 100, kStopRows = 1;
   static constexpr std::chrono::seconds kRowTime{60};
   /// A stop of the cell, which the sockets' threads answer without a handler.
@@ -48,7 +50,7 @@ class Access final : public ClientRecords {
   /// A bucket, known by when it will be full again.
   using Bucket = std::chrono::steady_clock::time_point;
   static bool take(Bucket& bucket, int burst);
-  bool has_row(bool is_login, const Reply& reply) EXCLUDES(mutex_);
+  bool has_row(bool brings_token, const Reply& reply) EXCLUDES(mutex_);
 
   const Gate& gate_;
   AuditLog& audit_;

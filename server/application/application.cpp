@@ -17,7 +17,6 @@ namespace {
 
 constexpr unsigned kCoreThreads = 4;  // of cores that have little to do, and of commands to all
 constexpr unsigned kMostBusyThreads = 8;
-constexpr std::string_view kLogin = "/api/v1/login";
 
 // Of cores that are always busy: they leave a processor to all else.
 unsigned busy_core_threads() { return std::clamp(std::thread::hardware_concurrency(), 2U, kMostBusyThreads + 1) - 1; }
@@ -246,7 +245,7 @@ Answer Application::counted(const Request& request, const Answer& answer) {
   const auto begin = std::chrono::steady_clock::now();
   return Answer([this, method = request.method, pattern, begin, answer](Reply reply) {
     metrics_->answered(method, pattern, reply.status, std::chrono::steady_clock::now() - begin);
-    if (pattern == kLogin && (reply.status == 401 || reply.status == 429)) metrics_->login_failed();
+    if (Access::is_login(pattern) && (reply.status == 401 || reply.status == 429)) metrics_->login_failed();
     answer(std::move(reply));
   });
 }
@@ -300,7 +299,7 @@ Resources Application::resources() {
   return {*documents_, *breakpoints_, *editing_,    *boot_list_, *backups_,  *runs_,    *samples_,
           *pictures_,  *cores_,       *live_edits_, replays_,    deadlines_, restores_, *cell_,
           *log_,       answers_,      *accounts_,   *passwords_, attempts_,  tickets_,  *audit_,
-          authority_,  *control_,     *cell_stop_,  *metrics_,   *manual_};
+          authority_,  *control_,     *cell_stop_,  *metrics_,   *manual_,   pairings_, addresses_};
 }
 
 }  // namespace race::server

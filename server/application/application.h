@@ -13,6 +13,7 @@
 #include "server/accounts/audit_log.h"
 #include "server/accounts/gate.h"
 #include "server/accounts/local_key.h"
+#include "server/accounts/pairings.h"
 #include "server/accounts/passwords.h"
 #include "server/accounts/tickets.h"
 #include "server/application/access.h"
@@ -33,6 +34,7 @@
 #include "server/execution/live_edits.h"
 #include "server/handlers/authority_certificate.h"
 #include "server/handlers/idempotency.h"
+#include "server/handlers/network_addresses.h"
 #include "server/handlers/routes.h"
 #include "server/http/listener.h"
 #include "server/log/event_log.h"
@@ -83,6 +85,9 @@ class Application {
   void set_authority(std::string certificate, std::string fingerprint) {
     authority_ = {std::move(certificate), std::move(fingerprint)};
   }
+  /// Where the network reaches this server (GET /api/v1/addresses), "https://192.168.1.5:8443"; before the sockets
+  /// serve.
+  void set_addresses(std::vector<std::string> urls) { addresses_.urls = std::move(urls); }
   const std::string& authority_fingerprint() const { return authority_.fingerprint; }
   Control& control() { return *control_; }
   /// The replay that is done ends soon, and none begins any more: the sockets end.
@@ -121,12 +126,14 @@ class Application {
   std::unique_ptr<AuditLog> audit_;
   Attempts attempts_;
   Tickets tickets_;
+  Pairings pairings_;
   std::optional<Gate> gate_;
   std::unique_ptr<Access> access_;
   std::unique_ptr<Control> control_;
   std::unique_ptr<MotionEnd> motion_end_;
   std::unique_ptr<Metrics> metrics_;
   AuthorityCertificate authority_;
+  NetworkAddresses addresses_;
   std::unique_ptr<Documents> documents_;
   std::unique_ptr<Backups> backups_;
   std::unique_ptr<Runs> runs_;

@@ -113,11 +113,18 @@ Expected<std::vector<HttpServer::Place>> places_of(const Settings& settings, App
   return places;
 }
 
-void tell_network(const HttpServer::Place::Tls& tls, std::uint16_t port, const Application& app, LineLog& log) {
+std::vector<std::string> urls_of(const HttpServer::Place::Tls& tls, std::uint16_t port) {
+  std::vector<std::string> urls;
   for (const std::string& name : tls.names) {
     const std::string host = name.find(':') == std::string::npos ? name : '[' + name + ']';
-    log.write(LogLevel::info, "server", "serves the network at https://" + host + ':' + std::to_string(port));
+    urls.push_back("https://" + host + ':' + std::to_string(port));
   }
+  return urls;
+}
+
+void tell_network(std::vector<std::string> urls, Application& app, LineLog& log) {
+  for (const std::string& url : urls) log.write(LogLevel::info, "server", "serves the network at " + url);
+  app.set_addresses(std::move(urls));
   log.write(LogLevel::info, "server", "its authority, by SHA-256: " + app.authority_fingerprint());
 }
 
@@ -165,7 +172,7 @@ int serve(Options& options, const Arguments& arguments) {
   std::fflush(stdout);
   log.write(LogLevel::info, "server",
             "race " + std::string(version()) + " listens on " + address + ", data in " + settings.data);
-  if (places->size() > 1) tell_network(*places->back().tls, (*server)->port(1), **app, log);
+  if (places->size() > 1) tell_network(urls_of(*places->back().tls, (*server)->port(1)), **app, log);
   notify_manager("READY=1");
   (*server)->run();
   notify_manager("STOPPING=1");

@@ -34,7 +34,7 @@ std::optional<Role> read_role(Fields& fields, Fields::Need need) {
 
 Reply too_many_attempts(std::chrono::milliseconds wait) {
   const std::string seconds = std::to_string(std::chrono::ceil<std::chrono::seconds>(wait).count());
-  Reply reply = refusal(429, "attempts", "too many logins have failed; try again in " + seconds + " s");
+  Reply reply = refusal(429, "attempts", "too many logins or codes have failed; try again in " + seconds + " s");
   reply.headers.emplace_back("Retry-After", seconds);
   reply.is_routine = true;
   return reply;

@@ -27,6 +27,12 @@ Reply too_many_attempts(std::chrono::milliseconds wait);
 void settle(Attempts& attempts, const Attempts::Attempt& attempt, const Expected<bool>& is_right);
 
 inline constexpr std::int64_t kDay = std::int64_t{24} * 60 * 60 * 1000;  // ms
+/// Whether no token was made because what was looked at before is another one by now (Accounts::issue_login,
+/// issue_for).
+inline bool has_changed(const Error& error) {
+  return error.code == ErrorCode::not_found || error.code == ErrorCode::conflict;
+}
+
 /// Logins end after this [ms].
 inline constexpr std::int64_t kLoginLife = std::int64_t{12} * 60 * 60 * 1000;
 

@@ -36,6 +36,8 @@ class IdempotentAnswers;
 class LiveEdits;
 class ManualControl;
 class Metrics;
+struct NetworkAddresses;
+class Pairings;
 class Passwords;
 class Pictures;
 class Pool;
@@ -56,6 +58,9 @@ void change_password(const Request& request, Respond respond, Accounts& accounts
 void log_in(const Request& request, Respond respond, Accounts& accounts, Passwords& passwords, Attempts& attempts);
 Handled log_out(const Request& request, Accounts& accounts);
 Handled create_ticket(const Request& request, Tickets& tickets);
+Handled create_pairing(const Request& request, Accounts& accounts, Pairings& pairings, NetworkAddresses& addresses);
+Handled pair_display(const Request& request, Accounts& accounts, Pairings& pairings, Attempts& attempts);
+Handled get_addresses(const Request& request, NetworkAddresses& addresses);
 Handled list_accounts(const Request& request, Accounts& accounts);
 void create_account(const Request& request, Respond respond, Accounts& accounts, Passwords& passwords);
 void change_account(const Request& request, Respond respond, Accounts& accounts, Passwords& passwords);

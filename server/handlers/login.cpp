@@ -38,8 +38,6 @@ Reply wrong() {
   return reply;
 }
 
-bool has_changed(const Error& error) { return error.code == ErrorCode::not_found || error.code == ErrorCode::conflict; }
-
 // `hash`: of the password that was right when it was compared.
 Handled log_in_as(const std::string& name, const std::string& hash, Accounts& accounts) {
   const std::int64_t now = now_ms();

@@ -18,7 +18,8 @@ class EventLog;
 using Resources =
     std::tuple<Documents&, DocumentBreakpoints&, Editing&, BootList&, Backups&, Runs&, Samples&, Pictures&, Cores&,
                LiveEdits&, Worker&, Deadlines&, Pool&, Cell&, EventLog&, IdempotentAnswers&, Accounts&, Passwords&,
-               Attempts&, Tickets&, AuditLog&, AuthorityCertificate&, Control&, CellStop&, Metrics&, ManualControl&>;
+               Attempts&, Tickets&, AuditLog&, AuthorityCertificate&, Control&, CellStop&, Metrics&, ManualControl&,
+               Pairings&, NetworkAddresses&>;
 
 struct Route {
   std::string_view method;

@@ -68,7 +68,7 @@ std::string Metrics::text() const {
   Exposition to;
   add_requests(to);
   add_times(to);
-  to.single("race_logins_failed_total", "counter", "Logins with a wrong password, or refused after too many.",
+  to.single("race_logins_failed_total", "counter", "Logins with a wrong password or code, or refused after too many.",
             of(logins_failed_.load()));
   to.single("race_connections", "gauge", "Connections of clients now, WebSockets too.",
             of(clients_.connections.count()));

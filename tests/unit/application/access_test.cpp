@@ -64,9 +64,13 @@ TEST_F(AccessTest, OfLoginsThatFailThereAreFewRows) {
   EXPECT_EQ(rows(), 0U) << "no password was looked at";
   for (int i = 0; i < 1000; ++i) answered("/api/v1/login", 401);
   EXPECT_EQ(rows(), std::size_t{Access::kLoginRows});
+  for (int i = 0; i < 1000; ++i)
+    for (const int status : {401, 409, 422, 429}) answered("/api/v1/pair", status);
+  EXPECT_EQ(rows(), std::size_t{Access::kLoginRows}) << "nor of codes that are guessed";
   answered("/api/v1/login", 200);
+  answered("/api/v1/pair", 200);
   answered("/api/v1/cores", 422);
-  EXPECT_EQ(rows(), std::size_t{Access::kLoginRows} + 2) << "and each of what is done";
+  EXPECT_EQ(rows(), std::size_t{Access::kLoginRows} + 3) << "and each of what is done";
 }
 
 TEST_F(AccessTest, EachStopThatLatchesIsARowAndOneAMinuteOfTheOthers) {

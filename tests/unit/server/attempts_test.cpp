@@ -45,6 +45,16 @@ TEST_F(AttemptsTest, OfAnAddressTenAtOnceThenOneInSixSeconds) {
   EXPECT_EQ(failures("1", "joe", 100), 10);
 }
 
+TEST_F(AttemptsTest, WhereNoAccountIsNamedTheAddressAloneCounts) {
+  int made = 0;
+  for (int i = 0; i < 200; ++i) made += failures(std::to_string(i), "", 100);
+  EXPECT_EQ(made, 200 * 10);
+  EXPECT_FALSE(fails("1", "ada")) << "of the same bucket";
+  now += 1h;
+  for (int i = 0; i < 100; ++i) attempts.drop(*attempts.begin("1", "", now), now);
+  EXPECT_EQ(failures("1", "", 100), 10);
+}
+
 TEST_F(AttemptsTest, OfAnAccountFromOneAddressTenAtOnceThenOneInThirtySeconds) {
   EXPECT_EQ(failures("1", "ada", 100), 10);
   now += 29s;

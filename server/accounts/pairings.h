@@ -1,0 +1,52 @@
+// Pairings: a person who has logged in lets a phone in beside them, as a display: the phone reads a code from their
+// page, and gets a token of their account for it, which may less (TokenScope). A code is used once and soon.
+//
+// Threads: any.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+
+#include "server/accounts/account.h"
+#include "server/accounts/role.h"
+#include "services/mutex.h"
+
+namespace race::server {
+
+/// What a phone gets for a code.
+struct Pairing {
+  Identity by;             // who has let it in
+  TokenScope scope = {};   // of its token
+  std::string place = {};  // where it stands, a name as that of a display; empty: nowhere in particular
+  std::int64_t days = 1;   // until its token expires
+};
+
+class Pairings {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+  static constexpr std::chrono::seconds kLife{60};
+  static constexpr std::size_t kMost = 64;  // codes that wait
+
+  /// A new code. Else kMost wait: how long until the first of them is too old.
+  tl::expected<std::string, std::chrono::milliseconds> issue(Pairing pairing, Time now) EXCLUDES(mutex_);
+  /// Takes the code back. Nothing: there is none, it was used, or is too old. Each takes as long: a code is looked for
+  /// by its digest.
+  std::optional<Pairing> take(std::string_view code, Time now) EXCLUDES(mutex_);
+
+ private:
+  struct Entry {
+    Pairing pairing;
+    Time until;
+  };
+
+  services::Mutex mutex_;
+  std::map<std::string, Entry, std::less<>> pairings_ GUARDED_BY(mutex_);  // by digest
+};
+
+}  // namespace race::server

@@ -1,0 +1,65 @@
+#include "server/accounts/pairings.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace race::server {
+namespace {
+
+using namespace std::chrono_literals;
+using Time = Pairings::Time;
+
+const Identity kAda{"ada", Role::developer, {}, "digest", "10.0.0.7"};
+
+// Of phone1, phone2, ...
+Pairing phone(int number) { return {kAda, {Role::cell_operator, true, "phone" + std::to_string(number)}, "table", 30}; }
+
+TEST(Pairings, ACodeLetsOnePhoneIn) {
+  Pairings pairings;
+  const std::string one = *pairings.issue(phone(1), {}), other = *pairings.issue(phone(2), {});
+  const auto pairing = pairings.take(one, {});
+  ASSERT_TRUE(pairing);
+  EXPECT_EQ(pairing->by, kAda);
+  EXPECT_EQ(pairing->scope, (TokenScope{Role::cell_operator, true, "phone1"}));
+  EXPECT_EQ(pairing->place, "table");
+  EXPECT_EQ(pairing->days, 30);
+  EXPECT_FALSE(pairings.take(one, {})) << "once";
+  EXPECT_EQ(pairings.take(other, {})->scope.display, "phone2");
+}
+
+TEST(Pairings, ACodeIsGoodForAMinute) {
+  Pairings pairings;
+  const std::string early = *pairings.issue(phone(1), {}), late = *pairings.issue(phone(2), {});
+  EXPECT_TRUE(pairings.take(early, Time{} + 60s - 1ns));
+  EXPECT_FALSE(pairings.take(late, Time{} + 60s));
+  EXPECT_FALSE(pairings.take(late, Time{})) << "who came too late has used it up";
+}
+
+TEST(Pairings, ACodeHas128RandomBits) {
+  Pairings pairings;
+  const std::string one = *pairings.issue(phone(1), {}), other = *pairings.issue(phone(1), {});
+  EXPECT_NE(one, other);
+  EXPECT_EQ(one.size(), 22U);
+  EXPECT_EQ(one.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_"),
+            std::string::npos);
+  for (const std::string& wrong : {std::string(), one.substr(1), one + "A", one + one, std::string(22, 'A')})
+    EXPECT_FALSE(pairings.take(wrong, {})) << wrong;
+  EXPECT_TRUE(pairings.take(one, {}));
+}
+
+TEST(Pairings, AtMost64Wait) {
+  Pairings pairings;
+  std::vector<std::string> codes;
+  for (int i = 0; i < 64; ++i) codes.push_back(*pairings.issue(phone(i), Time{} + i * 1ms));
+  const Time later = Time{} + 10s;
+  EXPECT_EQ(pairings.issue(phone(65), later).error(), 50s) << "until the first is too old";
+  EXPECT_TRUE(pairings.take(codes[7], later)) << "none has made way";
+  EXPECT_TRUE(pairings.issue(phone(65), later));
+  EXPECT_FALSE(pairings.issue(phone(66), later));
+  EXPECT_TRUE(pairings.issue(phone(66), Time{} + 60s)) << "the first is too old";
+  EXPECT_FALSE(pairings.issue(phone(67), Time{} + 60s)) << "and only that";
+}
+
+}  // namespace
+}  // namespace race::server
