@@ -8,14 +8,7 @@
 
 namespace race::server {
 
-using services::error_value;
 using services::MutexLock;
-
-struct ManualControl::Message {
-  const std::shared_ptr<ControlClient>& client;
-  std::vector<Error>& errors;
-  Steady now;
-};
 
 namespace {
 
@@ -132,81 +125,6 @@ void ManualControl::give_back(Fields& fields, const Message& message) {
   if (const std::uint64_t number = number_of(*message.client))
     end(control_.release(number), {"gave the controls back", "given_back"});
   tell(*message.client, of_kind("released"));
-}
-
-// A button that is held calls `jog` again and again.
-bool ManualControl::Holder::begins(const std::string& service, const std::string& operation, Steady now) {
-  const bool goes_on = jogged == service && now - last_jog <= kJogTime;
-  if (operation == "stop") return !goes_on;
-  if (operation != "jog") return true;
-  jogged = service;
-  last_jog = now;
-  return !goes_on;
-}
-
-// A button that is held when its permission ends (a stop, another mode) moves nothing later, whoever resets the stop:
-// it is to be let go first. To be asked before begins().
-bool ManualControl::Holder::is_held_over(const std::string& service, const std::string& operation, std::uint64_t fence,
-                                         Steady now) {
-  if (operation != "jog") return false;
-  if (jogged != service || now - last_jog > Control::kSilence) jog_fence = fence;
-  return jog_fence != fence;
-}
-
-// A call is a sign of life, too.
-void ManualControl::call(Fields& fields, const Message& message) {
-  const auto number = fields.integer("number", 0, std::int64_t{1} << 53U, Fields::Need::required);
-  const auto service = fields.text("service", Fields::Need::required);
-  const auto operation = fields.text("operation", Fields::Need::required);
-  const List args = fields.list("args");
-  const Value* given = fields.find("kwargs");
-  if (given && !given->is_dict()) fields.violation(ErrorCode::type, "`kwargs` must be an object", "kwargs");
-  fields.close();
-  if (!message.errors.empty()) return;
-  const auto refuse = [&](ErrorCode code, const std::string& why) {
-    tell(*message.client, Dict{{"kind", "response"}, {"number", *number}, {"error", error_value(name(code), why)}});
-  };
-  const std::uint64_t control = number_of(*message.client);
-  if (!control_.hear(control, message.now)) return refuse(ErrorCode::leased, "take the controls of the cell first");
-  const auto fence = control_.fence_of(control);
-  if (!fence) return refuse(fence.error().code, fence.error().message);
-  services::Caller caller{Control::caller(control), 0, *fence};
-  bool begins = false, held_over = false;
-  {
-    const MutexLock lock(mutex_);
-    held_over =
-        holder_ && holder_->number == control && holder_->is_held_over(*service, *operation, *fence, message.now);
-    if (held_over) holder_->last_jog = message.now;
-    if (!held_over && holder_ && holder_->number == control && holder_->calls.size() < kMostCalls) {
-      caller.call = ++holder_->last_call;
-      holder_->calls.emplace(caller.call, *number);
-      begins = holder_->begins(*service, *operation, message.now);
-    }
-  }
-  if (held_over) return refuse(ErrorCode::stopped, "the cell was stopped meanwhile: let the button go first");
-  if (caller.call == 0)
-    return refuse(ErrorCode::too_large, std::to_string(kMostCalls) + " calls wait for their responses");
-  if (begins) record_(message.client->identity(), "control call " + *service + '.' + *operation, "accepted");
-  host_.call(caller, *service, *operation, args, given ? given->as_dict() : Dict());
-}
-
-void ManualControl::delivered(const services::Delivery& delivery) {
-  if (delivery.kind != services::Delivery::Kind::response || !Control::is_person(delivery.caller.core)) return;
-  std::weak_ptr<ControlClient> client;
-  Dict response = of_kind("response");
-  {
-    const MutexLock lock(mutex_);
-    if (!holder_ || delivery.caller.core != Control::caller(holder_->number)) return;
-    const auto call = holder_->calls.extract(delivery.caller.call);
-    if (!call) return;
-    client = holder_->client;
-    response.set("number", call.mapped());
-  }
-  if (delivery.units > kMostUnits)
-    response.set("error", error_value(name(ErrorCode::too_large), "the response is too large to be shown"));
-  else
-    response.set(delivery.is_error ? "error" : "result", delivery.data);
-  tell(client, std::move(response));
 }
 
 void ManualControl::disconnected(const ControlClient& client) {

@@ -1,7 +1,9 @@
 // ManualControl: people at the controls of the cell, on their connections: who takes them, is heard, calls operations
-// by hand, and gives them back, or loses them. However they end, what moved by them stops.
+// by hand, and gives them back, or loses them. However they end, what moved by them stops. Also calls by requests,
+// which need the controls for what `moves` alone.
 //
-// Threads: any. Waits for nothing but locks that nobody holds for long; calls the host without one.
+// Threads: any. Waits for nothing but locks that nobody holds for long; calls the host without one. manual_control.cpp
+// has the controls, calls_by_hand.cpp the calls.
 #pragma once
 
 #include <cstdint>
@@ -16,6 +18,7 @@
 #include "core/value/fields.h"
 #include "server/control/cell_stop.h"
 #include "server/control/control.h"
+#include "server/control/person_call.h"
 #include "server/stream/control_requests.h"
 #include "services/host/host.h"
 #include "services/mutex.h"
@@ -25,8 +28,6 @@ namespace race::server {
 class ManualControl final : public ControlRequests {
  public:
   using Steady = Control::Steady;
-  static constexpr std::size_t kMostCalls = 16;           // of a person, that wait for their responses
-  static constexpr std::size_t kMostUnits = 16U << 10U;   // of a response (Value::size_units)
   static constexpr std::chrono::seconds kAnswerTime{30};  // for a person at the cell to allow a take-over
   static constexpr std::chrono::seconds kJogTime{1};      // calls of `jog` that follow each other sooner are one motion
   /// What somebody has done, as a row of the audit log: who takes the controls, or asks for them; each call by hand,
@@ -43,7 +44,15 @@ class ManualControl final : public ControlRequests {
   /// Who is silent has the controls no more; a request that nobody answers is dropped. On the thread of the cell, each
   /// step.
   void check(Steady now) EXCLUDES(mutex_);
-  /// What a service says: responses to calls by hand go to who made them. Under the host's lock: quick.
+  /// Calls an operation for a request: `control` is the number of its sender, 0 if they have not the controls.
+  /// `respond` gets the response, unless give_up() comes before. One that `moves` passes what a call on a connection
+  /// does. Errors: `not_found`: the service; `leased`: it moves, and they have not the controls; `stopped`, of a `jog`
+  /// whose button was held when the cell was; `unavailable`: PersonCalls::kMost others wait.
+  Expected<services::Caller> call_by_request(std::uint64_t control, const PersonCall& call,
+                                             PersonCalls::Respond respond) EXCLUDES(mutex_);
+  /// Nobody waits for the response to this call of a request any more; whether somebody did.
+  bool give_up(const services::Caller& caller) EXCLUDES(mutex_);
+  /// What a service says: responses to calls by people go to who made them. Under the host's lock: quick.
   void delivered(const services::Delivery& delivery) EXCLUDES(mutex_);
 
   /// The number of who proves by the secret of `taken` to have the controls; 0: `secret` is empty. Error `leased`: they
@@ -56,16 +65,16 @@ class ManualControl final : public ControlRequests {
   Expected<void> set_mode(std::uint64_t number, Mode mode);
 
  private:
+  static constexpr std::string_view kRequests = "request";  // the caller of what needs no controls
   /// Who has the controls.
   struct Holder {
-    bool begins(const std::string& service, const std::string& operation, Steady now);
-    bool is_held_over(const std::string& service, const std::string& operation, std::uint64_t fence, Steady now);
+    bool begins(const PersonCall& call, Steady now);
+    bool is_held_over(const PersonCall& call, std::uint64_t fence, Steady now);
     std::weak_ptr<ControlClient> client;
     Identity identity = {};
     std::uint64_t number = 0;
-    std::string secret = {};                           // its digest
-    std::map<std::uint64_t, std::int64_t> calls = {};  // that wait: their numbers here and at the client
-    std::uint64_t last_call = 0;
+    std::string secret = {};  // its digest
+    PersonCalls calls = {};   // that wait
     std::string jogged = {};  // the service of the last `jog`
     Steady last_jog = {};
     std::uint64_t jog_fence = 0;  // with which that motion began
@@ -76,11 +85,29 @@ class ManualControl final : public ControlRequests {
     std::int64_t id = 0;
     Steady until;
   };
-  struct Message;
+  struct Message {
+    const std::shared_ptr<ControlClient>& client;
+    std::vector<Error>& errors;
+    Steady now;
+  };
   void take(Fields& fields, const Message& message) EXCLUDES(mutex_);
   void beat(Fields& fields, const Message& message) EXCLUDES(mutex_);
   void give_back(Fields& fields, const Message& message) EXCLUDES(mutex_);
   void call(Fields& fields, const Message& message) EXCLUDES(mutex_);
+  /// Where a call comes from: the connection of who has the controls, or a request.
+  enum class Via { connection, request };
+  /// One that may be made; `is_new`: it is no part of a motion by `jog` that has begun.
+  struct ByHand {
+    services::Caller caller;
+    bool is_new = false;
+  };
+  /// Its number. Errors, if PersonCalls::kMost others wait: `too_large`; of a request `unavailable`. Of a connection:
+  /// requires that somebody has the controls.
+  Expected<std::uint64_t> wait(Via via, PersonCalls::Respond respond) REQUIRES(mutex_);
+  Expected<ByHand> begin_by_hand(std::uint64_t control, const PersonCall& call, Steady now, Via via,
+                                 PersonCalls::Respond respond) EXCLUDES(mutex_);
+  Expected<services::Caller> begin_free(PersonCalls::Respond respond) EXCLUDES(mutex_);
+  Expected<bool> moves(const PersonCall& call) const;
   void ask(const std::shared_ptr<ControlClient>& client, const std::string& by, Steady now) EXCLUDES(mutex_);
   void give(const std::shared_ptr<ControlClient>& client, const std::string& by, Steady now) EXCLUDES(mutex_);
   std::uint64_t number_of(const ControlClient& client) const EXCLUDES(mutex_);
@@ -97,6 +124,8 @@ class ManualControl final : public ControlRequests {
   const Record record_;
   mutable services::Mutex mutex_;  // the control's may be taken under it
   std::optional<Holder> holder_ GUARDED_BY(mutex_);
+  PersonCalls by_request_ GUARDED_BY(mutex_);  // calls of everybody
+  std::uint64_t last_call_ GUARDED_BY(mutex_) = 0;
   std::map<std::uint64_t, Identity> replaced_ GUARDED_BY(mutex_);  // by number: had lost them when others took them
   std::optional<Asking> asking_ GUARDED_BY(mutex_);
   std::int64_t requests_ GUARDED_BY(mutex_) = 0;

@@ -79,6 +79,7 @@ constexpr std::array kRoutes = {
     Route{"DELETE", "/api/v1/backups/{name}", call<delete_backup>},
     Route{"POST", "/api/v1/backups/{name}/restore", call<restore_backup>},
     Route{"GET", "/api/v1/services", call<list_services>},
+    Route{"POST", "/api/v1/services/{service}/calls", call<call_service>, kBody},
     Route{"GET", "/api/v1/cores", call<list_cores>},
     Route{"POST", "/api/v1/cores", call<create_core>, kBody, "", kCreates},
     Route{"GET", "/api/v1/cores/{id}", call<get_core>},

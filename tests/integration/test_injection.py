@@ -106,7 +106,7 @@ class Fixture:
         scene = server.get("/cell", "scene")
         self.backup = server.post("/backups", None, "backup", 201)["name"]
         self.values = {"run": run, "with": run, "id": core, "digest": digest, "file": scene["robots"][0]["urdf"], "number": "0",
-                       "revision": "1", "step": "1", "author": "admin"}
+                       "service": "db", "revision": "1", "step": "1", "author": "admin"}
         self.begun = time.time()
 
     def known(self, pattern, name):

@@ -53,7 +53,7 @@ class Bodies(unittest.TestCase):
         cls.addClassCleanup(cls.server.stop)
         cls.server.put("/documents/target", models.ticking("target"), "document_entry")
         core = cls.server.core(models.ticking(), start=False)
-        cls.names = {"{id}": core, "/documents/{name}": "/documents/target", "/accounts/{name}": "/accounts/observer"}
+        cls.names = {"{id}": core, "{service}": "db", "/documents/{name}": "/documents/target", "/accounts/{name}": "/accounts/observer"}
         cls.client = KeepAlive(cls.server.port, cls.server.token)
         cls.addClassCleanup(cls.client.close)
         cls.asked = 0

@@ -42,21 +42,19 @@ struct ManualControlTest : HostedCores {
   }
   static std::shared_ptr<Person> person(const char* account) { return std::make_shared<Person>(account); }
   void say(const std::shared_ptr<Person>& person, const char* text) { manual->request(person, text); }
-  void take(const std::shared_ptr<Person>& person) {
-    say(person, R"({"type": "take"})");
-    calls = 0;
-  }
+  void take(const std::shared_ptr<Person>& person) { say(person, R"({"type": "take"})"); }
   void call(const std::shared_ptr<Person>& person, const std::string& service, const std::string& operation) {
     say(person, (R"({"type": "call", "number": 1, "service": ")" + service + R"(", "operation": ")" + operation + "\"}")
                     .c_str());
-    manual->delivered(response());
+    ++calls;
+    for (std::uint64_t made = 1; made <= calls; ++made) respond_to(made);
   }
-  // The response to the last call, so that few wait.
-  services::Delivery response() {
+  // So that few wait.
+  void respond_to(std::uint64_t call) {
     services::Delivery delivery;
     delivery.kind = services::Delivery::Kind::response;
-    delivery.caller = {Control::caller(control.holder()), ++calls};
-    return delivery;
+    delivery.caller = {Control::caller(control.holder()), call};
+    manual->delivered(delivery);
   }
   // What was recorded since it was asked last.
   std::vector<std::string> recorded() { return std::exchange(rows, {}); }

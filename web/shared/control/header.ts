@@ -4,6 +4,7 @@ const kNeed: readonly { readonly method: string; readonly path: RegExp }[] = [
   { method: "POST", path: /\/api\/v1\/cores\/[^/]+\/(?:start|resume|step|force|confirm_edit)$/ },
   { method: "POST", path: /\/api\/v1\/cell\/reset$/ },
   { method: "PUT", path: /\/api\/v1\/control\/mode$/ },
+  { method: "POST", path: /\/api\/v1\/services\/[^/]+\/calls$/ },
 ];
 
 export const kControlHeader = "race-control";

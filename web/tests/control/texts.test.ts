@@ -40,8 +40,8 @@ describe("requests that need the controls", () => {
   it.each(["start", "resume", "step", "force", "confirm_edit"])("have the secret: %s", async (what) => {
     expect([await sent(`/api/v1/cores/7/${what}`, "POST", "s"), await sent(`/api/v1/cores/7/${what}`, "POST", undefined)]).toEqual(["s", null]);
   });
-  it("have it where the mode is set and the cell is reset, and nowhere else", async () => {
-    expect([await sent("/api/v1/control/mode", "PUT", "s"), await sent("/api/v1/cell/reset", "POST", "s"), await sent("/api/v1/cores", "POST", "s"), await sent("/api/v1/cores/7/stop", "POST", "s"), await sent("/api/v1/stop", "POST", "s")]).toEqual(["s", "s", null, null, null]);
+  it("have it where the mode is set, the cell is reset and a service is called, and nowhere else", async () => {
+    expect([await sent("/api/v1/control/mode", "PUT", "s"), await sent("/api/v1/cell/reset", "POST", "s"), await sent("/api/v1/services/robot/calls", "POST", "s"), await sent("/api/v1/cores", "POST", "s"), await sent("/api/v1/cores/7/stop", "POST", "s"), await sent("/api/v1/stop", "POST", "s")]).toEqual(["s", "s", "s", null, null, null]);
   });
 });
 

@@ -64,6 +64,7 @@ const unread = new Set([
   "backup", "backups", "boot", "breakpoints", "checkpoint", "component_message", "component_request",
   "cell_reset", "control_answer", "control_mode", "control_request", "core_confirm_edit", "core_create", "core_load", "core_resume", "core_start", "document_branch", "document_entry", "document_restore", "edit_request",
   "addresses", "pair", "pair_answer", "pairing_create", "pairing_created",
+  "service_call", "service_response",
   "operator", "person_command", "revisions", "run_file",
   "server_config", "step_request", "stream_request",
 ]);

@@ -1,0 +1,127 @@
+// Calls of operations by people: of who has the controls, on their connection, and by requests.
+#include <algorithm>
+
+#include "server/control/manual_control.h"
+
+namespace race::server {
+
+using services::MutexLock;
+
+// A button that is held calls `jog` again and again.
+bool ManualControl::Holder::begins(const PersonCall& call, Steady now) {
+  const bool goes_on = jogged == call.service && now - last_jog <= kJogTime;
+  if (call.operation == "stop") return !goes_on;
+  if (call.operation != "jog") return true;
+  jogged = call.service;
+  last_jog = now;
+  return !goes_on;
+}
+
+// A button that is held when its permission ends (a stop, another mode) moves nothing later, whoever resets the stop:
+// it is to be let go first. To be asked before begins().
+bool ManualControl::Holder::is_held_over(const PersonCall& call, std::uint64_t fence, Steady now) {
+  if (call.operation != "jog") return false;
+  if (jogged != call.service || now - last_jog > Control::kSilence) jog_fence = fence;
+  return jog_fence != fence;
+}
+
+Expected<std::uint64_t> ManualControl::wait(Via via, PersonCalls::Respond respond) {
+  const bool is_request = via == Via::request;
+  if ((is_request ? by_request_ : holder_->calls).add(last_call_ + 1, std::move(respond))) return ++last_call_;
+  return unexpected(is_request ? ErrorCode::unavailable : ErrorCode::too_large,
+                    std::to_string(PersonCalls::kMost) + " calls wait for their responses");
+}
+
+Expected<ManualControl::ByHand> ManualControl::begin_by_hand(std::uint64_t control, const PersonCall& call, Steady now,
+                                                             Via via, PersonCalls::Respond respond) {
+  ASSIGN_OR_RETURN(const std::uint64_t fence, control_.fence_of(control));
+  const MutexLock lock(mutex_);
+  if (!holder_ || holder_->number != control)
+    return unexpected(ErrorCode::leased, "you have not the controls of the cell any more");
+  if (holder_->is_held_over(call, fence, now)) {
+    holder_->last_jog = now;
+    return unexpected(ErrorCode::stopped, "the cell was stopped meanwhile: let the button go first");
+  }
+  ASSIGN_OR_RETURN(const std::uint64_t number, wait(via, std::move(respond)));
+  return ByHand{{Control::caller(control), number, fence}, holder_->begins(call, now)};
+}
+
+// A call is a sign of life, too.
+void ManualControl::call(Fields& fields, const Message& message) {
+  const auto number = fields.integer("number", 0, std::int64_t{1} << 53U, Fields::Need::required);
+  auto service = fields.text("service", Fields::Need::required);
+  const PersonCall call = read_call(std::move(service).value_or(""), fields);
+  fields.close();
+  if (!message.errors.empty()) return;
+  const auto respond = [number = *number, weak = std::weak_ptr(message.client)](Dict response) {
+    response.set("kind", "response");
+    response.set("number", number);
+    if (const auto client = weak.lock()) client->tell(Value(std::move(response)).freeze());
+  };
+  const std::uint64_t control = number_of(*message.client);
+  if (!control_.hear(control, message.now))
+    return respond(response_json(Error{ErrorCode::leased, "take the controls of the cell first"}));
+  const auto begun = begin_by_hand(control, call, message.now, Via::connection, respond);
+  if (!begun) return respond(response_json(begun.error()));
+  if (begun->is_new)
+    record_(message.client->identity(), "control call " + call.service + '.' + call.operation, "accepted");
+  host_.call(begun->caller, call.service, call.operation, call.args, call.kwargs);
+}
+
+Expected<bool> ManualControl::moves(const PersonCall& call) const {
+  const auto service = host_.service(call.service);
+  if (!service || !service->model)
+    return unexpected(ErrorCode::not_found, "there is no service of this key", call.service);
+  const auto& operations = service->model->operations;
+  const auto operation = std::ranges::find(operations, call.operation, &rsm::Operation::name);
+  return operation != operations.end() && operation->moves;
+}
+
+Expected<services::Caller> ManualControl::begin_free(PersonCalls::Respond respond) {
+  const MutexLock lock(mutex_);
+  ASSIGN_OR_RETURN(const std::uint64_t number, wait(Via::request, std::move(respond)));
+  return services::Caller{std::string(kRequests), number, 0};
+}
+
+Expected<services::Caller> ManualControl::call_by_request(std::uint64_t control, const PersonCall& call,
+                                                          PersonCalls::Respond respond) {
+  ASSIGN_OR_RETURN(const bool moves_something, moves(call));
+  if (control == 0 && moves_something)
+    return unexpected(ErrorCode::leased, "take the controls of the cell first: " + quote(call.operation) + " moves");
+  services::Caller caller;
+  if (control == 0) {
+    ASSIGN_OR_RETURN(caller, begin_free(std::move(respond)));
+  } else {
+    ASSIGN_OR_RETURN(const ByHand begun,
+                     begin_by_hand(control, call, std::chrono::steady_clock::now(), Via::request, std::move(respond)));
+    caller = begun.caller;
+  }
+  host_.call(caller, call.service, call.operation, call.args, call.kwargs);
+  return caller;
+}
+
+bool ManualControl::give_up(const services::Caller& caller) {
+  {
+    const MutexLock lock(mutex_);
+    if (!by_request_.take(caller.call)) return false;
+  }
+  host_.abandon(caller);
+  return true;
+}
+
+// Numbers are of one count: a response is for one of the two alone.
+void ManualControl::delivered(const services::Delivery& delivery) {
+  const std::string& caller = delivery.caller.core;
+  if (delivery.kind != services::Delivery::Kind::response || (caller != kRequests && !Control::is_person(caller)))
+    return;
+  std::optional<PersonCalls::Respond> respond;
+  {
+    const MutexLock lock(mutex_);
+    respond = by_request_.take(delivery.caller.call);
+    if (!respond && holder_ && caller == Control::caller(holder_->number))
+      respond = holder_->calls.take(delivery.caller.call);
+  }
+  if (respond) (*respond)(response_json(delivery));
+}
+
+}  // namespace race::server
